@@ -12,8 +12,8 @@ mod texel_class;
 mod texture;
 
 pub(crate) use lod_range::LodRange;
-pub(crate) use texel_class::Class;
-pub(crate) use texture::{Alpha, Anisotropy, Detail, SampleKernel, Texture, Way};
+pub(crate) use texel_class::TexelClass;
+pub(crate) use texture::{Alpha, Anisotropy, LevelSelection, SampleKernel, TexelPath, Texture};
 
 use crate::image::{Image, Incomplete, Level, Shape};
 use crate::lanes::{I32s, LANES};
@@ -47,7 +47,7 @@ impl SamplePlan {
     /// Whether λ is computed. Where it is not, the derivatives of coordinates do not matter.
     pub fn needs_lod(&self) -> bool {
         match &self.0 {
-            Ok(texture) => matches!(texture.detail, Detail::PerLane { .. }),
+            Ok(texture) => matches!(texture.level_selection, LevelSelection::PerLane { .. }),
             Err(_) => false,
         }
     }
@@ -71,10 +71,10 @@ impl SamplePlan {
         let (Ok(one), Ok(other)) = (&self.0, &other.0) else { return false };
         let of = |level: &Arc<Level>| (level.size(), level.border, level.format.bytes());
         let [levels, others] = [one, other].map(|texture| texture.levels[0].iter().map(of));
-        one.gives_words
-            && other.gives_words
+        one.is_fusible
+            && other.is_fusible
             && (one.shape, one.wrap) == (other.shape, other.wrap)
-            && one.detail == other.detail
+            && one.level_selection == other.level_selection
             && levels.eq(others)
     }
 
@@ -100,10 +100,10 @@ impl SamplePlan {
 
     /// The same plan without its quicker kernels.
     pub(crate) fn general(&self) -> Self {
-        let way = Way::General;
+        let texel_path = TexelPath::General;
         Self(self.0.clone().map(|texture| {
-            let kernel = SampleKernel::new(texture.shape, way, &texture.detail);
-            Texture { way, kernel, alpha: Alpha::Read, gives_words: false, ..texture }
+            let kernel = SampleKernel::new(texture.shape, texel_path, &texture.level_selection);
+            Texture { texel_path, kernel, alpha: Alpha::Stored, is_fusible: false, ..texture }
         }))
     }
 

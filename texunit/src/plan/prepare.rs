@@ -2,8 +2,8 @@
 //! an image and a sampler.
 
 use super::selection::wrap_of;
-use super::texel_class::Class;
-use super::texture::{Alpha, Anisotropy, Detail, SampleKernel, Texture, Way};
+use super::texel_class::TexelClass;
+use super::texture::{Alpha, Anisotropy, LevelSelection, SampleKernel, TexelPath, Texture};
 use crate::format::{BaseFormat, Block, Encoding, Format};
 use crate::image::{FACES, Image, Incomplete, Level, Shape};
 use crate::lanes::math::clamp;
@@ -18,8 +18,8 @@ impl Texture {
     pub(super) fn new(image: &Image, sampler: &Sampler) -> Result<Self, Incomplete> {
         let reached = image.completeness(sampler)?;
         let shape = image.shape();
-        let mut detail = Detail::new(shape, sampler, reached.last - reached.base);
-        let mut levels = levels(image, reached.base, detail.last_level());
+        let mut level_selection = LevelSelection::new(shape, sampler, reached.last - reached.base);
+        let mut levels = levels(image, reached.base, level_selection.last_level());
         if sampler.srgb == SrgbRead::AsIs {
             levels.iter_mut().flatten().for_each(without_srgb);
         }
@@ -30,7 +30,7 @@ impl Texture {
         let base = &levels[0][0];
         let (format, size) = (base.format, base.size());
         let compare = if format.is_depth() { sampler.compare } else { None };
-        if let Detail::PerLane { anisotropy, .. } = &mut detail {
+        if let LevelSelection::PerLane { anisotropy, .. } = &mut level_selection {
             *anisotropy = match *anisotropy {
                 // Texels are averaged, which the bits of integers cannot be.
                 _ if format.is_integer() => Anisotropy::Off,
@@ -42,8 +42,8 @@ impl Texture {
         for (channel, (to, &from)) in border.iter_mut().zip(format.base().sources()).enumerate() {
             *to = border_channel(format, channel, sampler.border, from);
         }
-        let way = Way::new(shape, format, compare);
-        let kernel = SampleKernel::new(shape, way, &detail);
+        let texel_path = TexelPath::new(shape, format, compare);
+        let kernel = SampleKernel::new(shape, texel_path, &level_selection);
         Ok(Self {
             shape,
             format,
@@ -56,35 +56,37 @@ impl Texture {
             compare,
             depth_mode: sampler.depth_mode,
             swizzle: sampler.swizzle,
-            way,
-            alpha: if format.base() == BaseFormat::Rgb { Alpha::One } else { Alpha::Read },
-            gives_words: kernel == SampleKernel::Flat(Class::Bytes)
+            texel_path,
+            alpha: if format.base() == BaseFormat::Rgb { Alpha::One } else { Alpha::Stored },
+            is_fusible: kernel == SampleKernel::UniformLevel(TexelClass::Bytes)
                 && matches!(format.base(), BaseFormat::Rgb | BaseFormat::Rgba)
                 && sampler.swizzle == Swizzle::IDENTITY,
             kernel,
-            detail,
+            level_selection,
         })
     }
 
     /// Whether kernels need no means of alpha, though they make some: it is a byte, and 255 all over
     /// the levels that filters reach.
     pub(super) fn has_alpha_to_leave_out(&self) -> bool {
-        let is_byte = match self.way {
-            Way::Plain(Class::Bytes | Class::Srgb) => self.format.channels() == 4,
-            Way::Plain(Class::Halves | Class::Floats | Class::Depth { .. })
-            | Way::General
-            | Way::Blocks(_)
-            | Way::Compared(_) => false,
+        let is_byte = match self.texel_path {
+            TexelPath::Words(TexelClass::Bytes | TexelClass::Srgb) => self.format.channels() == 4,
+            TexelPath::Words(
+                TexelClass::Halves | TexelClass::Floats | TexelClass::Depth { .. },
+            )
+            | TexelPath::General
+            | TexelPath::Blocks(_)
+            | TexelPath::ComparedWords(_) => false,
         };
-        let has_means = match &self.detail {
-            Detail::Fixed { filter, .. } => *filter == Filter::Linear,
-            Detail::PerLane { min, mag, .. } => [min, mag].contains(&&Filter::Linear),
+        let has_means = match &self.level_selection {
+            LevelSelection::Fixed { filter, .. } => *filter == Filter::Linear,
+            LevelSelection::PerLane { min, mag, .. } => [min, mag].contains(&&Filter::Linear),
         };
-        let filtered = self.detail.last_level() as usize + 1;
+        let filtered = self.level_selection.last_level() as usize + 1;
         let mut levels = self.levels.iter().flat_map(|face| face.iter().take(filtered));
         is_byte
             && has_means
-            && self.alpha == Alpha::Read
+            && self.alpha == Alpha::Stored
             && levels.all(|level| is_opaque(&level.texels))
     }
 }

@@ -1,7 +1,7 @@
 //! A row of texels that is fetched and never filtered (`ARB_texture_buffer_object`).
 
 use super::SamplePlan;
-use super::texture::{Alpha, Detail, SampleKernel, Texture, Way};
+use super::texture::{Alpha, LevelSelection, SampleKernel, TexelPath, Texture};
 use crate::image::{Level, Shape};
 use crate::sampler::{DepthMode, Filter, Seamless, Swizzle, Wrap};
 use std::sync::Arc;
@@ -12,7 +12,8 @@ impl SamplePlan {
     pub fn of_row(row: Level) -> Self {
         let (shape, format, size) = (Shape::D1, row.format, row.size());
         let why = "texels are fetched by their numbers";
-        let detail = Detail::Fixed { filter: Filter::Nearest, level: 0, why, bias: 0.0 };
+        let level_selection =
+            LevelSelection::Fixed { filter: Filter::Nearest, level: 0, why, bias: 0.0 };
         Self(Ok(Texture {
             shape,
             format,
@@ -25,11 +26,11 @@ impl SamplePlan {
             compare: None,
             depth_mode: DepthMode::Luminance,
             swizzle: Swizzle::IDENTITY,
-            way: Way::General,
-            alpha: Alpha::Read,
-            gives_words: false,
-            kernel: SampleKernel::Probed,
-            detail,
+            texel_path: TexelPath::General,
+            alpha: Alpha::Stored,
+            is_fusible: false,
+            kernel: SampleKernel::Probes,
+            level_selection,
         }))
     }
 }

@@ -1,8 +1,8 @@
 //! Which kernels sample an image with a sampler, and whether λ is needed for it.
 
 use super::lod_range::LodRange;
-use super::texel_class::Class;
-use super::texture::{Anisotropy, Detail, SampleKernel, Way};
+use super::texel_class::TexelClass;
+use super::texture::{Anisotropy, LevelSelection, SampleKernel, TexelPath};
 use crate::format::Format;
 use crate::image::Shape;
 use crate::lanes::F32s;
@@ -10,28 +10,30 @@ use crate::lanes::math::clamp;
 use crate::sampler::{Compare, Filter, MAX_ANISOTROPY, Mipmap, Sampler, Seamless, Wrap};
 
 impl SampleKernel {
-    pub fn new(shape: Shape, way: Way, detail: &Detail) -> Self {
+    pub fn new(shape: Shape, path: TexelPath, detail: &LevelSelection) -> Self {
         let (anisotropy, min, mag) = match detail {
-            Detail::Fixed { filter, .. } => (Anisotropy::Off, filter, filter),
-            Detail::PerLane { anisotropy, min, mag, .. } => (*anisotropy, min, mag),
+            LevelSelection::Fixed { filter, .. } => (Anisotropy::Off, filter, filter),
+            LevelSelection::PerLane { anisotropy, min, mag, .. } => (*anisotropy, min, mag),
         };
-        let suit = match way {
-            Way::Compared(_) => (min, mag) == (&Filter::Nearest, &Filter::Nearest),
-            Way::General | Way::Plain(_) | Way::Blocks(_) => min == mag,
+        let single_filter = match path {
+            TexelPath::ComparedWords(_) => (min, mag) == (&Filter::Nearest, &Filter::Nearest),
+            TexelPath::General | TexelPath::Words(_) | TexelPath::Blocks(_) => min == mag,
         };
-        match (anisotropy, uniform_class(shape, way)) {
-            (Anisotropy::Off, Some(class)) if suit => Self::Flat(class),
-            (Anisotropy::Off | Anisotropy::Probes(_), _) => Self::Probed,
-            (Anisotropy::Scan(_), _) => Self::Scanned,
+        match (anisotropy, uniform_level_class(shape, path)) {
+            (Anisotropy::Off, Some(class)) if single_filter => Self::UniformLevel(class),
+            (Anisotropy::Off | Anisotropy::Probes(_), _) => Self::Probes,
+            (Anisotropy::Scan(_), _) => Self::RowScan,
         }
     }
 }
 
-/// The class of the texels, where the image and its texels go this way.
-fn uniform_class(shape: Shape, way: Way) -> Option<Class> {
-    match (shape, way) {
-        (Shape::D2 | Shape::Rect, Way::Plain(class) | Way::Compared(class)) => Some(class),
-        (Shape::D2 | Shape::Rect, Way::General | Way::Blocks(_))
+/// The class of the texels, where the image and its texels go this path.
+fn uniform_level_class(shape: Shape, path: TexelPath) -> Option<TexelClass> {
+    match (shape, path) {
+        (Shape::D2 | Shape::Rect, TexelPath::Words(class) | TexelPath::ComparedWords(class)) => {
+            Some(class)
+        }
+        (Shape::D2 | Shape::Rect, TexelPath::General | TexelPath::Blocks(_))
         | (
             Shape::D1
             | Shape::D3
@@ -44,17 +46,17 @@ fn uniform_class(shape: Shape, way: Way) -> Option<Class> {
     }
 }
 
-impl Way {
+impl TexelPath {
     pub fn new(shape: Shape, format: Format, compare: Option<Compare>) -> Self {
         let short = match shape {
             Shape::D2 | Shape::Rect => true,
             Shape::Cube => compare.is_none(),
             Shape::D1 | Shape::D3 | Shape::D1Array | Shape::D2Array | Shape::CubeArray => false,
         };
-        match (short, format.block(), Class::of(format), compare) {
+        match (short, format.block(), TexelClass::of(format), compare) {
             (true, Some(block), _, None) => Self::Blocks(block),
-            (true, None, Some(class), None) => Self::Plain(class),
-            (true, None, Some(class), Some(_)) => Self::Compared(class),
+            (true, None, Some(class), None) => Self::Words(class),
+            (true, None, Some(class), Some(_)) => Self::ComparedWords(class),
             (true, Some(_), _, Some(_)) | (true, None, None, _) | (false, _, _, _) => Self::General,
         }
     }
@@ -109,7 +111,7 @@ pub fn wrap_of(shape: Shape, seamless: Seamless, wrap: Wrap) -> Wrap {
     }
 }
 
-impl Detail {
+impl LevelSelection {
     /// Decides whether λ is needed at all. `last` counts from the base level.
     pub fn new(shape: Shape, sampler: &Sampler, last: u32) -> Self {
         let Sampler { min, mipmap, mag, .. } = *sampler;

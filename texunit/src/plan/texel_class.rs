@@ -4,7 +4,7 @@ use crate::format::{Encoding, Format};
 
 /// What the channels of a texel are. They lie one after the other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Class {
+pub enum TexelClass {
     /// Bytes over 255.
     Bytes,
     /// sRGB-encoded bytes, and alpha a byte over 255.
@@ -22,7 +22,7 @@ pub enum Class {
     },
 }
 
-impl Class {
+impl TexelClass {
     /// Of a format, if it has one.
     pub fn of(format: Format) -> Option<Self> {
         let info = format.info();

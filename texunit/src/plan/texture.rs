@@ -1,7 +1,7 @@
 //! A complete image with its sampler, as the kernels read it, and what was decided of it.
 
 use super::lod_range::LodRange;
-use super::texel_class::Class;
+use super::texel_class::TexelClass;
 use crate::format::{Block, Format};
 use crate::image::{FACES, Level, Shape};
 use crate::sampler::{Compare, DepthMode, Filter, Mipmap, Seamless, Swizzle, Wrap};
@@ -30,19 +30,19 @@ pub(crate) struct Texture {
     pub compare: Option<Compare>,
     pub depth_mode: DepthMode,
     pub swizzle: [Swizzle; 4],
-    pub way: Way,
-    pub detail: Detail,
+    pub texel_path: TexelPath,
+    pub level_selection: LevelSelection,
     pub kernel: SampleKernel,
     pub alpha: Alpha,
     /// Whether texels may go to who looks them up as words of bytes: red, green, blue and, if any, alpha.
-    pub gives_words: bool,
+    pub is_fusible: bool,
 }
 
 /// What there is to alpha.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Alpha {
     /// It is a channel like others, or made of them.
-    Read,
+    Stored,
     /// It is 1 in every texel that a filter reaches: means of it need not be computed.
     One,
 }
@@ -51,29 +51,29 @@ pub(crate) enum Alpha {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum SampleKernel {
     /// Of most textures: in a plane, one filter, texels of a class that has a short way.
-    Flat(Class),
+    UniformLevel(TexelClass),
     /// Of any whose footprints are not read row by row.
-    Probed,
+    Probes,
     /// Of those whose are, where a lookup has a footprint.
-    Scanned,
+    RowScan,
 }
 
 /// Which kernels read texels. All give the same bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Way {
+pub(crate) enum TexelPath {
     /// Any texture.
     General,
     /// Two-dimensional, not compared, of a class of texels that is worth loops of its own.
-    Plain(Class),
+    Words(TexelClass),
     /// The same of compressed texels.
     Blocks(Block),
     /// Depths in a plane that are compared, of such a class: short where a filter takes one texel.
-    Compared(Class),
+    ComparedWords(TexelClass),
 }
 
 /// How lanes come to their filter and level.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Detail {
+pub(crate) enum LevelSelection {
     /// Every lane alike: λ decides nothing.
     Fixed {
         filter: Filter,
@@ -111,10 +111,10 @@ impl Texture {
 
     /// Whether no texel that is read can be the border's, wherever all lanes read the same levels, and no mean of two
     /// levels of one texel each is taken.
-    pub fn always_leads(&self) -> bool {
-        match &self.detail {
-            Detail::Fixed { filter, .. } => !self.reaches_border(*filter),
-            Detail::PerLane { min, range, .. } => {
+    pub fn fused_always_applies(&self) -> bool {
+        match &self.level_selection {
+            LevelSelection::Fixed { filter, .. } => !self.reaches_border(*filter),
+            LevelSelection::PerLane { min, range, .. } => {
                 let both = *min == Filter::Nearest && range.mipmap == Mipmap::Linear;
                 !both && !self.reaches_border(*min)
             }

@@ -6,7 +6,7 @@ use crate::plan::Texture;
 use std::marker::PhantomData;
 
 /// One call: 64 samples of a complete texture.
-pub(crate) struct Sample<'a, R, F> {
+pub(crate) struct SampleCall<'a, R, F> {
     pub texture: &'a Texture,
     /// By reference, as is `lod`: a copy in vectors of what was just stored word by word would wait
     /// for all stores before it.
@@ -19,5 +19,5 @@ pub(crate) struct Sample<'a, R, F> {
     pub out: &'a mut [F32s; 4],
     pub recorder: &'a mut R,
     /// What the kernel is compiled for.
-    pub reads: PhantomData<F>,
+    pub footprints: PhantomData<F>,
 }

@@ -40,7 +40,7 @@ impl<'a> Coordinates<'a> {
             Shape::D2Array => at.layer = wrap::layer(given[2], texture.layers()),
             Shape::Cube | Shape::CubeArray => {
                 let projected = cube::project(given);
-                recorder.note(|lane| SampleStep::Face {
+                recorder.record(|lane| SampleStep::Face {
                     face: projected.face[lane],
                     st: projected.st.map(|coord| coord[lane]),
                 });
@@ -52,7 +52,7 @@ impl<'a> Coordinates<'a> {
             }
         }
         if texture.is_array() {
-            recorder.note(|lane| SampleStep::Layer(at.layer[lane]));
+            recorder.record(|lane| SampleStep::Layer(at.layer[lane]));
         }
         at
     }

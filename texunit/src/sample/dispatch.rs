@@ -1,20 +1,20 @@
 //! Which kernel samples: the methods of [`SamplePlan`] that sample, and each kernel as compiled for an instruction set.
 
-use super::call::Sample;
+use super::call::SampleCall;
 use super::fast::Places;
-use super::footprint::{Any, Probed, Reads, Scanned};
+use super::footprint::{AnyFootprint, FootprintSet, RoundAndProbes, RowScans};
 use super::fused::{self, Take};
 use super::gather::Gather;
 use super::lod_query::Query;
 use super::lookup::{Lod, Points};
 use super::prefetch::{self, Like};
-use super::recorder::{Lane, Off};
-use super::scratch::{Found, Known, Room, Squares};
+use super::recorder::{LaneRecorder, NoRecorder};
+use super::scratch::{Known, LevelScratch, QuadScratch, Room};
 use super::texel_fetch::Fetch;
-use super::uniform::{Flat, Outcome};
+use super::uniform::{Outcome, UniformCall};
 use super::uniform_levels::{self, Read};
 use crate::lanes::{Baseline, F32s, I32s, Isa, Kernel, LANES, Simd};
-use crate::plan::{Class, SampleKernel, SamplePlan, Texture};
+use crate::plan::{SampleKernel, SamplePlan, TexelClass, Texture};
 use crate::trace::SampleTrace;
 use std::marker::PhantomData;
 
@@ -54,22 +54,33 @@ impl SamplePlan {
         let Room { lanes: out, squares, detail } = room;
         match self.texture() {
             Some(texture) => {
-                let (recorder, reads) = (&mut Off, PhantomData::<Probed>);
+                let (recorder, footprints) = (&mut NoRecorder, PhantomData::<RoundAndProbes>);
                 let Points { coords, layer, reference } = points;
                 let (coords, lod) = (&coords, &lod);
-                let sample =
-                    Sample { texture, coords, layer, reference, offset, lod, out, recorder, reads };
+                let sample = SampleCall {
+                    texture,
+                    coords,
+                    layer,
+                    reference,
+                    offset,
+                    lod,
+                    out,
+                    recorder,
+                    footprints,
+                };
                 // Kernels of their own: none pays for another's size.
                 match (texture.kernel, lod) {
-                    (SampleKernel::Flat(class), _) if offset == [0; 3] => {
-                        sample.run_flat(isa, class, places, (squares, detail));
+                    (SampleKernel::UniformLevel(class), _) if offset == [0; 3] => {
+                        sample.run_uniform(isa, class, places, (squares, detail));
                     }
-                    (SampleKernel::Scanned, Lod::Implicit { .. } | Lod::Gradient { .. }) => {
-                        sample.reading::<Scanned>().run_on(isa);
+                    (SampleKernel::RowScan, Lod::Implicit { .. } | Lod::Gradient { .. }) => {
+                        sample.with_footprints::<RowScans>().run_on(isa);
                     }
                     // With a level that is told, the footprint is not looked at.
-                    (SampleKernel::Scanned, Lod::Explicit(_))
-                    | (SampleKernel::Flat(_) | SampleKernel::Probed, _) => sample.run_on(isa),
+                    (SampleKernel::RowScan, Lod::Explicit(_))
+                    | (SampleKernel::UniformLevel(_) | SampleKernel::Probes, _) => {
+                        sample.run_on(isa)
+                    }
                 }
             }
             None => *out = OPAQUE_BLACK,
@@ -82,7 +93,7 @@ impl SamplePlan {
     pub fn ask<S: Simd>(&self, points: [&F32s; 2], like: Like<'_>) {
         if let Some(texture) = self.texture()
             && S::WIDE
-            && texture.gives_words
+            && texture.is_fusible
         {
             prefetch::ask::<S>(texture, points, like);
         }
@@ -91,7 +102,7 @@ impl SamplePlan {
     /// Whether what [`SamplePlan::read`] gives is all that [`SamplePlan::take`] needs of the level of detail, where
     /// all lanes read the same.
     pub fn takes_by_reading(&self, isa: Isa) -> bool {
-        let takes = |texture: &Texture| texture.gives_words && texture.always_leads();
+        let takes = |texture: &Texture| texture.is_fusible && texture.fused_always_applies();
         isa.is_wide() && self.texture().is_some_and(takes)
     }
 
@@ -105,8 +116,8 @@ impl SamplePlan {
         weight: &mut F32s,
     ) -> Option<Read> {
         match self.texture() {
-            Some(texture) if S::WIDE && texture.gives_words => {
-                uniform_levels::read::<S>(texture, &coords, lod, weight)
+            Some(texture) if S::WIDE && texture.is_fusible => {
+                uniform_levels::select::<S>(texture, &coords, lod, weight)
             }
             Some(_) | None => None,
         }
@@ -126,9 +137,9 @@ impl SamplePlan {
         take: T,
     ) -> T::Output {
         let take = match self.texture() {
-            Some(texture) if S::WIDE && texture.gives_words => {
+            Some(texture) if S::WIDE && texture.is_fusible => {
                 let squares = &mut room.squares;
-                match fused::take::<S, T>(texture, coords, known, squares, take) {
+                match fused::sample_fused::<S, T>(texture, coords, known, squares, take) {
                     Ok(output) => return output,
                     Err(take) => take,
                 }
@@ -138,7 +149,7 @@ impl SamplePlan {
         // By the same kernels that shaders call: another copy of them would be a megabyte.
         let points = Points { coords, layer: None, reference: None };
         self.sample_offset(isa, points, [0; 3], lod, Places::Own, room);
-        take.take::<S>(&fused::Lanes(&room.lanes))
+        take.take::<S>(&fused::LaneColors(&room.lanes))
     }
 
     /// The first component of the texels at (i, j + 1), (i + 1, j + 1), (i + 1, j) and (i, j) that a linear filter of the
@@ -189,14 +200,23 @@ impl SamplePlan {
     ) -> SampleTrace {
         let lane = lane % LANES;
         let mut out = [F32s::ZERO, F32s::ZERO, F32s::ZERO, F32s::splat(1.0)];
-        let mut recorder = Lane::new(lane);
+        let mut recorder = LaneRecorder::new(lane);
         if let Some(texture) = self.general().texture() {
             let (out, recorder) = (&mut out, &mut recorder);
-            let reads = PhantomData::<Any>;
+            let footprints = PhantomData::<AnyFootprint>;
             let Points { coords, layer, reference } = points;
             let (coords, lod) = (&coords, &lod);
-            let sample =
-                Sample { texture, coords, layer, reference, offset, lod, out, recorder, reads };
+            let sample = SampleCall {
+                texture,
+                coords,
+                layer,
+                reference,
+                offset,
+                lod,
+                out,
+                recorder,
+                footprints,
+            };
             sample.run_in_baseline();
         }
         SampleTrace {
@@ -207,28 +227,29 @@ impl SamplePlan {
     }
 }
 
-impl<'a, F: Reads> Sample<'a, Off, F> {
+impl<'a, F: FootprintSet> SampleCall<'a, NoRecorder, F> {
     /// Runs it the shortest way if that leads there; texels are of this class.
     #[inline]
-    pub fn run_flat(
+    pub fn run_uniform(
         mut self,
         isa: Isa,
-        class: Class,
+        class: TexelClass,
         places: Places,
-        (squares, detail): (&mut Squares, &mut Found),
+        (squares, detail): (&mut QuadScratch, &mut LevelScratch),
     ) {
         let sample = &mut self;
-        match isa.run_above_baseline(Flat { sample, class, places, squares, detail }) {
+        match isa.run_above_baseline(UniformCall { sample, class, places, squares, detail }) {
             Ok(Outcome::Sampled) => {}
-            Ok(Outcome::NotFlat) | Err(Flat { .. }) => self.run_on(isa),
+            Ok(Outcome::NotUniform) | Err(UniformCall { .. }) => self.run_on(isa),
         }
     }
 
     /// The same with a kernel that reads other footprints.
-    pub fn reading<G: Reads>(self) -> Sample<'a, Off, G> {
-        let Self { texture, coords, layer, reference, offset, lod, out, recorder, reads: _ } = self;
-        let reads = PhantomData;
-        Sample { texture, coords, layer, reference, offset, lod, out, recorder, reads }
+    pub fn with_footprints<G: FootprintSet>(self) -> SampleCall<'a, NoRecorder, G> {
+        let Self { texture, coords, layer, reference, offset, lod, out, recorder, footprints: _ } =
+            self;
+        let footprints = PhantomData;
+        SampleCall { texture, coords, layer, reference, offset, lod, out, recorder, footprints }
     }
 
     /// Runs it as compiled for an instruction set.
@@ -236,14 +257,24 @@ impl<'a, F: Reads> Sample<'a, Off, F> {
     pub fn run_on(self, isa: Isa) {
         if let Err(sample) = isa.run_above_baseline(self) {
             let Self { texture, coords, layer, reference, offset, lod, out, .. } = sample;
-            let (recorder, reads) = (&mut Lane::deaf(), PhantomData);
-            Sample { texture, coords, layer, reference, offset, lod, out, recorder, reads }
-                .run_in_baseline();
+            let (recorder, footprints) = (&mut LaneRecorder::disabled(), PhantomData);
+            SampleCall {
+                texture,
+                coords,
+                layer,
+                reference,
+                offset,
+                lod,
+                out,
+                recorder,
+                footprints,
+            }
+            .run_in_baseline();
         }
     }
 }
 
-impl Sample<'_, Lane, Any> {
+impl SampleCall<'_, LaneRecorder, AnyFootprint> {
     /// The one kernel of the baseline: traces run it too.
     #[inline(never)]
     pub fn run_in_baseline(self) {

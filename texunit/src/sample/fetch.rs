@@ -1,7 +1,7 @@
 //! Texels of a level as channels, compared, with the border colour in its place.
 
 use super::compare;
-use super::level_view::Place;
+use super::level_view::LevelView;
 use super::recorder::Recorder;
 use super::wrap::Indices;
 use crate::format::convert;
@@ -13,27 +13,27 @@ use crate::trace::{SampleStep, TexelSource};
 /// One texel in each lane. Only the stored channels of `out` are written.
 #[inline(always)]
 pub fn texels<S: Simd>(
-    place: &Place<'_>,
+    view: &LevelView<'_>,
     [x, y, z]: [&Indices; 3],
     out: &mut [F32s; 4],
     recorder: &mut impl Recorder,
 ) {
-    place.level.fetch_stored::<S>([&x.index, &y.index, &z.index], out);
-    finish::<S>(place, [x, y, z], out, recorder);
+    view.level.fetch_stored::<S>([&x.index, &y.index, &z.index], out);
+    finish::<S>(view, [x, y, z], out, recorder);
 }
 
 /// The two texels of a row, which lie side by side in every lane and in one word each: one gather
 /// takes both.
 #[inline(always)]
 pub fn row<S: Simd>(
-    place: &Place<'_>,
+    view: &LevelView<'_>,
     xs: &[Indices; 2],
     y: &Indices,
     z: &Indices,
     [left, right]: [&mut [F32s; 4]; 2],
     recorder: &mut impl Recorder,
 ) {
-    let level = place.level;
+    let level = view.level;
     let bytes = level.format.bytes() as u32;
     let (row, slice) = (level.row_bytes() as u32, level.slice_bytes() as u32);
     let mut offsets = U32s::ZERO;
@@ -44,8 +44,8 @@ pub fn row<S: Simd>(
     let [first, second] = neighbours::<S>(level, &offsets);
     S::apart_unless_wide(Decoded { level, words: [first], out: &mut *left });
     S::apart_unless_wide(Decoded { level, words: [second], out: &mut *right });
-    finish::<S>(place, [&xs[0], y, z], left, recorder);
-    finish::<S>(place, [&xs[1], y, z], right, recorder);
+    finish::<S>(view, [&xs[0], y, z], left, recorder);
+    finish::<S>(view, [&xs[1], y, z], right, recorder);
 }
 
 /// The channels of texels of one word, whatever their format.
@@ -102,13 +102,13 @@ pub fn split_threes([low, high]: [&mut U32s; 2]) {
 /// The border colour where an index lies outside, then the comparison.
 #[inline(always)]
 fn finish<S: Simd>(
-    place: &Place<'_>,
+    view: &LevelView<'_>,
     [x, y, z]: [&Indices; 3],
     texels: &mut [F32s; 4],
     recorder: &mut impl Recorder,
 ) {
-    let texture = place.texture;
-    if texture.reaches_border(place.filter) {
+    let texture = view.texture;
+    if texture.reaches_border(view.filter) {
         for (texels, border) in texels.iter_mut().zip(texture.border) {
             for lane in 0..LANES {
                 let outside = x.outside[lane] | y.outside[lane] | z.outside[lane] != 0;
@@ -116,8 +116,8 @@ fn finish<S: Simd>(
             }
         }
     }
-    recorder.note(|lane| SampleStep::Texel {
-        face: place.face as u32,
+    recorder.record(|lane| SampleStep::Texel {
+        face: view.face as u32,
         at: [x.index[lane], y.index[lane], z.index[lane]],
         source: match x.outside[lane] | y.outside[lane] | z.outside[lane] {
             0 => TexelSource::Stored,
@@ -125,13 +125,13 @@ fn finish<S: Simd>(
         },
         value: texels.each_ref().map(|channel| channel[lane]),
         compare: texture.compare.map(|op| {
-            let (reference, mut passes) = (place.reference, texels[0]);
+            let (reference, mut passes) = (view.reference, texels[0]);
             S::apart_unless_wide(Compared { op, reference, texels: &mut passes });
             (op, reference[lane], passes[lane])
         }),
     });
     if let Some(op) = texture.compare {
-        S::apart_unless_wide(Compared { op, reference: place.reference, texels: &mut texels[0] });
+        S::apart_unless_wide(Compared { op, reference: view.reference, texels: &mut texels[0] });
     }
 }
 

@@ -17,7 +17,7 @@
 
 use super::derivatives::{Derivatives, rho_squared};
 use super::recorder::Recorder;
-use super::row_scan::Scan;
+use super::row_scan::RowScan;
 use crate::lanes::math::{clamp, max};
 use crate::lanes::{F32s, LANES, Simd, U32s, log2_of_root};
 use crate::trace::SampleStep;
@@ -29,11 +29,11 @@ pub enum Footprint {
     /// In samples along the major axis.
     Probes(Probes),
     /// Row by row.
-    Scan(Scan),
+    Scan(RowScan),
 }
 
 /// Which footprints a kernel can read: what it cannot is not compiled into it.
-pub trait Reads: Copy {
+pub trait FootprintSet: Copy {
     /// [`Footprint::Round`], or a probe of many.
     const ROUND: bool;
     /// [`Footprint::Probes`].
@@ -44,8 +44,8 @@ pub trait Reads: Copy {
 
 /// Round ones.
 #[derive(Clone, Copy)]
-pub struct Round;
-impl Reads for Round {
+pub struct RoundOnly;
+impl FootprintSet for RoundOnly {
     const ROUND: bool = true;
     const PROBES: bool = false;
     const SCANS: bool = false;
@@ -53,8 +53,8 @@ impl Reads for Round {
 
 /// Round ones and those with probes.
 #[derive(Clone, Copy)]
-pub struct Probed;
-impl Reads for Probed {
+pub struct RoundAndProbes;
+impl FootprintSet for RoundAndProbes {
     const ROUND: bool = true;
     const PROBES: bool = true;
     const SCANS: bool = false;
@@ -62,8 +62,8 @@ impl Reads for Probed {
 
 /// Those that are read row by row.
 #[derive(Clone, Copy)]
-pub struct Scanned;
-impl Reads for Scanned {
+pub struct RowScans;
+impl FootprintSet for RowScans {
     const ROUND: bool = false;
     const PROBES: bool = false;
     const SCANS: bool = true;
@@ -71,8 +71,8 @@ impl Reads for Scanned {
 
 /// All.
 #[derive(Clone, Copy)]
-pub struct Any;
-impl Reads for Any {
+pub struct AnyFootprint;
+impl FootprintSet for AnyFootprint {
     const ROUND: bool = true;
     const PROBES: bool = true;
     const SCANS: bool = true;
@@ -123,7 +123,7 @@ pub fn isotropic(
         for lane in 0..LANES {
             lambda[lane] = log2_of_root(rho_squared(d, scale, lane));
         }
-        recorder.note(|lane| SampleStep::Isotropic {
+        recorder.record(|lane| SampleStep::Isotropic {
             rho_squared: rho_squared(d, scale, lane),
             lambda: lambda[lane],
         });
@@ -133,7 +133,7 @@ pub fn isotropic(
     for lane in 0..LANES {
         lambda[lane] = log2_of_root(max(metric.xx[lane], metric.yy[lane]));
     }
-    recorder.note(|lane| SampleStep::Isotropic {
+    recorder.record(|lane| SampleStep::Isotropic {
         rho_squared: max(metric.xx[lane], metric.yy[lane]),
         lambda: lambda[lane],
     });
@@ -204,7 +204,7 @@ pub fn anisotropic<S: Simd>(
     for lane in 0..LANES {
         lambda[lane] = log2_of_root(width[lane]);
     }
-    recorder.note(|lane| {
+    recorder.record(|lane| {
         let of = |probes: &Probes| (probes.count[lane] as u32, probes.step.map(|step| step[lane]));
         let (probes, step) = probes.as_ref().map_or((1, [0.0; 3]), of);
         SampleStep::Anisotropic {

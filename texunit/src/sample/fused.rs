@@ -1,9 +1,9 @@
 //! Lookups that are part of another kernel: what a lane gets is computed where it is used, from texels that are
 //! still words, and lies in no memory between. The numbers are those of [`super::uniform`].
 
-use super::fast::{self, Places, Search, Square};
+use super::fast::{self, Places, QuadLoad, TexelQuad};
 use super::interpolate::lerp;
-use super::scratch::{Known, Squares};
+use super::scratch::{Known, QuadScratch};
 use super::uniform_levels::{self, Read};
 use crate::format::convert::{byte_channel, byte_of, over_255};
 use crate::lanes::{F32s, Kernel, LANES, Simd, U32s, math};
@@ -34,9 +34,9 @@ pub trait Take {
 }
 
 /// Computed before.
-pub(crate) struct Lanes<'a>(pub &'a [F32s; 4]);
+pub(crate) struct LaneColors<'a>(pub &'a [F32s; 4]);
 
-impl Texels for Lanes<'_> {
+impl Texels for LaneColors<'_> {
     #[inline(always)]
     fn channel(&self, lane: usize, channel: usize) -> f32 {
         self.0[channel][lane]
@@ -48,9 +48,9 @@ impl Texels for Lanes<'_> {
 }
 
 /// A texel of four bytes.
-struct One(U32s);
+struct SingleTexels(U32s);
 
-impl Texels for One {
+impl Texels for SingleTexels {
     #[inline(always)]
     fn channel(&self, lane: usize, channel: usize) -> f32 {
         byte_channel(self.0[lane], channel)
@@ -61,7 +61,7 @@ impl Texels for One {
     }
 }
 
-impl Square {
+impl TexelQuad {
     /// Of the four texels' bytes.
     #[inline(always)]
     fn mean(&self, lane: usize, channel: usize) -> f32 {
@@ -72,7 +72,7 @@ impl Square {
     }
 }
 
-impl Texels for &Square {
+impl Texels for &TexelQuad {
     #[inline(always)]
     fn channel(&self, lane: usize, channel: usize) -> f32 {
         over_255(self.mean(lane, channel))
@@ -89,9 +89,9 @@ impl Texels for &Square {
 }
 
 /// Of texels whose alpha is 1.
-struct Opaque<'a, T>(&'a T);
+struct OpaqueTexels<'a, T>(&'a T);
 
-impl<T: Texels> Texels for Opaque<'_, T> {
+impl<T: Texels> Texels for OpaqueTexels<'_, T> {
     #[inline(always)]
     fn channel(&self, lane: usize, channel: usize) -> f32 {
         if channel == 3 { 1.0 } else { self.0.channel(lane, channel) }
@@ -107,9 +107,9 @@ impl<T: Texels> Texels for Opaque<'_, T> {
 }
 
 /// Of two levels, with the weight of the second.
-struct Both<'a>(&'a [Square; 2], &'a F32s);
+struct TwoLevelMeans<'a>(&'a [TexelQuad; 2], &'a F32s);
 
-impl Texels for Both<'_> {
+impl Texels for TwoLevelMeans<'_> {
     #[inline(always)]
     fn channel(&self, lane: usize, channel: usize) -> f32 {
         let Self([first, second], weight) = self;
@@ -130,52 +130,52 @@ impl Texels for Both<'_> {
 /// Looks up 64 lanes of a texture whose texels are red, green, blue and, if any, alpha in bytes; gives `take` back
 /// where that leads nowhere.
 #[inline(always)]
-pub(crate) fn take<S: Simd, T: Take>(
+pub(crate) fn sample_fused<S: Simd, T: Take>(
     texture: &Texture,
     coords: [&F32s; 3],
     Known { read, weight, places }: Known<'_>,
-    squares: &mut Squares,
+    squares: &mut QuadScratch,
     take: T,
 ) -> Result<T::Output, T> {
     let Some(Read { filter, levels }) = read else { return Err(take) };
     match (filter, texture.alpha) {
         (Filter::Nearest, _) if levels[0] == levels[1] => {
-            let place = uniform_levels::place(texture, filter, levels[0]);
-            let Some(mut words) = fast::texels::<S>(&place, coords) else { return Err(take) };
+            let view = uniform_levels::plane_view(texture, filter, levels[0]);
+            let Some(mut words) = fast::texels::<S>(&view, coords) else { return Err(take) };
             // Of texels without alpha the fourth byte is anything.
             if texture.format.channels() < 4 {
                 for word in &mut words.0 {
                     *word |= 0xFF00_0000;
                 }
             }
-            Ok(take.take::<S>(&One(words)))
+            Ok(take.take::<S>(&SingleTexels(words)))
         }
         // Two levels of one texel each are rare.
         (Filter::Nearest, _) => Err(take),
         // Kernels of their own, so that none carries another's size.
-        (Filter::Linear, Alpha::Read) => {
-            S::apart(Mean { texture, levels, coords, weight, places, squares, take })
+        (Filter::Linear, Alpha::Stored) => {
+            S::apart(LookupMeans { texture, levels, coords, weight, places, squares, take })
         }
         (Filter::Linear, Alpha::One) => {
-            let take = OfOpaque(take);
-            let mean = Mean { texture, levels, coords, weight, places, squares, take };
-            S::apart(mean).map_err(|OfOpaque(take)| take)
+            let take = OpaqueConsumer(take);
+            let mean = LookupMeans { texture, levels, coords, weight, places, squares, take };
+            S::apart(mean).map_err(|OpaqueConsumer(take)| take)
         }
     }
 }
 
 /// The means of texels of one level, or of two.
-struct Mean<'a, T> {
+struct LookupMeans<'a, T> {
     texture: &'a Texture,
     levels: [u32; 2],
     coords: [&'a F32s; 3],
     weight: &'a F32s,
     places: Places,
-    squares: &'a mut Squares,
+    squares: &'a mut QuadScratch,
     take: T,
 }
 
-impl<T: Take> Kernel for Mean<'_, T> {
+impl<T: Take> Kernel for LookupMeans<'_, T> {
     type Output = Result<T::Output, T>;
 
     #[inline(always)]
@@ -186,11 +186,11 @@ impl<T: Take> Kernel for Mean<'_, T> {
         squares.inside = true;
         let wanted = &mut squares.levels[..1 + usize::from(reads_both)];
         for (number, square) in levels.into_iter().zip(wanted) {
-            let place = uniform_levels::place(texture, Filter::Linear, number);
-            match fast::square::<S>(&place, coords, places, square) {
-                Search::Inside => {}
-                Search::OverEdge => squares.inside = false,
-                Search::Nowhere => {
+            let view = uniform_levels::plane_view(texture, Filter::Linear, number);
+            match fast::load_quad::<S>(&view, coords, places, square) {
+                QuadLoad::Inside => {}
+                QuadLoad::AcrossEdge => squares.inside = false,
+                QuadLoad::NotApplicable => {
                     squares.inside = false;
                     return Err(take);
                 }
@@ -198,15 +198,15 @@ impl<T: Take> Kernel for Mean<'_, T> {
         }
         match reads_both {
             false => Ok(take.take::<S>(&&squares.levels[0])),
-            true => Ok(take.take::<S>(&Both(&squares.levels, weight))),
+            true => Ok(take.take::<S>(&TwoLevelMeans(&squares.levels, weight))),
         }
     }
 }
 
 /// Takes a lookup as lanes, each channel computed in one loop.
-pub(super) struct Spread<'a>(pub &'a mut [F32s; 4]);
+pub(super) struct WriteLanes<'a>(pub &'a mut [F32s; 4]);
 
-impl Take for Spread<'_> {
+impl Take for WriteLanes<'_> {
     type Output = ();
 
     #[inline(always)]
@@ -227,13 +227,13 @@ fn spread(texels: &impl Texels, channel: usize, out: &mut F32s) {
 }
 
 /// Takes texels of which it is known that their alpha is 1.
-struct OfOpaque<T>(T);
+struct OpaqueConsumer<T>(T);
 
-impl<T: Take> Take for OfOpaque<T> {
+impl<T: Take> Take for OpaqueConsumer<T> {
     type Output = T::Output;
 
     #[inline(always)]
     fn take<S: Simd>(self, texels: &impl Texels) -> T::Output {
-        self.0.take::<S>(&Opaque(texels))
+        self.0.take::<S>(&OpaqueTexels(texels))
     }
 }

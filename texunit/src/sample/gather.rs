@@ -6,9 +6,9 @@
 
 use super::compare::unit_range;
 use super::coordinates::Coordinates;
-use super::level_view::Place;
+use super::level_view::LevelView;
 use super::lookup::Points;
-use super::recorder::Off;
+use super::recorder::NoRecorder;
 use super::wrap::{Axis, Indices, enclosing, modulo};
 use super::{cube, expand, fetch, seamless};
 use crate::lanes::math::{clamp, max};
@@ -27,7 +27,7 @@ pub(crate) struct Gather<'a> {
 }
 
 /// Where in `out` the texel at `(i, j) + (number % 2, number / 2)` stands.
-const PLACES: [usize; 4] = [3, 2, 0, 1];
+const GATHER_ORDER: [usize; 4] = [3, 2, 0, 1];
 
 impl Kernel for Gather<'_> {
     type Output = ();
@@ -39,7 +39,7 @@ impl Kernel for Gather<'_> {
             Some(_) => unit_range(reference.unwrap_or(coords[2])),
             None => F32s::ZERO,
         };
-        let at = Coordinates::new(texture, coords, layer, &mut Off);
+        let at = Coordinates::new(texture, coords, layer, &mut NoRecorder);
         let [s, t, _] = at.filtered();
         let mut missing = [U32s::ZERO; 4];
         for (face, levels) in texture.levels.iter().enumerate() {
@@ -49,13 +49,13 @@ impl Kernel for Gather<'_> {
             }
             let Some(level) = levels.first().filter(|_| S::any(&here)) else { continue };
             let (filter, number, layer, reference) = (Filter::Linear, 0, &at.layer, &reference);
-            let place = Place { texture, filter, face, number, level, layer, reference };
-            let x = S::apart(Along { axis: place.axis(0), s, offset: offset[0] });
-            let y = S::apart(Along { axis: place.axis(1), s: t, offset: offset[1] });
+            let view = LevelView { texture, filter, face, number, level, layer, reference };
+            let x = S::apart(PairOnAxis { axis: view.axis(0), s, offset: offset[0] });
+            let y = S::apart(PairOnAxis { axis: view.axis(1), s: t, offset: offset[1] });
             for corner in 0..4 {
                 let step = [corner % 2, corner / 2];
-                let (found, lacks) = S::apart(Texel { place: &place, along: [&x, &y], step });
-                let to = &mut out[PLACES[corner]];
+                let (found, lacks) = S::apart(CornerTexel { view: &view, along: [&x, &y], step });
+                let to = &mut out[GATHER_ORDER[corner]];
                 for lane in 0..LANES {
                     let is_here = here[lane] != 0;
                     to[lane] = if is_here { found[lane] } else { to[lane] };
@@ -64,33 +64,33 @@ impl Kernel for Gather<'_> {
             }
         }
         if texture.seamless == Seamless::On {
-            stand_in(texture, &missing, out);
+            fill_missing(texture, &missing, out);
         }
     }
 }
 
 /// The texels about coordinates along one axis.
-struct Found {
+struct TexelPair {
     /// Where the lower one lies, if nothing wraps.
     lower: I32s,
     /// Both, as they are stored.
     texels: [Indices; 2],
 }
 
-struct Along<'a> {
+struct PairOnAxis<'a> {
     axis: Axis,
     s: &'a F32s,
     /// Texels that are added.
     offset: i32,
 }
 
-impl Kernel for Along<'_> {
-    type Output = Found;
+impl Kernel for PairOnAxis<'_> {
+    type Output = TexelPair;
 
     #[inline(always)]
-    fn run<S: Simd>(self) -> Found {
+    fn run<S: Simd>(self) -> TexelPair {
         let Self { axis, s, offset } = self;
-        let rule = Rule::new(axis.wrap, axis.size as i32);
+        let rule = WrapRule::new(axis.wrap, axis.size as i32);
         let mut u = F32s::ZERO;
         match rule.repeats {
             Some(each) => {
@@ -112,45 +112,45 @@ impl Kernel for Along<'_> {
             lower[lane] += offset;
         }
         let texels = [wrapped(axis, &rule, &lower, 0), wrapped(axis, &rule, &lower, 1)];
-        Found { lower, texels }
+        TexelPair { lower, texels }
     }
 }
 
 /// How far beyond an image a place counts, in texels: further than any offset.
 const BEYOND: f32 = 64.0;
 
-/// Further than any place.
+/// Further than any texel index.
 const FAR: i32 = 1 << 23;
 
 /// Which texel stands for place `i` or `i + 1` of `n` (OpenGL 3.2, table 3.20), in steps that do nothing where they do
 /// not apply.
-struct Rule {
+struct WrapRule {
     /// After how much of the coordinate the image repeats.
     repeats: Option<f32>,
     /// `i` is held first. (The clamps that mix half a border in keep one of the two within the image.)
     first: [i32; 2],
-    /// Places repeat: where one turn begins and how long it is.
-    turn: [i32; 2],
+    /// Places repeat: where one period begins and how long it is.
+    period: [i32; 2],
     /// The bits that a place below 0 changes: all where 0 is a mirror.
     mirror: i32,
     /// What is held last; -1 and `n` are the border.
     last: [i32; 2],
 }
 
-impl Rule {
+impl WrapRule {
     fn new(wrap: Wrap, n: i32) -> Self {
         let (edge, border) = ([0, n - 1], [-1, n]);
         let straight = Self {
             repeats: None,
             first: [-FAR, FAR],
-            turn: [-FAR, 2 * FAR],
+            period: [-FAR, 2 * FAR],
             mirror: 0,
             last: border,
         };
         let mirrored = Self { mirror: !0, ..straight };
         match wrap {
-            Wrap::Repeat => Self { repeats: Some(1.0), turn: [0, n], ..straight },
-            Wrap::MirroredRepeat => Self { repeats: Some(2.0), turn: [-n, 2 * n], ..mirrored },
+            Wrap::Repeat => Self { repeats: Some(1.0), period: [0, n], ..straight },
+            Wrap::MirroredRepeat => Self { repeats: Some(2.0), period: [-n, 2 * n], ..mirrored },
             Wrap::Clamp => Self { first: [-1, n - 1], ..straight },
             Wrap::ClampToEdge => Self { last: edge, ..straight },
             Wrap::ClampToBorder => straight,
@@ -168,8 +168,8 @@ fn held(i: i32, [low, high]: [i32; 2]) -> i32 {
 }
 
 #[inline(always)]
-fn wrapped(axis: Axis, rule: &Rule, i: &I32s, step: i32) -> Indices {
-    let [start, length] = rule.turn;
+fn wrapped(axis: Axis, rule: &WrapRule, i: &I32s, step: i32) -> Indices {
+    let [start, length] = rule.period;
     let mut places = I32s::ZERO;
     for lane in 0..LANES {
         let place = held(i[lane], rule.first) + step;
@@ -180,31 +180,31 @@ fn wrapped(axis: Axis, rule: &Rule, i: &I32s, step: i32) -> Indices {
 }
 
 /// The first component of a texel after the swizzle, and where there is none (a mask): beyond a corner of a cube.
-struct Texel<'a> {
-    place: &'a Place<'a>,
-    along: [&'a Found; 2],
+struct CornerTexel<'a> {
+    view: &'a LevelView<'a>,
+    along: [&'a TexelPair; 2],
     /// Whether it is the lower or the upper one along either axis.
     step: [usize; 2],
 }
 
-impl Kernel for Texel<'_> {
+impl Kernel for CornerTexel<'_> {
     type Output = (F32s, U32s);
 
     #[inline(always)]
     fn run<S: Simd>(self) -> (F32s, U32s) {
-        let Self { place, along: [x, y], step } = self;
-        let texture = place.texture;
+        let Self { view, along: [x, y], step } = self;
+        let texture = view.texture;
         let (mut channels, mut missing) = ([F32s::ZERO; 4], U32s::ZERO);
         match texture.seamless {
             Seamless::Off => {
-                let at = [&x.texels[step[0]], &y.texels[step[1]], &place.slice()];
-                fetch::texels::<S>(place, at, &mut channels, &mut Off);
+                let at = [&x.texels[step[0]], &y.texels[step[1]], &view.slice()];
+                fetch::texels::<S>(view, at, &mut channels, &mut NoRecorder);
             }
             Seamless::On => {
-                let (face, size) = (place.face as u32, place.level.width as i32);
+                let (face, size) = (view.face as u32, view.level.width as i32);
                 let step = [step[0] as i32, step[1] as i32];
-                let found = cube::beyond(face, &x.lower, &y.lower, step, size);
-                seamless::texels::<S>(place, &found, &mut channels);
+                let found = cube::across_edge(face, &x.lower, &y.lower, step, size);
+                seamless::texels::<S>(view, &found, &mut channels);
                 missing = found.missing;
             }
         }
@@ -216,11 +216,11 @@ impl Kernel for Texel<'_> {
 
 /// Where there is no texel, the mean of the other three; of integers, which have no mean, the one texel of the face.
 #[inline(always)]
-fn stand_in(texture: &Texture, missing: &[U32s; 4], out: &mut [F32s; 4]) {
+fn fill_missing(texture: &Texture, missing: &[U32s; 4], out: &mut [F32s; 4]) {
     let is_integer = texture.format.is_integer();
     for corner in 0..4 {
-        let [to, a, b] = [PLACES[corner], PLACES[corner ^ 1], PLACES[corner ^ 2]];
-        let opposite = PLACES[corner ^ 3];
+        let [to, a, b] = [GATHER_ORDER[corner], GATHER_ORDER[corner ^ 1], GATHER_ORDER[corner ^ 2]];
+        let opposite = GATHER_ORDER[corner ^ 3];
         for lane in 0..LANES {
             let alone = out[opposite][lane];
             let mean = (out[a][lane] + out[b][lane] + alone) / 3.0;

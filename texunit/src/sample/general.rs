@@ -4,26 +4,27 @@
 //! is sampled once in all lanes, and a mask keeps the lanes that asked for it. Most batches touch
 //! one to three. What a lane gets does not depend on its neighbours' levels.
 
-use super::call::Sample;
+use super::call::SampleCall;
 use super::compare::unit_range;
 use super::coordinates::Coordinates;
-use super::footprint::{Footprint, Probes, Reads};
+use super::footprint::{Footprint, FootprintSet, Probes};
 use super::interpolate::{lerp, mix};
-use super::level_taps::{self, Taps};
-use super::level_view::Place;
+use super::level_taps::{self, LevelTaps};
+use super::level_view::LevelView;
 use super::recorder::Recorder;
-use super::row_scan::{self, Scan};
+use super::row_scan::{self, RowScan};
 use super::{cube, expand, filter};
 use crate::lanes::{F32s, Kernel, LANES, Simd, U32s};
 use crate::plan::Texture;
 use crate::trace::SampleStep;
 
-impl<R: Recorder, F: Reads> Kernel for Sample<'_, R, F> {
+impl<R: Recorder, F: FootprintSet> Kernel for SampleCall<'_, R, F> {
     type Output = ();
 
     #[inline(always)]
     fn run<S: Simd>(self) {
-        let Self { texture, coords, layer, reference, offset, lod, out, recorder, reads: _ } = self;
+        let Self { texture, coords, layer, reference, offset, lod, out, recorder, footprints: _ } =
+            self;
         let reference = match texture.compare {
             Some(_) => unit_range(reference.unwrap_or(coords[2])),
             None => F32s::ZERO,
@@ -35,28 +36,28 @@ impl<R: Recorder, F: Reads> Kernel for Sample<'_, R, F> {
             Footprint::Scan(scan) if F::SCANS => (None, Some(scan)),
             Footprint::Round | Footprint::Probes(_) | Footprint::Scan(_) => (None, None),
         };
-        let samples = Samples { texture, offset, reference: &reference, scan };
-        sample_probes::<S, F>(&samples, &at, &taps, probes, out, recorder);
+        let context = SampleContext { texture, offset, reference: &reference, scan };
+        sample_probes::<S, F>(&context, &at, &taps, probes, out, recorder);
         expand::expand(texture.format, texture.depth_mode, out);
         expand::swizzle(texture.format, texture.swizzle, out);
     }
 }
 
 /// What stays the same over the probes and levels of a batch.
-struct Samples<'a> {
+struct SampleContext<'a> {
     texture: &'a Texture,
     offset: [i32; 3],
     reference: &'a F32s,
     /// How rows are read, if they are.
-    scan: Option<&'a Scan>,
+    scan: Option<&'a RowScan>,
 }
 
 /// The mean of the probes, whose running form leaves equal ones as they are.
 #[inline(always)]
-fn sample_probes<S: Simd, F: Reads>(
-    samples: &Samples<'_>,
+fn sample_probes<S: Simd, F: FootprintSet>(
+    context: &SampleContext<'_>,
     at: &Coordinates<'_>,
-    taps: &Taps,
+    taps: &LevelTaps,
     probes: Option<&Probes>,
     out: &mut [F32s; 4],
     recorder: &mut impl Recorder,
@@ -73,13 +74,13 @@ fn sample_probes<S: Simd, F: Reads>(
         let mut read = taps;
         if let Some(probes) = probes {
             let to = moved.get_or_insert([F32s::ZERO; 3]);
-            let axes = samples.texture.shape.axes();
+            let axes = context.texture.shape.axes();
             for (axis, to) in to.iter_mut().enumerate().take(axes) {
                 place_probe(at.filtered()[axis], probes, axis, probe, to);
             }
-            if samples.texture.shape.is_cube() {
+            if context.texture.shape.is_cube() {
                 let [s, t, _] = *to;
-                let on = cube::over_edges(&cube::Projected { face: at.face, st: [s, t] });
+                let on = cube::reproject(&cube::Projected { face: at.face, st: [s, t] });
                 [to[0], to[1]] = on.st;
                 moved_taps = taps.on_faces(&on.face);
                 read = &moved_taps;
@@ -87,8 +88,8 @@ fn sample_probes<S: Simd, F: Reads>(
             there = [&to[0], &to[1], &to[2]];
         }
         if let Some(probes) = probes {
-            recorder.only(|lane| (probe as f32) < probes.count[lane]);
-            recorder.note(|lane| SampleStep::Probe {
+            recorder.restrict_to(|lane| (probe as f32) < probes.count[lane]);
+            recorder.record(|lane| SampleStep::Probe {
                 number: probe,
                 of: probes.count[lane] as u32,
                 at: there.map(|coord| coord[lane]),
@@ -96,10 +97,10 @@ fn sample_probes<S: Simd, F: Reads>(
         }
         let target = if probe == 0 { &mut *out } else { one.get_or_insert([F32s::ZERO; 4]) };
         let asks = |lane: usize| probes.is_none_or(|probes| (probe as f32) < probes.count[lane]);
-        sample_taps::<S, F>(samples, there, &at.layer, read, asks, target, recorder);
+        sample_taps::<S, F>(context, there, &at.layer, read, asks, target, recorder);
         let (Some(probes), Some(one)) = (probes, &one) else { continue };
         let share = 1.0 / (probe + 1) as f32;
-        for channel in 0..samples.texture.format.channels() {
+        for channel in 0..context.texture.format.channels() {
             for lane in 0..LANES {
                 let before = out[channel][lane];
                 let mean = lerp(before, one[channel][lane], share);
@@ -107,7 +108,7 @@ fn sample_probes<S: Simd, F: Reads>(
                 out[channel][lane] = if counts { mean } else { before };
             }
         }
-        recorder.note(|lane| SampleStep::Mean(out.each_ref().map(|channel| channel[lane])));
+        recorder.record(|lane| SampleStep::Mean(out.each_ref().map(|channel| channel[lane])));
     }
 }
 
@@ -122,31 +123,35 @@ fn place_probe(from: &F32s, probes: &Probes, axis: usize, probe: u32, to: &mut F
 
 /// Samples every distinct key once and mixes.
 #[inline(always)]
-fn sample_taps<S: Simd, F: Reads>(
-    samples: &Samples<'_>,
+fn sample_taps<S: Simd, F: FootprintSet>(
+    context: &SampleContext<'_>,
     at: [&F32s; 3],
     layer: &U32s,
-    taps: &Taps,
+    taps: &LevelTaps,
     asks: impl Fn(usize) -> bool,
     out: &mut [F32s; 4],
     recorder: &mut impl Recorder,
 ) {
-    let channels = samples.texture.format.channels();
+    let channels = context.texture.format.channels();
     let mut second = None;
     let mut kept = None;
     let mut key = taps.next::<S>(0);
-    while key != level_taps::NONE {
+    while key != level_taps::NO_KEY {
         let target = match taps {
-            Taps::Pair { keys, .. } if key == keys[1] => second.get_or_insert([F32s::ZERO; 4]),
-            Taps::Same(_) | Taps::Pair { .. } | Taps::Mixed { .. } => &mut *out,
+            LevelTaps::UniformPair { keys, .. } if key == keys[1] => {
+                second.get_or_insert([F32s::ZERO; 4])
+            }
+            LevelTaps::Uniform(_) | LevelTaps::UniformPair { .. } | LevelTaps::PerLane { .. } => {
+                &mut *out
+            }
         };
-        recorder.only(|lane| asks(lane) && taps.of_lane(lane).contains(&key));
-        let asking = match samples.scan {
-            Some(_) => taps.asking(key),
+        recorder.restrict_to(|lane| asks(lane) && taps.of_lane(lane).contains(&key));
+        let asking = match context.scan {
+            Some(_) => taps.lane_mask(key),
             None => U32s::ZERO,
         };
-        sample_key::<S, F>(samples, key, at, [layer, &asking], target, recorder);
-        if let Taps::Mixed { keys, .. } = taps {
+        sample_key::<S, F>(context, key, at, [layer, &asking], target, recorder);
+        if let LevelTaps::PerLane { keys, .. } = taps {
             let [first, second] = kept.get_or_insert([[F32s::ZERO; 4]; 2]);
             keep::<S>(&keys[0], key, channels, out, first);
             keep::<S>(&keys[1], key, channels, out, second);
@@ -154,22 +159,26 @@ fn sample_taps<S: Simd, F: Reads>(
         key = taps.next::<S>(key);
     }
     match (taps, &second, &kept) {
-        (Taps::Pair { weight, .. }, Some(second), _) => {
+        (LevelTaps::UniformPair { weight, .. }, Some(second), _) => {
             for channel in 0..channels {
                 let first = out[channel];
                 mix(&first, &second[channel], weight, &mut out[channel]);
             }
         }
-        (Taps::Mixed { weight, .. }, _, Some([first, second])) => {
+        (LevelTaps::PerLane { weight, .. }, _, Some([first, second])) => {
             for channel in 0..channels {
                 mix(&first[channel], &second[channel], weight, &mut out[channel]);
             }
         }
-        (Taps::Same(_) | Taps::Pair { .. } | Taps::Mixed { .. }, _, _) => {}
+        (
+            LevelTaps::Uniform(_) | LevelTaps::UniformPair { .. } | LevelTaps::PerLane { .. },
+            _,
+            _,
+        ) => {}
     }
-    recorder.only(|lane| asks(lane) && taps.of_lane(lane)[0] != taps.of_lane(lane)[1]);
-    recorder.note(|lane| SampleStep::Mixed(out.each_ref().map(|channel| channel[lane])));
-    recorder.only(asks);
+    recorder.restrict_to(|lane| asks(lane) && taps.of_lane(lane)[0] != taps.of_lane(lane)[1]);
+    recorder.record(|lane| SampleStep::Mixed(out.each_ref().map(|channel| channel[lane])));
+    recorder.restrict_to(asks);
 }
 
 /// Takes the values of the lanes that asked for this key.
@@ -192,45 +201,45 @@ fn keep<S: Simd>(keys: &U32s, key: u32, channels: usize, values: &[F32s; 4], kep
 
 /// One level of one face, for the lanes that ask for it (a mask): the others get anything.
 #[inline(always)]
-fn sample_key<S: Simd, F: Reads>(
-    samples: &Samples<'_>,
+fn sample_key<S: Simd, F: FootprintSet>(
+    context: &SampleContext<'_>,
     key: u32,
     at: [&F32s; 3],
     [layer, asks]: [&U32s; 2],
     out: &mut [F32s; 4],
     recorder: &mut impl Recorder,
 ) {
-    let Samples { texture, offset, reference, scan } = *samples;
-    let (filter, face, number) = level_taps::parts(key);
+    let SampleContext { texture, offset, reference, scan } = *context;
+    let (filter, face, number) = level_taps::split_key(key);
     let level = &*texture.levels[face][number];
-    let place = Place { texture, filter, face, number, level, layer, reference };
-    let moved = (offset != [0; 3]).then(|| shifted(&place, at, offset));
+    let view = LevelView { texture, filter, face, number, level, layer, reference };
+    let moved = (offset != [0; 3]).then(|| shifted(&view, at, offset));
     // One call, since all of the kernel is inlined into it.
     let at = match &moved {
         Some([s, t, r]) => [s, t, r],
         None => at,
     };
-    recorder.note(|_| SampleStep::Level {
+    recorder.record(|_| SampleStep::Level {
         face: face as u32,
         level: number as u32,
         size: level.size(),
         filter,
     });
     match scan {
-        Some(scan) if F::SCANS => row_scan::level::<S>(&place, at, scan, asks, out, recorder),
-        Some(_) | None if F::ROUND => filter::sample_level::<S>(&place, at, out, recorder),
+        Some(scan) if F::SCANS => row_scan::level::<S>(&view, at, scan, asks, out, recorder),
+        Some(_) | None if F::ROUND => filter::sample_level::<S>(&view, at, out, recorder),
         Some(_) | None => {}
     }
-    recorder.note(|lane| SampleStep::Filtered(out.each_ref().map(|channel| channel[lane])));
+    recorder.record(|lane| SampleStep::Filtered(out.each_ref().map(|channel| channel[lane])));
 }
 
 /// The coordinates with an offset in texels of this level.
 #[inline(always)]
-fn shifted(place: &Place<'_>, at: [&F32s; 3], offset: [i32; 3]) -> [F32s; 3] {
-    let size = place.level.size();
+fn shifted(view: &LevelView<'_>, at: [&F32s; 3], offset: [i32; 3]) -> [F32s; 3] {
+    let size = view.level.size();
     let mut shifted = [F32s::ZERO; 3];
-    for axis in 0..place.texture.shape.axes() {
-        let scale = place.texture.shape.scale(size[axis]);
+    for axis in 0..view.texture.shape.axes() {
+        let scale = view.texture.shape.scale(size[axis]);
         let shift = offset[axis] as f32 / scale;
         for lane in 0..LANES {
             shifted[axis][lane] = at[axis][lane] + shift;

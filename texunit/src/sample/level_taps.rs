@@ -2,45 +2,45 @@
 
 use super::coordinates::Coordinates;
 use super::derivatives::{Derivatives, of_quads};
-use super::footprint::{self, Footprint, Reads};
+use super::footprint::{self, Footprint, FootprintSet};
 use super::lookup::Lod;
 use super::recorder::Recorder;
 use super::{cube, row_scan};
 use crate::lanes::{F32s, LANES, Simd, U32s};
-use crate::plan::{Anisotropy, Detail, Texture};
+use crate::plan::{Anisotropy, LevelSelection, Texture};
 use crate::sampler::Filter;
 use crate::trace::SampleStep;
 
 /// What the lanes of a batch read.
 #[derive(Clone, Copy)]
 #[expect(clippy::large_enum_variant, reason = "lives on one call's stack, where a box costs more")]
-pub enum Taps {
+pub enum LevelTaps {
     /// All of them this key.
-    Same(u32),
+    Uniform(u32),
     /// All of them these keys, in proportion: the weight of the second, 0 where it is not read.
-    Pair { keys: [u32; 2], weight: F32s },
+    UniformPair { keys: [u32; 2], weight: F32s },
     /// Per lane two (filter, face, level), as keys, and the weight of the second. A lane that reads
     /// one level has twice the same key and no weight.
-    Mixed { keys: [U32s; 2], weight: F32s },
+    PerLane { keys: [U32s; 2], weight: F32s },
 }
 
-impl Taps {
-    /// The least key above `floor` that any lane reads, or [`NONE`].
+impl LevelTaps {
+    /// The least key above `floor` that any lane reads, or [`NO_KEY`].
     #[inline(always)]
     pub fn next<S: Simd>(&self, floor: u32) -> u32 {
         match self {
-            Self::Same(key) => {
+            Self::Uniform(key) => {
                 if *key > floor {
                     *key
                 } else {
-                    NONE
+                    NO_KEY
                 }
             }
-            Self::Pair { keys: [first, second], .. } => {
-                let second = if *second > floor { *second } else { NONE };
+            Self::UniformPair { keys: [first, second], .. } => {
+                let second = if *second > floor { *second } else { NO_KEY };
                 if *first > floor { *first } else { second }
             }
-            Self::Mixed { keys, .. } => next_key::<S>(keys, floor),
+            Self::PerLane { keys, .. } => next_key::<S>(keys, floor),
         }
     }
 
@@ -48,35 +48,35 @@ impl Taps {
     #[inline(always)]
     pub fn of_lane(&self, lane: usize) -> [u32; 2] {
         match self {
-            Self::Same(key) => [*key; 2],
-            Self::Pair { keys, weight } => {
+            Self::Uniform(key) => [*key; 2],
+            Self::UniformPair { keys, weight } => {
                 [keys[0], if weight[lane] > 0.0 { keys[1] } else { keys[0] }]
             }
-            Self::Mixed { keys, .. } => [keys[0][lane], keys[1][lane]],
+            Self::PerLane { keys, .. } => [keys[0][lane], keys[1][lane]],
         }
     }
 
     /// The lanes that read this key, as a mask.
     #[inline(always)]
-    pub fn asking(&self, key: u32) -> U32s {
-        let mut asking = U32s::splat(!0);
+    pub fn lane_mask(&self, key: u32) -> U32s {
+        let mut mask = U32s::splat(!0);
         match self {
-            Self::Same(_) => {}
-            Self::Pair { keys, weight } => {
+            Self::Uniform(_) => {}
+            Self::UniformPair { keys, weight } => {
                 if key == keys[1] {
                     for lane in 0..LANES {
-                        asking[lane] = if weight[lane] > 0.0 { !0 } else { 0 };
+                        mask[lane] = if weight[lane] > 0.0 { !0 } else { 0 };
                     }
                 }
             }
-            Self::Mixed { keys: [first, second], .. } => {
+            Self::PerLane { keys: [first, second], .. } => {
                 for lane in 0..LANES {
                     let asks = (first[lane] == key) | (second[lane] == key);
-                    asking[lane] = if asks { !0 } else { 0 };
+                    mask[lane] = if asks { !0 } else { 0 };
                 }
             }
         }
-        asking
+        mask
     }
 
     /// The same levels of other faces.
@@ -90,11 +90,11 @@ impl Taps {
             keys[0][lane] = first & level | face[lane] << FACE;
             keys[1][lane] = second & level | face[lane] << FACE;
             weight[lane] = match self {
-                Self::Same(_) => 0.0,
-                Self::Pair { weight, .. } | Self::Mixed { weight, .. } => weight[lane],
+                Self::Uniform(_) => 0.0,
+                Self::UniformPair { weight, .. } | Self::PerLane { weight, .. } => weight[lane],
             };
         }
-        Self::Mixed { keys, weight }
+        Self::PerLane { keys, weight }
     }
 }
 
@@ -116,37 +116,37 @@ fn key(filter: Filter, face: u32, level: u32) -> u32 {
 
 /// The inverse of the function above: filter, face and level.
 #[inline(always)]
-pub fn parts(key: u32) -> (Filter, usize, usize) {
+pub fn split_key(key: u32) -> (Filter, usize, usize) {
     let filter = if key >> FILTER == 1 { Filter::Nearest } else { Filter::Linear };
     (filter, (key >> FACE & 7) as usize, (key & 31) as usize)
 }
 
 /// What each lane reads, and how its footprint lies.
 #[inline(always)]
-pub fn taps<S: Simd, F: Reads>(
+pub fn taps<S: Simd, F: FootprintSet>(
     texture: &Texture,
     at: &Coordinates,
     lod: Lod<'_>,
     recorder: &mut impl Recorder,
-) -> (Taps, Footprint) {
-    let (min, mag, range, anisotropy) = match &texture.detail {
-        Detail::PerLane { min, mag, range, anisotropy } => (min, mag, range, anisotropy),
-        Detail::Fixed { filter, level, why, .. } => {
-            recorder.note(|_| SampleStep::Fixed { filter: *filter, level: *level, why });
-            return (fixed::<S>(texture, at), Footprint::Round);
+) -> (LevelTaps, Footprint) {
+    let (min, mag, range, anisotropy) = match &texture.level_selection {
+        LevelSelection::PerLane { min, mag, range, anisotropy } => (min, mag, range, anisotropy),
+        LevelSelection::Fixed { filter, level, why, .. } => {
+            recorder.record(|_| SampleStep::Fixed { filter: *filter, level: *level, why });
+            return (fixed_taps::<S>(texture, at), Footprint::Round);
         }
     };
     let (base, footprint, bias) = base_lambda::<S, F>(texture, at, lod, *anisotropy, recorder);
     let lambda = range.lambda(&base, bias);
     let (levels, weight) = range.levels(&lambda);
-    recorder.note(|lane| SampleStep::Lambda {
+    recorder.record(|lane| SampleStep::Lambda {
         base: base[lane],
         bias: range.bias,
         shader_bias: bias.map_or(0.0, |bias| bias[lane]),
         range: [range.min, range.max],
         lambda: lambda[lane],
     });
-    recorder.note(|lane| {
+    recorder.record(|lane| {
         let minified = lambda[lane] > range.magnified_to;
         let (first, weight) = (levels[0][lane], weight[lane]);
         SampleStep::Levels {
@@ -161,7 +161,7 @@ pub fn taps<S: Simd, F: Reads>(
     });
     if !texture.shape.is_cube() && min == mag {
         // Up to λ = 0 the level is 0 in any case.
-        if let Some(taps) = alike::<S>(key(*min, 0, 0), &levels, &weight) {
+        if let Some(taps) = uniform_taps::<S>(key(*min, 0, 0), &levels, &weight) {
             return (taps, footprint);
         }
     }
@@ -178,12 +178,12 @@ pub fn taps<S: Simd, F: Reads>(
         keys[1][lane] = if minified { second } else { mag | face };
         weights[lane] = if minified { weight[lane] } else { 0.0 };
     }
-    (mixed::<S>(keys, weights), footprint)
+    (per_lane_taps::<S>(keys, weights), footprint)
 }
 
 /// λ of the base level before any bias, how the footprint lies, and the bias of the lookup.
 #[inline(always)]
-pub fn base_lambda<'a, S: Simd, F: Reads>(
+pub fn base_lambda<'a, S: Simd, F: FootprintSet>(
     texture: &Texture,
     at: &Coordinates<'_>,
     lod: Lod<'a>,
@@ -192,7 +192,7 @@ pub fn base_lambda<'a, S: Simd, F: Reads>(
 ) -> (F32s, Footprint, Option<&'a F32s>) {
     match lod {
         Lod::Explicit(lambda) => {
-            recorder.note(|lane| SampleStep::Explicit(lambda[lane]));
+            recorder.record(|lane| SampleStep::Explicit(lambda[lane]));
             (*lambda, Footprint::Round, None)
         }
         Lod::Implicit { bias } | Lod::Gradient { bias, .. } => {
@@ -216,7 +216,7 @@ pub fn base_lambda<'a, S: Simd, F: Reads>(
                 let [[dsdx, dtdx], [dsdy, dtdy]] = &on_face;
                 d = Derivatives { dx: [dsdx, dtdx, dtdx], dy: [dsdy, dtdy, dtdy] };
             }
-            recorder.note(|lane| {
+            recorder.record(|lane| {
                 let of = |d: [&F32s; 3]| {
                     std::array::from_fn(|axis| if axis < axes { d[axis][lane] } else { 0.0 })
                 };
@@ -245,30 +245,36 @@ pub fn base_lambda<'a, S: Simd, F: Reads>(
 
 /// Where λ decides nothing.
 #[inline(always)]
-fn fixed<S: Simd>(texture: &Texture, at: &Coordinates) -> Taps {
-    let Detail::Fixed { filter, level, .. } = &texture.detail else { return Taps::Same(NONE) };
+fn fixed_taps<S: Simd>(texture: &Texture, at: &Coordinates) -> LevelTaps {
+    let LevelSelection::Fixed { filter, level, .. } = &texture.level_selection else {
+        return LevelTaps::Uniform(NO_KEY);
+    };
     let every = key(*filter, 0, *level);
     if !texture.shape.is_cube() {
-        return Taps::Same(every);
+        return LevelTaps::Uniform(every);
     }
     let mut keys = U32s::ZERO;
     for lane in 0..LANES {
         keys[lane] = every | at.face[lane] << FACE;
     }
-    mixed::<S>([keys, keys], F32s::ZERO)
+    per_lane_taps::<S>([keys, keys], F32s::ZERO)
 }
 
 /// Where all lanes read the same level, and the one after it if any.
 #[inline(always)]
-fn alike<S: Simd>(filter: u32, levels: &[U32s; 2], weight: &F32s) -> Option<Taps> {
-    let [first, second] = same_levels::<S>(levels, weight)?;
+fn uniform_taps<S: Simd>(filter: u32, levels: &[U32s; 2], weight: &F32s) -> Option<LevelTaps> {
+    let [first, second] = common_levels::<S>(levels, weight)?;
     let keys = [filter | first, filter | second];
-    Some(if first == second { Taps::Same(keys[0]) } else { Taps::Pair { keys, weight: *weight } })
+    Some(if first == second {
+        LevelTaps::Uniform(keys[0])
+    } else {
+        LevelTaps::UniformPair { keys, weight: *weight }
+    })
 }
 
 /// The level that all lanes read, and the one after it, or the same where it has no weight.
 #[inline(always)]
-pub fn same_levels<S: Simd>(levels: &[U32s; 2], weight: &F32s) -> Option<[u32; 2]> {
+pub fn common_levels<S: Simd>(levels: &[U32s; 2], weight: &F32s) -> Option<[u32; 2]> {
     let first = levels[0][0];
     let mut different = U32s::ZERO;
     for lane in 0..LANES {
@@ -282,16 +288,16 @@ pub fn same_levels<S: Simd>(levels: &[U32s; 2], weight: &F32s) -> Option<[u32; 2
 }
 
 #[inline(always)]
-fn mixed<S: Simd>(keys: [U32s; 2], weight: F32s) -> Taps {
+fn per_lane_taps<S: Simd>(keys: [U32s; 2], weight: F32s) -> LevelTaps {
     let least = next_key::<S>(&keys, 0);
-    if next_key::<S>(&keys, least) == NONE {
-        return Taps::Same(least);
+    if next_key::<S>(&keys, least) == NO_KEY {
+        return LevelTaps::Uniform(least);
     }
-    Taps::Mixed { keys, weight }
+    LevelTaps::PerLane { keys, weight }
 }
 
 /// What there is when there is no key.
-pub const NONE: u32 = u32::MAX;
+pub const NO_KEY: u32 = u32::MAX;
 
 /// The least key of the batch above `floor`.
 #[inline(always)]
@@ -299,8 +305,8 @@ fn next_key<S: Simd>(keys: &[U32s; 2], floor: u32) -> u32 {
     let [first, second] = keys;
     let mut above = U32s::ZERO;
     for lane in 0..LANES {
-        let a = if first[lane] > floor { first[lane] } else { NONE };
-        let b = if second[lane] > floor { second[lane] } else { NONE };
+        let a = if first[lane] > floor { first[lane] } else { NO_KEY };
+        let b = if second[lane] > floor { second[lane] } else { NO_KEY };
         above[lane] = if a < b { a } else { b };
     }
     S::smallest(&above)

@@ -8,7 +8,7 @@ use crate::sampler::Filter;
 
 /// A level, and all that is the same for each of its texels.
 #[derive(Clone, Copy)]
-pub struct Place<'a> {
+pub struct LevelView<'a> {
     pub texture: &'a Texture,
     pub filter: Filter,
     pub face: usize,
@@ -21,7 +21,7 @@ pub struct Place<'a> {
     pub reference: &'a F32s,
 }
 
-impl Place<'_> {
+impl LevelView<'_> {
     #[inline(always)]
     pub fn axis(&self, axis: usize) -> Axis {
         let size = [self.level.width, self.level.height, self.level.depth][axis];

@@ -2,12 +2,12 @@
 //! ARB_texture_query_lod).
 
 use super::coordinates::Coordinates;
-use super::footprint::Any;
+use super::footprint::AnyFootprint;
 use super::level_taps::base_lambda;
 use super::lookup::Lod;
-use super::recorder::Off;
+use super::recorder::NoRecorder;
 use crate::lanes::{F32s, Kernel, LANES, Simd};
-use crate::plan::{Anisotropy, Detail, LodRange, Texture};
+use crate::plan::{Anisotropy, LevelSelection, LodRange, Texture};
 use crate::sampler::Mipmap;
 
 /// One call: 64 levels of detail.
@@ -26,11 +26,11 @@ impl Kernel for Query<'_> {
     #[inline(always)]
     fn run<S: Simd>(self) {
         let Self { texture, coords, lod, out } = self;
-        let at = Coordinates::new(texture, coords, None, &mut Off);
-        let (range, anisotropy) = match &texture.detail {
-            Detail::PerLane { range, anisotropy, .. } => (*range, *anisotropy),
+        let at = Coordinates::new(texture, coords, None, &mut NoRecorder);
+        let (range, anisotropy) = match &texture.level_selection {
+            LevelSelection::PerLane { range, anisotropy, .. } => (*range, *anisotropy),
             // Only the bias counts.
-            Detail::Fixed { bias, .. } => (
+            LevelSelection::Fixed { bias, .. } => (
                 LodRange {
                     bias: *bias,
                     min: 0.0,
@@ -42,7 +42,8 @@ impl Kernel for Query<'_> {
                 Anisotropy::Off,
             ),
         };
-        let (base, _, bias) = base_lambda::<S, Any>(texture, &at, lod, anisotropy, &mut Off);
+        let (base, _, bias) =
+            base_lambda::<S, AnyFootprint>(texture, &at, lod, anisotropy, &mut NoRecorder);
         let free = LodRange { min: f32::NEG_INFINITY, max: f32::INFINITY, ..range };
         out[1] = free.lambda(&base, bias);
         let lambda = range.lambda(&base, bias);

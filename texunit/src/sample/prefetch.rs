@@ -2,12 +2,12 @@
 //! rows lie too far apart for it to guess which one comes next. Whatever is asked for, no result depends on it.
 
 use super::derivatives::{Derivatives, rho_squared};
-use super::level_view::Place;
+use super::level_view::LevelView;
 use super::lookup::Lod;
-use super::uniform_levels::{Read, place};
+use super::uniform_levels::{Read, plane_view};
 use crate::lanes::math::index;
 use crate::lanes::{F32s, LANES, QUADS, Simd, U32s, prefetch_at};
-use crate::plan::{Detail, Texture};
+use crate::plan::{LevelSelection, Texture};
 
 /// Levels of fewer bytes stay near by themselves.
 const FAR: usize = 1 << 20;
@@ -32,20 +32,20 @@ pub(crate) fn ask<S: Simd>(texture: &Texture, points: [&F32s; 2], like: Like<'_>
     if levels[0].texels.len() < FAR {
         return;
     }
-    let (filter, first, last) = match (&texture.detail, like) {
-        (Detail::Fixed { filter, level, .. }, _) => (*filter, *level, *level),
+    let (filter, first, last) = match (&texture.level_selection, like) {
+        (LevelSelection::Fixed { filter, level, .. }, _) => (*filter, *level, *level),
         (_, Like::Read(Read { filter, levels: [first, last] })) => (filter, first, last),
-        (Detail::PerLane { min, range, .. }, Like::First(like, lod)) => {
+        (LevelSelection::PerLane { min, range, .. }, Like::First(like, lod)) => {
             let first = guess(texture, like, &lod).min(range.last);
             (*min, first, (first + 1).min(range.last))
         }
     };
     for number in first..=last {
-        let place = place(texture, filter, number);
-        if place.level.texels.len() >= FAR {
+        let view = plane_view(texture, filter, number);
+        if view.level.texels.len() >= FAR {
             // Texels of the second level are twice as large.
             let asked = if number == first { &ASKED[..] } else { &ASKED[..4] };
-            ask_level::<S>(&place, points, asked);
+            ask_level::<S>(&view, points, asked);
         }
     }
 }
@@ -72,10 +72,10 @@ fn guess(texture: &Texture, like: [&F32s; 3], lod: &Lod<'_>) -> u32 {
 const MAX: f32 = 65_536.0;
 
 #[inline(always)]
-fn ask_level<S: Simd>(place: &Place<'_>, points: [&F32s; 2], asked: &[usize]) {
-    let (s, t) = (place.axis(0), place.axis(1));
+fn ask_level<S: Simd>(view: &LevelView<'_>, points: [&F32s; 2], asked: &[usize]) {
+    let (s, t) = (view.axis(0), view.axis(1));
     let (u, v) = (s.texel_coordinate::<S>(points[0]), t.texel_coordinate::<S>(points[1]));
-    let level = place.level;
+    let level = view.level;
     let (bytes, row) = (level.format.bytes() as u32, level.row_bytes() as u32);
     let mut offsets = U32s::ZERO;
     for lane in 0..LANES {

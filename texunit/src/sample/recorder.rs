@@ -6,53 +6,53 @@ use crate::trace::SampleStep;
 /// Takes notes of the steps of a sample.
 pub(crate) trait Recorder {
     /// A step; `step` gives it for a lane.
-    fn note(&mut self, step: impl FnOnce(usize) -> SampleStep);
+    fn record(&mut self, step: impl FnOnce(usize) -> SampleStep);
 
-    /// What comes next concerns the lanes of which `takes_part` holds.
-    fn only(&mut self, takes_part: impl FnOnce(usize) -> bool);
+    /// What comes next concerns the lanes of which `participates` holds.
+    fn restrict_to(&mut self, participates: impl FnOnce(usize) -> bool);
 }
 
 /// Nobody.
-pub(crate) struct Off;
+pub(crate) struct NoRecorder;
 
-impl Recorder for Off {
+impl Recorder for NoRecorder {
     #[inline(always)]
-    fn note(&mut self, _: impl FnOnce(usize) -> SampleStep) {}
+    fn record(&mut self, _: impl FnOnce(usize) -> SampleStep) {}
 
     #[inline(always)]
-    fn only(&mut self, _: impl FnOnce(usize) -> bool) {}
+    fn restrict_to(&mut self, _: impl FnOnce(usize) -> bool) {}
 }
 
 /// The steps of one lane.
-pub(crate) struct Lane {
+pub(crate) struct LaneRecorder {
     pub lane: usize,
     pub steps: Vec<SampleStep>,
     /// Whether anybody wants them.
-    listens: bool,
+    enabled: bool,
     /// Whether what runs concerns it.
-    concerned: bool,
+    active: bool,
 }
 
-impl Lane {
+impl LaneRecorder {
     /// Nothing yet.
     pub fn new(lane: usize) -> Self {
-        Self { lane, steps: Vec::new(), listens: true, concerned: true }
+        Self { lane, steps: Vec::new(), enabled: true, active: true }
     }
 
     /// Nobody wants to know.
-    pub fn deaf() -> Self {
-        Self { lane: 0, steps: Vec::new(), listens: false, concerned: false }
+    pub fn disabled() -> Self {
+        Self { lane: 0, steps: Vec::new(), enabled: false, active: false }
     }
 }
 
-impl Recorder for Lane {
-    fn note(&mut self, step: impl FnOnce(usize) -> SampleStep) {
-        if self.concerned {
+impl Recorder for LaneRecorder {
+    fn record(&mut self, step: impl FnOnce(usize) -> SampleStep) {
+        if self.active {
             self.steps.push(step(self.lane));
         }
     }
 
-    fn only(&mut self, takes_part: impl FnOnce(usize) -> bool) {
-        self.concerned = self.listens && takes_part(self.lane);
+    fn restrict_to(&mut self, participates: impl FnOnce(usize) -> bool) {
+        self.active = self.enabled && participates(self.lane);
     }
 }

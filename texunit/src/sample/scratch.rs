@@ -1,6 +1,6 @@
 //! Scratch of a lookup, and what one lookup may hand to the next.
 
-use super::fast::{Places, Square};
+use super::fast::{Places, TexelQuad};
 use super::uniform_levels::Read;
 use crate::lanes::F32s;
 
@@ -9,15 +9,15 @@ use crate::lanes::F32s;
 pub struct Room {
     /// What a lookup gave: red, green, blue and alpha. Of one that is taken, only where the short way does not lead.
     pub lanes: [F32s; 4],
-    pub(crate) squares: Squares,
-    pub(crate) detail: Found,
+    pub(crate) squares: QuadScratch,
+    pub(crate) detail: LevelScratch,
 }
 
 /// The texels of one level, or of two.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Squares {
-    pub levels: [Square; 2],
-    /// Whether all of those of the last lookup were [`Search::Inside`].
+pub(crate) struct QuadScratch {
+    pub levels: [TexelQuad; 2],
+    /// Whether all of those of the last lookup were [`QuadLoad::Inside`].
     pub inside: bool,
 }
 
@@ -34,7 +34,7 @@ pub struct Known<'a> {
 
 /// What the level of detail of a lookup comes to.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Found {
+pub(crate) struct LevelScratch {
     pub read: Option<Read>,
     /// Of the second level.
     pub weight: F32s,

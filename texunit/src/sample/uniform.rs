@@ -4,25 +4,25 @@
 //! A kernel of its own, so that these do not carry the stack and the branches of probes, faces, layers
 //! and lanes that read different levels. Every number is computed by the functions of the general way.
 
-use super::call::Sample;
+use super::call::SampleCall;
 use super::compare::{compare, unit_range};
 use super::fast::Places;
 use super::interpolate::mix;
-use super::recorder::Off;
-use super::scratch::{Found, Known, Squares};
-use super::uniform_levels::{Read, place, read};
+use super::recorder::NoRecorder;
+use super::scratch::{Known, LevelScratch, QuadScratch};
+use super::uniform_levels::{Read, plane_view, select};
 use super::{expand, fast, fused};
 use crate::lanes::{F32s, Kernel, Simd};
-use crate::plan::Class;
+use crate::plan::TexelClass;
 use crate::sampler::Filter;
 
 /// One call: 64 samples of a texture that goes this way, of texels of this class.
-pub(crate) struct Flat<'s, 'a, F> {
-    pub sample: &'s mut Sample<'a, Off, F>,
-    pub class: Class,
+pub(crate) struct UniformCall<'s, 'a, F> {
+    pub sample: &'s mut SampleCall<'a, NoRecorder, F>,
+    pub class: TexelClass,
     pub places: Places,
-    pub squares: &'s mut Squares,
-    pub detail: &'s mut Found,
+    pub squares: &'s mut QuadScratch,
+    pub detail: &'s mut LevelScratch,
 }
 
 /// What became of a call.
@@ -30,42 +30,43 @@ pub(crate) struct Flat<'s, 'a, F> {
 pub(crate) enum Outcome {
     Sampled,
     /// Lanes read different levels, or texels that have no short way: nothing is done.
-    NotFlat,
+    NotUniform,
 }
 
-impl<F> Kernel for Flat<'_, '_, F> {
+impl<F> Kernel for UniformCall<'_, '_, F> {
     type Output = Outcome;
 
     #[inline(always)]
     fn run<S: Simd>(self) -> Outcome {
         let Self { sample, class, places, squares, detail } = self;
         let texture = sample.texture;
-        let Found { read: found, weight } = detail;
+        let LevelScratch { read: found, weight } = detail;
         if places == Places::Own {
-            *found = read::<S>(texture, sample.coords, sample.lod, weight);
+            *found = select::<S>(texture, sample.coords, sample.lod, weight);
         }
-        let Some(Read { filter, levels }) = *found else { return Outcome::NotFlat };
-        if texture.gives_words && filter == Filter::Linear {
-            let spread = fused::Spread(&mut *sample.out);
+        let Some(Read { filter, levels }) = *found else { return Outcome::NotUniform };
+        if texture.is_fusible && filter == Filter::Linear {
+            let spread = fused::WriteLanes(&mut *sample.out);
             let known = Known { read: *found, weight, places };
-            let taken = fused::take::<S, _>(texture, *sample.coords, known, squares, spread);
-            return if taken.is_ok() { Outcome::Sampled } else { Outcome::NotFlat };
+            let taken =
+                fused::sample_fused::<S, _>(texture, *sample.coords, known, squares, spread);
+            return if taken.is_ok() { Outcome::Sampled } else { Outcome::NotUniform };
         }
         // Takes no time where there is no second level.
         let mut second = None;
         let reads_both = levels[0] != levels[1];
         for (turn, number) in levels.into_iter().take(1 + usize::from(reads_both)).enumerate() {
-            let place = place(texture, filter, number);
+            let view = plane_view(texture, filter, number);
             let out = match turn {
                 0 => &mut *sample.out,
                 _ => second.get_or_insert([F32s::ZERO; 4]),
             };
             let is_done = match filter {
-                Filter::Nearest => fast::nearest::<S>(&place, class, *sample.coords, out),
-                Filter::Linear => fast::linear::<S>(&place, class, *sample.coords, out),
+                Filter::Nearest => fast::nearest::<S>(&view, class, *sample.coords, out),
+                Filter::Linear => fast::linear::<S>(&view, class, *sample.coords, out),
             };
             if !is_done {
-                return Outcome::NotFlat;
+                return Outcome::NotUniform;
             }
             // Each texel by itself, which is why there is only one a lane.
             if let Some(op) = texture.compare {

@@ -1,13 +1,13 @@
 //! The levels that all lanes of a batch read, where they read the same.
 
 use super::coordinates::Coordinates;
-use super::footprint::Round;
+use super::footprint::RoundOnly;
 use super::level_taps;
-use super::level_view::Place;
+use super::level_view::LevelView;
 use super::lookup::Lod;
-use super::recorder::Off;
+use super::recorder::NoRecorder;
 use crate::lanes::{F32s, Simd, U32s};
-use crate::plan::{Detail, Texture};
+use crate::plan::{LevelSelection, Texture};
 use crate::sampler::Filter;
 
 /// What all lanes of a batch read: what their level of detail comes to.
@@ -21,23 +21,23 @@ pub struct Read {
 /// Which levels all lanes read; `None` where they read different ones. Where they read two, `weight` takes that of
 /// the second.
 #[inline(always)]
-pub fn read<S: Simd>(
+pub fn select<S: Simd>(
     texture: &Texture,
     coords: &[&F32s; 3],
     lod: &Lod<'_>,
     weight: &mut F32s,
 ) -> Option<Read> {
-    match &texture.detail {
-        Detail::Fixed { filter, level, .. } => {
+    match &texture.level_selection {
+        LevelSelection::Fixed { filter, level, .. } => {
             Some(Read { filter: *filter, levels: [*level, *level] })
         }
-        Detail::PerLane { min, range, anisotropy, .. } => {
-            let (at, off) = (Coordinates::in_plane(*coords), &mut Off);
+        LevelSelection::PerLane { min, range, anisotropy, .. } => {
+            let (at, off) = (Coordinates::in_plane(*coords), &mut NoRecorder);
             let (base, _, bias) =
-                level_taps::base_lambda::<S, Round>(texture, &at, *lod, *anisotropy, off);
+                level_taps::base_lambda::<S, RoundOnly>(texture, &at, *lod, *anisotropy, off);
             let each;
             (each, *weight) = range.levels(&range.lambda(&base, bias));
-            let levels = level_taps::same_levels::<S>(&each, weight)?;
+            let levels = level_taps::common_levels::<S>(&each, weight)?;
             Some(Read { filter: *min, levels })
         }
     }
@@ -45,8 +45,8 @@ pub fn read<S: Simd>(
 
 /// A level of a texture in a plane.
 #[inline(always)]
-pub fn place(texture: &Texture, filter: Filter, number: u32) -> Place<'_> {
-    Place {
+pub fn plane_view(texture: &Texture, filter: Filter, number: u32) -> LevelView<'_> {
+    LevelView {
         texture,
         filter,
         face: 0,

@@ -3,7 +3,7 @@
 //! A block is gathered whole for each of the four corners, and all channels that share its codes are
 //! decoded in one loop.
 
-use super::reach::{ends, reach};
+use super::quad_position::{pair_offsets, quad_position};
 use crate::format::block::{
     CHANNELS, Ends, Palette, color_sixths, color_weights, explicit, interpolated, is_srgb_block,
     punched,
@@ -11,9 +11,9 @@ use crate::format::block::{
 use crate::format::{Block, Format};
 use crate::lanes::{F32s, LANES, Simd, U32s};
 use crate::sample::interpolate::lerp;
-use crate::sample::level_view::Place;
+use crate::sample::level_view::LevelView;
 
-/// The texels of one corner of the squares.
+/// The texels of one corner of the quads.
 struct Corner {
     /// The byte where the block begins.
     offset: U32s,
@@ -27,16 +27,16 @@ type Halves = [[U32s; 2]; 4];
 /// The mean of 2×2 texels; or `false`, where this way does not lead.
 #[inline(always)]
 pub fn linear<S: Simd>(
-    place: &Place<'_>,
+    view: &LevelView<'_>,
     block: Block,
     at: [&F32s; 3],
     out: &mut [F32s; 4],
 ) -> bool {
-    let Some(reach) = reach::<S>(place, at) else { return false };
-    let [s, t] = &reach.axes;
-    let xs = ends(s, &reach.first[0], reach.pairs[0], 1, 0);
-    let ys = ends(t, &reach.first[1], reach.pairs[1], 1, 0);
-    let level = place.level;
+    let Some(position) = quad_position::<S>(view, at) else { return false };
+    let [s, t] = &position.axes;
+    let xs = pair_offsets(s, &position.first[0], position.pairs[0], 1, 0);
+    let ys = pair_offsets(t, &position.first[1], position.pairs[1], 1, 0);
+    let level = view.level;
     let (bytes, row) = (level.format.bytes() as u32, level.row_bytes() as u32);
     let corners = [
         corner(&xs[0], &ys[0], bytes, row),
@@ -45,34 +45,34 @@ pub fn linear<S: Simd>(
         corner(&xs[1], &ys[1], bytes, row),
     ];
     let within = [&corners[0].within, &corners[1].within, &corners[2].within, &corners[3].within];
-    let squares = Squares { within, weights: [&reach.weights[0], &reach.weights[1]] };
-    let first = halves::<S>(place, &corners, 0);
+    let quads = BlockQuads { within, weights: [&position.weights[0], &position.weights[1]] };
+    let first = halves::<S>(view, &corners, 0);
     let channels = level.format.channels();
     match block {
         Block::Dxt1 => {
-            squares.colors::<S>(&first, Palette::ByOrder, level.format, out);
+            quads.colors::<S>(&first, Palette::ByOrder, level.format, out);
             if channels > 3 {
-                squares.mean(&first, &mut out[3], punched);
+                quads.mean(&first, &mut out[3], punched);
             }
         }
         Block::Dxt3 | Block::Dxt5 => {
-            let second = halves::<S>(place, &corners, 8);
-            squares.colors::<S>(&second, Palette::Four, level.format, out);
+            let second = halves::<S>(view, &corners, 8);
+            quads.colors::<S>(&second, Palette::Four, level.format, out);
             if block == Block::Dxt3 {
-                squares.mean(&first, &mut out[3], explicit);
+                quads.mean(&first, &mut out[3], explicit);
             } else {
-                squares.mean(&first, &mut out[3], unsigned);
+                quads.mean(&first, &mut out[3], unsigned);
             }
         }
-        Block::Rgtc1 => squares.mean(&first, &mut out[0], unsigned),
-        Block::Rgtc1Snorm => squares.mean(&first, &mut out[0], signed),
+        Block::Rgtc1 => quads.mean(&first, &mut out[0], unsigned),
+        Block::Rgtc1Snorm => quads.mean(&first, &mut out[0], signed),
         Block::Rgtc2 => {
-            squares.mean(&first, &mut out[0], unsigned);
-            squares.mean(&halves::<S>(place, &corners, 8), &mut out[1], unsigned);
+            quads.mean(&first, &mut out[0], unsigned);
+            quads.mean(&halves::<S>(view, &corners, 8), &mut out[1], unsigned);
         }
         Block::Rgtc2Snorm => {
-            squares.mean(&first, &mut out[0], signed);
-            squares.mean(&halves::<S>(place, &corners, 8), &mut out[1], signed);
+            quads.mean(&first, &mut out[0], signed);
+            quads.mean(&halves::<S>(view, &corners, 8), &mut out[1], signed);
         }
     }
     true
@@ -91,14 +91,14 @@ fn corner(x: &U32s, y: &U32s, bytes: u32, row: u32) -> Corner {
 
 /// The 8 bytes at `start` of the block of every corner.
 #[inline(always)]
-fn halves<S: Simd>(place: &Place<'_>, corners: &[Corner; 4], start: u32) -> Halves {
+fn halves<S: Simd>(view: &LevelView<'_>, corners: &[Corner; 4], start: u32) -> Halves {
     let mut out = [[U32s::ZERO; 2]; 4];
     for (out, corner) in out.iter_mut().zip(corners) {
         let mut offset = U32s::ZERO;
         for lane in 0..LANES {
             offset[lane] = corner.offset[lane].wrapping_add(start);
         }
-        *out = S::gather_pairs(&place.level.texels, &offset);
+        *out = S::gather_pairs(&view.level.texels, &offset);
     }
     out
 }
@@ -127,12 +127,12 @@ fn sixths(low: u32, high: u32, at: u32, palette: Palette) -> [u32; 3] {
 }
 
 /// Where in their blocks the corners are, and their shares.
-struct Squares<'a> {
+struct BlockQuads<'a> {
     within: [&'a U32s; 4],
     weights: [&'a F32s; 2],
 }
 
-impl Squares<'_> {
+impl BlockQuads<'_> {
     #[inline(always)]
     fn lerp(&self, [a, b, c, d]: [f32; 4], lane: usize) -> f32 {
         let [alpha, beta] = [self.weights[0][lane], self.weights[1][lane]];

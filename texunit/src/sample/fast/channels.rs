@@ -7,13 +7,13 @@ use crate::format::convert::{byte_channel, byte_of, over_255};
 use crate::format::small_float::decode_half;
 use crate::format::srgb;
 use crate::lanes::{F32s, LANES, Simd, U32s};
-use crate::plan::{Alpha, Class};
+use crate::plan::{Alpha, TexelClass};
 use crate::sample::interpolate::lerp;
 
 /// The channels that lie in word number `word` of 64 texels.
 #[inline(always)]
-pub fn of_texel<S: Simd>(
-    class: Class,
+pub fn channels_of_texel<S: Simd>(
+    class: TexelClass,
     channels: usize,
     word: usize,
     words: &U32s,
@@ -21,42 +21,42 @@ pub fn of_texel<S: Simd>(
 ) {
     let [r, g, b, a] = out;
     match class {
-        Class::Bytes => {
-            each(words, r, byte::<0>);
+        TexelClass::Bytes => {
+            map_words(words, r, byte::<0>);
             if channels > 1 {
-                each(words, g, byte::<1>);
+                map_words(words, g, byte::<1>);
             }
             if channels > 2 {
-                each(words, b, byte::<2>);
+                map_words(words, b, byte::<2>);
             }
             if channels > 3 {
-                each(words, a, byte::<3>);
+                map_words(words, a, byte::<3>);
             }
         }
-        Class::Srgb => {
+        TexelClass::Srgb => {
             *r = S::lookup(&srgb::DECODE, words, 0);
             if channels == 2 {
-                each(words, g, byte::<1>);
+                map_words(words, g, byte::<1>);
             }
             if channels > 2 {
                 *g = S::lookup(&srgb::DECODE, words, 8);
                 *b = S::lookup(&srgb::DECODE, words, 16);
             }
             if channels > 3 {
-                each(words, a, byte::<3>);
+                map_words(words, a, byte::<3>);
             }
         }
-        Class::Halves => {
+        TexelClass::Halves => {
             let (first, second) = if word == 0 { (r, g) } else { (b, a) };
-            each(words, first, half::<0>);
+            map_words(words, first, half::<0>);
             if channels > 2 * word + 1 {
-                each(words, second, half::<1>);
+                map_words(words, second, half::<1>);
             }
         }
-        Class::Floats => out[word] = *words.as_f32(),
-        Class::Depth { shift, largest } => {
+        TexelClass::Floats => out[word] = *words.as_f32(),
+        TexelClass::Depth { shift, largest } => {
             if word == 0 {
-                each(words, r, |word| depth(word, shift, largest));
+                map_words(words, r, |word| depth(word, shift, largest));
             }
         }
     }
@@ -65,8 +65,8 @@ pub fn of_texel<S: Simd>(
 /// The means of the channels that lie in word number `word` of 2×2 texels, in the order (0, 0),
 /// (1, 0), (0, 1), (1, 1).
 #[inline(always)]
-pub fn of_square<S: Simd>(
-    class: Class,
+pub fn channels_of_quad<S: Simd>(
+    class: TexelClass,
     (channels, alpha): (usize, Alpha),
     word: usize,
     words: [&U32s; 4],
@@ -75,7 +75,7 @@ pub fn of_square<S: Simd>(
 ) {
     let [r, g, b, a] = out;
     match class {
-        Class::Bytes => {
+        TexelClass::Bytes => {
             mean_of_bytes::<0>(words, weights, r);
             if channels > 1 {
                 mean_of_bytes::<1>(words, weights, g);
@@ -87,7 +87,7 @@ pub fn of_square<S: Simd>(
                 mean_of_alpha(words, weights, alpha, a);
             }
         }
-        Class::Srgb => {
+        TexelClass::Srgb => {
             mean_of_srgb::<S>(words, weights, r, 0);
             if channels == 2 {
                 mean_of_bytes::<1>(words, weights, g);
@@ -100,15 +100,15 @@ pub fn of_square<S: Simd>(
                 mean_of_alpha(words, weights, alpha, a);
             }
         }
-        Class::Halves => {
+        TexelClass::Halves => {
             let (first, second) = if word == 0 { (r, g) } else { (b, a) };
             mean(words, weights, first, half::<0>);
             if channels > 2 * word + 1 {
                 mean(words, weights, second, half::<1>);
             }
         }
-        Class::Floats => mean(words, weights, &mut out[word], f32::from_bits),
-        Class::Depth { shift, largest } => {
+        TexelClass::Floats => mean(words, weights, &mut out[word], f32::from_bits),
+        TexelClass::Depth { shift, largest } => {
             if word == 0 {
                 mean(words, weights, r, |word| depth(word, shift, largest));
             }
@@ -120,7 +120,7 @@ pub fn of_square<S: Simd>(
 #[inline(always)]
 fn mean_of_alpha(words: [&U32s; 4], weights: [&F32s; 2], alpha: Alpha, out: &mut F32s) {
     match alpha {
-        Alpha::Read => mean_of_bytes::<3>(words, weights, out),
+        Alpha::Stored => mean_of_bytes::<3>(words, weights, out),
         Alpha::One => *out = F32s::splat(1.0),
     }
 }
@@ -162,7 +162,7 @@ fn half<const UPPER: u32>(word: u32) -> f32 {
 }
 
 #[inline(always)]
-fn each(words: &U32s, out: &mut F32s, channel: impl Fn(u32) -> f32) {
+fn map_words(words: &U32s, out: &mut F32s, channel: impl Fn(u32) -> f32) {
     for lane in 0..LANES {
         out[lane] = channel(words[lane]);
     }

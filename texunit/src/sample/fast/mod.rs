@@ -10,11 +10,11 @@ mod channels;
 mod filter;
 mod offsets;
 mod quad;
-mod reach;
+mod quad_position;
 #[cfg(test)]
 mod tests;
 
-pub use channels::of_texel;
+pub use channels::channels_of_texel;
 pub use filter::{linear, nearest, texels};
-pub use offsets::moved;
-pub use quad::{Places, Search, Square, square};
+pub use offsets::word_offsets;
+pub use quad::{Places, QuadLoad, TexelQuad, load_quad};

@@ -1,17 +1,17 @@
 //! The 2×2 texels of one word each that a linear filter weighs.
 
-use super::offsets::moved;
-use super::reach::{Pairs, reach};
+use super::offsets::word_offsets;
+use super::quad_position::{PairPosition, quad_position};
 use crate::image::Level;
 use crate::lanes::{F32s, Kernel, LANES, Simd, U32s};
 use crate::sample::fetch::{neighbours, split_threes};
-use crate::sample::level_view::Place;
+use crate::sample::level_view::LevelView;
 use crate::sample::wrap::repeated;
 use crate::sampler::Wrap;
 
 /// 2×2 texels of one word each, in the order (0, 0), (1, 0), (0, 1), (1, 1).
 #[derive(Clone, Debug, Default)]
-pub struct Square {
+pub struct TexelQuad {
     pub words: [U32s; 4],
     /// Of the right and of the upper texels.
     pub weights: [F32s; 2],
@@ -31,47 +31,49 @@ pub enum Places {
 
 /// What came of looking for squares of texels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Search {
+pub enum QuadLoad {
     /// This way does not lead there.
-    Nowhere,
+    NotApplicable,
     /// They are here, and some reach over an edge of their level.
-    OverEdge,
+    AcrossEdge,
     /// They are here, and their places can be kept.
     Inside,
 }
 
-/// The texels whose mean a point takes, of one word each. Places are kept of squares that are [`Search::Inside`].
+/// The texels whose mean a point takes, of one word each. Places are kept of squares that are [`QuadLoad::Inside`].
 ///
 /// A function of its own, which gives them in memory that is the caller's: where they are locals of several ways that
 /// lead to the same place, LLVM moves all of them once or twice.
 #[inline(always)]
-pub fn square<S: Simd>(
-    place: &Place<'_>,
+pub fn load_quad<S: Simd>(
+    view: &LevelView<'_>,
     at: [&F32s; 3],
     places: Places,
-    out: &mut Square,
-) -> Search {
-    S::apart(FindSquare { place, at, places, out })
+    out: &mut TexelQuad,
+) -> QuadLoad {
+    S::apart(LoadQuad { view, at, places, out })
 }
 
-struct FindSquare<'a> {
-    place: &'a Place<'a>,
+struct LoadQuad<'a> {
+    view: &'a LevelView<'a>,
     at: [&'a F32s; 3],
     places: Places,
-    out: &'a mut Square,
+    out: &'a mut TexelQuad,
 }
 
-impl Kernel for FindSquare<'_> {
-    type Output = Search;
+impl Kernel for LoadQuad<'_> {
+    type Output = QuadLoad;
 
     #[inline(always)]
-    fn run<S: Simd>(self) -> Search {
-        let Self { place, at, places, out } = self;
-        let level = place.level;
+    fn run<S: Simd>(self) -> QuadLoad {
+        let Self { view, at, places, out } = self;
+        let level = view.level;
         let bytes = level.format.bytes();
         let is_inside = match places {
             Places::Kept => true,
-            Places::Own => bytes >= 3 && inside::<S>(place, at, &mut out.offsets, &mut out.weights),
+            Places::Own => {
+                bytes >= 3 && inside_offsets::<S>(view, at, &mut out.offsets, &mut out.weights)
+            }
         };
         if is_inside {
             let row = level.row_bytes() as u32;
@@ -81,19 +83,19 @@ impl Kernel for FindSquare<'_> {
                 split_threes([a, b]);
                 split_threes([c, d]);
             }
-            return Search::Inside;
+            return QuadLoad::Inside;
         }
-        let Some(reach) = reach::<S>(place, at) else { return Search::Nowhere };
-        let corners = reach.corners(place);
-        out.weights = reach.weights;
-        out.words = if reach.pairs[0] == Pairs::Inside {
+        let Some(position) = quad_position::<S>(view, at) else { return QuadLoad::NotApplicable };
+        let corners = position.corners(view);
+        out.weights = position.weights;
+        out.words = if position.pairs[0] == PairPosition::Inside {
             let [a, b] = neighbours::<S>(level, &corners[0]);
             let [c, d] = neighbours::<S>(level, &corners[2]);
             [a, b, c, d]
         } else {
-            one_by_one::<S>(place, &corners, 0)
+            gather_words::<S>(view, &corners, 0)
         };
-        Search::OverEdge
+        QuadLoad::AcrossEdge
     }
 }
 
@@ -103,22 +105,22 @@ impl Kernel for FindSquare<'_> {
 /// In one loop: of several, what lies between would be stored and loaded again where an instruction set has few
 /// registers.
 #[inline(always)]
-fn inside<S: Simd>(
-    place: &Place<'_>,
+fn inside_offsets<S: Simd>(
+    view: &LevelView<'_>,
     [s, t, _]: [&F32s; 3],
     offsets: &mut U32s,
     weights: &mut [F32s; 2],
 ) -> bool {
-    let axes @ [across, up] = [place.axis(0), place.axis(1)];
+    let axes @ [across, up] = [view.axis(0), view.axis(1)];
     match (across.wrap, up.wrap) {
         (Wrap::Repeat, Wrap::Repeat) => {
             let sizes = [across.size as f32, up.size as f32];
             let wrapped = |axis: usize, x| repeated::<S>(x, sizes[axis]);
-            inside_of::<S>(place.level, [s, t], wrapped, offsets, weights)
+            inside_offsets_by::<S>(view.level, [s, t], wrapped, offsets, weights)
         }
         (Wrap::ClampToEdge, Wrap::ClampToEdge) => {
             let wrapped = |axis: usize, x| axes[axis].held_to_edge(x);
-            inside_of::<S>(place.level, [s, t], wrapped, offsets, weights)
+            inside_offsets_by::<S>(view.level, [s, t], wrapped, offsets, weights)
         }
         (_, _) => false,
     }
@@ -126,7 +128,7 @@ fn inside<S: Simd>(
 
 /// [`inside`] by what a coordinate is in texels.
 #[inline(always)]
-fn inside_of<S: Simd>(
+fn inside_offsets_by<S: Simd>(
     level: &Level,
     [s, t]: [&F32s; 2],
     wrapped: impl Fn(usize, f32) -> f32,
@@ -153,12 +155,12 @@ fn inside_of<S: Simd>(
 
 /// A word of each of four texels.
 #[inline(always)]
-pub fn one_by_one<S: Simd>(place: &Place<'_>, corners: &[U32s; 4], word: usize) -> [U32s; 4] {
-    let texels = &place.level.texels;
+pub fn gather_words<S: Simd>(view: &LevelView<'_>, corners: &[U32s; 4], word: usize) -> [U32s; 4] {
+    let texels = &view.level.texels;
     [
-        S::gather(texels, &moved(&corners[0], word)),
-        S::gather(texels, &moved(&corners[1], word)),
-        S::gather(texels, &moved(&corners[2], word)),
-        S::gather(texels, &moved(&corners[3], word)),
+        S::gather(texels, &word_offsets(&corners[0], word)),
+        S::gather(texels, &word_offsets(&corners[1], word)),
+        S::gather(texels, &word_offsets(&corners[2], word)),
+        S::gather(texels, &word_offsets(&corners[3], word)),
     ]
 }

@@ -5,8 +5,8 @@ use crate::format::Format;
 use crate::image::{Image, Level, Shape};
 use crate::lanes::{F32s, LANES, Simd, U32s};
 use crate::lanes::{Isa, Kernel, math};
-use crate::plan::Class;
 use crate::plan::SamplePlan;
+use crate::plan::TexelClass;
 use crate::sample::{Known, Like, Lod, Points, Room, Take, Texels};
 use crate::sampler::{Compare, Filter, Mipmap, Sampler, Seamless, Wrap};
 
@@ -131,7 +131,7 @@ impl Kernel for Taken<'_> {
 
 #[test]
 fn the_short_way_gives_the_bits_of_the_general_one() {
-    let is_short = |format: &Format| Class::of(*format).is_some() || format.block().is_some();
+    let is_short = |format: &Format| TexelClass::of(*format).is_some() || format.block().is_some();
     let formats: Vec<Format> = Format::ALL.into_iter().filter(is_short).collect();
     assert!(formats.len() > 30);
     let (mut bytes_given, mut left_out) = (0, 0);

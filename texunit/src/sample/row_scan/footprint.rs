@@ -8,7 +8,7 @@ use crate::sample::recorder::Recorder;
 use crate::trace::SampleStep;
 
 /// How the lanes of a batch cross the texels, whatever the level.
-pub struct Scan {
+pub struct RowScan {
     /// `!0` where rows are crossed, 0 where columns.
     pub along_t: U32s,
     /// `a²`, in texels of the base level.
@@ -20,9 +20,9 @@ pub struct Scan {
 }
 
 /// Axes whose square is larger are no footprint.
-const LARGEST: f32 = 1e18;
+const MAX_MAJOR: f32 = 1e18;
 /// Axes whose square is smaller are a point.
-const SMALLEST: f32 = 1e-18;
+const MIN_MAJOR: f32 = 1e-18;
 
 /// λ of each lane and how it crosses the texels. `scale` is texels per unit of each coordinate, `most`
 /// the largest ratio of the axes that is followed.
@@ -32,10 +32,10 @@ pub fn footprint(
     scale: [f32; 3],
     most: f32,
     recorder: &mut impl Recorder,
-) -> (F32s, Scan) {
+) -> (F32s, RowScan) {
     let mut lambda = F32s::ZERO;
     let mut scan =
-        Scan { along_t: U32s::ZERO, excess: F32s::ZERO, slope: F32s::ZERO, even: I32s::ZERO };
+        RowScan { along_t: U32s::ZERO, excess: F32s::ZERO, slope: F32s::ZERO, even: I32s::ZERO };
     let (mut majors, mut minors) = (F32s::ZERO, F32s::ZERO);
     let share = 1.0 / (most * most);
     for lane in 0..LANES {
@@ -49,7 +49,7 @@ pub fn footprint(
         let width = max(minor, major * share);
         let longer = major - width;
         // Not where NaN comes from no footprint or an infinite one.
-        let is_long = (longer > 0.0) & (major > SMALLEST) & (major < LARGEST);
+        let is_long = (longer > 0.0) & (major > MIN_MAJOR) & (major < MAX_MAJOR);
         let reciprocal = 1.0 / ((root + root) * major);
         let part = longer * (major * reciprocal);
         let along = part * (root + difference.abs());
@@ -66,7 +66,7 @@ pub fn footprint(
         majors[lane] = major;
         minors[lane] = minor;
     }
-    recorder.note(|lane| SampleStep::Scan {
+    recorder.record(|lane| SampleStep::Scan {
         major_squared: majors[lane],
         minor_squared: minors[lane],
         along: if scan.along_t[lane] != 0 { 1 } else { 0 },

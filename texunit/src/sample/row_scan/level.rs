@@ -3,14 +3,14 @@
 //! As with the other filters there is a general way and a short one (`plain`), which read the same
 //! texels with the same weights and give the same bits.
 
-use super::footprint::Scan;
+use super::footprint::RowScan;
 use super::rows::Rows;
 use crate::lanes::math::{floor_small, min};
 use crate::lanes::{Beside, F32s, I32s, LANES, ONE, Simd, Sums, U32s};
-use crate::plan::{Class, Way};
-use crate::sample::fast::{moved, of_texel};
+use crate::plan::{TexelClass, TexelPath};
+use crate::sample::fast::{channels_of_texel, word_offsets};
 use crate::sample::fetch;
-use crate::sample::level_view::Place;
+use crate::sample::level_view::LevelView;
 use crate::sample::recorder::Recorder;
 use crate::sample::wrap::Indices;
 use crate::trace::SampleStep;
@@ -19,55 +19,62 @@ use crate::trace::SampleStep;
 /// written.
 #[inline(always)]
 pub fn level<S: Simd>(
-    place: &Place<'_>,
+    view: &LevelView<'_>,
     at: [&F32s; 3],
-    scan: &Scan,
+    scan: &RowScan,
     asks: &U32s,
     out: &mut [F32s; 4],
     recorder: &mut impl Recorder,
 ) {
-    let mut rows = Rows::new::<S>(place, at, scan, asks);
-    match place.texture.way {
-        Way::Plain(Class::Bytes) => bytes::<S>(place, &mut rows, out),
-        Way::Plain(class @ (Class::Srgb | Class::Halves | Class::Floats | Class::Depth { .. })) => {
-            words::<S>(place, class, &mut rows, out);
+    let mut rows = Rows::new::<S>(view, at, scan, asks);
+    match view.texture.texel_path {
+        TexelPath::Words(TexelClass::Bytes) => bytes::<S>(view, &mut rows, out),
+        TexelPath::Words(
+            class @ (TexelClass::Srgb
+            | TexelClass::Halves
+            | TexelClass::Floats
+            | TexelClass::Depth { .. }),
+        ) => {
+            words::<S>(view, class, &mut rows, out);
         }
-        Way::Blocks(_) => blocks::<S>(place, &mut rows, out),
-        Way::General | Way::Compared(_) => general::<S>(place, &mut rows, asks, out, recorder),
+        TexelPath::Blocks(_) => blocks::<S>(view, &mut rows, out),
+        TexelPath::General | TexelPath::ComparedWords(_) => {
+            general::<S>(view, &mut rows, asks, out, recorder)
+        }
     }
 }
 
 /// Any texels.
 #[inline(always)]
 fn general<S: Simd>(
-    place: &Place<'_>,
+    view: &LevelView<'_>,
     rows: &mut Rows,
     asks: &U32s,
     out: &mut [F32s; 4],
     recorder: &mut impl Recorder,
 ) {
-    let channels = place.texture.format.channels();
-    let is_bytes = Class::of(place.texture.format) == Some(Class::Bytes);
+    let channels = view.texture.format.channels();
+    let is_bytes = TexelClass::of(view.texture.format) == Some(TexelClass::Bytes);
     let mut means = Means::ZERO;
     let mut sums = [I32s::ZERO; 4];
-    recorder.note(|lane| SampleStep::Rows {
+    recorder.record(|lane| SampleStep::Rows {
         rows: rows.count[lane],
         length: rows.total[lane] as f32 / ONE as f32,
     });
     while rows.number < rows.most {
         let weights = rows.weights();
-        recorder.only(|lane| asks[lane] != 0 && rows.number < rows.count[lane]);
-        recorder.note(|lane| SampleStep::Row {
+        recorder.restrict_to(|lane| asks[lane] != 0 && rows.number < rows.count[lane]);
+        recorder.record(|lane| SampleStep::Row {
             number: rows.number,
             weights: halves(weights[lane]).map(|weight| weight / rows.total[lane] as f32),
         });
-        let [left, right] = rows.texels(place).map(|texel| indices(place, &texel));
-        let slice = place.slice();
+        let [left, right] = rows.texels(view).map(|texel| indices(view, &texel));
+        let slice = view.slice();
         let mut texels = [[F32s::ZERO; 4]; 2];
         let [first, second] = &mut texels;
-        fetch::texels::<S>(place, [&left[0], &left[1], &slice], first, recorder);
-        fetch::texels::<S>(place, [&right[0], &right[1], &slice], second, recorder);
-        recorder.only(|lane| asks[lane] != 0);
+        fetch::texels::<S>(view, [&left[0], &left[1], &slice], first, recorder);
+        fetch::texels::<S>(view, [&right[0], &right[1], &slice], second, recorder);
+        recorder.restrict_to(|lane| asks[lane] != 0);
         if is_bytes {
             for channel in 0..channels {
                 for lane in 0..LANES {
@@ -91,8 +98,8 @@ fn general<S: Simd>(
 
 /// A texel as the general fetch takes it.
 #[inline(always)]
-fn indices(place: &Place<'_>, texel: &[U32s; 2]) -> [Indices; 2] {
-    let border = place.level.border;
+fn indices(view: &LevelView<'_>, texel: &[U32s; 2]) -> [Indices; 2] {
+    let border = view.level.border;
     let along = |index: &U32s, border: u32| {
         let mut out = Indices { index: U32s::ZERO, outside: U32s::ZERO };
         for lane in 0..LANES {
@@ -159,16 +166,16 @@ fn mean_of_bytes(rows: &Rows, channels: usize, sums: &[I32s; 4], out: &mut [F32s
 
 /// Bytes where they lie.
 #[inline(always)]
-fn bytes<S: Simd>(place: &Place<'_>, rows: &mut Rows, out: &mut [F32s; 4]) {
-    let level = place.level;
+fn bytes<S: Simd>(view: &LevelView<'_>, rows: &mut Rows, out: &mut [F32s; 4]) {
+    let level = view.level;
     let apart = level.format.bytes() as u32;
     let mut sums = Sums::ZERO;
-    match Lines::new::<S>(place, rows) {
-        Some(Lines { line, along, across }) => {
+    match LineAddresses::new::<S>(view, rows) {
+        Some(LineAddresses { line, along, across }) => {
             let beside = across.as_ref().map_or(Beside::Next(apart), Beside::Apart);
             S::weigh_walk(&level.texels, &rows.walk(&line, &along, beside), &mut sums);
         }
-        None => wrapped::<S>(place, rows, &mut sums),
+        None => wrapped::<S>(view, rows, &mut sums),
     }
     let channels = level.format.channels();
     let mut planes = [I32s::ZERO; 4];
@@ -180,12 +187,12 @@ fn bytes<S: Simd>(place: &Place<'_>, rows: &mut Rows, out: &mut [F32s; 4]) {
 
 /// Bytes of rows of which some cross the edge of the level.
 #[inline(always)]
-fn wrapped<S: Simd>(place: &Place<'_>, rows: &mut Rows, sums: &mut Sums) {
-    let level = place.level;
+fn wrapped<S: Simd>(view: &LevelView<'_>, rows: &mut Rows, sums: &mut Sums) {
+    let level = view.level;
     let apart = level.format.bytes() as u32;
     while rows.number < rows.most {
         let weights = rows.weights();
-        let [left, right] = offsets(place, rows);
+        let [left, right] = offsets(view, rows);
         let mut elsewhere = U32s::ZERO;
         for lane in 0..LANES {
             elsewhere[lane] = right[lane].wrapping_sub(left[lane]) ^ apart;
@@ -204,12 +211,12 @@ fn wrapped<S: Simd>(place: &Place<'_>, rows: &mut Rows, sums: &mut Sums) {
 
 /// Where the two texels of a row begin.
 #[inline(always)]
-fn offsets(place: &Place<'_>, rows: &Rows) -> [U32s; 2] {
-    let level = place.level;
+fn offsets(view: &LevelView<'_>, rows: &Rows) -> [U32s; 2] {
+    let level = view.level;
     let (bytes, row) = (level.format.bytes() as u32, level.row_bytes() as u32);
     let origin = level.origin() as u32;
     let mut out = [U32s::ZERO; 2];
-    for (out, [x, y]) in out.iter_mut().zip(&rows.texels(place)) {
+    for (out, [x, y]) in out.iter_mut().zip(&rows.texels(view)) {
         for lane in 0..LANES {
             let line = y[lane].wrapping_mul(row) + origin;
             out[lane] = x[lane].wrapping_mul(bytes).wrapping_add(line);
@@ -220,25 +227,25 @@ fn offsets(place: &Place<'_>, rows: &Rows) -> [U32s; 2] {
 
 /// Other channels in words.
 #[inline(always)]
-fn words<S: Simd>(place: &Place<'_>, class: Class, rows: &mut Rows, out: &mut [F32s; 4]) {
-    let level = place.level;
+fn words<S: Simd>(view: &LevelView<'_>, class: TexelClass, rows: &mut Rows, out: &mut [F32s; 4]) {
+    let level = view.level;
     let channels = level.format.channels();
     let mut means = Means::ZERO;
     while rows.number < rows.most {
         let weights = rows.weights();
-        let offsets = offsets(place, rows);
+        let offsets = offsets(view, rows);
         let mut texels = [[F32s::ZERO; 4]; 2];
         for (texel, offsets) in texels.iter_mut().zip(&offsets) {
             let mut word = 0;
             while word + 1 < level.format.words() {
-                let two = S::gather_pairs(&level.texels, &moved(offsets, word));
-                of_texel::<S>(class, channels, word, &two[0], texel);
-                of_texel::<S>(class, channels, word + 1, &two[1], texel);
+                let two = S::gather_pairs(&level.texels, &word_offsets(offsets, word));
+                channels_of_texel::<S>(class, channels, word, &two[0], texel);
+                channels_of_texel::<S>(class, channels, word + 1, &two[1], texel);
                 word += 2;
             }
             if word < level.format.words() {
-                let one = S::gather(&level.texels, &moved(offsets, word));
-                of_texel::<S>(class, channels, word, &one, texel);
+                let one = S::gather(&level.texels, &word_offsets(offsets, word));
+                channels_of_texel::<S>(class, channels, word, &one, texel);
             }
         }
         means.add(channels, &weights, [&texels[0], &texels[1]]);
@@ -249,13 +256,13 @@ fn words<S: Simd>(place: &Place<'_>, class: Class, rows: &mut Rows, out: &mut [F
 
 /// Compressed texels.
 #[inline(always)]
-fn blocks<S: Simd>(place: &Place<'_>, rows: &mut Rows, out: &mut [F32s; 4]) {
-    let channels = place.level.format.channels();
+fn blocks<S: Simd>(view: &LevelView<'_>, rows: &mut Rows, out: &mut [F32s; 4]) {
+    let channels = view.level.format.channels();
     let mut means = Means::ZERO;
     while rows.number < rows.most {
         let mut texels = [[F32s::ZERO; 4]; 2];
-        for (texel, [x, y]) in texels.iter_mut().zip(&rows.texels(place)) {
-            place.level.fetch_stored::<S>([x, y, &U32s::ZERO], texel);
+        for (texel, [x, y]) in texels.iter_mut().zip(&rows.texels(view)) {
+            view.level.fetch_stored::<S>([x, y, &U32s::ZERO], texel);
         }
         means.add(channels, &rows.weights(), [&texels[0], &texels[1]]);
         rows.advance();
@@ -264,7 +271,7 @@ fn blocks<S: Simd>(place: &Place<'_>, rows: &mut Rows, out: &mut [F32s; 4]) {
 }
 
 /// Rows or columns within the level.
-struct Lines {
+struct LineAddresses {
     /// The byte where the first begins.
     line: U32s,
     /// Bytes from one to the next.
@@ -273,15 +280,15 @@ struct Lines {
     across: Option<U32s>,
 }
 
-impl Lines {
+impl LineAddresses {
     /// `None` where some line crosses the edge.
     #[inline(always)]
-    fn new<S: Simd>(place: &Place<'_>, rows: &Rows) -> Option<Self> {
+    fn new<S: Simd>(view: &LevelView<'_>, rows: &Rows) -> Option<Self> {
         // The smallest levels are less than what is read at once.
-        if place.level.texels.len() < 8 || !rows.are_inside::<S>(place) {
+        if view.level.texels.len() < 8 || !rows.are_inside::<S>(view) {
             return None;
         }
-        let level = place.level;
+        let level = view.level;
         let (bytes, row) = (level.format.bytes() as u32, level.row_bytes() as u32);
         let origin = level.origin() as u32;
         let (mut line, mut along, mut across) = (U32s::ZERO, U32s::ZERO, U32s::ZERO);

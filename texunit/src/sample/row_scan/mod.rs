@@ -12,7 +12,7 @@
 //! `a²` of that along the axis with the larger one, and `c` between both axes:
 //!
 //! - *Length.* On a level whose texels are `x` of the base's, `L = √(1 + a²/x²)` rows, at most
-//!   [`fixed_point::LONGEST`], each weighted by how much of it lies within `L/2` of the sample. A round footprint
+//!   [`fixed_point::MAX_ROWS`], each weighted by how much of it lies within `L/2` of the sample. A round footprint
 //!   has `L = 1`, and these weights are those of a bilinear filter.
 //! - *Slope.* From row to row the place moves by `c / (max(m², 1) + a²)`.
 //! - *Across.* The two texels about the place weigh `1 - w` and `w` with `w = b + (1 - 2b)·α` of the
@@ -31,5 +31,5 @@ mod footprint;
 mod level;
 mod rows;
 
-pub use footprint::{Scan, footprint};
+pub use footprint::{RowScan, footprint};
 pub use level::level;

@@ -4,11 +4,11 @@
 //! across it 2^16. A place is computed once, and goes on from row to row by additions, which are
 //! exact.
 
-use super::fixed_point::{LONGEST, to_fixed, to_large_fixed};
-use super::footprint::Scan;
+use super::fixed_point::{MAX_ROWS, to_fixed, to_large_fixed};
+use super::footprint::RowScan;
 use crate::lanes::math::{clamp, min};
 use crate::lanes::{Beside, F32s, I32s, LANES, ONE, Simd, U32s, Walk, weights};
-use crate::sample::level_view::Place;
+use crate::sample::level_view::LevelView;
 use crate::sample::wrap::{Axis, fold, modulo};
 use crate::sampler::Wrap;
 
@@ -16,7 +16,7 @@ use crate::sampler::Wrap;
 const BEYOND: f32 = 64.0;
 
 /// More texels across per texel along have only levels that are one texel wide.
-const STEEPEST: f32 = 2.0;
+const MAX_SLOPE: f32 = 2.0;
 
 /// Where each lane is: before the first row at first.
 pub struct Rows {
@@ -82,11 +82,11 @@ fn coordinate<S: Simd>(axis: &Axis, s: &F32s) -> Coordinate {
 impl Rows {
     /// The rows of a level. Lanes that do not ask for it (mask) have the fewest that there are.
     #[inline(always)]
-    pub fn new<S: Simd>(place: &Place<'_>, at: [&F32s; 3], scan: &Scan, asks: &U32s) -> Self {
-        let axes = [place.axis(0), place.axis(1)];
+    pub fn new<S: Simd>(view: &LevelView<'_>, at: [&F32s; 3], scan: &RowScan, asks: &U32s) -> Self {
+        let axes = [view.axis(0), view.axis(1)];
         let (s, t) = (coordinate::<S>(&axes[0], at[0]), coordinate::<S>(&axes[1], at[1]));
         // Texels of this level per texel of the base level.
-        let base = place.texture.scale;
+        let base = view.texture.scale;
         let part = [axes[0].scale / base[0], axes[1].scale / base[1]];
         let turn = [part[1] / part[0], part[0] / part[1]];
         let mut slope = scan.slope;
@@ -114,8 +114,8 @@ impl Rows {
             let (u, v) = (s.texels[lane], t.texels[lane]);
             let (along, across) = if along_t { (v, u) } else { (u, v) };
             let (part, turn) = if along_t { (part[1], turn[1]) } else { (part[0], turn[0]) };
-            let slope = clamp(slope[lane] * turn, -STEEPEST, STEEPEST);
-            let length = min((1.0 + scan.excess[lane] * part * part).sqrt(), LONGEST);
+            let slope = clamp(slope[lane] * turn, -MAX_SLOPE, MAX_SLOPE);
+            let length = min((1.0 + scan.excess[lane] * part * part).sqrt(), MAX_ROWS);
             let length = if asks[lane] != 0 { length } else { 1.0 };
 
             let total = to_fixed(length, ONE);
@@ -184,8 +184,8 @@ impl Rows {
 
     /// Whether no row of any lane reaches beyond the texels of the level.
     #[inline(always)]
-    pub fn are_inside<S: Simd>(&self, place: &Place<'_>) -> bool {
-        let size = [place.level.width as i32, place.level.height as i32];
+    pub fn are_inside<S: Simd>(&self, view: &LevelView<'_>) -> bool {
+        let size = [view.level.width as i32, view.level.height as i32];
         let mut beyond = U32s::ZERO;
         let last = self.most as i32 - 1;
         for lane in 0..LANES {
@@ -204,8 +204,8 @@ impl Rows {
 
     /// Column and row of the left and of the right texel, wrapped, without the border's offset.
     #[inline(always)]
-    pub fn texels(&self, place: &Place<'_>) -> [[U32s; 2]; 2] {
-        let axes = [place.axis(0), place.axis(1)];
+    pub fn texels(&self, view: &LevelView<'_>) -> [[U32s; 2]; 2] {
+        let axes = [view.axis(0), view.axis(1)];
         let mut left = [I32s::ZERO; 2];
         let mut right = [I32s::ZERO; 2];
         for lane in 0..LANES {

@@ -1,14 +1,14 @@
 //! Where the 2×2 texels lie that lanes take means of, edges included.
 
-use super::offsets::sum;
+use super::offsets::add_offsets;
 use crate::lanes::{F32s, I32s, LANES, Simd, U32s};
 use crate::sample::fetch::side_by_side;
-use crate::sample::level_view::Place;
+use crate::sample::level_view::LevelView;
 use crate::sample::wrap::{Axis, enclosing};
 use crate::sampler::{Filter, Seamless, Wrap};
 
 /// The squares of texels that lanes take means of.
-pub struct Reach {
+pub struct QuadPosition {
     /// Of s and t.
     pub axes: [Axis; 2],
     /// Column and row of the lower left texel; -1 is beyond the edge.
@@ -16,61 +16,72 @@ pub struct Reach {
     /// Of the right and of the upper texels.
     pub weights: [F32s; 2],
     /// Whether both columns, both rows, are the level's.
-    pub pairs: [Pairs; 2],
+    pub pairs: [PairPosition; 2],
 }
 
 /// The two neighbours along an axis whose mean each lane takes.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub enum Pairs {
+pub enum PairPosition {
     /// Both are the level's in every lane.
     Inside,
     /// In some lane one is beyond an edge.
-    OverEdge,
+    AcrossEdge,
 }
 
-impl Pairs {
+impl PairPosition {
     /// Those that begin at `i`.
     #[inline(always)]
     fn of<S: Simd>(i: &I32s, size: u32) -> Self {
-        if side_by_side::<S>(i, size) { Self::Inside } else { Self::OverEdge }
+        if side_by_side::<S>(i, size) { Self::Inside } else { Self::AcrossEdge }
     }
 }
 
-impl Reach {
+impl QuadPosition {
     /// Where each texel of the squares begins.
     #[inline(always)]
-    pub fn corners(&self, place: &Place<'_>) -> [U32s; 4] {
+    pub fn corners(&self, view: &LevelView<'_>) -> [U32s; 4] {
         let Self { axes: [s, t], first: [i, j], pairs, .. } = self;
-        let level = place.level;
-        let xs = ends(s, i, pairs[0], level.format.bytes() as u32, level.origin() as u32);
-        let ys = ends(t, j, pairs[1], level.row_bytes() as u32, 0);
-        [sum(&xs[0], &ys[0]), sum(&xs[1], &ys[0]), sum(&xs[0], &ys[1]), sum(&xs[1], &ys[1])]
+        let level = view.level;
+        let xs = pair_offsets(s, i, pairs[0], level.format.bytes() as u32, level.origin() as u32);
+        let ys = pair_offsets(t, j, pairs[1], level.row_bytes() as u32, 0);
+        [
+            add_offsets(&xs[0], &ys[0]),
+            add_offsets(&xs[1], &ys[0]),
+            add_offsets(&xs[0], &ys[1]),
+            add_offsets(&xs[1], &ys[1]),
+        ]
     }
 }
 
 /// Finds the squares; `None` where the border or another face is reached.
 #[inline(always)]
-pub fn reach<S: Simd>(place: &Place<'_>, at: [&F32s; 3]) -> Option<Reach> {
-    let axes = [place.axis(0), place.axis(1)];
+pub fn quad_position<S: Simd>(view: &LevelView<'_>, at: [&F32s; 3]) -> Option<QuadPosition> {
+    let axes = [view.axis(0), view.axis(1)];
     let (i, alpha) = enclosing::<S>(&axes[0].texel_coordinate::<S>(at[0]));
     let (j, beta) = enclosing::<S>(&axes[1].texel_coordinate::<S>(at[1]));
-    let pairs = [Pairs::of::<S>(&i, axes[0].size), Pairs::of::<S>(&j, axes[1].size)];
-    let seamless = place.texture.seamless == Seamless::On;
+    let pairs = [PairPosition::of::<S>(&i, axes[0].size), PairPosition::of::<S>(&j, axes[1].size)];
+    let seamless = view.texture.seamless == Seamless::On;
     for (axis, pairs) in axes.iter().zip(pairs) {
-        let is_over = pairs == Pairs::OverEdge;
+        let is_over = pairs == PairPosition::AcrossEdge;
         if is_over && (seamless || axis.wrap.reaches_border(Filter::Linear)) {
             return None;
         }
     }
-    Some(Reach { axes, first: [i, j], weights: [alpha, beta], pairs })
+    Some(QuadPosition { axes, first: [i, j], weights: [alpha, beta], pairs })
 }
 
 /// The byte offsets of the lower and the upper texel along one axis, `stride` bytes apart.
 #[inline(always)]
-pub fn ends(axis: &Axis, i: &I32s, pairs: Pairs, stride: u32, origin: u32) -> [U32s; 2] {
+pub fn pair_offsets(
+    axis: &Axis,
+    i: &I32s,
+    pairs: PairPosition,
+    stride: u32,
+    origin: u32,
+) -> [U32s; 2] {
     let mut low = U32s::ZERO;
     let mut high = U32s::ZERO;
-    if pairs == Pairs::Inside {
+    if pairs == PairPosition::Inside {
         for lane in 0..LANES {
             let at = (i[lane] as u32).wrapping_mul(stride).wrapping_add(origin);
             low[lane] = at;
