@@ -52,8 +52,8 @@ impl SamplePlan {
         }
     }
 
-    /// Whether [`Self::take`] may be asked: the image is complete, and what it gives is not compared.
-    pub fn gives_colors(&self) -> bool {
+    /// Whether [`Self::sample_fused`] may be lanes: the image is complete, and what it gives is not compared.
+    pub fn samples_color(&self) -> bool {
         self.0.as_ref().is_ok_and(|texture| texture.compare.is_none())
     }
 
@@ -66,8 +66,8 @@ impl SamplePlan {
     }
 
     /// Whether a lookup reads the same levels at the same places as one of `other` with the same points, offset and
-    /// level of detail does: whether [`Places::Kept`] can be asked for.
-    pub fn reads_like(&self, other: &Self) -> bool {
+    /// level of detail does: whether [`Addresses::Reuse`] can be asked for.
+    pub fn shares_addresses_with(&self, other: &Self) -> bool {
         let (Ok(one), Ok(other)) = (&self.0, &other.0) else { return false };
         let of = |level: &Arc<Level>| (level.size(), level.border, level.format.bytes());
         let [levels, others] = [one, other].map(|texture| texture.levels[0].iter().map(of));

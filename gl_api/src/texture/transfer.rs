@@ -9,7 +9,7 @@ use crate::context::Context;
 use crate::error::{Result, Table, invalid_value};
 use crate::types::*;
 use texunit::lanes::{F64s, Isa};
-use texunit::pixel::{self, Change};
+use texunit::pixel::{self, NumberTransform};
 
 const SECTION: &str = "GL 2.1, section 3.6.3";
 
@@ -23,8 +23,8 @@ pub(crate) struct Linear {
 impl Linear {
     const IDENTITY: Self = Self { scale: 1.0, bias: 0.0 };
 
-    fn change(self) -> Change {
-        Change::Linear { scale: self.scale.into(), bias: self.bias.into() }
+    fn change(self) -> NumberTransform {
+        NumberTransform::Linear { scale: self.scale.into(), bias: self.bias.into() }
     }
 }
 
@@ -161,7 +161,7 @@ impl Steps<'_> {
     /// Scales, biases and looks up R, G, B, A of 64 pixels.
     pub fn apply(&self, isa: Isa, rgba: [&F64s; 4], out: &mut [F64s; 4]) {
         for ((linear, from), out) in self.linear.iter().zip(rgba).zip(&mut *out) {
-            pixel::change(isa, linear.change(), from, out);
+            pixel::transform(isa, linear.change(), from, out);
         }
         for (map, values) in self.colors.iter().flatten().zip(&mut *out) {
             values.0.iter_mut().for_each(|value| *value = map.at_fraction(*value).into());

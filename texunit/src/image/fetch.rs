@@ -67,7 +67,7 @@ impl Level {
     /// As [`Level::fetch_lanes`].
     #[inline(always)]
     pub(crate) fn fetch_stored<S: Simd>(&self, at: [&U32s; 3], out: &mut [F32s; 4]) {
-        S::apart(Stored { level: self, at, out });
+        S::outlined(Stored { level: self, at, out });
     }
 }
 

@@ -26,7 +26,7 @@ impl Kernel for Words<'_> {
     type Output = U32s;
     #[inline(always)]
     fn run<S: Simd>(self) -> U32s {
-        S::gather_here(self.bytes, self.offsets)
+        S::gather_inline(self.bytes, self.offsets)
     }
 }
 
@@ -40,7 +40,7 @@ impl Kernel for Pairs<'_> {
     type Output = [U32s; 2];
     #[inline(always)]
     fn run<S: Simd>(self) -> [U32s; 2] {
-        S::gather_pairs_here(self.bytes, self.offsets)
+        S::gather_pairs_inline(self.bytes, self.offsets)
     }
 }
 
@@ -146,14 +146,15 @@ mod tests {
         fn run<S: Simd>(self) -> Self::Output {
             let Self(way, bytes, offsets) = self;
             match way {
-                Way::Words => vec![S::gather(bytes, offsets), S::gather_here(bytes, offsets)],
+                Way::Words => vec![S::gather(bytes, offsets), S::gather_inline(bytes, offsets)],
                 Way::Pairs => {
-                    [S::gather_pairs(bytes, offsets), S::gather_pairs_here(bytes, offsets)].concat()
+                    [S::gather_pairs(bytes, offsets), S::gather_pairs_inline(bytes, offsets)]
+                        .concat()
                 }
                 Way::Fours => S::gather_fours(bytes, offsets).to_vec(),
                 Way::Squares => {
                     let mut out = [U32s::ZERO; 4];
-                    S::gather_squares(bytes, offsets, 8, &mut out);
+                    S::gather_quads(bytes, offsets, 8, &mut out);
                     out.to_vec()
                 }
             }

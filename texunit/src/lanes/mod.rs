@@ -24,14 +24,14 @@ mod log2;
 pub mod math;
 mod prefetch;
 mod reduce;
+mod row_walk;
 mod simd;
-mod walk;
 mod weigh;
 
 pub use batch::{F32s, F64s, I32s, LANES, PerLane, QUADS, U32s, lane_x, lane_y};
 pub use isa::{Baseline, Isa, IsaError};
 pub use log2::{log2, log2_of_root};
 pub use prefetch::{prefetch, prefetch_at};
+pub use row_walk::{ONE, RowWalk, SecondTexel, weights};
 pub use simd::{Kernel, Simd};
-pub use walk::{Beside, ONE, Walk, weights};
 pub use weigh::Sums;

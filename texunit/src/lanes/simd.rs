@@ -1,6 +1,6 @@
 //! What a kernel is, and the operations that instruction sets ([`super::isa`]) give it.
 
-use super::walk::{self, Walk};
+use super::row_walk::{self, RowWalk};
 use super::weigh::Sums;
 use super::{F32s, LANES, U32s};
 use super::{gather, math};
@@ -23,13 +23,13 @@ pub trait Simd: Copy + private::Sealed {
 
     /// Runs a kernel of the same instruction set as a function of its own: for what is large, and stands in
     /// many places.
-    fn apart<K: Kernel>(kernel: K) -> K::Output;
+    fn outlined<K: Kernel>(kernel: K) -> K::Output;
 
     /// Runs a kernel in place where the instruction set is a wide one, for speed, else as a function of its own,
     /// for size.
     #[inline(always)]
-    fn apart_unless_wide<K: Kernel>(kernel: K) -> K::Output {
-        if Self::WIDE { kernel.run::<Self>() } else { Self::apart(kernel) }
+    fn outlined_unless_wide<K: Kernel>(kernel: K) -> K::Output {
+        if Self::WIDE { kernel.run::<Self>() } else { Self::outlined(kernel) }
     }
 
     /// Reads the four bytes at each byte offset as a little-endian word.
@@ -38,7 +38,7 @@ pub trait Simd: Copy + private::Sealed {
     /// When an offset's four bytes are not all inside `bytes`.
     #[inline(always)]
     fn gather(bytes: &[u8], offsets: &U32s) -> U32s {
-        Self::apart(gather::Words { bytes, offsets })
+        Self::outlined(gather::Words { bytes, offsets })
     }
 
     /// Reads the eight bytes at each byte offset as two little-endian words: two neighbouring
@@ -48,7 +48,7 @@ pub trait Simd: Copy + private::Sealed {
     /// When an offset's eight bytes are not all inside `bytes`.
     #[inline(always)]
     fn gather_pairs(bytes: &[u8], offsets: &U32s) -> [U32s; 2] {
-        Self::apart(gather::Pairs { bytes, offsets })
+        Self::outlined(gather::Pairs { bytes, offsets })
     }
 
     /// Reads the sixteen bytes at each byte offset as four little-endian words.
@@ -58,21 +58,21 @@ pub trait Simd: Copy + private::Sealed {
     fn gather_fours(bytes: &[u8], offsets: &U32s) -> [U32s; 4];
 
     /// [`Simd::gather`] without a call: a kilobyte in each place.
-    fn gather_here(bytes: &[u8], offsets: &U32s) -> U32s;
+    fn gather_inline(bytes: &[u8], offsets: &U32s) -> U32s;
 
     /// [`Simd::gather_pairs`] without a call: a kilobyte in each place.
-    fn gather_pairs_here(bytes: &[u8], offsets: &U32s) -> [U32s; 2];
+    fn gather_pairs_inline(bytes: &[u8], offsets: &U32s) -> [U32s; 2];
 
-    /// [`Simd::gather_pairs_here`] of each byte offset, and of `apart` bytes further: two neighbours, and the two
+    /// [`Simd::gather_pairs_inline`] of each byte offset, and of `apart` bytes further: two neighbours, and the two
     /// above them.
     ///
     /// # Panics
     /// When not all of these bytes are inside `bytes`.
     #[inline(always)]
-    fn gather_squares(bytes: &[u8], offsets: &U32s, apart: u32, out: &mut [U32s; 4]) {
+    fn gather_quads(bytes: &[u8], offsets: &U32s, apart: u32, out: &mut [U32s; 4]) {
         let above = bytes.get(apart as usize..).unwrap_or(&[]);
-        let [a, b] = Self::gather_pairs_here(bytes, offsets);
-        let [c, d] = Self::gather_pairs_here(above, offsets);
+        let [a, b] = Self::gather_pairs_inline(bytes, offsets);
+        let [c, d] = Self::gather_pairs_inline(above, offsets);
         *out = [a, b, c, d];
     }
 
@@ -94,8 +94,8 @@ pub trait Simd: Copy + private::Sealed {
     /// When `bytes` are fewer than one read (eight, where texels of 3 or 4 bytes are neighbours, else
     /// four), or more than 2^31 - 1.
     #[inline(always)]
-    fn weigh_walk(bytes: &[u8], walk: &Walk<'_>, sums: &mut Sums) {
-        walk::by_rows::<Self>(bytes, walk, sums);
+    fn weigh_rows(bytes: &[u8], walk: &RowWalk<'_>, sums: &mut Sums) {
+        row_walk::by_rows::<Self>(bytes, walk, sums);
     }
 
     /// Reads `table[index]` in each lane.

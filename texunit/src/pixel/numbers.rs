@@ -1,14 +1,14 @@
 //! Pixels as numbers and back, 64 at a time.
 
-use super::code::{self, Code};
-use super::record::{ByteOrder, Load, Record, Store};
+use super::layout::{ByteOrder, Load, PixelLayout, Store};
+use super::number::{self, NumberEncoding};
 use crate::lanes::{F32s, F64s, Isa, Kernel, Simd, U32s};
 
 /// The numbers of 64 pixels: a batch for each of a record's fields.
 pub type Numbers = [F64s; 4];
 
 struct Read<'a> {
-    record: &'a Record,
+    record: &'a PixelLayout,
     words: &'a [U32s; 4],
     out: &'a mut Numbers,
 }
@@ -24,7 +24,7 @@ impl Kernel for Read<'_> {
 }
 
 pub(super) struct Write<'a> {
-    pub record: &'a Record,
+    pub record: &'a PixelLayout,
     pub numbers: [&'a F64s; 4],
     pub out: &'a mut [U32s; 4],
 }
@@ -37,14 +37,14 @@ impl Kernel for Write<'_> {
             code.write(field, numbers, &mut self.out[field.word]);
         }
         if let Some((field, _)) = self.record.shared_exponent() {
-            code::write_shared_exponent(self.numbers, &mut self.out[field.word]);
+            number::write_shared_exponent(self.numbers, &mut self.out[field.word]);
         }
     }
 }
 
 /// The numbers of up to 64 pixels, tightly packed in `bytes`. Those of fields that the record lacks, and of
 /// pixels that are not there, mean nothing.
-pub fn read(isa: Isa, record: &Record, bytes: &[u8], out: &mut Numbers) {
+pub fn read(isa: Isa, record: &PixelLayout, bytes: &[u8], out: &mut Numbers) {
     let mut words = [U32s::ZERO; 4];
     record.load(isa, bytes, &mut words);
     isa.run(Read { record, words: &words, out });
@@ -52,23 +52,23 @@ pub fn read(isa: Isa, record: &Record, bytes: &[u8], out: &mut Numbers) {
 
 /// [`read`] within a kernel.
 #[inline(always)]
-pub(crate) fn read_by<S: Simd>(record: &Record, bytes: &[u8], out: &mut Numbers) {
+pub(crate) fn read_by<S: Simd>(record: &PixelLayout, bytes: &[u8], out: &mut Numbers) {
     let mut words = [U32s::ZERO; 4];
-    S::apart(Load { record, bytes, words: &mut words });
-    S::apart(Read { record, words: &words, out });
+    S::outlined(Load { record, bytes, words: &mut words });
+    S::outlined(Read { record, words: &words, out });
 }
 
 /// [`write`] within a kernel.
 #[inline(always)]
-pub(crate) fn write_by<S: Simd>(record: &Record, numbers: [&F64s; 4], bytes: &mut [u8]) {
+pub(crate) fn write_by<S: Simd>(record: &PixelLayout, numbers: [&F64s; 4], bytes: &mut [u8]) {
     let mut words = [U32s::ZERO; 4];
-    S::apart(Write { record, numbers, out: &mut words });
-    S::apart(Store { record, words: &mut words, bytes });
+    S::outlined(Write { record, numbers, out: &mut words });
+    S::outlined(Store { record, words: &mut words, bytes });
 }
 
 /// Up to 64 pixels with these numbers into `bytes`, tightly packed: clamped to what the record holds, and
 /// rounded to nearest, halves to even.
-pub fn write(isa: Isa, record: &Record, numbers: [&F64s; 4], bytes: &mut [u8]) {
+pub fn write(isa: Isa, record: &PixelLayout, numbers: [&F64s; 4], bytes: &mut [u8]) {
     let mut words = [U32s::ZERO; 4];
     isa.run(Write { record, numbers, out: &mut words });
     record.store(isa, &mut words, bytes);
@@ -76,7 +76,7 @@ pub fn write(isa: Isa, record: &Record, numbers: [&F64s; 4], bytes: &mut [u8]) {
 
 /// Up to 64 pixels of four `f32` each into `bytes`, tightly packed.
 pub fn write_floats(isa: Isa, channels: [&F32s; 4], bytes: &mut [u8]) {
-    let record = Record::uniform(4, 4, Code::Float, ByteOrder::Little);
+    let record = PixelLayout::uniform(4, 4, NumberEncoding::Float, ByteOrder::Little);
     let mut words = channels.map(|channel| *channel.as_u32());
     record.store(isa, &mut words, bytes);
 }

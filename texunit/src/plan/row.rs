@@ -9,7 +9,7 @@ use std::sync::Arc;
 impl SamplePlan {
     /// How the texels of a row are fetched: as those of a one-dimensional image, however many there
     /// are.
-    pub fn of_row(row: Level) -> Self {
+    pub fn for_buffer(row: Level) -> Self {
         let (shape, format, size) = (Shape::D1, row.format, row.size());
         let why = "texels are fetched by their numbers";
         let level_selection =
@@ -56,18 +56,18 @@ mod tests {
             (&[], u32::MAX, 0),
         ] {
             let row = Level::row(Format::R16UI, bytes, most).expect("memory");
-            let plan = SamplePlan::of_row(row);
+            let plan = SamplePlan::for_buffer(row);
             let (zero, size) = (I32s::ZERO, I32s::splat(len));
             assert_eq!(plan.size(&zero), [size, I32s::splat(1), I32s::splat(1)]);
-            let places = [0, 1, 4, 5, len - 2, len - 1, len, len + 1, -1, i32::MIN, i32::MAX];
-            let at = I32s::from_fn(|lane| places[lane % places.len()]);
+            let indices = [0, 1, 4, 5, len - 2, len - 1, len, len + 1, -1, i32::MIN, i32::MAX];
+            let at = I32s::from_fn(|lane| indices[lane % indices.len()]);
             for isa in Isa::available() {
                 let mut out = [F32s::splat(9.0); 4];
                 plan.fetch(isa, [&at, &zero, &zero], &zero, [0; 3], &mut out);
-                for (lane, &place) in places.iter().enumerate() {
-                    let inside = (0..len).contains(&place);
-                    let want = if inside { [place as u32 & 0xFFFF, 0, 0, 1] } else { [0; 4] };
-                    assert_eq!(out.each_ref().map(|c| c[lane].to_bits()), want, "{place} of {len}");
+                for (lane, &index) in indices.iter().enumerate() {
+                    let inside = (0..len).contains(&index);
+                    let want = if inside { [index as u32 & 0xFFFF, 0, 0, 1] } else { [0; 4] };
+                    assert_eq!(out.each_ref().map(|c| c[lane].to_bits()), want, "{index} of {len}");
                 }
             }
         }

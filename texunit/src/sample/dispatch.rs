@@ -1,18 +1,18 @@
-//! Which kernel samples: the methods of [`SamplePlan`] that sample, and each kernel as compiled for an instruction set.
+//! Kernel dispatch: the methods of [`SamplePlan`] that sample.
 
 use super::call::SampleCall;
-use super::fast::Places;
+use super::fast::Addresses;
 use super::footprint::{AnyFootprint, FootprintSet, RoundAndProbes, RowScans};
-use super::fused::{self, Take};
+use super::fused::{self, TexelConsumer};
 use super::gather::Gather;
 use super::lod_query::Query;
 use super::lookup::{Lod, Points};
-use super::prefetch::{self, Like};
+use super::prefetch::{self, LevelHint};
 use super::recorder::{LaneRecorder, NoRecorder};
-use super::scratch::{Known, LevelScratch, QuadScratch, Room};
+use super::scratch::{LevelScratch, LookupScratch, QuadScratch, SelectedLevels};
 use super::texel_fetch::Fetch;
 use super::uniform::{Outcome, UniformCall};
-use super::uniform_levels::{self, Read};
+use super::uniform_levels::{self, UniformLevels};
 use crate::lanes::{Baseline, F32s, I32s, Isa, Kernel, LANES, Simd};
 use crate::plan::{SampleKernel, SamplePlan, TexelClass, Texture};
 use crate::trace::SampleTrace;
@@ -32,15 +32,15 @@ impl SamplePlan {
         lod: Lod<'_>,
         out: &mut [F32s; 4],
     ) {
-        let mut room = Room::default();
+        let mut scratch = LookupScratch::default();
         let points = Points { coords, layer: None, reference };
-        self.sample_offset(isa, points, [0; 3], lod, Places::Own, &mut room);
-        *out = room.lanes;
+        self.sample_offset(isa, points, [0; 3], lod, Addresses::Compute, &mut scratch);
+        *out = scratch.lanes;
     }
 
     /// [`SamplePlan::sample`] with texels added along s, t, r on each level that is read
-    /// (`textureOffset`, GLSL 1.30, section 8.7), into the lanes of `room`. λ does not depend on them. With
-    /// [`Places::Kept`] what the lookup before found in this room is not looked for again.
+    /// (`textureOffset`, GLSL 1.30, section 8.7). The result is in `scratch.lanes`. λ does not depend on the offset.
+    /// With [`Addresses::Reuse`], levels and texel addresses are those that the lookup before left in `scratch`.
     #[inline(always)]
     pub fn sample_offset(
         &self,
@@ -48,10 +48,10 @@ impl SamplePlan {
         points: Points<'_>,
         offset: [i32; 3],
         lod: Lod<'_>,
-        places: Places,
-        room: &mut Room,
+        addresses: Addresses,
+        scratch: &mut LookupScratch,
     ) {
-        let Room { lanes: out, squares, detail } = room;
+        let LookupScratch { lanes: out, quads, levels } = scratch;
         match self.texture() {
             Some(texture) => {
                 let (recorder, footprints) = (&mut NoRecorder, PhantomData::<RoundAndProbes>);
@@ -68,18 +68,18 @@ impl SamplePlan {
                     recorder,
                     footprints,
                 };
-                // Kernels of their own: none pays for another's size.
+                // Separate kernels: each is only as large as what it does.
                 match (texture.kernel, lod) {
                     (SampleKernel::UniformLevel(class), _) if offset == [0; 3] => {
-                        sample.run_uniform(isa, class, places, (squares, detail));
+                        sample.run_uniform(isa, class, addresses, (quads, levels));
                     }
                     (SampleKernel::RowScan, Lod::Implicit { .. } | Lod::Gradient { .. }) => {
                         sample.with_footprints::<RowScans>().run_on(isa);
                     }
-                    // With a level that is told, the footprint is not looked at.
+                    // With an explicit λ there is no footprint.
                     (SampleKernel::RowScan, Lod::Explicit(_))
                     | (SampleKernel::UniformLevel(_) | SampleKernel::Probes, _) => {
-                        sample.run_on(isa)
+                        sample.run_on(isa);
                     }
                 }
             }
@@ -87,34 +87,34 @@ impl SamplePlan {
         }
     }
 
-    /// Asks for the texels that [`SamplePlan::take`] will read around these points (s and t), as part of a kernel.
-    /// `like` is of one of the batches that the points are of.
+    /// Prefetches texels that [`SamplePlan::sample_fused`] will read at these points (s and t), within a kernel. The
+    /// points may be of several batches; `hint` is about one of them.
     #[inline(always)]
-    pub fn ask<S: Simd>(&self, points: [&F32s; 2], like: Like<'_>) {
+    pub fn prefetch<S: Simd>(&self, points: [&F32s; 2], hint: LevelHint<'_>) {
         if let Some(texture) = self.texture()
             && S::WIDE
             && texture.is_fusible
         {
-            prefetch::ask::<S>(texture, points, like);
+            prefetch::prefetch::<S>(texture, points, hint);
         }
     }
 
-    /// Whether what [`SamplePlan::read`] gives is all that [`SamplePlan::take`] needs of the level of detail, where
-    /// all lanes read the same.
-    pub fn takes_by_reading(&self, isa: Isa) -> bool {
-        let takes = |texture: &Texture| texture.is_fusible && texture.fused_always_applies();
-        isa.is_wide() && self.texture().is_some_and(takes)
+    /// Whether [`SamplePlan::sample_fused`] takes its fast path wherever [`SamplePlan::uniform_levels`] returns levels:
+    /// it then reads nothing of `lod`.
+    pub fn fuses_uniform_levels(&self, isa: Isa) -> bool {
+        let always = |texture: &Texture| texture.is_fusible && texture.fused_always_applies();
+        isa.is_wide() && self.texture().is_some_and(always)
     }
 
-    /// What all lanes of a batch with these coordinates read, for [`SamplePlan::take`], as part of a kernel; `None`
-    /// where they read different levels. Where they read two, `weight` takes that of the second.
+    /// The levels that all lanes of a batch with these coordinates read, within a kernel; `None` where lanes read
+    /// different levels, or the plan has no fused lookup. `weight` gets the weight of the second level.
     #[inline(always)]
-    pub fn read<S: Simd>(
+    pub fn uniform_levels<S: Simd>(
         &self,
         coords: [&F32s; 3],
         lod: &Lod<'_>,
         weight: &mut F32s,
-    ) -> Option<Read> {
+    ) -> Option<UniformLevels> {
         match self.texture() {
             Some(texture) if S::WIDE && texture.is_fusible => {
                 uniform_levels::select::<S>(texture, &coords, lod, weight)
@@ -123,33 +123,33 @@ impl SamplePlan {
         }
     }
 
-    /// [`SamplePlan::sample`] as part of a kernel, of images that are not compared. What it gives goes to `take`
-    /// without a detour, where texels are bytes and all lanes read the same level, or the same two; else by way
-    /// of lanes. What is `known` is what [`SamplePlan::read`] gave, of this batch or of one that reads the same.
+    /// [`SamplePlan::sample`] within a kernel, without depth compare. `consumer` is compiled into the filter where texels
+    /// are bytes and all lanes read the same level, or the same two; else it reads lanes that were stored. `selected` is
+    /// what [`SamplePlan::uniform_levels`] returned for this batch, or for one that reads the same levels.
     #[inline(always)]
-    pub fn take<S: Simd, T: Take>(
+    pub fn sample_fused<S: Simd, T: TexelConsumer>(
         &self,
         isa: Isa,
         coords: [&F32s; 3],
         lod: Lod<'_>,
-        known: Known<'_>,
-        room: &mut Room,
-        take: T,
+        selected: SelectedLevels<'_>,
+        scratch: &mut LookupScratch,
+        consumer: T,
     ) -> T::Output {
-        let take = match self.texture() {
+        let consumer = match self.texture() {
             Some(texture) if S::WIDE && texture.is_fusible => {
-                let squares = &mut room.squares;
-                match fused::sample_fused::<S, T>(texture, coords, known, squares, take) {
+                let quads = &mut scratch.quads;
+                match fused::sample_fused::<S, T>(texture, coords, selected, quads, consumer) {
                     Ok(output) => return output,
-                    Err(take) => take,
+                    Err(consumer) => consumer,
                 }
             }
-            Some(_) | None => take,
+            Some(_) | None => consumer,
         };
-        // By the same kernels that shaders call: another copy of them would be a megabyte.
+        // The kernels that shaders call, too: inlined here, they would add a megabyte of code.
         let points = Points { coords, layer: None, reference: None };
-        self.sample_offset(isa, points, [0; 3], lod, Places::Own, room);
-        take.take::<S>(&fused::LaneColors(&room.lanes))
+        self.sample_offset(isa, points, [0; 3], lod, Addresses::Compute, scratch);
+        consumer.consume::<S>(&fused::LaneColors(&scratch.lanes))
     }
 
     /// The first component of the texels at (i, j + 1), (i + 1, j + 1), (i + 1, j) and (i, j) that a linear filter of the
@@ -189,8 +189,7 @@ impl SamplePlan {
         }
     }
 
-    /// Samples as [`SamplePlan::sample_offset`] does, and notes how the result of `lane` (below 64)
-    /// came about. No steps for an incomplete texture.
+    /// Samples as [`SamplePlan::sample_offset`] does, and records the steps of `lane` (below 64). No steps for an incomplete texture.
     pub fn trace(
         &self,
         lane: usize,
@@ -228,23 +227,23 @@ impl SamplePlan {
 }
 
 impl<'a, F: FootprintSet> SampleCall<'a, NoRecorder, F> {
-    /// Runs it the shortest way if that leads there; texels are of this class.
+    /// Runs the kernel of [`super::uniform`] if it applies, else the general one. Texels are of this class.
     #[inline]
     pub fn run_uniform(
         mut self,
         isa: Isa,
         class: TexelClass,
-        places: Places,
-        (squares, detail): (&mut QuadScratch, &mut LevelScratch),
+        addresses: Addresses,
+        (quads, levels): (&mut QuadScratch, &mut LevelScratch),
     ) {
         let sample = &mut self;
-        match isa.run_above_baseline(UniformCall { sample, class, places, squares, detail }) {
+        match isa.run_above_baseline(UniformCall { sample, class, addresses, quads, levels }) {
             Ok(Outcome::Sampled) => {}
             Ok(Outcome::NotUniform) | Err(UniformCall { .. }) => self.run_on(isa),
         }
     }
 
-    /// The same with a kernel that reads other footprints.
+    /// The call with a kernel for other footprints.
     pub fn with_footprints<G: FootprintSet>(self) -> SampleCall<'a, NoRecorder, G> {
         let Self { texture, coords, layer, reference, offset, lod, out, recorder, footprints: _ } =
             self;
@@ -252,7 +251,7 @@ impl<'a, F: FootprintSet> SampleCall<'a, NoRecorder, F> {
         SampleCall { texture, coords, layer, reference, offset, lod, out, recorder, footprints }
     }
 
-    /// Runs it as compiled for an instruction set.
+    /// Runs the general kernel as compiled for an instruction set.
     #[inline]
     pub fn run_on(self, isa: Isa) {
         if let Err(sample) = isa.run_above_baseline(self) {
@@ -275,7 +274,7 @@ impl<'a, F: FootprintSet> SampleCall<'a, NoRecorder, F> {
 }
 
 impl SampleCall<'_, LaneRecorder, AnyFootprint> {
-    /// The one kernel of the baseline: traces run it too.
+    /// The only kernel of the baseline, and that of traces: one copy of the code.
     #[inline(never)]
     pub fn run_in_baseline(self) {
         self.run::<Baseline>();

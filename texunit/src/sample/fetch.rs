@@ -42,8 +42,8 @@ pub fn row<S: Simd>(
         offsets[lane] = xs[0].index[lane].wrapping_mul(bytes).wrapping_add(line);
     }
     let [first, second] = neighbours::<S>(level, &offsets);
-    S::apart_unless_wide(Decoded { level, words: [first], out: &mut *left });
-    S::apart_unless_wide(Decoded { level, words: [second], out: &mut *right });
+    S::outlined_unless_wide(Decoded { level, words: [first], out: &mut *left });
+    S::outlined_unless_wide(Decoded { level, words: [second], out: &mut *right });
     finish::<S>(view, [&xs[0], y, z], left, recorder);
     finish::<S>(view, [&xs[1], y, z], right, recorder);
 }
@@ -126,12 +126,12 @@ fn finish<S: Simd>(
         value: texels.each_ref().map(|channel| channel[lane]),
         compare: texture.compare.map(|op| {
             let (reference, mut passes) = (view.reference, texels[0]);
-            S::apart_unless_wide(Compared { op, reference, texels: &mut passes });
+            S::outlined_unless_wide(Compared { op, reference, texels: &mut passes });
             (op, reference[lane], passes[lane])
         }),
     });
     if let Some(op) = texture.compare {
-        S::apart_unless_wide(Compared { op, reference: view.reference, texels: &mut texels[0] });
+        S::outlined_unless_wide(Compared { op, reference: view.reference, texels: &mut texels[0] });
     }
 }
 

@@ -24,7 +24,7 @@ pub fn sample_level<S: Simd>(
 ) {
     let done = match (view.texture.texel_path, view.filter) {
         (TexelPath::Words(_), Filter::Nearest | Filter::Linear)
-        | (TexelPath::Blocks(_), Filter::Linear) => S::apart(Short { view, at, out: &mut *out }),
+        | (TexelPath::Blocks(_), Filter::Linear) => S::outlined(Short { view, at, out: &mut *out }),
         // A fetch of one texel is short in any case.
         (TexelPath::Blocks(_), Filter::Nearest) => false,
         (TexelPath::General | TexelPath::ComparedWords(_), Filter::Nearest | Filter::Linear) => {
@@ -92,7 +92,7 @@ fn texel_coordinates<S: Simd>(view: &LevelView<'_>, at: [&F32s; 3], lane: usize)
     let axes = view.texture.shape.axes();
     let mut u = [0.0; 3];
     for (axis, u) in u.iter_mut().enumerate().take(axes) {
-        *u = view.axis(axis).texel_coordinate_apart::<S>(at[axis])[lane];
+        *u = view.axis(axis).texel_coordinate_outlined::<S>(at[axis])[lane];
     }
     u
 }

@@ -1,42 +1,43 @@
-//! Lookups that are part of another kernel: what a lane gets is computed where it is used, from texels that are
-//! still words, and lies in no memory between. The numbers are those of [`super::uniform`].
+//! Lookups that are fused into another kernel: the filtered channels of a lane are computed where the consumer uses
+//! them, from texels that are still words, and are not stored to memory in between. Same bits as [`super::uniform`].
 
-use super::fast::{self, Places, QuadLoad, TexelQuad};
+use super::fast::{self, Addresses, QuadLoad, TexelQuad};
 use super::interpolate::lerp;
-use super::scratch::{Known, QuadScratch};
-use super::uniform_levels::{self, Read};
+use super::scratch::{QuadScratch, SelectedLevels};
+use super::uniform_levels::{self, UniformLevels};
 use crate::format::convert::{byte_channel, byte_of, over_255};
 use crate::lanes::{F32s, Kernel, LANES, Simd, U32s, math};
 use crate::plan::{Alpha, Texture};
 use crate::sampler::Filter;
 
-/// What a lookup gives.
-pub trait Texels {
+/// The result of a lookup, computed lane by lane.
+pub trait FilteredTexels {
     /// Red, green, blue or alpha of a lane.
     fn channel(&self, lane: usize, channel: usize) -> f32;
 
-    /// The same to the nearest byte.
+    /// The channel times 255, rounded to the nearest byte.
     #[inline(always)]
     fn byte(&self, lane: usize, channel: usize) -> u32 {
         math::byte(self.channel(lane, channel))
     }
 
-    /// The same as four bytes over 255, where that is all that they are.
+    /// The result as four bytes over 255, first channel lowest, where the result is exactly that: texels of a nearest
+    /// filter.
     fn bytes(&self) -> Option<&U32s>;
 }
 
-/// What is done with it, as part of the kernel: see [`crate::plan::SamplePlan::take`].
-pub trait Take {
-    /// What comes of it.
+/// The code that a lookup is fused into: see [`crate::plan::SamplePlan::sample_fused`].
+pub trait TexelConsumer {
+    /// What the kernel returns.
     type Output;
-    /// Does it. `#[inline(always)]`, see [`crate::lanes::Kernel`].
-    fn take<S: Simd>(self, texels: &impl Texels) -> Self::Output;
+    /// Uses the result. Must be `#[inline(always)]`, see [`crate::lanes::Kernel`].
+    fn consume<S: Simd>(self, texels: &impl FilteredTexels) -> Self::Output;
 }
 
-/// Computed before.
+/// Colours that an ordinary lookup stored.
 pub(crate) struct LaneColors<'a>(pub &'a [F32s; 4]);
 
-impl Texels for LaneColors<'_> {
+impl FilteredTexels for LaneColors<'_> {
     #[inline(always)]
     fn channel(&self, lane: usize, channel: usize) -> f32 {
         self.0[channel][lane]
@@ -47,10 +48,10 @@ impl Texels for LaneColors<'_> {
     }
 }
 
-/// A texel of four bytes.
+/// One texel of four bytes per lane (nearest filter).
 struct SingleTexels(U32s);
 
-impl Texels for SingleTexels {
+impl FilteredTexels for SingleTexels {
     #[inline(always)]
     fn channel(&self, lane: usize, channel: usize) -> f32 {
         byte_channel(self.0[lane], channel)
@@ -62,7 +63,7 @@ impl Texels for SingleTexels {
 }
 
 impl TexelQuad {
-    /// Of the four texels' bytes.
+    /// The mean of a channel of the four texels, 0 to 255.
     #[inline(always)]
     fn mean(&self, lane: usize, channel: usize) -> f32 {
         let texel = |corner: usize| byte_of(self.words[corner][lane], channel);
@@ -72,14 +73,14 @@ impl TexelQuad {
     }
 }
 
-impl Texels for &TexelQuad {
+impl FilteredTexels for &TexelQuad {
     #[inline(always)]
     fn channel(&self, lane: usize, channel: usize) -> f32 {
         over_255(self.mean(lane, channel))
     }
     #[inline(always)]
     fn byte(&self, lane: usize, channel: usize) -> u32 {
-        // As `unit_byte` of the channel, whichever mean it is: see the tests.
+        // Same byte as `math::unit_byte` of the channel (a test holds this for every mean).
         math::nearest_byte(self.mean(lane, channel))
     }
     #[inline(always)]
@@ -88,10 +89,10 @@ impl Texels for &TexelQuad {
     }
 }
 
-/// Of texels whose alpha is 1.
+/// Texels whose alpha is known to be 1.
 struct OpaqueTexels<'a, T>(&'a T);
 
-impl<T: Texels> Texels for OpaqueTexels<'_, T> {
+impl<T: FilteredTexels> FilteredTexels for OpaqueTexels<'_, T> {
     #[inline(always)]
     fn channel(&self, lane: usize, channel: usize) -> f32 {
         if channel == 3 { 1.0 } else { self.0.channel(lane, channel) }
@@ -106,10 +107,10 @@ impl<T: Texels> Texels for OpaqueTexels<'_, T> {
     }
 }
 
-/// Of two levels, with the weight of the second.
+/// Means of two levels, with the weight of the second.
 struct TwoLevelMeans<'a>(&'a [TexelQuad; 2], &'a F32s);
 
-impl Texels for TwoLevelMeans<'_> {
+impl FilteredTexels for TwoLevelMeans<'_> {
     #[inline(always)]
     fn channel(&self, lane: usize, channel: usize) -> f32 {
         let Self([first, second], weight) = self;
@@ -127,113 +128,113 @@ impl Texels for TwoLevelMeans<'_> {
     }
 }
 
-/// Looks up 64 lanes of a texture whose texels are red, green, blue and, if any, alpha in bytes; gives `take` back
-/// where that leads nowhere.
+/// Samples 64 lanes of a fusible texture: texels of red, green, blue and perhaps alpha, a byte each. Returns the
+/// consumer where the fast path does not apply.
 #[inline(always)]
-pub(crate) fn sample_fused<S: Simd, T: Take>(
+pub(crate) fn sample_fused<S: Simd, T: TexelConsumer>(
     texture: &Texture,
     coords: [&F32s; 3],
-    Known { read, weight, places }: Known<'_>,
-    squares: &mut QuadScratch,
-    take: T,
+    SelectedLevels { levels, weight, addresses }: SelectedLevels<'_>,
+    quads: &mut QuadScratch,
+    consumer: T,
 ) -> Result<T::Output, T> {
-    let Some(Read { filter, levels }) = read else { return Err(take) };
+    let Some(UniformLevels { filter, levels }) = levels else { return Err(consumer) };
     match (filter, texture.alpha) {
         (Filter::Nearest, _) if levels[0] == levels[1] => {
             let view = uniform_levels::plane_view(texture, filter, levels[0]);
-            let Some(mut words) = fast::texels::<S>(&view, coords) else { return Err(take) };
-            // Of texels without alpha the fourth byte is anything.
+            let Some(mut words) = fast::texels::<S>(&view, coords) else { return Err(consumer) };
+            // In texels without alpha the fourth byte is not defined.
             if texture.format.channels() < 4 {
                 for word in &mut words.0 {
                     *word |= 0xFF00_0000;
                 }
             }
-            Ok(take.take::<S>(&SingleTexels(words)))
+            Ok(consumer.consume::<S>(&SingleTexels(words)))
         }
         // Two levels of one texel each are rare.
-        (Filter::Nearest, _) => Err(take),
-        // Kernels of their own, so that none carries another's size.
+        (Filter::Nearest, _) => Err(consumer),
+        // Outlined, so that the code size of one does not add to the other.
         (Filter::Linear, Alpha::Stored) => {
-            S::apart(LookupMeans { texture, levels, coords, weight, places, squares, take })
+            S::outlined(LookupMeans { texture, levels, coords, weight, addresses, quads, consumer })
         }
         (Filter::Linear, Alpha::One) => {
-            let take = OpaqueConsumer(take);
-            let mean = LookupMeans { texture, levels, coords, weight, places, squares, take };
-            S::apart(mean).map_err(|OpaqueConsumer(take)| take)
+            let consumer = OpaqueConsumer(consumer);
+            let means = LookupMeans { texture, levels, coords, weight, addresses, quads, consumer };
+            S::outlined(means).map_err(|OpaqueConsumer(consumer)| consumer)
         }
     }
 }
 
-/// The means of texels of one level, or of two.
+/// A linear filter on one level, or on two.
 struct LookupMeans<'a, T> {
     texture: &'a Texture,
     levels: [u32; 2],
     coords: [&'a F32s; 3],
     weight: &'a F32s,
-    places: Places,
-    squares: &'a mut QuadScratch,
-    take: T,
+    addresses: Addresses,
+    quads: &'a mut QuadScratch,
+    consumer: T,
 }
 
-impl<T: Take> Kernel for LookupMeans<'_, T> {
+impl<T: TexelConsumer> Kernel for LookupMeans<'_, T> {
     type Output = Result<T::Output, T>;
 
     #[inline(always)]
     fn run<S: Simd>(self) -> Self::Output {
-        let Self { texture, levels, coords, weight, places, squares, take } = self;
-        let reads_both = levels[0] != levels[1];
-        let places = if squares.inside { places } else { Places::Own };
-        squares.inside = true;
-        let wanted = &mut squares.levels[..1 + usize::from(reads_both)];
-        for (number, square) in levels.into_iter().zip(wanted) {
+        let Self { texture, levels, coords, weight, addresses, quads, consumer } = self;
+        let is_mixed = levels[0] != levels[1];
+        let addresses = if quads.is_inside { addresses } else { Addresses::Compute };
+        quads.is_inside = true;
+        let used = &mut quads.levels[..1 + usize::from(is_mixed)];
+        for (number, quad) in levels.into_iter().zip(used) {
             let view = uniform_levels::plane_view(texture, Filter::Linear, number);
-            match fast::load_quad::<S>(&view, coords, places, square) {
+            match fast::load_quad::<S>(&view, coords, addresses, quad) {
                 QuadLoad::Inside => {}
-                QuadLoad::AcrossEdge => squares.inside = false,
+                QuadLoad::AcrossEdge => quads.is_inside = false,
                 QuadLoad::NotApplicable => {
-                    squares.inside = false;
-                    return Err(take);
+                    quads.is_inside = false;
+                    return Err(consumer);
                 }
             }
         }
-        match reads_both {
-            false => Ok(take.take::<S>(&&squares.levels[0])),
-            true => Ok(take.take::<S>(&TwoLevelMeans(&squares.levels, weight))),
+        match is_mixed {
+            false => Ok(consumer.consume::<S>(&&quads.levels[0])),
+            true => Ok(consumer.consume::<S>(&TwoLevelMeans(&quads.levels, weight))),
         }
     }
 }
 
-/// Takes a lookup as lanes, each channel computed in one loop.
+/// Stores the result to lanes, one loop per channel.
 pub(super) struct WriteLanes<'a>(pub &'a mut [F32s; 4]);
 
-impl Take for WriteLanes<'_> {
+impl TexelConsumer for WriteLanes<'_> {
     type Output = ();
 
     #[inline(always)]
-    fn take<S: Simd>(self, texels: &impl Texels) {
+    fn consume<S: Simd>(self, texels: &impl FilteredTexels) {
         let Self([r, g, b, a]) = self;
-        spread(texels, 0, r);
-        spread(texels, 1, g);
-        spread(texels, 2, b);
-        spread(texels, 3, a);
+        write_channel(texels, 0, r);
+        write_channel(texels, 1, g);
+        write_channel(texels, 2, b);
+        write_channel(texels, 3, a);
     }
 }
 
 #[inline(always)]
-fn spread(texels: &impl Texels, channel: usize, out: &mut F32s) {
+fn write_channel(texels: &impl FilteredTexels, channel: usize, out: &mut F32s) {
     for lane in 0..LANES {
         out[lane] = texels.channel(lane, channel);
     }
 }
 
-/// Takes texels of which it is known that their alpha is 1.
+/// Passes texels on whose alpha is known to be 1.
 struct OpaqueConsumer<T>(T);
 
-impl<T: Take> Take for OpaqueConsumer<T> {
+impl<T: TexelConsumer> TexelConsumer for OpaqueConsumer<T> {
     type Output = T::Output;
 
     #[inline(always)]
-    fn take<S: Simd>(self, texels: &impl Texels) -> T::Output {
-        self.0.take::<S>(&OpaqueTexels(texels))
+    fn consume<S: Simd>(self, texels: &impl FilteredTexels) -> T::Output {
+        self.0.consume::<S>(&OpaqueTexels(texels))
     }
 }

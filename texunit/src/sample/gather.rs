@@ -50,11 +50,12 @@ impl Kernel for Gather<'_> {
             let Some(level) = levels.first().filter(|_| S::any(&here)) else { continue };
             let (filter, number, layer, reference) = (Filter::Linear, 0, &at.layer, &reference);
             let view = LevelView { texture, filter, face, number, level, layer, reference };
-            let x = S::apart(PairOnAxis { axis: view.axis(0), s, offset: offset[0] });
-            let y = S::apart(PairOnAxis { axis: view.axis(1), s: t, offset: offset[1] });
+            let x = S::outlined(PairOnAxis { axis: view.axis(0), s, offset: offset[0] });
+            let y = S::outlined(PairOnAxis { axis: view.axis(1), s: t, offset: offset[1] });
             for corner in 0..4 {
                 let step = [corner % 2, corner / 2];
-                let (found, lacks) = S::apart(CornerTexel { view: &view, along: [&x, &y], step });
+                let (found, lacks) =
+                    S::outlined(CornerTexel { view: &view, along: [&x, &y], step });
                 let to = &mut out[GATHER_ORDER[corner]];
                 for lane in 0..LANES {
                     let is_here = here[lane] != 0;
@@ -170,13 +171,13 @@ fn held(i: i32, [low, high]: [i32; 2]) -> i32 {
 #[inline(always)]
 fn wrapped(axis: Axis, rule: &WrapRule, i: &I32s, step: i32) -> Indices {
     let [start, length] = rule.period;
-    let mut places = I32s::ZERO;
+    let mut wrapped = I32s::ZERO;
     for lane in 0..LANES {
         let place = held(i[lane], rule.first) + step;
         let turned = modulo(place - start, length) + start;
-        places[lane] = held(turned ^ (turned >> 31 & rule.mirror), rule.last);
+        wrapped[lane] = held(turned ^ (turned >> 31 & rule.mirror), rule.last);
     }
-    axis.stored(&places)
+    axis.stored(&wrapped)
 }
 
 /// The first component of a texel after the swizzle, and where there is none (a mask): beyond a corner of a cube.

@@ -34,9 +34,9 @@ mod uniform;
 mod uniform_levels;
 mod wrap;
 
-pub use fast::Places;
-pub use fused::{Take, Texels};
+pub use fast::Addresses;
+pub use fused::{FilteredTexels, TexelConsumer};
 pub use lookup::{Lod, Points};
-pub use prefetch::Like;
-pub use scratch::{Known, Room};
-pub use uniform_levels::Read;
+pub use prefetch::LevelHint;
+pub use scratch::{LookupScratch, SelectedLevels};
+pub use uniform_levels::UniformLevels;

@@ -1,41 +1,41 @@
-//! Scratch of a lookup, and what one lookup may hand to the next.
+//! Scratch of a lookup, part of which the next lookup may reuse.
 
-use super::fast::{Places, TexelQuad};
-use super::uniform_levels::Read;
+use super::fast::{Addresses, TexelQuad};
+use super::uniform_levels::UniformLevels;
 use crate::lanes::F32s;
 
-/// What a lookup needs room for, and what the next one may keep of it ([`Places::Kept`]).
+/// Result and scratch of a lookup. The next lookup may reuse texel addresses and levels ([`Addresses::Reuse`]).
 #[derive(Clone, Debug, Default)]
-pub struct Room {
-    /// What a lookup gave: red, green, blue and alpha. Of one that is taken, only where the short way does not lead.
+pub struct LookupScratch {
+    /// The result: red, green, blue and alpha. A fused lookup writes it only where the fast path does not apply.
     pub lanes: [F32s; 4],
-    pub(crate) squares: QuadScratch,
-    pub(crate) detail: LevelScratch,
+    pub(crate) quads: QuadScratch,
+    pub(crate) levels: LevelScratch,
 }
 
-/// The texels of one level, or of two.
+/// The texel quads of one level, or of two.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct QuadScratch {
     pub levels: [TexelQuad; 2],
-    /// Whether all of those of the last lookup were [`QuadLoad::Inside`].
-    pub inside: bool,
+    /// Whether all quads of the last lookup were [`QuadLoad::Inside`](super::fast::QuadLoad::Inside).
+    pub is_inside: bool,
 }
 
-/// What is known of a lookup that is taken.
+/// The level of detail of a fused lookup, selected before it.
 #[derive(Clone, Copy, Debug)]
-pub struct Known<'a> {
-    /// What all lanes read, if that is the same.
-    pub read: Option<Read>,
-    /// Of the second level.
+pub struct SelectedLevels<'a> {
+    /// The levels, if all lanes read the same.
+    pub levels: Option<UniformLevels>,
+    /// The weight of the second level.
     pub weight: &'a F32s,
-    /// Who looks for its texels.
-    pub places: Places,
+    /// Whether texel addresses are computed or reused.
+    pub addresses: Addresses,
 }
 
-/// What the level of detail of a lookup comes to.
+/// The levels of the last lookup.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct LevelScratch {
-    pub read: Option<Read>,
-    /// Of the second level.
+    pub levels: Option<UniformLevels>,
+    /// The weight of the second level.
     pub weight: F32s,
 }

@@ -1,35 +1,36 @@
-//! The shortest way: a texture in a plane whose texels have a short way ([`super::fast`]) and whose two
-//! filters are alike, of which all lanes read the same level, or the same two. Most batches of most draws are so.
+//! The kernel of most batches: a two-dimensional texture that has a fast path ([`super::fast`]) and one filter for
+//! magnification and minification, where all lanes read the same level, or the same two.
 //!
-//! A kernel of its own, so that these do not carry the stack and the branches of probes, faces, layers
-//! and lanes that read different levels. Every number is computed by the functions of the general way.
+//! It is separate from [`super::general`], so that it has neither the stack nor the branches of probes, faces, layers
+//! and lanes that read different levels. The functions that compute are the same, and so are the bits.
 
 use super::call::SampleCall;
 use super::compare::{compare, unit_range};
-use super::fast::Places;
+use super::fast::Addresses;
 use super::interpolate::mix;
 use super::recorder::NoRecorder;
-use super::scratch::{Known, LevelScratch, QuadScratch};
-use super::uniform_levels::{Read, plane_view, select};
+use super::scratch::{LevelScratch, QuadScratch, SelectedLevels};
+use super::uniform_levels::{UniformLevels, plane_view, select};
 use super::{expand, fast, fused};
 use crate::lanes::{F32s, Kernel, Simd};
 use crate::plan::TexelClass;
 use crate::sampler::Filter;
 
-/// One call: 64 samples of a texture that goes this way, of texels of this class.
+/// One call: 64 samples of a texture with texels of this class.
 pub(crate) struct UniformCall<'s, 'a, F> {
     pub sample: &'s mut SampleCall<'a, NoRecorder, F>,
     pub class: TexelClass,
-    pub places: Places,
-    pub squares: &'s mut QuadScratch,
-    pub detail: &'s mut LevelScratch,
+    pub addresses: Addresses,
+    pub quads: &'s mut QuadScratch,
+    pub levels: &'s mut LevelScratch,
 }
 
-/// What became of a call.
+/// Whether the kernel applied.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Outcome {
+    /// The result is stored.
     Sampled,
-    /// Lanes read different levels, or texels that have no short way: nothing is done.
+    /// Lanes read different levels, or texels without a fast path: no result is stored.
     NotUniform,
 }
 
@@ -38,26 +39,26 @@ impl<F> Kernel for UniformCall<'_, '_, F> {
 
     #[inline(always)]
     fn run<S: Simd>(self) -> Outcome {
-        let Self { sample, class, places, squares, detail } = self;
+        let Self { sample, class, addresses, quads, levels: selected } = self;
         let texture = sample.texture;
-        let LevelScratch { read: found, weight } = detail;
-        if places == Places::Own {
-            *found = select::<S>(texture, sample.coords, sample.lod, weight);
+        let LevelScratch { levels: uniform, weight } = selected;
+        if addresses == Addresses::Compute {
+            *uniform = select::<S>(texture, sample.coords, sample.lod, weight);
         }
-        let Some(Read { filter, levels }) = *found else { return Outcome::NotUniform };
+        let Some(UniformLevels { filter, levels }) = *uniform else { return Outcome::NotUniform };
         if texture.is_fusible && filter == Filter::Linear {
-            let spread = fused::WriteLanes(&mut *sample.out);
-            let known = Known { read: *found, weight, places };
-            let taken =
-                fused::sample_fused::<S, _>(texture, *sample.coords, known, squares, spread);
-            return if taken.is_ok() { Outcome::Sampled } else { Outcome::NotUniform };
+            let consumer = fused::WriteLanes(&mut *sample.out);
+            let selected = SelectedLevels { levels: *uniform, weight, addresses };
+            let result =
+                fused::sample_fused::<S, _>(texture, *sample.coords, selected, quads, consumer);
+            return if result.is_ok() { Outcome::Sampled } else { Outcome::NotUniform };
         }
-        // Takes no time where there is no second level.
+        // Initialized only where there is a second level.
         let mut second = None;
-        let reads_both = levels[0] != levels[1];
-        for (turn, number) in levels.into_iter().take(1 + usize::from(reads_both)).enumerate() {
+        let is_mixed = levels[0] != levels[1];
+        for (index, number) in levels.into_iter().take(1 + usize::from(is_mixed)).enumerate() {
             let view = plane_view(texture, filter, number);
-            let out = match turn {
+            let out = match index {
                 0 => &mut *sample.out,
                 _ => second.get_or_insert([F32s::ZERO; 4]),
             };
@@ -68,7 +69,7 @@ impl<F> Kernel for UniformCall<'_, '_, F> {
             if !is_done {
                 return Outcome::NotUniform;
             }
-            // Each texel by itself, which is why there is only one a lane.
+            // Compared before the filter, so this path has one texel per lane.
             if let Some(op) = texture.compare {
                 let reference = unit_range(sample.reference.unwrap_or(sample.coords[2]));
                 compare(op, &reference, &mut out[0]);

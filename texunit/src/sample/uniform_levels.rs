@@ -1,4 +1,4 @@
-//! The levels that all lanes of a batch read, where they read the same.
+//! The levels that a batch reads, where all lanes read the same.
 
 use super::coordinates::Coordinates;
 use super::footprint::RoundOnly;
@@ -10,40 +10,39 @@ use crate::lanes::{F32s, Simd, U32s};
 use crate::plan::{LevelSelection, Texture};
 use crate::sampler::Filter;
 
-/// What all lanes of a batch read: what their level of detail comes to.
+/// The filter and the levels that all lanes of a batch read.
 #[derive(Clone, Copy, Debug)]
-pub struct Read {
+pub struct UniformLevels {
     pub(crate) filter: Filter,
-    /// Twice the same where no lane reads another.
+    /// The two levels that are mixed; twice the same where there is one.
     pub(crate) levels: [u32; 2],
 }
 
-/// Which levels all lanes read; `None` where they read different ones. Where they read two, `weight` takes that of
-/// the second.
+/// The levels that all lanes read; `None` where lanes read different ones. `weight` gets the weight of the second level.
 #[inline(always)]
 pub fn select<S: Simd>(
     texture: &Texture,
     coords: &[&F32s; 3],
     lod: &Lod<'_>,
     weight: &mut F32s,
-) -> Option<Read> {
+) -> Option<UniformLevels> {
     match &texture.level_selection {
         LevelSelection::Fixed { filter, level, .. } => {
-            Some(Read { filter: *filter, levels: [*level, *level] })
+            Some(UniformLevels { filter: *filter, levels: [*level, *level] })
         }
         LevelSelection::PerLane { min, range, anisotropy, .. } => {
-            let (at, off) = (Coordinates::in_plane(*coords), &mut NoRecorder);
+            let (at, recorder) = (Coordinates::in_plane(*coords), &mut NoRecorder);
             let (base, _, bias) =
-                level_taps::base_lambda::<S, RoundOnly>(texture, &at, *lod, *anisotropy, off);
+                level_taps::base_lambda::<S, RoundOnly>(texture, &at, *lod, *anisotropy, recorder);
             let each;
             (each, *weight) = range.levels(&range.lambda(&base, bias));
             let levels = level_taps::common_levels::<S>(&each, weight)?;
-            Some(Read { filter: *min, levels })
+            Some(UniformLevels { filter: *min, levels })
         }
     }
 }
 
-/// A level of a texture in a plane.
+/// A level of a two-dimensional texture.
 #[inline(always)]
 pub fn plane_view(texture: &Texture, filter: Filter, number: u32) -> LevelView<'_> {
     LevelView {

@@ -14,7 +14,7 @@ use crate::sampler::Wrap;
 pub struct Axis {
     /// What happens outside.
     pub wrap: Wrap,
-    /// Texels, without the border.
+    /// FilteredTexels, without the border.
     pub size: u32,
     /// Border texels stored on either side, 0 or 1.
     pub border: u32,
@@ -124,22 +124,22 @@ impl Axis {
         u
     }
 
-    /// [`Axis::texel_coordinate`] where it stands in many places: what knows all wrap modes is large.
+    /// [`Axis::texel_coordinate`] where it stands in many addresses: what knows all wrap modes is large.
     #[inline(always)]
-    pub fn texel_coordinate_apart<S: Simd>(self, s: &F32s) -> F32s {
-        S::apart_unless_wide(TexelCoordinate { axis: self, s })
+    pub fn texel_coordinate_outlined<S: Simd>(self, s: &F32s) -> F32s {
+        S::outlined_unless_wide(TexelCoordinate { axis: self, s })
     }
 
     /// The texel nearest to a coordinate.
     #[inline(always)]
     pub fn nearest_to<S: Simd>(self, s: &F32s) -> Indices {
-        S::apart_unless_wide(NearestTo { axis: self, s })
+        S::outlined_unless_wide(NearestTo { axis: self, s })
     }
 
     /// The texels that enclose a coordinate.
     #[inline(always)]
     pub fn enclosing<S: Simd>(self, s: &F32s) -> Enclosing {
-        S::apart_unless_wide(EnclosingOf { axis: self, s })
+        S::outlined_unless_wide(EnclosingOf { axis: self, s })
     }
 
     /// The texel that `u` lies in; `u = size` lies in the last, unless the border is reached.
@@ -245,7 +245,7 @@ impl Kernel for NearestTo<'_> {
     type Output = Indices;
     #[inline(always)]
     fn run<S: Simd>(self) -> Indices {
-        self.axis.nearest::<S>(&self.axis.texel_coordinate_apart::<S>(self.s))
+        self.axis.nearest::<S>(&self.axis.texel_coordinate_outlined::<S>(self.s))
     }
 }
 
@@ -258,7 +258,7 @@ impl Kernel for EnclosingOf<'_> {
     type Output = Enclosing;
     #[inline(always)]
     fn run<S: Simd>(self) -> Enclosing {
-        let (lower, weight) = enclosing::<S>(&self.axis.texel_coordinate_apart::<S>(self.s));
+        let (lower, weight) = enclosing::<S>(&self.axis.texel_coordinate_outlined::<S>(self.s));
         let texels = self.axis.pair(&lower);
         Enclosing { lower, weight, texels }
     }

@@ -72,7 +72,7 @@ pub unsafe fn avx2_pairs(bytes: &[u8], offsets: &U32s) -> [U32s; 2] {
 /// # Safety
 /// AVX2 is there.
 #[inline(always)]
-pub unsafe fn avx2_squares(bytes: &[u8], offsets: &U32s, apart: u32, out: &mut [U32s; 4]) {
+pub unsafe fn avx2_quads(bytes: &[u8], offsets: &U32s, apart: u32, out: &mut [U32s; 4]) {
     // There are as many bytes for pairs above which `apart` more are left.
     let len = bytes.len().saturating_sub(apart as usize);
     check::<Avx2>(len, offsets, 1, 8);

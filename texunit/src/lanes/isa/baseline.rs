@@ -11,15 +11,15 @@ impl private::Sealed for Baseline {}
 impl Simd for Baseline {
     const WIDE: bool = false;
     #[inline(always)]
-    fn apart<K: Kernel>(kernel: K) -> K::Output {
+    fn outlined<K: Kernel>(kernel: K) -> K::Output {
         run_baseline(kernel)
     }
     #[inline(always)]
-    fn gather_here(bytes: &[u8], offsets: &U32s) -> U32s {
+    fn gather_inline(bytes: &[u8], offsets: &U32s) -> U32s {
         gather::scalar(bytes, offsets)
     }
     #[inline(always)]
-    fn gather_pairs_here(bytes: &[u8], offsets: &U32s) -> [U32s; 2] {
+    fn gather_pairs_inline(bytes: &[u8], offsets: &U32s) -> [U32s; 2] {
         gather::scalar_pairs(bytes, offsets)
     }
     #[inline(always)]

@@ -1,7 +1,7 @@
 //! The operations of AVX2 and AVX-512.
 
+use crate::lanes::row_walk::{self, RowWalk};
 use crate::lanes::simd::{Kernel, Simd, private};
-use crate::lanes::walk::{self, Walk};
 use crate::lanes::weigh::{self, Sums};
 use crate::lanes::{F32s, U32s, gather, math, reduce};
 
@@ -43,25 +43,25 @@ impl private::Sealed for Avx2 {}
 impl Simd for Avx2 {
     const WIDE: bool = true;
     #[inline(always)]
-    fn apart<K: Kernel>(kernel: K) -> K::Output {
+    fn outlined<K: Kernel>(kernel: K) -> K::Output {
         // SAFETY: this type is reached only through `run_avx2`.
         unsafe { run_avx2(kernel) }
     }
     rounding_instructions!();
     #[inline(always)]
-    fn gather_here(bytes: &[u8], offsets: &U32s) -> U32s {
+    fn gather_inline(bytes: &[u8], offsets: &U32s) -> U32s {
         // SAFETY: this type is reached only through `run_avx2`.
         unsafe { gather::x86::avx2::<1>(bytes, offsets) }
     }
     #[inline(always)]
-    fn gather_pairs_here(bytes: &[u8], offsets: &U32s) -> [U32s; 2] {
+    fn gather_pairs_inline(bytes: &[u8], offsets: &U32s) -> [U32s; 2] {
         // SAFETY: this type is reached only through `run_avx2`.
         unsafe { gather::x86::avx2_pairs(bytes, offsets) }
     }
     #[inline(always)]
-    fn gather_squares(bytes: &[u8], offsets: &U32s, apart: u32, out: &mut [U32s; 4]) {
+    fn gather_quads(bytes: &[u8], offsets: &U32s, apart: u32, out: &mut [U32s; 4]) {
         // SAFETY: this type is reached only through `run_avx2`.
-        unsafe { gather::x86::avx2_squares(bytes, offsets, apart, out) }
+        unsafe { gather::x86::avx2_quads(bytes, offsets, apart, out) }
     }
     #[inline(always)]
     fn gather_fours(bytes: &[u8], offsets: &U32s) -> [U32s; 4] {
@@ -80,9 +80,9 @@ impl Simd for Avx2 {
         unsafe { weigh::x86::avx2_pairs(bytes.as_ptr(), offsets, apart, weights, sums) }
     }
     #[inline(always)]
-    fn weigh_walk(bytes: &[u8], walk: &Walk<'_>, sums: &mut Sums) {
+    fn weigh_rows(bytes: &[u8], walk: &RowWalk<'_>, sums: &mut Sums) {
         // SAFETY: this type is reached only through `run_avx2`.
-        unsafe { walk::avx2(bytes, walk, sums) }
+        unsafe { row_walk::avx2(bytes, walk, sums) }
     }
     #[inline(always)]
     fn gather_f32(table: &[f32], indices: &U32s) -> F32s {
@@ -112,18 +112,18 @@ impl private::Sealed for Avx512 {}
 impl Simd for Avx512 {
     const WIDE: bool = true;
     #[inline(always)]
-    fn apart<K: Kernel>(kernel: K) -> K::Output {
+    fn outlined<K: Kernel>(kernel: K) -> K::Output {
         // SAFETY: this type is reached only through `run_avx512`.
         unsafe { run_avx512(kernel) }
     }
     rounding_instructions!();
     #[inline(always)]
-    fn gather_here(bytes: &[u8], offsets: &U32s) -> U32s {
+    fn gather_inline(bytes: &[u8], offsets: &U32s) -> U32s {
         // SAFETY: this type is reached only through `run_avx512`.
         unsafe { gather::x86::avx512::<1>(bytes, offsets) }
     }
     #[inline(always)]
-    fn gather_pairs_here(bytes: &[u8], offsets: &U32s) -> [U32s; 2] {
+    fn gather_pairs_inline(bytes: &[u8], offsets: &U32s) -> [U32s; 2] {
         // SAFETY: this type is reached only through `run_avx512`.
         unsafe { gather::x86::avx512_pairs(bytes, offsets) }
     }
@@ -144,9 +144,9 @@ impl Simd for Avx512 {
         unsafe { weigh::x86::avx512_pairs(bytes.as_ptr(), offsets, apart, weights, sums) }
     }
     #[inline(always)]
-    fn weigh_walk(bytes: &[u8], walk: &Walk<'_>, sums: &mut Sums) {
+    fn weigh_rows(bytes: &[u8], walk: &RowWalk<'_>, sums: &mut Sums) {
         // SAFETY: this type is reached only through `run_avx512`.
-        unsafe { walk::avx512(bytes, walk, sums) }
+        unsafe { row_walk::avx512(bytes, walk, sums) }
     }
     #[inline(always)]
     fn gather_f32(table: &[f32], indices: &U32s) -> F32s {

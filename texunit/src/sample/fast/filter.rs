@@ -1,8 +1,8 @@
-//! The texel that a point lies in, and the mean of the 2×2 about it.
+//! The nearest and the linear filter of the fast path.
 
 use super::channels::{channels_of_quad, channels_of_texel};
 use super::offsets::word_offsets;
-use super::quad::{Places, QuadLoad, TexelQuad, gather_words, load_quad};
+use super::quad::{Addresses, QuadLoad, TexelQuad, gather_words, load_quad};
 use super::quad_position::quad_position;
 use crate::lanes::math::index;
 use crate::lanes::{F32s, LANES, Simd, U32s};
@@ -10,7 +10,7 @@ use crate::plan::{Alpha, TexelClass};
 use crate::sample::level_view::LevelView;
 use crate::sampler::Filter;
 
-/// The texel that each point lies in; or `false`, where this way does not lead.
+/// The nearest texel; `false` where the fast path does not apply.
 #[inline(always)]
 pub fn nearest<S: Simd>(
     view: &LevelView<'_>,
@@ -36,7 +36,7 @@ pub fn nearest<S: Simd>(
     true
 }
 
-/// Where the texels begin that the points lie in; `None`, where this way does not lead.
+/// Byte offsets of the nearest texels; `None` where the fast path does not apply.
 #[inline(always)]
 fn texel_offsets<S: Simd>(view: &LevelView<'_>, at: [&F32s; 3]) -> Option<U32s> {
     if view.texture.reaches_border(Filter::Nearest) {
@@ -57,14 +57,14 @@ fn texel_offsets<S: Simd>(view: &LevelView<'_>, at: [&F32s; 3]) -> Option<U32s> 
     Some(offsets)
 }
 
-/// The texels that the points lie in, of one word each; `None`, where this way does not lead.
+/// The nearest texels of one word each; `None` where the fast path does not apply.
 #[inline(always)]
 pub fn texels<S: Simd>(view: &LevelView<'_>, at: [&F32s; 3]) -> Option<U32s> {
     let offsets = texel_offsets::<S>(view, at)?;
-    Some(S::gather_here(&view.level.texels, &offsets))
+    Some(S::gather_inline(&view.level.texels, &offsets))
 }
 
-/// The mean of 2×2 texels; or `false`, where this way does not lead.
+/// The weighted mean of 2×2 texels; `false` where the fast path does not apply.
 #[inline(always)]
 pub fn linear<S: Simd>(
     view: &LevelView<'_>,
@@ -75,7 +75,7 @@ pub fn linear<S: Simd>(
     let (words, channels) = (view.level.format.words(), view.level.format.channels());
     if words == 1 {
         let mut found = TexelQuad::default();
-        if load_quad::<S>(view, at, Places::Own, &mut found) == QuadLoad::NotApplicable {
+        if load_quad::<S>(view, at, Addresses::Compute, &mut found) == QuadLoad::NotApplicable {
             return false;
         }
         let TexelQuad { words, weights, .. } = &found;

@@ -1,8 +1,8 @@
-//! The short way for most textures: two-dimensional, of bytes, sRGB bytes, halves, floats, depths or
-//! blocks, where neither the border nor another face is reached. Nothing is compared here: where the
-//! texel that it gives of each lane is all that a comparison needs, [`super::uniform`] makes it.
+//! The fast path of most textures: two-dimensional, of bytes, sRGB bytes, halves, floats, depths or
+//! blocks, where neither the border nor another face is read. There is no depth compare here; [`super::uniform`]
+//! compares the texels of a nearest filter.
 //!
-//! Gives the bits of the general way in `filter` (a test holds this), in fewer passes: whole
+//! Same bits as the general filters in [`super::filter`] (a test holds this), in fewer passes: byte
 //! offsets in one loop, the two texels of a row in one gather, channels from words in registers.
 
 pub mod blocks;
@@ -17,4 +17,4 @@ mod tests;
 pub use channels::channels_of_texel;
 pub use filter::{linear, nearest, texels};
 pub use offsets::word_offsets;
-pub use quad::{Places, QuadLoad, TexelQuad, load_quad};
+pub use quad::{Addresses, QuadLoad, TexelQuad, load_quad};

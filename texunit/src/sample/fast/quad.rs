@@ -13,51 +13,52 @@ use crate::sampler::Wrap;
 #[derive(Clone, Debug, Default)]
 pub struct TexelQuad {
     pub words: [U32s; 4],
-    /// Of the right and of the upper texels.
+    /// The weights of the right and of the upper texels.
     pub weights: [F32s; 2],
-    /// Where the first texels begin, where all of them lie inside of their level.
+    /// Byte offsets of the first texels. Valid after [`QuadLoad::Inside`].
     offsets: U32s,
 }
 
-/// Who looks for the places of a lookup's texels.
+/// Whether texel addresses of a lookup are computed or reused.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Places {
-    /// The lookup itself.
-    Own,
-    /// The one before in the same room ([`crate::sample::Room`]), whose points, offset and level of detail were the same,
-    /// of a plan that reads alike ([`crate::plan::SamplePlan::reads_like`]).
-    Kept,
+pub enum Addresses {
+    /// Computed from the coordinates.
+    Compute,
+    /// Those of the lookup before in the same [`LookupScratch`](crate::sample::LookupScratch), which had the same points,
+    /// offset and level of detail, and a plan that
+    /// [shares addresses](crate::plan::SamplePlan::shares_addresses_with).
+    Reuse,
 }
 
-/// What came of looking for squares of texels.
+/// Whether the fast path loaded the texels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum QuadLoad {
-    /// This way does not lead there.
+    /// The fast path does not apply: a lane reads the border or another face.
     NotApplicable,
-    /// They are here, and some reach over an edge of their level.
+    /// Loaded; some quads wrap around an edge of the level.
     AcrossEdge,
-    /// They are here, and their places can be kept.
+    /// Loaded; all quads lie inside the level, and the addresses can be reused.
     Inside,
 }
 
-/// The texels whose mean a point takes, of one word each. Places are kept of squares that are [`QuadLoad::Inside`].
+/// Loads the 2×2 texels about each point, of one word each.
 ///
-/// A function of its own, which gives them in memory that is the caller's: where they are locals of several ways that
-/// lead to the same place, LLVM moves all of them once or twice.
+/// Outlined, and with the result in memory of the caller: as a local that several branches assign, LLVM would copy it
+/// once or twice.
 #[inline(always)]
 pub fn load_quad<S: Simd>(
     view: &LevelView<'_>,
     at: [&F32s; 3],
-    places: Places,
+    addresses: Addresses,
     out: &mut TexelQuad,
 ) -> QuadLoad {
-    S::apart(LoadQuad { view, at, places, out })
+    S::outlined(LoadQuad { view, at, addresses, out })
 }
 
 struct LoadQuad<'a> {
     view: &'a LevelView<'a>,
     at: [&'a F32s; 3],
-    places: Places,
+    addresses: Addresses,
     out: &'a mut TexelQuad,
 }
 
@@ -66,18 +67,18 @@ impl Kernel for LoadQuad<'_> {
 
     #[inline(always)]
     fn run<S: Simd>(self) -> QuadLoad {
-        let Self { view, at, places, out } = self;
+        let Self { view, at, addresses, out } = self;
         let level = view.level;
         let bytes = level.format.bytes();
-        let is_inside = match places {
-            Places::Kept => true,
-            Places::Own => {
+        let is_inside = match addresses {
+            Addresses::Reuse => true,
+            Addresses::Compute => {
                 bytes >= 3 && inside_offsets::<S>(view, at, &mut out.offsets, &mut out.weights)
             }
         };
         if is_inside {
             let row = level.row_bytes() as u32;
-            S::gather_squares(&level.texels, &out.offsets, row, &mut out.words);
+            S::gather_quads(&level.texels, &out.offsets, row, &mut out.words);
             if bytes == 3 {
                 let [a, b, c, d] = out.words.each_mut();
                 split_threes([a, b]);
@@ -99,11 +100,10 @@ impl Kernel for LoadQuad<'_> {
     }
 }
 
-/// Where the lower left texels of the squares begin, and the weights of the right and of the upper texels; or `false`
-/// if coordinates do not wrap in a usual way, the same along both axes, or a lane reaches beyond an edge.
+/// Byte offsets of the lower left texels, and the weights of the right and of the upper texels. `false` if a quad
+/// crosses an edge of the level, or the wrap modes are not both `Repeat` or both `ClampToEdge`.
 ///
-/// In one loop: of several, what lies between would be stored and loaded again where an instruction set has few
-/// registers.
+/// One loop: several would spill what lies between them where an instruction set has few registers.
 #[inline(always)]
 fn inside_offsets<S: Simd>(
     view: &LevelView<'_>,
@@ -126,7 +126,7 @@ fn inside_offsets<S: Simd>(
     }
 }
 
-/// [`inside`] by what a coordinate is in texels.
+/// [`inside_offsets`] with the wrapped coordinate in texels, by axis.
 #[inline(always)]
 fn inside_offsets_by<S: Simd>(
     level: &Level,

@@ -53,7 +53,7 @@ impl QuadPosition {
     }
 }
 
-/// Finds the squares; `None` where the border or another face is reached.
+/// Finds the quads; `None` where the border or another face is reached.
 #[inline(always)]
 pub fn quad_position<S: Simd>(view: &LevelView<'_>, at: [&F32s; 3]) -> Option<QuadPosition> {
     let axes = [view.axis(0), view.axis(1)];

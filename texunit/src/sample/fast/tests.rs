@@ -7,7 +7,9 @@ use crate::lanes::{F32s, LANES, Simd, U32s};
 use crate::lanes::{Isa, Kernel, math};
 use crate::plan::SamplePlan;
 use crate::plan::TexelClass;
-use crate::sample::{Known, Like, Lod, Points, Room, Take, Texels};
+use crate::sample::{
+    FilteredTexels, LevelHint, Lod, LookupScratch, Points, SelectedLevels, TexelConsumer,
+};
 use crate::sampler::{Compare, Filter, Mipmap, Sampler, Seamless, Wrap};
 
 fn noise(seed: u32) -> u32 {
@@ -94,11 +96,11 @@ struct Taken<'a> {
 /// Keeps what a lookup gives.
 struct Keep;
 
-impl Take for Keep {
+impl TexelConsumer for Keep {
     type Output = ([F32s; 4], Option<U32s>);
 
     #[inline(always)]
-    fn take<S: Simd>(self, texels: &impl Texels) -> Self::Output {
+    fn consume<S: Simd>(self, texels: &impl FilteredTexels) -> Self::Output {
         let channel = |channel| {
             F32s::from_fn(|lane| {
                 let value = texels.channel(lane, channel);
@@ -116,16 +118,16 @@ impl Kernel for Taken<'_> {
 
     #[inline(always)]
     fn run<S: Simd>(self) -> Self::Output {
-        let (lod, room) = (Lod::Implicit { bias: None }, &mut Room::default());
+        let (lod, scratch) = (Lod::Implicit { bias: None }, &mut LookupScratch::default());
         let [s, t, _] = self.coords;
         let mut weight = F32s::ZERO;
-        self.plan.ask::<S>([s, t], Like::First(self.coords, lod));
-        let read = self.plan.read::<S>(self.coords, &lod, &mut weight);
+        self.plan.prefetch::<S>([s, t], LevelHint::FirstLane(self.coords, lod));
+        let read = self.plan.uniform_levels::<S>(self.coords, &lod, &mut weight);
         if let Some(read) = read {
-            self.plan.ask::<S>([s, t], Like::Read(read));
+            self.plan.prefetch::<S>([s, t], LevelHint::Uniform(read));
         }
-        let known = Known { read, weight: &weight, places: Places::Own };
-        self.plan.take::<S, _>(self.isa, self.coords, lod, known, room, Keep)
+        let known = SelectedLevels { levels: read, weight: &weight, addresses: Addresses::Compute };
+        self.plan.sample_fused::<S, _>(self.isa, self.coords, lod, known, scratch, Keep)
     }
 }
 
@@ -190,7 +192,7 @@ fn the_short_way_gives_the_bits_of_the_general_one() {
             };
             let want = sample(&plan);
             assert_eq!(want, sample(&plan.general()), "{}", plan.describe());
-            if plan.gives_colors() {
+            if plan.samples_color() {
                 let coords = coords.each_ref();
                 let (colors, bytes) = isa.run(Taken { isa, plan: &plan, coords });
                 let got = colors.map(bits);
@@ -243,9 +245,14 @@ fn places_that_are_kept_are_those_that_would_be_found() {
         let second = SamplePlan::new(&image(Shape::D2, format, size, 2 * round + 64), sampler);
         // What decides λ, and the bias for who asks for it, differ where nothing else does.
         if !is_like {
-            assert!(!second.reads_like(&first), "{} {}", first.describe(), second.describe());
+            assert!(
+                !second.shares_addresses_with(&first),
+                "{} {}",
+                first.describe(),
+                second.describe()
+            );
         }
-        if !second.reads_like(&first) {
+        if !second.shares_addresses_with(&first) {
             apart += 1;
             continue;
         }
@@ -267,18 +274,18 @@ fn places_that_are_kept_are_those_that_would_be_found() {
                 plan.sample(isa, points.coords, None, lod, &mut out);
                 out.map(bits)
             };
-            let mut room = Room::default();
+            let mut scratch = LookupScratch::default();
             let turns = [
-                (&first, Places::Own),
-                (&second, Places::Kept),
-                (&first, Places::Kept),
-                (&second, Places::Own),
-                (&first, Places::Kept),
+                (&first, Addresses::Compute),
+                (&second, Addresses::Reuse),
+                (&first, Addresses::Reuse),
+                (&second, Addresses::Compute),
+                (&first, Addresses::Reuse),
             ];
-            for (turn, (plan, places)) in turns.into_iter().enumerate() {
-                plan.sample_offset(isa, points, [0; 3], lod, places, &mut room);
+            for (turn, (plan, addresses)) in turns.into_iter().enumerate() {
+                plan.sample_offset(isa, points, [0; 3], lod, addresses, &mut scratch);
                 let what = format!("{} turn {turn}: {}", isa.name(), plan.describe());
-                assert_eq!(room.lanes.map(bits), alone(plan), "{what}");
+                assert_eq!(scratch.lanes.map(bits), alone(plan), "{what}");
             }
         }
     }

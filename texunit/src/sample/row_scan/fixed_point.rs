@@ -1,4 +1,4 @@
-//! Places and weights of rows as integers.
+//! Addresses and weights of rows as integers.
 
 use crate::lanes::Simd;
 use crate::lanes::math::to_i32;

@@ -6,7 +6,7 @@
 use super::footprint::RowScan;
 use super::rows::Rows;
 use crate::lanes::math::{floor_small, min};
-use crate::lanes::{Beside, F32s, I32s, LANES, ONE, Simd, Sums, U32s};
+use crate::lanes::{F32s, I32s, LANES, ONE, SecondTexel, Simd, Sums, U32s};
 use crate::plan::{TexelClass, TexelPath};
 use crate::sample::fast::{channels_of_texel, word_offsets};
 use crate::sample::fetch;
@@ -172,8 +172,8 @@ fn bytes<S: Simd>(view: &LevelView<'_>, rows: &mut Rows, out: &mut [F32s; 4]) {
     let mut sums = Sums::ZERO;
     match LineAddresses::new::<S>(view, rows) {
         Some(LineAddresses { line, along, across }) => {
-            let beside = across.as_ref().map_or(Beside::Next(apart), Beside::Apart);
-            S::weigh_walk(&level.texels, &rows.walk(&line, &along, beside), &mut sums);
+            let beside = across.as_ref().map_or(SecondTexel::Adjacent(apart), SecondTexel::Stride);
+            S::weigh_rows(&level.texels, &rows.walk(&line, &along, beside), &mut sums);
         }
         None => wrapped::<S>(view, rows, &mut sums),
     }

@@ -23,7 +23,7 @@
 //!   texels is as wide as 3/2 of them, so a long footprint takes levels a little finer than a round
 //!   one, for which `λ = log2 σ₁`.
 //!
-//! `conformance/src/oracle/anisotropy.rs` has the same in `f64`. Places and weights are integers
+//! `conformance/src/oracle/anisotropy.rs` has the same in `f64`. Addresses and weights are integers
 //! ([`rows`]), and of formats of bytes so are the sums: exact, whatever the order.
 
 mod fixed_point;

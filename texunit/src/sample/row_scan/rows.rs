@@ -7,7 +7,7 @@
 use super::fixed_point::{MAX_ROWS, to_fixed, to_large_fixed};
 use super::footprint::RowScan;
 use crate::lanes::math::{clamp, min};
-use crate::lanes::{Beside, F32s, I32s, LANES, ONE, Simd, U32s, Walk, weights};
+use crate::lanes::{F32s, I32s, LANES, ONE, RowWalk, SecondTexel, Simd, U32s, weights};
 use crate::sample::level_view::LevelView;
 use crate::sample::wrap::{Axis, fold, modulo};
 use crate::sampler::Wrap;
@@ -154,8 +154,13 @@ impl Rows {
 
     /// All rows at once, from these bytes on.
     #[inline(always)]
-    pub fn walk<'a>(&'a self, line: &'a U32s, along: &'a U32s, beside: Beside<'a>) -> Walk<'a> {
-        Walk {
+    pub fn walk<'a>(
+        &'a self,
+        line: &'a U32s,
+        along: &'a U32s,
+        beside: SecondTexel<'a>,
+    ) -> RowWalk<'a> {
+        RowWalk {
             line,
             along,
             beside,

@@ -4,7 +4,7 @@ use crate::lanes::{F64s, Isa, Kernel, LANES, Simd};
 
 /// What is done to a number.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Change {
+pub enum NumberTransform {
     /// It is taken times a scale, and a bias is added.
     Linear {
         /// The scale.
@@ -39,39 +39,39 @@ pub enum Change {
 const ROUND: f64 = 6_755_399_441_055_744.0;
 
 /// Numbers with something done to them.
-pub fn change(isa: Isa, change: Change, numbers: &F64s, out: &mut F64s) {
-    isa.run(Changed { change, numbers, out });
+pub fn transform(isa: Isa, change: NumberTransform, numbers: &F64s, out: &mut F64s) {
+    isa.run(Transform { change, numbers, out });
 }
 
-struct Changed<'a> {
-    change: Change,
+struct Transform<'a> {
+    change: NumberTransform,
     numbers: &'a F64s,
     out: &'a mut F64s,
 }
 
-impl Kernel for Changed<'_> {
+impl Kernel for Transform<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: Simd>(self) {
         let Self { change, numbers, out } = self;
         match change {
-            Change::Linear { scale, bias } => {
+            NumberTransform::Linear { scale, bias } => {
                 for lane in 0..LANES {
                     out[lane] = numbers[lane] * scale + bias;
                 }
             }
-            Change::Clamp => {
+            NumberTransform::Clamp => {
                 for lane in 0..LANES {
                     out[lane] = numbers[lane].clamp(0.0, 1.0);
                 }
             }
-            Change::SevenBits => {
+            NumberTransform::SevenBits => {
                 for lane in 0..LANES {
                     let byte = numbers[lane].clamp(0.0, 255.0);
                     out[lane] = if byte < 128.0 { byte } else { byte - 128.0 };
                 }
             }
-            Change::Whole { low, high } => {
+            NumberTransform::Whole { low, high } => {
                 for lane in 0..LANES {
                     let up = numbers[lane] + 0.5;
                     let held = if up > low { up } else { low };
@@ -80,12 +80,12 @@ impl Kernel for Changed<'_> {
                     out[lane] = if whole > held { whole - 1.0 } else { whole };
                 }
             }
-            Change::Float => {
+            NumberTransform::Float => {
                 for lane in 0..LANES {
                     out[lane] = f64::from(numbers[lane] as f32);
                 }
             }
-            Change::Ratio { over, times } => {
+            NumberTransform::Ratio { over, times } => {
                 for lane in 0..LANES {
                     out[lane] = numbers[lane] / over * times;
                 }

@@ -1,6 +1,6 @@
 //! How a pixel lies in memory.
 
-use super::Code;
+use super::NumberEncoding;
 use crate::format::{Encoding, Field, Format};
 use crate::lanes::{Isa, Kernel, LANES, Simd, U32s};
 
@@ -16,18 +16,18 @@ pub enum ByteOrder {
 /// How a pixel lies in memory: one to four words of one size, and where in them its numbers are. Words of one or
 /// three bytes are alone.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Record {
+pub struct PixelLayout {
     /// Bytes of a word, 1 to 4.
     size: usize,
     words: usize,
     order: ByteOrder,
-    fields: [(Field, Code); 4],
+    fields: [(Field, NumberEncoding); 4],
     count: usize,
 }
 
-impl Record {
+impl PixelLayout {
     /// Numbers one after the other, each of as many bytes (1, 2 or 4).
-    pub fn uniform(count: usize, size: usize, code: Code, order: ByteOrder) -> Self {
+    pub fn uniform(count: usize, size: usize, code: NumberEncoding, order: ByteOrder) -> Self {
         let bits = 8 * size as u32;
         // How many share a word: several where that word is as they are in memory.
         let shared = match order {
@@ -46,8 +46,13 @@ impl Record {
     }
 
     /// Words of `size` bytes with these numbers in them, one to four.
-    pub fn packed(size: usize, words: usize, order: ByteOrder, numbers: &[(Field, Code)]) -> Self {
-        let none = (Field { word: 0, shift: 0, bits: 0 }, Code::Uint);
+    pub fn packed(
+        size: usize,
+        words: usize,
+        order: ByteOrder,
+        numbers: &[(Field, NumberEncoding)],
+    ) -> Self {
+        let none = (Field { word: 0, shift: 0, bits: 0 }, NumberEncoding::Uint);
         let mut fields = [none; 4];
         for (to, &from) in fields.iter_mut().zip(numbers) {
             *to = from;
@@ -61,13 +66,13 @@ impl Record {
     pub fn of(format: Format) -> Self {
         let info = format.info();
         let code = match info.encoding {
-            Encoding::Unorm | Encoding::Srgb => Code::Unorm,
-            Encoding::Snorm => Code::Snorm,
-            Encoding::Float if format.is_depth() => Code::Depth,
-            Encoding::Float => Code::Float,
-            Encoding::SharedExponent => Code::SharedExponent,
-            Encoding::Uint => Code::Uint,
-            Encoding::Sint => Code::Sint,
+            Encoding::Unorm | Encoding::Srgb => NumberEncoding::Unorm,
+            Encoding::Snorm => NumberEncoding::Snorm,
+            Encoding::Float if format.is_depth() => NumberEncoding::Depth,
+            Encoding::Float => NumberEncoding::Float,
+            Encoding::SharedExponent => NumberEncoding::SharedExponent,
+            Encoding::Uint => NumberEncoding::Uint,
+            Encoding::Sint => NumberEncoding::Sint,
             Encoding::Block(_) | Encoding::SrgbBlock(_) => {
                 return Self::packed(4, format.words(), ByteOrder::Little, &[]);
             }
@@ -83,8 +88,8 @@ impl Record {
             return Self::uniform(channels, bits as usize / 8, code, ByteOrder::Little);
         }
         let channels = info.fields.into_iter().take(channels).map(|field| (field, code));
-        let stencil = format.has_stencil().then_some((info.stencil, Code::Uint));
-        let numbers: Vec<(Field, Code)> = channels.chain(stencil).collect();
+        let stencil = format.has_stencil().then_some((info.stencil, NumberEncoding::Uint));
+        let numbers: Vec<(Field, NumberEncoding)> = channels.chain(stencil).collect();
         Self::packed(info.bytes.min(4), format.words(), ByteOrder::Little, &numbers)
     }
 
@@ -93,7 +98,7 @@ impl Record {
         let mut record = Self::of(format);
         for (channel, (_, code)) in record.fields.iter_mut().enumerate().take(format.channels()) {
             if format.is_srgb_channel(channel) {
-                *code = Code::Srgb;
+                *code = NumberEncoding::Srgb;
             }
         }
         record
@@ -105,10 +110,16 @@ impl Record {
         let mut record = Self::of_light(format);
         for (_, code) in &mut record.fields {
             *code = match *code {
-                Code::Unorm => Code::Uint,
-                Code::Snorm => Code::SnormSteps,
-                Code::Fixed | Code::Srgb | Code::Uint | Code::Sint => *code,
-                Code::Float | Code::Depth | Code::SharedExponent | Code::SnormSteps => *code,
+                NumberEncoding::Unorm => NumberEncoding::Uint,
+                NumberEncoding::Snorm => NumberEncoding::SnormSteps,
+                NumberEncoding::Fixed
+                | NumberEncoding::Srgb
+                | NumberEncoding::Uint
+                | NumberEncoding::Sint => *code,
+                NumberEncoding::Float
+                | NumberEncoding::Depth
+                | NumberEncoding::SharedExponent
+                | NumberEncoding::SnormSteps => *code,
             };
         }
         record
@@ -116,7 +127,7 @@ impl Record {
 
     /// The stencil of a texel alone; without numbers where it has none.
     pub fn of_stencil(format: Format) -> Self {
-        let stencil = (format.info().stencil, Code::Uint);
+        let stencil = (format.info().stencil, NumberEncoding::Uint);
         let numbers = if format.has_stencil() { &[stencil][..] } else { &[] };
         Self::packed(format.bytes().min(4), format.words(), ByteOrder::Little, numbers)
     }
@@ -128,15 +139,15 @@ impl Record {
 
     /// Where its numbers are, and what they are.
     #[inline(always)]
-    pub fn fields(&self) -> &[(Field, Code)] {
+    pub fn fields(&self) -> &[(Field, NumberEncoding)] {
         &self.fields[..self.count]
     }
 
     /// The first of numbers that share an exponent.
     #[inline(always)]
-    pub(super) fn shared_exponent(&self) -> Option<(Field, Code)> {
+    pub(super) fn shared_exponent(&self) -> Option<(Field, NumberEncoding)> {
         let first = self.fields[0];
-        (first.1 == Code::SharedExponent).then_some(first)
+        (first.1 == NumberEncoding::SharedExponent).then_some(first)
     }
 
     /// Whether the words lie in memory as another's do.
@@ -164,7 +175,7 @@ impl Record {
         isa.run(Store { record: self, words, bytes });
     }
 
-    /// [`Record::load`] of whatever words.
+    /// [`PixelLayout::load`] of whatever words.
     #[inline(never)]
     fn load_any(&self, bytes: &[u8], words: &mut [U32s; 4]) {
         match self.size {
@@ -198,7 +209,7 @@ impl Record {
         }
     }
 
-    /// [`Record::store`] of whatever words.
+    /// [`PixelLayout::store`] of whatever words.
     #[inline(never)]
     fn store_any(&self, words: &mut [U32s; 4], bytes: &mut [u8]) {
         self.put_in_order(words);
@@ -242,9 +253,9 @@ impl Record {
     }
 }
 
-/// [`Record::load`].
+/// [`PixelLayout::load`].
 pub(super) struct Load<'a> {
-    pub record: &'a Record,
+    pub record: &'a PixelLayout,
     pub bytes: &'a [u8],
     pub words: &'a mut [U32s; 4],
 }
@@ -279,9 +290,9 @@ fn load<const COUNT: usize>(bytes: &[u8], words: &mut [U32s; 4]) -> Option<()> {
     Some(())
 }
 
-/// [`Record::store`].
+/// [`PixelLayout::store`].
 pub(super) struct Store<'a> {
-    pub record: &'a Record,
+    pub record: &'a PixelLayout,
     pub words: &'a mut [U32s; 4],
     pub bytes: &'a mut [u8],
 }

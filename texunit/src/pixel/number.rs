@@ -13,7 +13,7 @@ use crate::lanes::{F64s, LANES, U32s};
 
 /// What number the bits of a field are. `n` is the field's width in bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Code {
+pub enum NumberEncoding {
     /// `c / (2^n - 1)` (GL 2.1, table 2.9).
     Unorm,
     /// `(2c + 1) / (2^n - 1)` of `c` in two's complement (GL 2.1, table 2.9).
@@ -74,7 +74,7 @@ fn inverse(largest: f64) -> [f64; 2] {
     [high, (1.0 - high * largest) / largest]
 }
 
-impl Code {
+impl NumberEncoding {
     /// Whether its numbers are whole.
     #[inline(always)]
     pub fn is_integer(self) -> bool {

@@ -11,22 +11,22 @@ pub const ONE: i32 = 1 << 14;
 
 /// Where the second texel of a row is.
 #[derive(Clone, Copy, Debug)]
-pub enum Beside<'a> {
+pub enum SecondTexel<'a> {
     /// Right after the first, of so many bytes: 1 to 4.
-    Next(u32),
+    Adjacent(u32),
     /// So many bytes after it, in each lane; texels have up to four.
-    Apart(&'a U32s),
+    Stride(&'a U32s),
 }
 
 /// The rows of 64 lanes.
 #[derive(Clone, Copy, Debug)]
-pub struct Walk<'a> {
+pub struct RowWalk<'a> {
     /// The byte where the first row begins.
     pub line: &'a U32s,
     /// Bytes from row to row.
     pub along: &'a U32s,
     /// The second texel.
-    pub beside: Beside<'a>,
+    pub beside: SecondTexel<'a>,
     /// 2^16 times the place in the first row: its integer is the number of the first texel.
     pub place: &'a I32s,
     /// How far the place moves from row to row.
@@ -55,7 +55,7 @@ pub fn weights(place: i32, rest: i32, before: i32, even: i32) -> u32 {
 
 /// Row by row.
 #[inline(always)]
-pub(super) fn by_rows<S: Simd>(bytes: &[u8], walk: &Walk<'_>, sums: &mut Sums) {
+pub(super) fn by_rows<S: Simd>(bytes: &[u8], walk: &RowWalk<'_>, sums: &mut Sums) {
     let last = walk.last_offset(bytes);
     let (mut line, mut place, mut rest) = (*walk.line, *walk.place, *walk.rest);
     for row in 0..walk.rows {
@@ -66,7 +66,7 @@ pub(super) fn by_rows<S: Simd>(bytes: &[u8], walk: &Walk<'_>, sums: &mut Sums) {
             weighed[lane] = weights(place[lane], rest[lane], before, walk.even[lane]);
         }
         match walk.beside {
-            Beside::Next(size) => {
+            SecondTexel::Adjacent(size) => {
                 for lane in 0..LANES {
                     let number = (place[lane] >> 16) as u32;
                     first[lane] = held(line[lane].wrapping_add(number.wrapping_mul(size)), last);
@@ -82,7 +82,7 @@ pub(super) fn by_rows<S: Simd>(bytes: &[u8], walk: &Walk<'_>, sums: &mut Sums) {
                     S::weigh(&texels, &second, &weighed, sums);
                 }
             }
-            Beside::Apart(apart) => {
+            SecondTexel::Stride(apart) => {
                 let mut second = U32s::ZERO;
                 for lane in 0..LANES {
                     let number = (place[lane] >> 16) as u32;
@@ -107,11 +107,11 @@ fn held(offset: u32, last: u32) -> u32 {
     if offset < last { offset } else { last }
 }
 
-impl Walk<'_> {
+impl RowWalk<'_> {
     /// Whether both texels of a row are read at once.
     #[inline(always)]
     fn in_pairs(&self) -> bool {
-        matches!(self.beside, Beside::Next(3..))
+        matches!(self.beside, SecondTexel::Adjacent(3..))
     }
 
     /// The last offset from which all bytes of a read are there.
@@ -130,15 +130,15 @@ impl Walk<'_> {
 /// AVX2 is there.
 #[cfg(target_arch = "x86_64")]
 #[inline(always)]
-pub(super) unsafe fn avx2(bytes: &[u8], walk: &Walk<'_>, sums: &mut Sums) {
+pub(super) unsafe fn avx2(bytes: &[u8], walk: &RowWalk<'_>, sums: &mut Sums) {
     use super::gather::x86::{eight_words, four_pairs};
     use super::weigh::x86::{avx2_places, avx2_sum};
     use std::arch::x86_64::*;
     let last = walk.last_offset(bytes);
     let base = bytes.as_ptr();
     let (size, apart) = match walk.beside {
-        Beside::Next(size) => (size, None),
-        Beside::Apart(apart) => (4, Some(apart)),
+        SecondTexel::Adjacent(size) => (size, None),
+        SecondTexel::Stride(apart) => (4, Some(apart)),
     };
     let pairs = walk.in_pairs();
     // Offsets go through memory, from where each is an address.
@@ -229,14 +229,14 @@ pub(super) unsafe fn avx2(bytes: &[u8], walk: &Walk<'_>, sums: &mut Sums) {
 /// AVX-512F and AVX-512BW are there.
 #[cfg(target_arch = "x86_64")]
 #[inline(always)]
-pub(super) unsafe fn avx512(bytes: &[u8], walk: &Walk<'_>, sums: &mut Sums) {
+pub(super) unsafe fn avx512(bytes: &[u8], walk: &RowWalk<'_>, sums: &mut Sums) {
     use super::weigh::x86::{avx512_places, avx512_sum};
     use std::arch::x86_64::*;
     let last = walk.last_offset(bytes);
     let base = bytes.as_ptr();
     let (size, apart) = match walk.beside {
-        Beside::Next(size) => (size, None),
-        Beside::Apart(apart) => (4, Some(apart)),
+        SecondTexel::Adjacent(size) => (size, None),
+        SecondTexel::Stride(apart) => (4, Some(apart)),
     };
     let pairs = walk.in_pairs();
     for at in (0..LANES).step_by(16) {
@@ -331,13 +331,13 @@ mod tests {
     use super::*;
     use crate::lanes::{Isa, Kernel};
 
-    struct Along<'a>(&'a [u8], Walk<'a>);
+    struct Along<'a>(&'a [u8], RowWalk<'a>);
     impl Kernel for Along<'_> {
         type Output = Vec<I32s>;
         #[inline(always)]
         fn run<S: Simd>(self) -> Vec<I32s> {
             let mut sums = Sums::ZERO;
-            S::weigh_walk(self.0, &self.1, &mut sums);
+            S::weigh_rows(self.0, &self.1, &mut sums);
             (0..3).map(|byte| sums.of_byte(byte)).collect()
         }
     }
@@ -351,12 +351,17 @@ mod tests {
         let place = I32s::from_fn(|lane| (lane as i32 - 32) << 24 | 0x1234);
         let (step, even) = (I32s::splat(0x0123_4567), I32s::ZERO);
         let (rest, before) = (I32s::splat(5 * ONE / 2), I32s::splat(ONE / 3));
-        for beside in [Beside::Next(1), Beside::Next(3), Beside::Next(4), Beside::Apart(&apart)] {
+        for beside in [
+            SecondTexel::Adjacent(1),
+            SecondTexel::Adjacent(3),
+            SecondTexel::Adjacent(4),
+            SecondTexel::Stride(&apart),
+        ] {
             for length in [8, 9, 67] {
                 let bytes: Box<[u8]> = (0..length).map(|at| (at * 29) as u8).collect();
                 let (line, along, place, step) = (&line, &along, &place, &step);
                 let (rest, before, even, rows) = (&rest, &before, &even, 3);
-                let walk = Walk { line, along, beside, place, step, rest, before, even, rows };
+                let walk = RowWalk { line, along, beside, place, step, rest, before, even, rows };
                 let want = Isa::BASELINE.run(Along(&bytes, walk));
                 for isa in Isa::available() {
                     let got = isa.run(Along(&bytes, walk));
