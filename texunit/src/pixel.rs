@@ -1,8 +1,8 @@
 //! Pixels in memory, a client's or a texture's, as numbers: 64 at a time.
 //!
-//! A [`PixelLayout`] says how a pixel lies in memory: as one to four words, whose [`Field`](crate::format::Field)s are numbers in a
-//! [`NumberEncoding`]. [`read`] and [`write`] are the way through `f64`, which holds every number of GL's types;
-//! where two records have the same bits in whatever places, [`BitMoves`] takes them over.
+//! A [`PixelLayout`] describes a pixel in memory: one to four words, whose [`Field`](crate::format::Field)s are numbers in
+//! a [`NumberEncoding`]. [`read`] and [`write`] convert through `f64`, which holds every number of GL's types. Where two
+//! layouts have the same bits at different positions, [`BitMoves`] moves them without conversion.
 
 pub mod boxes;
 mod layout;

@@ -1,7 +1,7 @@
-//! One decision per draw: how this image is sampled with this sampler.
+//! The plan of a texture: how an image is sampled with a sampler, decided once per draw.
 //!
-//! A plan is data that is chosen before anything is sampled. It calls no kernel; the kernels that read it are in
-//! [`crate::sample`], which has the methods of [`SamplePlan`] that sample.
+//! A plan is data and calls no kernel. The kernels that read it, and the methods of [`SamplePlan`] that sample, are in
+//! [`crate::sample`].
 
 mod describe;
 mod lod_range;
@@ -21,30 +21,30 @@ use crate::sampler::Sampler;
 use std::sync::Arc;
 use texture::layers;
 
-/// An image and a sampler, with every decision taken. Keeps the levels it reaches alive.
+/// An image with a sampler, and all decisions of how it is sampled. Holds references to the levels that it reads.
 #[derive(Clone, Debug)]
 pub struct SamplePlan(Result<Texture, Incomplete>);
 
 impl SamplePlan {
-    /// Decides. An incomplete image gives a plan that returns (0, 0, 0, 1) everywhere (GL 2.1,
-    /// section 3.8.10); ask the image for the reason.
+    /// Makes the plan. The plan of an incomplete image returns (0, 0, 0, 1) everywhere (GL 2.1,
+    /// section 3.8.10); [`Self::incomplete`] has the reason.
     pub fn new(image: &Image, sampler: &Sampler) -> Self {
         Self(Texture::new(image, sampler))
     }
 
-    /// The same plan with alpha left out, where it is 1 in every texel; else, and where it is left out already, none.
-    /// Reads all texels to know, which a second draw makes up for.
+    /// The plan without filtering of alpha, if alpha is 1 in every texel. `None` if it is not, or if alpha is not filtered
+    /// already. Scans the texels, so it pays only for textures that are drawn with more than once.
     pub fn without_alpha(&self) -> Option<Self> {
         let texture = self.texture().filter(|texture| texture.has_alpha_to_leave_out())?;
         Some(Self(Ok(Texture { alpha: Alpha::One, ..texture.clone() })))
     }
 
-    /// Why the image cannot be sampled, if it cannot.
+    /// Why the image is incomplete, if it is.
     pub fn incomplete(&self) -> Option<&Incomplete> {
         self.0.as_ref().err()
     }
 
-    /// Whether λ is computed. Where it is not, the derivatives of coordinates do not matter.
+    /// Whether λ is computed. If not, derivatives of coordinates are not used.
     pub fn needs_lod(&self) -> bool {
         match &self.0 {
             Ok(texture) => matches!(texture.level_selection, LevelSelection::PerLane { .. }),
@@ -52,12 +52,12 @@ impl SamplePlan {
         }
     }
 
-    /// Whether [`Self::sample_fused`] may be lanes: the image is complete, and what it gives is not compared.
+    /// Whether [`Self::sample_fused`] may be called: the image is complete, and there is no depth compare.
     pub fn samples_color(&self) -> bool {
         self.0.as_ref().is_ok_and(|texture| texture.compare.is_none())
     }
 
-    /// The decisions in one line.
+    /// The decisions in one line of text.
     pub fn describe(&self) -> String {
         match &self.0 {
             Ok(texture) => texture.describe(),
@@ -65,8 +65,8 @@ impl SamplePlan {
         }
     }
 
-    /// Whether a lookup reads the same levels at the same places as one of `other` with the same points, offset and
-    /// level of detail does: whether [`Addresses::Reuse`] can be asked for.
+    /// Whether a lookup may use [`Addresses::Reuse`](crate::sample::Addresses::Reuse) after a lookup of `other` with the
+    /// same points, offset and level of detail: both read the same levels at the same byte offsets.
     pub fn shares_addresses_with(&self, other: &Self) -> bool {
         let (Ok(one), Ok(other)) = (&self.0, &other.0) else { return false };
         let of = |level: &Arc<Level>| (level.size(), level.border, level.format.bytes());
@@ -79,7 +79,7 @@ impl SamplePlan {
     }
 
     /// Width, height and depth of a level counted from the base level (`textureSize`); the number
-    /// of layers comes after the sizes of what is filtered along. 0 where there is no such level.
+    /// of layers follows the sizes along the filtered axes. 0 if there is no such level.
     pub fn size(&self, level: &I32s) -> [I32s; 3] {
         let mut out = [I32s::ZERO; 3];
         let Ok(texture) = &self.0 else { return out };
@@ -98,7 +98,7 @@ impl SamplePlan {
         out
     }
 
-    /// The same plan without its quicker kernels.
+    /// The plan without fast paths.
     pub(crate) fn general(&self) -> Self {
         let texel_path = TexelPath::General;
         Self(self.0.clone().map(|texture| {

@@ -1,7 +1,7 @@
-//! How one lane of a batch is sampled, step by step, with the numbers of the sample itself.
+//! The record of how one lane was sampled: plain data.
 //!
-//! [`SamplePlan::trace`](crate::plan::SamplePlan::trace) runs the general kernels with a recorder in them; a sample runs the same
-//! code without one. So a trace cannot differ from what was drawn.
+//! [`SamplePlan::trace`](crate::plan::SamplePlan::trace) runs the general kernel with a recorder. Sampling runs the same
+//! code without one, so a trace cannot differ from what was drawn.
 
 use crate::sampler::{Compare, Filter};
 
@@ -17,7 +17,7 @@ pub enum SampleStep {
     },
     /// The layer of an array texture: the nearest, held in range.
     Layer(u32),
-    /// λ decides nothing.
+    /// λ has no effect.
     Fixed {
         /// The filter of every sample.
         filter: Filter,

@@ -1,4 +1,4 @@
-//! Compressed levels whole: rows of texels out of blocks, and blocks of the texels of a level.
+//! Compressed levels: decoding a row of texels, compressing a whole level.
 
 use super::Level;
 use crate::lanes::{F32s, Isa, Kernel, LANES, Simd, U32s};

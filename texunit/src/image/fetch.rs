@@ -1,4 +1,4 @@
-//! 64 texels of a level of any format: the general path, which every quicker one must equal.
+//! Loads 64 texels of a level of any format: the general path, to which every fast path is bit-equal.
 
 use super::Level;
 use crate::format::{Encoding, Field, block, convert};
@@ -61,7 +61,7 @@ impl Level {
 
 impl Level {
     /// The stored channels of 64 texels; those of integer formats are their bits. `at` as in [`Level::fetch_lanes`].
-    /// A function of its own: what knows all formats is large.
+    /// Outlined: the code of all formats is large.
     ///
     /// # Panics
     /// As [`Level::fetch_lanes`].

@@ -54,7 +54,7 @@ pub(super) fn bytes(words: &U32s, shift: u32) -> U32s {
     out
 }
 
-// The baseline's are functions by themselves: they take on no instruction set, and stand in many places.
+// Those of the baseline are not inlined: they need no instruction set, and are used in many places.
 
 #[inline(never)]
 pub(super) fn scalar(bytes: &[u8], offsets: &U32s) -> U32s {
@@ -125,7 +125,7 @@ mod tests {
         }
     }
 
-    /// A way to gather; as a call and in place.
+    /// A gather operation, outlined and inlined.
     #[derive(Clone, Copy, Debug)]
     enum Way {
         Words,
@@ -206,7 +206,7 @@ mod tests {
         }
     }
 
-    // Here and below, allocations of their own: whoever reads past the end of one is noticed by Miri.
+    // Here and below, separate allocations, so that Miri detects a read past the end.
 
     #[test]
     fn a_gather_takes_the_last_bytes() {

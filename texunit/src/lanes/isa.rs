@@ -118,7 +118,7 @@ impl Isa {
         }
     }
 
-    /// Whether kernels have shorter ways on it, see [`Simd::WIDE`].
+    /// Whether kernels have fast paths on it, see [`Simd::WIDE`](super::Simd::WIDE).
     pub fn is_wide(self) -> bool {
         self != Self::BASELINE
     }
@@ -139,8 +139,8 @@ impl Isa {
 }
 
 impl Isa {
-    /// As [`Self::run`], but gives the kernel back where it would be compiled for the baseline: for
-    /// those that are large, and there already in another form.
+    /// As [`Self::run`], but returns the kernel on the baseline: for large kernels that the baseline has in another
+    /// form.
     #[inline]
     pub(crate) fn run_above_baseline<K: Kernel>(self, kernel: K) -> Result<K::Output, K> {
         match self.0 {

@@ -5,8 +5,8 @@
 //! baseline, AVX2 and AVX-512 by [`Isa::run`]; everything it calls on the hot path is
 //! `#[inline(always)]`, so that it takes on the instruction set of its caller.
 //!
-//! This module is one of the two places in DetGL where `unsafe` is allowed (the other is the C
-//! ABI): it calls functions compiled for instruction sets that were detected, and gathers.
+//! `docs/lanes.md` is the guide to changing a kernel. This module is one of the two places in DetGL where `unsafe` is
+//! allowed (the other is the C ABI): it calls functions compiled for detected instruction sets, and reads unchecked.
 //!
 //! # Lane order: quad-planar
 //!

@@ -1,7 +1,7 @@
-//! A walk over rows of texels of bytes, two neighbours of each, with their weighted sums.
+//! Weighted sums over rows of texels of bytes, two adjacent texels per row.
 //!
-//! One row is a few dozen operations on what would be a dozen batches: AVX keeps it all in registers, 8 or
-//! 16 lanes at a time. Everything is integers, so the way does not matter.
+//! With AVX the state of 8 or 16 lanes stays in registers over all rows. All numbers are integers, so the order of
+//! operations does not matter.
 
 use super::weigh::Sums;
 use super::{I32s, LANES, Simd, U32s};
@@ -9,36 +9,35 @@ use super::{I32s, LANES, Simd, U32s};
 /// All of a row's weight.
 pub const ONE: i32 = 1 << 14;
 
-/// Where the second texel of a row is.
+/// The position of the second texel of a row.
 #[derive(Clone, Copy, Debug)]
 pub enum SecondTexel<'a> {
-    /// Right after the first, of so many bytes: 1 to 4.
+    /// Adjacent to the first; texels have this many bytes, 1 to 4.
     Adjacent(u32),
-    /// So many bytes after it, in each lane; texels have up to four.
+    /// This many bytes after the first, per lane; texels have up to four.
     Stride(&'a U32s),
 }
 
 /// The rows of 64 lanes.
 #[derive(Clone, Copy, Debug)]
 pub struct RowWalk<'a> {
-    /// The byte where the first row begins.
+    /// Byte offset of the first row.
     pub line: &'a U32s,
-    /// Bytes from row to row.
+    /// Byte stride between rows.
     pub along: &'a U32s,
     /// The second texel.
     pub beside: SecondTexel<'a>,
-    /// 2^16 times the place in the first row: its integer is the number of the first texel.
+    /// 2^16 times the position in the first row: its integer part is the first texel.
     pub place: &'a I32s,
-    /// How far the place moves from row to row.
+    /// Change of the position from row to row.
     pub step: &'a I32s,
-    /// How much there is of the rows, in units of [`ONE`]; the first row's part before `before`
-    /// included.
+    /// The length of the rows, in units of [`ONE`], including `before`.
     pub rest: &'a I32s,
-    /// How much of the first row does not count.
+    /// The part of the first row that does not count, in units of [`ONE`].
     pub before: &'a I32s,
-    /// What each of the two texels weighs at least, in units of [`ONE`].
+    /// The minimum weight of each of the two texels, in units of [`ONE`].
     pub even: &'a I32s,
-    /// How many rows are walked.
+    /// Number of rows.
     pub rows: u32,
 }
 
@@ -127,7 +126,7 @@ impl RowWalk<'_> {
 /// are unpacked.
 ///
 /// # Safety
-/// AVX2 is there.
+/// The processor must have AVX2.
 #[cfg(target_arch = "x86_64")]
 #[inline(always)]
 pub(super) unsafe fn avx2(bytes: &[u8], walk: &RowWalk<'_>, sums: &mut Sums) {
@@ -226,7 +225,7 @@ pub(super) unsafe fn avx2(bytes: &[u8], walk: &RowWalk<'_>, sums: &mut Sums) {
 /// 16 lanes at a time, with sums in registers.
 ///
 /// # Safety
-/// AVX-512F and AVX-512BW are there.
+/// The processor must have AVX-512F and AVX-512BW.
 #[cfg(target_arch = "x86_64")]
 #[inline(always)]
 pub(super) unsafe fn avx512(bytes: &[u8], walk: &RowWalk<'_>, sums: &mut Sums) {
@@ -342,7 +341,7 @@ mod tests {
         }
     }
 
-    /// Allocations of their own: whoever reads past the end of one is noticed by Miri.
+    /// Separate allocations, so that Miri detects a read past the end.
     #[test]
     fn a_walk_leads_nowhere_but_over_its_bytes() {
         let line = U32s::from_fn(|lane| (lane as u32).wrapping_mul(0x1234_5679));

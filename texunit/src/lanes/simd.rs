@@ -1,4 +1,4 @@
-//! What a kernel is, and the operations that instruction sets ([`super::isa`]) give it.
+//! The traits of kernels, and of the operations that an instruction set ([`super::isa`]) provides.
 
 use super::row_walk::{self, RowWalk};
 use super::weigh::Sums;
@@ -8,9 +8,9 @@ use super::{gather, math};
 /// One body of loops over lanes, compiled once per instruction set.
 ///
 /// `run`, and every function it calls on the hot path, must be `#[inline(always)]`: only what is
-/// inlined takes on the instruction set. What is not inlined is still right, only slower.
+/// inlined is compiled for the instruction set. What is not is correct, but slow.
 pub trait Kernel {
-    /// What the kernel gives back.
+    /// The kernel's result.
     type Output;
     /// The body. `S` provides the few operations that LLVM does not find by itself.
     fn run<S: Simd>(self) -> Self::Output;
@@ -18,15 +18,13 @@ pub trait Kernel {
 
 /// The operations that plain loops do not reach on every instruction set.
 pub trait Simd: Copy + private::Sealed {
-    /// Whether it is worth the size of a kernel to have a shorter way beside one that does as well.
+    /// Whether kernels should have fast paths beside the general code. False on the baseline, for code size.
     const WIDE: bool;
 
-    /// Runs a kernel of the same instruction set as a function of its own: for what is large, and stands in
-    /// many places.
+    /// Calls a kernel of the same instruction set without inlining it: for large code that is used in many places.
     fn outlined<K: Kernel>(kernel: K) -> K::Output;
 
-    /// Runs a kernel in place where the instruction set is a wide one, for speed, else as a function of its own,
-    /// for size.
+    /// Inlines a kernel if the instruction set is wide, else calls it.
     #[inline(always)]
     fn outlined_unless_wide<K: Kernel>(kernel: K) -> K::Output {
         if Self::WIDE { kernel.run::<Self>() } else { Self::outlined(kernel) }
@@ -41,8 +39,7 @@ pub trait Simd: Copy + private::Sealed {
         Self::outlined(gather::Words { bytes, offsets })
     }
 
-    /// Reads the eight bytes at each byte offset as two little-endian words: two neighbouring
-    /// texels for the price of one.
+    /// Reads the eight bytes at each byte offset as two little-endian words: two adjacent texels of four bytes.
     ///
     /// # Panics
     /// When an offset's eight bytes are not all inside `bytes`.
@@ -57,14 +54,13 @@ pub trait Simd: Copy + private::Sealed {
     /// When an offset's sixteen bytes are not all inside `bytes`.
     fn gather_fours(bytes: &[u8], offsets: &U32s) -> [U32s; 4];
 
-    /// [`Simd::gather`] without a call: a kilobyte in each place.
+    /// [`Simd::gather`], inlined: a kilobyte of code per use.
     fn gather_inline(bytes: &[u8], offsets: &U32s) -> U32s;
 
-    /// [`Simd::gather_pairs`] without a call: a kilobyte in each place.
+    /// [`Simd::gather_pairs`], inlined: a kilobyte of code per use.
     fn gather_pairs_inline(bytes: &[u8], offsets: &U32s) -> [U32s; 2];
 
-    /// [`Simd::gather_pairs_inline`] of each byte offset, and of `apart` bytes further: two neighbours, and the two
-    /// above them.
+    /// [`Simd::gather_pairs_inline`] at each byte offset, and `apart` bytes further: the 2×2 texels of a linear filter.
     ///
     /// # Panics
     /// When not all of these bytes are inside `bytes`.
@@ -87,8 +83,7 @@ pub trait Simd: Copy + private::Sealed {
     /// When an offset's eight bytes are not all inside `bytes`.
     fn weigh_pairs(bytes: &[u8], offsets: &U32s, apart: u32, weights: &U32s, sums: &mut Sums);
 
-    /// [`Simd::weigh`] of the texels that a walk over rows comes by. Reads beyond `bytes` are of the
-    /// last ones.
+    /// [`Simd::weigh`] of the texels of a row walk. Offsets beyond the end are clamped to the last read inside `bytes`.
     ///
     /// # Panics
     /// When `bytes` are fewer than one read (eight, where texels of 3 or 4 bytes are neighbours, else
@@ -104,10 +99,10 @@ pub trait Simd: Copy + private::Sealed {
     /// When an index is not inside `table`.
     fn gather_f32(table: &[f32], indices: &U32s) -> F32s;
 
-    /// The largest of the 64.
+    /// The largest lane.
     fn largest(words: &U32s) -> u32;
 
-    /// The smallest of the 64.
+    /// The smallest lane.
     #[inline(always)]
     fn smallest(words: &U32s) -> u32 {
         let mut turned = U32s::ZERO;
@@ -126,7 +121,7 @@ pub trait Simd: Copy + private::Sealed {
         Self::largest(words) < bound
     }
 
-    /// Which lanes are not 0, bit by lane.
+    /// One bit per lane: whether it is not 0.
     fn nonzero(words: &U32s) -> u64;
 
     /// Reads `table[word >> shift & 0xFF]` in each lane; `shift` is 0, 8, 16 or 24.

@@ -1,4 +1,4 @@
-//! How a pixel lies in memory.
+//! The layout of a pixel in memory.
 
 use super::NumberEncoding;
 use crate::format::{Encoding, Field, Format};
@@ -13,8 +13,8 @@ pub enum ByteOrder {
     Big,
 }
 
-/// How a pixel lies in memory: one to four words of one size, and where in them its numbers are. Words of one or
-/// three bytes are alone.
+/// The layout of a pixel in memory: one to four words of one size, and the fields of its numbers. A pixel with words of
+/// one or three bytes has one word.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PixelLayout {
     /// Bytes of a word, 1 to 4.
@@ -29,7 +29,7 @@ impl PixelLayout {
     /// Numbers one after the other, each of as many bytes (1, 2 or 4).
     pub fn uniform(count: usize, size: usize, code: NumberEncoding, order: ByteOrder) -> Self {
         let bits = 8 * size as u32;
-        // How many share a word: several where that word is as they are in memory.
+        // How many numbers share a word: several where the word has their order in memory.
         let shared = match order {
             ByteOrder::Big if size > 1 => 1,
             ByteOrder::Little | ByteOrder::Big if count * size <= 4 => count,
@@ -62,7 +62,7 @@ impl PixelLayout {
     }
 
     /// A texel: its stored channels, and the stencil behind a depth. Colours are as stored, sRGB too
-    /// (`EXT_texture_sRGB`). Of a compressed format a record without numbers.
+    /// (`EXT_texture_sRGB`). A compressed format has a layout without numbers.
     pub fn of(format: Format) -> Self {
         let info = format.info();
         let code = match info.encoding {
@@ -195,7 +195,7 @@ impl PixelLayout {
         word: impl Fn([u8; SIZE]) -> u32,
     ) {
         let (elements, _) = bytes.as_chunks::<SIZE>();
-        // Those of one or three bytes are alone.
+        // Pixels with words of one or three bytes have one word.
         if self.words == 1 || SIZE % 2 == 1 {
             for (out, &element) in words[0].0.iter_mut().zip(elements) {
                 *out = word(element);
@@ -229,7 +229,7 @@ impl PixelLayout {
         element: impl Fn([u8; 4]) -> [u8; SIZE],
     ) {
         let (elements, _) = bytes.as_chunks_mut::<SIZE>();
-        // Those of one or three bytes are alone.
+        // Pixels with words of one or three bytes have one word.
         if self.words == 1 || SIZE % 2 == 1 {
             for (to, word) in elements.iter_mut().zip(&words[0].0) {
                 *to = element(word.to_le_bytes());
@@ -243,7 +243,7 @@ impl PixelLayout {
         }
     }
 
-    /// From words as they lie in memory to numbers, and back: where the highest byte comes first, they are turned.
+    /// Swaps the bytes of big-endian words.
     fn put_in_order(&self, words: &mut [U32s; 4]) {
         if self.order == ByteOrder::Big {
             for word in words.iter_mut().take(self.words).flat_map(|words| &mut words.0) {

@@ -1,11 +1,11 @@
-//! Pixels whose numbers have the same bits in another record, in whatever places: they are moved as they are.
+//! Moves of bits between pixel layouts whose numbers are encoded alike, without conversion.
 
 use super::numbers::Write;
 use super::{NumberEncoding, PixelLayout};
 use crate::format::Field;
 use crate::lanes::{F64s, Isa, Kernel, LANES, Simd, U32s};
 
-/// Where a number of a pixel comes from.
+/// The source of a number of a pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Source {
     /// The number of this field.
@@ -16,7 +16,7 @@ pub enum Source {
     One,
 }
 
-/// Bits of a word: turned to the left, and those of the mask taken.
+/// Bits of a word: rotated to the left, then masked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct FieldMove {
     from: usize,
@@ -25,19 +25,19 @@ struct FieldMove {
     mask: u32,
 }
 
-/// How the words of one record come from those of another, without arithmetic.
+/// The moves that make the words of one layout from those of another.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct BitMoves {
     moves: Vec<FieldMove>,
-    /// The bits of each word that are always the same.
+    /// Constant bits of each word.
     constant: [u32; 4],
     is_copy: bool,
 }
 
-/// Whether the bits of a number are the same in both codes, of fields of one width.
+/// Whether the bits of a number are the same in both encodings, for fields of the same width.
 fn is_same(from: NumberEncoding, to: NumberEncoding) -> bool {
     match (from, to) {
-        // What was written is within its range.
+        // Stored depths are in range.
         (NumberEncoding::Depth, NumberEncoding::Float) => true,
         (
             NumberEncoding::Unorm
@@ -152,7 +152,7 @@ fn constants(isa: Isa, record: &PixelLayout) -> [u32; 4] {
     words.map(|words| words[0])
 }
 
-/// Pixels of one record as those of another: as many as `from` has, in `to`.
+/// Converts all pixels of `from` to the layout of `to`.
 pub fn move_all(
     isa: Isa,
     moves: &BitMoves,

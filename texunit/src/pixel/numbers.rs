@@ -4,7 +4,7 @@ use super::layout::{ByteOrder, Load, PixelLayout, Store};
 use super::number::{self, NumberEncoding};
 use crate::lanes::{F32s, F64s, Isa, Kernel, Simd, U32s};
 
-/// The numbers of 64 pixels: a batch for each of a record's fields.
+/// The numbers of 64 pixels: a batch per field of the layout.
 pub type Numbers = [F64s; 4];
 
 struct Read<'a> {
@@ -42,8 +42,8 @@ impl Kernel for Write<'_> {
     }
 }
 
-/// The numbers of up to 64 pixels, tightly packed in `bytes`. Those of fields that the record lacks, and of
-/// pixels that are not there, mean nothing.
+/// The numbers of up to 64 pixels, tightly packed in `bytes`. Fields that the layout
+/// does not have, and lanes without a pixel, are undefined.
 pub fn read(isa: Isa, record: &PixelLayout, bytes: &[u8], out: &mut Numbers) {
     let mut words = [U32s::ZERO; 4];
     record.load(isa, bytes, &mut words);
@@ -66,7 +66,7 @@ pub(crate) fn write_by<S: Simd>(record: &PixelLayout, numbers: [&F64s; 4], bytes
     S::outlined(Store { record, words: &mut words, bytes });
 }
 
-/// Up to 64 pixels with these numbers into `bytes`, tightly packed: clamped to what the record holds, and
+/// Up to 64 pixels with these numbers into `bytes`, tightly packed: clamped to the range of each field, and
 /// rounded to nearest, halves to even.
 pub fn write(isa: Isa, record: &PixelLayout, numbers: [&F64s; 4], bytes: &mut [u8]) {
     let mut words = [U32s::ZERO; 4];

@@ -1,32 +1,32 @@
-//! What is done to numbers on their way from pixels to pixels.
+//! Arithmetic on the numbers of pixels during a transfer.
 
 use crate::lanes::{F64s, Isa, Kernel, LANES, Simd};
 
-/// What is done to a number.
+/// A transformation of a number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum NumberTransform {
-    /// It is taken times a scale, and a bias is added.
+    /// `x · scale + bias`.
     Linear {
         /// The scale.
         scale: f64,
         /// The bias.
         bias: f64,
     },
-    /// It is clamped to [0, 1]; NaN stays.
+    /// Clamps to [0, 1]; NaN stays.
     Clamp,
-    /// The lower seven bits of a whole number are taken, of one that is clamped to a byte.
+    /// The lower seven bits of an integer, after a clamp to 0 to 255.
     SevenBits,
-    /// It goes to the nearest whole number, halves up, and is held within these, which lie within -2^31 to 2^32.
-    /// NaN gives the least.
+    /// Rounds to the nearest integer, halves up, and clamps to `low` to `high`, which lie within -2^31 to 2^32. NaN gives
+    /// `low`.
     Whole {
         /// The least.
         low: f64,
         /// The largest.
         high: f64,
     },
-    /// It is rounded to an `f32`.
+    /// Rounds to an `f32`.
     Float,
-    /// It is divided by one number, and then multiplied with another.
+    /// `x / over · times`.
     Ratio {
         /// The divisor.
         over: f64,
@@ -38,7 +38,7 @@ pub enum NumberTransform {
 /// A number whose sum with one below 2^51 is rounded to a whole number, halves to even.
 const ROUND: f64 = 6_755_399_441_055_744.0;
 
-/// Numbers with something done to them.
+/// Transforms 64 numbers.
 pub fn transform(isa: Isa, change: NumberTransform, numbers: &F64s, out: &mut F64s) {
     isa.run(Transform { change, numbers, out });
 }
@@ -94,7 +94,7 @@ impl Kernel for Transform<'_> {
     }
 }
 
-/// Adds numbers, each times a weight, to as many sums.
+/// Adds `weight · numbers[i]` to `sums[i]`.
 pub fn add(isa: Isa, weight: f64, numbers: &[f64], sums: &mut [f64]) {
     isa.run(Add { weight, numbers, sums });
 }

@@ -1,4 +1,4 @@
-//! What was decided of a texture, in one line.
+//! The decisions of a plan as one line of text.
 
 use super::lod_range::LodRange;
 use super::texture::{Alpha, Anisotropy, LevelSelection, Texture};

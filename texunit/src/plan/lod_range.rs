@@ -4,7 +4,7 @@ use crate::lanes::math::{clamp, to_i32};
 use crate::lanes::{F32s, LANES, U32s};
 use crate::sampler::{MAX_LOD_BIAS, Mipmap};
 
-/// What turns λ of the base level into levels and weights.
+/// The sampler's part in the choice of levels: from λ of the base level to levels and weights.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LodRange {
     /// The sampler's bias.
@@ -15,15 +15,15 @@ pub struct LodRange {
     pub max: f32,
     /// The magnification filter is used up to this λ (`c` in the specification).
     pub magnified_to: f32,
-    /// Between levels.
+    /// The filter between levels.
     pub mipmap: Mipmap,
     /// The last level, counted from the base level.
     pub last: u32,
 }
 
 impl LodRange {
-    /// `λ`: the bias added, which is bounded to ±16 in sum, and the result held in the sampler's
-    /// range. NaN counts as the lower bound.
+    /// λ with the bias added and clamped to the sampler's range (GL 2.1, equations 3.18 and 3.19). The sum of the biases
+    /// is clamped to ±16. NaN gives the lower bound.
     #[inline(always)]
     pub fn lambda(&self, base: &F32s, bias: Option<&F32s>) -> F32s {
         let mut out = F32s::ZERO;
@@ -44,8 +44,7 @@ impl LodRange {
         out
     }
 
-    /// The two levels of each lane, if it is minified, counted from the base level, and the weight
-    /// of the second.
+    /// The two levels of each minified lane, counted from the base level, and the weight of the second.
     #[inline(always)]
     pub fn levels(&self, lambda: &F32s) -> ([U32s; 2], F32s) {
         let mut levels = [U32s::ZERO; 2];
@@ -55,7 +54,7 @@ impl LodRange {
             Mipmap::None => {}
             Mipmap::Nearest => {
                 for lane in 0..LANES {
-                    // ceil(λ + 1/2) - 1 is the nearest level, of two equally near the finer.
+                    // ceil(λ + 1/2) - 1 is the nearest level; a tie gives the finer.
                     let inside = clamp(lambda[lane], 0.0, last as f32);
                     let whole = to_i32(inside);
                     let up = if inside - whole as f32 > 0.5 { 1 } else { 0 };

@@ -1,5 +1,4 @@
-//! A texture as kernels read it: which levels, which wrap modes, which border, and which kernel, decided once from
-//! an image and a sampler.
+//! Makes a [`Texture`] from an image and a sampler: levels, wrap modes, border colour, kernel.
 
 use super::selection::wrap_of;
 use super::texel_class::TexelClass;
@@ -11,7 +10,7 @@ use crate::sampler::{Border, Filter, Sampler, Seamless, SrgbRead, Swizzle};
 use std::sync::Arc;
 
 impl Texture {
-    /// Decides.
+    /// Makes the plan's data.
     ///
     /// # Errors
     /// When the image is incomplete for this sampler.
@@ -24,7 +23,7 @@ impl Texture {
             levels.iter_mut().flatten().for_each(without_srgb);
         }
         if shape == Shape::CubeArray {
-            // The kernels look for a level by its face; which slices are that face's, they know.
+            // Kernels index levels by face; `LevelView::slice` selects the slice of the face.
             levels = vec![levels[0].clone(); FACES];
         }
         let base = &levels[0][0];
@@ -32,7 +31,7 @@ impl Texture {
         let compare = if format.is_depth() { sampler.compare } else { None };
         if let LevelSelection::PerLane { anisotropy, .. } = &mut level_selection {
             *anisotropy = match *anisotropy {
-                // Texels are averaged, which the bits of integers cannot be.
+                // Integers are not averaged.
                 _ if format.is_integer() => Anisotropy::Off,
                 Anisotropy::Scan(most) if compare.is_some() => Anisotropy::Probes(most),
                 any @ (Anisotropy::Off | Anisotropy::Probes(_) | Anisotropy::Scan(_)) => any,
@@ -66,8 +65,7 @@ impl Texture {
         })
     }
 
-    /// Whether kernels need no means of alpha, though they make some: it is a byte, and 255 all over
-    /// the levels that filters reach.
+    /// Whether alpha is filtered although it is 255 in every texel of the filtered levels.
     pub(super) fn has_alpha_to_leave_out(&self) -> bool {
         let is_byte = match self.texel_path {
             TexelPath::Words(TexelClass::Bytes | TexelClass::Srgb) => self.format.channels() == 4,
@@ -93,14 +91,14 @@ impl Texture {
 
 /// Whether the last of the four bytes of each texel is 255.
 fn is_opaque(texels: &[u8]) -> bool {
-    // A page at a time, so that most images with an alpha are not read to their end.
+    // In chunks of 4 KiB, to stop early.
     texels.as_chunks::<4>().0.chunks(1024).all(|page| {
         page.iter().fold(!0, |all, &texel| all & u32::from_le_bytes(texel)) >> 24 == 0xFF
     })
 }
 
-/// Component `from` of the border colour as a channel of texels, held in what the channel can be (OpenGL
-/// 4.6, section 8.14.2); of integers the bits.
+/// Component `from` of the border colour as a stored channel, clamped to the channel's range (OpenGL
+/// 4.6, section 8.14.2). Integers as bits.
 fn border_channel(format: Format, channel: usize, border: Border, from: usize) -> f32 {
     let info = format.info();
     let largest = i64::from(info.fields[channel].mask());
@@ -125,8 +123,7 @@ fn border_channel(format: Format, channel: usize, border: Border, from: usize) -
     }
 }
 
-/// Lets colours that are encoded be numbers like others. The kernels go by a level's format, so it is a
-/// copy: what few draws ask for costs the others nothing.
+/// Replaces an sRGB level by a copy in the linear format with the same bytes. Kernels decode by a level's format.
 fn without_srgb(level: &mut Arc<Level>) {
     if level.format.is_srgb() {
         let format = level.format.without_srgb();
@@ -134,7 +131,7 @@ fn without_srgb(level: &mut Arc<Level>) {
     }
 }
 
-/// The levels of each face from `base` on: `last` more, and then as many as fit them.
+/// The levels of each face from `base` on: `last` more, and the consistent levels after them.
 fn levels(image: &Image, base: u32, last: u32) -> Vec<Vec<Arc<Level>>> {
     let mut levels = vec![Vec::new(); image.shape().faces()];
     for number in 0.. {

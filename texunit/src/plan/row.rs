@@ -1,4 +1,4 @@
-//! A row of texels that is fetched and never filtered (`ARB_texture_buffer_object`).
+//! Plans of buffer textures: texels that are fetched and never filtered (`ARB_texture_buffer_object`).
 
 use super::SamplePlan;
 use super::texture::{Alpha, LevelSelection, SampleKernel, TexelPath, Texture};
@@ -7,8 +7,7 @@ use crate::sampler::{DepthMode, Filter, Seamless, Swizzle, Wrap};
 use std::sync::Arc;
 
 impl SamplePlan {
-    /// How the texels of a row are fetched: as those of a one-dimensional image, however many there
-    /// are.
+    /// The plan of a buffer texture: a one-dimensional image of any length.
     pub fn for_buffer(row: Level) -> Self {
         let (shape, format, size) = (Shape::D1, row.format, row.size());
         let why = "texels are fetched by their numbers";
@@ -46,7 +45,7 @@ mod tests {
     fn a_row_is_as_long_as_its_bytes_and_zero_beyond() {
         let count = 4 * MAX_SIZE as i32;
         let bytes: Vec<u8> = (0..count).flat_map(|i| (i as u16).to_le_bytes()).collect();
-        // Half a texel more does not count.
+        // An incomplete texel at the end does not count.
         for (bytes, most, len) in [
             (&bytes[..], u32::MAX, count),
             (&bytes[..bytes.len() - 1], u32::MAX, count - 1),

@@ -27,7 +27,7 @@ impl SampleKernel {
     }
 }
 
-/// The class of the texels, where the image and its texels go this path.
+/// The texel class, if the uniform-level kernel supports the shape and the path.
 fn uniform_level_class(shape: Shape, path: TexelPath) -> Option<TexelClass> {
     match (shape, path) {
         (Shape::D2 | Shape::Rect, TexelPath::Words(class) | TexelPath::ComparedWords(class)) => {
@@ -63,7 +63,7 @@ impl TexelPath {
 }
 
 impl Anisotropy {
-    /// `most` is the largest ratio of the axes.
+    /// `most` is the maximum ratio of the axes.
     fn new(shape: Shape, sampler: &Sampler, most: u32) -> Self {
         let in_rows = |wrap: Wrap| match wrap_of(shape, sampler.seamless, wrap) {
             Wrap::Repeat | Wrap::MirroredRepeat | Wrap::ClampToEdge => true,
@@ -81,7 +81,7 @@ impl Anisotropy {
             {
                 Self::Scan(most)
             }
-            // A line has no minor axis.
+            // A one-dimensional footprint has no minor axis.
             Shape::D1 | Shape::D1Array => Self::Off,
             Shape::D2
             | Shape::D3
@@ -93,8 +93,8 @@ impl Anisotropy {
     }
 }
 
-/// The wrap mode that this shape takes: rectangles do not repeat (ARB_texture_rectangle), and the
-/// coordinate on a seamless face only has to stay on it.
+/// The effective wrap mode: rectangles do not repeat (ARB_texture_rectangle), and a coordinate on a seamless cube face
+/// is only clamped to the face.
 pub fn wrap_of(shape: Shape, seamless: Seamless, wrap: Wrap) -> Wrap {
     match (shape, seamless, wrap) {
         (Shape::Cube | Shape::CubeArray, Seamless::On, _) => Wrap::Clamp,
@@ -112,10 +112,10 @@ pub fn wrap_of(shape: Shape, seamless: Seamless, wrap: Wrap) -> Wrap {
 }
 
 impl LevelSelection {
-    /// Decides whether λ is needed at all. `last` counts from the base level.
+    /// Chooses how lanes select levels: not by λ where λ has no effect. `last` counts from the base level.
     pub fn new(shape: Shape, sampler: &Sampler, last: u32) -> Self {
         let Sampler { min, mipmap, mag, .. } = *sampler;
-        // GL 2.1, section 3.8.9: the switch-over to magnification.
+        // GL 2.1, section 3.8.9: the switch-over point `c`.
         let magnified_to = match (mag, min, mipmap) {
             (Filter::Linear, Filter::Nearest, Mipmap::Nearest | Mipmap::Linear) => 0.5,
             (Filter::Linear, Filter::Nearest, Mipmap::None)
@@ -146,7 +146,7 @@ impl LevelSelection {
             mipmap,
             last,
         };
-        // No λ is above `max`, so no level above that one's is read.
+        // λ is clamped to `max`, which bounds the levels that are read.
         let ([first, second], _) = range.levels(&F32s::splat(range.max));
         range.last = first[0].max(second[0]);
         Self::PerLane { min, mag, range, anisotropy }

@@ -1,34 +1,34 @@
-//! Classes of texels that have kernels of their own.
+//! Classes of texels that have a fast path.
 
 use crate::format::{Encoding, Format};
 
-/// What the channels of a texel are. They lie one after the other.
+/// How the channels of a texel are stored, one after the other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TexelClass {
     /// Bytes over 255.
     Bytes,
-    /// sRGB-encoded bytes, and alpha a byte over 255.
+    /// sRGB-encoded bytes; alpha is a byte over 255.
     Srgb,
     /// Half floats.
     Halves,
     /// Floats.
     Floats,
-    /// Depths over their largest number.
+    /// Normalized depths of up to 24 bits.
     Depth {
         /// Where the bits lie in the word.
         shift: u32,
-        /// The largest.
+        /// The largest depth, `2^bits - 1`.
         largest: u32,
     },
 }
 
 impl TexelClass {
-    /// Of a format, if it has one.
+    /// The class of a format, if it has one.
     pub fn of(format: Format) -> Option<Self> {
         let info = format.info();
         let depth = info.fields[0];
         let bits = depth.bits;
-        // A few bits more would not be exact in `f32`.
+        // Depths of more than 24 bits are not exact in `f32`.
         if format.is_depth() && info.encoding == Encoding::Unorm && bits <= 24 && depth.word == 0 {
             return Some(Self::Depth { shift: depth.shift, largest: depth.mask() });
         }

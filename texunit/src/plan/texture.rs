@@ -1,4 +1,4 @@
-//! A complete image with its sampler, as the kernels read it, and what was decided of it.
+//! The data of a plan: a complete image with its sampler, as the kernels read it.
 
 use super::lod_range::LodRange;
 use super::texel_class::TexelClass;
@@ -20,13 +20,13 @@ pub(crate) struct Texture {
     /// and those that fit them, which only a fetch reads. In an array of cubes, all faces are
     /// slices of the same levels.
     pub levels: Vec<Vec<Arc<Level>>>,
-    /// Wrap of s, t, r.
+    /// Effective wrap modes of s, t, r.
     pub wrap: [Wrap; 3],
-    /// Only ever on for cubes.
+    /// `Off` unless the image is a cube.
     pub seamless: Seamless,
-    /// The border colour as stored channels.
+    /// Border colour, as stored channels.
     pub border: [f32; 4],
-    /// Set only where texels are depths.
+    /// Set only for depth formats.
     pub compare: Option<Compare>,
     pub depth_mode: DepthMode,
     pub swizzle: [Swizzle; 4],
@@ -34,67 +34,68 @@ pub(crate) struct Texture {
     pub level_selection: LevelSelection,
     pub kernel: SampleKernel,
     pub alpha: Alpha,
-    /// Whether texels may go to who looks them up as words of bytes: red, green, blue and, if any, alpha.
+    /// Whether lookups can be fused into other kernels ([`crate::sample::TexelConsumer`]): texels are red, green, blue and
+    /// perhaps alpha, a byte each, without swizzle.
     pub is_fusible: bool,
 }
 
-/// What there is to alpha.
+/// Whether alpha must be filtered.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Alpha {
-    /// It is a channel like others, or made of them.
+    /// It is filtered as other channels are.
     Stored,
-    /// It is 1 in every texel that a filter reaches: means of it need not be computed.
+    /// It is 1 in every texel of the filtered levels, and is not filtered.
     One,
 }
 
-/// Which kernel samples. Where several can, they give the same bits.
+/// The kernel that samples. Where several apply, they give the same bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum SampleKernel {
-    /// Of most textures: in a plane, one filter, texels of a class that has a short way.
+    /// Two-dimensional textures of a fast texel class, with one filter for magnification and minification.
     UniformLevel(TexelClass),
-    /// Of any whose footprints are not read row by row.
+    /// The general kernel, with probes for anisotropic footprints.
     Probes,
-    /// Of those whose are, where a lookup has a footprint.
+    /// The general kernel, with a row scan for anisotropic footprints.
     RowScan,
 }
 
-/// Which kernels read texels. All give the same bits.
+/// How texels are read. All paths give the same bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum TexelPath {
     /// Any texture.
     General,
-    /// Two-dimensional, not compared, of a class of texels that is worth loops of its own.
+    /// The fast path of two-dimensional textures without depth compare.
     Words(TexelClass),
-    /// The same of compressed texels.
+    /// The fast path of compressed two-dimensional textures.
     Blocks(Block),
-    /// Depths in a plane that are compared, of such a class: short where a filter takes one texel.
+    /// Two-dimensional depth textures with compare: fast with a nearest filter, else general.
     ComparedWords(TexelClass),
 }
 
-/// How lanes come to their filter and level.
+/// How a lane's filter and levels are selected.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum LevelSelection {
-    /// Every lane alike: λ decides nothing.
+    /// The same for all lanes: λ has no effect.
     Fixed {
         filter: Filter,
         level: u32,
         /// Why λ is not computed.
         why: &'static str,
-        /// The sampler's bias, for who asks for λ all the same.
+        /// The sampler's bias, for `textureQueryLOD`.
         bias: f32,
     },
-    /// λ decides.
+    /// By λ.
     PerLane { min: Filter, mag: Filter, range: LodRange, anisotropy: Anisotropy },
 }
 
-/// How footprints that are longer than wide are filtered.
+/// How anisotropic footprints are filtered.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Anisotropy {
-    /// As wide as they are long.
+    /// As isotropic footprints.
     Off,
-    /// In so many samples along the major axis at most.
+    /// With up to this many probes along the major axis.
     Probes(u32),
-    /// Row by row, up to this ratio of the axes.
+    /// With a row scan, up to this ratio of the axes.
     Scan(u32),
 }
 
@@ -109,8 +110,8 @@ impl Texture {
                 || (axes > 2 && self.wrap[2].reaches_border(filter)))
     }
 
-    /// Whether no texel that is read can be the border's, wherever all lanes read the same levels, and no mean of two
-    /// levels of one texel each is taken.
+    /// Whether the fused lookup applies to every batch whose lanes all read the same levels: no border can be read, and
+    /// nearest texels of two levels are not mixed.
     pub fn fused_always_applies(&self) -> bool {
         match &self.level_selection {
             LevelSelection::Fixed { filter, .. } => !self.reaches_border(*filter),
@@ -127,14 +128,14 @@ impl Texture {
         matches!(self.shape, Shape::D1Array | Shape::D2Array | Shape::CubeArray)
     }
 
-    /// How many layers a lookup chooses from.
+    /// Number of layers.
     #[inline(always)]
     pub fn layers(&self) -> u32 {
         layers(self.shape, self.size)
     }
 }
 
-/// The layers of an image of this size: of an array of cubes, the cubes.
+/// Number of layers of an image of this size; for an array of cubes, of cubes.
 #[inline(always)]
 pub fn layers(shape: Shape, size: [u32; 3]) -> u32 {
     if shape == Shape::CubeArray { size[2] / FACES as u32 } else { size[2] }

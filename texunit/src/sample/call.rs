@@ -8,8 +8,8 @@ use std::marker::PhantomData;
 /// One call: 64 samples of a complete texture.
 pub(crate) struct SampleCall<'a, R, F> {
     pub texture: &'a Texture,
-    /// By reference, as is `lod`: a copy in vectors of what was just stored word by word would wait
-    /// for all stores before it.
+    /// By reference, as is `lod`: a vector copy of words that were just stored one by one would stall on store
+    /// forwarding.
     pub coords: &'a [&'a F32s; 3],
     pub layer: Option<&'a F32s>,
     pub reference: Option<&'a F32s>,
@@ -18,6 +18,6 @@ pub(crate) struct SampleCall<'a, R, F> {
     pub lod: &'a Lod<'a>,
     pub out: &'a mut [F32s; 4],
     pub recorder: &'a mut R,
-    /// What the kernel is compiled for.
+    /// The footprints that the kernel is compiled for.
     pub footprints: PhantomData<F>,
 }

@@ -1,4 +1,4 @@
-//! Coordinates of a batch: faces of cubes and layers of arrays told apart.
+//! Coordinates of a batch: the cube face, the layer, and the coordinates to filter along.
 
 use super::recorder::Recorder;
 use super::{cube, wrap};
@@ -7,20 +7,20 @@ use crate::lanes::{F32s, U32s};
 use crate::plan::Texture;
 use crate::trace::SampleStep;
 
-/// Where the lanes sample.
+/// The point that each lane samples.
 pub(crate) struct Coordinates<'a> {
     /// s, t, r as given; of a cube, the direction.
     pub given: [&'a F32s; 3],
-    /// Of a cube, else 0.
+    /// The face of a cube, else 0.
     pub face: U32s,
-    /// Of an array, else 0.
+    /// The layer of an array, else 0.
     pub layer: U32s,
-    /// On the face of a cube.
+    /// s, t on the face of a cube.
     pub st: Option<[F32s; 2]>,
 }
 
 impl<'a> Coordinates<'a> {
-    /// Where there are neither faces nor layers.
+    /// Of a texture without faces and layers.
     #[inline(always)]
     pub fn in_plane(given: [&'a F32s; 3]) -> Self {
         Self { given, face: U32s::ZERO, layer: U32s::ZERO, st: None }

@@ -30,8 +30,7 @@ pub fn project(direction: [&F32s; 3]) -> Projected {
     Projected { face, st }
 }
 
-/// Points of faces again, those beyond an edge on the face that lies there: where the direction
-/// that they stand for meets the cube.
+/// Reprojects points beyond an edge of their face to the face that their direction meets.
 #[inline(always)]
 pub fn reproject(on: &Projected) -> Projected {
     let mut out = Projected { face: on.face, st: on.st };
@@ -40,7 +39,7 @@ pub fn reproject(on: &Projected) -> Projected {
         let [x, y, z] = from_face_axes(on.face[lane], sc, tc, 1.0);
         let there = select(x, y, z);
         let [u, v, ma] = to_face_axes(there, x, y, z);
-        // Not where either is NaN, nor where the point is on its face.
+        // False for NaN.
         let beyond = (sc.abs() > 1.0) | (tc.abs() > 1.0);
         out.face[lane] = if beyond { there } else { on.face[lane] };
         out.st[0][lane] = if beyond { 0.5 * (u / ma + 1.0) } else { on.st[0][lane] };
@@ -80,7 +79,7 @@ fn to_face_axes(face: u32, x: f32, y: f32, z: f32) -> [f32; 3] {
     let negative = face & 1 == 1;
     let axis = face >> 1;
     let (on_x, on_y) = (axis == 0, axis == 1);
-    // The sign of the face turns ma, and sc on the X and Z faces, and tc on the Y faces.
+    // The sign of the face negates ma, and sc on the X and Z faces, and tc on the Y faces.
     let sign = |v: f32| if negative { -v } else { v };
     let sc = if on_x {
         sign(-z)
@@ -102,13 +101,13 @@ fn to_face_axes(face: u32, x: f32, y: f32, z: f32) -> [f32; 3] {
 
 /// Texels of a cube, found from indices that may lie just beyond a face.
 pub struct EdgeTexels {
-    /// The face each lies on.
+    /// The face of each texel.
     pub face: U32s,
     /// Its column there.
     pub x: U32s,
     /// Its row there.
     pub y: U32s,
-    /// `!0` beyond a corner, where there is no texel; then the others are some texel.
+    /// `!0` beyond a corner, where there is no texel; the other fields are then any texel.
     pub missing: U32s,
 }
 
@@ -126,7 +125,7 @@ pub fn across_edge(face: u32, i: &I32s, j: &I32s, step: [i32; 2], size: i32) -> 
         let off_s = (sc == size) | (sc == -size);
         let off_t = (tc == size) | (tc == -size);
         let direction = from_face_axes(face, sc, tc, size);
-        // The axis that the edge's other face stands on, and its sign.
+        // The axis of the adjacent face, and its sign.
         let along =
             if off_s { from_face_axes(face, sc, 0, 0) } else { from_face_axes(face, 0, tc, 0) };
         let [x, y, z] = along;
@@ -163,7 +162,7 @@ fn held_index(index: i32, size: i32) -> u32 {
     if low >= size { size as u32 - 1 } else { low as u32 }
 }
 
-/// The inverse of [`turn`]: the direction of `(sc, tc, ma)` on a face.
+/// The inverse of [`to_face_axes`]: the direction of `(sc, tc, ma)` on a face.
 #[inline(always)]
 fn from_face_axes<T: Neg<Output = T>>(face: u32, sc: T, tc: T, ma: T) -> [T; 3] {
     match face {

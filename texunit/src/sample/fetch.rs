@@ -1,4 +1,4 @@
-//! Texels of a level as channels, compared, with the border colour in its place.
+//! Loads texels of a level as channels, with border colour and depth compare.
 
 use super::compare;
 use super::level_view::LevelView;
@@ -22,8 +22,7 @@ pub fn texels<S: Simd>(
     finish::<S>(view, [x, y, z], out, recorder);
 }
 
-/// The two texels of a row, which lie side by side in every lane and in one word each: one gather
-/// takes both.
+/// The two texels of a row with one gather, where they are adjacent in every lane and fit a word each.
 #[inline(always)]
 pub fn row<S: Simd>(
     view: &LevelView<'_>,
@@ -48,7 +47,7 @@ pub fn row<S: Simd>(
     finish::<S>(view, [&xs[1], y, z], right, recorder);
 }
 
-/// The channels of texels of one word, whatever their format.
+/// Decodes texels of one word, of any format.
 struct Decoded<'a> {
     level: &'a Level,
     words: [U32s; 1],
@@ -63,14 +62,14 @@ impl Kernel for Decoded<'_> {
     }
 }
 
-/// Whether texel `i` and the next lie side by side in the row in every lane.
+/// Whether texels `i` and `i + 1` both lie inside the row in every lane.
 #[inline(always)]
 pub fn side_by_side<S: Simd>(i: &I32s, size: u32) -> bool {
-    // -1 is the largest of all.
+    // As an unsigned number, -1 is the largest.
     S::below(i.as_u32(), size - 1)
 }
 
-/// The texels at the offsets and those right after, in one gather; of up to four bytes each.
+/// The texels at the offsets and the next ones, with one gather. Texels have up to four bytes.
 #[inline(always)]
 pub fn neighbours<S: Simd>(level: &Level, offsets: &U32s) -> [U32s; 2] {
     let bytes = level.format.bytes();
@@ -91,7 +90,7 @@ pub fn neighbours<S: Simd>(level: &Level, offsets: &U32s) -> [U32s; 2] {
     [low, high]
 }
 
-/// Of the words at two texels of three bytes and four bytes further, makes those that begin at each of the texels.
+/// Turns the words at bytes 0 and 4 into the words at bytes 0 and 3: two adjacent texels of three bytes.
 #[inline(always)]
 pub fn split_threes([low, high]: [&mut U32s; 2]) {
     for lane in 0..LANES {
@@ -135,7 +134,7 @@ fn finish<S: Simd>(
     }
 }
 
-/// Texels compared, whatever the operator.
+/// Depth compare with any operator.
 struct Compared<'a> {
     op: Compare,
     reference: &'a F32s,

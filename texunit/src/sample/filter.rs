@@ -1,4 +1,4 @@
-//! One level: the nearest texel, or the weighted mean of 2, 2×2 or 2×2×2 (GL 2.1, section 3.8.8).
+//! The general filters on one level: the nearest texel, or the weighted mean of 2, 2×2 or 2×2×2 (GL 2.1, section 3.8.8).
 //!
 //! The mean is linear interpolations, first along s, then along t, then along r, each
 //! `a + (b - a) · α` in this order: two equal texels give exactly themselves. Channels of bytes are
@@ -24,8 +24,10 @@ pub fn sample_level<S: Simd>(
 ) {
     let done = match (view.texture.texel_path, view.filter) {
         (TexelPath::Words(_), Filter::Nearest | Filter::Linear)
-        | (TexelPath::Blocks(_), Filter::Linear) => S::outlined(Short { view, at, out: &mut *out }),
-        // A fetch of one texel is short in any case.
+        | (TexelPath::Blocks(_), Filter::Linear) => {
+            S::outlined(FastPath { view, at, out: &mut *out })
+        }
+        // The general fetch of one texel is as fast.
         (TexelPath::Blocks(_), Filter::Nearest) => false,
         (TexelPath::General | TexelPath::ComparedWords(_), Filter::Nearest | Filter::Linear) => {
             false
@@ -38,14 +40,14 @@ pub fn sample_level<S: Simd>(
     }
 }
 
-/// The short ways, as far as they lead.
-struct Short<'a> {
+/// The fast path; `false` where it does not apply.
+struct FastPath<'a> {
     view: &'a LevelView<'a>,
     at: [&'a F32s; 3],
     out: &'a mut [F32s; 4],
 }
 
-impl Kernel for Short<'_> {
+impl Kernel for FastPath<'_> {
     type Output = bool;
     #[inline(always)]
     fn run<S: Simd>(self) -> bool {

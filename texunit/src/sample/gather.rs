@@ -1,8 +1,8 @@
 //! One component of each of the four texels that a linear filter of the base level would weigh
 //! (ARB_texture_gather).
 //!
-//! Which they are is a matter of integers, wrapped one by one (OpenGL 3.2, section 3.8.8). A filter holds the coordinate
-//! first: of two texels beyond an edge, one has no weight then, and may be any.
+//! Texel indices are wrapped as integers, one by one (OpenGL 3.2, section 3.8.8). A filter clamps the coordinate instead,
+//! after which a texel beyond an edge may have no weight and be any texel; a gather has to return the right one.
 
 use super::compare::unit_range;
 use super::coordinates::Coordinates;
@@ -26,7 +26,7 @@ pub(crate) struct Gather<'a> {
     pub out: &'a mut [F32s; 4],
 }
 
-/// Where in `out` the texel at `(i, j) + (number % 2, number / 2)` stands.
+/// The component of `out` for the texel at `(i, j) + (number % 2, number / 2)`.
 const GATHER_ORDER: [usize; 4] = [3, 2, 0, 1];
 
 impl Kernel for Gather<'_> {
@@ -70,11 +70,11 @@ impl Kernel for Gather<'_> {
     }
 }
 
-/// The texels about coordinates along one axis.
+/// The two texels that enclose a coordinate along one axis.
 struct TexelPair {
-    /// Where the lower one lies, if nothing wraps.
+    /// Index of the lower one, unwrapped.
     lower: I32s,
-    /// Both, as they are stored.
+    /// Both, wrapped, as stored indices.
     texels: [Indices; 2],
 }
 
@@ -117,24 +117,24 @@ impl Kernel for PairOnAxis<'_> {
     }
 }
 
-/// How far beyond an image a place counts, in texels: further than any offset.
+/// Coordinates are clamped to this many texels beyond the image: more than any offset.
 const BEYOND: f32 = 64.0;
 
-/// Further than any texel index.
+/// Larger than any texel index.
 const FAR: i32 = 1 << 23;
 
-/// Which texel stands for place `i` or `i + 1` of `n` (OpenGL 3.2, table 3.20), in steps that do nothing where they do
-/// not apply.
+/// The steps that wrap an index `i` or `i + 1` of `n` texels (OpenGL 3.2, table 3.20). A step that does not apply is an
+/// identity.
 struct WrapRule {
-    /// After how much of the coordinate the image repeats.
+    /// The period of the coordinate, if the image repeats.
     repeats: Option<f32>,
-    /// `i` is held first. (The clamps that mix half a border in keep one of the two within the image.)
+    /// First `i` is clamped to this range. (`GL_CLAMP` keeps one of the two texels inside the image.)
     first: [i32; 2],
-    /// Places repeat: where one period begins and how long it is.
+    /// Then the index repeats: start and length of one period.
     period: [i32; 2],
-    /// The bits that a place below 0 changes: all where 0 is a mirror.
+    /// Then an index below 0 is XORed with this: all ones mirrors at 0.
     mirror: i32,
-    /// What is held last; -1 and `n` are the border.
+    /// Last the index is clamped to this range; -1 and `n` are the border.
     last: [i32; 2],
 }
 
@@ -163,7 +163,7 @@ impl WrapRule {
 }
 
 #[inline(always)]
-fn held(i: i32, [low, high]: [i32; 2]) -> i32 {
+fn clamp_index(i: i32, [low, high]: [i32; 2]) -> i32 {
     let above = if i < low { low } else { i };
     if above > high { high } else { above }
 }
@@ -173,18 +173,18 @@ fn wrapped(axis: Axis, rule: &WrapRule, i: &I32s, step: i32) -> Indices {
     let [start, length] = rule.period;
     let mut wrapped = I32s::ZERO;
     for lane in 0..LANES {
-        let place = held(i[lane], rule.first) + step;
-        let turned = modulo(place - start, length) + start;
-        wrapped[lane] = held(turned ^ (turned >> 31 & rule.mirror), rule.last);
+        let index = clamp_index(i[lane], rule.first) + step;
+        let repeated = modulo(index - start, length) + start;
+        wrapped[lane] = clamp_index(repeated ^ (repeated >> 31 & rule.mirror), rule.last);
     }
     axis.stored(&wrapped)
 }
 
-/// The first component of a texel after the swizzle, and where there is none (a mask): beyond a corner of a cube.
+/// The first component of one texel after the swizzle, and a mask of the lanes without a texel (beyond a cube's corner).
 struct CornerTexel<'a> {
     view: &'a LevelView<'a>,
     along: [&'a TexelPair; 2],
-    /// Whether it is the lower or the upper one along either axis.
+    /// 0 for the lower, 1 for the upper texel along each axis.
     step: [usize; 2],
 }
 
@@ -215,7 +215,7 @@ impl Kernel for CornerTexel<'_> {
     }
 }
 
-/// Where there is no texel, the mean of the other three; of integers, which have no mean, the one texel of the face.
+/// Replaces missing texels by the mean of the other three; for integers, by the texel opposite.
 #[inline(always)]
 fn fill_missing(texture: &Texture, missing: &[U32s; 4], out: &mut [F32s; 4]) {
     let is_integer = texture.format.is_integer();

@@ -1,8 +1,8 @@
 //! The general kernel: probes of a footprint, levels of a probe, one level after the other.
 //!
-//! A batch runs level by level: the distinct (filter, face, level) of its 64 lanes are found, each
-//! is sampled once in all lanes, and a mask keeps the lanes that asked for it. Most batches touch
-//! one to three. What a lane gets does not depend on its neighbours' levels.
+//! A batch runs level by level: each distinct (filter, face, level) of its 64 lanes is sampled once in
+//! all lanes, and a mask selects the lanes that read it. Most batches have one to three. The result of a lane does not
+//! depend on the levels of other lanes.
 
 use super::call::SampleCall;
 use super::compare::unit_range;
@@ -43,16 +43,16 @@ impl<R: Recorder, F: FootprintSet> Kernel for SampleCall<'_, R, F> {
     }
 }
 
-/// What stays the same over the probes and levels of a batch.
+/// The arguments that all probes and levels of a batch share.
 struct SampleContext<'a> {
     texture: &'a Texture,
     offset: [i32; 3],
     reference: &'a F32s,
-    /// How rows are read, if they are.
+    /// Set where the footprints are scanned.
     scan: Option<&'a RowScan>,
 }
 
-/// The mean of the probes, whose running form leaves equal ones as they are.
+/// The running mean of the probes: equal probes give exactly themselves.
 #[inline(always)]
 fn sample_probes<S: Simd, F: FootprintSet>(
     context: &SampleContext<'_>,
@@ -112,7 +112,7 @@ fn sample_probes<S: Simd, F: FootprintSet>(
     }
 }
 
-/// One coordinate of a probe.
+/// One coordinate of a probe's centre.
 #[inline(always)]
 fn place_probe(from: &F32s, probes: &Probes, axis: usize, probe: u32, to: &mut F32s) {
     for lane in 0..LANES {
@@ -121,7 +121,7 @@ fn place_probe(from: &F32s, probes: &Probes, axis: usize, probe: u32, to: &mut F
     }
 }
 
-/// Samples every distinct key once and mixes.
+/// Samples every distinct key once, and mixes two levels.
 #[inline(always)]
 fn sample_taps<S: Simd, F: FootprintSet>(
     context: &SampleContext<'_>,
@@ -181,7 +181,7 @@ fn sample_taps<S: Simd, F: FootprintSet>(
     recorder.restrict_to(asks);
 }
 
-/// Takes the values of the lanes that asked for this key.
+/// Copies the values of the lanes that read this key.
 #[inline(always)]
 fn keep<S: Simd>(keys: &U32s, key: u32, channels: usize, values: &[F32s; 4], kept: &mut [F32s; 4]) {
     let mut mask = U32s::ZERO;
@@ -199,7 +199,7 @@ fn keep<S: Simd>(keys: &U32s, key: u32, channels: usize, values: &[F32s; 4], kep
     }
 }
 
-/// One level of one face, for the lanes that ask for it (a mask): the others get anything.
+/// Samples one level of one face. Only lanes in the mask get a defined result.
 #[inline(always)]
 fn sample_key<S: Simd, F: FootprintSet>(
     context: &SampleContext<'_>,
@@ -214,7 +214,7 @@ fn sample_key<S: Simd, F: FootprintSet>(
     let level = &*texture.levels[face][number];
     let view = LevelView { texture, filter, face, number, level, layer, reference };
     let moved = (offset != [0; 3]).then(|| shifted(&view, at, offset));
-    // One call, since all of the kernel is inlined into it.
+    // One call site: the whole level kernel is inlined here.
     let at = match &moved {
         Some([s, t, r]) => [s, t, r],
         None => at,

@@ -4,8 +4,8 @@ use crate::format::Format;
 use crate::format::convert::over_255;
 use crate::lanes::{F32s, LANES};
 
-/// The mean of a channel of four texels, in the order (0, 0), (1, 0), (0, 1), (1, 1); of a byte, times
-/// 255.
+/// The weighted mean of a channel of four texels, in the order (0, 0), (1, 0), (0, 1), (1, 1). Byte channels are
+/// scaled to 0 to 255.
 #[inline(always)]
 pub fn mean(
     format: Format,
@@ -24,7 +24,7 @@ pub fn mean(
     out
 }
 
-/// What [`mean`] gave of bytes, over 255.
+/// Divides the means of byte channels by 255.
 #[inline(always)]
 pub fn divide(format: Format, means: &mut [F32s; 4]) {
     for (channel, mean) in means.iter_mut().enumerate().take(format.channels()) {
@@ -36,8 +36,7 @@ pub fn divide(format: Format, means: &mut [F32s; 4]) {
     }
 }
 
-/// Two levels in proportion, if the second has any weight at all: its inf and NaN do not matter
-/// otherwise.
+/// Mixes two levels. Inf and NaN of a second level without weight have no effect.
 #[inline(always)]
 pub fn mix(first: &F32s, second: &F32s, weight: &F32s, out: &mut F32s) {
     for lane in 0..LANES {

@@ -11,16 +11,16 @@ use crate::plan::{Anisotropy, LevelSelection, Texture};
 use crate::sampler::Filter;
 use crate::trace::SampleStep;
 
-/// What the lanes of a batch read.
+/// The (filter, face, level) that each lane of a batch reads, as keys.
 #[derive(Clone, Copy)]
 #[expect(clippy::large_enum_variant, reason = "lives on one call's stack, where a box costs more")]
 pub enum LevelTaps {
-    /// All of them this key.
+    /// All lanes read this key.
     Uniform(u32),
-    /// All of them these keys, in proportion: the weight of the second, 0 where it is not read.
+    /// All lanes read these two keys, with the weight of the second; 0 where it is not read.
     UniformPair { keys: [u32; 2], weight: F32s },
-    /// Per lane two (filter, face, level), as keys, and the weight of the second. A lane that reads
-    /// one level has twice the same key and no weight.
+    /// Two keys per lane, and the weight of the second. A lane that reads one level has twice the same
+    /// key, and weight 0.
     PerLane { keys: [U32s; 2], weight: F32s },
 }
 
@@ -79,7 +79,7 @@ impl LevelTaps {
         mask
     }
 
-    /// The same levels of other faces.
+    /// The same levels on other faces.
     #[inline(always)]
     pub fn on_faces(&self, face: &U32s) -> Self {
         let level = FACE_MASK;
@@ -101,7 +101,7 @@ impl LevelTaps {
 /// Where the face and the filter begin in a key; the level is below.
 const FACE: u32 = 5;
 const FILTER: u32 = 8;
-/// All of a key but the face.
+/// All bits of a key except the face.
 const FACE_MASK: u32 = !(7 << FACE);
 
 /// A (filter, face, level) as a number above 0. Levels count from the base level.
@@ -114,14 +114,14 @@ fn key(filter: Filter, face: u32, level: u32) -> u32 {
     filter << FILTER | face << FACE | level
 }
 
-/// The inverse of the function above: filter, face and level.
+/// The filter, face and level of a key.
 #[inline(always)]
 pub fn split_key(key: u32) -> (Filter, usize, usize) {
     let filter = if key >> FILTER == 1 { Filter::Nearest } else { Filter::Linear };
     (filter, (key >> FACE & 7) as usize, (key & 31) as usize)
 }
 
-/// What each lane reads, and how its footprint lies.
+/// The keys of each lane, and the footprints.
 #[inline(always)]
 pub fn taps<S: Simd, F: FootprintSet>(
     texture: &Texture,
@@ -181,7 +181,7 @@ pub fn taps<S: Simd, F: FootprintSet>(
     (per_lane_taps::<S>(keys, weights), footprint)
 }
 
-/// λ of the base level before any bias, how the footprint lies, and the bias of the lookup.
+/// λ of the base level before any bias, the footprints, and the bias of the lookup.
 #[inline(always)]
 pub fn base_lambda<'a, S: Simd, F: FootprintSet>(
     texture: &Texture,
@@ -243,7 +243,7 @@ pub fn base_lambda<'a, S: Simd, F: FootprintSet>(
     }
 }
 
-/// Where λ decides nothing.
+/// Where λ has no effect.
 #[inline(always)]
 fn fixed_taps<S: Simd>(texture: &Texture, at: &Coordinates) -> LevelTaps {
     let LevelSelection::Fixed { filter, level, .. } = &texture.level_selection else {
@@ -260,7 +260,7 @@ fn fixed_taps<S: Simd>(texture: &Texture, at: &Coordinates) -> LevelTaps {
     per_lane_taps::<S>([keys, keys], F32s::ZERO)
 }
 
-/// Where all lanes read the same level, and the one after it if any.
+/// Taps where all lanes read the same level or levels.
 #[inline(always)]
 fn uniform_taps<S: Simd>(filter: u32, levels: &[U32s; 2], weight: &F32s) -> Option<LevelTaps> {
     let [first, second] = common_levels::<S>(levels, weight)?;
@@ -272,7 +272,7 @@ fn uniform_taps<S: Simd>(filter: u32, levels: &[U32s; 2], weight: &F32s) -> Opti
     })
 }
 
-/// The level that all lanes read, and the one after it, or the same where it has no weight.
+/// The level that all lanes read, and the next one, or the same where that has no weight.
 #[inline(always)]
 pub fn common_levels<S: Simd>(levels: &[U32s; 2], weight: &F32s) -> Option<[u32; 2]> {
     let first = levels[0][0];
@@ -283,7 +283,7 @@ pub fn common_levels<S: Simd>(levels: &[U32s; 2], weight: &F32s) -> Option<[u32;
     if S::any(&different) {
         return None;
     }
-    // No weight is negative, nor is its zero.
+    // Weights are not negative, and not -0.
     Some([first, if S::any(weight.as_u32()) { first + 1 } else { first }])
 }
 
@@ -296,7 +296,7 @@ fn per_lane_taps<S: Simd>(keys: [U32s; 2], weight: F32s) -> LevelTaps {
     LevelTaps::PerLane { keys, weight }
 }
 
-/// What there is when there is no key.
+/// No key is as large.
 pub const NO_KEY: u32 = u32::MAX;
 
 /// The least key of the batch above `floor`.

@@ -1,4 +1,4 @@
-//! One level of a texture, as the kernels of one level read it.
+//! One level of a texture, with the arguments that all its texels share.
 
 use super::wrap::{Axis, Indices};
 use crate::image::{FACES, Level, Shape};
@@ -6,7 +6,7 @@ use crate::lanes::{F32s, LANES, U32s};
 use crate::plan::Texture;
 use crate::sampler::Filter;
 
-/// A level, and all that is the same for each of its texels.
+/// A level, and the arguments that all its texels share.
 #[derive(Clone, Copy)]
 pub struct LevelView<'a> {
     pub texture: &'a Texture,
@@ -17,7 +17,7 @@ pub struct LevelView<'a> {
     pub level: &'a Level,
     /// The layer of each lane (of an array of cubes: which cube); 0 where there are none.
     pub layer: &'a U32s,
-    /// What texels are compared with.
+    /// The reference of a depth compare.
     pub reference: &'a F32s,
 }
 

@@ -1,5 +1,4 @@
-//! What level of detail a lookup has, without the lookup (`textureQueryLOD`,
-//! ARB_texture_query_lod).
+//! The level of detail of a lookup, without the lookup (`textureQueryLOD`, ARB_texture_query_lod).
 
 use super::coordinates::Coordinates;
 use super::footprint::AnyFootprint;
@@ -29,7 +28,7 @@ impl Kernel for Query<'_> {
         let at = Coordinates::new(texture, coords, None, &mut NoRecorder);
         let (range, anisotropy) = match &texture.level_selection {
             LevelSelection::PerLane { range, anisotropy, .. } => (*range, *anisotropy),
-            // Only the bias counts.
+            // Only the bias has an effect.
             LevelSelection::Fixed { bias, .. } => (
                 LodRange {
                     bias: *bias,

@@ -1,8 +1,8 @@
-//! What a lookup is asked with: points, and where its level of detail comes from.
+//! The arguments of a lookup: points, and the source of the level of detail.
 
 use crate::lanes::F32s;
 
-/// Where the level of detail of a batch comes from.
+/// The source of a batch's level of detail.
 #[derive(Clone, Copy, Debug)]
 pub enum Lod<'a> {
     /// From the differences within each quad of the batch (quad-planar lane order), plus a bias.
@@ -23,7 +23,7 @@ pub enum Lod<'a> {
     },
 }
 
-/// Where 64 lanes look a texture up. Any bits are legal in any lane: NaN counts as 0.
+/// The points that 64 lanes sample. Any bits are legal in any lane; NaN counts as 0.
 #[derive(Clone, Copy, Debug)]
 pub struct Points<'a> {
     /// s, t, r, of which those that the shape has are read: the one after those that are filtered
@@ -32,6 +32,6 @@ pub struct Points<'a> {
     /// The layer of an array of cubes, whose coordinates are a direction; layer 0 where there is
     /// none.
     pub layer: Option<&'a F32s>,
-    /// What is compared when the plan compares; r where there is none.
+    /// The reference of a depth compare; `None` uses r.
     pub reference: Option<&'a F32s>,
 }

@@ -1,18 +1,18 @@
-//! Who looks on while a batch is sampled: nobody, for which the compiler leaves nothing, or a trace
-//! of one lane ([`crate::trace`]).
+//! Recorders of the steps of a sample: one that compiles to nothing, and one of a single lane for
+//! [`crate::trace`].
 
 use crate::trace::SampleStep;
 
-/// Takes notes of the steps of a sample.
+/// Records the steps of a sample.
 pub(crate) trait Recorder {
-    /// A step; `step` gives it for a lane.
+    /// Records a step; `step` makes it for a lane.
     fn record(&mut self, step: impl FnOnce(usize) -> SampleStep);
 
-    /// What comes next concerns the lanes of which `participates` holds.
+    /// The steps that follow are of the lanes for which `participates` is true.
     fn restrict_to(&mut self, participates: impl FnOnce(usize) -> bool);
 }
 
-/// Nobody.
+/// Records nothing.
 pub(crate) struct NoRecorder;
 
 impl Recorder for NoRecorder {
@@ -23,23 +23,23 @@ impl Recorder for NoRecorder {
     fn restrict_to(&mut self, _: impl FnOnce(usize) -> bool) {}
 }
 
-/// The steps of one lane.
+/// Records the steps of one lane.
 pub(crate) struct LaneRecorder {
     pub lane: usize,
     pub steps: Vec<SampleStep>,
-    /// Whether anybody wants them.
+    /// Whether steps are recorded at all.
     enabled: bool,
-    /// Whether what runs concerns it.
+    /// Whether the current steps are of this lane.
     active: bool,
 }
 
 impl LaneRecorder {
-    /// Nothing yet.
+    /// A recorder without steps.
     pub fn new(lane: usize) -> Self {
         Self { lane, steps: Vec::new(), enabled: true, active: true }
     }
 
-    /// Nobody wants to know.
+    /// A recorder that records nothing, so that samples and traces share a kernel.
     pub fn disabled() -> Self {
         Self { lane: 0, steps: Vec::new(), enabled: false, active: false }
     }

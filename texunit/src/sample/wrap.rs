@@ -12,9 +12,9 @@ use crate::sampler::Wrap;
 /// One axis of a level.
 #[derive(Clone, Copy)]
 pub struct Axis {
-    /// What happens outside.
+    /// The wrap mode.
     pub wrap: Wrap,
-    /// FilteredTexels, without the border.
+    /// Texels, without the border.
     pub size: u32,
     /// Border texels stored on either side, 0 or 1.
     pub border: u32,
@@ -57,16 +57,16 @@ pub fn fold<S: Simd>(s: f32) -> (f32, bool) {
     (if odd { 1.0 - part } else { part }, odd)
 }
 
-/// `u` where `n` texels repeat.
+/// `u` with `Wrap::Repeat` over `n` texels.
 #[inline(always)]
 pub fn repeated<S: Simd>(s: f32, n: f32) -> f32 {
     max(s - S::floor_unsigned(s), 0.0) * n
 }
 
 impl Axis {
-    /// `u` where it stops at the middle of the outermost texels.
+    /// `u` with `Wrap::ClampToEdge`: clamped to the centres of the outermost texels.
     #[inline(always)]
-    pub fn held_to_edge(&self, s: f32) -> f32 {
+    pub fn clamped_to_edge(&self, s: f32) -> f32 {
         clamp(s * self.scale, 0.5, self.size as f32 - 0.5)
     }
 
@@ -89,7 +89,7 @@ impl Axis {
             }
             Wrap::ClampToEdge => {
                 for lane in 0..LANES {
-                    u[lane] = self.held_to_edge(s[lane]);
+                    u[lane] = self.clamped_to_edge(s[lane]);
                 }
             }
             Wrap::ClampToBorder => {
@@ -124,7 +124,7 @@ impl Axis {
         u
     }
 
-    /// [`Axis::texel_coordinate`] where it stands in many addresses: what knows all wrap modes is large.
+    /// [`Axis::texel_coordinate`], outlined: the code of all wrap modes is large.
     #[inline(always)]
     pub fn texel_coordinate_outlined<S: Simd>(self, s: &F32s) -> F32s {
         S::outlined_unless_wide(TexelCoordinate { axis: self, s })
@@ -185,7 +185,7 @@ impl Axis {
                 }
                 [lower, upper]
             }
-            // The weight of a texel beyond the last is 0; the border's is not to be read for it.
+            // A texel beyond the last has weight 0; it must not be the border.
             Wrap::ClampToEdge | Wrap::MirroredRepeat | Wrap::MirrorClampToEdge => {
                 let mut lower = Indices { index: U32s::ZERO, outside: U32s::ZERO };
                 let mut upper = Indices { index: U32s::ZERO, outside: U32s::ZERO };

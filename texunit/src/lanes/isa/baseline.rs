@@ -52,7 +52,7 @@ impl Simd for Baseline {
     }
 }
 
-/// Once for each kernel, not for each place that runs it.
+/// Not inlined: one copy per kernel, not per call.
 #[inline(never)]
 pub(super) fn run_baseline<K: Kernel>(kernel: K) -> K::Output {
     kernel.run::<Baseline>()

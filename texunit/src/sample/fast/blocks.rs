@@ -1,7 +1,7 @@
-//! The short way for compressed texels: the means of 2×2, decoded in registers.
+//! The fast path of compressed textures with a linear filter: texels are decoded in registers.
 //!
-//! A block is gathered whole for each of the four corners, and all channels that share its codes are
-//! decoded in one loop.
+//! The block of each of the four texels is gathered whole, and all channels that share its codes are decoded
+//! in one loop.
 
 use super::quad_position::{pair_offsets, quad_position};
 use crate::format::block::{
@@ -13,18 +13,18 @@ use crate::lanes::{F32s, LANES, Simd, U32s};
 use crate::sample::interpolate::lerp;
 use crate::sample::level_view::LevelView;
 
-/// The texels of one corner of the quads.
+/// One of the four texels of each quad.
 struct Corner {
-    /// The byte where the block begins.
+    /// Byte offset of the block.
     offset: U32s,
     /// Column plus 4 times row in the block.
     within: U32s,
 }
 
-/// Half of a block of 16 bytes, or a block of 8, of each corner.
+/// For each of the four texels: a half of a block of 16 bytes, or a block of 8.
 type Halves = [[U32s; 2]; 4];
 
-/// The mean of 2×2 texels; or `false`, where this way does not lead.
+/// The weighted mean of 2×2 texels; `false` where the fast path does not apply.
 #[inline(always)]
 pub fn linear<S: Simd>(
     view: &LevelView<'_>,
@@ -126,7 +126,7 @@ fn sixths(low: u32, high: u32, at: u32, palette: Palette) -> [u32; 3] {
     ]
 }
 
-/// Where in their blocks the corners are, and their shares.
+/// Positions of the four texels in their blocks, and their weights.
 struct BlockQuads<'a> {
     within: [&'a U32s; 4],
     weights: [&'a F32s; 2],
@@ -180,7 +180,7 @@ impl BlockQuads<'_> {
         }
     }
 
-    /// The same of sRGB, by tables.
+    /// The means of sRGB colours, decoded by tables.
     #[inline(always)]
     fn linear_light<S: Simd>(&self, halves: &Halves, palette: Palette, out: &mut [F32s; 4]) {
         let mut linear = [[F32s::ZERO; 4]; 3];

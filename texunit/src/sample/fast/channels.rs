@@ -1,7 +1,7 @@
-//! Channels of texels from their words, by what the words hold.
+//! Channels of texels from their words, by texel class.
 //!
-//! A class is picked once per draw. Each channel has a loop of its own, in which the shift is a
-//! constant: in a loop over channels the compiler would try all shifts in every lane.
+//! Each channel has its own loop, in which the shift is a constant: in a loop over channels it would be a variable shift
+//! in every lane.
 
 use crate::format::convert::{byte_channel, byte_of, over_255};
 use crate::format::small_float::decode_half;
@@ -116,7 +116,7 @@ pub fn channels_of_quad<S: Simd>(
     }
 }
 
-/// Of the fourth byte, where it is not known.
+/// The mean of alpha, unless it is known.
 #[inline(always)]
 fn mean_of_alpha(words: [&U32s; 4], weights: [&F32s; 2], alpha: Alpha, out: &mut F32s) {
     match alpha {
@@ -125,7 +125,7 @@ fn mean_of_alpha(words: [&U32s; 4], weights: [&F32s; 2], alpha: Alpha, out: &mut
     }
 }
 
-/// The same as of the general way: of bytes, divided by 255 at last.
+/// As in the general filter: the mean of 0 to 255, then divided by 255.
 #[inline(always)]
 fn mean_of_bytes<const CHANNEL: usize>(words: [&U32s; 4], weights: [&F32s; 2], out: &mut F32s) {
     mean(words, weights, out, |word| byte_of(word, CHANNEL));

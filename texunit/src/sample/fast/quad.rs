@@ -119,7 +119,7 @@ fn inside_offsets<S: Simd>(
             inside_offsets_by::<S>(view.level, [s, t], wrapped, offsets, weights)
         }
         (Wrap::ClampToEdge, Wrap::ClampToEdge) => {
-            let wrapped = |axis: usize, x| axes[axis].held_to_edge(x);
+            let wrapped = |axis: usize, x| axes[axis].clamped_to_edge(x);
             inside_offsets_by::<S>(view.level, [s, t], wrapped, offsets, weights)
         }
         (_, _) => false,
@@ -143,7 +143,7 @@ fn inside_offsets_by<S: Simd>(
         let ((i, left), (j, below)) = (S::floor_small(u), S::floor_small(v));
         alpha[lane] = u - left;
         beta[lane] = v - below;
-        // -1 is the largest of all.
+        // As an unsigned number, -1 is the largest.
         let (i, j) = (i as u32, j as u32);
         column = if i > column { i } else { column };
         line = if j > line { j } else { line };

@@ -1,4 +1,4 @@
-//! Where the 2×2 texels lie that lanes take means of, edges included.
+//! Positions of the 2×2 texels of a linear filter, edges included.
 
 use super::offsets::add_offsets;
 use crate::lanes::{F32s, I32s, LANES, Simd, U32s};
@@ -7,29 +7,29 @@ use crate::sample::level_view::LevelView;
 use crate::sample::wrap::{Axis, enclosing};
 use crate::sampler::{Filter, Seamless, Wrap};
 
-/// The squares of texels that lanes take means of.
+/// The positions of the texel quads of a batch.
 pub struct QuadPosition {
-    /// Of s and t.
+    /// The axes of s and t.
     pub axes: [Axis; 2],
     /// Column and row of the lower left texel; -1 is beyond the edge.
     pub first: [I32s; 2],
-    /// Of the right and of the upper texels.
+    /// The weights of the right and of the upper texels.
     pub weights: [F32s; 2],
-    /// Whether both columns, both rows, are the level's.
+    /// Whether both columns, and both rows, lie inside the level.
     pub pairs: [PairPosition; 2],
 }
 
-/// The two neighbours along an axis whose mean each lane takes.
+/// Where the two texels along an axis lie.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum PairPosition {
-    /// Both are the level's in every lane.
+    /// Inside the level in every lane.
     Inside,
-    /// In some lane one is beyond an edge.
+    /// Across an edge in some lane.
     AcrossEdge,
 }
 
 impl PairPosition {
-    /// Those that begin at `i`.
+    /// Of texels `i` and `i + 1`.
     #[inline(always)]
     fn of<S: Simd>(i: &I32s, size: u32) -> Self {
         if side_by_side::<S>(i, size) { Self::Inside } else { Self::AcrossEdge }
@@ -37,7 +37,7 @@ impl PairPosition {
 }
 
 impl QuadPosition {
-    /// Where each texel of the squares begins.
+    /// Byte offsets of the four texels.
     #[inline(always)]
     pub fn corners(&self, view: &LevelView<'_>) -> [U32s; 4] {
         let Self { axes: [s, t], first: [i, j], pairs, .. } = self;
@@ -53,7 +53,7 @@ impl QuadPosition {
     }
 }
 
-/// Finds the quads; `None` where the border or another face is reached.
+/// Computes the positions; `None` where the border or another face is read.
 #[inline(always)]
 pub fn quad_position<S: Simd>(view: &LevelView<'_>, at: [&F32s; 3]) -> Option<QuadPosition> {
     let axes = [view.axis(0), view.axis(1)];

@@ -1,4 +1,4 @@
-//! The short way against the general one.
+//! The fast path against the general one.
 
 use super::*;
 use crate::format::Format;
@@ -104,7 +104,7 @@ impl TexelConsumer for Keep {
         let channel = |channel| {
             F32s::from_fn(|lane| {
                 let value = texels.channel(lane, channel);
-                // Bytes have ways of their own.
+                // Bytes have fast paths of their own.
                 assert_eq!(texels.byte(lane, channel), math::byte(value), "{value}");
                 value
             })

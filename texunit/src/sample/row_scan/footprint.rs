@@ -1,4 +1,4 @@
-//! The footprint as rows: λ, and how each lane crosses the texels.
+//! The footprint of a row scan: λ, direction and slope.
 
 use super::fixed_point::to_fixed;
 use crate::lanes::math::max;
@@ -7,7 +7,7 @@ use crate::sample::derivatives::Derivatives;
 use crate::sample::recorder::Recorder;
 use crate::trace::SampleStep;
 
-/// How the lanes of a batch cross the texels, whatever the level.
+/// The scan direction of each lane, for all levels.
 pub struct RowScan {
     /// `!0` where rows are crossed, 0 where columns.
     pub along_t: U32s,
@@ -19,9 +19,9 @@ pub struct RowScan {
     pub even: I32s,
 }
 
-/// Axes whose square is larger are no footprint.
+/// A larger squared axis counts as no footprint.
 const MAX_MAJOR: f32 = 1e18;
-/// Axes whose square is smaller are a point.
+/// A smaller squared axis counts as a point.
 const MIN_MAJOR: f32 = 1e-18;
 
 /// λ of each lane and how it crosses the texels. `scale` is texels per unit of each coordinate, `most`
@@ -48,7 +48,7 @@ pub fn footprint(
         let (major, minor) = (half + root, max(half - root, 0.0));
         let width = max(minor, major * share);
         let longer = major - width;
-        // Not where NaN comes from no footprint or an infinite one.
+        // False for NaN, of empty and infinite footprints.
         let is_long = (longer > 0.0) & (major > MIN_MAJOR) & (major < MAX_MAJOR);
         let reciprocal = 1.0 / ((root + root) * major);
         let part = longer * (major * reciprocal);

@@ -1,7 +1,7 @@
-//! The mean of a level's rows: in integers where texels are bytes, else in `f32`.
+//! The weighted mean of the rows of one level: in integers where texels are bytes, else in `f32`.
 //!
-//! As with the other filters there is a general way and a short one (`plain`), which read the same
-//! texels with the same weights and give the same bits.
+//! As with the other filters there is a general path, and fast paths that read the same texels with the same weights and
+//! give the same bits.
 
 use super::footprint::RowScan;
 use super::rows::Rows;
@@ -15,7 +15,7 @@ use crate::sample::recorder::Recorder;
 use crate::sample::wrap::Indices;
 use crate::trace::SampleStep;
 
-/// Samples one level in the lanes that ask for it (a mask). Only the stored channels of `out` are
+/// Samples one level in the lanes of a mask. Only the stored channels of `out` are
 /// written.
 #[inline(always)]
 pub fn level<S: Simd>(
@@ -116,13 +116,13 @@ fn halves(weights: u32) -> [f32; 2] {
     [(weights & 0xFFFF) as i32 as f32, (weights >> 16) as i32 as f32]
 }
 
-/// Sums of what is not bytes.
+/// Weighted sums of `f32` channels.
 struct Means([F32s; 4]);
 
 impl Means {
     const ZERO: Self = Self([F32s::ZERO; 4]);
 
-    /// A row. One without weight is not there: its inf and NaN do not matter.
+    /// Adds a row. Inf and NaN of a row without weight have no effect.
     #[inline(always)]
     fn add(&mut self, channels: usize, weights: &U32s, [first, second]: [&[F32s; 4]; 2]) {
         let (mut left, mut right) = (F32s::ZERO, F32s::ZERO);
@@ -164,7 +164,7 @@ fn mean_of_bytes(rows: &Rows, channels: usize, sums: &[I32s; 4], out: &mut [F32s
     }
 }
 
-/// Bytes where they lie.
+/// Texels of bytes.
 #[inline(always)]
 fn bytes<S: Simd>(view: &LevelView<'_>, rows: &mut Rows, out: &mut [F32s; 4]) {
     let level = view.level;
@@ -185,7 +185,7 @@ fn bytes<S: Simd>(view: &LevelView<'_>, rows: &mut Rows, out: &mut [F32s; 4]) {
     mean_of_bytes(rows, channels, &planes, out);
 }
 
-/// Bytes of rows of which some cross the edge of the level.
+/// Texels of bytes, where some rows cross an edge of the level.
 #[inline(always)]
 fn wrapped<S: Simd>(view: &LevelView<'_>, rows: &mut Rows, sums: &mut Sums) {
     let level = view.level;
@@ -209,7 +209,7 @@ fn wrapped<S: Simd>(view: &LevelView<'_>, rows: &mut Rows, sums: &mut Sums) {
     }
 }
 
-/// Where the two texels of a row begin.
+/// Byte offsets of the two texels of a row.
 #[inline(always)]
 fn offsets(view: &LevelView<'_>, rows: &Rows) -> [U32s; 2] {
     let level = view.level;
@@ -225,7 +225,7 @@ fn offsets(view: &LevelView<'_>, rows: &Rows) -> [U32s; 2] {
     out
 }
 
-/// Other channels in words.
+/// Texels of other fast classes.
 #[inline(always)]
 fn words<S: Simd>(view: &LevelView<'_>, class: TexelClass, rows: &mut Rows, out: &mut [F32s; 4]) {
     let level = view.level;
@@ -270,9 +270,9 @@ fn blocks<S: Simd>(view: &LevelView<'_>, rows: &mut Rows, out: &mut [F32s; 4]) {
     means.divide(rows, channels, out);
 }
 
-/// Rows or columns within the level.
+/// Byte offsets and strides of rows (or columns) that lie inside the level.
 struct LineAddresses {
-    /// The byte where the first begins.
+    /// Byte offset of the first row.
     line: U32s,
     /// Bytes from one to the next.
     along: U32s,
@@ -284,7 +284,7 @@ impl LineAddresses {
     /// `None` where some line crosses the edge.
     #[inline(always)]
     fn new<S: Simd>(view: &LevelView<'_>, rows: &Rows) -> Option<Self> {
-        // The smallest levels are less than what is read at once.
+        // The smallest levels are shorter than one read.
         if view.level.texels.len() < 8 || !rows.are_inside::<S>(view) {
             return None;
         }

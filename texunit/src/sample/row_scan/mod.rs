@@ -1,4 +1,4 @@
-//! The anisotropic filter of images in a plane: the footprint is read row by row.
+//! The anisotropic filter of two-dimensional images: a scan over the rows of the footprint.
 //!
 //! EXT_texture_filter_anisotropic leaves the scheme open. Its usual one, several filtered samples
 //! in a row, reads most texels twice and more. This one walks the rows that the footprint crosses

@@ -1,8 +1,7 @@
-//! The rows that lanes cross on one level: places and weights as integers.
+//! The rows of one level that lanes scan: positions and weights as integers.
 //!
 //! Along the footprint a texel is [`ONE`], 2^14 units, so that the weights of a row fit the halves of a word;
-//! across it 2^16. A place is computed once, and goes on from row to row by additions, which are
-//! exact.
+//! across it 2^16. A position is computed once, and advances from row to row by integer additions.
 
 use super::fixed_point::{MAX_ROWS, to_fixed, to_large_fixed};
 use super::footprint::RowScan;
@@ -12,25 +11,25 @@ use crate::sample::level_view::LevelView;
 use crate::sample::wrap::{Axis, fold, modulo};
 use crate::sampler::Wrap;
 
-/// How far beyond the edge coordinates that do not repeat are told apart.
+/// Coordinates that do not repeat are clamped to this many texels beyond the edge.
 const BEYOND: f32 = 64.0;
 
-/// More texels across per texel along have only levels that are one texel wide.
+/// The maximum slope, in texels across per texel along. Only levels one texel wide would have more.
 const MAX_SLOPE: f32 = 2.0;
 
-/// Where each lane is: before the first row at first.
+/// The state of the scan; at first, before the first row.
 pub struct Rows {
     /// `!0` where rows are crossed, 0 where columns are.
     pub along_t: U32s,
     /// The row, unwrapped.
     pub along: I32s,
-    /// 2^16 times the place between the texels of the row: its integer is the left one.
+    /// 2^16 times the position in the row: its integer part is the left texel.
     pub across: I32s,
     /// From row to row.
     step: I32s,
     /// From the row's lower end to the footprint's upper end, in units of 2^-14.
     rest: I32s,
-    /// Of the row before the footprint's lower end; 0 from the second row on.
+    /// The part of the first row below the footprint's lower end; 0 from the second row on.
     before: I32s,
     /// `b` of the lane.
     even: I32s,
@@ -80,7 +79,7 @@ fn coordinate<S: Simd>(axis: &Axis, s: &F32s) -> Coordinate {
 }
 
 impl Rows {
-    /// The rows of a level. Lanes that do not ask for it (mask) have the fewest that there are.
+    /// The rows of a level. Lanes outside the mask get the fewest rows.
     #[inline(always)]
     pub fn new<S: Simd>(view: &LevelView<'_>, at: [&F32s; 3], scan: &RowScan, asks: &U32s) -> Self {
         let axes = [view.axis(0), view.axis(1)];
