@@ -90,7 +90,7 @@ pub trait Simd: Copy + private::Sealed {
     /// four), or more than 2^31 - 1.
     #[inline(always)]
     fn weigh_rows(bytes: &[u8], walk: &RowWalk<'_>, sums: &mut Sums) {
-        row_walk::by_rows::<Self>(bytes, walk, sums);
+        row_walk::sum_rows::<Self>(bytes, walk, sums);
     }
 
     /// Reads `table[index]` in each lane.

@@ -65,7 +65,7 @@ pub(super) fn scalar_pairs(
 /// byte 1 of both, or bytes 2 and 3, each in 16 bits (-1 gives zero).
 #[cfg(target_arch = "x86_64")]
 #[inline(always)]
-const fn places(apart: i8, half: i8) -> [i8; 16] {
+const fn byte_shuffle(apart: i8, half: i8) -> [i8; 16] {
     let mut out = [-1; 16];
     let mut at = 0;
     while at < 4 {
@@ -81,11 +81,11 @@ const fn places(apart: i8, half: i8) -> [i8; 16] {
 #[cfg(target_arch = "x86_64")]
 pub(super) mod x86 {
     use super::super::gather::x86::four_pairs;
-    use super::{LANES, Sums, U32s, places};
+    use super::{LANES, Sums, U32s, byte_shuffle};
     use std::arch::x86_64::*;
 
-    const BY_APART: [[[i8; 16]; 2]; 2] =
-        [[places(3, 0), places(3, 1)], [places(4, 0), places(4, 1)]];
+    const SHUFFLES: [[[i8; 16]; 2]; 2] =
+        [[byte_shuffle(3, 0), byte_shuffle(3, 1)], [byte_shuffle(4, 0), byte_shuffle(4, 1)]];
 
     /// # Safety
     /// The processor must have AVX2, and `at` and the three lanes after it are lanes.
@@ -94,7 +94,7 @@ pub(super) mod x86 {
         for half in 0..2 {
             // SAFETY: guaranteed by the caller.
             unsafe {
-                let bytes = _mm256_shuffle_epi8(texels, avx2_places(apart)[half]);
+                let bytes = _mm256_shuffle_epi8(texels, avx2_shuffles(apart)[half]);
                 avx2_sum(sums, half, at, _mm256_madd_epi16(bytes, weights));
             }
         }
@@ -105,8 +105,8 @@ pub(super) mod x86 {
     /// # Safety
     /// The processor must have AVX2.
     #[inline(always)]
-    pub unsafe fn avx2_places(apart: u32) -> [__m256i; 2] {
-        let [first, second] = &BY_APART[usize::from(apart == 4)];
+    pub unsafe fn avx2_shuffles(apart: u32) -> [__m256i; 2] {
+        let [first, second] = &SHUFFLES[usize::from(apart == 4)];
         // SAFETY: a table has 16 bytes.
         unsafe {
             [
@@ -190,7 +190,7 @@ pub(super) mod x86 {
         for half in 0..2 {
             // SAFETY: as for `avx2_add`, with eight lanes.
             unsafe {
-                let bytes = _mm512_shuffle_epi8(texels, avx512_places(apart)[half]);
+                let bytes = _mm512_shuffle_epi8(texels, avx512_shuffles(apart)[half]);
                 avx512_sum(sums, half, at, _mm512_madd_epi16(bytes, weights));
             }
         }
@@ -201,8 +201,8 @@ pub(super) mod x86 {
     /// # Safety
     /// The processor must have AVX-512F.
     #[inline(always)]
-    pub unsafe fn avx512_places(apart: u32) -> [__m512i; 2] {
-        let [first, second] = &BY_APART[usize::from(apart == 4)];
+    pub unsafe fn avx512_shuffles(apart: u32) -> [__m512i; 2] {
+        let [first, second] = &SHUFFLES[usize::from(apart == 4)];
         // SAFETY: a table has 16 bytes.
         unsafe {
             [

@@ -16,7 +16,7 @@ pub struct RowScan {
     /// Texels across per texel along.
     pub slope: F32s,
     /// `b`, in units of 2^-14.
-    pub even: I32s,
+    pub min_weight: I32s,
 }
 
 /// A larger squared axis counts as no footprint.
@@ -34,8 +34,12 @@ pub fn footprint(
     recorder: &mut impl Recorder,
 ) -> (F32s, RowScan) {
     let mut lambda = F32s::ZERO;
-    let mut scan =
-        RowScan { along_t: U32s::ZERO, excess: F32s::ZERO, slope: F32s::ZERO, even: I32s::ZERO };
+    let mut scan = RowScan {
+        along_t: U32s::ZERO,
+        excess: F32s::ZERO,
+        slope: F32s::ZERO,
+        min_weight: I32s::ZERO,
+    };
     let (mut majors, mut minors) = (F32s::ZERO, F32s::ZERO);
     let share = 1.0 / (most * most);
     for lane in 0..LANES {
@@ -57,12 +61,12 @@ pub fn footprint(
         let elongation = longer * ((root + root) * reciprocal);
         let squared = width + elongation * (1.0 - 0.5625 * width);
         let slope = if is_long { slope } else { 0.0 };
-        let even = 0.4375 * slope * slope * (if width < 1.0 { width } else { 1.0 });
+        let min_weight = 0.4375 * slope * slope * (if width < 1.0 { width } else { 1.0 });
         lambda[lane] = log2_of_root(if is_long { squared } else { major });
         scan.along_t[lane] = if difference > 0.0 { !0 } else { 0 };
         scan.excess[lane] = if is_long { along } else { 0.0 };
         scan.slope[lane] = slope;
-        scan.even[lane] = to_fixed(even, ONE);
+        scan.min_weight[lane] = to_fixed(min_weight, ONE);
         majors[lane] = major;
         minors[lane] = minor;
     }

@@ -22,11 +22,11 @@ pub fn level<S: Simd>(
     view: &LevelView<'_>,
     at: [&F32s; 3],
     scan: &RowScan,
-    asks: &U32s,
+    mask: &U32s,
     out: &mut [F32s; 4],
     recorder: &mut impl Recorder,
 ) {
-    let mut rows = Rows::new::<S>(view, at, scan, asks);
+    let mut rows = Rows::new::<S>(view, at, scan, mask);
     match view.texture.texel_path {
         TexelPath::Words(TexelClass::Bytes) => bytes::<S>(view, &mut rows, out),
         TexelPath::Words(
@@ -39,7 +39,7 @@ pub fn level<S: Simd>(
         }
         TexelPath::Blocks(_) => blocks::<S>(view, &mut rows, out),
         TexelPath::General | TexelPath::ComparedWords(_) => {
-            general::<S>(view, &mut rows, asks, out, recorder)
+            general::<S>(view, &mut rows, mask, out, recorder)
         }
     }
 }
@@ -49,7 +49,7 @@ pub fn level<S: Simd>(
 fn general<S: Simd>(
     view: &LevelView<'_>,
     rows: &mut Rows,
-    asks: &U32s,
+    mask: &U32s,
     out: &mut [F32s; 4],
     recorder: &mut impl Recorder,
 ) {
@@ -61,9 +61,9 @@ fn general<S: Simd>(
         rows: rows.count[lane],
         length: rows.total[lane] as f32 / ONE as f32,
     });
-    while rows.number < rows.most {
+    while rows.number < rows.max_count {
         let weights = rows.weights();
-        recorder.restrict_to(|lane| asks[lane] != 0 && rows.number < rows.count[lane]);
+        recorder.restrict_to(|lane| mask[lane] != 0 && rows.number < rows.count[lane]);
         recorder.record(|lane| SampleStep::Row {
             number: rows.number,
             weights: halves(weights[lane]).map(|weight| weight / rows.total[lane] as f32),
@@ -74,7 +74,7 @@ fn general<S: Simd>(
         let [first, second] = &mut texels;
         fetch::texels::<S>(view, [&left[0], &left[1], &slice], first, recorder);
         fetch::texels::<S>(view, [&right[0], &right[1], &slice], second, recorder);
-        recorder.restrict_to(|lane| asks[lane] != 0);
+        recorder.restrict_to(|lane| mask[lane] != 0);
         if is_bytes {
             for channel in 0..channels {
                 for lane in 0..LANES {
@@ -171,9 +171,9 @@ fn bytes<S: Simd>(view: &LevelView<'_>, rows: &mut Rows, out: &mut [F32s; 4]) {
     let apart = level.format.bytes() as u32;
     let mut sums = Sums::ZERO;
     match LineAddresses::new::<S>(view, rows) {
-        Some(LineAddresses { line, along, across }) => {
-            let beside = across.as_ref().map_or(SecondTexel::Adjacent(apart), SecondTexel::Stride);
-            S::weigh_rows(&level.texels, &rows.walk(&line, &along, beside), &mut sums);
+        Some(LineAddresses { start, stride, across }) => {
+            let second = across.as_ref().map_or(SecondTexel::Adjacent(apart), SecondTexel::Stride);
+            S::weigh_rows(&level.texels, &rows.walk(&start, &stride, second), &mut sums);
         }
         None => wrapped::<S>(view, rows, &mut sums),
     }
@@ -190,7 +190,7 @@ fn bytes<S: Simd>(view: &LevelView<'_>, rows: &mut Rows, out: &mut [F32s; 4]) {
 fn wrapped<S: Simd>(view: &LevelView<'_>, rows: &mut Rows, sums: &mut Sums) {
     let level = view.level;
     let apart = level.format.bytes() as u32;
-    while rows.number < rows.most {
+    while rows.number < rows.max_count {
         let weights = rows.weights();
         let [left, right] = offsets(view, rows);
         let mut elsewhere = U32s::ZERO;
@@ -231,7 +231,7 @@ fn words<S: Simd>(view: &LevelView<'_>, class: TexelClass, rows: &mut Rows, out:
     let level = view.level;
     let channels = level.format.channels();
     let mut means = Means::ZERO;
-    while rows.number < rows.most {
+    while rows.number < rows.max_count {
         let weights = rows.weights();
         let offsets = offsets(view, rows);
         let mut texels = [[F32s::ZERO; 4]; 2];
@@ -259,7 +259,7 @@ fn words<S: Simd>(view: &LevelView<'_>, class: TexelClass, rows: &mut Rows, out:
 fn blocks<S: Simd>(view: &LevelView<'_>, rows: &mut Rows, out: &mut [F32s; 4]) {
     let channels = view.level.format.channels();
     let mut means = Means::ZERO;
-    while rows.number < rows.most {
+    while rows.number < rows.max_count {
         let mut texels = [[F32s::ZERO; 4]; 2];
         for (texel, [x, y]) in texels.iter_mut().zip(&rows.texels(view)) {
             view.level.fetch_stored::<S>([x, y, &U32s::ZERO], texel);
@@ -273,9 +273,9 @@ fn blocks<S: Simd>(view: &LevelView<'_>, rows: &mut Rows, out: &mut [F32s; 4]) {
 /// Byte offsets and strides of rows (or columns) that lie inside the level.
 struct LineAddresses {
     /// Byte offset of the first row.
-    line: U32s,
+    start: U32s,
     /// Bytes from one to the next.
-    along: U32s,
+    stride: U32s,
     /// Bytes from texel to texel, unless all lanes have rows.
     across: Option<U32s>,
 }
@@ -291,14 +291,14 @@ impl LineAddresses {
         let level = view.level;
         let (bytes, row) = (level.format.bytes() as u32, level.row_bytes() as u32);
         let origin = level.origin() as u32;
-        let (mut line, mut along, mut across) = (U32s::ZERO, U32s::ZERO, U32s::ZERO);
-        let mut turned = U32s::ZERO;
+        let (mut start, mut stride, mut across) = (U32s::ZERO, U32s::ZERO, U32s::ZERO);
+        let mut columns = U32s::ZERO;
         for lane in 0..LANES {
-            turned[lane] = !rows.along_t[lane];
-            along[lane] = if turned[lane] != 0 { bytes } else { row };
-            across[lane] = if turned[lane] != 0 { row } else { bytes };
-            line[lane] = (rows.along[lane] as u32).wrapping_mul(along[lane]).wrapping_add(origin);
+            columns[lane] = !rows.along_t[lane];
+            stride[lane] = if columns[lane] != 0 { bytes } else { row };
+            across[lane] = if columns[lane] != 0 { row } else { bytes };
+            start[lane] = (rows.along[lane] as u32).wrapping_mul(stride[lane]).wrapping_add(origin);
         }
-        Some(Self { line, along, across: S::any(&turned).then_some(across) })
+        Some(Self { start, stride, across: S::any(&columns).then_some(across) })
     }
 }

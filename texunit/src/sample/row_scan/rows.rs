@@ -28,17 +28,17 @@ pub struct Rows {
     /// From row to row.
     step: I32s,
     /// From the row's lower end to the footprint's upper end, in units of 2^-14.
-    rest: I32s,
+    remaining: I32s,
     /// The part of the first row below the footprint's lower end; 0 from the second row on.
-    before: I32s,
+    skipped: I32s,
     /// `b` of the lane.
-    even: I32s,
+    min_weight: I32s,
     /// How many rows each lane has.
     pub count: U32s,
     /// The sum of all weights.
     pub total: I32s,
     /// The most rows of a lane.
-    pub most: u32,
+    pub max_count: u32,
     /// Which row is next.
     pub number: u32,
 }
@@ -81,13 +81,13 @@ fn coordinate<S: Simd>(axis: &Axis, s: &F32s) -> Coordinate {
 impl Rows {
     /// The rows of a level. Lanes outside the mask get the fewest rows.
     #[inline(always)]
-    pub fn new<S: Simd>(view: &LevelView<'_>, at: [&F32s; 3], scan: &RowScan, asks: &U32s) -> Self {
+    pub fn new<S: Simd>(view: &LevelView<'_>, at: [&F32s; 3], scan: &RowScan, mask: &U32s) -> Self {
         let axes = [view.axis(0), view.axis(1)];
         let (s, t) = (coordinate::<S>(&axes[0], at[0]), coordinate::<S>(&axes[1], at[1]));
         // Texels of this level per texel of the base level.
         let base = view.texture.scale;
-        let part = [axes[0].scale / base[0], axes[1].scale / base[1]];
-        let turn = [part[1] / part[0], part[0] / part[1]];
+        let level_scale = [axes[0].scale / base[0], axes[1].scale / base[1]];
+        let aspect = [level_scale[1] / level_scale[0], level_scale[0] / level_scale[1]];
         let mut slope = scan.slope;
         if axes.iter().any(|axis| axis.wrap == Wrap::MirroredRepeat) {
             for lane in 0..LANES {
@@ -100,42 +100,44 @@ impl Rows {
             along: I32s::ZERO,
             across: I32s::ZERO,
             step: I32s::ZERO,
-            rest: I32s::ZERO,
-            before: I32s::ZERO,
-            even: scan.even,
+            remaining: I32s::ZERO,
+            skipped: I32s::ZERO,
+            min_weight: scan.min_weight,
             count: U32s::ZERO,
             total: I32s::ZERO,
-            most: 0,
+            max_count: 0,
             number: 0,
         };
         for lane in 0..LANES {
             let along_t = scan.along_t[lane] != 0;
             let (u, v) = (s.texels[lane], t.texels[lane]);
             let (along, across) = if along_t { (v, u) } else { (u, v) };
-            let (part, turn) = if along_t { (part[1], turn[1]) } else { (part[0], turn[0]) };
-            let slope = clamp(slope[lane] * turn, -MAX_SLOPE, MAX_SLOPE);
-            let length = min((1.0 + scan.excess[lane] * part * part).sqrt(), MAX_ROWS);
-            let length = if asks[lane] != 0 { length } else { 1.0 };
+            let (level_scale, aspect) =
+                if along_t { (level_scale[1], aspect[1]) } else { (level_scale[0], aspect[0]) };
+            let slope = clamp(slope[lane] * aspect, -MAX_SLOPE, MAX_SLOPE);
+            let length =
+                min((1.0 + scan.excess[lane] * level_scale * level_scale).sqrt(), MAX_ROWS);
+            let length = if mask[lane] != 0 { length } else { 1.0 };
 
             let total = to_fixed(length, ONE);
             let middle = to_large_fixed::<S>(along, ONE);
             let low = middle - (total >> 1);
             let first = low >> 14;
-            let before = low & (ONE - 1);
+            let skipped = low & (ONE - 1);
             // From the middle to the first row's.
-            let from = ((first << 14) + ONE / 2 - middle) as f32 / ONE as f32;
-            let moved = to_fixed(slope * from, 1 << 16);
+            let offset = ((first << 14) + ONE / 2 - middle) as f32 / ONE as f32;
+            let shift = to_fixed(slope * offset, 1 << 16);
             // The centre of texel i is at i + 1/2; half a unit of the weight, to round it.
-            let across = to_large_fixed::<S>(across, 1 << 16) + moved - (1 << 15) + 2;
+            let across = to_large_fixed::<S>(across, 1 << 16) + shift - (1 << 15) + 2;
             rows.along[lane] = first;
             rows.across[lane] = across;
             rows.step[lane] = to_fixed(slope, 1 << 16);
             rows.total[lane] = total;
-            rows.before[lane] = before;
-            rows.rest[lane] = total + before;
-            rows.count[lane] = ((total + before + ONE - 1) >> 14) as u32;
+            rows.skipped[lane] = skipped;
+            rows.remaining[lane] = total + skipped;
+            rows.count[lane] = ((total + skipped + ONE - 1) >> 14) as u32;
         }
-        rows.most = S::largest(&rows.count);
+        rows.max_count = S::largest(&rows.count);
         rows
     }
 
@@ -145,8 +147,8 @@ impl Rows {
     pub fn weights(&self) -> U32s {
         let mut out = U32s::ZERO;
         for lane in 0..LANES {
-            let (across, rest) = (self.across[lane], self.rest[lane]);
-            out[lane] = weights(across, rest, self.before[lane], self.even[lane]);
+            let (across, remaining) = (self.across[lane], self.remaining[lane]);
+            out[lane] = weights(across, remaining, self.skipped[lane], self.min_weight[lane]);
         }
         out
     }
@@ -155,20 +157,20 @@ impl Rows {
     #[inline(always)]
     pub fn walk<'a>(
         &'a self,
-        line: &'a U32s,
-        along: &'a U32s,
-        beside: SecondTexel<'a>,
+        start: &'a U32s,
+        stride: &'a U32s,
+        second: SecondTexel<'a>,
     ) -> RowWalk<'a> {
         RowWalk {
-            line,
-            along,
-            beside,
-            place: &self.across,
+            start,
+            stride,
+            second_texel: second,
+            position: &self.across,
             step: &self.step,
-            rest: &self.rest,
-            before: &self.before,
-            even: &self.even,
-            rows: self.most,
+            remaining: &self.remaining,
+            skipped: &self.skipped,
+            min_weight: &self.min_weight,
+            rows: self.max_count,
         }
     }
 
@@ -178,10 +180,10 @@ impl Rows {
         for lane in 0..LANES {
             self.along[lane] += 1;
             self.across[lane] += self.step[lane];
-            self.rest[lane] -= ONE;
+            self.remaining[lane] -= ONE;
         }
         if self.number == 0 {
-            self.before = I32s::ZERO;
+            self.skipped = I32s::ZERO;
         }
         self.number += 1;
     }
@@ -191,7 +193,7 @@ impl Rows {
     pub fn are_inside<S: Simd>(&self, view: &LevelView<'_>) -> bool {
         let size = [view.level.width as i32, view.level.height as i32];
         let mut beyond = U32s::ZERO;
-        let last = self.most as i32 - 1;
+        let last = self.max_count as i32 - 1;
         for lane in 0..LANES {
             let along_t = self.along_t[lane] != 0;
             let (along, across) = if along_t { (size[1], size[0]) } else { (size[0], size[1]) };
