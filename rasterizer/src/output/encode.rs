@@ -13,13 +13,13 @@ pub fn unorm(c: f32, largest: f32) -> u32 {
 /// The texels of 64 colours: as many words as the format has. A function of its own, as it is large.
 #[inline(always)]
 pub fn encode_color<S: Simd>(format: Format, rgba: [&F32s; 4], out: &mut [U32s; 4]) {
-    S::apart(Encode { format, rgba, out });
+    S::outlined(Encode { format, rgba, out });
 }
 
 /// The colours of 64 texels, as blending sees them: what is not stored is 0, alpha 1. A function of its own.
 #[inline(always)]
 pub fn decode_color<S: Simd>(format: Format, words: [&U32s; 4]) -> [F32s; 4] {
-    S::apart(Decode { format, words })
+    S::outlined(Decode { format, words })
 }
 
 struct Encode<'a> {

@@ -4,7 +4,7 @@ use super::Textures;
 use super::inputs::{FilledInput, FragmentInput};
 use crate::shader::Program;
 use texunit::lanes::Isa;
-use texunit::plan::Places;
+use texunit::sample::Addresses;
 
 /// What a fragment program that is a product ([`crate::shader::Product`]) comes to in a draw.
 #[derive(Debug)]
@@ -20,7 +20,7 @@ pub struct ProductPlan {
     /// Those where the levels of detail are known.
     pub without_details: ProductInputs,
     /// Who looks for the texels of each lookup: the one before where both read alike at one point.
-    pub places: Vec<Places>,
+    pub places: Vec<Addresses>,
 }
 
 /// The inputs that a block needs.
@@ -51,13 +51,14 @@ impl ProductPlan {
         let product = fragment.product()?;
         let is_there = |slot: u32| {
             let texture = textures.get(slot as usize).and_then(Option::as_ref);
-            texture.is_some_and(|texture| texture.gives_colors())
+            texture.is_some_and(|texture| texture.samples_color())
         };
         if !product.textures().all(is_there) {
             return None;
         }
-        let places =
-            |at: usize| product.repeat(at).map_or(Places::Own, |repeat| repeat.places(textures));
+        let places = |at: usize| {
+            product.repeat(at).map_or(Addresses::Compute, |repeat| repeat.places(textures))
+        };
         let mut factor_planes = Some(FactorPlanes::default());
         for &index in &product.factor_inputs {
             match inputs[index] {
@@ -87,7 +88,7 @@ impl ProductPlan {
         }
         let takes = |slot: u32| {
             let texture = textures.get(slot as usize).and_then(Option::as_ref);
-            texture.is_some_and(|texture| !texture.needs_lod() || texture.takes_by_reading(isa))
+            texture.is_some_and(|texture| !texture.needs_lod() || texture.fuses_uniform_levels(isa))
         };
         let details = product.detail_inputs.as_ref().filter(|_| product.textures().all(takes));
         let detail_planes = details.and_then(|details| detail_planes(details, inputs));

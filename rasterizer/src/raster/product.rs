@@ -6,7 +6,11 @@ use crate::output::{Color, ColorPlan, pack_colors, put};
 use crate::plan::{DrawPlan, FactorPlanes, FilledInput, ProductInputs, ProductPlan};
 use crate::shader::{BANKS, Machine, OverBudget, Part, Product, Run};
 use texunit::lanes::{F32s, Isa, Kernel, LANES, QUADS, Simd, U32s};
-use texunit::plan::{Known, Like, Lod, Places, Read, Room, SamplePlan, Take, Texels};
+use texunit::plan::SamplePlan;
+use texunit::sample::{
+    Addresses, FilteredTexels, LevelHint, Lod, LookupScratch, SelectedLevels, TexelConsumer,
+    UniformLevels,
+};
 
 /// The colours of a run, and what there is between its lookups.
 #[derive(Debug, Default)]
@@ -16,7 +20,7 @@ pub struct Products {
     /// Products that are not done, by turns.
     between: Box<[[F32s; 4]; 2]>,
     /// Of lookups.
-    room: Box<Room>,
+    room: Box<LookupScratch>,
     /// How the run has its factors.
     how: Factors,
     /// Factors that are the same all over a run, for as long as these are what they depend on: the draw, and the
@@ -49,7 +53,7 @@ pub enum Factors {
 }
 
 /// What a lookup reads, and the weight of the second level.
-type Reading = (Option<Read>, F32s);
+type Reading = (Option<UniformLevels>, F32s);
 
 /// How a run has the levels that its lookups read.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -219,16 +223,16 @@ impl Kernel for Multiply<'_> {
                     let lod = lod_of(texture, machine, product, at, bank);
                     match (&*details, places) {
                         (Details::Known, _) => (read, weight) = *kept,
-                        (Details::Varying, Places::Own) => {
-                            read = texture.read::<S>(coords, &lod, &mut weight);
+                        (Details::Varying, Addresses::Compute) => {
+                            read = texture.uniform_levels::<S>(coords, &lod, &mut weight);
                         }
-                        (Details::Varying, Places::Kept) => {}
+                        (Details::Varying, Addresses::Reuse) => {}
                     }
                     if is_kept {
                         *kept = (read, weight);
                     }
-                    let known = Known { read, weight: &weight, places };
-                    texture.take::<S, _>(isa, coords, lod, known, room, times);
+                    let known = SelectedLevels { levels: read, weight: &weight, addresses: places };
+                    texture.sample_fused::<S, _>(isa, coords, lod, known, room, times);
                 }
             }
         }
@@ -248,10 +252,10 @@ fn ask<S: Simd>(
         let texture = plan.textures.get(product.texture(at));
         let Some(texture) = texture.and_then(Option::as_ref) else { continue };
         let like = match known.and_then(|readings| readings[at].0) {
-            Some(read) => Like::Read(read),
+            Some(read) => LevelHint::Uniform(read),
             None => {
                 let lod = lod_of(texture, machine, product, at, 0);
-                Like::First(machine.coords(product, at, 0), lod)
+                LevelHint::FirstLane(machine.coords(product, at, 0), lod)
             }
         };
         let mut points = [F32s::ZERO; 2];
@@ -261,7 +265,7 @@ fn ask<S: Simd>(
                 points.0[bank * QUADS..][..QUADS].copy_from_slice(&coords.0[..QUADS]);
             }
         }
-        texture.ask::<S>(points.each_ref(), like);
+        texture.prefetch::<S>(points.each_ref(), like);
     }
 }
 
@@ -291,11 +295,11 @@ enum To<'a> {
     Words { color: &'a ColorPlan, stored: &'a mut U32s, mask: u64 },
 }
 
-impl Take for Times<'_> {
+impl TexelConsumer for Times<'_> {
     type Output = ();
 
     #[inline(always)]
-    fn take<S: Simd>(self, texels: &impl Texels) {
+    fn consume<S: Simd>(self, texels: &impl FilteredTexels) {
         let Self { factors, is_one, to } = self;
         match to {
             To::Lanes([r, g, b, a]) => {
@@ -324,7 +328,7 @@ impl Take for Times<'_> {
 }
 
 #[inline(always)]
-fn times(texels: &impl Texels, factors: [&F32s; 4], channel: usize, out: &mut F32s) {
+fn times(texels: &impl FilteredTexels, factors: [&F32s; 4], channel: usize, out: &mut F32s) {
     for lane in 0..LANES {
         out[lane] = factors[channel][lane] * texels.channel(lane, channel);
     }
@@ -333,7 +337,7 @@ fn times(texels: &impl Texels, factors: [&F32s; 4], channel: usize, out: &mut F3
 /// The lookup as colours.
 struct Alone<'a, T>(&'a T);
 
-impl<T: Texels> Color for Alone<'_, T> {
+impl<T: FilteredTexels> Color for Alone<'_, T> {
     #[inline(always)]
     fn channel(&self, lane: usize, channel: usize) -> f32 {
         self.0.channel(lane, channel)
@@ -350,7 +354,7 @@ struct Colors<'a, T> {
     factors: [&'a F32s; 4],
 }
 
-impl<T: Texels> Color for Colors<'_, T> {
+impl<T: FilteredTexels> Color for Colors<'_, T> {
     #[inline(always)]
     fn channel(&self, lane: usize, channel: usize) -> f32 {
         self.factors[channel][lane] * self.texels.channel(lane, channel)

@@ -52,7 +52,7 @@ fn divide_pixel(
 /// [`divided`], and how it changes across and up. One loop, as all three are made of the same quotient.
 #[inline(always)]
 pub fn with_slopes<S: Simd>(places: &impl Places, planes: [usize; 2], inverse: &F32s) -> [F32s; 3] {
-    S::apart_unless_wide(WithSlopes { places, planes, inverse })
+    S::outlined_unless_wide(WithSlopes { places, planes, inverse })
 }
 
 struct WithSlopes<'a, P> {
@@ -124,7 +124,7 @@ pub fn invert<S: Simd>(lanes: &mut F32s) {
 /// A plane at every lane.
 #[inline(always)]
 pub fn evaluate<S: Simd>(places: &impl Places, plane: usize) -> F32s {
-    S::apart_unless_wide(Evaluate { places, plane })
+    S::outlined_unless_wide(Evaluate { places, plane })
 }
 
 struct Evaluate<'a, P> {

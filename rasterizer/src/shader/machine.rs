@@ -17,7 +17,7 @@ use super::preamble::uniform_at;
 use super::{OverBudget, Prepared, Program, Run};
 use crate::ir::{Access, Axis};
 use texunit::lanes::{F32s, Kernel, LANES, QUADS, Simd, U32s};
-use texunit::plan::{Lod, Points, Room};
+use texunit::sample::{Lod, LookupScratch, Points};
 
 /// The registers of a thread, reused from batch to batch and from program to program.
 #[derive(Debug, Default)]
@@ -32,7 +32,7 @@ pub struct Machine {
     discarded: Mask,
     slots: Vec<Mask>,
     /// For lookups.
-    rooms: Vec<Room>,
+    rooms: Vec<LookupScratch>,
     /// From the room of a bank to that of the next: none, unless a lookup keeps what the one before found.
     apart: usize,
     /// Identity of the program that the registers are laid out for; 0 is none.
@@ -61,7 +61,7 @@ impl Machine {
         self.apart = usize::from(!program.repeats.is_empty());
         let rooms = 1 + self.apart * (program.banks - 1);
         if self.rooms.len() < rooms {
-            self.rooms.resize_with(rooms, Room::default);
+            self.rooms.resize_with(rooms, LookupScratch::default);
         }
         self.inputs = program.layout.inputs as usize;
         self.outputs.clone_from(&program.layout.outputs);

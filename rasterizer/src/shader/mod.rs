@@ -47,7 +47,8 @@ use std::fmt::Write;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 use texunit::lanes::Isa;
-use texunit::plan::{Places, SamplePlan};
+use texunit::plan::SamplePlan;
+use texunit::sample::Addresses;
 
 /// A compiled stage.
 #[derive(Debug)]
@@ -105,10 +106,10 @@ impl Prepared {
 
     /// Who looks for the places of a lookup of the program.
     #[inline(always)]
-    fn places(&self, sample: &SampleInst) -> Places {
+    fn places(&self, sample: &SampleInst) -> Addresses {
         match sample.repeat {
-            Some(number) if self.alike >> number & 1 == 1 => Places::Kept,
-            Some(_) | None => Places::Own,
+            Some(number) if self.alike >> number & 1 == 1 => Addresses::Reuse,
+            Some(_) | None => Addresses::Compute,
         }
     }
 

@@ -9,7 +9,7 @@ use super::repeat::Repeat;
 use super::{Layout, OverBudget, Run};
 use crate::ir::{Access, Output};
 use texunit::lanes::F32s;
-use texunit::plan::Lod;
+use texunit::sample::Lod;
 
 /// As many instructions may come before the lookups; programs with more of them keep to the interpreter.
 const MOST_BEFORE: usize = 16;

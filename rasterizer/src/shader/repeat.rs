@@ -4,7 +4,8 @@
 use super::inst::{Inst, Reg, Role, SampleInst};
 use crate::ir::Access;
 use std::sync::Arc;
-use texunit::plan::{Places, SamplePlan};
+use texunit::plan::SamplePlan;
+use texunit::sample::Addresses;
 
 /// Two lookups with nothing in between that changes what the second one reads.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,12 +22,12 @@ impl Repeat {
     }
 
     /// Who looks for the places of the second, in a draw with these textures.
-    pub(crate) fn places(&self, textures: &[Option<Arc<SamplePlan>>]) -> Places {
+    pub(crate) fn places(&self, textures: &[Option<Arc<SamplePlan>>]) -> Addresses {
         let texture = |slot: u32| textures.get(slot as usize)?.as_ref();
         let [before, here] = self.textures.map(texture);
         match before.zip(here) {
-            Some((before, here)) if here.reads_like(before) => Places::Kept,
-            Some(_) | None => Places::Own,
+            Some((before, here)) if here.shares_addresses_with(before) => Addresses::Reuse,
+            Some(_) | None => Addresses::Compute,
         }
     }
 }
@@ -85,7 +86,7 @@ fn reads(sample: &mut SampleInst, wanted: Reg) -> bool {
 /// Of which of these both textures read alike: bit by number.
 pub(super) fn alike(repeats: &[Repeat], textures: &[Option<Arc<SamplePlan>>]) -> u64 {
     let bit = |(number, repeat): (usize, &Repeat)| {
-        u64::from(repeat.places(textures) == Places::Kept) << number
+        u64::from(repeat.places(textures) == Addresses::Reuse) << number
     };
     repeats.iter().enumerate().map(bit).sum()
 }

@@ -6,7 +6,7 @@ use crate::ir::{Access, Ty};
 use crate::shader::inst::{Inst, Reg, SampleInst};
 use crate::shader::{OverBudget, Program};
 use crate::trace::{Expression, Lookup, MAX_STEPS, Name, Operand, Step};
-use texunit::plan::Points;
+use texunit::sample::Points;
 use texunit::trace::SampleTrace;
 
 /// The steps of a lane, and where the values in its registers come from.
