@@ -7,6 +7,8 @@ mod handles;
 #[path = "../bodies/random.rs"]
 mod random;
 
+// Linked for its C names.
+use detgl as _;
 use handles::Client;
 use libfuzzer_sys::fuzz_target;
 use random::Random;

@@ -1,11 +1,13 @@
 //! Bad handles at EGL's and OSMesa's door, from several threads at once: nothing panics or hangs, and what is made
 //! afterwards works.
 
-#[path = "../../fuzz/bodies/handles.rs"]
+#[path = "../../../fuzz/bodies/handles.rs"]
 mod handles;
-#[path = "../../fuzz/bodies/random.rs"]
+#[path = "../../../fuzz/bodies/random.rs"]
 mod random;
 
+// Linked for its C names.
+use detgl as _;
 use handles::Client;
 use random::Random;
 use std::time::{Duration, Instant};
