@@ -1,14 +1,10 @@
 //! The state that the commands of a pass set, and what draws decided from it.
 
-use super::buffer::VertexBinding;
-use super::command::{Command, Rect, Viewport};
-use super::counter::Counter;
-use super::pipeline::Pipeline;
-use super::raster::RasterState;
-use crate::plan::{DrawPlan, Textures, arrays};
+use super::command::Command;
+use crate::desc::{Counter, RasterState, Rect, VertexBinding, Viewport};
+use crate::plan::{DrawPlan, Pipeline, Textures, arrays, same_textures};
 use crate::shader::Prepared;
 use std::sync::Arc;
-use texunit::plan::SamplePlan;
 
 /// The state that commands set.
 pub struct Bound {
@@ -98,14 +94,4 @@ impl Bound {
         }
         self.decided = None;
     }
-}
-
-/// Whether two lists are of the same plans.
-pub fn same_textures(a: &Textures, b: &Textures) -> bool {
-    let same = |(a, b): (&Option<Arc<SamplePlan>>, &Option<Arc<SamplePlan>>)| match (a, b) {
-        (Some(a), Some(b)) => Arc::ptr_eq(a, b),
-        (None, None) => true,
-        (Some(_), None) | (None, Some(_)) => false,
-    };
-    a.len() == b.len() && a.iter().zip(b.iter()).all(same)
 }

@@ -3,7 +3,7 @@
 use super::command::{ClearValue, Command};
 use super::device::SubmitError;
 use super::image::{AttachmentInfo, PassDesc};
-use crate::target::is_attachable;
+use crate::attachment::is_attachable;
 
 /// Checks the order and the ranges of commands.
 pub fn check(commands: &[Command]) -> Result<(), SubmitError> {

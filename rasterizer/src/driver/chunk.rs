@@ -1,18 +1,14 @@
 //! Chunks of a draw: runs of primitives whose vertices are shaded, whose shapes are set up and
 //! sorted by tiles, in parallel; what comes out is in the order of the primitives.
 
-use super::buffer::VertexBinding;
-use super::pipeline::{Pipeline, Topology};
-use crate::crew::Crew;
-use crate::plan::Textures;
-use crate::pool::Pool;
-use crate::primitive::{
-    Primitive, Primitives, Reasons, Setup, Shape, reasons, setup, stipple_lines,
-};
+use crate::desc::{Topology, VertexBinding};
+use crate::plan::{Pipeline, Textures};
+use crate::primitive::{Reasons, Setup, Shape, reasons, setup, stipple_lines};
 use crate::raster::{Chunk, ShapeLists};
 use crate::shader::{Machine, OverBudget, Prepared};
-use crate::target::TILE;
-use crate::vertex::{Geometry, Ids, VertexStage, Wanted, ordinals, shade};
+use crate::sizes::TILE;
+use crate::threads::{Crew, Pool};
+use crate::vertex::{Geometry, Ids, Primitive, Primitives, VertexStage, Wanted, ordinals, shade};
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 use texunit::lanes::Isa;
@@ -348,7 +344,8 @@ fn sort_by_tile(lists: &mut ShapeLists) -> Vec<TileRun> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::primitive::{Facing, Kind, Part};
+    use crate::desc::Facing;
+    use crate::primitive::{Kind, Part};
 
     #[test]
     fn every_tile_gets_the_shapes_that_touch_it_in_order() {

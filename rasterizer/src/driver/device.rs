@@ -3,13 +3,11 @@
 use super::command::CommandBuffer;
 use super::image::{Attachment, Image};
 use super::sight::Sight;
-use super::threads::Threads;
 use super::{check, submit};
-use crate::crew::Crew;
-use crate::pool::Pool;
+use crate::attachment::{Part, Put, Storing};
 use crate::raster::{ShapeLists, Worker};
 use crate::shader::Machine;
-use crate::target::{Part, Put, Storing};
+use crate::threads::{Crew, Pool, Threads};
 use crate::vertex::Geometry;
 use parking_lot::Mutex;
 use std::collections::BTreeSet;
@@ -89,6 +87,12 @@ pub enum DeviceError {
     Pool(String),
 }
 
+impl DeviceError {
+    fn pool(error: impl std::error::Error) -> Self {
+        Self::Pool(error.to_string())
+    }
+}
+
 /// A command buffer that breaks a rule. Nothing of it was run.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error("command {index}: {rule}")]
@@ -133,7 +137,7 @@ impl Device {
     /// # Errors
     /// When its threads cannot be started.
     pub fn new(desc: DeviceDesc) -> Result<Self, DeviceError> {
-        let threads = Threads::start(desc.threads)?;
+        let threads = Threads::start(desc.threads).map_err(DeviceError::pool)?;
         Ok(Self {
             desc,
             threads,
@@ -158,7 +162,7 @@ impl Device {
     /// threads; then nothing was run.
     pub fn submit(&self, commands: &CommandBuffer) -> Result<SubmitReport, SubmitError> {
         check::check(&commands.commands)?;
-        let crew = self.threads.crew();
+        let crew = self.threads.crew().map_err(DeviceError::pool);
         let crew = crew.map_err(|error| SubmitError { index: 0, rule: error.to_string() })?;
         Ok(submit::run(self, &crew, &commands.commands))
     }

@@ -8,9 +8,10 @@
 //! themselves are in the attachment layout alone; or every sample has rows of its own ([`Rows`]), so
 //! that they can be sampled one by one and several layers drawn to in turn.
 
-use crate::crew::Crew;
-use crate::raster::possible_samples;
-use crate::target::{MAX_SAMPLES, Part, Put, Slices, Storing, Surface};
+use crate::attachment::{Part, Put, Slices, Storing, Surface};
+use crate::plan::possible_samples;
+use crate::sizes::MAX_SAMPLES;
+use crate::threads::Crew;
 use parking_lot::Mutex;
 use std::sync::Arc;
 use texunit::format::Format;

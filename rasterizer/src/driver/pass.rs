@@ -5,20 +5,20 @@
 
 use super::bound::{Bound, Decided};
 use super::chunk::{DrawState, Gathered, RUN, TileRun};
-use super::command::{ClearValue, Command, Rect};
+use super::command::{ClearValue, Command};
 use super::device::{Device, SubmitReport};
 use super::image::PassDesc;
-use super::pipeline::Pipeline;
 use super::sight::Sight;
-use crate::crew::Crew;
-use crate::output::{DepthFormat, texel_words};
-use crate::plan::{Counting, DrawPlan, PlanInput, sprite_slots};
-use crate::primitive::{Setup, Shape, primitives};
+use crate::attachment::{DepthFormat, Surface, all_bits, component_bits, texel_words};
+use crate::desc::Rect;
+use crate::plan::{Counting, DrawPlan, Pipeline, PlanInput, sprite_slots};
+use crate::primitive::{Setup, Shape};
 use crate::raster::{Chunk, ClearJob, DrawJob, Entry, Formats, PassJob, Spot, TileJob};
 use crate::shader::{OverBudget, Prepared};
-use crate::target::{Surface, TILE, all_bits, component_bits};
+use crate::sizes::TILE;
+use crate::threads::Crew;
 use crate::trace::Cleared;
-use crate::vertex::Ids;
+use crate::vertex::{Ids, primitives};
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, OnceLock};

@@ -3,7 +3,7 @@
 use super::command::Command;
 use super::device::{Device, SubmitReport};
 use super::pass::Pass;
-use crate::crew::Crew;
+use crate::threads::Crew;
 
 /// Runs checked commands.
 pub fn run(device: &Device, crew: &Crew, commands: &[Command]) -> SubmitReport {

@@ -3,11 +3,10 @@
 //! Bytes in the order red, green, blue, alpha have a kernel of their own; every other format goes
 //! through its row of the table of formats.
 
-use super::encode::{decode_color, encode_color};
 use super::mask::expand_mask;
 use super::{blend, logic};
-use crate::driver::{Blend, BlendEquation, BlendFactor, LogicOp};
-use crate::target::{Old, WordMask, all_bits};
+use crate::attachment::{Old, WordMask, all_bits, decode_color, encode_color};
+use crate::desc::{Blend, BlendEquation, BlendFactor, LogicOp};
 use texunit::format::convert::byte_channel;
 use texunit::format::{BaseFormat, Encoding, Format};
 use texunit::lanes::{F32s, Kernel, LANES, PerLane, Simd, U32s, math};

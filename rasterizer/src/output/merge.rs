@@ -3,7 +3,8 @@
 use super::color::{BlockColors, ColorClass, ColorPlan, WriteBytes, WriteTexels};
 use super::depth::{DepthPlan, DepthTest};
 use super::stencil::{Reference, StencilPlan, StencilTest, StencilUpdate};
-use crate::target::{Old, Place, Plane, TileTarget, with_texels, with_words};
+use crate::attachment::{Old, Place, Plane, TileTarget, with_texels, with_words};
+use crate::desc::DepthWrite;
 use texunit::lanes::{F32s, Isa, U32s};
 
 /// The tests of a draw.
@@ -19,7 +20,7 @@ impl Tests {
     /// Whether a fragment that is tested may leave something behind.
     pub fn write(&self) -> bool {
         self.stencil.is_some_and(|stencil| stencil.writes())
-            || self.depth.is_some_and(|depth| depth.write == crate::driver::DepthWrite::On)
+            || self.depth.is_some_and(|depth| depth.write == DepthWrite::On)
     }
 }
 

@@ -2,7 +2,7 @@
 //! the attachment holds.
 
 use super::mask::expand_mask;
-use crate::driver::{StencilFace, StencilOp, StencilState};
+use crate::desc::{StencilFace, StencilOp, StencilState};
 use texunit::lanes::{Kernel, LANES, Simd, U32s};
 use texunit::sampler::Compare;
 

@@ -1,10 +1,32 @@
 //! Where the inputs of fragments come from: the planes that are set up for each primitive of a draw, and which of
 //! them an input reads.
 
-use crate::driver::{Compiled, PipelineDesc, PolygonMode, RasterState, Topology};
+use super::pipeline::Compiled;
+use super::samples::Samples;
+use crate::desc::{PipelineDesc, PolygonMode, RasterState, Topology};
 use crate::ir::{Axis, Input, Interpolation};
-use crate::raster::{PlaneSource, Samples};
 use crate::shader::Sources;
+
+/// What one plane of a draw holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PlaneSource {
+    /// Window depth.
+    Depth,
+    /// What smooth varyings are divided by: `1/w`, or 1 where all three `w` are the same.
+    Denominator,
+    /// `1/w` itself (`gl_FragCoord.w`).
+    InverseW,
+    /// A varying over `w` (its index in the geometry).
+    Smooth(usize),
+    /// A varying, linear in the window.
+    NoPerspective(usize),
+    /// A varying of the provoking vertex.
+    Flat(usize),
+    /// `gl_PointCoord`, 0 for s, 1 for t.
+    PointCoord(u8),
+    /// As [`PlaneSource::Smooth`], but component 0 to 3 of (s, t, 0, 1) where the shape is a point.
+    Sprite(usize, u8),
+}
 
 /// Where a fragment program's input comes from. The numbers are planes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -5,11 +5,9 @@
 //! precision and leaves no seam. The sides of the view volume cut nothing: a guard band far outside
 //! the window does, and the scissor does the rest.
 
-use crate::driver::{DepthClip, Viewport};
-use crate::vertex::GUARD_BAND;
-
-/// How many clip distances a vertex can have.
-pub const MAX_DISTANCES: usize = 8;
+use crate::desc::{DepthClip, Viewport};
+use crate::sizes::{GUARD_BAND, MAX_DISTANCES};
+use crate::vertex::Geometry;
 
 /// What the edge of a polygon that begins at a corner is.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -36,6 +34,17 @@ pub struct Corner {
     pub edge: Edge,
     /// The edge that a plane of the user's has cut, if that made this corner.
     pub cut: Option<Edge>,
+}
+
+impl Corner {
+    /// A vertex of a geometry.
+    pub fn of(geometry: &Geometry, vertex: u32) -> Self {
+        let mut distances = [0.0; MAX_DISTANCES];
+        for (to, &from) in distances.iter_mut().zip(geometry.distances(vertex)) {
+            *to = from.into();
+        }
+        Self { clip: geometry.clip(vertex).map(f64::from), distances, ..Self::default() }
+    }
 }
 
 /// The smallest `w` that is left: whatever is closer to the eye's plane is outside every guard band.

@@ -8,7 +8,7 @@
 //! fragments are: a run of columns with one row each, with the start's pixel added if the start lies
 //! in its diamond, and the end's taken away if the end does.
 
-use super::setup::SUBPIXEL;
+use crate::sizes::SUBPIXEL;
 use std::ops::Range;
 
 const HALF: i32 = SUBPIXEL / 2;

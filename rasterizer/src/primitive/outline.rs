@@ -3,12 +3,11 @@
 
 use super::clip::{Corner, Edge};
 use super::line::LineRun;
-use super::setup::{
-    EdgeFlags, Facing, Kind, NOWHERE, Part, SUBPIXEL, Scratch, Setup, Shape, bounds, snap,
-};
-use crate::driver::{LineState, MAX_POINT_SIZE, PointState, PolygonMode, Rim};
-use crate::raster::depth_offset;
-use crate::vertex::{Geometry, Outcode};
+use super::planes::depth_offset;
+use super::setup::{Kind, NOWHERE, Part, Scratch, Setup, Shape, bounds, snap};
+use crate::desc::{Facing, LineState, MAX_POINT_SIZE, PointState, PolygonMode, Rim};
+use crate::sizes::SUBPIXEL;
+use crate::vertex::{EdgeFlags, Geometry, Outcode};
 
 /// A triangle that may be drawn as lines or points.
 pub(super) struct Outline {

@@ -1,26 +1,13 @@
 //! From a primitive to shapes on the subpixel grid, culled.
 
-use super::assemble::{Primitive, Primitives};
 use super::clip::{Corner, Edge, clip, planes};
 use super::outline::{Line, Outline, stipple_around};
 use super::triangles::Triangles;
-use crate::driver::{Cull, FrontFace, PolygonMode, RasterState, Rim, Viewport};
-use crate::vertex::{Geometry, Outcode, Wanted};
+use crate::desc::{Cull, Facing, FrontFace, PolygonMode, RasterState, Rim, Viewport};
+use crate::sizes::SUBPIXEL;
+use crate::vertex::{EdgeFlags, Geometry, Outcode, Primitive, Primitives, Wanted};
 use std::ops::Range;
 use texunit::lanes::{Isa, LANES};
-
-/// Subpixels of a pixel along an axis (`GL_SUBPIXEL_BITS` = 8).
-pub const SUBPIXEL: i32 = 256;
-
-/// Which side of a polygon is seen.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Facing {
-    /// Points and lines too.
-    #[default]
-    Front,
-    /// The other.
-    Back,
-}
 
 /// What a shape covers, and how depth and varyings run over it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -96,15 +83,6 @@ impl Shape {
             Part::Cut => self.corners[0].map(|v| f64::from(v) / f64::from(SUBPIXEL)),
         }
     }
-}
-
-/// Whether the edge flags of vertices count.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum EdgeFlags {
-    /// All edges are boundaries.
-    AllSet,
-    /// Those are whose first vertex says so.
-    ByVertex,
 }
 
 /// What is fixed for the primitives of a draw.
@@ -245,7 +223,7 @@ impl Setup<'_> {
     ) {
         scratch.polygon.clear();
         scratch.polygon.extend(vertices.iter().enumerate().map(|(at, &vertex)| {
-            let mut corner = geometry.corner(vertex);
+            let mut corner = Corner::of(geometry, vertex);
             corner.weights[at] = 1.0;
             corner.edge = Edge::Own(at as u8);
             corner

@@ -1,11 +1,11 @@
 //! Filled triangles, 64 at a time: the arithmetic of [`super::setup`] over lanes. What clipping has to
 //! cut is left to the general way.
 
-use super::assemble::{Primitive, Primitives};
 use super::outline::Outline;
-use super::setup::{Facing, Kind, Part, SUBPIXEL, Scratch, Setup, Shape};
-use crate::driver::{Cull, FrontFace, Rim};
-use crate::vertex::{Geometry, Outcode, Wanted};
+use super::setup::{Kind, Part, Scratch, Setup, Shape};
+use crate::desc::{Cull, Facing, FrontFace, Rim};
+use crate::sizes::SUBPIXEL;
+use crate::vertex::{Geometry, Outcode, Primitive, Primitives, Wanted};
 use std::ops::Range;
 use texunit::lanes::{I32s, Kernel, LANES, Simd, U32s};
 

@@ -1,10 +1,9 @@
 //! Why nothing of a primitive is seen: asked of a draw that has no shapes, the rest of the time nobody pays for it.
 
-use super::assemble::{Primitive, Primitives};
 use super::clip::planes;
 use super::setup::{Scratch, Setup, doubled_area};
-use crate::driver::Cull;
-use crate::vertex::{Geometry, Outcode, Wanted};
+use crate::desc::Cull;
+use crate::vertex::{Geometry, Outcode, Primitive, Primitives, Wanted};
 use std::ops::Range;
 
 /// Why nothing of a primitive is seen.

@@ -2,8 +2,9 @@
 //! (section 3.4.4).
 
 use super::area::{self, Areas};
-use crate::driver::LineStipple;
-use crate::primitive::{SUBPIXEL, rectangle};
+use crate::desc::LineStipple;
+use crate::primitive::rectangle;
+use crate::sizes::SUBPIXEL;
 use texunit::lanes::{Isa, Kernel, LANES, Simd, U32s, lane_x, lane_y};
 
 /// What of a line is left, and how far it has come before this one, in subpixels.

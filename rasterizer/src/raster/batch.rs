@@ -1,10 +1,9 @@
 //! Batches of fragments: the block of one shape, or up to 16 quads, of many blocks or of many shapes.
 
 use super::pixels::Pixels;
-use super::samples::SampleMasks;
-use crate::plan::Packing;
-use crate::primitive::Facing;
-use crate::target::Place;
+use crate::attachment::Place;
+use crate::desc::Facing;
+use crate::plan::{Packing, SampleMasks};
 use texunit::lanes::{F32s, QUADS};
 
 /// Fragments that are shaded together.

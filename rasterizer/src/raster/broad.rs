@@ -5,9 +5,10 @@ use super::batch::is_dense;
 use super::coverage::{Edge, Within, edges};
 use super::depths::TestBlocks;
 use super::group::PlaneGroup;
+use crate::attachment::{BLOCKS, Plane};
 use crate::output::DepthPlan;
 use crate::plan::Packing;
-use crate::target::{BLOCKS, Plane, TILE};
+use crate::sizes::TILE;
 use std::ops::Range;
 use texunit::lanes::{F32s, Isa, Kernel, LANES, Simd, U32s};
 

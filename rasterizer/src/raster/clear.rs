@@ -3,8 +3,9 @@
 use super::block::BlockAt;
 use super::coverage;
 use super::job::{PassJob, TileJob};
+use crate::attachment::WordMask;
 use crate::output::expand_mask;
-use crate::target::{TILE, WordMask};
+use crate::sizes::TILE;
 use crate::trace::Cleared;
 use texunit::lanes::LANES;
 

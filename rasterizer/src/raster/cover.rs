@@ -4,10 +4,10 @@ use super::area::{self, Areas, LEAST, Overlap};
 use super::band::{Band, Dashes, is_dash};
 use super::block::BlockAt;
 use super::coverage::{self, Edge};
-use crate::driver::Rim;
+use crate::desc::Rim;
 use crate::plan::DrawPlan;
-use crate::primitive::{Kind, LineRun, SUBPIXEL, Shape};
-use crate::target::TILE;
+use crate::primitive::{Kind, LineRun, Shape};
+use crate::sizes::{SUBPIXEL, TILE};
 use crate::vertex::Geometry;
 use texunit::lanes::{F32s, Isa, LANES, lane_x, lane_y};
 

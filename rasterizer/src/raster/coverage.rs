@@ -6,7 +6,7 @@
 //! `E` and moves in steps of `dx` and `dy`: exact in 32 bits wherever an edge crosses a block.
 
 use super::block::BlockAt;
-use crate::primitive::SUBPIXEL;
+use crate::sizes::SUBPIXEL;
 use texunit::lanes::{I32s, Isa, Kernel, LANES, QUADS, Simd, U32s, lane_x, lane_y};
 
 /// An edge function, scaled down by 256, relative to the centre of a tile's first pixel.

@@ -4,9 +4,9 @@ use super::batch::{Batch, Quads};
 use super::broad::bits;
 use super::inputs::Places;
 use super::quotients::{evaluate_plane, value_at};
-use super::samples::moved;
+use crate::attachment::BLOCKS;
 use crate::output::{DepthPlan, DepthTest};
-use crate::target::BLOCKS;
+use crate::plan::moved;
 use texunit::lanes::{F32s, Kernel, LANES, Simd, U32s, lane_x, lane_y};
 
 /// Window depth lies within bounds, [0, 1] or closer ones, whatever the planes and offsets gave (GL 2.1,

@@ -1,12 +1,13 @@
 //! The planes of up to 64 shapes of a chunk, computed together: the arithmetic of
 //! [`super::interpolate`], in the same order, over lanes of triangles.
 
-use super::interpolate::{PlaneSetup, PlaneSource, Planes};
+use super::interpolate::{PlaneSetup, Planes};
 use super::lanes::ShapeLanes;
 use super::small::{REACHED, Windows};
 use super::weights::{PlaneLanes, Weights, sum, to_depth};
-use crate::plan::FactorPlanes;
-use crate::primitive::{SUBPIXEL, Shape};
+use crate::plan::{FactorPlanes, PlaneSource};
+use crate::primitive::Shape;
+use crate::sizes::SUBPIXEL;
 use crate::vertex::{Geometry, VARYINGS};
 use texunit::lanes::{F32s, F64s, Isa, Kernel, LANES, Simd, U32s};
 
@@ -143,7 +144,7 @@ impl PlaneGroup {
         shapes: impl Iterator<Item = &'a Shape>,
     ) {
         self.planes.resize(setup.sources.len(), [F64s::ZERO; 3]);
-        let plain = setup.offset.is_none()
+        let plain = setup.depth.offset.is_none()
             && setup.sources.iter().all(|source| match source {
                 PlaneSource::Depth
                 | PlaneSource::Denominator
@@ -216,7 +217,7 @@ impl Kernel for Together<'_> {
         lanes.general = [0; LANES];
         gather::<S>(geometry, shapes, 0, &mut lanes.values);
         let Lanes { values, origin, weights, general } = lanes;
-        weights.compute::<S>(values, origin, &setup.viewport, general);
+        weights.compute::<S>(values, origin, &setup.depth.viewport, general);
         let mut four = 0;
         for (source, out) in setup.sources.iter().zip(planes) {
             let (weights, at) = match *source {
@@ -246,7 +247,8 @@ impl Kernel for Together<'_> {
             }
             sum(weights, values, at % 4, out, general);
             if *source == PlaneSource::Depth {
-                let (near, far) = (f64::from(setup.viewport.near), f64::from(setup.viewport.far));
+                let (near, far) =
+                    (f64::from(setup.depth.viewport.near), f64::from(setup.depth.viewport.far));
                 to_depth(out, (far - near) * 0.5, (near + far) * 0.5);
             }
         }
@@ -325,10 +327,11 @@ impl Kernel for Enter<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::interpolate::Across;
     use super::*;
-    use crate::driver::{SpriteOrigin, Viewport};
-    use crate::primitive::{Facing, Kind, Part};
+    use crate::desc::Facing;
+    use crate::desc::{SpriteOrigin, Viewport};
+    use crate::primitive::{Across, DepthSetup};
+    use crate::primitive::{Kind, Part};
 
     /// A number in [-1, 1) from a counter.
     fn random(state: &mut u64) -> f32 {
@@ -394,9 +397,7 @@ mod tests {
                 PlaneSource::Smooth(2),
                 PlaneSource::Flat(1),
             ],
-            viewport,
-            offset: None,
-            resolution: None,
+            depth: DepthSetup { viewport, offset: None, resolution: None },
             origin: SpriteOrigin::UpperLeft,
             across: Across::Line,
         };

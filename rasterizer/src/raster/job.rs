@@ -2,10 +2,11 @@
 
 use super::clear::ClearJob;
 use super::watched::Spot;
-use crate::driver::{Counter, Watch};
+use crate::attachment::TileTarget;
+use crate::desc::Counter;
 use crate::plan::DrawPlan;
 use crate::primitive::Shape;
-use crate::target::TileTarget;
+use crate::trace::Watch;
 use crate::vertex::Geometry;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};

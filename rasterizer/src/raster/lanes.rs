@@ -1,7 +1,8 @@
 //! Up to 64 shapes of a chunk, over lanes: what the kernels of [`super::group`] and [`super::small`]
 //! read.
 
-use crate::primitive::{Facing, Kind, Part, Shape};
+use crate::desc::Facing;
+use crate::primitive::{Kind, Part, Shape};
 use texunit::lanes::{I32s, LANES, U32s};
 
 /// The shapes, a lane each.

@@ -22,7 +22,6 @@ mod pixels;
 mod product;
 mod quotients;
 mod run;
-mod samples;
 mod shading;
 mod shares;
 mod small;
@@ -31,8 +30,6 @@ mod watched;
 mod weights;
 
 pub use clear::ClearJob;
-pub use interpolate::{PlaneSource, depth_offset};
 pub use job::{Chunk, DrawJob, Entry, PassJob, ShapeLists, TileJob};
-pub use samples::{Samples, possible_samples, sample_positions};
 pub use tile::Worker;
 pub use watched::{Formats, Spot};

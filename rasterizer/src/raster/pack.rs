@@ -8,9 +8,9 @@ use super::lanes::ShapeLanes;
 use super::pixels::Pixels;
 use super::run::BlockRun;
 use super::shares::{Share, Shares};
+use crate::attachment::BLOCKS;
+use crate::desc::Facing;
 use crate::plan::Packing;
-use crate::primitive::Facing;
-use crate::target::BLOCKS;
 use texunit::lanes::{Kernel, Simd};
 
 /// Why it goes no further.

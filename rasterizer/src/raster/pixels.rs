@@ -5,9 +5,9 @@
 //! shade those that are not covered: a triangle of five pixels is five lanes, not four quads.
 
 use super::batch::{Batch, EachPlane, Quads};
-use super::samples::SampleMasks;
-use crate::primitive::Facing;
-use crate::target::{BLOCKS, Place};
+use crate::attachment::{BLOCKS, Place};
+use crate::desc::Facing;
+use crate::plan::SampleMasks;
 use texunit::lanes::{F32s, Isa, Kernel, LANES, Simd};
 
 /// Lanes that are written at once: those after the last pixel are written over by the next.

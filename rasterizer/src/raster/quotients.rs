@@ -201,7 +201,7 @@ fn pixels(lanes: &mut F32s) -> &mut [[f32; QUADS]; 4] {
 mod tests {
     use super::super::batch::{BlockOf, EarlyTests};
     use super::*;
-    use crate::primitive::Facing;
+    use crate::desc::Facing;
     use proptest::prelude::*;
     use texunit::lanes::Isa;
 

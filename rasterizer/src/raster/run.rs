@@ -6,7 +6,7 @@
 
 use super::batch::{BlockOf, EarlyTests};
 use super::block::BlockAt;
-use crate::primitive::Facing;
+use crate::desc::Facing;
 use crate::shader::BANKS;
 
 /// Blocks of shapes of one draw, whose early tests are done. No pixel is in two of them.

@@ -7,16 +7,14 @@ use super::inputs::{Interpolate, InterpolateRun};
 use super::job::{DrawJob, PassJob, TileJob};
 use super::product::{Multiply, Products, Words};
 use super::run::BlockRun;
-use super::samples::{SampleMasks, moved};
 use super::watched::{Shaded, Tested};
-use crate::driver::AlphaToOne;
+use crate::attachment::{Place, TileTarget};
+use crate::desc::{AlphaToOne, Facing};
 use crate::output::{
     BlockColors, ColorClass, ColorPlan, Fragments, Reference, test, write, write_blocks,
 };
-use crate::plan::{DrawPlan, Shading, Timing, Written};
-use crate::primitive::Facing;
+use crate::plan::{DrawPlan, SampleMasks, Shading, Timing, Written, moved};
 use crate::shader::{BANKS, Machine, OverBudget, Product, Run};
-use crate::target::{Place, TileTarget};
 use crate::trace::{Fate, When};
 use std::sync::atomic::Ordering;
 use texunit::lanes::{F32s, Isa, Kernel, Simd};

@@ -2,8 +2,9 @@
 //! four blocks. Computed over lanes of shapes, and read share by share ([`super::pack`]).
 
 use super::small::{REACHED, Windows};
+use crate::attachment::BLOCKS;
 use crate::output::expand_mask;
-use crate::target::{BLOCKS, TILE};
+use crate::sizes::TILE;
 use texunit::lanes::{Kernel, LANES, Simd, U32s};
 
 /// Blocks that a window can reach into.

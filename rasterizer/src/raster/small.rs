@@ -9,8 +9,7 @@
 use super::batch::is_dense;
 use super::lanes::ShapeLanes;
 use crate::plan::Packing;
-use crate::primitive::SUBPIXEL;
-use crate::target::TILE;
+use crate::sizes::{SUBPIXEL, TILE};
 use texunit::lanes::{I32s, Isa, Kernel, LANES, QUADS, Simd, U32s};
 
 /// Subpixels that the corners of a small triangle may lie apart along an axis: the product of two
@@ -239,7 +238,8 @@ mod tests {
     use super::super::coverage::{Coverage, block, edges};
     use super::super::shares::{Divide, Shares};
     use super::*;
-    use crate::primitive::{Facing, Kind, Part, Shape};
+    use crate::desc::Facing;
+    use crate::primitive::{Kind, Part, Shape};
     use proptest::prelude::*;
 
     proptest! {

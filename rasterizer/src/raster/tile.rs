@@ -8,17 +8,17 @@ use super::broad::Broad;
 use super::clear::clear;
 use super::cover::Cover;
 use super::group::PlaneGroup;
-use super::interpolate::{Across, PlaneSetup};
+use super::interpolate::PlaneSetup;
 use super::job::{Chunk, DrawJob, Entry, PassJob, TileJob};
 use super::lanes::ShapeLanes;
 use super::pack::{Pack, Stop};
 use super::pixels::Pixels;
 use super::run::{BlockRun, Level};
-use super::samples::SampleMasks;
 use super::shading::Shader;
 use super::shares::{Divide, Share, Shares};
 use super::small::Windows;
-use crate::plan::{FragmentInput, Packing};
+use crate::plan::{FragmentInput, Packing, SampleMasks};
+use crate::primitive::{Across, DepthSetup};
 use fill::Part;
 use std::sync::atomic::Ordering;
 use texunit::lanes::{F32s, LANES, U32s, prefetch};
@@ -177,9 +177,11 @@ impl Worker {
         let plan = &job.plan;
         let setup = PlaneSetup {
             sources: &plan.planes,
-            viewport: plan.viewport,
-            offset: plan.offset,
-            resolution: plan.resolution,
+            depth: DepthSetup {
+                viewport: plan.viewport,
+                offset: plan.offset,
+                resolution: plan.resolution,
+            },
             origin: plan.raster.point.origin,
             across: Across::of(&plan.raster.line),
         };

@@ -3,18 +3,17 @@
 use super::batch::{Batch, BlockOf};
 use super::clear::ClearJob;
 use super::depths::BlockDepth;
-use super::interpolate::PlaneSource;
 use super::job::{Chunk, PassJob, TileJob};
-use super::samples::{SampleMasks, moved};
-use crate::driver::{StencilFace, Watch};
-use crate::output::{ColorPlan, DepthFormat, blend_factors, texel_color};
-use crate::plan::{DrawPlan, FragmentInput, Shading};
-use crate::primitive::{Facing, Kind, Part, Shape};
+use crate::attachment::{DepthFormat, Place, Plane, TileTarget, texel_color};
+use crate::desc::{Facing, StencilFace};
+use crate::output::{ColorPlan, blend_factors};
+use crate::plan::{DrawPlan, FragmentInput, PlaneSource, SampleMasks, Shading, moved};
+use crate::primitive::{Kind, Part, Shape};
 use crate::shader::{Machine, OverBudget, Run, Tracer};
-use crate::target::{Place, Plane, TILE, TileTarget};
+use crate::sizes::TILE;
 use crate::trace::{
     Blending, Clear, Cleared, Fate, Fragment, InputSource, InputValue, PixelEvent, Test, Texel,
-    Vertex, When, Write,
+    Vertex, Watch, When, Write,
 };
 use std::collections::VecDeque;
 use texunit::format::Format;

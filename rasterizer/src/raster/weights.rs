@@ -1,8 +1,8 @@
 //! The planes that weight the vertices of up to 64 triangles, and the planes that come of them: the arithmetic of
 //! [`super::interpolate`], in the same order, over lanes.
 
-use super::interpolate::Inverse;
-use crate::driver::Viewport;
+use crate::desc::Viewport;
+use crate::primitive::Inverse;
 use texunit::lanes::{F32s, F64s, LANES, Simd, U32s};
 
 /// `a`, `b` and `c` of a plane of each.

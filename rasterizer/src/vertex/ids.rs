@@ -1,7 +1,7 @@
 //! Which vertices a run of primitives needs, each shaded once where indices allow.
 
-use crate::driver::{IndexType, Indices, Topology};
-use crate::primitive::Primitives;
+use super::assemble::Primitives;
+use crate::desc::{IndexType, Indices, Topology};
 use std::ops::Range;
 use texunit::lanes::U32s;
 

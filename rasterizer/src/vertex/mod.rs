@@ -1,12 +1,15 @@
 //! The vertex stage: fetch attributes, run the vertex program over 64 vertices at once, and place
 //! the results in the window.
 
-pub(crate) mod fetch;
+mod assemble;
+mod fetch;
+mod geometry;
 mod ids;
 mod place;
 mod shade;
 
+pub use assemble::{EdgeFlags, Primitive, Primitives, primitives};
+pub use geometry::{Geometry, VARYINGS};
 pub use ids::{Ids, Wanted, ordinals};
-pub use place::GUARD_BAND;
 pub use place::{Outcode, snap};
-pub use shade::{Geometry, VARYINGS, VertexStage, shade};
+pub use shade::{VertexStage, shade};

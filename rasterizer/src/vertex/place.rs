@@ -1,12 +1,8 @@
 //! Where shaded vertices lie: the viewport transform and the clip tests, 64 at a time.
 
-use crate::driver::{DepthClip, Viewport};
-use crate::primitive::SUBPIXEL;
+use crate::desc::{DepthClip, Viewport};
+use crate::sizes::{GUARD_BAND, SUBPIXEL};
 use texunit::lanes::{F32s, Kernel, LANES, Simd};
-
-/// Window coordinates beyond this many pixels are cut off before they become fixed point: with 8
-/// bits of subpixels every edge function then fits its integers ([`crate::raster`]).
-pub const GUARD_BAND: f64 = 32768.0;
 
 /// On which sides of the clip volume a vertex is out, a bit each; from bit 16 on, beyond which of the
 /// user's planes.

@@ -1,109 +1,18 @@
 //! The vertex program over batches of 64, and the viewport transform of what it gives.
 
 use super::fetch::{self, Elements};
-use super::place::{Outcode, Place, Placed, cut};
-use crate::crew::Crew;
-use crate::driver::{PointSize, VertexBinding, VertexSource, Viewport};
+use super::geometry::{Geometry, VARYINGS};
+use super::place::{Place, Placed, cut};
+use crate::desc::{PointSize, VertexBinding, VertexSource, Viewport};
 use crate::ir::{Input, Output};
-use crate::pool::Pool;
-use crate::primitive::{Corner, MAX_DISTANCES};
 use crate::shader::{Machine, OverBudget, Prepared, Program, Run};
+use crate::threads::{Crew, Pool};
 use std::num::NonZeroU32;
 use std::ops::Range;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use texunit::lanes::{F32s, Isa, LANES, U32s};
 use texunit::plan::SamplePlan;
-
-/// The vertices of a chunk of a draw.
-#[derive(Debug, Default)]
-pub struct Geometry {
-    /// `stride` for each vertex: x, y, z and w in clip coordinates, and its varyings.
-    pub values: Vec<f32>,
-    /// Values of a vertex, and up to three that nobody reads: a multiple of four.
-    pub stride: usize,
-    /// Window coordinates on the subpixel grid; meaningless unless `w > 0`.
-    pub snapped: Vec<[i32; 2]>,
-    /// The [`Outcode`] of each vertex.
-    pub outcodes: Vec<u32>,
-    /// `gl_PointSize` of each vertex; empty where it does not matter.
-    point_sizes: Vec<f32>,
-    /// `planes` clip distances for each vertex.
-    distances: Vec<f32>,
-    /// Clip distances of a vertex.
-    planes: usize,
-    /// The edge flag of each vertex; empty where all are set.
-    edge_flags: Vec<f32>,
-}
-
-/// Where the varyings of a vertex begin among its values.
-pub const VARYINGS: usize = 4;
-
-impl Geometry {
-    /// How many vertices there are.
-    pub fn len(&self) -> usize {
-        self.outcodes.len()
-    }
-
-    /// Takes all vertices away.
-    pub fn clear(&mut self) {
-        self.values.clear();
-        self.snapped.clear();
-        self.outcodes.clear();
-        self.point_sizes.clear();
-        self.distances.clear();
-        self.edge_flags.clear();
-    }
-
-    fn values_of(&self, vertex: u32) -> &[f32] {
-        &self.values[vertex as usize * self.stride..][..self.stride]
-    }
-
-    /// The clip coordinates of a vertex.
-    pub fn clip(&self, vertex: u32) -> [f32; 4] {
-        self.values_of(vertex).first_chunk().copied().unwrap_or_default()
-    }
-
-    /// The varyings of a vertex.
-    pub fn varyings_of(&self, vertex: u32) -> &[f32] {
-        &self.values_of(vertex)[VARYINGS..]
-    }
-
-    /// Sets a varying of a vertex that the vertex stage does not write.
-    pub fn set_varying(&mut self, vertex: u32, varying: usize, value: f32) {
-        self.values[vertex as usize * self.stride + VARYINGS + varying] = value;
-    }
-
-    /// Window x and y of a vertex; meaningless unless `w > 0`.
-    pub fn window(&self, viewport: &Viewport, vertex: u32) -> [f64; 2] {
-        viewport.window(&self.clip(vertex).map(f64::from))
-    }
-
-    /// On which sides of the clip volume a vertex is out.
-    pub fn outcode(&self, vertex: u32) -> Outcode {
-        Outcode(self.outcodes[vertex as usize])
-    }
-
-    /// The size that the vertex stage gave a point, if it did.
-    pub fn point_size(&self, vertex: u32) -> Option<f32> {
-        self.point_sizes.get(vertex as usize).copied()
-    }
-
-    /// A vertex as a corner of a polygon to be clipped.
-    pub fn corner(&self, vertex: u32) -> Corner {
-        let mut distances = [0.0; MAX_DISTANCES];
-        let own = &self.distances[vertex as usize * self.planes..][..self.planes];
-        for (to, &from) in distances.iter_mut().zip(own) {
-            *to = from.into();
-        }
-        Corner { clip: self.clip(vertex).map(f64::from), distances, ..Corner::default() }
-    }
-
-    /// Whether a boundary edge begins at a vertex (GL 2.1, section 2.6.2).
-    pub fn begins_boundary(&self, vertex: u32) -> bool {
-        self.edge_flags.get(vertex as usize).is_none_or(|&flag| flag != 0.0)
-    }
-}
 
 /// What every vertex of a draw goes through.
 pub struct VertexStage<'a> {

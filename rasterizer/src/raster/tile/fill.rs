@@ -9,14 +9,14 @@ use super::super::coverage;
 use super::super::job::{Chunk, DrawJob, PassJob, TileJob};
 use super::super::pack::PackBroad;
 use super::super::run::Level;
-use super::super::samples::SampleMasks;
 use super::super::shading::early_tests;
 use super::super::small::Window;
 use super::Worker;
+use crate::desc::Facing;
 use crate::output::Tests;
-use crate::plan::{DrawPlan, Packing, Shading, Timing};
-use crate::primitive::{Facing, Kind, Shape};
-use crate::target::TILE;
+use crate::plan::{DrawPlan, Packing, SampleMasks, Shading, Timing};
+use crate::primitive::{Kind, Shape};
+use crate::sizes::TILE;
 use texunit::lanes::{F32s, Isa};
 
 /// What a shape has in a block.

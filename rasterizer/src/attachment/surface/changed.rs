@@ -1,6 +1,7 @@
 //! Storing what has changed: who reads a few pixels after a small draw waits for the tiles that it touched.
 
-use super::{Level, Part, Slices, Storing, Surface, TILE, WORTH_THREADS};
+use super::{Level, Part, Slices, Storing, Surface, WORTH_THREADS};
+use crate::sizes::TILE;
 
 impl Surface {
     /// Takes all tiles for changed.
@@ -29,8 +30,8 @@ impl Surface {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::crew::Crew;
-    use crate::target::plane::Plane;
+    use crate::attachment::plane::Plane;
+    use crate::threads::Crew;
     use texunit::format::Format;
     use texunit::lanes::{Isa, U32s};
 

@@ -1,13 +1,16 @@
 //! What happens to one pixel, written down: the clears and fragments of the passes that watch it
-//! ([`crate::driver::Watch`]), with the numbers that they were drawn with.
+//! ([`Watch`]), with the numbers that they were drawn with.
 //!
 //! Nothing is computed a second way. The shader runs the same instructions over the same lanes, one
 //! at a time; a texture access runs the texture unit's general kernels with a recorder in them;
 //! tests and writes are what the attachment held before and after.
 
-pub use crate::primitive::Facing;
+mod watch;
 
-use crate::driver::{Blend, DepthWrite, LogicOp, StencilFace};
+pub use crate::desc::Facing;
+pub use watch::Watch;
+
+use crate::desc::{Blend, DepthWrite, LogicOp, StencilFace};
 use crate::ir::{Access, Axis, Input, Op, Output, Ty};
 use texunit::format::Format;
 use texunit::sampler::Compare;
@@ -36,7 +39,7 @@ pub enum Cleared {
 /// A clear.
 #[derive(Clone, Debug)]
 pub struct Clear {
-    /// The [`crate::driver::Watch::label`] that was set when it was recorded.
+    /// The [`Watch::label`] that was set when it was recorded.
     pub label: u32,
     /// Of what.
     pub target: Cleared,
@@ -57,7 +60,7 @@ pub struct Texel {
 /// A fragment: what a shape made of the pixel.
 #[derive(Clone, Debug)]
 pub struct Fragment {
-    /// The [`crate::driver::Watch::label`] of its draw.
+    /// The [`Watch::label`] of its draw.
     pub label: u32,
     /// Which of the draw's shapes, in order; what was culled or clipped away is not counted.
     pub shape: usize,

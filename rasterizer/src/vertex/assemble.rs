@@ -1,8 +1,16 @@
 //! Which vertices make which primitive (GL 2.1, section 2.6.1), as arithmetic, so that a draw can
 //! be cut into chunks anywhere.
 
-use super::setup::EdgeFlags;
-use crate::driver::{Provoking, Topology};
+use crate::desc::{Provoking, Topology};
+
+/// Whether the edge flags of vertices count.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum EdgeFlags {
+    /// All edges are boundaries.
+    AllSet,
+    /// Those are whose first vertex says so.
+    ByVertex,
+}
 
 /// One primitive: the ordinals of its vertices within the draw, and which of them provokes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

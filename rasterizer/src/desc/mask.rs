@@ -1,7 +1,7 @@
 //! Sets of pixels that filled polygons are left in, as bitmaps are.
 
-use super::command::Rect;
-use crate::target::TILE;
+use super::viewport::Rect;
+use crate::sizes::TILE;
 
 /// Blocks of 8×8 pixels along a side of a tile.
 const BLOCKS: usize = TILE as usize / 8;

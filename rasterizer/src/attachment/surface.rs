@@ -13,21 +13,18 @@ mod store;
 
 use super::plane::{BLOCKS, Plane};
 use super::words::{attachment_words, is_attachable, words_of};
-use crate::crew::Crew;
+use crate::sizes::TILE;
+use crate::threads::Crew;
 use bytemuck::Pod;
 pub use store::{Part, Put};
 use texunit::format::Format;
 use texunit::image::Level;
 use texunit::lanes::{Isa, LANES, QUADS, U32s, lane_x, lane_y};
 
-/// The most samples that a pixel can have.
-pub const MAX_SAMPLES: usize = 4;
 /// From so many tiles on several threads store them: a few are stored before another is awake.
 const WORTH_THREADS: usize = 32;
 /// So many tiles at least are loaded by a thread.
 const WORTH_A_THREAD: usize = 8;
-/// Pixels along a side of a tile.
-pub const TILE: u32 = 64;
 /// A level in the attachment layout.
 #[derive(Clone, Debug)]
 pub struct Surface {

@@ -1,8 +1,7 @@
 //! The threads that a device shades with besides the one that asks. `fork` copies the memory of a pool but none of its
 //! threads, so that a process that has not made its pool itself makes another.
 
-use super::device::DeviceError;
-use crate::crew::Crew;
+use super::thread_pool::Crew;
 use parking_lot::Mutex;
 use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
 use std::error::Error;
@@ -11,7 +10,7 @@ use std::{io, process};
 
 /// A number of threads, in whichever process asks for them.
 #[derive(Debug)]
-pub(super) struct Threads {
+pub struct Threads {
     helpers: usize,
     /// None where there is to be none, or the system has none: whoever asks does the work.
     pool: Mutex<Option<Pool>>,
@@ -26,7 +25,7 @@ struct Pool {
 }
 
 impl Pool {
-    fn start(count: usize) -> Result<Option<Self>, DeviceError> {
+    fn start(count: usize) -> Result<Option<Self>, ThreadPoolBuildError> {
         if count == 0 {
             return Ok(None);
         }
@@ -39,7 +38,7 @@ impl Pool {
                 Ok(Some(Self { process: process::id(), threads: Some(Arc::new(threads)) }))
             }
             Err(error) if is_unsupported(&error) => Ok(None),
-            Err(error) => Err(DeviceError::Pool(error.to_string())),
+            Err(error) => Err(error),
         }
     }
 
@@ -69,7 +68,7 @@ impl Threads {
     ///
     /// # Errors
     /// When they cannot be started, although the system has some.
-    pub fn start(count: usize) -> Result<Self, DeviceError> {
+    pub fn start(count: usize) -> Result<Self, ThreadPoolBuildError> {
         let helpers = count.saturating_sub(1);
         Ok(Self { helpers, pool: Mutex::new(Pool::start(helpers)?) })
     }
@@ -78,7 +77,7 @@ impl Threads {
     ///
     /// # Errors
     /// When this process has no threads yet, and they cannot be started.
-    pub fn crew(&self) -> Result<Crew, DeviceError> {
+    pub fn crew(&self) -> Result<Crew, ThreadPoolBuildError> {
         let mut pool = self.pool.lock();
         if pool.as_ref().is_some_and(|pool| !pool.is_here()) {
             *pool = Pool::start(self.helpers)?;

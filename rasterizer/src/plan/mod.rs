@@ -4,23 +4,26 @@
 //! memory; `DETGL_EXPLAIN=1` prints it.
 
 mod inputs;
+mod pipeline;
 mod product;
+mod samples;
 mod stipple;
 
-pub use inputs::{FilledInput, FragmentInput, sprite_slots};
+pub use inputs::{FilledInput, FragmentInput, PlaneSource, sprite_slots};
 use inputs::{Gathered, Inputs};
+pub use pipeline::Pipeline;
 pub use product::{FactorPlanes, ProductInputs, ProductPlan};
+pub use samples::{SampleMasks, Samples, moved, possible_samples, sample_positions};
 use stipple::StippleLanes;
 
-use crate::driver::{
-    DepthState, DepthWrite, Pipeline, PolygonMode, PolygonOffset, RasterState, Rim, VertexBinding,
-    VertexSource, Viewport, same_textures,
+use crate::attachment::{DepthFormat, component_bits};
+use crate::desc::{
+    DepthState, DepthWrite, PolygonMode, PolygonOffset, RasterState, Rim, VertexBinding,
+    VertexSource, Viewport,
 };
 use crate::ir::{Input, Output};
-use crate::output::{ColorPlan, DepthFormat, DepthPlan, StencilPlan, Tests};
-use crate::raster::{PlaneSource, Samples};
+use crate::output::{ColorPlan, DepthPlan, StencilPlan, Tests};
 use crate::shader::{Prepared, Sources};
-use crate::target::component_bits;
 use std::fmt::Write;
 use std::sync::Arc;
 use texunit::format::Format;
@@ -438,4 +441,14 @@ pub fn arrays(bindings: &[VertexBinding]) -> Sources {
         }
     };
     bindings.iter().fold(Sources::default(), of)
+}
+
+/// Whether two lists are of the same plans.
+pub fn same_textures(a: &Textures, b: &Textures) -> bool {
+    let same = |(a, b): (&Option<Arc<SamplePlan>>, &Option<Arc<SamplePlan>>)| match (a, b) {
+        (Some(a), Some(b)) => Arc::ptr_eq(a, b),
+        (None, None) => true,
+        (Some(_), None) | (None, Some(_)) => false,
+    };
+    a.len() == b.len() && a.iter().zip(b.iter()).all(same)
 }

@@ -4,7 +4,7 @@
 //! D24, or the bits of D32F. (Depth is never negative, so the bits of two floats compare as the
 //! floats do.) A stencil is a word of its own after that of its depth, in the lowest byte.
 
-use crate::output::DepthFormat;
+use super::depth_format::DepthFormat;
 use texunit::format::{Encoding, Format};
 
 /// A mask for each word of a texel.

@@ -1,13 +1,17 @@
 //! What a pass draws into: attachments as tiles of 64×64 words in lane order.
 
+mod depth_format;
+mod encode;
 mod place;
 mod plane;
 mod resolve;
 mod surface;
 mod words;
 
+pub use depth_format::{DepthFormat, LARGEST_16, LARGEST_24, depth_word};
+pub use encode::{decode_color, encode_color, texel_color, texel_words};
 pub use place::{Old, Place, with_texels, with_words};
 pub use plane::{BLOCKS, Plane};
-pub use surface::{MAX_SAMPLES, Part, Put, Slices, Storing, Surface, TILE, TileTarget};
+pub use surface::{Part, Put, Slices, Storing, Surface, TileTarget};
 pub(crate) use words::is_attachable;
 pub use words::{WordMask, all_bits, component_bits};

@@ -1,9 +1,9 @@
 //! From the samples of a pixel to one (`EXT_framebuffer_multisample`, section 4.3.2): colours are
 //! their mean; depth, stencil and integers are those of the first sample.
 
+use super::encode::{decode_color, encode_color};
 use super::plane::{BLOCKS, Plane};
 use super::words::attachment_words;
-use crate::output::{decode_color, encode_color};
 use std::ops::Range;
 use texunit::format::Format;
 use texunit::lanes::{F32s, Isa, Kernel, LANES, Simd, U32s};

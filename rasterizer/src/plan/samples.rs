@@ -5,9 +5,8 @@
 //! covered samples), if any sample is covered. Its depth is
 //! that of the plane at each sample; each sample is tested and written by itself.
 
-use crate::driver::{AlphaToCoverage, AlphaToOne, MultisampleState, SampleCoverage, SampleRule};
-use crate::primitive::SUBPIXEL;
-use crate::target::MAX_SAMPLES;
+use crate::desc::{AlphaToCoverage, AlphaToOne, MultisampleState, SampleCoverage, SampleRule};
+use crate::sizes::{MAX_SAMPLES, SUBPIXEL};
 use std::ops::{Deref, DerefMut};
 use texunit::lanes::{F32s, Isa, Kernel, LANES, Simd, U32s};
 

@@ -1,9 +1,11 @@
 //! Texels from tiles to rows: those of a level, or of a client that reads a part of a picture.
 
-use super::{Level, Plane, Slices, Storing, Surface, TILE, row_of};
-use super::{WORTH_THREADS, attachment_words, is_attachable};
-use crate::target::resolve::resolve_tile;
-use crate::target::words::texel_of;
+use super::{
+    Level, Plane, Slices, Storing, Surface, WORTH_THREADS, attachment_words, is_attachable, row_of,
+};
+use crate::attachment::resolve::resolve_tile;
+use crate::attachment::words::texel_of;
+use crate::sizes::TILE;
 use bytemuck::Pod;
 use std::iter::once;
 use texunit::format::Format;

@@ -1,0 +1,10 @@
+//! Threads: who shares a piece of work, what they work with, and how much stack they have.
+
+mod fork;
+mod object_pool;
+pub mod stack;
+mod thread_pool;
+
+pub use fork::Threads;
+pub use object_pool::Pool;
+pub use thread_pool::Crew;
