@@ -8,6 +8,8 @@ mod command;
 mod device;
 mod image;
 mod pass;
+mod report;
+mod resources;
 mod sight;
 mod submit;
 
@@ -27,6 +29,8 @@ pub use crate::sizes::MAX_SAMPLES;
 pub use crate::trace::Watch;
 pub use crate::vertex::{Primitive, Primitives, primitives};
 pub use command::{ClearValue, Command, CommandBuffer};
-pub use device::{Device, DeviceDesc, DeviceError, Explain, SubmitError, SubmitReport};
+pub use device::Device;
 pub use image::{Attachment, Image, LevelInfo, PassDesc, Rows};
+pub use report::{DeviceError, SubmitError, SubmitReport};
+pub use resources::{DeviceDesc, Explain};
 pub use sight::Sight;

@@ -2,14 +2,11 @@
 //! is drawn with textures is so, by the fixed function too. Between its lookups and its colours no register is
 //! needed: `raster/product.rs` multiplies texels as they come, by the same numbers in the same order.
 
+use super::allocate::Layout;
 use super::compute::{Compute, OPERANDS};
 use super::inst::{Inst, Reg, Role, SampleInst, SampleLod};
-use super::machine::{Interpreter, Machine, lod};
 use super::repeat::Repeat;
-use super::{Layout, OverBudget, Run};
 use crate::ir::{Access, Output};
-use texunit::lanes::F32s;
-use texunit::plan::Lod;
 
 /// As many instructions may come before the lookups; programs with more of them keep to the interpreter.
 const MOST_BEFORE: usize = 16;
@@ -18,15 +15,15 @@ const MOST_BEFORE: usize = 16;
 #[derive(Debug)]
 pub struct Product {
     /// The factors of red, green, blue and alpha, which come first. One that is not there is 1.
-    factors: [Option<Reg>; 4],
+    pub(super) factors: [Option<Reg>; 4],
     /// The lookups in the order in which they are multiplied.
-    lookups: Vec<SampleInst>,
+    pub(super) lookups: Vec<SampleInst>,
     /// What computes the factors and what the lookups read, of what is given.
-    before: Vec<Inst>,
+    pub(super) before: Vec<Inst>,
     /// What of it the factors need.
-    before_factors: Vec<Inst>,
+    pub(super) before_factors: Vec<Inst>,
     /// What of it the lookups need.
-    before_lookups: Vec<Inst>,
+    pub(super) before_lookups: Vec<Inst>,
     /// Which inputs of the program its factors depend on.
     pub factor_inputs: Vec<usize>,
     /// Which inputs of the program its lookups depend on.
@@ -131,52 +128,6 @@ impl Product {
     /// How many lookups there are, at least one.
     pub fn lookups(&self) -> usize {
         self.lookups.len()
-    }
-}
-
-impl Machine {
-    /// Computes what comes before the lookups of a product, or a part of it, for so many banks whose inputs are there.
-    ///
-    /// # Errors
-    /// When the budget is used up.
-    pub fn run_before(
-        &mut self,
-        run: &Run<'_>,
-        product: &Product,
-        part: Part,
-        banks: usize,
-    ) -> Result<(), OverBudget> {
-        let left = self.start(run)?;
-        let code = match part {
-            Part::Factors => &product.before_factors,
-            Part::Lookups => &product.before_lookups,
-            Part::Whole => &product.before,
-        };
-        if !code.is_empty() {
-            run.isa.run(Interpreter { machine: self, run, code, banks, pc: 0, left })?;
-        }
-        Ok(())
-    }
-
-    /// The factors of a product, as its bank has them.
-    #[inline(always)]
-    pub fn factors(&self, product: &Product, bank: usize) -> [&F32s; 4] {
-        const ONE: &F32s = &F32s::splat(1.0);
-        let registers = self.bank(bank);
-        product.factors.map(|reg| reg.map_or(ONE, |reg| registers[reg.0 as usize].as_f32()))
-    }
-
-    /// s, t and r of a lookup, as its bank has them.
-    #[inline(always)]
-    pub fn coords(&self, product: &Product, at: usize, bank: usize) -> [&F32s; 3] {
-        let registers = self.bank(bank);
-        product.lookups[at].coords.map(|reg| registers[reg.0 as usize].as_f32())
-    }
-
-    /// Where the level of detail of a lookup comes from, as its bank has it.
-    #[inline(always)]
-    pub fn lod<'a>(&'a self, product: &'a Product, at: usize, bank: usize) -> Lod<'a> {
-        lod(self.bank(bank), &product.lookups[at])
     }
 }
 

@@ -1,6 +1,6 @@
 //! Watching a pixel: what passes do to it is written down as they run.
 
-use crate::trace::PixelEvent;
+use super::record::PixelEvent;
 use parking_lot::Mutex;
 use std::sync::Arc;
 

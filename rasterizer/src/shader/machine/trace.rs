@@ -1,9 +1,12 @@
 //! A run that is written down for one lane: the same instructions over the same registers, one at a
 //! time.
 
-use super::{Interpreter, Machine, Run, back, lod};
+use super::Machine;
+use super::interpreter::{Interpreter, back};
+use super::lookup::lod;
 use crate::ir::{Access, Ty};
 use crate::shader::inst::{Inst, Reg, SampleInst};
+use crate::shader::run::Run;
 use crate::shader::{OverBudget, Program};
 use crate::trace::{Expression, Lookup, MAX_STEPS, Name, Operand, Step};
 use texunit::plan::Points;

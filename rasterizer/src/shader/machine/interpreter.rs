@@ -1,0 +1,141 @@
+//! The loop over the instructions, compiled for each instruction set.
+
+use super::super::inst::{Inst, Target, Test};
+use super::super::{OverBudget, Run};
+use super::Machine;
+use texunit::lanes::{Kernel, Simd, U32s};
+
+impl Machine {
+    /// Runs the program once over the active lanes; gives the lanes that were not discarded.
+    ///
+    /// # Errors
+    /// When the budget is used up.
+    pub fn run(&mut self, run: Run<'_>) -> Result<u64, OverBudget> {
+        let left = self.start(&run)?;
+        let code = &run.program.code;
+        run.isa.run(Interpreter { machine: self, run: &run, code, banks: 1, pc: 0, left })?;
+        Ok(run.active & !self.discarded.bits())
+    }
+
+    /// Runs the program once for each of so many banks, at most [`Program::banks`], over all lanes.
+    ///
+    /// # Errors
+    /// When the budget is used up.
+    pub fn run_banks(&mut self, run: Run<'_>, banks: usize) -> Result<(), OverBudget> {
+        let left = self.start(&run)?;
+        let (code, banks) = (&run.program.code, banks.min(run.program.banks));
+        run.isa.run(Interpreter { machine: self, run: &run, code, banks, pc: 0, left })?;
+        Ok(())
+    }
+}
+
+/// Runs from an instruction to the end of the code; gives where the program goes on.
+pub(super) struct Interpreter<'a> {
+    pub machine: &'a mut Machine,
+    pub run: &'a Run<'a>,
+    pub code: &'a [Inst],
+    /// For how many banks.
+    pub banks: usize,
+    pub pc: usize,
+    /// How many instructions may still run.
+    pub left: u64,
+}
+
+impl Kernel for Interpreter<'_> {
+    type Output = Result<usize, OverBudget>;
+
+    #[inline(always)]
+    fn run<S: Simd>(self) -> Result<usize, OverBudget> {
+        let Self { machine: m, run, code, banks: count, mut pc, mut left } = self;
+        let size = m.bank;
+        // The first register of each bank.
+        let banks = || (0..count).map(|bank| bank * size);
+        loop {
+            // Nearly all of a program, with one jump an instruction.
+            let first = pc;
+            for bank in banks() {
+                let registers = &mut m.registers[bank..];
+                pc = first;
+                while let Some(Inst::Compute { what, out, args }) = code.get(pc) {
+                    what.run::<S>(registers, &m.same, *out, args);
+                    pc += 1;
+                }
+            }
+            let Some(inst) = code.get(pc) else { return Ok(pc) };
+            pc += 1;
+            match *inst {
+                Inst::Compute { .. } => {}
+                Inst::Move { out, from } => {
+                    for bank in banks() {
+                        m.registers[bank + out.0 as usize] = m.registers[bank + from.0 as usize];
+                    }
+                }
+                Inst::Zero { out, len } => {
+                    for reg in &mut m.registers[out.0 as usize..][..len as usize] {
+                        *reg = U32s::ZERO;
+                    }
+                }
+                Inst::Store { out, from } => m.store(out, from),
+                Inst::LoadAt { out, base, len, index } => m.load_at(out, base, len, index),
+                Inst::StoreAt { base, len, index, from } => m.store_at(base, len, index, from),
+                Inst::UniformAt { out, base, len, index } => {
+                    m.uniform_at(run.prepared, out, base, len, index);
+                }
+                Inst::Derivative { axis, out, from } => {
+                    banks().for_each(|bank| m.derivative(bank, axis, out, from));
+                }
+                Inst::Sample(ref sample) => {
+                    (0..count).for_each(|bank| m.sample(bank, run, sample));
+                }
+                Inst::Unless { test, to } => {
+                    let word = match test {
+                        Test::Word(word) => run.prepared.words[word as usize],
+                        Test::Lanes(reg) => m.reg(reg)[0],
+                    };
+                    if word == 0 {
+                        pc = to.0 as usize;
+                    }
+                }
+                Inst::Jump { to } => pc = to.0 as usize,
+                Inst::Repeat { head } => pc = back(head, pc, &mut left)?,
+                Inst::If { condition, slot, reject } => {
+                    let rest = &mut m.slots[slot.0 as usize];
+                    m.exec.split(&m.registers[condition.0 as usize], rest);
+                    if m.exec.is_empty() {
+                        m.exec.take(rest, &m.start);
+                        pc = reject.0 as usize;
+                    }
+                }
+                Inst::Else { slot, end } => {
+                    std::mem::swap(&mut m.exec, &mut m.slots[slot.0 as usize]);
+                    if m.exec.is_empty() {
+                        pc = end.0 as usize;
+                    }
+                }
+                Inst::Join { slot } => m.exec.take(&mut m.slots[slot.0 as usize], &m.start),
+                Inst::Open { slot } => m.slots[slot.0 as usize].clear(),
+                Inst::Leave { slot } => m.slots[slot.0 as usize].take(&mut m.exec, &m.start),
+                Inst::LeaveIf { condition, when, slot } => {
+                    let condition = &m.registers[condition.0 as usize];
+                    let to = &mut m.slots[slot.0 as usize];
+                    m.exec.leave_if(condition, when, to, &m.start);
+                }
+                Inst::Discard => m.discarded.take(&mut m.exec, &m.start),
+                Inst::SkipEmpty { to } => {
+                    if m.exec.is_empty() {
+                        pc = to.0 as usize;
+                    }
+                }
+                Inst::Again { head, exit } => pc = m.again(head, exit, pc, &mut left)?,
+            }
+        }
+    }
+}
+
+/// The head of a loop that ends at `pc`, its turn taken off the budget.
+#[inline(always)]
+pub(super) fn back(head: Target, pc: usize, left: &mut u64) -> Result<usize, OverBudget> {
+    let head = head.0 as usize;
+    *left = left.checked_sub((pc - head) as u64).ok_or(OverBudget)?;
+    Ok(head)
+}
