@@ -1,11 +1,11 @@
 //! Where a batch's pixels lie in a tile, and how their words come and go.
 
-use super::{BLOCKS, Plane};
+use super::{BLOCKS, WordPlane};
 use texunit::lanes::{Isa, Kernel, LANES, QUADS, Simd, U32s};
 
 /// Where a batch's pixels lie in a tile.
 #[derive(Clone, Copy)]
-pub enum Place<'a> {
+pub enum BatchLayout<'a> {
     /// All of one block.
     Block(usize),
     /// The block and quad of each of its quads.
@@ -20,29 +20,29 @@ const PIXELS: usize = BLOCKS * LANES;
 
 /// Whether it matters what words hold before they are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Old {
+pub enum LoadOp {
     /// It does.
-    Read,
+    Load,
     /// All of each word is written, whatever it was.
-    Ignored,
+    DontCare,
 }
 
 /// Lets `change` see the words of a batch's pixels as lanes, and puts those of `mask` back; it changes
 /// no others. (A quad may be in a batch more than once, with other pixels each time.)
 pub fn with_words<R>(
     isa: Isa,
-    plane: &mut Plane,
-    place: &Place<'_>,
+    plane: &mut WordPlane,
+    place: &BatchLayout<'_>,
     mask: u64,
-    old: Old,
+    old: LoadOp,
     change: impl FnOnce(&mut U32s) -> R,
 ) -> R {
-    if let Place::Block(block) = *place {
+    if let BatchLayout::Block(block) = *place {
         return change(plane.block_mut(block));
     }
     let mut words = match old {
-        Old::Read => load(isa, plane, place),
-        Old::Ignored => U32s::ZERO,
+        LoadOp::Load => load(isa, plane, place),
+        LoadOp::DontCare => U32s::ZERO,
     };
     let result = change(&mut words);
     store(plane, place, mask, &words);
@@ -53,17 +53,17 @@ pub fn with_words<R>(
 /// `change` sees one batch.
 pub fn with_texels(
     isa: Isa,
-    planes: &mut [Plane],
-    place: &Place<'_>,
+    planes: &mut [WordPlane],
+    place: &BatchLayout<'_>,
     mask: u64,
-    old: Old,
+    old: LoadOp,
     change: impl FnOnce([&mut [U32s]; 4]),
 ) {
     let mut texels = [U32s::ZERO; 4];
     let is_read = match place {
         // Put back whole.
-        Place::Block(_) => true,
-        Place::Quads(..) | Place::Pixels(..) => old == Old::Read,
+        BatchLayout::Block(_) => true,
+        BatchLayout::Quads(..) | BatchLayout::Pixels(..) => old == LoadOp::Load,
     };
     if is_read {
         for (words, plane) in texels.iter_mut().zip(&mut *planes) {
@@ -80,19 +80,21 @@ pub fn with_texels(
     }
 }
 
-fn load(isa: Isa, plane: &mut Plane, place: &Place<'_>) -> U32s {
+fn load(isa: Isa, plane: &mut WordPlane, place: &BatchLayout<'_>) -> U32s {
     match *place {
-        Place::Block(block) => plane.block(block),
-        Place::Quads(of, quads) => gather(plane.blocks_mut(set_of(of)), of, quads),
-        Place::Pixels(at, of) => isa.run(Gather { blocks: plane.blocks_mut(of), at }),
+        BatchLayout::Block(block) => plane.block(block),
+        BatchLayout::Quads(of, quads) => gather(plane.blocks_mut(set_of(of)), of, quads),
+        BatchLayout::Pixels(at, of) => isa.run(Gather { blocks: plane.blocks_mut(of), at }),
     }
 }
 
-fn store(plane: &mut Plane, place: &Place<'_>, mask: u64, words: &U32s) {
+fn store(plane: &mut WordPlane, place: &BatchLayout<'_>, mask: u64, words: &U32s) {
     match *place {
-        Place::Block(block) => *plane.block_mut(block) = *words,
-        Place::Quads(of, quads) => scatter(plane.blocks_mut(set_of(of)), of, quads, mask, words),
-        Place::Pixels(at, of) => scatter_pixels(plane.blocks_mut(of), at, mask, words),
+        BatchLayout::Block(block) => *plane.block_mut(block) = *words,
+        BatchLayout::Quads(of, quads) => {
+            scatter(plane.blocks_mut(set_of(of)), of, quads, mask, words)
+        }
+        BatchLayout::Pixels(at, of) => scatter_pixels(plane.blocks_mut(of), at, mask, words),
     }
 }
 

@@ -3,7 +3,7 @@
 //! A clear writes nothing: it is a word and the blocks that hold it, which become words of their own when
 //! somebody draws there. What is never drawn over takes neither memory nor time.
 
-use super::place::Old;
+use super::place::LoadOp;
 use texunit::lanes::{U32s, prefetch};
 
 /// Blocks of 8×8 pixels in a tile.
@@ -11,7 +11,7 @@ pub const BLOCKS: usize = 64;
 
 /// One word of every pixel of a tile.
 #[derive(Clone, Debug)]
-pub struct Plane {
+pub struct WordPlane {
     /// [`BLOCKS`] blocks, row by row, each in lane order; none where nothing was ever drawn.
     words: Vec<U32s>,
     /// The word of the last clear.
@@ -20,7 +20,7 @@ pub struct Plane {
     cleared: u64,
 }
 
-impl Plane {
+impl WordPlane {
     /// The same word everywhere.
     pub fn cleared(word: u32) -> Self {
         Self { words: Vec::new(), word, cleared: !0 }
@@ -63,24 +63,24 @@ impl Plane {
     /// A block, for writing.
     #[inline]
     pub fn block_mut(&mut self, block: usize) -> &mut U32s {
-        self.ready(block, Old::Read);
+        self.ready(block, LoadOp::Load);
         &mut self.words[block]
     }
 
     /// Makes a block's words its own: those that it holds, or any, if they are about to be written.
     #[inline]
-    pub fn ready(&mut self, block: usize, old: Old) {
+    pub fn ready(&mut self, block: usize, old: LoadOp) {
         if self.is_cleared(block) {
             self.fill(block, old);
         }
     }
 
     #[cold]
-    fn fill(&mut self, block: usize, old: Old) {
+    fn fill(&mut self, block: usize, old: LoadOp) {
         if self.words.is_empty() {
             self.words = vec![U32s::ZERO; BLOCKS];
         }
-        if old == Old::Read {
+        if old == LoadOp::Load {
             self.words[block] = U32s::splat(self.word);
         }
         self.cleared &= !(1 << block);
@@ -105,7 +105,7 @@ impl Plane {
     #[cold]
     fn fill_all(&mut self, mut blocks: u64) {
         while blocks != 0 {
-            self.fill(blocks.trailing_zeros() as usize, Old::Read);
+            self.fill(blocks.trailing_zeros() as usize, LoadOp::Load);
             blocks &= blocks - 1;
         }
     }

@@ -2,7 +2,7 @@
 //! their mean; depth, stencil and integers are those of the first sample.
 
 use super::encode::{decode_color, encode_color};
-use super::plane::{BLOCKS, Plane};
+use super::plane::{BLOCKS, WordPlane};
 use super::words::attachment_words;
 use std::ops::Range;
 use texunit::format::Format;
@@ -13,13 +13,13 @@ pub fn resolve_tile(
     isa: Isa,
     format: Format,
     samples: u8,
-    planes: &[Plane],
+    planes: &[WordPlane],
     rows: Range<usize>,
-) -> Vec<Plane> {
+) -> Vec<WordPlane> {
     let words = attachment_words(format);
-    let samples: Vec<&[Plane]> = planes.chunks(words).take(usize::from(samples)).collect();
+    let samples: Vec<&[WordPlane]> = planes.chunks(words).take(usize::from(samples)).collect();
     let Some((first, rest)) = samples.split_first() else { return Vec::new() };
-    let same = |plane: &Plane, word: usize| {
+    let same = |plane: &WordPlane, word: usize| {
         plane.alike().is_some_and(|word_of_all| first[word].alike() == Some(word_of_all))
     };
     let is_clear = rest.iter().all(|s| s.iter().enumerate().all(|(word, p)| same(p, word)));
@@ -33,13 +33,13 @@ pub fn resolve_tile(
             plane[block] = words;
         }
     }
-    out.into_iter().map(Plane::of).collect()
+    out.into_iter().map(WordPlane::of).collect()
 }
 
 /// The mean of the samples of a block.
 struct Mean<'a> {
     format: Format,
-    samples: &'a [&'a [Plane]],
+    samples: &'a [&'a [WordPlane]],
     block: usize,
 }
 

@@ -11,10 +11,10 @@
 mod changed;
 mod store;
 
-use super::plane::{BLOCKS, Plane};
+use super::plane::{BLOCKS, WordPlane};
 use super::words::{attachment_words, is_attachable, words_of};
 use crate::sizes::TILE;
-use crate::threads::Crew;
+use crate::threads::ThreadPool;
 use bytemuck::Pod;
 pub use store::{Part, Put};
 use texunit::format::Format;
@@ -38,7 +38,7 @@ pub struct Surface {
     pub samples: u8,
     /// The planes of each tile, row by row of tiles: word `w` of sample `s` is plane
     /// `s · words + w`.
-    pub tiles: Vec<Vec<Plane>>,
+    pub tiles: Vec<Vec<WordPlane>>,
     /// Which of them are other than the level's texels.
     changed: Vec<bool>,
 }
@@ -54,11 +54,11 @@ pub enum Slices {
 
 /// By what a surface is stored.
 #[derive(Clone, Copy, Debug)]
-pub struct Storing<'a> {
+pub struct StoreContext<'a> {
     /// What resolves samples: the device's.
     pub isa: Isa,
     /// Who stores many tiles.
-    pub crew: &'a Crew,
+    pub thread_pool: &'a ThreadPool,
 }
 
 /// One attachment's part of a tile.
@@ -67,12 +67,12 @@ pub struct TileTarget {
     /// Planes of a sample.
     pub words: usize,
     /// As in [`Surface::tiles`].
-    pub planes: Vec<Plane>,
+    pub planes: Vec<WordPlane>,
 }
 
 impl TileTarget {
     /// The planes of one sample.
-    pub fn sample(&mut self, sample: usize) -> &mut [Plane] {
+    pub fn sample(&mut self, sample: usize) -> &mut [WordPlane] {
         &mut self.planes[sample * self.words..][..self.words]
     }
 
@@ -120,11 +120,16 @@ impl Surface {
 
     /// The texels of slices of a level without border, in tiles; zeros where the format has no
     /// attachment layout, which a command buffer with such an attachment is refused for.
-    pub fn from_level(level: &Level, slices: Slices, samples: u8, crew: &Crew) -> Self {
+    pub fn from_level(
+        level: &Level,
+        slices: Slices,
+        samples: u8,
+        thread_pool: &ThreadPool,
+    ) -> Self {
         let &Level { format, width, height, .. } = level;
         let tiles = 0..width.div_ceil(TILE) * height.div_ceil(TILE);
         let load = |tile: u32| load_samples(level, slices, samples, tile);
-        let tiles = crew.map(tiles, WORTH_A_THREAD, load);
+        let tiles = thread_pool.map(tiles, WORTH_A_THREAD, load);
         let changed = vec![false; tiles.len()];
         Self { format, width, height, samples, tiles, changed }
     }
@@ -133,7 +138,7 @@ impl Surface {
     pub fn zeros(format: Format, width: u32, height: u32, samples: u8) -> Self {
         let planes = usize::from(samples) * attachment_words(format);
         let tiles = width.div_ceil(TILE) * height.div_ceil(TILE);
-        let tiles = vec![vec![Plane::cleared(0); planes]; tiles as usize];
+        let tiles = vec![vec![WordPlane::cleared(0); planes]; tiles as usize];
         let changed = vec![false; tiles.len()];
         Self { format, width, height, samples, tiles, changed }
     }
@@ -147,14 +152,14 @@ impl Surface {
 }
 
 /// All samples of a tile.
-fn load_samples(level: &Level, slices: Slices, samples: u8, tile: u32) -> Vec<Plane> {
+fn load_samples(level: &Level, slices: Slices, samples: u8, tile: u32) -> Vec<WordPlane> {
     let (across, words) = (level.width.div_ceil(TILE), attachment_words(level.format));
     let corner = [tile % across * TILE, tile / across * TILE];
     let of_slice = |slice: usize| {
         if is_attachable(level.format) && !level.texels.is_blank() {
             load_tile(level, slice, corner, words)
         } else {
-            vec![Plane::cleared(0); words]
+            vec![WordPlane::cleared(0); words]
         }
     };
     match slices {
@@ -167,7 +172,7 @@ fn load_samples(level: &Level, slices: Slices, samples: u8, tile: u32) -> Vec<Pl
 }
 
 /// One sample of the tile whose first pixel is `(x0, y0)`.
-fn load_tile(level: &Level, slice: usize, [x0, y0]: [u32; 2], words: usize) -> Vec<Plane> {
+fn load_tile(level: &Level, slice: usize, [x0, y0]: [u32; 2], words: usize) -> Vec<WordPlane> {
     let size = level.format.bytes();
     let (row_bytes, first) = (level.row_bytes(), level.origin() + slice * level.slice_bytes());
     let (width, height) = (TILE.min(level.width - x0) as usize, TILE.min(level.height - y0));
@@ -178,13 +183,13 @@ fn load_tile(level: &Level, slice: usize, [x0, y0]: [u32; 2], words: usize) -> V
     let all = row(0);
     if all[size..] == all[..(width - 1) * size] && (1..height).all(|y| row(y) == all) {
         let texel = words_of(level.format, &all[..size]);
-        return texel[..words].iter().copied().map(Plane::cleared).collect();
+        return texel[..words].iter().copied().map(WordPlane::cleared).collect();
     }
     let mut planes = vec![vec![U32s::ZERO; BLOCKS]; words];
     for y in 0..height {
         load_row(level.format, &mut planes, y as usize, row(y));
     }
-    planes.into_iter().map(Plane::of).collect()
+    planes.into_iter().map(WordPlane::of).collect()
 }
 
 /// Row `y` of a tile from the texels of one row.
@@ -265,12 +270,12 @@ mod tests {
             {
                 *byte = (index * 7 % 251) as u8;
             }
-            let surface = Surface::from_level(&level, Slices::One(0), 1, &Crew::ALONE);
-            let cleared = |tile: &Vec<Plane>| tile[0].alike().is_some();
+            let surface = Surface::from_level(&level, Slices::One(0), 1, &ThreadPool::CALLER_ONLY);
+            let cleared = |tile: &Vec<WordPlane>| tile[0].alike().is_some();
             assert_eq!(surface.tiles.iter().filter(|tile| cleared(tile)).count(), 5);
             let mut back = Level::new(format, 150, 70).expect("small");
-            let storing = Storing { isa: Isa::best(), crew: &Crew::ALONE };
-            surface.store(&mut back, Slices::One(0), storing);
+            let context = StoreContext { isa: Isa::best(), thread_pool: &ThreadPool::CALLER_ONLY };
+            surface.store(&mut back, Slices::One(0), context);
             assert_eq!(back.texels, level.texels, "{format:?}");
         }
     }
@@ -284,10 +289,10 @@ mod tests {
             for (index, byte) in level.texels[..used].iter_mut().enumerate() {
                 *byte = (index * 31 % 241) as u8;
             }
-            let surface = Surface::from_level(&level, Slices::Each(2), 4, &Crew::ALONE);
+            let surface = Surface::from_level(&level, Slices::Each(2), 4, &ThreadPool::CALLER_ONLY);
             let mut back = Level::with_size(format, [70, 3, 7], [0; 3]).expect("small");
-            let storing = Storing { isa: Isa::best(), crew: &Crew::ALONE };
-            surface.store(&mut back, Slices::Each(2), storing);
+            let context = StoreContext { isa: Isa::best(), thread_pool: &ThreadPool::CALLER_ONLY };
+            surface.store(&mut back, Slices::Each(2), context);
             let slice = level.slice_bytes();
             let (stored, left) = (2 * slice..6 * slice, &back.texels[6 * slice..]);
             assert_eq!(back.texels[stored.clone()], level.texels[stored], "{format:?}");
@@ -303,12 +308,16 @@ mod tests {
         for (index, byte) in level.texels[..used].iter_mut().enumerate() {
             *byte = (index * 37 % 253) as u8;
         }
-        let surface = Surface::from_level(&level, Slices::One(0), 1, &Crew::ALONE);
+        let surface = Surface::from_level(&level, Slices::One(0), 1, &ThreadPool::CALLER_ONLY);
         assert!(surface.tiles.len() >= WORTH_THREADS);
         for helpers in [0, 1, 6] {
             let mut back = Level::new(Format::Rgba8, 641, 530).expect("small");
-            let crew = &Crew::of(helpers);
-            surface.store(&mut back, Slices::One(0), Storing { isa: Isa::best(), crew });
+            let thread_pool = &ThreadPool::of_workers(helpers);
+            surface.store(
+                &mut back,
+                Slices::One(0),
+                StoreContext { isa: Isa::best(), thread_pool },
+            );
             assert!(back.texels == level.texels, "{helpers} helpers");
         }
     }

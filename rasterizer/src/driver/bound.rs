@@ -7,7 +7,7 @@ use crate::shader::Prepared;
 use std::sync::Arc;
 
 /// The state that commands set.
-pub struct Bound {
+pub struct BoundState {
     pub pipeline: Option<Pipeline>,
     pub vertices: Arc<[VertexBinding]>,
     pub vertex_textures: Textures,
@@ -18,19 +18,19 @@ pub struct Bound {
     pub raster: Arc<RasterState>,
     pub counter: Option<Counter>,
     /// What the draw before decided, while nothing that matters to it has changed.
-    pub decided: Option<Decided>,
+    pub decided: Option<DrawDecisions>,
     /// The label of a watched pixel.
     pub label: u32,
 }
 
 /// What draws with the same state share.
-pub struct Decided {
+pub struct DrawDecisions {
     pub plan: Arc<DrawPlan>,
     /// The vertex program's values.
     pub vertex: Arc<Prepared>,
 }
 
-impl Bound {
+impl BoundState {
     /// What holds when a pass begins.
     pub fn new() -> Self {
         let none: Textures = Arc::new([]);

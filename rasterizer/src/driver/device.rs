@@ -5,8 +5,8 @@ use super::image::{Attachment, Image};
 use super::report::{DeviceError, SubmitError, SubmitReport};
 use super::resources::{DeviceDesc, Resources};
 use super::{check, submit};
-use crate::attachment::{Part, Put, Storing};
-use crate::threads::{Crew, Threads};
+use crate::attachment::{Part, Put, StoreContext};
+use crate::threads::{ForkAwarePool, ThreadPool};
 use std::sync::Arc;
 use texunit::image::{Image as Texels, Level};
 
@@ -18,7 +18,7 @@ const COPIED: usize = 1 << 18;
 /// A driver instance.
 #[derive(Debug)]
 pub struct Device {
-    threads: Threads,
+    threads: ForkAwarePool,
     resources: Resources,
 }
 
@@ -28,7 +28,7 @@ impl Device {
     /// # Errors
     /// When its threads cannot be started.
     pub fn new(desc: DeviceDesc) -> Result<Self, DeviceError> {
-        let threads = Threads::start(desc.threads).map_err(DeviceError::pool)?;
+        let threads = ForkAwarePool::start(desc.threads).map_err(DeviceError::pool)?;
         Ok(Self { threads, resources: Resources::new(desc) })
     }
 
@@ -44,14 +44,15 @@ impl Device {
     /// threads; then nothing was run.
     pub fn submit(&self, commands: &CommandBuffer) -> Result<SubmitReport, SubmitError> {
         check::check(&commands.commands)?;
-        let crew = self.threads.crew().map_err(DeviceError::pool);
-        let crew = crew.map_err(|error| SubmitError { index: 0, rule: error.to_string() })?;
-        Ok(submit::run(&self.resources, &crew, &commands.commands))
+        let thread_pool = self.threads.thread_pool().map_err(DeviceError::pool);
+        let thread_pool =
+            thread_pool.map_err(|error| SubmitError { index: 0, rule: error.to_string() })?;
+        Ok(submit::run(&self.resources, &thread_pool, &commands.commands))
     }
 
     /// Who stores what was drawn. Without threads the one that asks does it alone.
-    fn crew(&self) -> Crew {
-        self.threads.crew().unwrap_or(Crew::ALONE)
+    fn thread_pool(&self) -> ThreadPool {
+        self.threads.thread_pool().unwrap_or(ThreadPool::CALLER_ONLY)
     }
 
     /// Copies bytes, by all threads where there are many: a client's go where the system often has yet to find
@@ -65,7 +66,7 @@ impl Device {
         }
         assert_eq!(from.len(), to.len());
         let mut pieces: Vec<_> = from.chunks(COPIED).zip(to.chunks_mut(COPIED)).collect();
-        self.crew().share(
+        self.thread_pool().for_each_chunk(
             &mut pieces,
             1,
             || (),
@@ -75,15 +76,16 @@ impl Device {
 
     /// [`Image::texels`], faster of large ones.
     pub fn texels(&self, image: &Image) -> Texels {
-        image.texels_by(&self.crew())
+        image.texels_by(&self.thread_pool())
     }
 
     /// What an attachment names, as everything submitted leaves it, with one sample a pixel, which
     /// several are resolved to: a level, if it exists, and which slice of it.
     pub fn resolved(&self, attachment: &Attachment) -> Option<(Arc<Level>, usize)> {
         let Attachment { image, face, level } = attachment;
-        let storing = Storing { isa: self.resources.desc.isa, crew: &self.crew() };
-        image.resolved_by(*face, *level, storing)
+        let context =
+            StoreContext { isa: self.resources.desc.isa, thread_pool: &self.thread_pool() };
+        image.resolved_by(*face, *level, context)
     }
 
     /// Puts a part of what an attachment names, as everything submitted leaves it, where a client has its
@@ -94,8 +96,9 @@ impl Device {
     /// When a row has no room, or the part is not within the picture.
     pub fn read(&self, attachment: &Attachment, part: Part, rows: &mut [&mut [u8]], put: Put<'_>) {
         let Attachment { image, face, level } = attachment;
-        let storing = Storing { isa: self.resources.desc.isa, crew: &self.crew() };
-        image.read_by((*face, *level), part, rows, put, storing);
+        let context =
+            StoreContext { isa: self.resources.desc.isa, thread_pool: &self.thread_pool() };
+        image.read_by((*face, *level), part, rows, put, context);
     }
 
     /// Puts back what [`Image::each_sample`] gave, changed. Draws that were recorded earlier keep what

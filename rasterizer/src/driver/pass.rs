@@ -6,8 +6,8 @@
 mod draw;
 mod tiles;
 
-use super::bound::Bound;
-use super::chunk::Gathered;
+use super::bound::BoundState;
+use super::chunk::MergedDraws;
 use super::command::{ClearValue, Command};
 use super::image::PassDesc;
 use super::report::SubmitReport;
@@ -17,19 +17,19 @@ use crate::desc::Rect;
 use crate::plan::DrawPlan;
 use crate::raster::{ClearJob, Entry, PassJob};
 use crate::sizes::TILE;
-use crate::threads::Crew;
+use crate::threads::ThreadPool;
 use crate::trace::Cleared;
-use crate::vertex::Ids;
+use crate::vertex::VertexIds;
 use std::sync::Arc;
 use texunit::format::Format;
 
 /// Draws of so many primitives may share a chunk with others of the same plan.
-const SMALL: usize = 256;
+const SMALL_DRAW: usize = 256;
 
 /// A pass that is being recorded into bins.
 pub struct Pass<'a> {
     resources: &'a Resources,
-    crew: &'a Crew,
+    thread_pool: &'a ThreadPool,
     desc: &'a PassDesc,
     colors: Vec<Option<Surface>>,
     depth: Option<Surface>,
@@ -40,8 +40,8 @@ pub struct Pass<'a> {
     commands: Vec<usize>,
     shapes: usize,
     /// The last draws, if they were small: what follows may be in one chunk with them.
-    gathered: Option<Gathered>,
-    bound: Bound,
+    merged: Option<MergedDraws>,
+    bound: BoundState,
     /// The formats of the colour attachments.
     formats: Vec<Option<Format>>,
     /// The last plans that were made, the newest last: draws go to and fro between a few states.
@@ -50,23 +50,27 @@ pub struct Pass<'a> {
 
 impl<'a> Pass<'a> {
     /// Opens a pass.
-    pub fn begin(resources: &'a Resources, crew: &'a Crew, desc: &'a PassDesc) -> Self {
+    pub fn begin(
+        resources: &'a Resources,
+        thread_pool: &'a ThreadPool,
+        desc: &'a PassDesc,
+    ) -> Self {
         let across = desc.width.div_ceil(TILE);
         let tiles = across as usize * desc.height.div_ceil(TILE) as usize;
         let attached = desc.colors.iter().map(|color| {
             let attachment = color.as_ref()?;
-            attachment.image.attach(attachment.face, attachment.level, crew)
+            attachment.image.attach(attachment.face, attachment.level, thread_pool)
         });
         let colors: Vec<Option<Surface>> = attached.collect();
         let format = |surface: &Option<Surface>| surface.as_ref().map(|s| s.format);
         Self {
             resources,
-            crew,
+            thread_pool,
             desc,
             formats: colors.iter().map(format).collect(),
             recent: Vec::new(),
             colors,
-            depth: desc.depth.as_ref().and_then(|a| a.image.attach(a.face, a.level, crew)),
+            depth: desc.depth.as_ref().and_then(|a| a.image.attach(a.face, a.level, thread_pool)),
             across,
             bins: vec![Vec::new(); tiles],
             job: PassJob {
@@ -81,8 +85,8 @@ impl<'a> Pass<'a> {
             },
             commands: Vec::new(),
             shapes: 0,
-            gathered: None,
-            bound: Bound::new(),
+            merged: None,
+            bound: BoundState::new(),
         }
     }
 
@@ -105,10 +109,10 @@ impl<'a> Pass<'a> {
             }
             Command::Clear { value, area } => self.clear(*value, *area),
             Command::Draw { first, count, instances } => {
-                self.draw(index, &Ids::Range(*first), *count, instances, report);
+                self.draw(index, &VertexIds::Range(*first), *count, instances, report);
             }
             Command::DrawIndexed { indices, count, instances } => {
-                self.draw(index, &Ids::Indexed(indices), *count, instances, report);
+                self.draw(index, &VertexIds::Indexed(indices), *count, instances, report);
             }
         }
     }
@@ -183,7 +187,7 @@ impl<'a> Pass<'a> {
             }
         };
         let Some(job) = job else { return };
-        self.take_gathered();
+        self.bin_merged();
         let index = self.job.clears.len() as u32;
         self.job.clears.push(job);
         self.bin(area[0], [area[1][0] - 1, area[1][1] - 1], Entry::Clear(index));

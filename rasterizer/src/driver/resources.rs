@@ -3,7 +3,7 @@
 use super::report::DeviceError;
 use crate::raster::{ShapeLists, Worker};
 use crate::shader::Machine;
-use crate::threads::Pool;
+use crate::threads::ObjectPool;
 use crate::vertex::Geometry;
 use parking_lot::Mutex;
 use std::collections::BTreeSet;
@@ -66,13 +66,13 @@ impl DeviceDesc {
 pub(super) struct Resources {
     pub desc: DeviceDesc,
     /// What runs vertex programs.
-    pub machines: Pool<Machine>,
+    pub machines: ObjectPool<Machine>,
     /// The memory of its results.
-    pub geometries: Pool<Geometry>,
+    pub geometries: ObjectPool<Geometry>,
     /// The memory of shapes.
-    pub lists: Pool<ShapeLists>,
+    pub lists: ObjectPool<ShapeLists>,
     /// What draws tiles.
-    pub workers: Pool<Worker>,
+    pub workers: ObjectPool<Worker>,
     /// The plans seen so far.
     explained: Mutex<BTreeSet<String>>,
     kept: Mutex<Vec<String>>,
@@ -83,10 +83,10 @@ impl Resources {
     pub fn new(desc: DeviceDesc) -> Self {
         Self {
             desc,
-            machines: Pool::default(),
-            geometries: Pool::default(),
-            lists: Pool::default(),
-            workers: Pool::default(),
+            machines: ObjectPool::default(),
+            geometries: ObjectPool::default(),
+            lists: ObjectPool::default(),
+            workers: ObjectPool::default(),
             explained: Mutex::default(),
             kept: Mutex::default(),
         }

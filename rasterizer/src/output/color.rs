@@ -10,7 +10,7 @@ pub use bytes::{BlockColors, Color, WriteBytes, pack_colors};
 pub use texels::WriteTexels;
 
 use super::mask::expand_mask;
-use crate::attachment::{Old, WordMask, all_bits};
+use crate::attachment::{LoadOp, WordMask, all_bits};
 use crate::desc::{Blend, LogicOp};
 use texunit::format::{BaseFormat, Encoding, Format};
 use texunit::lanes::{F32s, LANES, U32s};
@@ -85,14 +85,14 @@ impl ColorPlan {
     }
 
     /// Whether what is written depends on what is stored.
-    pub fn old(&self) -> Old {
+    pub fn old(&self) -> LoadOp {
         let is_read = self.blend.is_some() || self.logic_op.is_some() || !self.whole;
-        if is_read { Old::Read } else { Old::Ignored }
+        if is_read { LoadOp::Load } else { LoadOp::DontCare }
     }
 
     /// [`Self::old`] of a block of which the fragments of a mask are written.
-    pub fn old_under(&self, mask: u64) -> Old {
-        if mask == !0 { self.old() } else { Old::Read }
+    pub fn old_under(&self, mask: u64) -> LoadOp {
+        if mask == !0 { self.old() } else { LoadOp::Load }
     }
 
     /// The bits that are written of a word of each texel.

@@ -1,6 +1,6 @@
 //! A plan in words, for `DETGL_EXPLAIN`.
 
-use super::{DrawPlan, Shading, Timing, Written};
+use super::{DrawPlan, ShaderTestOutputs, Shading, TestTiming};
 use crate::output::ColorPlan;
 use std::fmt::Write;
 use texunit::sampler::Compare;
@@ -68,8 +68,8 @@ impl DrawPlan {
     fn describe_varyings(&self) -> String {
         let compiled = self.pipeline.compiled();
         let mut text = format!("{} scalars interpolated", compiled.varyings.len());
-        if compiled.left > 0 {
-            let _ = write!(text, ", of them {} made of others at the vertices", compiled.left);
+        if compiled.hoisted > 0 {
+            let _ = write!(text, ", of them {} made of others at the vertices", compiled.hoisted);
         }
         let dropped = compiled.written_varyings.saturating_sub(compiled.varyings.len());
         if dropped > 0 {
@@ -82,7 +82,7 @@ impl DrawPlan {
     }
 }
 
-impl Timing {
+impl TestTiming {
     /// When a test is done, and what it writes.
     fn describe(self, test: Compare, write: impl std::fmt::Debug) -> String {
         match self {
@@ -91,9 +91,10 @@ impl Timing {
             Self::Late(written) => format!(
                 "late, {test:?}, write {write:?}: the shader {}",
                 match written {
-                    Written { depth: Some(_), .. } => "writes depth",
-                    Written { reference: Some(_), .. } => "writes the stencil's reference",
-                    Written { depth: None, reference: None } => "throws fragments away",
+                    ShaderTestOutputs { depth: Some(_), .. } => "writes depth",
+                    ShaderTestOutputs { reference: Some(_), .. } =>
+                        "writes the stencil's reference",
+                    ShaderTestOutputs { depth: None, reference: None } => "throws fragments away",
                 },
             ),
         }

@@ -5,7 +5,7 @@ use super::pipeline::Compiled;
 use super::samples::Samples;
 use crate::desc::{PipelineDesc, PolygonMode, RasterState, Topology};
 use crate::ir::{Axis, Input, Interpolation};
-use crate::shader::Sources;
+use crate::shader::AttributeSet;
 
 /// What one plane of a draw holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -104,12 +104,12 @@ impl FilledInput {
 }
 
 /// What they depend on, and the planes so far.
-pub struct Inputs<'a> {
+pub struct InputPlanner<'a> {
     pub compiled: &'a Compiled,
     /// The first slots of the varyings that sprites replace.
     pub replaced: &'a [u16],
     /// What vertices have for themselves.
-    pub arrays: Sources,
+    pub arrays: AttributeSet,
     /// Whether any level of detail is made of slopes.
     pub needs_slopes: bool,
     pub samples: &'a Samples,
@@ -119,7 +119,7 @@ pub struct Inputs<'a> {
 }
 
 /// The planes of a draw and what reads them.
-pub struct Gathered {
+pub struct InputPlanes {
     pub planes: Vec<PlaneSource>,
     pub depth_plane: Option<usize>,
     pub denominator_plane: Option<usize>,
@@ -127,13 +127,13 @@ pub struct Gathered {
     pub inputs: Vec<FragmentInput>,
 }
 
-impl Inputs<'_> {
+impl InputPlanner<'_> {
     /// Finds the planes of these inputs, and of the depth that is tested or read.
-    pub fn gather(mut self, depth: Option<PlaneSource>, read: &[Input]) -> Gathered {
+    pub fn gather(mut self, depth: Option<PlaneSource>, read: &[Input]) -> InputPlanes {
         let depth_plane = depth.map(|depth| self.plane(depth));
         let inputs = read.iter().map(|&input| self.input(input)).collect();
         let Self { planes, denominator, .. } = self;
-        Gathered { planes, depth_plane, denominator_plane: denominator, inputs }
+        InputPlanes { planes, depth_plane, denominator_plane: denominator, inputs }
     }
 
     /// The number of a plane.

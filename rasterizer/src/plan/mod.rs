@@ -11,7 +11,7 @@ mod samples;
 mod stipple;
 
 pub use inputs::{FilledInput, FragmentInput, PlaneSource, sprite_slots};
-use inputs::{Gathered, Inputs};
+use inputs::{InputPlanes, InputPlanner};
 pub use pipeline::Pipeline;
 pub use product::{FactorPlanes, ProductInputs, ProductPlan};
 pub use samples::{SampleMasks, Samples, moved, possible_samples, sample_positions};
@@ -24,7 +24,7 @@ use crate::desc::{
 };
 use crate::ir::{Input, Output};
 use crate::output::{ColorPlan, DepthPlan, StencilPlan, Tests};
-use crate::shader::{Prepared, Sources};
+use crate::shader::{AttributeSet, Prepared};
 use std::sync::Arc;
 use texunit::format::Format;
 use texunit::lanes::Isa;
@@ -36,18 +36,18 @@ pub type Textures = Arc<[Option<Arc<SamplePlan>>]>;
 
 /// When the stencil and depth tests happen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Timing {
+pub enum TestTiming {
     /// Neither test nor write.
     Never,
     /// Before shading: what fails is not shaded.
     Early,
     /// After shading: the shader throws fragments away, or writes what is tested.
-    Late(Written),
+    Late(ShaderTestOutputs),
 }
 
 /// What a shader writes for the tests: the program outputs that hold it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Written {
+pub struct ShaderTestOutputs {
     /// The depth.
     pub depth: Option<usize>,
     /// What stencils are compared with.
@@ -82,15 +82,15 @@ pub struct DrawPlan {
     /// The stencil and depth tests.
     pub tests: Tests,
     /// When they happen.
-    pub timing: Timing,
+    pub timing: TestTiming,
     /// The smallest difference of depths, where it is the same for all.
     pub resolution: Option<f64>,
     /// What is written to which colour attachment.
     pub colors: Vec<ColorPlan>,
     /// Whether the fragment program has to run at all.
     pub shading: Shading,
-    /// Blocks that may be shaded together, see [`crate::shader::Machine::run_banks`].
-    pub together: usize,
+    /// Blocks that may be shaded together, see [`crate::shader::Machine::run_files`].
+    pub blocks_per_run: usize,
     /// How whole blocks are shaded without the interpreter, if they are.
     pub product: Option<ProductPlan>,
     /// How sparse fragments are packed.
@@ -106,7 +106,7 @@ pub struct DrawPlan {
     /// Which lanes the polygon stipple leaves.
     pub stipple: Option<StippleLanes>,
     /// What vertices have for themselves.
-    arrays: Sources,
+    arrays: AttributeSet,
     counting: Counting,
 }
 
@@ -210,7 +210,7 @@ impl DrawPlan {
 
         let colors = colors(pipeline, input.colors);
         let tests = tests(pipeline, input.depth);
-        let written = Written {
+        let written = ShaderTestOutputs {
             depth: output(Output::Depth).filter(|_| tests.depth.is_some()),
             reference: output(Output::StencilReference).filter(|_| tests.stencil.is_some()),
         };
@@ -218,13 +218,13 @@ impl DrawPlan {
         let samples = Samples::new(input.samples, &input.raster.multisample, alpha);
         let discards = fragment.discards() || samples.alpha.is_some();
         let timing = if tests == Tests::default() {
-            Timing::Never
-        } else if discards && tests.write() || written != Written::default() {
-            Timing::Late(written)
+            TestTiming::Never
+        } else if discards && tests.write() || written != ShaderTestOutputs::default() {
+            TestTiming::Late(written)
         } else {
-            Timing::Early
+            TestTiming::Early
         };
-        let late = matches!(timing, Timing::Late(_));
+        let late = matches!(timing, TestTiming::Late(_));
         let counts = input.counting == Counting::On && discards;
         let shading =
             if colors.is_empty() && !late && !counts { Shading::Off } else { Shading::On };
@@ -236,7 +236,7 @@ impl DrawPlan {
                 .iter()
                 .filter_map(|&slot| input.textures.get(slot as usize)?.as_ref())
                 .any(|texture| texture.needs_lod());
-        let of = Inputs {
+        let of = InputPlanner {
             compiled,
             replaced: sprite_slots(desc, &input.raster),
             arrays: arrays(input.vertices),
@@ -249,7 +249,7 @@ impl DrawPlan {
         let reads_z = fragment.inputs().contains(&Input::FragCoord(2));
         let depth = (tests_z || reads_z).then_some(PlaneSource::Depth);
         let read = if shading == Shading::On { fragment.inputs() } else { &[] };
-        let Gathered { planes, depth_plane, denominator_plane, inputs } = of.gather(depth, read);
+        let InputPlanes { planes, depth_plane, denominator_plane, inputs } = of.gather(depth, read);
         let within = |input: &FragmentInput| {
             matches!(input, FragmentInput::SmoothWithin(_) | FragmentInput::LinearWithin(_))
         };
@@ -261,15 +261,15 @@ impl DrawPlan {
         let alone = is_whole && !fragment.reads_neighbours(needs_lod);
         // With nothing left to decide once they are shaded.
         let is_plain = is_whole && shading == Shading::On && !late;
-        let together = if is_plain { fragment.banks() } else { 1 };
-        let may_multiply = together > 1 && colors.len() == 1 && colors[0].target == 0;
+        let blocks_per_run = if is_plain { fragment.register_files() } else { 1 };
+        let may_multiply = blocks_per_run > 1 && colors.len() == 1 && colors[0].target == 0;
         Self {
             product: if may_multiply {
                 ProductPlan::new(input.isa, fragment, &inputs, &input.textures)
             } else {
                 None
             },
-            together,
+            blocks_per_run,
             shades_depth: late || inputs.contains(&FragmentInput::Depth),
             packing: if alone { Packing::Pixels } else { Packing::Quads },
             centroids: inputs.iter().any(within),
@@ -326,14 +326,14 @@ impl DrawPlan {
 }
 
 /// The components of attributes that vertices have for themselves.
-pub fn arrays(bindings: &[VertexBinding]) -> Sources {
-    let of = |sources: Sources, binding: &VertexBinding| match binding.source {
+pub fn arrays(bindings: &[VertexBinding]) -> AttributeSet {
+    let of = |sources: AttributeSet, binding: &VertexBinding| match binding.source {
         VertexSource::Constant(_) => sources,
         VertexSource::Array { components, .. } => {
-            sources.and(Sources::attribute(binding.location, (1 << components.min(4)) - 1))
+            sources.and(AttributeSet::attribute(binding.location, (1 << components.min(4)) - 1))
         }
     };
-    bindings.iter().fold(Sources::default(), of)
+    bindings.iter().fold(AttributeSet::default(), of)
 }
 
 /// Whether two lists are of the same plans.

@@ -2,7 +2,7 @@
 
 use crate::desc::{PipelineDesc, PipelineError, ShaderModule};
 use crate::ir::{Input, Interpolation, Output, Stage};
-use crate::shader::{Draft, Program};
+use crate::shader::{OptimizedModule, Program};
 use crate::threads::stack::with_room;
 use std::sync::{Arc, OnceLock};
 
@@ -17,7 +17,7 @@ pub struct Pipeline(Arc<Compiled>);
 #[derive(Debug)]
 pub(crate) struct Compiled {
     pub desc: PipelineDesc,
-    /// The vertex program, without the varyings that the fragment program does not read, and with what it left to it.
+    /// The vertex program, without the varyings that the fragment program does not read, and with what it hoisted to it.
     pub vertex: Program,
     /// The fragment program, without outputs that nobody takes.
     pub fragment: Program,
@@ -28,7 +28,7 @@ pub(crate) struct Compiled {
     /// How many varying slots the vertex module writes.
     pub written_varyings: usize,
     /// How many varyings hold what the fragment module makes of others.
-    pub left: usize,
+    pub hoisted: usize,
     /// See [`Pipeline::of_sprites`].
     of_sprites: OnceLock<Pipeline>,
 }
@@ -61,19 +61,18 @@ impl Pipeline {
         if fragment.stage != Stage::Fragment {
             return Err(PipelineError("`fragment` must be a module of the fragment stage".into()));
         }
-        Ok(Self(Arc::new(Compiled::new(desc, Sharing::Fair))))
+        Ok(Self(Arc::new(Compiled::new(desc, VaryingHoisting::On))))
     }
 
     /// The pipeline where sprites replace varyings, which are not there at the vertices: what fragments make of them
     /// stays with the fragments.
     pub(crate) fn of_sprites(&self) -> Self {
-        if self.0.left == 0 {
+        if self.0.hoisted == 0 {
             return self.clone();
         }
-        let of_sprites = self
-            .0
-            .of_sprites
-            .get_or_init(|| Self(Arc::new(Compiled::new(self.0.desc.clone(), Sharing::AsWritten))));
+        let of_sprites = self.0.of_sprites.get_or_init(|| {
+            Self(Arc::new(Compiled::new(self.0.desc.clone(), VaryingHoisting::Off)))
+        });
         of_sprites.clone()
     }
 
@@ -94,26 +93,26 @@ impl Pipeline {
 
 /// Who computes what fragments make of varyings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Sharing {
+enum VaryingHoisting {
     /// The vertex stage, where that is as good.
-    Fair,
+    On,
     /// The fragment stage.
-    AsWritten,
+    Off,
 }
 
 impl Compiled {
     /// Compiles modules that are of their stages.
-    fn new(desc: PipelineDesc, sharing: Sharing) -> Self {
+    fn new(desc: PipelineDesc, hoisting: VaryingHoisting) -> Self {
         let is_deep = |stage: &ShaderModule| stage.module().nests_deeper_than(SHALLOW);
         if is_deep(&desc.vertex) || is_deep(&desc.fragment) {
-            with_room(|| Self::on_this_stack(desc, sharing))
+            with_room(|| Self::on_this_stack(desc, hoisting))
         } else {
-            Self::on_this_stack(desc, sharing)
+            Self::on_this_stack(desc, hoisting)
         }
     }
 
-    fn on_this_stack(desc: PipelineDesc, sharing: Sharing) -> Self {
-        let mut fragment = Draft::new(desc.fragment.module(), |output| match output {
+    fn on_this_stack(desc: PipelineDesc, hoisting: VaryingHoisting) -> Self {
+        let mut fragment = OptimizedModule::new(desc.fragment.module(), |output| match output {
             Output::Color { target, component } => desc
                 .colors
                 .get(usize::from(target))
@@ -126,11 +125,12 @@ impl Compiled {
             | Output::Varying(_) => false,
         });
         let vertex = desc.vertex.module();
-        let with_more = match sharing {
-            Sharing::Fair => fragment.leave_to(vertex),
-            Sharing::AsWritten => None,
+        let extended_vertex = match hoisting {
+            VaryingHoisting::On => fragment.hoist_to_vertex(vertex),
+            VaryingHoisting::Off => None,
         };
-        let left = with_more.as_ref().map_or(0, |more| more.outputs.len() - vertex.outputs.len());
+        let hoisted =
+            extended_vertex.as_ref().map_or(0, |more| more.outputs.len() - vertex.outputs.len());
         let modes = fragment.module.varyings.clone();
         let fragment = fragment.finish();
         let mut varyings: Vec<(u16, Interpolation)> = fragment
@@ -154,7 +154,7 @@ impl Compiled {
         varyings.dedup();
         let written_varyings =
             vertex.outputs.iter().filter(|(o, _)| matches!(o, Output::Varying(_))).count();
-        let vertex = with_more.as_ref().unwrap_or(vertex);
+        let vertex = extended_vertex.as_ref().unwrap_or(vertex);
         let vertex = Program::new(vertex, |output| match output {
             Output::Position(_) => true,
             // Any topology can end as points, and what is written to clip distances cuts.
@@ -164,6 +164,6 @@ impl Compiled {
         });
         let of_sprites = OnceLock::new();
         let slots = varyings.iter().map(|&(slot, _)| slot).collect();
-        Self { desc, vertex, fragment, varyings, slots, written_varyings, left, of_sprites }
+        Self { desc, vertex, fragment, varyings, slots, written_varyings, hoisted, of_sprites }
     }
 }

@@ -6,7 +6,7 @@ use crate::shader::Program;
 use texunit::lanes::Isa;
 use texunit::plan::Places;
 
-/// What a fragment program that is a product ([`crate::shader::Product`]) comes to in a draw.
+/// What a fragment program that is a product ([`crate::shader::TexelProduct`]) comes to in a draw.
 #[derive(Debug)]
 pub struct ProductPlan {
     /// The planes that its factors depend on, if they depend on nothing else: where these are the same all over a

@@ -91,7 +91,7 @@ impl LineRun {
     /// Of these columns, the first and the last whose row is one of these.
     pub fn columns_within(&self, columns: [i32; 2], rows: Range<i32>) -> Option<[i32; 2]> {
         let ends = columns.map(|column| self.row(column));
-        // Rows only rise, or only fall, from column to column.
+        // VertexPlanes only rise, or only fall, from column to column.
         let (come, gone): (&dyn Fn(i32) -> bool, &dyn Fn(i32) -> bool) = match ends[0] <= ends[1] {
             true => (&|row| row >= rows.start, &|row| row >= rows.end),
             false => (&|row| row < rows.end, &|row| row < rows.start),

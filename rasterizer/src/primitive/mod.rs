@@ -2,15 +2,15 @@
 //! subpixel grid, cull.
 
 mod clip;
+mod invisible;
 mod line;
 mod outline;
 mod planes;
 mod setup;
 mod triangles;
-mod unseen;
 
+pub use invisible::{Drawn, Reason, Reasons, Side, reasons};
 pub use line::LineRun;
 pub use outline::{rectangle, stipple_lines};
-pub use planes::{Across, DepthSetup, Inverse, Plane, Rows, point_coord};
-pub use setup::{Kind, Part, Setup, Shape, setup};
-pub use unseen::{Drawn, Reason, Reasons, Side, reasons};
+pub use planes::{Across, DepthSetup, Inverse, Plane, VertexPlanes, point_coord};
+pub use setup::{Clipping, Setup, Shape, ShapeKind, setup};

@@ -4,7 +4,7 @@
 use super::clip::{Corner, Edge};
 use super::line::LineRun;
 use super::planes::depth_offset;
-use super::setup::{Kind, NOWHERE, Part, Scratch, Setup, Shape, bounds, snap};
+use super::setup::{Clipping, NOWHERE, Scratch, Setup, Shape, ShapeKind, bounds, snap};
 use crate::desc::{Facing, LineState, MAX_POINT_SIZE, PointState, PolygonMode, Rim};
 use crate::sizes::SUBPIXEL;
 use crate::vertex::{EdgeFlags, Geometry, Outcode};
@@ -73,18 +73,18 @@ impl Setup<'_> {
         self.cut(geometry, &vertices, Outcode(any), scratch);
         let corners = scratch.polygon.iter().zip(&scratch.snapped);
         for (at, (corner, &from)) in corners.enumerate() {
-            let (bounds, part) = (NOWHERE, Part::Cut);
+            let (bounds, part) = (NOWHERE, Clipping::Cut);
             match mode {
                 PolygonMode::Line if corner.edge == Edge::Made => {
                     let to = scratch.snapped[(at + 1) % scratch.snapped.len()];
-                    let kind = Kind::Line { stipple: 0, bias };
+                    let kind = ShapeKind::Line { stipple: 0, bias };
                     let corners = [from, to, to];
                     let edge = Shape { corners, bounds, vertices, provoking, part, kind, facing };
                     self.segment(edge, out);
                 }
                 PolygonMode::Point if is_vertex(corner, edges, is_marked) => {
                     let size = self.size_at(geometry, vertices, corner.weights);
-                    let (kind, corners) = (Kind::Point { size, bias }, [from; 3]);
+                    let (kind, corners) = (ShapeKind::Point { size, bias }, [from; 3]);
                     let point = Shape { corners, bounds, vertices, provoking, part, kind, facing };
                     let [x, y, _, w] = corner.clip;
                     if x.abs() <= w && y.abs() <= w {
@@ -131,8 +131,8 @@ impl Setup<'_> {
             bounds: NOWHERE,
             vertices: line.vertices,
             provoking: line.provoking,
-            part: Part::Whole,
-            kind: Kind::Line { stipple: 0, bias: line.bias },
+            part: Clipping::Whole,
+            kind: ShapeKind::Line { stipple: 0, bias: line.bias },
             facing: line.facing,
         };
         self.segment(shape, out);
@@ -266,8 +266,8 @@ impl Setup<'_> {
             bounds: NOWHERE,
             vertices: [vertex; 3],
             provoking: 0,
-            part: Part::Whole,
-            kind: Kind::Point { size, bias },
+            part: Clipping::Whole,
+            kind: ShapeKind::Point { size, bias },
             facing,
         };
         self.disc(point, geometry.window(&self.viewport, vertex), size, out);
@@ -348,7 +348,7 @@ pub(super) fn stipple_around(state: &LineState, shapes: &mut [Shape], closing: [
     if state.stipple.is_none() {
         return;
     }
-    let closes = |shape: &Shape| shape.part == Part::Whole && shape.vertices[..2] == closing;
+    let closes = |shape: &Shape| shape.part == Clipping::Whole && shape.vertices[..2] == closing;
     if let Some(at) = shapes.iter().position(closes) {
         shapes[at..].rotate_left(1);
     }
@@ -364,7 +364,7 @@ pub fn stipple_lines(state: &LineState, shapes: &mut [Shape], before: u32) -> u3
     let mut come = before;
     for shape in shapes {
         let [a, b, _] = shape.corners;
-        if let Kind::Line { stipple, .. } = &mut shape.kind {
+        if let ShapeKind::Line { stipple, .. } = &mut shape.kind {
             *stipple = come;
             let length = match state.rim {
                 Rim::Aliased => LineRun::new(a, b, width as i32).columns() * SUBPIXEL as u32,

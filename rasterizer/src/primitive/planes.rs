@@ -12,7 +12,7 @@
 //! they hold whether or not a vertex is in front of the eye: a clipped triangle is interpolated by
 //! the planes of the whole one.
 
-use super::setup::{Kind, Part, Shape};
+use super::setup::{Clipping, Shape, ShapeKind};
 use crate::desc::{Facing, LineState, PolygonOffset, Rim, SpriteOrigin, Viewport};
 use crate::sizes::SUBPIXEL;
 use crate::vertex::{Geometry, Outcode};
@@ -101,7 +101,7 @@ pub struct DepthSetup {
 }
 
 /// The planes that weight the three vertices.
-pub struct Rows {
+pub struct VertexPlanes {
     /// `l_i`: sums to `1/w`.
     projective: [Plane; 3],
     /// Weights of a smooth varying, before it is divided by `denominator`.
@@ -112,7 +112,7 @@ pub struct Rows {
     pub inverse_w: Plane,
 }
 
-impl Rows {
+impl VertexPlanes {
     pub fn new(
         shape: &Shape,
         geometry: &Geometry,
@@ -121,22 +121,24 @@ impl Rows {
         across: Across,
     ) -> Self {
         let mut w = shape.vertices.map(|v| f64::from(geometry.clip(v)[3]));
-        if let (Kind::Line { .. }, Part::Whole) = (shape.kind, shape.part) {
+        if let (ShapeKind::Line { .. }, Clipping::Whole) = (shape.kind, shape.part) {
             // Its third vertex has no weight.
             w[2] = w[1];
         }
         let projective = match (shape.kind, shape.part) {
-            (Kind::Triangle, _) => triangle(shape, geometry, viewport, origin),
-            (Kind::Line { .. }, Part::Whole) => line(shape, geometry, viewport, origin, across),
-            (Kind::Line { .. }, Part::Cut) => {
+            (ShapeKind::Triangle, _) => triangle(shape, geometry, viewport, origin),
+            (ShapeKind::Line { .. }, Clipping::Whole) => {
+                line(shape, geometry, viewport, origin, across)
+            }
+            (ShapeKind::Line { .. }, Clipping::Cut) => {
                 let along = |row: Plane| row.along(&shape.corners, across);
                 triangle(shape, geometry, viewport, origin).map(along)
             }
-            (Kind::Point { .. }, Part::Whole) => {
+            (ShapeKind::Point { .. }, Clipping::Whole) => {
                 [Plane::constant(1.0 / w[0]), Plane::default(), Plane::default()]
             }
             // What the triangle has there, all over the point.
-            (Kind::Point { .. }, Part::Cut) => {
+            (ShapeKind::Point { .. }, Clipping::Cut) => {
                 triangle(shape, geometry, viewport, origin).map(|row| Plane::constant(row.c))
             }
         };
@@ -170,9 +172,9 @@ impl Rows {
         let mut plane = Plane::sum(&self.projective, z).scaled((far - near) * 0.5);
         plane.c += (near + far) * 0.5;
         plane.c += match (shape.kind, setup.offset) {
-            (Kind::Triangle, Some(by)) => offset(&plane, &shape.corners, by, setup.resolution),
-            (Kind::Triangle, None) => 0.0,
-            (Kind::Line { bias, .. } | Kind::Point { bias, .. }, _) => bias.into(),
+            (ShapeKind::Triangle, Some(by)) => offset(&plane, &shape.corners, by, setup.resolution),
+            (ShapeKind::Triangle, None) => 0.0,
+            (ShapeKind::Line { bias, .. } | ShapeKind::Point { bias, .. }, _) => bias.into(),
         };
         plane
     }
@@ -224,12 +226,12 @@ pub fn depth_offset(
         bounds: [[0; 2]; 2],
         vertices,
         provoking: 0,
-        part: if is_cut { Part::Cut } else { Part::Whole },
-        kind: Kind::Triangle,
+        part: if is_cut { Clipping::Cut } else { Clipping::Whole },
+        kind: ShapeKind::Triangle,
         facing: Facing::Front,
     };
     let origin = corners[0].map(|v| f64::from(v) / f64::from(SUBPIXEL));
-    let rows = Rows::new(&shape, geometry, viewport, origin, Across::Line);
+    let rows = VertexPlanes::new(&shape, geometry, viewport, origin, Across::Line);
     let setup = DepthSetup { viewport: *viewport, offset: None, resolution };
     let plane = rows.depth(&setup, &shape, geometry);
     let offset = offset(&plane, &corners, by, resolution);
@@ -253,7 +255,7 @@ fn triangle(
 ) -> [Plane; 3] {
     let clip = shape.vertices.map(|v| geometry.clip(v));
     let inverse = Inverse::of(clip.map(|clip| homogeneous(clip, viewport, origin)));
-    if shape.part == Part::Cut || inverse.is_thick() {
+    if shape.part == Clipping::Cut || inverse.is_thick() {
         return inverse.rows();
     }
     let w = clip.map(|clip| f64::from(clip[3]));

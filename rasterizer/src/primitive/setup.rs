@@ -5,13 +5,13 @@ use super::outline::{Line, Outline, stipple_around};
 use super::triangles::Triangles;
 use crate::desc::{Cull, Facing, FrontFace, PolygonMode, RasterState, Rim, Viewport};
 use crate::sizes::SUBPIXEL;
-use crate::vertex::{EdgeFlags, Geometry, Outcode, Primitive, Primitives, Wanted};
+use crate::vertex::{EdgeFlags, Geometry, Outcode, Primitive, Primitives, VertexList};
 use std::ops::Range;
 use texunit::lanes::{Isa, LANES};
 
 /// What a shape covers, and how depth and varyings run over it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Kind {
+pub enum ShapeKind {
     /// The triangle of its corners, by the plane through three vertices.
     Triangle,
     /// The line from its first to its second corner, along which values run from the first to the
@@ -33,7 +33,7 @@ pub enum Kind {
 
 /// Whether clipping has cut a primitive.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Part {
+pub enum Clipping {
     /// It is as its vertices say.
     Whole,
     /// Its corners are not its vertices. A line is an edge that clipping made of the triangle of its vertices.
@@ -53,9 +53,9 @@ pub struct Shape {
     /// Which of `vertices` gives flat varyings.
     pub provoking: u8,
     /// Whether it is all of the primitive.
-    pub part: Part,
+    pub part: Clipping,
     /// What it is.
-    pub kind: Kind,
+    pub kind: ShapeKind,
     /// Which side is seen.
     pub facing: Facing,
 }
@@ -79,8 +79,8 @@ impl Shape {
     /// Where the centre of a point is in the window.
     pub fn centre(&self, geometry: &Geometry, viewport: &Viewport) -> [f64; 2] {
         match self.part {
-            Part::Whole => geometry.window(viewport, self.vertices[0]),
-            Part::Cut => self.corners[0].map(|v| f64::from(v) / f64::from(SUBPIXEL)),
+            Clipping::Whole => geometry.window(viewport, self.vertices[0]),
+            Clipping::Cut => self.corners[0].map(|v| f64::from(v) / f64::from(SUBPIXEL)),
         }
     }
 }
@@ -125,7 +125,7 @@ pub fn setup(
     setup: &Setup<'_>,
     geometry: &Geometry,
     (primitives, range): (&Primitives, Range<u32>),
-    wanted: &Wanted,
+    wanted: &VertexList,
     out: &mut Vec<Shape>,
 ) {
     let mut scratch = Scratch { planes: planes(&setup.viewport), ..Scratch::default() };
@@ -191,10 +191,10 @@ impl Setup<'_> {
         let whole;
         let (corners, part) = if any & Outcode::CUT == 0 {
             whole = vertices.map(|v| geometry.snapped[v as usize]);
-            (whole.as_slice(), Part::Whole)
+            (whole.as_slice(), Clipping::Whole)
         } else {
             self.cut(geometry, &vertices, Outcode(any), scratch);
-            (scratch.snapped.as_slice(), Part::Cut)
+            (scratch.snapped.as_slice(), Clipping::Cut)
         };
         let Some((area, facing)) = self.facing(corners) else { return };
         if self.raster.polygon.mode[facing as usize] == PolygonMode::Fill {
@@ -204,7 +204,7 @@ impl Setup<'_> {
                 vertices,
                 provoking,
                 part,
-                kind: Kind::Triangle,
+                kind: ShapeKind::Triangle,
                 facing,
             };
             self.fill(corners, area, shape, out);

@@ -2,10 +2,10 @@
 //! cut is left to the general way.
 
 use super::outline::Outline;
-use super::setup::{Kind, Part, Scratch, Setup, Shape};
+use super::setup::{Clipping, Scratch, Setup, Shape, ShapeKind};
 use crate::desc::{Cull, Facing, FrontFace, Rim};
 use crate::sizes::SUBPIXEL;
-use crate::vertex::{Geometry, Outcode, Primitive, Primitives, Wanted};
+use crate::vertex::{Geometry, Outcode, Primitive, Primitives, VertexList};
 use std::ops::Range;
 use texunit::lanes::{I32s, Kernel, LANES, Simd, U32s};
 
@@ -42,7 +42,7 @@ struct Fates {
 
 impl Triangles {
     /// Takes a range of at most 64 primitives, all of them triangles.
-    pub fn load(&mut self, primitives: &Primitives, range: Range<u32>, wanted: &Wanted) {
+    pub fn load(&mut self, primitives: &Primitives, range: Range<u32>, wanted: &VertexList) {
         if let Some(provoking) = primitives.triples() {
             wanted.triples(3 * range.start, &mut self.vertices, range.len());
             self.provoking = [provoking; LANES];
@@ -96,8 +96,8 @@ impl Triangles {
                 ],
                 vertices,
                 provoking,
-                part: Part::Whole,
-                kind: Kind::Triangle,
+                part: Clipping::Whole,
+                kind: ShapeKind::Triangle,
                 facing: if back { Facing::Back } else { Facing::Front },
             });
         }

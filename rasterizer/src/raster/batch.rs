@@ -1,7 +1,7 @@
 //! Batches of fragments: the block of one shape, or up to 16 quads, of many blocks or of many shapes.
 
-use super::pixels::Pixels;
-use crate::attachment::Place;
+use super::pixel_batch::Pixels;
+use crate::attachment::BatchLayout;
 use crate::desc::Facing;
 use crate::plan::{Packing, SampleMasks};
 use texunit::lanes::{F32s, QUADS};
@@ -10,7 +10,7 @@ use texunit::lanes::{F32s, QUADS};
 #[derive(Clone, Copy)]
 pub struct Batch<'a> {
     /// Where they are, and what is interpolated there.
-    pub quads: Quads<'a>,
+    pub quads: BatchPixels<'a>,
     /// Which lanes are covered, by sample.
     pub masks: &'a SampleMasks,
     /// Lanes of quads that went through the early tests before they came here.
@@ -19,7 +19,7 @@ pub struct Batch<'a> {
 
 /// The quads of a batch.
 #[derive(Clone, Copy)]
-pub enum Quads<'a> {
+pub enum BatchPixels<'a> {
     /// All of a block.
     Block(&'a BlockOf<'a>),
     /// Quads of anywhere.
@@ -62,44 +62,44 @@ impl<'a> Batch<'a> {
             EarlyTests::Done => !0,
             EarlyTests::Due => 0,
         };
-        Self { quads: Quads::Block(of), masks, tested }
+        Self { quads: BatchPixels::Block(of), masks, tested }
     }
 
     /// Lanes that run: of quads the whole, so that derivatives have their neighbours.
     pub fn active(&self) -> u64 {
         let any = self.masks.any();
         match self.quads {
-            Quads::Block(_) | Quads::Packed(_) if any != !0 => lanes_of(quads_of(any)),
-            Quads::Block(_) | Quads::Packed(_) | Quads::Pixels(_) => any,
+            BatchPixels::Block(_) | BatchPixels::Packed(_) if any != !0 => lanes_of(quads_of(any)),
+            BatchPixels::Block(_) | BatchPixels::Packed(_) | BatchPixels::Pixels(_) => any,
         }
     }
 
     /// Lanes of back faces.
     pub fn back(&self) -> u64 {
         match self.quads {
-            Quads::Block(of) => match of.facing {
+            BatchPixels::Block(of) => match of.facing {
                 Facing::Front => 0,
                 Facing::Back => !0,
             },
-            Quads::Packed(packed) => {
+            BatchPixels::Packed(packed) => {
                 let mut quads = 0;
                 for (quad, &front) in packed.front.iter().enumerate().take(packed.len) {
                     quads |= u16::from(front == 0) << quad;
                 }
                 lanes_of(quads)
             }
-            Quads::Pixels(pixels) => pixels.back,
+            BatchPixels::Pixels(pixels) => pixels.back,
         }
     }
 
     /// Where its pixels are.
-    pub fn place(&self) -> Place<'a> {
+    pub fn place(&self) -> BatchLayout<'a> {
         match self.quads {
-            Quads::Block(of) => Place::Block(of.block),
-            Quads::Packed(packed) => {
-                Place::Quads(&packed.blocks[..packed.len], &packed.quads[..packed.len])
+            BatchPixels::Block(of) => BatchLayout::Block(of.block),
+            BatchPixels::Packed(packed) => {
+                BatchLayout::Quads(&packed.blocks[..packed.len], &packed.quads[..packed.len])
             }
-            Quads::Pixels(pixels) => pixels.place(),
+            BatchPixels::Pixels(pixels) => pixels.place(),
         }
     }
 }
@@ -182,7 +182,7 @@ impl Packed {
 
     /// What waits.
     pub fn batch(&self) -> Batch<'_> {
-        Batch { quads: Quads::Packed(self), masks: &self.masks, tested: self.tested }
+        Batch { quads: BatchPixels::Packed(self), masks: &self.masks, tested: self.tested }
     }
 
     /// Forgets its quads and makes room for a draw with so many planes and samples.

@@ -5,7 +5,7 @@
 
 use crate::desc::SpriteOrigin;
 use crate::plan::PlaneSource;
-use crate::primitive::{Across, DepthSetup, Kind, Plane, Rows, Shape, point_coord};
+use crate::primitive::{Across, DepthSetup, Plane, Shape, ShapeKind, VertexPlanes, point_coord};
 use crate::sizes::SUBPIXEL;
 use crate::vertex::Geometry;
 
@@ -36,12 +36,13 @@ impl Planes {
     #[inline(never)]
     pub fn compute(&mut self, setup: &PlaneSetup<'_>, geometry: &Geometry, shape: &Shape) {
         self.origin = match shape.kind {
-            Kind::Triangle | Kind::Line { .. } => {
+            ShapeKind::Triangle | ShapeKind::Line { .. } => {
                 shape.corners[0].map(|v| f64::from(v) / f64::from(SUBPIXEL))
             }
-            Kind::Point { .. } => shape.centre(geometry, &setup.depth.viewport),
+            ShapeKind::Point { .. } => shape.centre(geometry, &setup.depth.viewport),
         };
-        let rows = Rows::new(shape, geometry, &setup.depth.viewport, self.origin, setup.across);
+        let rows =
+            VertexPlanes::new(shape, geometry, &setup.depth.viewport, self.origin, setup.across);
         let varyings = shape.vertices.map(|v| geometry.varyings_of(v));
         let provoking = varyings[usize::from(shape.provoking)];
         let values = |at: usize| [0, 1, 2].map(|i| f64::from(varyings[i][at]));
@@ -55,13 +56,17 @@ impl Planes {
                 PlaneSource::NoPerspective(at) => Plane::sum(&rows.linear, values(at)),
                 PlaneSource::Flat(at) => Plane::constant(f64::from(provoking[at])),
                 PlaneSource::PointCoord(axis) => match shape.kind {
-                    Kind::Point { size, .. } => point_coord(axis, size, setup.origin),
-                    Kind::Triangle | Kind::Line { .. } => Plane::constant(0.0),
+                    ShapeKind::Point { size, .. } => point_coord(axis, size, setup.origin),
+                    ShapeKind::Triangle | ShapeKind::Line { .. } => Plane::constant(0.0),
                 },
                 PlaneSource::Sprite(at, component) => match (shape.kind, component) {
-                    (Kind::Point { size, .. }, 0 | 1) => point_coord(component, size, setup.origin),
-                    (Kind::Point { .. }, _) => Plane::constant(f64::from(component - 2)),
-                    (Kind::Triangle | Kind::Line { .. }, _) => Plane::sum(&rows.smooth, values(at)),
+                    (ShapeKind::Point { size, .. }, 0 | 1) => {
+                        point_coord(component, size, setup.origin)
+                    }
+                    (ShapeKind::Point { .. }, _) => Plane::constant(f64::from(component - 2)),
+                    (ShapeKind::Triangle | ShapeKind::Line { .. }, _) => {
+                        Plane::sum(&rows.smooth, values(at))
+                    }
                 },
             };
             // A shape so thin that its planes overflow has the value of its provoking vertex.

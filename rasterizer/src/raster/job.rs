@@ -1,7 +1,7 @@
 //! What there is to do: the draws, chunks of shapes and clears of a pass, and what of them happens in a tile.
 
 use super::clear::ClearJob;
-use super::watched::Spot;
+use super::watched::WatchedPixel;
 use crate::attachment::TileTarget;
 use crate::desc::Counter;
 use crate::plan::DrawPlan;
@@ -124,7 +124,7 @@ pub struct TileJob {
     /// What happens, in order.
     pub entries: Vec<Entry>,
     /// The watched pixel, if it is in this tile.
-    pub watched: Option<Box<Spot>>,
+    pub watched: Option<Box<WatchedPixel>>,
 }
 
 impl TileJob {

@@ -4,32 +4,32 @@
 //! clear and shape of the pass is done in order, so that the result does not depend on threads.
 
 mod area;
-mod band;
 mod batch;
 mod block;
-mod broad;
+mod block_run;
 mod clear;
-mod cover;
-mod coverage;
-mod depths;
-mod group;
+mod edge_functions;
+mod fragment_depth;
 mod inputs;
 mod interpolate;
 mod job;
-mod lanes;
-mod pack;
-mod pixels;
-mod product;
-mod quotients;
-mod run;
+mod large_triangles;
+mod line_rectangle;
+mod pack_pixels;
+mod perspective;
+mod pixel_batch;
+mod plane_group;
+mod plane_weights;
 mod shading;
-mod shares;
-mod small;
+mod shape_cover;
+mod shape_lanes;
+mod small_triangles;
+mod texel_product;
 mod tile;
 mod watched;
-mod weights;
+mod window_blocks;
 
 pub use clear::ClearJob;
 pub use job::{Chunk, DrawJob, Entry, PassJob, ShapeLists, TileJob};
 pub use tile::Worker;
-pub use watched::{Formats, Spot};
+pub use watched::{Formats, WatchedPixel};

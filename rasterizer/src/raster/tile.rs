@@ -4,19 +4,19 @@ mod fill;
 
 use super::batch::{EarlyTests, Packed};
 use super::block::BlockAt;
-use super::broad::Broad;
+use super::block_run::{BlockRun, Level};
 use super::clear::clear;
-use super::cover::Cover;
-use super::group::PlaneGroup;
 use super::interpolate::PlaneSetup;
 use super::job::{Chunk, DrawJob, Entry, PassJob, TileJob};
-use super::lanes::ShapeLanes;
-use super::pack::{Pack, Stop};
-use super::pixels::Pixels;
-use super::run::{BlockRun, Level};
+use super::large_triangles::LargeTriangle;
+use super::pack_pixels::{Pack, Stop};
+use super::pixel_batch::Pixels;
+use super::plane_group::PlaneGroup;
 use super::shading::Shader;
-use super::shares::{Divide, Share, Shares};
-use super::small::Windows;
+use super::shape_cover::Cover;
+use super::shape_lanes::ShapeLanes;
+use super::small_triangles::Windows;
+use super::window_blocks::{Divide, Share, Shares};
 use crate::plan::{FragmentInput, Packing, SampleMasks};
 use crate::primitive::{Across, DepthSetup};
 use fill::Part;
@@ -41,7 +41,7 @@ pub struct Worker {
     group: PlaneGroup,
     windows: Box<Windows>,
     shares: Box<Shares>,
-    broad: Broad,
+    broad: LargeTriangle,
     /// Of the block that is filled: each plane's value at its first pixel and steps.
     planes: Vec<[f32; 3]>,
     /// How much of each lane's pixel the shape covers.
@@ -104,7 +104,8 @@ impl Worker {
         machine.begin(&plan.pipeline.compiled().fragment);
         for (index, &input) in plan.inputs.iter().enumerate() {
             if input == FragmentInput::Zero {
-                (0..plan.together).for_each(|bank| machine.inputs_of(bank)[index] = U32s::ZERO);
+                (0..plan.blocks_per_run)
+                    .for_each(|file| machine.inputs_of(file)[index] = U32s::ZERO);
             }
         }
         self.waiting.clear(plan.planes.len(), plan.samples.count);

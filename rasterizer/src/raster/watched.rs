@@ -6,11 +6,11 @@ pub use fragment::{Shaded, Tested};
 
 use super::batch::BlockOf;
 use super::clear::ClearJob;
-use super::depths::BlockDepth;
+use super::fragment_depth::BlockDepth;
 use super::job::{Chunk, PassJob, TileJob};
-use crate::attachment::{DepthFormat, Place, Plane, TileTarget, texel_color};
+use crate::attachment::{BatchLayout, DepthFormat, TileTarget, WordPlane, texel_color};
 use crate::plan::{DrawPlan, PlaneSource, SampleMasks, Shading, moved};
-use crate::primitive::{Kind, Part, Shape};
+use crate::primitive::{Clipping, Shape, ShapeKind};
 use crate::sizes::TILE;
 use crate::trace::{Clear, Cleared, Fate, Fragment, PixelEvent, Texel, Vertex, Watch, When};
 use std::collections::VecDeque;
@@ -19,7 +19,7 @@ use texunit::lanes::{Isa, LANES, QUADS, lane_x, lane_y};
 
 /// The pixel, and its story so far.
 #[derive(Debug)]
-pub struct Spot {
+pub struct WatchedPixel {
     watch: Watch,
     /// Which block of the tile it is in, and which lane of the block it is.
     block: usize,
@@ -51,7 +51,7 @@ struct Waiting {
 /// What an attachment holds at the pixel, by sample.
 pub type Stored = Vec<Texel>;
 
-impl Spot {
+impl WatchedPixel {
     /// The watched pixel, if it is in the tile at column and row `at`.
     pub fn new(watch: &Watch, at: [u32; 2], formats: &Formats) -> Option<Box<Self>> {
         let pixel = watch.pixel();
@@ -76,10 +76,10 @@ impl Spot {
     }
 
     /// Its lane in a batch that covers it.
-    pub fn lane_of(&self, place: Place<'_>, lanes: u64) -> Option<usize> {
+    pub fn lane_of(&self, place: BatchLayout<'_>, lanes: u64) -> Option<usize> {
         let lane = match place {
-            Place::Block(block) => (block == self.block).then_some(self.lane)?,
-            Place::Quads(blocks, quads) => {
+            BatchLayout::Block(block) => (block == self.block).then_some(self.lane)?,
+            BatchLayout::Quads(blocks, quads) => {
                 // Its quad may be there more than once, the pixel may not.
                 let first = self.lane / QUADS * QUADS;
                 let here = |(at, (&block, &quad)): (usize, (&u8, &u8))| {
@@ -89,7 +89,7 @@ impl Spot {
                 };
                 blocks.iter().zip(quads).enumerate().find_map(here)?
             }
-            Place::Pixels(at, _) => {
+            BatchLayout::Pixels(at, _) => {
                 let here = self.block * LANES + self.lane;
                 (0..LANES).find(|&lane| lanes >> lane & 1 == 1 && usize::from(at[lane]) == here)?
             }
@@ -105,7 +105,7 @@ impl Spot {
     /// What an attachment holds at the pixel, by sample.
     fn stored(&self, target: Option<&TileTarget>, color: impl Fn([u32; 4]) -> [f32; 4]) -> Stored {
         let Some(target) = target else { return Vec::new() };
-        let texel = |planes: &[Plane]| {
+        let texel = |planes: &[WordPlane]| {
             let word =
                 |at: usize| planes.get(at).map_or(0, |plane| plane.block(self.block)[self.lane]);
             let words = [0, 1, 2, 3].map(word);
@@ -132,9 +132,10 @@ impl Spot {
         let before: usize = before.map(|other| other.lists.shapes.len()).sum();
         let at = chunk.lists.shapes.iter().position(|other| std::ptr::eq(other, shape));
         let corners = match (shape.kind, shape.part) {
-            (Kind::Triangle, _) | (Kind::Line { .. } | Kind::Point { .. }, Part::Cut) => 3,
-            (Kind::Line { .. }, Part::Whole) => 2,
-            (Kind::Point { .. }, Part::Whole) => 1,
+            (ShapeKind::Triangle, _)
+            | (ShapeKind::Line { .. } | ShapeKind::Point { .. }, Clipping::Cut) => 3,
+            (ShapeKind::Line { .. }, Clipping::Whole) => 2,
+            (ShapeKind::Point { .. }, Clipping::Whole) => 1,
         };
         let ids = &shape.vertices[..corners];
         let vertex = |&id: &u32| {
@@ -190,7 +191,7 @@ impl Spot {
     }
 
     /// The fragment that is shaded now, if the batch covers the pixel.
-    pub fn begin(&mut self, place: Place<'_>, lanes: u64) -> Option<Shaded> {
+    pub fn begin(&mut self, place: BatchLayout<'_>, lanes: u64) -> Option<Shaded> {
         let lane = self.lane_of(place, lanes)?;
         let Waiting { event, values } = self.waiting.pop_front()?;
         match self.events.get_mut(event)?.take()? {

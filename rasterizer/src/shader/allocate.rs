@@ -10,7 +10,7 @@ use super::lower::{Kind, Lowered};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// Where things are in the file of registers.
+/// Where things are in the register file of registers.
 #[derive(Debug, Default)]
 pub(super) struct Layout {
     /// By register from 0: which word of the preamble it repeats.

@@ -170,7 +170,7 @@ macro_rules! trees {
                 }
             }
 
-            /// Computes 64 lanes of a file of registers: what is at `args` to `out`, which may be
+            /// Computes 64 lanes of a register file of registers: what is at `args` to `out`, which may be
             /// one of them. Operands that there are not are not looked at. `same` has what the first
             /// registers hold in all their lanes.
             #[inline(always)]

@@ -98,7 +98,7 @@ pub(super) struct SampleInst {
     pub one: u32,
     /// Components that nobody reads have no register.
     pub out: [Option<Reg>; 4],
-    /// Its number among the lookups that may keep what the one before found ([`super::repeat`]).
+    /// Its number among the lookups that may keep what the one before found ([`super::repeated_lookups`]).
     pub repeat: Option<u8>,
 }
 
@@ -184,7 +184,7 @@ impl Inst {
     }
 
     /// Whether it computes values from values of registers, whatever lanes execute: code of such
-    /// instructions alone can run for several banks of registers at once.
+    /// instructions alone can run for several register files at once.
     pub fn is_straight(&self) -> bool {
         let moves = matches!(self, Self::Move { .. } | Self::Derivative { .. });
         moves || matches!(self, Self::Compute { .. } | Self::Sample(_))

@@ -4,7 +4,7 @@
 //! every operation's loop inlined. An operation computes into a value of its own that is then moved to
 //! its register, so that no output ever aliases an input.
 //!
-//! Batches of straight code run together, each with a bank of registers of its own: what lies between two
+//! Batches of straight code run together, each with a register file of its own: what lies between two
 //! samples is computed for one after the other, and they do not wait for one another.
 
 mod interpreter;
@@ -27,7 +27,7 @@ use texunit::plan::Room;
 #[derive(Debug, Default)]
 pub struct Machine {
     registers: Vec<U32s>,
-    /// What the first registers of each bank hold in all their lanes.
+    /// What the first registers of each register file hold in all their lanes.
     same: Vec<f32>,
     /// The lanes that execute.
     exec: Mask,
@@ -37,7 +37,7 @@ pub struct Machine {
     slots: Vec<Mask>,
     /// For lookups.
     rooms: Vec<Room>,
-    /// From the room of a bank to that of the next: none, unless a lookup keeps what the one before found.
+    /// From the room of a register file to that of the next: none, unless a lookup keeps what the one before found.
     apart: usize,
     /// Identity of the program that the registers are laid out for; 0 is none.
     program: u64,
@@ -45,8 +45,8 @@ pub struct Machine {
     prepared: u64,
     inputs: usize,
     outputs: Vec<u32>,
-    /// Registers of a bank.
-    bank: usize,
+    /// Registers of a register file.
+    file: usize,
 }
 
 impl Machine {
@@ -55,15 +55,15 @@ impl Machine {
         if self.program == program.id {
             return;
         }
-        self.bank = program.layout.registers as usize;
-        if self.registers.len() < self.bank * program.banks {
-            self.registers.resize(self.bank * program.banks, U32s::ZERO);
+        self.file = program.layout.registers as usize;
+        if self.registers.len() < self.file * program.files {
+            self.registers.resize(self.file * program.files, U32s::ZERO);
         }
         if self.slots.len() < program.slots as usize {
             self.slots.resize_with(program.slots as usize, Mask::default);
         }
         self.apart = usize::from(!program.repeats.is_empty());
-        let rooms = 1 + self.apart * (program.banks - 1);
+        let rooms = 1 + self.apart * (program.files - 1);
         if self.rooms.len() < rooms {
             self.rooms.resize_with(rooms, Room::default);
         }
@@ -78,16 +78,16 @@ impl Machine {
         &mut self.inputs_of(0)[index]
     }
 
-    /// The inputs of a bank, each as [`Self::input_mut`]; other registers may follow.
+    /// The inputs of a register file, each as [`Self::input_mut`]; other registers may follow.
     #[inline(always)]
-    pub fn inputs_of(&mut self, bank: usize) -> &mut [U32s] {
-        &mut self.registers[bank * self.bank + self.inputs..]
+    pub fn inputs_of(&mut self, file: usize) -> &mut [U32s] {
+        &mut self.registers[file * self.file + self.inputs..]
     }
 
-    /// The registers of a bank; others may follow.
+    /// The registers of a register file; others may follow.
     #[inline(always)]
-    pub(super) fn bank(&self, bank: usize) -> &[U32s] {
-        &self.registers[bank * self.bank..]
+    pub(super) fn file(&self, file: usize) -> &[U32s] {
+        &self.registers[file * self.file..]
     }
 
     /// What the input `index` was filled with.
@@ -105,8 +105,8 @@ impl Machine {
             let splats = run.program.layout.splats.iter();
             self.same.clear();
             self.same.extend(splats.map(|&word| f32::from_bits(run.prepared.words[word as usize])));
-            for bank in 0..run.program.banks {
-                let registers = &mut self.registers[bank * self.bank..];
+            for file in 0..run.program.files {
+                let registers = &mut self.registers[file * self.file..];
                 for (reg, word) in registers.iter_mut().zip(&run.program.layout.splats) {
                     *reg = U32s::splat(run.prepared.words[*word as usize]);
                 }
@@ -126,10 +126,10 @@ impl Machine {
         self.output_of(0, index)
     }
 
-    /// [`Self::output`] of a bank.
+    /// [`Self::output`] of a register file.
     #[inline(always)]
-    pub fn output_of(&self, bank: usize, index: usize) -> &U32s {
-        &self.registers[bank * self.bank + self.outputs[index] as usize]
+    pub fn output_of(&self, file: usize, index: usize) -> &U32s {
+        &self.registers[file * self.file + self.outputs[index] as usize]
     }
 
     #[inline(always)]
@@ -152,7 +152,7 @@ impl Machine {
     fn store(&mut self, out: Reg, from: Reg) {
         match self.exec.extent {
             Extent::Empty => {}
-            Extent::Part => {
+            Extent::ProductCode => {
                 let old = &self.registers[out.0 as usize];
                 let new = &self.registers[from.0 as usize];
                 let mut blended = U32s::ZERO;
@@ -181,8 +181,8 @@ impl Machine {
     /// Fine derivatives: the difference within each row or column of a quad. Lane order is
     /// quad-planar, see [`texunit::lanes`].
     #[inline(always)]
-    fn derivative(&mut self, bank: usize, axis: Axis, out: Reg, from: Reg) {
-        let from = self.registers[bank + from.0 as usize].as_f32();
+    fn derivative(&mut self, file: usize, axis: Axis, out: Reg, from: Reg) {
+        let from = self.registers[file + from.0 as usize].as_f32();
         let mut difference = F32s::ZERO;
         // By pixel of the quad: the planes of the near and the far neighbour.
         let planes = match axis {
@@ -195,7 +195,7 @@ impl Machine {
                     from[far * QUADS + quad] - from[near * QUADS + quad];
             }
         }
-        self.registers[bank + out.0 as usize] = *difference.as_u32();
+        self.registers[file + out.0 as usize] = *difference.as_u32();
     }
 
     /// The next turn of a loop that ends at `pc`, or what comes after it.

@@ -6,19 +6,19 @@
 //! |---|---|
 //! | [`optimize`] | passes over the structured IR |
 //! | [`lower`] | structured IR → flat [`inst`]ructions over virtual registers |
-//! | [`alike`] | what all lanes do alike: no mask is looked at |
+//! | [`uniformity`] | what all lanes do alike: no mask is looked at |
 //! | [`exits`] | how lanes leave a statement |
-//! | [`owned`] | the variables that only one loop reads: stored without a mask |
+//! | [`maskless_stores`] | the variables that only one loop reads: stored without a mask |
 //! | [`compute`] | what an instruction computes: an operation, or a tree of them |
 //! | [`fuse`] | several operations as one instruction |
 //! | [`preamble`] | the values that a draw computes once |
 //! | [`allocate`] | real registers for virtual ones |
-//! | [`repeat`] | lookups at the points of the one before |
+//! | [`repeated_lookups`] | lookups at the points of the one before |
 //! | [`product`] | the programs that need no interpreter |
 //! | [`machine`] | the interpreter: 64 lanes an instruction, with an execution [`mask`] |
 
-mod alike;
 mod allocate;
+mod attribute_dependencies;
 mod compute;
 mod exits;
 mod fuse;
@@ -26,24 +26,24 @@ mod inst;
 mod lower;
 mod machine;
 mod mask;
+mod maskless_stores;
 mod optimize;
-mod owned;
 mod preamble;
 mod product;
 mod program;
-mod repeat;
+mod repeated_lookups;
 mod run;
 mod schedule;
-mod sources;
+mod uniformity;
 
+pub(crate) use attribute_dependencies::AttributeSet;
 pub use machine::{Machine, Tracer};
-pub use product::{Part, Product};
-pub(crate) use program::Draft;
+pub use product::{ProductCode, TexelProduct};
 #[cfg(test)]
 use program::Fusing;
-pub use program::{BANKS, Prepared, Program};
+pub(crate) use program::OptimizedModule;
+pub use program::{MAX_REGISTER_FILES, Prepared, Program};
 pub use run::{OverBudget, Run};
-pub(crate) use sources::Sources;
 
 #[cfg(test)]
 mod tests;

@@ -5,7 +5,7 @@
 use super::allocate::Layout;
 use super::compute::{Compute, OPERANDS};
 use super::inst::{Inst, Reg, Role, SampleInst, SampleLod};
-use super::repeat::Repeat;
+use super::repeated_lookups::Repeat;
 use crate::ir::{Access, Output};
 
 /// As many instructions may come before the lookups; programs with more of them keep to the interpreter.
@@ -13,7 +13,7 @@ const MOST_BEFORE: usize = 16;
 
 /// What a product is made of.
 #[derive(Debug)]
-pub struct Product {
+pub struct TexelProduct {
     /// The factors of red, green, blue and alpha, which come first. One that is not there is 1.
     pub(super) factors: [Option<Reg>; 4],
     /// The lookups in the order in which they are multiplied.
@@ -35,7 +35,7 @@ pub struct Product {
 
 /// A part of what comes before the lookups.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Part {
+pub enum ProductCode {
     /// What the factors need.
     Factors,
     /// What the lookups need.
@@ -44,7 +44,7 @@ pub enum Part {
     Whole,
 }
 
-impl Product {
+impl TexelProduct {
     /// What straight code computes, if that is a product, and if there are four colours and nothing else. Gives the
     /// layout the registers that it needs.
     pub(super) fn of(
@@ -59,7 +59,7 @@ impl Product {
         let mut colors = [const { None }; 4];
         for &reg in &layout.outputs {
             match (outputs.next()?, steps.value(Reg(reg))?) {
-                (Output::Color { target: 0, component }, Value::Product(product)) => {
+                (Output::Color { target: 0, component }, Value::TexelProduct(product)) => {
                     colors[usize::from(component)] = Some(product);
                 }
                 (_, _) => return None,
@@ -136,7 +136,7 @@ impl Product {
 enum Value {
     /// What is given or computed before the lookups.
     Number(Reg),
-    Product(Term),
+    TexelProduct(Term),
 }
 
 /// Lookups and a factor.
@@ -206,7 +206,7 @@ impl Steps {
         let mut are_numbers = true;
         moved.reads(|reg| match self.value(*reg) {
             Some(Value::Number(number)) => *reg = number,
-            Some(Value::Product(_)) | None => are_numbers = false,
+            Some(Value::TexelProduct(_)) | None => are_numbers = false,
         });
         if !are_numbers {
             return None;
@@ -215,7 +215,7 @@ impl Steps {
         self.lookups.push(moved);
         for (component, out) in sample.out.iter().enumerate() {
             let term = Term { factor: None, lookups: vec![number], component };
-            out.iter().for_each(|&out| self.set(out, Value::Product(term.clone())));
+            out.iter().for_each(|&out| self.set(out, Value::TexelProduct(term.clone())));
         }
         Some(())
     }
@@ -229,7 +229,7 @@ impl Steps {
                 *arg = number;
                 true
             }
-            Some(Value::Product(_)) | None => false,
+            Some(Value::TexelProduct(_)) | None => false,
         });
         if are_numbers {
             rest.fill(read[0]);
@@ -262,18 +262,18 @@ impl Steps {
     /// The product of two values that are not both numbers. (Which comes first does not matter to it.)
     fn times(&self, first: Value, second: Value) -> Option<Value> {
         let product = match (first, second) {
-            (Value::Number(factor), Value::Product(term))
-            | (Value::Product(term), Value::Number(factor)) => {
+            (Value::Number(factor), Value::TexelProduct(term))
+            | (Value::TexelProduct(term), Value::Number(factor)) => {
                 let is_first = term.factor.is_none() && term.lookups.len() == 1;
                 is_first.then_some(Term { factor: Some(factor), ..term })
             }
-            (Value::Product(first), Value::Product(second)) => match second.texel() {
+            (Value::TexelProduct(first), Value::TexelProduct(second)) => match second.texel() {
                 Some(_) => first.times(&second),
                 None => second.times(&first),
             },
             (Value::Number(_), Value::Number(_)) => None,
         };
-        product.map(Value::Product)
+        product.map(Value::TexelProduct)
     }
 
     fn value(&self, reg: Reg) -> Option<Value> {

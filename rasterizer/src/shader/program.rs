@@ -1,12 +1,12 @@
 //! A compiled stage, and what of it a draw computes once.
 
 use super::allocate::Layout;
+use super::attribute_dependencies::{self, AttributeSet};
 use super::inst::{Inst, SampleInst};
 use super::preamble::Preamble;
-use super::product::Product;
-use super::repeat::Repeat;
-use super::sources::{self, Sources};
-use super::{allocate, fuse, lower, optimize, repeat, schedule};
+use super::product::TexelProduct;
+use super::repeated_lookups::Repeat;
+use super::{allocate, fuse, lower, optimize, repeated_lookups, schedule};
 use crate::ir::{Input, Module, Output};
 use std::fmt::Write;
 use std::sync::Arc;
@@ -28,7 +28,7 @@ pub struct Program {
     pub(super) preamble: Preamble,
     pub(super) inputs: Vec<Input>,
     /// And what of the vertex each depends on.
-    pub(super) outputs: Vec<(Output, Sources)>,
+    pub(super) outputs: Vec<(Output, AttributeSet)>,
     pub(super) textures: Vec<u32>,
     pub(super) slots: u32,
     pub(super) discards: bool,
@@ -36,18 +36,18 @@ pub struct Program {
     pub(super) reads_uniforms: bool,
     /// Whether it matters which lanes execute.
     pub(super) masked: bool,
-    /// Banks of registers that one run may fill.
-    pub(super) banks: usize,
-    pub(super) product: Option<Product>,
+    /// Register files that one run may fill.
+    pub(super) files: usize,
+    pub(super) product: Option<TexelProduct>,
     /// The lookups that may keep what the one before found.
     pub(super) repeats: Vec<Repeat>,
 }
 
-/// The most banks of registers: batches that run together.
-pub const BANKS: usize = 4;
+/// The most register files: batches that run together.
+pub const MAX_REGISTER_FILES: usize = 4;
 
-/// As many registers as banks may have together, so that they stay in the first cache.
-const BANKED: usize = 96;
+/// As many registers as files may have together, so that they stay in the first cache.
+const MAX_TOTAL_REGISTERS: usize = 96;
 
 /// What of a program is computed once per draw: its uniform words, and every value that depends on
 /// nothing else.
@@ -85,13 +85,13 @@ impl Prepared {
 }
 
 /// A module that is optimized by itself, and not lowered.
-pub(crate) struct Draft {
+pub(crate) struct OptimizedModule {
     pub module: Module,
     /// How many statements it had before.
     given: usize,
 }
 
-impl Draft {
+impl OptimizedModule {
     /// Optimizes `module`, keeping only the outputs that `keep` says somebody reads. The module has been validated.
     pub fn new(module: &Module, keep: impl Fn(Output) -> bool) -> Self {
         let mut module = module.clone();
@@ -103,8 +103,8 @@ impl Draft {
 
     /// Leaves what vertices can do as well to `vertex`, the module of the vertex stage that this one runs with; `None`
     /// where there is nothing.
-    pub fn leave_to(&mut self, vertex: &Module) -> Option<Module> {
-        optimize::leave_to(vertex, &mut self.module)
+    pub fn hoist_to_vertex(&mut self, vertex: &Module) -> Option<Module> {
+        optimize::hoist_to_vertex(vertex, &mut self.module)
     }
 
     /// Lowers it.
@@ -140,7 +140,7 @@ impl Program {
     /// Optimizes and lowers `module`, keeping only the outputs that `keep` says somebody reads.
     /// The module has been validated.
     pub fn new(module: &Module, keep: impl Fn(Output) -> bool) -> Self {
-        Draft::new(module, keep).finish()
+        OptimizedModule::new(module, keep).finish()
     }
 
     /// Lowers `module` as it stands.
@@ -153,20 +153,20 @@ impl Program {
         }
         let mut layout = allocate::allocate(&mut lowered);
         let outputs = lowered.outputs.iter().map(|&(output, _)| output);
-        let product = Product::of(&lowered.code, &mut layout, outputs);
-        let repeats = repeat::find(&mut lowered.code);
+        let product = TexelProduct::of(&lowered.code, &mut layout, outputs);
+        let repeats = repeated_lookups::find(&mut lowered.code);
         Self {
             id: identity(),
             statements: [0; 2],
             product,
             masked: lowered.code.iter().any(Inst::uses_mask),
-            banks: banks(&lowered.code, &layout),
+            files: files(&lowered.code, &layout),
             code: lowered.code,
             places: lowered.places,
             layout,
             preamble: lowered.preamble,
             inputs: lowered.inputs,
-            outputs: sources::of_outputs(module),
+            outputs: attribute_dependencies::of_outputs(module),
             textures: lowered.textures,
             slots: lowered.slots,
             discards: lowered.discards,
@@ -193,7 +193,7 @@ impl Program {
 
     /// Whether a varying that it writes is the same at every vertex, if those of `arrays` are all the
     /// components of attributes that vertices have for themselves. One that it does not write is.
-    pub(crate) fn is_constant(&self, slot: u16, arrays: Sources) -> bool {
+    pub(crate) fn is_constant(&self, slot: u16, arrays: AttributeSet) -> bool {
         let sources = self.outputs.iter().find(|(output, _)| *output == Output::Varying(slot));
         sources.is_none_or(|(_, sources)| !sources.meet(arrays))
     }
@@ -208,13 +208,13 @@ impl Program {
         self.reads_uniforms || self.preamble.reads_uniforms()
     }
 
-    /// How many batches may run together, see [`Machine::run_banks`].
-    pub fn banks(&self) -> usize {
-        self.banks
+    /// How many batches may run together, see [`Machine::run_files`].
+    pub fn register_files(&self) -> usize {
+        self.files
     }
 
     /// What it is the product of, if it is one.
-    pub fn product(&self) -> Option<&Product> {
+    pub fn product(&self) -> Option<&TexelProduct> {
         self.product.as_ref()
     }
 
@@ -270,7 +270,7 @@ impl Program {
         // Scalar steps are the same on every instruction set.
         let _ = isa;
         Prepared {
-            alike: repeat::alike(&self.repeats, textures),
+            alike: repeated_lookups::alike(&self.repeats, textures),
             id: identity(),
             words: self.preamble.run(uniforms),
             uniforms: if self.reads_uniforms { uniforms.to_vec() } else { Vec::new() },
@@ -280,9 +280,11 @@ impl Program {
 
 /// How many batches a program may run for together: where instructions depend on which lanes execute, or
 /// on what lanes hold, on their own.
-fn banks(code: &[Inst], layout: &Layout) -> usize {
+fn files(code: &[Inst], layout: &Layout) -> usize {
     match code.iter().all(Inst::is_straight) {
-        true => (BANKED / layout.registers.max(1) as usize).clamp(1, BANKS),
+        true => {
+            (MAX_TOTAL_REGISTERS / layout.registers.max(1) as usize).clamp(1, MAX_REGISTER_FILES)
+        }
         false => 1,
     }
 }

@@ -1,27 +1,29 @@
-//! The threads that a device shades with besides the one that asks. `fork` copies the memory of a pool but none of its
-//! threads, so that a process that has not made its pool itself makes another.
+//! The worker threads of a device, across `fork`.
+//!
+//! `fork` copies the memory of a pool but none of its threads. A process that did not start the pool itself starts
+//! another one.
 
-use super::thread_pool::Crew;
+use super::thread_pool::ThreadPool;
 use parking_lot::Mutex;
-use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
+use rayon::{ThreadPoolBuildError, ThreadPoolBuilder};
 use std::error::Error;
 use std::sync::Arc;
 use std::{io, process};
 
-/// A number of threads, in whichever process asks for them.
+/// A number of worker threads, started again in a forked process.
 #[derive(Debug)]
-pub struct Threads {
-    helpers: usize,
-    /// None where there is to be none, or the system has none: whoever asks does the work.
+pub struct ForkAwarePool {
+    workers: usize,
+    /// `None` without workers, or where the system has no threads: the caller does the work.
     pool: Mutex<Option<Pool>>,
 }
 
-/// Threads, and the process that they are of.
+/// Worker threads and the process that started them.
 #[derive(Debug)]
 struct Pool {
     process: u32,
-    /// There until it is dropped.
-    threads: Option<Arc<ThreadPool>>,
+    /// `None` only while it is dropped.
+    threads: Option<Arc<rayon::ThreadPool>>,
 }
 
 impl Pool {
@@ -42,8 +44,8 @@ impl Pool {
         }
     }
 
-    /// Whether the threads are of this process.
-    fn is_here(&self) -> bool {
+    /// Whether this process started the threads.
+    fn is_of_this_process(&self) -> bool {
         self.process == process::id()
     }
 }
@@ -56,33 +58,33 @@ fn is_unsupported(error: &ThreadPoolBuildError) -> bool {
 
 impl Drop for Pool {
     fn drop(&mut self) {
-        // Threads that are not there cannot be told to end, and may have kept their locks.
-        if !self.is_here() {
+        // The threads do not exist in this process: they cannot end, and may hold locks.
+        if !self.is_of_this_process() {
             std::mem::forget(self.threads.take());
         }
     }
 }
 
-impl Threads {
-    /// Starts threads: as many as are to work, less the one that asks.
+impl ForkAwarePool {
+    /// Starts workers: `count` threads less the caller.
     ///
     /// # Errors
-    /// When they cannot be started, although the system has some.
+    /// When the threads cannot be started on a system that has threads.
     pub fn start(count: usize) -> Result<Self, ThreadPoolBuildError> {
-        let helpers = count.saturating_sub(1);
-        Ok(Self { helpers, pool: Mutex::new(Pool::start(helpers)?) })
+        let workers = count.saturating_sub(1);
+        Ok(Self { workers, pool: Mutex::new(Pool::start(workers)?) })
     }
 
-    /// Who shares work that is asked for now.
+    /// The thread pool of this process.
     ///
     /// # Errors
-    /// When this process has no threads yet, and they cannot be started.
-    pub fn crew(&self) -> Result<Crew, ThreadPoolBuildError> {
+    /// When this process has no workers yet and they cannot be started.
+    pub fn thread_pool(&self) -> Result<ThreadPool, ThreadPoolBuildError> {
         let mut pool = self.pool.lock();
-        if pool.as_ref().is_some_and(|pool| !pool.is_here()) {
-            *pool = Pool::start(self.helpers)?;
+        if pool.as_ref().is_some_and(|pool| !pool.is_of_this_process()) {
+            *pool = Pool::start(self.workers)?;
         }
         let threads = pool.as_ref().and_then(|pool| pool.threads.clone());
-        Ok(threads.map_or(Crew::ALONE, Crew::with))
+        Ok(threads.map_or(ThreadPool::CALLER_ONLY, ThreadPool::with_workers))
     }
 }

@@ -5,6 +5,6 @@ mod object_pool;
 pub mod stack;
 mod thread_pool;
 
-pub use fork::Threads;
-pub use object_pool::Pool;
-pub use thread_pool::Crew;
+pub use fork::ForkAwarePool;
+pub use object_pool::ObjectPool;
+pub use thread_pool::ThreadPool;

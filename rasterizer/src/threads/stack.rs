@@ -1,15 +1,15 @@
-//! Room on the stack for what recurses as deep as a shader nests, whoever calls it: a thread that musl starts has 128 KB
-//! of stack, one of macOS 512 KB, and to run out of it ends the process.
+//! A large stack for recursion as deep as a shader nests, whatever the caller's stack: a thread has 128 KB with musl and
+//! 512 KB on macOS, and a stack overflow ends the process.
 
 use std::panic::resume_unwind;
 use std::thread::{Builder, scope};
 
-/// Bytes, of which the system gives what is touched. The deepest shaders take 1 MB of an optimized build and 8 MB of
-/// one that is not.
+/// Bytes of the stack; pages are committed when touched. The deepest shaders need 1 MB in an optimized build, 8 MB in
+/// an unoptimized one.
 const STACK: usize = 16 << 20;
 
-/// Runs `work` with a stack of its own and waits for it; on the caller's stack where there are no threads, or no more
-/// of them. A panic is handed on.
+/// Runs `work` on a thread with a large stack and waits for it; on the caller's stack where no thread can be started. A
+/// panic is passed on.
 pub fn with_room<T: Send>(work: impl FnOnce() -> T + Send) -> T {
     let mut work = Some(work);
     let done = scope(|scope| {
@@ -31,7 +31,7 @@ mod tests {
 
     #[test]
     #[cfg_attr(target_family = "wasm", ignore = "there are no threads there")]
-    fn work_has_more_room_than_its_caller() {
+    fn work_has_a_larger_stack_than_its_caller() {
         fn depth(left: usize) -> usize {
             let filler = std::hint::black_box([left; 128]);
             if left == 0 { 0 } else { 1 + depth(filler[7] - 1) }
@@ -43,7 +43,7 @@ mod tests {
 
     #[test]
     #[cfg_attr(target_family = "wasm", ignore = "a panic ends the program there")]
-    fn a_panic_is_handed_on() {
+    fn a_panic_is_passed_on() {
         let panic = std::panic::catch_unwind(|| with_room(|| panic!("oh")));
         assert_eq!(panic.expect_err("it panics").downcast_ref::<&str>(), Some(&"oh"));
     }

@@ -1,6 +1,6 @@
 //! The shaded vertices of a chunk of a draw.
 
-use super::place::Outcode;
+use super::viewport::Outcode;
 use crate::desc::Viewport;
 
 /// The vertices of a chunk of a draw.

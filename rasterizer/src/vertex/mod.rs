@@ -4,12 +4,12 @@
 mod assemble;
 mod fetch;
 mod geometry;
-mod ids;
-mod place;
 mod shade;
+mod vertex_list;
+mod viewport;
 
 pub use assemble::{EdgeFlags, Primitive, Primitives, primitives};
 pub use geometry::{Geometry, VARYINGS};
-pub use ids::{Ids, Wanted, ordinals};
-pub use place::{Outcode, snap};
 pub use shade::{VertexStage, shade};
+pub use vertex_list::{VertexIds, VertexList, ordinals};
+pub use viewport::{Outcode, snap};

@@ -1,7 +1,8 @@
 //! Texels from tiles to rows: those of a level, or of a client that reads a part of a picture.
 
 use super::{
-    Level, Plane, Slices, Storing, Surface, WORTH_THREADS, attachment_words, is_attachable, row_of,
+    Level, Slices, StoreContext, Surface, WORTH_THREADS, WordPlane, attachment_words,
+    is_attachable, row_of,
 };
 use crate::attachment::resolve::resolve_tile;
 use crate::attachment::words::texel_of;
@@ -52,9 +53,9 @@ enum Stored {
 
 impl Surface {
     /// Writes the tiles back into slices of the level they came from.
-    pub fn store(&self, level: &mut Level, slices: Slices, storing: Storing<'_>) {
+    pub fn store(&self, level: &mut Level, slices: Slices, context: StoreContext<'_>) {
         let all = Part { x: 0, y: 0, width: self.width };
-        self.store_rows(all, self.height, level, slices, storing);
+        self.store_rows(all, self.height, level, slices, context);
     }
 
     /// Writes so many rows of a part into slices of the level that the tiles came from.
@@ -64,7 +65,7 @@ impl Surface {
         height: u32,
         level: &mut Level,
         slices: Slices,
-        storing: Storing<'_>,
+        context: StoreContext<'_>,
     ) {
         debug_assert_eq!((self.width, self.height), (level.width, level.height));
         let (row_bytes, size) = (level.row_bytes(), self.format.bytes());
@@ -81,13 +82,19 @@ impl Surface {
             let texels = &mut level.texels[first..first + height as usize * row_bytes];
             let rows = texels.chunks_mut(row_bytes.max(1));
             let mut rows: Vec<_> = rows.map(|row| &mut row[part.x as usize * size..]).collect();
-            self.store_part(what, part, &mut rows, Put::AsStored, storing);
+            self.store_part(what, part, &mut rows, Put::AsStored, context);
         }
     }
 
     /// Puts the texels of a part, samples resolved, where a client has its rows.
-    pub fn read(&self, part: Part, rows: &mut [&mut [u8]], put: Put<'_>, storing: Storing<'_>) {
-        self.store_part(Stored::All, part, rows, put, storing);
+    pub fn read(
+        &self,
+        part: Part,
+        rows: &mut [&mut [u8]],
+        put: Put<'_>,
+        context: StoreContext<'_>,
+    ) {
+        self.store_part(Stored::All, part, rows, put, context);
     }
 
     fn store_part(
@@ -96,7 +103,7 @@ impl Surface {
         part: Part,
         rows: &mut [&mut [u8]],
         put: Put<'_>,
-        storing: Storing<'_>,
+        context: StoreContext<'_>,
     ) {
         if !is_attachable(self.format) || rows.is_empty() {
             return;
@@ -109,8 +116,8 @@ impl Surface {
         let mut bands: Vec<_> = once((part.y, first)).chain(rest).collect();
         let is_much = pixels >= WORTH_THREADS * (TILE * TILE) as usize;
         let least = if is_much { 1 } else { bands.len() };
-        let isa = storing.isa;
-        storing.crew.share(
+        let isa = context.isa;
+        context.thread_pool.for_each_chunk(
             &mut bands,
             least,
             || (),
@@ -129,11 +136,11 @@ impl Surface {
         let (from, to) = (part.x / TILE, (part.x + part.width).div_ceil(TILE));
         let tiles = &self.tiles[row_of_tiles + from as usize..row_of_tiles + to as usize];
         let [x, y, width] = [part.x % TILE, part.y % TILE, part.width].map(|at| at as usize);
-        let resolved: Vec<Vec<Plane>>;
-        let planes: Vec<&[Plane]> = match what {
+        let resolved: Vec<Vec<WordPlane>>;
+        let planes: Vec<&[WordPlane]> = match what {
             Stored::All if self.samples > 1 => {
                 let blocks = y / 8..(y + rows.len()).div_ceil(8);
-                let resolve = |tile: &Vec<Plane>| {
+                let resolve = |tile: &Vec<WordPlane>| {
                     resolve_tile(isa, self.format, self.samples, tile, blocks.clone())
                 };
                 resolved = tiles.iter().map(resolve).collect();
@@ -163,7 +170,7 @@ impl Surface {
 }
 
 /// A row of tiles side by side into the texels of one row, from a place in the first on.
-fn store_tiles(format: Format, tiles: &[&[Plane]], from: Start, row: &mut [u8]) {
+fn store_tiles(format: Format, tiles: &[&[WordPlane]], from: Start, row: &mut [u8]) {
     let tile_bytes = TILE as usize * format.bytes();
     let left = tile_bytes - from.column * 8 * format.bytes();
     let (first, rest) = row.split_at_mut(left.min(row.len()));
@@ -184,7 +191,7 @@ struct Start {
 impl Start {
     /// The words of a column of eight from here on.
     #[inline(always)]
-    fn words(self, plane: &Plane, column: usize) -> [u32; 8] {
+    fn words(self, plane: &WordPlane, column: usize) -> [u32; 8] {
         match plane.held(self.y / 8 * 8 + self.column + column) {
             Ok(words) => row_of(words, self.y % 8),
             Err(word) => [word; 8],
@@ -193,7 +200,7 @@ impl Start {
 }
 
 /// A row of a tile into the texels of one row.
-fn store_row(format: Format, planes: &[Plane], from: Start, row: &mut [u8]) {
+fn store_row(format: Format, planes: &[WordPlane], from: Start, row: &mut [u8]) {
     let size = format.bytes();
     // Texels whose bytes are those of their words.
     let done = match (planes, size) {

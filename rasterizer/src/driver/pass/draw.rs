@@ -1,9 +1,9 @@
 //! A draw of a pass: its plan, its chunks, and when bins are emptied.
 
-use super::{Pass, SMALL};
+use super::{Pass, SMALL_DRAW};
 use crate::attachment::DepthFormat;
-use crate::driver::bound::Decided;
-use crate::driver::chunk::{DrawState, Gathered, RUN};
+use crate::driver::bound::DrawDecisions;
+use crate::driver::chunk::{DrawState, MergedDraws, RUN};
 use crate::driver::report::SubmitReport;
 use crate::driver::resources::Resources;
 use crate::driver::sight::Sight;
@@ -11,7 +11,7 @@ use crate::plan::{Counting, DrawPlan, Pipeline, PlanInput, sprite_slots};
 use crate::primitive::Setup;
 use crate::raster::DrawJob;
 use crate::shader::{OverBudget, Prepared};
-use crate::vertex::{Ids, primitives};
+use crate::vertex::{VertexIds, primitives};
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, OnceLock};
@@ -21,13 +21,13 @@ use std::sync::{Arc, OnceLock};
 const BINS_FULL: usize = 1 << 15;
 
 /// So many plans are kept for draws that are as others were.
-const RECENT: usize = 8;
+const KEPT_PLANS: usize = 8;
 
 impl Pass<'_> {
     pub(super) fn draw(
         &mut self,
         command: usize,
-        ids: &Ids<'_>,
+        ids: &VertexIds<'_>,
         count: u32,
         instances: &Range<u32>,
         report: &mut SubmitReport,
@@ -43,7 +43,7 @@ impl Pass<'_> {
         }
         let inner = self.inner_area(area);
         let (plan, vertex) = match &self.bound.decided {
-            Some(Decided { plan, vertex }) => (plan.clone(), vertex.clone()),
+            Some(DrawDecisions { plan, vertex }) => (plan.clone(), vertex.clone()),
             None => self.decide(&pipeline),
         };
         let raster = plan.raster.clone();
@@ -64,7 +64,7 @@ impl Pass<'_> {
             draw,
             isa: self.job.isa,
             budget: self.job.budget,
-            crew: self.crew,
+            thread_pool: self.thread_pool,
             machines: &self.resources.machines,
             geometries: &self.resources.geometries,
             lists: &self.resources.lists,
@@ -95,11 +95,11 @@ impl Pass<'_> {
         let is_small = raster.polygon.edge_flag.is_none()
             && raster.line.stipple.is_none()
             && self.job.watch.is_none()
-            && (1..=SMALL).contains(&(primitives.len as usize * instances.len()))
+            && (1..=SMALL_DRAW).contains(&(primitives.len as usize * instances.len()))
             && instances.len() <= state.at_once() as usize;
         let drawn = match is_small {
             true => self.gather(&state),
-            false => self.draw_apart(&mut state, report),
+            false => self.draw_in_own_chunks(&mut state, report),
         };
         let Ok(is_seen) = drawn else {
             self.job.draws[draw].stopped.store(true, Ordering::Relaxed);
@@ -119,25 +119,25 @@ impl Pass<'_> {
     fn gather(&mut self, state: &DrawState<'_>) -> Result<bool, OverBudget> {
         let draws = &self.job.draws;
         let goes_on =
-            |all: &Gathered| !all.is_full() && draws[all.draw].gathers(&draws[state.draw]);
-        if !self.gathered.as_ref().is_some_and(goes_on) {
-            self.take_gathered();
+            |all: &MergedDraws| !all.is_full() && draws[all.draw].gathers(&draws[state.draw]);
+        if !self.merged.as_ref().is_some_and(goes_on) {
+            self.bin_merged();
         }
         let Resources { geometries, lists, .. } = self.resources;
-        let new = || Gathered::new(state.draw, geometries.take(), lists.take());
-        let all = self.gathered.get_or_insert_with(new);
+        let new = || MergedDraws::new(state.draw, geometries.take(), lists.take());
+        let all = self.merged.get_or_insert_with(new);
         let before = all.len();
         state.gather(all)?;
         Ok(all.len() > before)
     }
 
     /// Puts a draw into chunks of its own; says whether it has shapes.
-    fn draw_apart(
+    fn draw_in_own_chunks(
         &mut self,
         state: &mut DrawState<'_>,
         report: &mut SubmitReport,
     ) -> Result<bool, OverBudget> {
-        self.take_gathered();
+        self.bin_merged();
         let mut is_seen = false;
         let (instances, at_once) = (state.instances.clone(), state.at_once());
         for first in instances.clone().step_by(at_once as usize) {
@@ -187,7 +187,7 @@ impl Pass<'_> {
             Some(plan) => plan.clone(),
             None => {
                 let plan = Arc::new(DrawPlan::new(pipeline, input));
-                if self.recent.len() == RECENT {
+                if self.recent.len() == KEPT_PLANS {
                     self.recent.remove(0);
                 }
                 self.recent.push(plan.clone());
@@ -197,7 +197,7 @@ impl Pass<'_> {
         self.resources.explain(&|| plan.describe());
         let vertex = compiled.vertex.prepare(isa, &bound.uniforms, &bound.vertex_textures);
         let vertex = Arc::new(vertex);
-        bound.decided = Some(Decided { plan: plan.clone(), vertex: vertex.clone() });
+        bound.decided = Some(DrawDecisions { plan: plan.clone(), vertex: vertex.clone() });
         (plan, vertex)
     }
 }

@@ -1,17 +1,17 @@
 //! Binning, and running the tiles of a pass.
 
-use super::{Pass, SMALL};
+use super::{Pass, SMALL_DRAW};
 use crate::attachment::{DepthFormat, Surface};
 use crate::driver::chunk::TileRun;
 use crate::driver::report::SubmitReport;
 use crate::primitive::Shape;
-use crate::raster::{Chunk, ClearJob, Entry, Formats, Spot, TileJob};
+use crate::raster::{Chunk, ClearJob, Entry, Formats, TileJob, WatchedPixel};
 use crate::sizes::TILE;
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
 
 /// Pixels that short programs draw sooner than another thread is awake.
-const LITTLE: u64 = 1 << 14;
+const SMALL_WORK_PIXELS: u64 = 1 << 14;
 
 impl Pass<'_> {
     /// Puts an entry into the tiles from pixel `low` to pixel `high`, both inside the pass.
@@ -42,29 +42,29 @@ impl Pass<'_> {
     }
 
     /// Puts small draws into bins.
-    pub(super) fn take_gathered(&mut self) {
-        if let Some(all) = self.gathered.take() {
+    pub(super) fn bin_merged(&mut self) {
+        if let Some(all) = self.merged.take() {
             self.take(vec![all.finish()]);
         }
     }
 
     /// Whether all of it is done sooner than another thread is awake: whole clears, and shapes of few pixels.
-    fn is_little(&self) -> bool {
+    fn is_small_work(&self) -> bool {
         let Self { job, shapes, .. } = self;
         let is_whole = |clear: &ClearJob| clear.is_whole(job.width, job.height);
         let cost = |chunk: &Chunk| {
             let pixels: u64 = chunk.lists.shapes.iter().map(Shape::pixels).sum();
             // What runs by itself is long.
-            if job.draws[chunk.draw].plan.together > 1 { pixels } else { 16 * pixels }
+            if job.draws[chunk.draw].plan.blocks_per_run > 1 { pixels } else { 16 * pixels }
         };
-        *shapes <= SMALL
+        *shapes <= SMALL_DRAW
             && job.clears.iter().all(is_whole)
-            && job.chunks.iter().map(cost).sum::<u64>() <= LITTLE
+            && job.chunks.iter().map(cost).sum::<u64>() <= SMALL_WORK_PIXELS
     }
 
     /// Runs every tile that has something to do, and empties the bins.
     pub(super) fn run_tiles(&mut self, report: &mut SubmitReport) {
-        self.take_gathered();
+        self.bin_merged();
         let formats = Formats {
             colors: self.formats.clone(),
             depth: self.depth_format().and_then(DepthFormat::of),
@@ -89,17 +89,17 @@ impl Pass<'_> {
                     .job
                     .watch
                     .as_ref()
-                    .and_then(|watch| Spot::new(watch, [tx, ty], &formats)),
+                    .and_then(|watch| WatchedPixel::new(watch, [tx, ty], &formats)),
                 entries: std::mem::take(bin),
             });
             homes.push((tx, ty));
         }
         let (job, workers) = (&self.job, &self.resources.workers);
-        let least = if self.is_little() { tiles.len().max(1) } else { 1 };
-        self.crew.share(
+        let least = if self.is_small_work() { tiles.len().max(1) } else { 1 };
+        self.thread_pool.for_each_chunk(
             &mut tiles,
             least,
-            || workers.lend(),
+            || workers.borrow(),
             |worker, tiles| tiles.iter_mut().for_each(|tile| worker.get().run(job, tile)),
         );
         for (tile, (tx, ty)) in tiles.into_iter().zip(homes) {

@@ -13,18 +13,18 @@ impl Machine {
     pub fn run(&mut self, run: Run<'_>) -> Result<u64, OverBudget> {
         let left = self.start(&run)?;
         let code = &run.program.code;
-        run.isa.run(Interpreter { machine: self, run: &run, code, banks: 1, pc: 0, left })?;
+        run.isa.run(Interpreter { machine: self, run: &run, code, files: 1, pc: 0, left })?;
         Ok(run.active & !self.discarded.bits())
     }
 
-    /// Runs the program once for each of so many banks, at most [`Program::banks`], over all lanes.
+    /// Runs the program once for each of so many files, at most [`Program::files`], over all lanes.
     ///
     /// # Errors
     /// When the budget is used up.
-    pub fn run_banks(&mut self, run: Run<'_>, banks: usize) -> Result<(), OverBudget> {
+    pub fn run_files(&mut self, run: Run<'_>, files: usize) -> Result<(), OverBudget> {
         let left = self.start(&run)?;
-        let (code, banks) = (&run.program.code, banks.min(run.program.banks));
-        run.isa.run(Interpreter { machine: self, run: &run, code, banks, pc: 0, left })?;
+        let (code, files) = (&run.program.code, files.min(run.program.files));
+        run.isa.run(Interpreter { machine: self, run: &run, code, files, pc: 0, left })?;
         Ok(())
     }
 }
@@ -34,8 +34,8 @@ pub(super) struct Interpreter<'a> {
     pub machine: &'a mut Machine,
     pub run: &'a Run<'a>,
     pub code: &'a [Inst],
-    /// For how many banks.
-    pub banks: usize,
+    /// For how many files.
+    pub files: usize,
     pub pc: usize,
     /// How many instructions may still run.
     pub left: u64,
@@ -46,15 +46,15 @@ impl Kernel for Interpreter<'_> {
 
     #[inline(always)]
     fn run<S: Simd>(self) -> Result<usize, OverBudget> {
-        let Self { machine: m, run, code, banks: count, mut pc, mut left } = self;
-        let size = m.bank;
-        // The first register of each bank.
-        let banks = || (0..count).map(|bank| bank * size);
+        let Self { machine: m, run, code, files: count, mut pc, mut left } = self;
+        let size = m.file;
+        // The first register of each register file.
+        let files = || (0..count).map(|file| file * size);
         loop {
             // Nearly all of a program, with one jump an instruction.
             let first = pc;
-            for bank in banks() {
-                let registers = &mut m.registers[bank..];
+            for file in files() {
+                let registers = &mut m.registers[file..];
                 pc = first;
                 while let Some(Inst::Compute { what, out, args }) = code.get(pc) {
                     what.run::<S>(registers, &m.same, *out, args);
@@ -66,8 +66,8 @@ impl Kernel for Interpreter<'_> {
             match *inst {
                 Inst::Compute { .. } => {}
                 Inst::Move { out, from } => {
-                    for bank in banks() {
-                        m.registers[bank + out.0 as usize] = m.registers[bank + from.0 as usize];
+                    for file in files() {
+                        m.registers[file + out.0 as usize] = m.registers[file + from.0 as usize];
                     }
                 }
                 Inst::Zero { out, len } => {
@@ -82,10 +82,10 @@ impl Kernel for Interpreter<'_> {
                     m.uniform_at(run.prepared, out, base, len, index);
                 }
                 Inst::Derivative { axis, out, from } => {
-                    banks().for_each(|bank| m.derivative(bank, axis, out, from));
+                    files().for_each(|file| m.derivative(file, axis, out, from));
                 }
                 Inst::Sample(ref sample) => {
-                    (0..count).for_each(|bank| m.sample(bank, run, sample));
+                    (0..count).for_each(|file| m.sample(file, run, sample));
                 }
                 Inst::Unless { test, to } => {
                     let word = match test {

@@ -8,12 +8,12 @@ use texunit::lanes::{F32s, LANES, U32s};
 use texunit::plan::{Lod, Points};
 
 impl Machine {
-    /// Samples for a bank.
+    /// Samples for a register file.
     #[inline(always)]
-    pub(super) fn sample(&mut self, bank: usize, run: &Run<'_>, sample: &SampleInst) {
+    pub(super) fn sample(&mut self, file: usize, run: &Run<'_>, sample: &SampleInst) {
         let plan = run.textures.get(sample.texture as usize).and_then(Option::as_ref);
-        let registers = &mut self.registers[bank * self.bank..];
-        let room = &mut self.rooms[bank * self.apart];
+        let registers = &mut self.registers[file * self.file..];
+        let room = &mut self.rooms[file * self.apart];
         match plan.filter(|plan| plan.incomplete().is_none()) {
             Some(plan) => {
                 let reg = |reg: Reg| registers[reg.0 as usize].as_f32();

@@ -144,7 +144,7 @@ impl Machine {
                         machine: self,
                         run: &run,
                         code,
-                        banks: 1,
+                        files: 1,
                         pc,
                         left,
                     })?

@@ -27,7 +27,7 @@ mod slopes;
 mod stores;
 mod unroll;
 
-pub(super) use affine::leave_to;
+pub(super) use affine::hoist_to_vertex;
 
 use crate::ir::Module;
 

@@ -5,7 +5,7 @@ use super::reference::{self, Outcome};
 use crate::ir::{
     Block, Builder, Expr, Input, Interpolation, Op, Output, Stage, Stmt, Ty, Value, Var,
 };
-use crate::shader::Draft;
+use crate::shader::OptimizedModule;
 use proptest::prelude::*;
 
 const TYPES: [Ty; 4] = [Ty::F32, Ty::I32, Ty::U32, Ty::Bool];
@@ -276,8 +276,8 @@ proptest! {
         let uniforms = uniforms(seed);
         let given = |slot: u16| word(seed, 8 + usize::from(slot));
         let fragment = module(&rolls);
-        let mut draft = Draft::new(&fragment, |_| true);
-        let Some(vertex) = draft.leave_to(&passing()) else { return Ok(()) };
+        let mut draft = OptimizedModule::new(&fragment, |_| true);
+        let Some(vertex) = draft.hoist_to_vertex(&passing()) else { return Ok(()) };
         vertex.validate().unwrap();
         draft.module.validate().unwrap();
         let brought = reference::run(&vertex, &uniforms, 20_000, |input| match input {

@@ -7,7 +7,7 @@
 //! triangle of the 64 may reach.
 
 use super::batch::is_dense;
-use super::lanes::ShapeLanes;
+use super::shape_lanes::ShapeLanes;
 use crate::plan::Packing;
 use crate::sizes::{SUBPIXEL, TILE};
 use texunit::lanes::{I32s, Isa, Kernel, LANES, QUADS, Simd, U32s};
@@ -90,7 +90,7 @@ impl Windows {
     }
 }
 
-/// The coverage of windows: the arithmetic of `coverage::edges` in 32 bits, over lanes of shapes.
+/// The coverage of windows: the arithmetic of `edge_functions::edges` in 32 bits, over lanes of shapes.
 struct Cover<'a> {
     windows: &'a mut Windows,
     tile: [i32; 2],
@@ -235,11 +235,11 @@ fn rows(first: i32, last: i32) -> [u32; 2] {
 
 #[cfg(test)]
 mod tests {
-    use super::super::coverage::{Coverage, block, edges};
-    use super::super::shares::{Divide, Shares};
+    use super::super::edge_functions::{Coverage, block, edges};
+    use super::super::window_blocks::{Divide, Shares};
     use super::*;
     use crate::desc::Facing;
-    use crate::primitive::{Kind, Part, Shape};
+    use crate::primitive::{Clipping, Shape, ShapeKind};
     use proptest::prelude::*;
 
     proptest! {
@@ -264,8 +264,8 @@ mod tests {
                     bounds: [[edge(false, 0), edge(false, 1)], [edge(true, 0), edge(true, 1)]],
                     vertices: [0; 3],
                     provoking: 0,
-                    part: Part::Whole,
-                    kind: Kind::Triangle,
+                    part: Clipping::Whole,
+                    kind: ShapeKind::Triangle,
                     facing: Facing::Front,
                 })
             }).collect();

@@ -20,7 +20,7 @@ pub fn is_dash(dashes: Dashes, at: u32) -> bool {
 
 /// A line between two ends, so wide, in pixels.
 #[derive(Clone, Copy, Debug)]
-pub struct Band {
+pub struct LineRectangle {
     ends: [[f64; 2]; 2],
     width: f64,
     /// From one end to the other.
@@ -30,7 +30,7 @@ pub struct Band {
     pub corners: [[f64; 2]; 4],
 }
 
-impl Band {
+impl LineRectangle {
     /// The line from `a` to `b`.
     pub fn new(a: [f64; 2], b: [f64; 2], width: f64) -> Self {
         let way = [b[0] - a[0], b[1] - a[1]];
@@ -98,7 +98,7 @@ fn center(first: [f64; 2], lane: usize) -> [f64; 2] {
 
 /// The lanes whose centres a line holds. Of its sides those of its start and on its right do not belong to the next.
 struct Held<'a> {
-    band: &'a Band,
+    band: &'a LineRectangle,
     first: [f64; 2],
 }
 

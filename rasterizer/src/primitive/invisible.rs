@@ -3,7 +3,7 @@
 use super::clip::planes;
 use super::setup::{Scratch, Setup, doubled_area};
 use crate::desc::Cull;
-use crate::vertex::{Geometry, Outcode, Primitive, Primitives, Wanted};
+use crate::vertex::{Geometry, Outcode, Primitive, Primitives, VertexList};
 use std::ops::Range;
 
 /// Why nothing of a primitive is seen.
@@ -72,7 +72,7 @@ pub fn reasons(
     setup: &Setup<'_>,
     geometry: &Geometry,
     (primitives, range): (&Primitives, Range<u32>),
-    wanted: &Wanted,
+    wanted: &VertexList,
 ) -> Reasons {
     let mut scratch = Scratch { planes: planes(&setup.viewport), ..Scratch::default() };
     let mut reasons = Reasons::new();

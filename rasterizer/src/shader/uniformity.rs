@@ -159,7 +159,7 @@ fn is_jump(stmt: &Stmt) -> bool {
 
 /// What lanes are away from.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Part {
+enum ProductCode {
     /// A side of this branch.
     Side(u32),
     /// A turn of this loop.
@@ -171,7 +171,7 @@ enum Part {
 /// A part of the code that some lanes may not be in while others are.
 #[derive(Clone, Copy)]
 struct Away {
-    part: Part,
+    part: ProductCode,
     start: u32,
     end: u32,
     /// Whether the part itself is run more than once.
@@ -272,7 +272,7 @@ impl Walk<'_> {
         let together = self.alike.value(self.module, condition);
         let [middle, end] = self.ends(start);
         let again = !self.loops.is_empty();
-        let part = Part::Side(start);
+        let part = ProductCode::Side(start);
         for (block, start, end) in [(accept, start, middle), (reject, middle, end)] {
             if !together {
                 self.away.push(Away { part, start, end, again });
@@ -290,20 +290,20 @@ impl Walk<'_> {
         let depth = self.loops.len();
         if !self.alike.loops[number] {
             // From the second turn on, lanes may have left.
-            self.away.push(Away { part: Part::Whole(start), start, end, again: depth > 0 });
+            self.away.push(Away { part: ProductCode::Whole(start), start, end, again: depth > 0 });
         }
         self.loops.push(Open { number, start, away: self.away.len(), depth });
         self.block(body);
         self.at = middle;
-        self.back(Part::Turn(start));
+        self.back(ProductCode::Turn(start));
         self.block(continuing);
         self.at = end;
         self.loops.pop();
-        self.back(Part::Whole(start));
+        self.back(ProductCode::Whole(start));
     }
 
     /// Lanes come back to where a part ends.
-    fn back(&mut self, from: Part) {
+    fn back(&mut self, from: ProductCode) {
         self.away.retain(|away| away.part != from);
     }
 
@@ -316,7 +316,7 @@ impl Walk<'_> {
         let end = self.ends(start)[1];
         self.at = end;
         self.scopes.pop();
-        self.back(Part::Whole(start));
+        self.back(ProductCode::Whole(start));
     }
 
     /// A `Break`, or a `Continue` to the end of the body.
@@ -327,7 +327,7 @@ impl Walk<'_> {
         }
         self.part_ways(open.depth);
         if let Some(end) = body {
-            let (part, start) = (Part::Turn(open.start), open.start);
+            let (part, start) = (ProductCode::Turn(open.start), open.start);
             self.away.push(Away { part, start, end, again: true });
         }
     }
@@ -341,7 +341,7 @@ impl Walk<'_> {
         self.changed |= std::mem::replace(known, false);
         self.part_ways(open.depth);
         let end = self.ends(open.start)[1];
-        let (part, start) = (Part::Whole(open.start), open.start);
+        let (part, start) = (ProductCode::Whole(open.start), open.start);
         self.away.push(Away { part, start, end, again: open.depth > 0 });
     }
 

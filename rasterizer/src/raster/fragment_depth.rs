@@ -1,9 +1,9 @@
 //! The depth of fragments before anything is shaded: the same numbers as [`super::inputs`] gives.
 
-use super::batch::{Batch, Quads};
-use super::broad::bits;
+use super::batch::{Batch, BatchPixels};
 use super::inputs::Places;
-use super::quotients::{evaluate_plane, value_at};
+use super::large_triangles::bits;
+use super::perspective::{evaluate_plane, value_at};
 use crate::attachment::BLOCKS;
 use crate::output::{DepthPlan, DepthTest};
 use crate::plan::moved;
@@ -90,9 +90,9 @@ impl Kernel for BatchDepth<'_> {
     #[inline(always)]
     fn run<S: Simd>(self) {
         match self.batch.quads {
-            Quads::Block(block) => self.fill(block),
-            Quads::Packed(packed) => self.fill(packed),
-            Quads::Pixels(pixels) => self.fill(pixels),
+            BatchPixels::Block(block) => self.fill(block),
+            BatchPixels::Packed(packed) => self.fill(packed),
+            BatchPixels::Pixels(pixels) => self.fill(pixels),
         }
     }
 }

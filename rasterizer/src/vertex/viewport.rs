@@ -46,19 +46,19 @@ impl Outcode {
 const TO_INTEGER: f64 = 6_755_399_441_055_744.0;
 
 /// Viewport transform (GL 2.1, section 2.11.1), snap and clip tests of 64 vertices.
-pub(super) struct Place<'a> {
+pub(super) struct ViewportTransform<'a> {
     pub clip: [&'a F32s; 4],
     pub viewport: &'a Viewport,
-    pub out: &'a mut Placed,
+    pub out: &'a mut WindowVertices,
 }
 
 /// Where 64 vertices are.
-pub(super) struct Placed {
+pub(super) struct WindowVertices {
     pub snapped: [[i32; LANES]; 2],
     pub outcodes: [u32; LANES],
 }
 
-impl Kernel for Place<'_> {
+impl Kernel for ViewportTransform<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: Simd>(self) {

@@ -16,14 +16,14 @@ enum Reader {
 
 /// Which variables are a loop's own.
 #[derive(Debug)]
-pub(super) struct Owned {
+pub(super) struct MasklessStores {
     /// By variable.
     readers: Vec<Reader>,
     /// How many outermost loops were seen.
     loops: u32,
 }
 
-impl Owned {
+impl MasklessStores {
     pub fn of(module: &Module) -> Self {
         let mut owned = Self { readers: vec![Reader::Nobody; module.variables.len()], loops: 0 };
         for (_, var) in &module.outputs {

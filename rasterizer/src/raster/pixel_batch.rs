@@ -4,8 +4,8 @@
 //! Where nothing that a draw computes depends on the other pixels of a quad, there is no reason to
 //! shade those that are not covered: a triangle of five pixels is five lanes, not four quads.
 
-use super::batch::{Batch, EachPlane, Quads};
-use crate::attachment::{BLOCKS, Place};
+use super::batch::{Batch, BatchPixels, EachPlane};
+use crate::attachment::{BLOCKS, BatchLayout};
 use crate::desc::Facing;
 use crate::plan::SampleMasks;
 use texunit::lanes::{F32s, Isa, Kernel, LANES, Simd};
@@ -83,12 +83,12 @@ impl Pixels {
     pub fn batch(&mut self, isa: Isa, tile: [i32; 2]) -> Batch<'_> {
         isa.run(Find { pixels: self, tile });
         self.masks = SampleMasks::one(self.mask());
-        Batch { quads: Quads::Pixels(self), masks: &self.masks, tested: 0 }
+        Batch { quads: BatchPixels::Pixels(self), masks: &self.masks, tested: 0 }
     }
 
     /// Where they are.
-    pub fn place(&self) -> Place<'_> {
-        Place::Pixels(self.at.first_chunk().unwrap_or(&[0; LANES]), self.blocks)
+    pub fn place(&self) -> BatchLayout<'_> {
+        BatchLayout::Pixels(self.at.first_chunk().unwrap_or(&[0; LANES]), self.blocks)
     }
 
     /// Forgets its pixels and makes room for a draw with `planes` planes.

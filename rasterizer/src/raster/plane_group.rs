@@ -2,9 +2,9 @@
 //! [`super::interpolate`], in the same order, over lanes of triangles.
 
 use super::interpolate::{PlaneSetup, Planes};
-use super::lanes::ShapeLanes;
-use super::small::{REACHED, Windows};
-use super::weights::{PlaneLanes, Weights, sum, to_depth};
+use super::plane_weights::{PlaneLanes, Weights, sum, to_depth};
+use super::shape_lanes::ShapeLanes;
+use super::small_triangles::{REACHED, Windows};
 use crate::plan::{FactorPlanes, PlaneSource};
 use crate::primitive::Shape;
 use crate::sizes::SUBPIXEL;
@@ -158,7 +158,7 @@ impl PlaneGroup {
         let mut general = !0;
         if plain && lanes.len >= WORTH_IT {
             let (planes, out) = (&mut self.planes, &mut *self.lanes);
-            general = isa.run(Together { setup, geometry, shapes: lanes, lanes: out, planes });
+            general = isa.run(ComputePlanes { setup, geometry, shapes: lanes, lanes: out, planes });
             // The planes of a cut triangle are those of thick ones, whatever it looks like.
             general |= !lanes.whole;
         }
@@ -195,7 +195,7 @@ fn is_minus_zero(number: f64) -> bool {
 }
 
 /// The planes of 64 shapes; gives the lanes that the general computation must do.
-struct Together<'a> {
+struct ComputePlanes<'a> {
     setup: &'a PlaneSetup<'a>,
     geometry: &'a Geometry,
     shapes: &'a ShapeLanes,
@@ -203,7 +203,7 @@ struct Together<'a> {
     planes: &'a mut [PlaneLanes],
 }
 
-impl Kernel for Together<'_> {
+impl Kernel for ComputePlanes<'_> {
     type Output = u64;
     #[inline(always)]
     fn run<S: Simd>(self) -> u64 {

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::desc::{Facing, SpriteOrigin, Viewport};
-use crate::primitive::{Across, DepthSetup, Kind, Part};
+use crate::primitive::{Across, Clipping, DepthSetup, ShapeKind};
 
 /// A number in [-1, 1) from a counter.
 fn random(state: &mut u64) -> f32 {
@@ -54,8 +54,8 @@ fn have_the_planes_they_have_alone(is_flat: impl Fn(u32) -> bool) {
             bounds: [[0; 2]; 2],
             vertices,
             provoking: 2,
-            part: if n % 11 == 0 { Part::Cut } else { Part::Whole },
-            kind: Kind::Triangle,
+            part: if n % 11 == 0 { Clipping::Cut } else { Clipping::Whole },
+            kind: ShapeKind::Triangle,
             facing: Facing::Front,
         });
     }

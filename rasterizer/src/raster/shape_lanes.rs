@@ -1,8 +1,8 @@
-//! Up to 64 shapes of a chunk, over lanes: what the kernels of [`super::group`] and [`super::small`]
+//! Up to 64 shapes of a chunk, over lanes: what the kernels of [`super::plane_group`] and [`super::small_triangles`]
 //! read.
 
 use crate::desc::Facing;
-use crate::primitive::{Kind, Part, Shape};
+use crate::primitive::{Clipping, Shape, ShapeKind};
 use texunit::lanes::{I32s, LANES, U32s};
 
 /// The shapes, a lane each.
@@ -62,11 +62,11 @@ impl ShapeLanes {
                 2.. => third,
             };
             let is_triangle = match shape.kind {
-                Kind::Triangle => 1,
-                Kind::Line { .. } | Kind::Point { .. } => 0,
+                ShapeKind::Triangle => 1,
+                ShapeKind::Line { .. } | ShapeKind::Point { .. } => 0,
             };
             triangles |= is_triangle << lane;
-            whole |= (is_triangle & u64::from(shape.part == Part::Whole)) << lane;
+            whole |= (is_triangle & u64::from(shape.part == Clipping::Whole)) << lane;
             back |= u64::from(shape.facing == Facing::Back) << lane;
             len = lane + 1;
         }

@@ -7,9 +7,9 @@ use crate::ir::{Block, Expr, Input, Module, Output, Stage, Stmt, Value, Var};
 /// What a value depends on besides what is the same in the whole draw: components of attributes,
 /// bit by word; every bit where it depends on more, or nobody looked closer.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Sources(u128);
+pub(crate) struct AttributeSet(u128);
 
-impl Sources {
+impl AttributeSet {
     const NONE: Self = Self(0);
     const ANYTHING: Self = Self(!0);
 
@@ -35,14 +35,18 @@ impl Sources {
 
 /// The sources of each output of a module, in their order. Nobody asks for those of a fragment program,
 /// which are not looked for.
-pub(super) fn of_outputs(module: &Module) -> Vec<(Output, Sources)> {
+pub(super) fn of_outputs(module: &Module) -> Vec<(Output, AttributeSet)> {
     if module.stage == Stage::Fragment {
-        return module.outputs.iter().map(|&(output, _)| (output, Sources::ANYTHING)).collect();
+        return module
+            .outputs
+            .iter()
+            .map(|&(output, _)| (output, AttributeSet::ANYTHING))
+            .collect();
     }
     let mut search = Search {
         module,
         values: vec![None; module.values.len()],
-        variables: vec![Sources::NONE; module.variables.len()],
+        variables: vec![AttributeSet::NONE; module.variables.len()],
     };
     // How often a loop turns is not followed.
     for stmt in &module.body {
@@ -50,13 +54,13 @@ pub(super) fn of_outputs(module: &Module) -> Vec<(Output, Sources)> {
             if let Stmt::Loop { .. } = stmt {
                 stmt.walk(&mut |inside| {
                     if let Stmt::Store { var, .. } | Stmt::StoreAt { var, .. } = inside {
-                        search.variables[var.0 as usize] = Sources::ANYTHING;
+                        search.variables[var.0 as usize] = AttributeSet::ANYTHING;
                     }
                 });
             }
         });
     }
-    search.block(&module.body, Sources::NONE);
+    search.block(&module.body, AttributeSet::NONE);
     let of = |&(output, var): &(Output, Var)| (output, search.variables[var.0 as usize]);
     module.outputs.iter().map(of).collect()
 }
@@ -64,14 +68,14 @@ pub(super) fn of_outputs(module: &Module) -> Vec<(Output, Sources)> {
 struct Search<'a> {
     module: &'a Module,
     /// By value, where it has been evaluated.
-    values: Vec<Option<Sources>>,
+    values: Vec<Option<AttributeSet>>,
     /// By variable, all that has been stored so far.
-    variables: Vec<Sources>,
+    variables: Vec<AttributeSet>,
 }
 
 impl Search<'_> {
     /// Follows a block that runs where `control` says.
-    fn block(&mut self, block: &Block, mut control: Sources) {
+    fn block(&mut self, block: &Block, mut control: AttributeSet) {
         for stmt in block {
             match stmt {
                 Stmt::Eval(value) => {
@@ -102,28 +106,28 @@ impl Search<'_> {
             if !matches!(stmt, Stmt::Scope(_)) {
                 stmt.walk(&mut |inside| {
                     if inside.is_jump() && *inside != Stmt::Break {
-                        control = Sources::ANYTHING;
+                        control = AttributeSet::ANYTHING;
                     }
                 });
             }
         }
     }
 
-    fn store(&mut self, var: Var, stored: Sources) {
+    fn store(&mut self, var: Var, stored: AttributeSet) {
         let to = &mut self.variables[var.0 as usize];
         *to = to.and(stored);
     }
 
-    fn value(&mut self, value: Value) -> Sources {
+    fn value(&mut self, value: Value) -> AttributeSet {
         if let Some(known) = self.values[value.0 as usize] {
             return known;
         }
         let expr = self.module.expr(value);
         let mut sources = match expr {
             Expr::Input(Input::Attribute { location, component }) => {
-                Sources::attribute(*location, 1 << component)
+                AttributeSet::attribute(*location, 1 << component)
             }
-            Expr::Input(_) => Sources::ANYTHING,
+            Expr::Input(_) => AttributeSet::ANYTHING,
             Expr::Load(var) | Expr::LoadAt { var, .. } => self.variables[var.0 as usize],
             Expr::Const { .. }
             | Expr::Uniform { .. }
@@ -131,7 +135,7 @@ impl Search<'_> {
             | Expr::Op { .. }
             | Expr::Derivative { .. }
             | Expr::Sample(_)
-            | Expr::Component { .. } => Sources::NONE,
+            | Expr::Component { .. } => AttributeSet::NONE,
         };
         expr.operands(|operand| sources = sources.and(self.value(operand)));
         self.values[value.0 as usize] = Some(sources);
@@ -144,9 +148,10 @@ mod tests {
     use super::*;
     use crate::ir::{Builder, Op, Stage};
 
-    fn words(locations: &[u8]) -> Sources {
-        let of = |sources: Sources, &location| sources.and(Sources::attribute(location, 0b10));
-        locations.iter().fold(Sources::NONE, of)
+    fn words(locations: &[u8]) -> AttributeSet {
+        let of =
+            |sources: AttributeSet, &location| sources.and(AttributeSet::attribute(location, 0b10));
+        locations.iter().fold(AttributeSet::NONE, of)
     }
 
     #[test]
@@ -172,9 +177,9 @@ mod tests {
         let mut looping = module.clone();
         let body = vec![store.clone(), Stmt::Break];
         looping.body.push(Stmt::Loop { body, continuing: Vec::new() });
-        assert_eq!(sources(&looping).next(), Some(Sources::ANYTHING));
+        assert_eq!(sources(&looping).next(), Some(AttributeSet::ANYTHING));
         module.body.push(Stmt::Scope(vec![branch(vec![Stmt::Leave]), store]));
-        assert_eq!(sources(&module).next(), Some(Sources::ANYTHING));
+        assert_eq!(sources(&module).next(), Some(AttributeSet::ANYTHING));
         assert_eq!(sources(&module).nth(1), Some(words(&[3, 4])));
     }
 
@@ -182,8 +187,8 @@ mod tests {
     fn sources_meet_where_they_share_a_component() {
         let both = words(&[3, 4]);
         assert!(both.meet(words(&[4])) && !both.meet(words(&[5])));
-        assert!(!both.meet(Sources::attribute(3, 0b1101)));
-        assert!(Sources::ANYTHING.meet(Sources::NONE) && !Sources::NONE.meet(both));
-        assert_eq!(Sources::attribute(32, 1), Sources::ANYTHING);
+        assert!(!both.meet(AttributeSet::attribute(3, 0b1101)));
+        assert!(AttributeSet::ANYTHING.meet(AttributeSet::NONE) && !AttributeSet::NONE.meet(both));
+        assert_eq!(AttributeSet::attribute(32, 1), AttributeSet::ANYTHING);
     }
 }

@@ -1,11 +1,11 @@
 //! A triangle that covers many blocks of a tile: what it covers of them, and its planes there, computed over lanes
-//! that are blocks. The numbers are those of [`super::coverage::block`] and [`PlaneGroup::at`].
+//! that are blocks. The numbers are those of [`super::edge_functions::block`] and [`PlaneGroup::at`].
 
 use super::batch::is_dense;
-use super::coverage::{Edge, Within, edges};
-use super::depths::TestBlocks;
-use super::group::PlaneGroup;
-use crate::attachment::{BLOCKS, Plane};
+use super::edge_functions::{Edge, Within, edges};
+use super::fragment_depth::TestBlocks;
+use super::plane_group::PlaneGroup;
+use crate::attachment::{BLOCKS, WordPlane};
 use crate::output::DepthPlan;
 use crate::plan::Packing;
 use crate::sizes::TILE;
@@ -21,7 +21,7 @@ const _: () = assert!(BLOCKS == LANES && SIDE * SIDE == LANES, "lanes are the bl
 
 /// The blocks of a tile as a triangle sees them.
 #[derive(Debug)]
-pub struct Broad {
+pub struct LargeTriangle {
     /// Those of which it covers anything, bit by block.
     pub touched: u64,
     /// Those of which it covers so much that they do not wait for others.
@@ -31,7 +31,7 @@ pub struct Broad {
     planes: Vec<Over>,
 }
 
-impl Default for Broad {
+impl Default for LargeTriangle {
     fn default() -> Self {
         Self { touched: 0, dense: 0, covered: [0; BLOCKS], planes: Vec::new() }
     }
@@ -56,7 +56,7 @@ struct Over {
     steps: [f32; 2],
 }
 
-impl Broad {
+impl LargeTriangle {
     /// Looks at those `rows` of blocks that the triangle's bounds reach of the tile whose first pixel is `tile`,
     /// given its corners and the lane of the group that holds its planes.
     pub fn compute(
@@ -100,7 +100,7 @@ impl Broad {
         isa: Isa,
         plan: DepthPlan,
         (of, depths): (usize, [f32; 2]),
-        stored: &mut Plane,
+        stored: &mut WordPlane,
         blocks: u64,
     ) {
         let Over { corners, steps } = &self.planes[of];
@@ -142,7 +142,7 @@ struct Blocks<'a> {
     packing: Packing,
     group: &'a PlaneGroup,
     lane: usize,
-    out: &'a mut Broad,
+    out: &'a mut LargeTriangle,
 }
 
 impl Kernel for Blocks<'_> {
@@ -175,7 +175,7 @@ impl Kernel for Blocks<'_> {
     }
 }
 
-impl Broad {
+impl LargeTriangle {
     /// What lies within the edges of each block.
     #[inline(always)]
     fn cover<S: Simd>(&mut self, edges: &[Edge; 3], rows: Range<usize>, packing: Packing) {
@@ -219,17 +219,17 @@ fn blocks<S: Simd>(edges: &[Edge; 3], rows: Range<usize>) -> [u64; 2] {
 
 #[cfg(test)]
 mod tests {
-    use super::super::coverage::{block, edges};
+    use super::super::edge_functions::{block, edges};
     use super::*;
     use proptest::prelude::*;
 
     struct CoverOf<'a>(&'a [Edge; 3], Packing);
 
     impl Kernel for CoverOf<'_> {
-        type Output = Broad;
+        type Output = LargeTriangle;
         #[inline(always)]
-        fn run<S: Simd>(self) -> Broad {
-            let mut broad = Broad::default();
+        fn run<S: Simd>(self) -> LargeTriangle {
+            let mut broad = LargeTriangle::default();
             broad.cover::<S>(self.0, 0..SIDE, self.1);
             broad
         }

@@ -1,4 +1,4 @@
-//! A run: blocks that are shaded together, each with a bank of registers of its own.
+//! A run: blocks that are shaded together, each with a register file of its own.
 //!
 //! Inputs, each stretch of the program and the colours are done for all blocks of a run in turn: what there
 //! is to decide and to look up is so decided and looked up once for several of them, and while one
@@ -7,14 +7,14 @@
 use super::batch::{BlockOf, EarlyTests};
 use super::block::BlockAt;
 use crate::desc::Facing;
-use crate::shader::BANKS;
+use crate::shader::MAX_REGISTER_FILES;
 
 /// Blocks of shapes of one draw, whose early tests are done. No pixel is in two of them.
 #[derive(Debug, Default)]
 pub struct BlockRun {
     /// The planes of the first block, then those of the next.
     planes: Vec<[f32; 3]>,
-    blocks: [Covered; BANKS],
+    blocks: [Covered; MAX_REGISTER_FILES],
     len: usize,
     /// What all blocks are of, see [`Self::level`].
     level: Level,
@@ -107,7 +107,7 @@ impl BlockRun {
         self.len = 0;
     }
 
-    /// Adds a block of a shape, of which these lanes are left. There is room for [`BANKS`]. `level` is what is the
+    /// Adds a block of a shape, of which these lanes are left. There is room for [`MAX_REGISTER_FILES`]. `level` is what is the
     /// same all over the shape.
     #[inline]
     pub fn push(
@@ -142,15 +142,15 @@ impl BlockRun {
         })
     }
 
-    /// The block of each bank.
+    /// The block of each register file.
     pub fn numbers(&self) -> impl Iterator<Item = usize> + Clone {
         self.blocks[..self.len].iter().map(|covered| usize::from(covered.block))
     }
 
-    /// The block of a bank and its lanes.
+    /// The block of a register file and its lanes.
     #[inline]
-    pub fn covered(&self, bank: usize) -> (usize, u64) {
-        let Covered { block, lanes, .. } = self.blocks[bank];
+    pub fn covered(&self, file: usize) -> (usize, u64) {
+        let Covered { block, lanes, .. } = self.blocks[file];
         (usize::from(block), lanes)
     }
 }

@@ -6,14 +6,14 @@ use std::ops::Range;
 use texunit::lanes::U32s;
 
 /// Where a draw's vertex numbers come from.
-pub enum Ids<'a> {
+pub enum VertexIds<'a> {
     /// Consecutive, from this one.
     Range(u32),
     /// By indices.
     Indexed(&'a Indices),
 }
 
-impl Ids<'_> {
+impl VertexIds<'_> {
     /// The vertices of ordinals of the draw.
     fn of(&self, ordinals: &Ordinals) -> Vec<u32> {
         let mut out = Vec::with_capacity(ordinals.len());
@@ -95,7 +95,7 @@ pub fn ordinals(topology: Topology, all: &Primitives, range: &Range<u32>) -> Ord
 }
 
 /// The vertices that some primitives need, each once where their numbers are dense.
-pub struct Wanted {
+pub struct VertexList {
     ordinals: Ordinals,
     /// The vertices to be shaded.
     pub ids: Vec<u32>,
@@ -105,11 +105,11 @@ pub struct Wanted {
     pub base: u32,
 }
 
-impl Wanted {
+impl VertexList {
     /// The vertices of ordinals of a draw.
-    pub fn new(ordinals: Ordinals, ids: &Ids<'_>) -> Self {
+    pub fn new(ordinals: Ordinals, ids: &VertexIds<'_>) -> Self {
         let mut wanted = ids.of(&ordinals);
-        if let Ids::Indexed(_) = ids {
+        if let VertexIds::Indexed(_) = ids {
             let low = wanted.iter().copied().min().unwrap_or(0);
             let high = wanted.iter().copied().max().unwrap_or(0);
             if (high - low) as usize <= wanted.len() {
@@ -122,7 +122,7 @@ impl Wanted {
     }
 
     /// The vertices of ordinals of a draw, one for each ordinal, whatever the indices share.
-    pub fn apart(ordinals: Ordinals, ids: &Ids<'_>) -> Self {
+    pub fn apart(ordinals: Ordinals, ids: &VertexIds<'_>) -> Self {
         let ids = ids.of(&ordinals);
         Self { ordinals, ids, places: None, base: 0 }
     }

@@ -2,12 +2,12 @@
 //! fine meshes. Kernels, so that bits are counted and planes copied by what the instruction set has for it.
 
 use super::batch::is_dense;
-use super::broad::Broad;
-use super::group::PlaneGroup;
-use super::lanes::ShapeLanes;
-use super::pixels::Pixels;
-use super::run::BlockRun;
-use super::shares::{Share, Shares};
+use super::block_run::BlockRun;
+use super::large_triangles::LargeTriangle;
+use super::pixel_batch::Pixels;
+use super::plane_group::PlaneGroup;
+use super::shape_lanes::ShapeLanes;
+use super::window_blocks::{Share, Shares};
 use crate::attachment::BLOCKS;
 use crate::desc::Facing;
 use crate::plan::Packing;
@@ -69,7 +69,7 @@ impl Kernel for Pack<'_> {
 /// Packs blocks of a broad triangle, bit by block, until the pixels that wait are a whole batch; gives the blocks of
 /// which any pixel is left.
 pub struct PackBroad<'a> {
-    pub broad: &'a mut Broad,
+    pub broad: &'a mut LargeTriangle,
     pub facing: Facing,
     pub blocks: u64,
     pub pixels: &'a mut Pixels,

@@ -1,7 +1,7 @@
 //! What the windows of small triangles cover of blocks. A window begins at a quad, so each of its parts may lie in
-//! four blocks. Computed over lanes of shapes, and read share by share ([`super::pack`]).
+//! four blocks. Computed over lanes of shapes, and read share by share ([`super::pack_pixels`]).
 
-use super::small::{REACHED, Windows};
+use super::small_triangles::{REACHED, Windows};
 use crate::attachment::BLOCKS;
 use crate::output::expand_mask;
 use crate::sizes::TILE;

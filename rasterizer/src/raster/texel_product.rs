@@ -1,10 +1,10 @@
-//! Shading without registers: of programs that are a product ([`crate::shader::Product`]), texels are multiplied
+//! Shading without registers: of programs that are a product ([`crate::shader::TexelProduct`]), texels are multiplied
 //! as they come, and where nothing is blended they go straight into the attachment's words.
 
-use super::run::{BlockRun, Level};
+use super::block_run::{BlockRun, Level};
 use crate::output::{Color, ColorPlan, pack_colors, put};
 use crate::plan::{DrawPlan, FactorPlanes, FilledInput, ProductInputs, ProductPlan};
-use crate::shader::{BANKS, Machine, OverBudget, Part, Product, Run};
+use crate::shader::{MAX_REGISTER_FILES, Machine, OverBudget, ProductCode, Run, TexelProduct};
 use texunit::lanes::{F32s, Isa, Kernel, LANES, QUADS, Simd, U32s};
 use texunit::plan::{Known, Like, Lod, Places, Read, Room, SamplePlan, Take, Texels};
 
@@ -12,7 +12,7 @@ use texunit::plan::{Known, Like, Lod, Places, Read, Room, SamplePlan, Take, Texe
 #[derive(Debug, Default)]
 pub struct Products {
     /// Red, green, blue and alpha of each block.
-    colors: Box<[[F32s; 4]; BANKS]>,
+    colors: Box<[[F32s; 4]; MAX_REGISTER_FILES]>,
     /// Products that are not done, by turns.
     between: Box<[[F32s; 4]; 2]>,
     /// Of lookups.
@@ -39,10 +39,10 @@ pub struct Products {
 /// How a run has its factors.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Factors {
-    /// They differ from pixel to pixel: computed in each bank.
+    /// They differ from pixel to pixel: computed in each register file.
     #[default]
     Varying,
-    /// They are the same everywhere: computed in the first bank.
+    /// They are the same everywhere: computed in the first register file.
     Shared,
     /// They are what they were in the run before.
     Known,
@@ -62,7 +62,7 @@ pub enum Details {
 }
 
 impl Products {
-    /// Says which inputs a run needs: of the first bank, and of the others.
+    /// Says which inputs a run needs: of the first register file, and of the others.
     pub fn inputs_of<'a>(
         &mut self,
         plan: &DrawPlan,
@@ -124,22 +124,22 @@ impl Products {
         &mut self,
         machine: &mut Machine,
         run: &Run<'_>,
-        product: &Product,
-        banks: usize,
+        product: &TexelProduct,
+        files: usize,
     ) -> Result<(), OverBudget> {
         if self.readings.len() != product.lookups() {
             self.readings.resize(product.lookups(), (None, F32s::ZERO));
         }
         match self.how {
-            Factors::Varying => return machine.run_before(run, product, Part::Whole, banks),
+            Factors::Varying => return machine.run_before(run, product, ProductCode::Whole, files),
             Factors::Shared => {
-                machine.run_before(run, product, Part::Factors, 1)?;
+                machine.run_before(run, product, ProductCode::Factors, 1)?;
                 *self.factors = machine.factors(product, 0).map(|factor| *factor);
                 self.is_one = self.factors.iter().all(|factor| factor[0] == 1.0);
             }
             Factors::Known => {}
         }
-        machine.run_before(run, product, Part::Lookups, banks)
+        machine.run_before(run, product, ProductCode::Lookups, files)
     }
 
     /// Notes of a run that is done what the next one of its shape need not find out.
@@ -149,8 +149,8 @@ impl Products {
 
     /// Red, green, blue or alpha of a block of the run, where that is what was asked for.
     #[inline(always)]
-    pub fn color(&self, bank: usize, component: usize) -> &F32s {
-        &self.colors[bank][component]
+    pub fn color(&self, file: usize, component: usize) -> &F32s {
+        &self.colors[file][component]
     }
 }
 
@@ -158,7 +158,7 @@ impl Products {
 pub struct Multiply<'a> {
     pub isa: Isa,
     pub plan: &'a DrawPlan,
-    pub product: &'a Product,
+    pub product: &'a TexelProduct,
     pub machine: &'a Machine,
     pub run: &'a BlockRun,
     pub products: &'a mut Products,
@@ -190,9 +190,9 @@ impl Kernel for Multiply<'_> {
         };
         ask::<S>(plan, product, machine, run.len(), known);
         let is_kept = *details == Details::Varying && run.level().details.is_some();
-        for (bank, colors) in colors.iter_mut().enumerate().take(run.len()) {
+        for (file, colors) in colors.iter_mut().enumerate().take(run.len()) {
             let given = match how {
-                Factors::Varying => machine.factors(product, bank),
+                Factors::Varying => machine.factors(product, file),
                 Factors::Shared | Factors::Known => factors.each_ref(),
             };
             // What lies here no store of colours can change.
@@ -206,7 +206,7 @@ impl Kernel for Multiply<'_> {
                     is_one: is_one && at == 0,
                     to: match &mut words {
                         Some(Words { color, blocks }) if is_last => {
-                            let (block, mask) = run.covered(bank);
+                            let (block, mask) = run.covered(file);
                             To::Words { color, stored: &mut blocks[block], mask }
                         }
                         _ if is_last => To::Lanes(colors),
@@ -215,8 +215,8 @@ impl Kernel for Multiply<'_> {
                 };
                 let texture = plan.textures.get(product.texture(at));
                 if let Some(texture) = texture.and_then(Option::as_ref) {
-                    let coords = machine.coords(product, at, bank);
-                    let lod = lod_of(texture, machine, product, at, bank);
+                    let coords = machine.coords(product, at, file);
+                    let lod = lod_of(texture, machine, product, at, file);
                     match (&*details, places) {
                         (Details::Known, _) => (read, weight) = *kept,
                         (Details::Varying, Places::Own) => {
@@ -239,9 +239,9 @@ impl Kernel for Multiply<'_> {
 #[inline(always)]
 fn ask<S: Simd>(
     plan: &DrawPlan,
-    product: &Product,
+    product: &TexelProduct,
     machine: &Machine,
-    banks: usize,
+    files: usize,
     known: Option<&[Reading]>,
 ) {
     for at in 0..product.lookups() {
@@ -255,10 +255,10 @@ fn ask<S: Simd>(
             }
         };
         let mut points = [F32s::ZERO; 2];
-        for bank in 0..BANKS {
-            let coords = machine.coords(product, at, bank.min(banks - 1));
+        for file in 0..MAX_REGISTER_FILES {
+            let coords = machine.coords(product, at, file.min(files - 1));
             for (points, coords) in points.iter_mut().zip(coords) {
-                points.0[bank * QUADS..][..QUADS].copy_from_slice(&coords.0[..QUADS]);
+                points.0[file * QUADS..][..QUADS].copy_from_slice(&coords.0[..QUADS]);
             }
         }
         texture.ask::<S>(points.each_ref(), like);
@@ -270,11 +270,11 @@ fn ask<S: Simd>(
 fn lod_of<'a>(
     texture: &SamplePlan,
     machine: &'a Machine,
-    product: &'a Product,
+    product: &'a TexelProduct,
     at: usize,
-    bank: usize,
+    file: usize,
 ) -> Lod<'a> {
-    if texture.needs_lod() { machine.lod(product, at, bank) } else { Lod::Implicit { bias: None } }
+    if texture.needs_lod() { machine.lod(product, at, file) } else { Lod::Implicit { bias: None } }
 }
 
 /// Multiplies a lookup.

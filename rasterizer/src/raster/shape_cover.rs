@@ -1,12 +1,12 @@
 //! What a shape covers of the blocks of a tile, whatever its kind and rim.
 
 use super::area::{self, Areas, LEAST, Overlap};
-use super::band::{Band, Dashes, is_dash};
 use super::block::BlockAt;
-use super::coverage::{self, Edge};
+use super::edge_functions::{self, Edge};
+use super::line_rectangle::{Dashes, LineRectangle, is_dash};
 use crate::desc::Rim;
 use crate::plan::DrawPlan;
-use crate::primitive::{Kind, LineRun, Shape};
+use crate::primitive::{LineRun, Shape, ShapeKind};
 use crate::sizes::{SUBPIXEL, TILE};
 use crate::vertex::Geometry;
 use texunit::lanes::{F32s, Isa, LANES, lane_x, lane_y};
@@ -23,11 +23,11 @@ pub enum Cover {
     /// A triangle with a smooth rim.
     SmoothTriangle([[f64; 2]; 3]),
     /// A smooth line.
-    Band(Band),
+    LineRectangle(LineRectangle),
     /// A smooth point: centre and radius.
     Disc([f64; 2], f64),
     /// What of a smooth line holds a sample.
-    BandSample(Band),
+    LineSample(LineRectangle),
     /// What of a smooth point does.
     DiscSample([f64; 2], f64),
 }
@@ -49,11 +49,13 @@ impl Cover {
         let raster = &plan.raster;
         let corners = || shape.corners.map(|c| c.map(|v| f64::from(v) / f64::from(SUBPIXEL)));
         match shape.kind {
-            Kind::Triangle => match raster.polygon.rim {
-                Rim::Aliased => Self::Triangle(coverage::edges(&shape.corners, tile[0], tile[1])),
+            ShapeKind::Triangle => match raster.polygon.rim {
+                Rim::Aliased => {
+                    Self::Triangle(edge_functions::edges(&shape.corners, tile[0], tile[1]))
+                }
                 Rim::Smooth => Self::SmoothTriangle(corners()),
             },
-            Kind::Line { .. } => {
+            ShapeKind::Line { .. } => {
                 let width = raster.line.drawn_width();
                 match raster.line.rim {
                     Rim::Aliased => {
@@ -62,11 +64,11 @@ impl Cover {
                     }
                     Rim::Smooth => {
                         let [a, b, _] = corners();
-                        Self::Band(Band::new(a, b, width.into()))
+                        Self::LineRectangle(LineRectangle::new(a, b, width.into()))
                     }
                 }
             }
-            Kind::Point { size, .. } => match (raster.point.rim, &raster.point.sprite) {
+            ShapeKind::Point { size, .. } => match (raster.point.rim, &raster.point.sprite) {
                 (Rim::Smooth, None) => {
                     let window = shape.centre(geometry, &plan.viewport);
                     Self::Disc(window, f64::from(size) * 0.5)
@@ -87,13 +89,15 @@ impl Cover {
         let moved = |c: [i32; 2]| [c[0] - place[0], c[1] - place[1]];
         let corners = shape.corners.map(moved);
         match shape.kind {
-            Kind::Triangle => Self::Triangle(coverage::edges(&corners, tile[0], tile[1])),
-            Kind::Line { .. } => {
-                let [a, b, _] = corners.map(|c| c.map(|v| f64::from(v) / f64::from(SUBPIXEL)));
-                Self::BandSample(Band::new(a, b, plan.raster.line.drawn_width().into()))
+            ShapeKind::Triangle => {
+                Self::Triangle(edge_functions::edges(&corners, tile[0], tile[1]))
             }
-            Kind::Point { .. } if plan.raster.point.sprite.is_some() => Self::Box,
-            Kind::Point { size, .. } => {
+            ShapeKind::Line { .. } => {
+                let [a, b, _] = corners.map(|c| c.map(|v| f64::from(v) / f64::from(SUBPIXEL)));
+                Self::LineSample(LineRectangle::new(a, b, plan.raster.line.drawn_width().into()))
+            }
+            ShapeKind::Point { .. } if plan.raster.point.sprite.is_some() => Self::Box,
+            ShapeKind::Point { size, .. } => {
                 let window = shape.centre(geometry, &plan.viewport);
                 let by = place.map(|v| f64::from(v) / f64::from(SUBPIXEL));
                 let center = [window[0] - by[0], window[1] - by[1]];
@@ -115,7 +119,7 @@ impl Cover {
         match self {
             Self::Run(run, width) => run_blocks(run, *width, tile),
             Self::SmoothTriangle(corners) => passes(corners),
-            Self::Band(band) | Self::BandSample(band) => passes(&band.corners),
+            Self::LineRectangle(band) | Self::LineSample(band) => passes(&band.corners),
             Self::Triangle(_) | Self::Box | Self::Disc(..) | Self::DiscSample(..) => !0,
         }
     }
@@ -133,18 +137,20 @@ impl Cover {
         let (first, [bx, by]) = (at.first(), at.block);
         let origin = first.map(f64::from);
         let dashes = match shape.kind {
-            Kind::Line { stipple, .. } => plan.raster.line.stipple.map(|state| (state, stipple)),
-            Kind::Triangle | Kind::Point { .. } => None,
+            ShapeKind::Line { stipple, .. } => {
+                plan.raster.line.stipple.map(|state| (state, stipple))
+            }
+            ShapeKind::Triangle | ShapeKind::Point { .. } => None,
         };
         match self {
-            Self::Triangle(edges) => coverage::block(isa, edges, bx, by).lanes(),
+            Self::Triangle(edges) => edge_functions::block(isa, edges, bx, by).lanes(),
             Self::Run(run, width) => run_lanes(run, *width, dashes, first),
             Self::Box => !0,
             Self::SmoothTriangle(corners) => {
                 let add = |areas: &mut Areas| area::add(isa, corners, origin, areas);
                 smooth(shape, at, area::overlap(corners, origin, 8.0), parts, add)
             }
-            Self::Band(band) => {
+            Self::LineRectangle(band) => {
                 let overlap = match area::overlap(&band.corners, origin, 8.0) {
                     Overlap::All if dashes.is_some() => Overlap::Part,
                     overlap => overlap,
@@ -165,7 +171,7 @@ impl Cover {
                     }
                 })
             }
-            Self::BandSample(band) => match area::overlap(&band.corners, origin, 8.0) {
+            Self::LineSample(band) => match area::overlap(&band.corners, origin, 8.0) {
                 Overlap::None => 0,
                 Overlap::Part | Overlap::All => band.centers(isa, dashes, first),
             },
@@ -214,7 +220,7 @@ fn run_lanes(run: &LineRun, width: i32, dashes: Dashes, first: [i32; 2]) -> u64 
         for row in row.max(first[minor])..(row + width).min(first[minor] + 8) {
             let mut at = [0; 2];
             (at[major], at[minor]) = (column - first[major], row - first[minor]);
-            lanes |= 1 << coverage::lane_at(at[0] as usize, at[1] as usize);
+            lanes |= 1 << edge_functions::lane_at(at[0] as usize, at[1] as usize);
         }
     }
     lanes
@@ -231,7 +237,7 @@ fn smooth(
 ) -> u64 {
     let [low, high] = shape.bounds;
     let bounds = [low.map(i32::from), high.map(|last| i32::from(last) + 1)];
-    let inside = coverage::inside_area(&bounds, at);
+    let inside = edge_functions::inside_area(&bounds, at);
     match overlap {
         Overlap::None => 0,
         Overlap::All => {
