@@ -18,7 +18,7 @@ use crate::state::material::{Part, column, material};
 use crate::texture::TextureTarget;
 use crate::texture::texel::is_wide;
 use glam::{DMat4, DVec4};
-use rasterizer::driver::{LevelInfo, Rim, VertexBinding, VertexSource};
+use rasterizer::driver::{Antialiasing, LevelInfo, VertexBinding, VertexSource};
 use std::sync::Arc;
 
 /// What draws have found out about the texture units, while these stay as they are.
@@ -187,7 +187,7 @@ pub(super) fn fragment_key(
         color_sum,
         fog: state.enables.has(Flag::Fog).then_some(FogKey { mode: state.fog.mode, source }),
         alpha: alpha_test(context),
-        rim: Rim::Aliased,
+        antialiasing: Antialiasing::Aliased,
         clamp,
     }
 }

@@ -37,7 +37,7 @@ use fixed_words::FixedWords;
 use keys::UnitsSeen;
 use rasterizer::driver::{
     Attachment, Command, CommandBuffer, Counter, Device, Image, PassDesc, Pipeline, PipelineDesc,
-    RasterState, Rect, ShaderModule, Sight, VertexBinding, Viewport,
+    RasterState, Rect, ShaderModule, VertexBinding, Viewport, Visibility,
 };
 use stages::Textures;
 use std::collections::HashMap;
@@ -83,7 +83,7 @@ pub(crate) struct Recorder {
     /// Stages of assembly programs, by what their uniform words are moved by.
     moved: Vec<(ShaderModule, u32, ShaderModule)>,
     /// Whether anything is seen of what was submitted since the last picture was taken.
-    sight: Sight,
+    sight: Visibility,
     /// What counts the samples of draws.
     pub counter: Option<Counter>,
     pub rectangles: RectangleModules,
@@ -133,7 +133,7 @@ impl Recorder {
             variants: HashMap::new(),
             vertex_variants: HashMap::new(),
             moved: Vec::new(),
-            sight: Sight::default(),
+            sight: Visibility::default(),
             counter: None,
             rectangles: RectangleModules::default(),
             single: HashMap::new(),
@@ -264,7 +264,7 @@ pub(crate) fn submit(context: &mut Context) {
     context.recorder.commands = commands;
     match result {
         Ok(report) => {
-            context.recorder.sight.add(report.sight);
+            context.recorder.sight.add(report.visibility);
             if !report.over_budget.is_empty() {
                 context.debug.warn(
                     "a shader ran so long that its draw was left out: look for a loop that does \

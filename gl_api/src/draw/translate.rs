@@ -20,9 +20,9 @@ use crate::state::stencil::Side;
 use crate::state::viewport::depth_clip;
 use crate::transform_feedback;
 use rasterizer::driver::{
-    Buffer, ColorState, Command, Cull, DepthClip, DepthState, FrontFace, IndexType, Indices,
-    OutputState, PassDesc, Pipeline, PipelineDesc, PolygonState, Provoking, RasterState, Rect, Rim,
-    SampleRule, ShaderModule, Topology, VertexBinding, VertexSource, Viewport, same_textures,
+    Antialiasing, Buffer, ColorState, Command, Cull, DepthClip, DepthState, FrontFace, IndexType,
+    Indices, OutputState, PassDesc, Pipeline, PipelineDesc, PolygonState, Provoking, RasterState,
+    Rect, SampleRule, ShaderModule, Topology, VertexBinding, VertexSource, Viewport, same_textures,
 };
 use std::ops::Range;
 use std::sync::Arc;
@@ -120,9 +120,9 @@ pub(crate) fn draw(
     if !is_rasterized(context, topology, &vertices, elements)? {
         return Ok(());
     }
-    let rim = smoothness(context, topology);
+    let antialiasing = smoothness(context, topology);
     // Choosing may carry out what was recorded, if a texture of this draw was drawn to.
-    let Stages { vertex, fragment, reads } = stages::choose(context, &vertices, rim)?;
+    let Stages { vertex, fragment, reads } = stages::choose(context, &vertices, antialiasing)?;
     let viewport = viewport(context);
     let mut raster = raster_state(context, topology, &vertices);
     raster.multisample = multisample_state(context, SampleRule::Each);
@@ -148,7 +148,7 @@ pub(crate) fn draw_rectangle(
     if context.queries.discards() || !is_rasterized(context, topology, &vertices, elements)? {
         return Ok(());
     }
-    let mut stages = stages::choose(context, &vertices, Rim::Aliased)?;
+    let mut stages = stages::choose(context, &vertices, Antialiasing::Aliased)?;
     rectangle.apply(context, &mut stages).map_err(|error| stages::internal(&error))?;
     let Stages { vertex, fragment, reads } = stages;
     let reads = Reads { keys: None, ..reads };

@@ -6,7 +6,7 @@ use crate::draw::fixed_words::Keys;
 use crate::draw::stages::{self, Stages, Textures};
 use crate::error::{Result, invalid_operation};
 use crate::interface::{MAX_TEXTURE_UNITS, VARYING_BACK_COLOR, VARYING_COLOR, VARYING_TEX_COORD};
-use rasterizer::driver::{Rim, ShaderModule, VertexBinding, VertexSource};
+use rasterizer::driver::{Antialiasing, ShaderModule, VertexBinding, VertexSource};
 use rasterizer::ir::{Input, Output};
 use rasterizer::shader::{Machine, Prepared, Program, Run};
 use std::ops::Range;
@@ -290,7 +290,7 @@ pub(crate) fn shade(
     ids: &[Id],
     outputs: Outputs,
 ) -> Result<Vertices> {
-    let stages = stages::choose(context, vertices, Rim::Aliased)?;
+    let stages = stages::choose(context, vertices, Antialiasing::Aliased)?;
     let ready = Ready::new(context, stages, outputs);
     let isa = context.recorder.isa();
     ready.run((isa, &mut context.feedback.machine), ids.len(), |wanted, of, out| {

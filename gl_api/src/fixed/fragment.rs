@@ -9,7 +9,7 @@ use super::word;
 use crate::context::limits::MAX_COLOR_ATTACHMENTS;
 use crate::interface::*;
 use crate::state::clamp::Clamp;
-use rasterizer::driver::Rim;
+use rasterizer::driver::Antialiasing;
 use rasterizer::ir::{
     Builder, Expr, Input, Interpolation, Lod, Module, Op, Output, Stage, Stmt, TextureDecl, Ty,
     Value,
@@ -57,7 +57,7 @@ pub(crate) struct FragmentKey {
     /// The alpha test, unless it lets everything through.
     pub alpha: Option<Compare>,
     /// Whether coverage changes alpha.
-    pub rim: Rim,
+    pub antialiasing: Antialiasing,
     /// Whether colours are clamped, from the first to what is written.
     pub clamp: Clamp,
 }
@@ -84,7 +84,7 @@ pub(super) fn module(key: &FragmentKey) -> Module {
     let mut module = b.finish();
     module.varyings = vec![Interpolation::Smooth; usize::from(VARYING_USER)];
     set_shade_model(&mut module, key.shade_model, [None; 2]);
-    if key.rim == Rim::Smooth {
+    if key.antialiasing == Antialiasing::Smooth {
         super::add_coverage(&mut module);
     }
     if let Some(compare) = key.alpha {

@@ -12,7 +12,7 @@ use crate::state::clamp;
 use crate::state::fog::FogSource;
 use crate::state::viewport::{depth_clip, unit, within};
 use crate::types::GLenum;
-use rasterizer::driver::{DepthClip, Rim, VertexBinding, VertexSource};
+use rasterizer::driver::{Antialiasing, DepthClip, VertexBinding, VertexSource};
 use rasterizer::ir::{Input, Output};
 use texunit::lanes::U32s;
 
@@ -75,7 +75,7 @@ impl Passed {
                 VertexBinding { location, source: VertexSource::Constant(value) }
             })
             .collect();
-        let stages = stages::choose(context, &vertices, Rim::Aliased)?;
+        let stages = stages::choose(context, &vertices, Antialiasing::Aliased)?;
         let outputs = Outputs::Units(moved_units(&stages));
         let ready = Ready::new(context, stages, outputs);
         Ok(Self { at: context.changes.calls, ready })

@@ -23,9 +23,9 @@ pub use output::{LogicOp, OutputState, SrgbWrite};
 pub use pipeline::{PipelineDesc, PipelineError, ShaderModule};
 pub use primitive::{Cull, Facing, FrontFace, Provoking, Topology};
 pub use raster::{
-    AlphaToCoverage, AlphaToOne, LineState, LineStipple, MAX_LINE_WIDTH, MAX_POINT_SIZE,
-    MultisampleState, PointSize, PointState, PolygonMode, PolygonOffset, PolygonState, RasterState,
-    Rim, SampleCoverage, SampleRule, SpriteOrigin, Stipple,
+    AlphaToCoverage, AlphaToOne, Antialiasing, LineState, LineStipple, MAX_LINE_WIDTH,
+    MAX_POINT_SIZE, MultisampleState, PointSize, PointState, PolygonMode, PolygonOffset,
+    PolygonState, RasterState, SampleCoverage, SampleRule, SpriteOrigin, Stipple,
 };
 pub use vertex::{VertexBinding, VertexFormat, VertexSource, VertexType};
 pub use viewport::{DepthClip, Rect, Viewport};

@@ -21,13 +21,13 @@ pub enum PolygonMode {
     Fill,
 }
 
-/// Whether a pixel is covered or not, or covered in part.
+/// Whether coverage of a pixel is all or nothing, or a fraction.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Rim {
-    /// A fragment is wholly there or not at all.
+pub enum Antialiasing {
+    /// A fragment covers all of its pixel or does not exist.
     #[default]
     Aliased,
-    /// A fragment for every pixel that is touched; `Input::Coverage` is the part that is covered.
+    /// A fragment for every pixel that is touched; `Input::Coverage` is the fraction that is covered.
     Smooth,
 }
 
@@ -57,8 +57,8 @@ pub struct PolygonState {
     pub mode: [PolygonMode; 2],
     /// By the mode that a polygon is drawn in: points, lines, filled.
     pub offset: [Option<PolygonOffset>; 3],
-    /// The rim of filled ones.
-    pub rim: Rim,
+    /// Antialiasing of filled ones.
+    pub antialiasing: Antialiasing,
     /// Which pixels are left of filled ones; `None` leaves all.
     pub stipple: Option<Stipple>,
     /// The location of an attribute of one component: not zero where a boundary edge begins (GL 2.1,
@@ -81,8 +81,8 @@ pub struct LineStipple {
 pub struct LineState {
     /// In pixels; above zero.
     pub width: f32,
-    /// Their rim.
-    pub rim: Rim,
+    /// Their antialiasing.
+    pub antialiasing: Antialiasing,
     /// Which fragments are left.
     pub stipple: Option<LineStipple>,
 }
@@ -114,8 +114,8 @@ pub struct PointState {
     pub size: f32,
     /// Whether the vertex stage's stands in for it.
     pub source: PointSize,
-    /// The rim of those that are no sprites.
-    pub rim: Rim,
+    /// Antialiasing of those that are no sprites.
+    pub antialiasing: Antialiasing,
     /// The first of four varying slots that become (s, t, 0, 1) of the sprite; `None` where points
     /// are no sprites.
     pub sprite: Option<Vec<u16>>,
@@ -206,11 +206,11 @@ impl Default for RasterState {
     fn default() -> Self {
         Self {
             polygon: PolygonState::default(),
-            line: LineState { width: 1.0, rim: Rim::Aliased, stipple: None },
+            line: LineState { width: 1.0, antialiasing: Antialiasing::Aliased, stipple: None },
             point: PointState {
                 size: 1.0,
                 source: PointSize::State,
-                rim: Rim::Aliased,
+                antialiasing: Antialiasing::Aliased,
                 sprite: None,
                 origin: SpriteOrigin::UpperLeft,
             },
@@ -222,24 +222,24 @@ impl Default for RasterState {
 impl LineState {
     /// The width that lines are drawn with: whole pixels unless smooth (GL 2.1, section 3.4.2).
     pub(crate) fn drawn_width(&self) -> f32 {
-        match self.rim {
-            Rim::Aliased => self.width.round().clamp(1.0, MAX_LINE_WIDTH),
-            Rim::Smooth => self.width.clamp(1.0 / 256.0, MAX_LINE_WIDTH),
+        match self.antialiasing {
+            Antialiasing::Aliased => self.width.round().clamp(1.0, MAX_LINE_WIDTH),
+            Antialiasing::Smooth => self.width.clamp(1.0 / 256.0, MAX_LINE_WIDTH),
         }
     }
 }
 
 impl RasterState {
     /// The same for attachments of `samples` samples. Where each is covered by itself, a primitive
-    /// may touch the pixels that one with a smooth rim touches.
+    /// may touch the pixels that one with a smooth edge touches.
     pub(crate) fn for_samples(self: Arc<Self>, samples: u8) -> Arc<Self> {
         if samples == 1 || self.multisample.rule == SampleRule::Center {
             return self;
         }
         let mut state = (*self).clone();
-        state.polygon.rim = Rim::Smooth;
-        state.line.rim = Rim::Smooth;
-        state.point.rim = Rim::Smooth;
+        state.polygon.antialiasing = Antialiasing::Smooth;
+        state.line.antialiasing = Antialiasing::Smooth;
+        state.point.antialiasing = Antialiasing::Smooth;
         Arc::new(state)
     }
 

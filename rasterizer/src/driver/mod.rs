@@ -10,18 +10,18 @@ mod image;
 mod pass;
 mod report;
 mod resources;
-mod sight;
 mod submit;
+mod visibility;
 
 pub use crate::attachment::{Part, Put, texel_words};
 pub use crate::desc::{
-    AlphaToCoverage, AlphaToOne, Blend, BlendEquation, BlendFactor, Buffer, ColorState, Counter,
-    Cull, DepthClip, DepthState, DepthWrite, FrontFace, IndexType, Indices, LineState, LineStipple,
-    LogicOp, MAX_LINE_WIDTH, MAX_POINT_SIZE, MaskBlock, MultisampleState, OutputState,
-    PipelineDesc, PipelineError, PixelMask, PointSize, PointState, PolygonMode, PolygonOffset,
-    PolygonState, Provoking, RasterState, Rect, Rim, SampleCoverage, SampleRule, ShaderModule,
-    SpriteOrigin, SrgbWrite, StencilFace, StencilOp, StencilState, Stipple, Topology, Version,
-    VertexBinding, VertexFormat, VertexSource, VertexType, Viewport,
+    AlphaToCoverage, AlphaToOne, Antialiasing, Blend, BlendEquation, BlendFactor, Buffer,
+    ColorState, Counter, Cull, DepthClip, DepthState, DepthWrite, FrontFace, IndexType, Indices,
+    LineState, LineStipple, LogicOp, MAX_LINE_WIDTH, MAX_POINT_SIZE, MaskBlock, MultisampleState,
+    OutputState, PipelineDesc, PipelineError, PixelMask, PointSize, PointState, PolygonMode,
+    PolygonOffset, PolygonState, Provoking, RasterState, Rect, SampleCoverage, SampleRule,
+    ShaderModule, SpriteOrigin, SrgbWrite, StencilFace, StencilOp, StencilState, Stipple, Topology,
+    Version, VertexBinding, VertexFormat, VertexSource, VertexType, Viewport,
 };
 pub use crate::plan::{Pipeline, possible_samples, same_textures, sample_positions};
 pub use crate::primitive::{Drawn, Reason, Reasons, Side};
@@ -33,4 +33,4 @@ pub use device::Device;
 pub use image::{Attachment, Image, LevelInfo, PassDesc, Rows};
 pub use report::{DeviceError, SubmitError, SubmitReport};
 pub use resources::{DeviceDesc, Explain};
-pub use sight::Sight;
+pub use visibility::Visibility;

@@ -1,6 +1,6 @@
 //! What a device answers: errors, and what a submission reports.
 
-use super::sight::Sight;
+use super::visibility::Visibility;
 use texunit::lanes::IsaError;
 use thiserror::Error;
 
@@ -41,5 +41,5 @@ pub struct SubmitReport {
     /// What they would have drawn is left out.
     pub over_budget: Vec<usize>,
     /// Whether anything of its draws may be seen.
-    pub sight: Sight,
+    pub visibility: Visibility,
 }

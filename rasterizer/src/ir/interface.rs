@@ -41,7 +41,7 @@ pub enum Input {
     FrontFacing,
     /// Where in a point sprite the fragment is, 0 to 1 (`f32`).
     PointCoord(u8),
-    /// The part of the pixel that the primitive covers, 0 to 1; 1 unless its rim is smooth (`f32`).
+    /// The part of the pixel that the primitive covers, 0 to 1; 1 unless it is antialiased (`f32`).
     Coverage,
 }
 

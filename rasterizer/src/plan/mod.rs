@@ -19,7 +19,7 @@ use stipple::StippleLanes;
 
 use crate::attachment::{DepthFormat, component_bits};
 use crate::desc::{
-    DepthState, DepthWrite, PolygonMode, PolygonOffset, RasterState, Rim, VertexBinding,
+    Antialiasing, DepthState, DepthWrite, PolygonMode, PolygonOffset, RasterState, VertexBinding,
     VertexSource, Viewport,
 };
 use crate::ir::{Input, Output};
@@ -319,7 +319,7 @@ impl DrawPlan {
     pub fn covers_by_outline(&self) -> bool {
         self.samples.count == 1
             && self.samples.leaves(0)
-            && self.raster.polygon.rim == Rim::Aliased
+            && self.raster.polygon.antialiasing == Antialiasing::Aliased
             && self.stipple.is_none()
             && !self.reads_coverage
     }

@@ -3,7 +3,7 @@
 use crate::desc::{PipelineDesc, PipelineError, ShaderModule};
 use crate::ir::{Input, Interpolation, Output, Stage};
 use crate::shader::{OptimizedModule, Program};
-use crate::threads::stack::with_room;
+use crate::threads::stack::with_large_stack;
 use std::sync::{Arc, OnceLock};
 
 /// So many blocks deep, a module is compiled on any stack.
@@ -105,7 +105,7 @@ impl Compiled {
     fn new(desc: PipelineDesc, hoisting: VaryingHoisting) -> Self {
         let is_deep = |stage: &ShaderModule| stage.module().nests_deeper_than(SHALLOW);
         if is_deep(&desc.vertex) || is_deep(&desc.fragment) {
-            with_room(|| Self::on_this_stack(desc, hoisting))
+            with_large_stack(|| Self::on_this_stack(desc, hoisting))
         } else {
             Self::on_this_stack(desc, hoisting)
         }

@@ -5,7 +5,7 @@ use super::clip::{Corner, Edge};
 use super::line::LineRun;
 use super::planes::depth_offset;
 use super::setup::{Clipping, NOWHERE, Scratch, Setup, Shape, ShapeKind, bounds, snap};
-use crate::desc::{Facing, LineState, MAX_POINT_SIZE, PointState, PolygonMode, Rim};
+use crate::desc::{Antialiasing, Facing, LineState, MAX_POINT_SIZE, PointState, PolygonMode};
 use crate::sizes::SUBPIXEL;
 use crate::vertex::{EdgeFlags, Geometry, Outcode};
 
@@ -142,7 +142,7 @@ impl Setup<'_> {
     fn segment(&self, shape: Shape, out: &mut Vec<Shape>) {
         let [a, b, _] = shape.corners;
         let mut ends = [a, b];
-        if self.raster.line.rim == Rim::Smooth {
+        if self.raster.line.antialiasing == Antialiasing::Smooth {
             let Some(cut) = self.cut_to_view(ends) else { return };
             ends = cut;
         }
@@ -204,8 +204,8 @@ impl Setup<'_> {
             area[1][axis] = (area[1][axis] + margin).min(self.area[1][axis]);
             area
         };
-        match state.rim {
-            Rim::Aliased => {
+        match state.antialiasing {
+            Antialiasing::Aliased => {
                 let run = LineRun::new(a, b, width as i32);
                 if run.first > run.last {
                     return None;
@@ -233,7 +233,7 @@ impl Setup<'_> {
                 }
                 Some(out)
             }
-            Rim::Smooth => {
+            Antialiasing::Smooth => {
                 if a == b {
                     return None;
                 }
@@ -241,7 +241,7 @@ impl Setup<'_> {
                 let around = |p: [i32; 2], by: i32| [p[0] + by, p[1] + by];
                 let corners =
                     [around(a, reach), around(a, -reach), around(b, reach), around(b, -reach)];
-                bounds(&corners, Rim::Smooth, &extend(extend(self.inner, 0), 1))
+                bounds(&corners, Antialiasing::Smooth, &extend(extend(self.inner, 0), 1))
             }
         }
     }
@@ -279,15 +279,16 @@ impl Setup<'_> {
         let low = point_corner(state, centre, size);
         let high = low.map(|v| v + f64::from(size));
         // A smooth disc touches pixels beyond the subpixel that its square ends in.
-        let rim = if state.sprite.is_some() { Rim::Aliased } else { state.rim };
-        let reach = i32::from(rim == Rim::Smooth);
+        let antialiasing =
+            if state.sprite.is_some() { Antialiasing::Aliased } else { state.antialiasing };
+        let reach = i32::from(antialiasing == Antialiasing::Smooth);
         let (low, high) = (snap(low).map(|v| v - reach), snap(high).map(|v| v + reach));
         // The upper edge and the left one are inside, as of polygons.
-        let corners = match rim {
-            Rim::Aliased => [[low[0], low[1] + 1], [high[0] - 1, high[1]]],
-            Rim::Smooth => [low, high],
+        let corners = match antialiasing {
+            Antialiasing::Aliased => [[low[0], low[1] + 1], [high[0] - 1, high[1]]],
+            Antialiasing::Smooth => [low, high],
         };
-        let Some(bounds) = bounds(&corners, rim, &self.area) else { return };
+        let Some(bounds) = bounds(&corners, antialiasing, &self.area) else { return };
         out.push(Shape { bounds, ..point });
     }
 }
@@ -310,9 +311,9 @@ fn is_vertex(corner: &Corner, edges: u8, is_marked: impl Fn(usize) -> bool) -> b
 /// aliased points have whole sizes.
 fn drawn_size(state: &PointState, size: f32) -> f32 {
     let size = texunit::lanes::math::clamp(size, 1.0, MAX_POINT_SIZE);
-    match (state.rim, &state.sprite) {
-        (Rim::Aliased, None) => size.round(),
-        (Rim::Smooth, None) | (_, Some(_)) => size,
+    match (state.antialiasing, &state.sprite) {
+        (Antialiasing::Aliased, None) => size.round(),
+        (Antialiasing::Smooth, None) | (_, Some(_)) => size,
     }
 }
 
@@ -320,10 +321,10 @@ fn drawn_size(state: &PointState, size: f32) -> f32 {
 /// size around a pixel's centre, with an even one around a corner of pixels.
 fn point_corner(state: &PointState, window: [f64; 2], size: f32) -> [f64; 2] {
     let size = f64::from(size);
-    window.map(|v| match (state.rim, &state.sprite) {
-        (Rim::Aliased, None) if size % 2.0 == 1.0 => v.floor() + 0.5 - size * 0.5,
-        (Rim::Aliased, None) => (v + 0.5).floor() - size * 0.5,
-        (Rim::Smooth, None) | (_, Some(_)) => v - size * 0.5,
+    window.map(|v| match (state.antialiasing, &state.sprite) {
+        (Antialiasing::Aliased, None) if size % 2.0 == 1.0 => v.floor() + 0.5 - size * 0.5,
+        (Antialiasing::Aliased, None) => (v + 0.5).floor() - size * 0.5,
+        (Antialiasing::Smooth, None) | (_, Some(_)) => v - size * 0.5,
     })
 }
 
@@ -366,9 +367,11 @@ pub fn stipple_lines(state: &LineState, shapes: &mut [Shape], before: u32) -> u3
         let [a, b, _] = shape.corners;
         if let ShapeKind::Line { stipple, .. } = &mut shape.kind {
             *stipple = come;
-            let length = match state.rim {
-                Rim::Aliased => LineRun::new(a, b, width as i32).columns() * SUBPIXEL as u32,
-                Rim::Smooth => {
+            let length = match state.antialiasing {
+                Antialiasing::Aliased => {
+                    LineRun::new(a, b, width as i32).columns() * SUBPIXEL as u32
+                }
+                Antialiasing::Smooth => {
                     let d = [0, 1].map(|axis| f64::from(b[axis]) - f64::from(a[axis]));
                     (d[0] * d[0] + d[1] * d[1]).sqrt() as u32
                 }

@@ -13,7 +13,7 @@
 //! the planes of the whole one.
 
 use super::setup::{Clipping, Shape, ShapeKind};
-use crate::desc::{Facing, LineState, PolygonOffset, Rim, SpriteOrigin, Viewport};
+use crate::desc::{Antialiasing, Facing, LineState, PolygonOffset, SpriteOrigin, Viewport};
 use crate::sizes::SUBPIXEL;
 use crate::vertex::{Geometry, Outcode};
 /// `a · (x - origin.x) + b · (y - origin.y) + c`.
@@ -71,9 +71,9 @@ pub enum Across {
 impl Across {
     /// For lines of a state.
     pub fn of(line: &LineState) -> Self {
-        match line.rim {
-            Rim::Aliased if line.drawn_width() > 1.0 => Self::Columns,
-            Rim::Aliased | Rim::Smooth => Self::Line,
+        match line.antialiasing {
+            Antialiasing::Aliased if line.drawn_width() > 1.0 => Self::Columns,
+            Antialiasing::Aliased | Antialiasing::Smooth => Self::Line,
         }
     }
 

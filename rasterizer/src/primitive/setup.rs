@@ -3,7 +3,7 @@
 use super::clip::{Corner, Edge, clip, planes};
 use super::outline::{Line, Outline, stipple_around};
 use super::triangles::Triangles;
-use crate::desc::{Cull, Facing, FrontFace, PolygonMode, RasterState, Rim, Viewport};
+use crate::desc::{Antialiasing, Cull, Facing, FrontFace, PolygonMode, RasterState, Viewport};
 use crate::sizes::SUBPIXEL;
 use crate::vertex::{EdgeFlags, Geometry, Outcode, Primitive, Primitives, VertexList};
 use std::ops::Range;
@@ -274,7 +274,7 @@ impl Setup<'_> {
             if doubled_area(corners) <= 0 {
                 continue;
             }
-            if let Some(bounds) = bounds(&corners, self.raster.polygon.rim, &self.inner) {
+            if let Some(bounds) = bounds(&corners, self.raster.polygon.antialiasing, &self.inner) {
                 out.push(Shape { corners, bounds, ..shape });
             }
         }
@@ -282,10 +282,10 @@ impl Setup<'_> {
 }
 
 /// The first and last pixel of `area` that points in the bounding box of `corners` may cover: those
-/// with their centre inside, or, of a smooth rim, all that it touches.
+/// with their centre inside, or, for an antialiased shape, all that it touches.
 pub(super) fn bounds(
     corners: &[[i32; 2]],
-    rim: Rim,
+    antialiasing: Antialiasing,
     area: &[[i32; 2]; 2],
 ) -> Option<[[u16; 2]; 2]> {
     let mut out = [[0; 2]; 2];
@@ -295,12 +295,12 @@ pub(super) fn bounds(
             low = low.min(corner[axis]);
             high = high.max(corner[axis]);
         }
-        let (first, last) = match rim {
-            Rim::Aliased => (
+        let (first, last) = match antialiasing {
+            Antialiasing::Aliased => (
                 (low + SUBPIXEL / 2 - 1).div_euclid(SUBPIXEL),
                 (high - SUBPIXEL / 2).div_euclid(SUBPIXEL),
             ),
-            Rim::Smooth => (low.div_euclid(SUBPIXEL), (high - 1).div_euclid(SUBPIXEL)),
+            Antialiasing::Smooth => (low.div_euclid(SUBPIXEL), (high - 1).div_euclid(SUBPIXEL)),
         };
         let (first, last) = (first.max(area[0][axis]), last.min(area[1][axis] - 1));
         if first > last {

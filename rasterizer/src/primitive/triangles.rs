@@ -3,7 +3,7 @@
 
 use super::outline::Outline;
 use super::setup::{Clipping, Scratch, Setup, Shape, ShapeKind};
-use crate::desc::{Cull, Facing, FrontFace, Rim};
+use crate::desc::{Antialiasing, Cull, Facing, FrontFace};
 use crate::sizes::SUBPIXEL;
 use crate::vertex::{Geometry, Outcode, Primitive, Primitives, VertexList};
 use std::ops::Range;
@@ -168,9 +168,9 @@ impl Kernel for Project<'_> {
             cy[lane] = if turn { b[1] } else { c[1] };
         }
         // As `setup::bounds` has it.
-        let (first, last) = match setup.raster.polygon.rim {
-            Rim::Aliased => (SUBPIXEL / 2 - 1, SUBPIXEL / 2),
-            Rim::Smooth => (0, 1),
+        let (first, last) = match setup.raster.polygon.antialiasing {
+            Antialiasing::Aliased => (SUBPIXEL / 2 - 1, SUBPIXEL / 2),
+            Antialiasing::Smooth => (0, 1),
         };
         let [low, high] = bounds;
         let [area_low, area_high] = setup.inner;

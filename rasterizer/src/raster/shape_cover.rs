@@ -1,10 +1,10 @@
-//! What a shape covers of the blocks of a tile, whatever its kind and rim.
+//! What a shape covers of the blocks of a tile, for every kind of shape, aliased or smooth.
 
 use super::area::{self, Areas, LEAST, Overlap};
 use super::block::BlockAt;
 use super::edge_functions::{self, Edge};
 use super::line_rectangle::{Dashes, LineRectangle, is_dash};
-use crate::desc::Rim;
+use crate::desc::Antialiasing;
 use crate::plan::DrawPlan;
 use crate::primitive::{LineRun, Shape, ShapeKind};
 use crate::sizes::{SUBPIXEL, TILE};
@@ -20,7 +20,7 @@ pub enum Cover {
     Run(LineRun, i32),
     /// All of the shape's bounds.
     Box,
-    /// A triangle with a smooth rim.
+    /// A triangle with a smooth edge.
     SmoothTriangle([[f64; 2]; 3]),
     /// A smooth line.
     LineRectangle(LineRectangle),
@@ -49,32 +49,34 @@ impl Cover {
         let raster = &plan.raster;
         let corners = || shape.corners.map(|c| c.map(|v| f64::from(v) / f64::from(SUBPIXEL)));
         match shape.kind {
-            ShapeKind::Triangle => match raster.polygon.rim {
-                Rim::Aliased => {
+            ShapeKind::Triangle => match raster.polygon.antialiasing {
+                Antialiasing::Aliased => {
                     Self::Triangle(edge_functions::edges(&shape.corners, tile[0], tile[1]))
                 }
-                Rim::Smooth => Self::SmoothTriangle(corners()),
+                Antialiasing::Smooth => Self::SmoothTriangle(corners()),
             },
             ShapeKind::Line { .. } => {
                 let width = raster.line.drawn_width();
-                match raster.line.rim {
-                    Rim::Aliased => {
+                match raster.line.antialiasing {
+                    Antialiasing::Aliased => {
                         let [a, b, _] = shape.corners;
                         Self::Run(LineRun::new(a, b, width as i32), width as i32)
                     }
-                    Rim::Smooth => {
+                    Antialiasing::Smooth => {
                         let [a, b, _] = corners();
                         Self::LineRectangle(LineRectangle::new(a, b, width.into()))
                     }
                 }
             }
-            ShapeKind::Point { size, .. } => match (raster.point.rim, &raster.point.sprite) {
-                (Rim::Smooth, None) => {
-                    let window = shape.centre(geometry, &plan.viewport);
-                    Self::Disc(window, f64::from(size) * 0.5)
+            ShapeKind::Point { size, .. } => {
+                match (raster.point.antialiasing, &raster.point.sprite) {
+                    (Antialiasing::Smooth, None) => {
+                        let window = shape.centre(geometry, &plan.viewport);
+                        Self::Disc(window, f64::from(size) * 0.5)
+                    }
+                    (Antialiasing::Aliased, _) | (Antialiasing::Smooth, Some(_)) => Self::Box,
                 }
-                (Rim::Aliased, _) | (Rim::Smooth, Some(_)) => Self::Box,
-            },
+            }
         }
     }
 
@@ -124,7 +126,7 @@ impl Cover {
         }
     }
 
-    /// The lanes that are covered of a block; `parts` takes how much of each, where the rim is smooth.
+    /// The lanes that are covered of a block; `parts` takes how much of each, where it is antialiased.
     #[inline]
     pub fn block(
         &self,

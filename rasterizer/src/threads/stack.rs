@@ -10,7 +10,7 @@ const STACK: usize = 16 << 20;
 
 /// Runs `work` on a thread with a large stack and waits for it; on the caller's stack where no thread can be started. A
 /// panic is passed on.
-pub fn with_room<T: Send>(work: impl FnOnce() -> T + Send) -> T {
+pub fn with_large_stack<T: Send>(work: impl FnOnce() -> T + Send) -> T {
     let mut work = Some(work);
     let done = scope(|scope| {
         let run = || work.take().map(|work| work());
@@ -27,7 +27,7 @@ pub fn with_room<T: Send>(work: impl FnOnce() -> T + Send) -> T {
 
 #[cfg(test)]
 mod tests {
-    use super::with_room;
+    use super::with_large_stack;
 
     #[test]
     #[cfg_attr(target_family = "wasm", ignore = "there are no threads there")]
@@ -37,14 +37,14 @@ mod tests {
             if left == 0 { 0 } else { 1 + depth(filler[7] - 1) }
         }
         let caller = std::thread::Builder::new().stack_size(64 << 10);
-        let caller = caller.spawn(|| with_room(|| depth(4_000))).expect("a thread");
+        let caller = caller.spawn(|| with_large_stack(|| depth(4_000))).expect("a thread");
         assert_eq!(caller.join().expect("no overflow"), 4_000);
     }
 
     #[test]
     #[cfg_attr(target_family = "wasm", ignore = "a panic ends the program there")]
     fn a_panic_is_passed_on() {
-        let panic = std::panic::catch_unwind(|| with_room(|| panic!("oh")));
+        let panic = std::panic::catch_unwind(|| with_large_stack(|| panic!("oh")));
         assert_eq!(panic.expect_err("it panics").downcast_ref::<&str>(), Some(&"oh"));
     }
 }

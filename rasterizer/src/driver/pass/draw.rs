@@ -6,7 +6,7 @@ use crate::driver::bound::DrawDecisions;
 use crate::driver::chunk::{DrawState, MergedDraws, RUN};
 use crate::driver::report::SubmitReport;
 use crate::driver::resources::Resources;
-use crate::driver::sight::Sight;
+use crate::driver::visibility::Visibility;
 use crate::plan::{Counting, DrawPlan, Pipeline, PlanInput, sprite_slots};
 use crate::primitive::Setup;
 use crate::raster::DrawJob;
@@ -75,7 +75,7 @@ impl Pass<'_> {
             textures: &textures,
             stipple: 0,
             instances: instances.clone(),
-            asked: report.sight.asks(),
+            asked: report.visibility.reasons_left(),
             unseen: OnceLock::new(),
             prepared: vertex,
             slots: &compiled.slots,
@@ -108,10 +108,10 @@ impl Pass<'_> {
         if self.shapes >= BINS_FULL {
             self.run_tiles(report);
         }
-        report.sight.add(match (is_seen, state.unseen.into_inner()) {
-            (true, _) => Sight::Some,
-            (false, None) => Sight::Undrawn,
-            (false, Some(reasons)) => Sight::None(reasons),
+        report.visibility.add(match (is_seen, state.unseen.into_inner()) {
+            (true, _) => Visibility::Visible,
+            (false, None) => Visibility::NothingDrawn,
+            (false, Some(reasons)) => Visibility::Invisible(reasons),
         });
     }
 
