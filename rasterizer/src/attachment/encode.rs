@@ -10,7 +10,7 @@ pub fn unorm(c: f32, largest: f32) -> u32 {
     math::index(c * largest + 0.5, largest)
 }
 
-/// The texels of 64 colours: as many words as the format has. A function of its own, as it is large.
+/// The texels of 64 colours: one vector for each word of the format. Not inlined, as it is large.
 #[inline(always)]
 pub fn encode_color<S: Simd>(format: Format, rgba: [&F32s; 4], out: &mut [U32s; 4]) {
     S::apart(Encode { format, rgba, out });

@@ -1,7 +1,7 @@
 //! A plane: one word of every pixel of a tile.
 //!
-//! A clear writes nothing: it is a word and the blocks that hold it, which become words of their own when
-//! somebody draws there. What is never drawn over takes neither memory nor time.
+//! A clear stores one word and a bit for each cleared block; a block gets memory of its own when something is drawn
+//! to it.
 
 use super::place::LoadOp;
 use texunit::lanes::{U32s, prefetch};

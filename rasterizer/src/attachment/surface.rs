@@ -21,9 +21,9 @@ use texunit::format::Format;
 use texunit::image::Level;
 use texunit::lanes::{Isa, LANES, QUADS, U32s, lane_x, lane_y};
 
-/// From so many tiles on several threads store them: a few are stored before another is awake.
+/// At least this many tiles are stored by several threads; fewer are stored before another thread wakes.
 const WORTH_THREADS: usize = 32;
-/// So many tiles at least are loaded by a thread.
+/// The fewest tiles that a thread loads.
 const WORTH_A_THREAD: usize = 8;
 /// A level in the attachment layout.
 #[derive(Clone, Debug)]

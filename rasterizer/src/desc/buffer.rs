@@ -28,7 +28,7 @@ impl Buffer {
         if self.is_shared() { 0 } else { self.0.len() }
     }
 
-    /// Its bytes as they are now, to be told from later ones.
+    /// The version of its bytes, which differs after a write.
     pub fn version(&self) -> Version {
         Version(Arc::downgrade(&self.0))
     }
@@ -39,13 +39,13 @@ impl Buffer {
     }
 }
 
-/// The bytes that a [`Buffer`] once had, without keeping them: whoever asks to write gets others, as
+/// A weak reference to the bytes that a [`Buffer`] had. A write moves the bytes elsewhere, as
 /// [`Arc::make_mut`] moves them away from what is still watched.
 #[derive(Clone, Debug, Default)]
 pub struct Version(Weak<Vec<u8>>);
 
 impl Version {
-    /// Whether nobody has asked to write to the buffer since.
+    /// Whether the buffer has not been written to since.
     pub fn is_of(&self, buffer: &Buffer) -> bool {
         std::ptr::eq(self.0.as_ptr(), Arc::as_ptr(&buffer.0))
     }

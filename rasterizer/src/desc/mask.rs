@@ -42,7 +42,7 @@ pub struct PixelMask {
 }
 
 impl PixelMask {
-    /// No pixel of so many across and up.
+    /// An empty set for a framebuffer of this size.
     pub fn new(width: u32, height: u32) -> Self {
         let [across, up] = [width, height].map(|side| side.div_ceil(TILE) as usize);
         Self { across, tiles: vec![None; across * up] }

@@ -133,7 +133,7 @@ pub enum SampleRule {
     Each,
 }
 
-/// Whether a fragment keeps as many samples as its alpha says.
+/// Whether alpha determines how many samples a fragment keeps.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum AlphaToCoverage {
     /// It keeps all it covers.

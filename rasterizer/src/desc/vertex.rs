@@ -44,7 +44,7 @@ impl VertexType {
         }
     }
 
-    /// Bytes of so many components.
+    /// Bytes of an attribute with this many components.
     pub fn bytes(self, components: u8) -> usize {
         if self.is_packed() { 4 } else { usize::from(components) * self.size() }
     }
@@ -90,13 +90,13 @@ pub enum VertexSource {
         components: u8,
         /// The conversion.
         format: VertexFormat,
-        /// 0 for an element a vertex, else one for so many instances (`ARB_instanced_arrays`).
+        /// 0: an element for each vertex; `n`: an element for each `n` instances (`ARB_instanced_arrays`).
         divisor: u32,
     },
 }
 
 impl VertexSource {
-    /// How many instances share an element, if instances have elements.
+    /// How many instances share an element; `None` for attributes that advance with vertices.
     pub(crate) fn divisor(&self) -> Option<NonZeroU32> {
         match self {
             Self::Constant(_) => None,
@@ -104,7 +104,7 @@ impl VertexSource {
         }
     }
 
-    /// The element for a vertex of an instance: its own number, or one for so many instances.
+    /// The element that a vertex of an instance reads: the vertex number, or the instance divided by the divisor.
     pub fn element(&self, vertex: u32, instance: u32) -> u32 {
         self.divisor().map_or(vertex, |divisor| instance / divisor)
     }

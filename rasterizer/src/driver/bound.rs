@@ -6,7 +6,7 @@ use crate::plan::{DrawPlan, Pipeline, Textures, arrays, same_textures};
 use crate::shader::Prepared;
 use std::sync::Arc;
 
-/// The state that commands set.
+/// The state that the commands of a pass have set.
 pub struct BoundState {
     pub pipeline: Option<Pipeline>,
     pub vertices: Arc<[VertexBinding]>,
@@ -17,21 +17,21 @@ pub struct BoundState {
     pub scissor: Option<Rect>,
     pub raster: Arc<RasterState>,
     pub counter: Option<Counter>,
-    /// What the draw before decided, while nothing that matters to it has changed.
+    /// The decisions of the previous draw, as long as no state that they depend on has changed.
     pub decided: Option<DrawDecisions>,
     /// The label of a watched pixel.
     pub label: u32,
 }
 
-/// What draws with the same state share.
+/// Decisions that draws with equal state share.
 pub struct DrawDecisions {
     pub plan: Arc<DrawPlan>,
-    /// The vertex program's values.
+    /// The per-draw values of the vertex program.
     pub vertex: Arc<Prepared>,
 }
 
 impl BoundState {
-    /// What holds when a pass begins.
+    /// The state at the beginning of a pass.
     pub fn new() -> Self {
         let none: Textures = Arc::new([]);
         Self {
@@ -57,7 +57,7 @@ impl BoundState {
         }
     }
 
-    /// Takes one command that sets state; what draws decided is forgotten where it matters.
+    /// Applies a command that sets state, and drops decisions that depend on it.
     pub fn set(&mut self, command: &Command) {
         match command {
             Command::BindPipeline(pipeline) => self.pipeline = Some(pipeline.clone()),

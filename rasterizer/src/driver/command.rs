@@ -1,4 +1,4 @@
-//! What a client can ask for. A command buffer is printable: a trace is its `Debug`.
+//! Commands. A command buffer is printable: its trace is its `Debug`.
 
 use super::image::PassDesc;
 use crate::desc::{Counter, Indices, RasterState, Rect, VertexBinding, Viewport};

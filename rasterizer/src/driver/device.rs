@@ -10,9 +10,9 @@ use crate::threads::{ForkAwarePool, ThreadPool};
 use std::sync::Arc;
 use texunit::image::{Image as Texels, Level};
 
-/// From so many bytes on several threads copy them,
+/// Copies of at least this many bytes use several threads,
 const WORTH_THREADS: usize = 1 << 20;
-/// and so many at once.
+/// each of which copies this many at a time.
 const COPIED: usize = 1 << 18;
 
 /// A driver instance.
@@ -59,7 +59,7 @@ impl Device {
     /// memory, page by page, which takes longer than to copy them.
     ///
     /// # Panics
-    /// When there are not as many.
+    /// When the slices differ in length.
     pub fn copy(&self, from: &[u8], to: &mut [u8]) {
         if from.len() < WORTH_THREADS {
             return to.copy_from_slice(from);
@@ -93,7 +93,7 @@ impl Device {
     /// for since is not stored elsewhere for it. Nothing is put where nothing is attached.
     ///
     /// # Panics
-    /// When a row has no room, or the part is not within the picture.
+    /// When a row is too short, or the region is not within the image.
     pub fn read(&self, attachment: &Attachment, part: Part, rows: &mut [&mut [u8]], put: Put<'_>) {
         let Attachment { image, face, level } = attachment;
         let context =
@@ -108,7 +108,7 @@ impl Device {
         image.set_each_sample(*face, *level, samples, self.resources.desc.isa);
     }
 
-    /// The plans kept since the last call, each different one once ([`Explain::Keep`]).
+    /// The plans recorded since the last call, without duplicates ([`Explain::Keep`]).
     pub fn take_explanations(&self) -> Vec<String> {
         self.resources.take_explanations()
     }

@@ -1,8 +1,8 @@
 //! Images: texels that can be sampled, and attachments that can be drawn to.
 //!
 //! An image has its texels in rows, to be sampled; while one of its levels is drawn to, that level
-//! is in the attachment layout ([`crate::target`]). The transition back happens when somebody asks
-//! for the texels, not when a pass ends, so that passes that follow each other do not pay for it.
+//! is in the attachment layout (`attachment`). The transition back happens when the texels are requested, not when a
+//! pass ends, so that passes that follow each other do not pay for it.
 //!
 //! The rows of an image with several samples a pixel are what they are resolved to, and the samples
 //! themselves are in the attachment layout alone; or every sample has rows of its own ([`Rows`]), so
@@ -25,7 +25,7 @@ pub struct Image(Arc<Mutex<State>>);
 #[derive(Debug)]
 struct State {
     texels: Texels,
-    /// The one level of an image of zeros whose rows nobody has asked for.
+    /// The only level of an image of zeros whose rows have not been requested.
     blank: Option<Blank>,
     samples: u8,
     rows: Rows,

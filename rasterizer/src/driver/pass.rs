@@ -23,7 +23,7 @@ use crate::vertex::VertexIds;
 use std::sync::Arc;
 use texunit::format::Format;
 
-/// Draws of so many primitives may share a chunk with others of the same plan.
+/// The most primitives of a draw that may share a chunk with other draws of the same plan.
 const SMALL_DRAW: usize = 256;
 
 /// A pass that is being recorded into bins.
@@ -39,12 +39,12 @@ pub struct Pass<'a> {
     /// The command of each draw.
     commands: Vec<usize>,
     shapes: usize,
-    /// The last draws, if they were small: what follows may be in one chunk with them.
+    /// The last small draws, which following draws may join in one chunk.
     merged: Option<MergedDraws>,
     bound: BoundState,
     /// The formats of the colour attachments.
     formats: Vec<Option<Format>>,
-    /// The last plans that were made, the newest last: draws go to and fro between a few states.
+    /// The most recent plans, newest last: draws alternate between a few states.
     recent: Vec<Arc<DrawPlan>>,
 }
 

@@ -30,7 +30,7 @@ pub enum Explain {
     Off,
     /// Each different plan once, to standard error.
     Print,
-    /// Each different plan is kept for [`Device::take_explanations`].
+    /// Different plans are recorded for [`super::Device::take_explanations`].
     Keep,
 }
 
@@ -42,7 +42,7 @@ impl DeviceDesc {
     /// every core, and silence.
     ///
     /// # Errors
-    /// When a variable asks for what this machine does not have.
+    /// When a variable names something that this machine does not have.
     pub fn from_env() -> Result<Self, DeviceError> {
         let isa = Isa::from_env()?;
         let threads = match std::env::var("DETGL_THREADS") {
@@ -65,13 +65,13 @@ impl DeviceDesc {
 #[derive(Debug)]
 pub(super) struct Resources {
     pub desc: DeviceDesc,
-    /// What runs vertex programs.
+    /// Interpreters of vertex programs.
     pub machines: ObjectPool<Machine>,
-    /// The memory of its results.
+    /// Memory for shaded vertices.
     pub geometries: ObjectPool<Geometry>,
-    /// The memory of shapes.
+    /// Memory for shapes.
     pub lists: ObjectPool<ShapeLists>,
-    /// What draws tiles.
+    /// Scratch of the threads that run tiles.
     pub workers: ObjectPool<Worker>,
     /// The plans seen so far.
     explained: Mutex<BTreeSet<String>>,
@@ -92,7 +92,7 @@ impl Resources {
         }
     }
 
-    /// The plans kept since the last call, each different one once ([`Explain::Keep`]).
+    /// The plans recorded since the last call, without duplicates ([`Explain::Keep`]).
     pub fn take_explanations(&self) -> Vec<String> {
         self.explained.lock().clear();
         std::mem::take(&mut self.kept.lock())

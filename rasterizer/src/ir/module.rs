@@ -105,7 +105,7 @@ pub enum Stmt {
     /// Run `body`, then `continuing`, again and again until every lane has left by `Break`,
     /// `Leave` or `Discard`.
     Loop {
-        /// [`Stmt::Continue`] ends it for this turn.
+        /// [`Stmt::Continue`] ends this iteration of it.
         body: Block,
         /// Runs after `body` and after a `Continue` (a `for`'s step, a `do`'s condition). May hold
         /// `Break`, not `Continue`.

@@ -31,7 +31,7 @@ pub enum Lod {
     },
     /// This λ.
     Explicit(Value),
-    /// From these derivatives of s, t, r (as many as the shape has), plus a bias.
+    /// From the derivatives of the shape's coordinates, plus a bias.
     Gradient {
         /// `∂(s, t, r)/∂x`.
         dx: [Value; 3],
@@ -50,7 +50,8 @@ pub enum Access {
         /// Along s, t, r.
         offset: [i32; 3],
     },
-    /// `textureGather`: the first component of each of the four texels that a linear filter of the base level would weigh,
+    /// `textureGather`: the first component of each of the four texels that a linear filter of the base level would
+    /// weigh,
     /// of textures with two axes. Its λ is implicit, without a bias, and does not matter. No compare.
     Gather {
         /// Texels added along s, t.

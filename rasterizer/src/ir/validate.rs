@@ -1,7 +1,7 @@
 //! What a module must keep to, checked once, so that everything after can rely on it.
 //!
 //! One pass in program order, linear in the size of the module. Blocks may nest [`MAX_NESTING`]
-//! deep, so that whoever walks a valid module may recurse over its blocks.
+//! deep, so that a pass over a valid module may recurse over its blocks.
 
 use super::{
     Access, Block, Expr, Input, Lod, Module, Op, Output, Sample, Stage, Stmt, TRUE, Ty, Value, Var,

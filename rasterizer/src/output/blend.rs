@@ -44,7 +44,7 @@ fn each([source, destination]: [&[F32s; 4]; 2], f: impl Fn(f32, f32, f32) -> f32
     out
 }
 
-/// [`blend`], which every shorter way has to equal.
+/// [`blend`], to which every special case is bit-equal.
 #[inline(always)]
 fn by_factors(
     state: &Blend,

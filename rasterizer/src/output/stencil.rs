@@ -151,7 +151,7 @@ impl Kernel for StencilUpdate<'_> {
 #[inline(always)]
 fn update(stored: &mut U32s, covered: &U32s, write: u32, f: impl Fn(u32) -> u32) {
     for lane in 0..LANES {
-        // The write mask has eight bits, and so what is kept of the result.
+        // The write mask has eight bits, so only those of the result are stored.
         let write = covered[lane] & write;
         stored[lane] = (f(stored[lane]) & write) | (stored[lane] & !write);
     }

@@ -6,7 +6,7 @@ use std::fmt::Write;
 use texunit::sampler::Compare;
 
 impl DrawPlan {
-    /// What runs, what was left out, and why.
+    /// What runs, what is left out, and why (`DETGL_EXPLAIN`).
     pub fn describe(&self) -> String {
         let compiled = self.pipeline.compiled();
         let desc = &compiled.desc;

@@ -73,7 +73,7 @@ pub struct DrawPlan {
     pub centroids: bool,
     /// Whether any of them is how much of its pixel is covered.
     pub reads_coverage: bool,
-    /// The plane of depth, where anybody needs it.
+    /// The plane of depth, where it is used.
     pub depth_plane: Option<usize>,
     /// Whether shading needs the depths of its fragments: the program reads them, or a test waits for it.
     pub shades_depth: bool,
@@ -152,12 +152,12 @@ pub struct PlanInput<'a> {
     pub vertices: &'a [VertexBinding],
 }
 
-/// Whether somebody counts the samples of a draw.
+/// Whether the samples of a draw are counted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Counting {
-    /// Nobody does.
+    /// They are not counted.
     Off,
-    /// A query does: what the shader discards must be known, even if nothing is written.
+    /// They are counted: what the shader discards must be known, even if nothing is written.
     On,
 }
 
@@ -202,7 +202,7 @@ fn colors(pipeline: &Pipeline, formats: &[Option<Format>]) -> Vec<ColorPlan> {
 }
 
 impl DrawPlan {
-    /// Decides.
+    /// Makes the decisions.
     pub fn new(pipeline: &Pipeline, input: PlanInput<'_>) -> Self {
         let compiled = pipeline.compiled();
         let (desc, fragment) = (&compiled.desc, &compiled.fragment);

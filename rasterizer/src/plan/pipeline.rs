@@ -17,9 +17,10 @@ pub struct Pipeline(Arc<Compiled>);
 #[derive(Debug)]
 pub(crate) struct Compiled {
     pub desc: PipelineDesc,
-    /// The vertex program, without the varyings that the fragment program does not read, and with what it hoisted to it.
+    /// The vertex program, without the varyings that the fragment program does not read, and with what it hoisted to
+    /// it.
     pub vertex: Program,
-    /// The fragment program, without outputs that nobody takes.
+    /// The fragment program, without outputs that are not used.
     pub fragment: Program,
     /// The varying slots that the fragment program reads, ascending, and how each is interpolated.
     pub varyings: Vec<(u16, Interpolation)>,

@@ -1,4 +1,4 @@
-//! What a fragment program that is a product comes to in a draw: what of it may be the same all over a shape.
+//! The texel-product fast path in a draw: which factors and levels of detail are constant over a shape.
 
 use super::Textures;
 use super::inputs::{FilledInput, FragmentInput};
@@ -19,7 +19,7 @@ pub struct ProductPlan {
     pub inputs: ProductInputs,
     /// Those where the levels of detail are known.
     pub without_details: ProductInputs,
-    /// Who looks for the texels of each lookup: the one before where both read alike at one point.
+    /// For each lookup, whether its texel addresses are computed or reused from the lookup before.
     pub places: Vec<Places>,
 }
 

@@ -19,7 +19,7 @@ pub struct SampleMasks {
 }
 
 impl SampleMasks {
-    /// No lane of so many samples, at most [`MAX_SAMPLES`].
+    /// No lane of `count` samples, at most [`MAX_SAMPLES`].
     pub fn none(count: usize) -> Self {
         Self { lanes: [0; MAX_SAMPLES], count: count.min(MAX_SAMPLES) }
     }
@@ -76,8 +76,7 @@ impl DerefMut for SampleMasks {
     }
 }
 
-/// The samples of a pixel that is to have so many: one, two or four, the next that is possible; at most
-/// four.
+/// The positions for a requested number of samples: of one, two or four, the next larger; at most four.
 fn places(count: u8) -> &'static [[i32; 2]] {
     match count {
         0 | 1 => &CENTER,
@@ -86,13 +85,13 @@ fn places(count: u8) -> &'static [[i32; 2]] {
     }
 }
 
-/// How many samples a pixel gets that is to have so many.
+/// The number of samples for a requested number: 1, 2 or 4.
 pub fn possible_samples(asked: u8) -> u8 {
     places(asked).len() as u8
 }
 
-/// Where the samples of a pixel that has so many lie, each in a cell of its own, from the pixel's
-/// lower left corner in pixels.
+/// The sample positions for a number of samples, each in a cell of its own, in pixels from the pixel's lower left
+/// corner.
 pub fn sample_positions(count: u8) -> Vec<[f32; 2]> {
     places(count).iter().map(|place| place.map(|v| 0.5 + v as f32 / SUBPIXEL as f32)).collect()
 }
@@ -115,7 +114,7 @@ pub struct Samples {
     places: &'static [[i32; 2]],
     /// Those that the coverage and the mask of the state leave, bit by sample.
     left: u8,
-    /// The program output whose alpha says how many are kept.
+    /// The program output whose alpha determines how many samples are kept.
     pub alpha: Option<usize>,
     /// Whether the alpha that is written is 1.
     pub alpha_to_one: AlphaToOne,

@@ -1,4 +1,4 @@
-//! Which pixels of filled polygons are left, as lanes of blocks.
+//! Polygon stipple as masks of lanes.
 
 use crate::desc::{PixelMask, Stipple};
 use std::sync::Arc;

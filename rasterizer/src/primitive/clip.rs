@@ -114,7 +114,7 @@ fn cut(
 ) {
     scratch.clear();
     let n = polygon.len();
-    // A line has one edge, a polygon as many as vertices.
+    // A line has one edge, a polygon one for each vertex.
     for i in 0..n {
         let a = polygon[i];
         let da = distance(&a);
@@ -127,7 +127,7 @@ fn cut(
         let b = polygon[(i + 1) % n];
         let db = distance(&b);
         if (da >= 0.0) != (db >= 0.0) {
-            // From the lesser to the greater in some order, whichever way the edge runs.
+            // In an order that does not depend on the direction of the edge.
             let (from, to, df, dt) = if a.clip < b.clip { (a, b, da, db) } else { (b, a, db, da) };
             let t = df / (df - dt);
             let mix = |from: f64, to: f64| from + (to - from) * t;

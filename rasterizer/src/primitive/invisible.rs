@@ -1,4 +1,4 @@
-//! Why nothing of a primitive is seen: asked of a draw that has no shapes, the rest of the time nobody pays for it.
+//! Why a primitive covers nothing. Computed only for draws without any shape.
 
 use super::clip::planes;
 use super::setup::{Scratch, Setup, doubled_area};

@@ -27,7 +27,7 @@ pub struct LineRun {
     backward: bool,
     /// A point on it, along the major and the minor axis, in subpixels.
     from: [i64; 2],
-    /// The way along the major (not negative) and the minor axis.
+    /// The extent along the major (not negative) and the minor axis.
     along: [i64; 2],
 }
 

@@ -28,7 +28,8 @@ pub(super) struct Line {
 }
 
 impl Setup<'_> {
-    /// The boundary edges of a triangle as lines, or the vertices where they begin as points; where planes of the user's
+    /// The boundary edges of a triangle as lines, or the vertices where they begin as points; where planes of the
+    /// user's
     /// cut it, those that they make too (section 2.12).
     pub(super) fn outline(
         &self,
@@ -148,7 +149,7 @@ impl Setup<'_> {
         }
         let bounds = match self.line_bounds(ends) {
             Some(bounds) => bounds,
-            // Where only the scissor or the image ends, the stipple goes on.
+            // The stipple advances across the edges of the scissor and of the image.
             None if self.raster.line.stipple.is_some() => {
                 let area = [[i32::MIN / 2; 2], [i32::MAX / 2; 2]];
                 let unbounded = Setup { area, inner: self.viewport.pixels(), ..*self };
@@ -169,7 +170,7 @@ impl Setup<'_> {
         let viewport = &self.viewport;
         let sides = [(viewport.x, viewport.width), (viewport.y, viewport.height)];
         let [from, to] = ends.map(|end| end.map(f64::from));
-        // Of the way from one end to the other, where it enters and where it leaves.
+        // The parameters between the ends at which it enters and leaves.
         let (mut enters, mut leaves) = (0.0_f64, 1.0_f64);
         for (axis, (start, size)) in sides.into_iter().enumerate() {
             let low = f64::from(start) * f64::from(SUBPIXEL);
@@ -293,8 +294,10 @@ impl Setup<'_> {
     }
 }
 
-/// Whether a corner that a plane of the user's has made is a vertex of the polygon, and not only of one of its triangles.
-/// One where an edge begins that the plane has made is marked, one on the rest of an edge as that edge is. A vertex that
+/// Whether a corner that a plane of the user's has made is a vertex of the polygon, and not only of one of its
+/// triangles.
+/// One where an edge begins that the plane has made is marked, one on the rest of an edge as that edge is. A vertex
+/// that
 /// lies on the plane is there already.
 fn is_vertex(corner: &Corner, edges: u8, is_marked: impl Fn(usize) -> bool) -> bool {
     match corner.cut {

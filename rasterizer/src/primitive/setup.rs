@@ -174,7 +174,7 @@ pub fn setup(
 }
 
 impl Setup<'_> {
-    /// A triangle, whichever way it is drawn.
+    /// Sets up a triangle, in any polygon mode.
     pub(super) fn triangle(
         &self,
         geometry: &Geometry,

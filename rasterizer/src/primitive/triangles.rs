@@ -1,5 +1,5 @@
-//! Filled triangles, 64 at a time: the arithmetic of [`super::setup`] over lanes. What clipping has to
-//! cut is left to the general way.
+//! Filled triangles, 64 at a time: the arithmetic of [`super::setup`] over lanes. Triangles that must be clipped take
+//! the general path.
 
 use super::outline::Outline;
 use super::setup::{Clipping, Scratch, Setup, Shape, ShapeKind};

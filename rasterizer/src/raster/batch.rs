@@ -185,7 +185,7 @@ impl Packed {
         Batch { quads: BatchPixels::Packed(self), masks: &self.masks, tested: self.tested }
     }
 
-    /// Forgets its quads and makes room for a draw with so many planes and samples.
+    /// Removes all quads, and prepares for a draw with these numbers of planes and samples.
     pub fn clear(&mut self, planes: usize, samples: usize) {
         for &block in &self.blocks[..self.len] {
             self.waiting[usize::from(block)] = 0;
@@ -248,7 +248,7 @@ const DENSE_QUADS: u32 = 12;
 /// Pixels of one, where these need not be quads.
 const DENSE_PIXELS: u32 = 30;
 
-/// Whether lanes of a block are so many that they are shaded by themselves.
+/// Whether a block is covered densely enough to be shaded by itself.
 #[inline(always)]
 pub fn is_dense(packing: Packing, lanes: u64) -> bool {
     match packing {

@@ -1,8 +1,7 @@
-//! A run: blocks that are shaded together, each with a register file of its own.
+//! A run: up to four blocks that are shaded together, each with a register file of its own.
 //!
-//! Inputs, each stretch of the program and the colours are done for all blocks of a run in turn: what there
-//! is to decide and to look up is so decided and looked up once for several of them, and while one
-//! block waits the processor works at another.
+//! Inputs, each straight part of the program, and colours are computed for all blocks of a run, one block after the
+//! other. Decisions and look-ups are shared, and the instructions of one block fill the latencies of another.
 
 use super::batch::{BlockOf, EarlyTests};
 use super::block::BlockAt;
@@ -107,7 +106,8 @@ impl BlockRun {
         self.len = 0;
     }
 
-    /// Adds a block of a shape, of which these lanes are left. There is room for [`MAX_REGISTER_FILES`]. `level` is what is the
+    /// Adds a block of a shape, of which these lanes are left. There is room for [`MAX_REGISTER_FILES`]. `level` is
+    /// what is the
     /// same all over the shape.
     #[inline]
     pub fn push(

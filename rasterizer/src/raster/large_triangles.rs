@@ -80,7 +80,7 @@ impl LargeTriangle {
         }
     }
 
-    /// Whether anybody holds any of the lanes that are covered of a block.
+    /// Whether a waiting batch holds any of the covered lanes of a block.
     #[inline]
     pub fn any(&self, holds: impl Fn(usize, u64) -> bool) -> bool {
         bits(self.touched).any(|block| holds(block, self.covered[block]))

@@ -13,7 +13,7 @@ use crate::desc::Facing;
 use crate::plan::Packing;
 use texunit::lanes::{Kernel, Simd};
 
-/// Why it goes no further.
+/// Why packing stopped.
 #[derive(Clone, Copy, Debug)]
 pub enum Stop {
     /// All shapes are packed.

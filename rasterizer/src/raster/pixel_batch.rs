@@ -91,7 +91,7 @@ impl Pixels {
         BatchLayout::Pixels(self.at.first_chunk().unwrap_or(&[0; LANES]), self.blocks)
     }
 
-    /// Forgets its pixels and makes room for a draw with `planes` planes.
+    /// Removes all pixels, and prepares for a draw with `planes` planes.
     pub fn clear(&mut self, planes: usize) {
         while self.blocks != 0 {
             self.waiting[self.blocks.trailing_zeros() as usize % BLOCKS] = 0;

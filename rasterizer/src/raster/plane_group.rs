@@ -83,7 +83,7 @@ impl PlaneGroup {
     /// the denominator they are divided by.
     pub fn is_level(&self, lane: usize, of: &FactorPlanes, denominator: Option<usize>) -> bool {
         let plane = |index: usize| self.plane(lane, index);
-        // The sign of a zero may change on the way to a block.
+        // The sign of a zero may change between the origin and a block.
         let rests = |index: &usize| {
             let [a, b, c] = plane(*index);
             a == 0.0 && b == 0.0 && !is_minus_zero(c)

@@ -1,4 +1,4 @@
-//! The planes that weight the vertices of up to 64 triangles, and the planes that come of them: the arithmetic of
+//! The planes that weight the vertices of up to 64 triangles, and the sums of them: the arithmetic of
 //! [`super::interpolate`], in the same order, over lanes.
 
 use crate::desc::Viewport;
@@ -73,7 +73,8 @@ impl ToWindow {
 }
 
 impl Weights {
-    /// Of triangles whose vertices these are (x, y, z and w of each), from an origin of each. Marks in `general` those
+    /// Of triangles whose vertices these are (x, y, z and w of each), from an origin of each. Marks in `general`
+    /// those
     /// that are too thin: they are left to the general computation.
     #[inline(always)]
     pub fn compute<S: Simd>(

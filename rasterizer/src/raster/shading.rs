@@ -64,7 +64,7 @@ fn write_run<'a>(
             let color = [of(0), of(1), of(2), of(3)];
             BlockColors { block, color, mask }
         };
-        // Beyond the last once more the last: nobody looks. One by one, so that none is copied.
+        // Entries beyond the last repeat the last and are not read. Written out, so that none is copied.
         let last = blocks.len().saturating_sub(1);
         let colors: [_; MAX_REGISTER_FILES] =
             [colors_of(0), colors_of(1.min(last)), colors_of(2.min(last)), colors_of(last)];

@@ -16,7 +16,7 @@ use texunit::lanes::{F32s, Isa, LANES, lane_x, lane_y};
 pub enum Cover {
     /// A triangle, by its edges relative to the tile.
     Triangle([Edge; 3]),
-    /// An aliased line, so many rows high.
+    /// An aliased line, and its width in rows.
     Run(LineRun, i32),
     /// All of the shape's bounds.
     Box,

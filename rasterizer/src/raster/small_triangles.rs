@@ -3,8 +3,8 @@
 //! A triangle is small when all that it may cover of the tile lies in a window of 16×16 pixels that
 //! begins at a quad (not at a block). Its edge functions then fit 32 bits from the start, nothing
 //! has to be asked of blocks, and its pixels go straight into the batch that waits. A window has four
-//! parts of 8×8 pixels, in the order of a block's lanes; as many quads are looked at as the largest
-//! triangle of the 64 may reach.
+//! parts of 8×8 pixels, in the order of a block's lanes; the loop visits the quads that the largest triangle of the
+//! 64 may reach.
 
 use super::batch::is_dense;
 use super::shape_lanes::ShapeLanes;

@@ -8,7 +8,7 @@ use crate::shader::{MAX_REGISTER_FILES, Machine, OverBudget, ProductCode, Run, T
 use texunit::lanes::{F32s, Isa, Kernel, LANES, QUADS, Simd, U32s};
 use texunit::plan::{Known, Like, Lod, Places, Read, Room, SamplePlan, Take, Texels};
 
-/// The colours of a run, and what there is between its lookups.
+/// The colours of a run, and the state between its lookups.
 #[derive(Debug, Default)]
 pub struct Products {
     /// Red, green, blue and alpha of each block.
@@ -162,7 +162,7 @@ pub struct Multiply<'a> {
     pub machine: &'a Machine,
     pub run: &'a BlockRun,
     pub products: &'a mut Products,
-    /// Takes the colours as words, if it is there; else they are kept.
+    /// Receives the colours as words if present; otherwise they are stored here.
     pub words: Option<Words<'a>>,
 }
 

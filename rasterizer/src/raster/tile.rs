@@ -26,7 +26,7 @@ use texunit::lanes::{F32s, LANES, U32s, prefetch};
 /// Shapes of a group from which on their windows are computed together.
 const WINDOWS_FROM: usize = 4;
 
-/// What a thread keeps from tile to tile.
+/// Scratch of a thread that runs tiles, kept from tile to tile.
 #[derive(Debug, Default)]
 pub struct Worker {
     shader: Shader,
@@ -44,20 +44,20 @@ pub struct Worker {
     broad: LargeTriangle,
     /// Of the block that is filled: each plane's value at its first pixel and steps.
     planes: Vec<[f32; 3]>,
-    /// How much of each lane's pixel the shape covers.
+    /// The fraction of each lane's pixel that the shape covers.
     parts: F32s,
     /// The outline of the shape that is filled, as each sample sees it; one if all see the same.
     covers: Vec<Cover>,
-    /// The draw whose shapes come now.
+    /// The current draw.
     draw: Option<usize>,
-    /// What is the same all over the shape that is filled.
+    /// What is constant over the current shape.
     level: Level,
-    /// How many have been asked whether anything is: the numbers that are taken.
+    /// The number of shapes numbered so far.
     levels: u64,
 }
 
 impl Worker {
-    /// Does everything that happens in `tile`.
+    /// Runs all entries of a tile.
     pub fn run(&mut self, pass: &PassJob, tile: &mut TileJob) {
         let entries = std::mem::take(&mut tile.entries);
         for entry in entries {

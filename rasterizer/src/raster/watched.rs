@@ -17,7 +17,7 @@ use std::collections::VecDeque;
 use texunit::format::Format;
 use texunit::lanes::{Isa, LANES, QUADS, lane_x, lane_y};
 
-/// The pixel, and its story so far.
+/// The watched pixel and its events so far.
 #[derive(Debug)]
 pub struct WatchedPixel {
     watch: Watch,
@@ -97,7 +97,7 @@ impl WatchedPixel {
         (lanes >> lane & 1 == 1).then_some(lane)
     }
 
-    /// Hands the story over.
+    /// Appends the events to the watch.
     pub fn finish(self) {
         self.watch.append(self.events.into_iter().flatten().collect());
     }

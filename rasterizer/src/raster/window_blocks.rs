@@ -39,7 +39,7 @@ pub struct Shares {
     pub reader: Reader,
 }
 
-/// How far shares are read. Apart, so that who reads many has it in registers.
+/// The position of the reader, a type of its own so that it stays in registers.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Reader {
     /// How many words are begun.

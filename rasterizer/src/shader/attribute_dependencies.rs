@@ -5,7 +5,7 @@
 use crate::ir::{Block, Expr, Input, Module, Output, Stage, Stmt, Value, Var};
 
 /// What a value depends on besides what is the same in the whole draw: components of attributes,
-/// bit by word; every bit where it depends on more, or nobody looked closer.
+/// bit by word; every bit where it depends on more, or is not known.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct AttributeSet(u128);
 
@@ -33,7 +33,7 @@ impl AttributeSet {
     }
 }
 
-/// The sources of each output of a module, in their order. Nobody asks for those of a fragment program,
+/// The sources of each output of a module, in their order. Those of a fragment program are not used,
 /// which are not looked for.
 pub(super) fn of_outputs(module: &Module) -> Vec<(Output, AttributeSet)> {
     if module.stage == Stage::Fragment {

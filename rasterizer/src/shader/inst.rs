@@ -45,7 +45,7 @@ pub(super) enum Inst {
     Unless { test: Test, to: Target },
     /// Goes on at `to`.
     Jump { to: Target },
-    /// The next turn of a loop whose lanes take all turns alike.
+    /// The next iteration of a loop that all lanes iterate equally often.
     Repeat { head: Target },
     /// Lanes where the condition is false wait in the slot; `reject` is taken when no lane is left.
     If { condition: Reg, slot: Slot, reject: Target },
@@ -63,7 +63,7 @@ pub(super) enum Inst {
     Discard,
     /// Goes on at `to` when no lane executes.
     SkipEmpty { to: Target },
-    /// The loop's next turn, or its end: then the lanes of `exit` execute.
+    /// The loop's next iteration, or its end: then the lanes of `exit` execute.
     Again { head: Target, exit: Slot },
 }
 
@@ -96,7 +96,7 @@ pub(super) struct SampleInst {
     pub lod: SampleLod,
     /// The word of alpha where there is no texture.
     pub one: u32,
-    /// Components that nobody reads have no register.
+    /// Components that are not used have no register.
     pub out: [Option<Reg>; 4],
     /// Its number among the lookups that may keep what the one before found ([`super::repeated_lookups`]).
     pub repeat: Option<u8>,
@@ -190,7 +190,7 @@ impl Inst {
         moves || matches!(self, Self::Compute { .. } | Self::Sample(_))
     }
 
-    /// Whether it changes which lanes execute, or where the program goes on.
+    /// Whether it changes which lanes execute, or is a jump.
     pub fn is_control(&self) -> bool {
         match self {
             Self::If { .. }

@@ -37,7 +37,8 @@ pub struct Machine {
     slots: Vec<Mask>,
     /// For lookups.
     rooms: Vec<Room>,
-    /// From the room of a register file to that of the next: none, unless a lookup keeps what the one before found.
+    /// The distance between the scratch of two register files: 0 (shared) unless a lookup reuses the texel addresses
+    /// of the one before.
     apart: usize,
     /// Identity of the program that the registers are laid out for; 0 is none.
     program: u64,
@@ -50,7 +51,7 @@ pub struct Machine {
 }
 
 impl Machine {
-    /// Makes room for a program's registers. Costs nothing when the machine holds it already.
+    /// Allocates a program's registers. Does nothing when the machine holds it already.
     pub fn begin(&mut self, program: &Program) {
         if self.program == program.id {
             return;
@@ -73,7 +74,8 @@ impl Machine {
         self.prepared = 0;
     }
 
-    /// The register of the program's input `index`: filled before each run, unless it holds what is wanted. Programs do not write there.
+    /// The register of the program's input `index`: filled before each run, unless it holds what is wanted. Programs
+    /// do not write there.
     pub fn input_mut(&mut self, index: usize) -> &mut U32s {
         &mut self.inputs_of(0)[index]
     }
@@ -198,7 +200,7 @@ impl Machine {
         self.registers[file + out.0 as usize] = *difference.as_u32();
     }
 
-    /// The next turn of a loop that ends at `pc`, or what comes after it.
+    /// The next iteration of a loop that ends at `pc`, or the end of the loop.
     #[inline(always)]
     fn again(
         &mut self,

@@ -1,21 +1,23 @@
 //! From IR to lanes: optimize, lower to a register program, run it over 64 lanes.
 //!
-//! The modules in the order in which a shader passes through them:
+//! The modules, in the order in which a shader passes through them:
 //!
-//! | module | is |
+//! | module | contents |
 //! |---|---|
 //! | [`optimize`] | passes over the structured IR |
 //! | [`lower`] | structured IR → flat [`inst`]ructions over virtual registers |
-//! | [`uniformity`] | what all lanes do alike: no mask is looked at |
+//! | [`uniformity`] | values and branches that are the same in all lanes and need no mask |
 //! | [`exits`] | how lanes leave a statement |
-//! | [`maskless_stores`] | the variables that only one loop reads: stored without a mask |
-//! | [`compute`] | what an instruction computes: an operation, or a tree of them |
-//! | [`fuse`] | several operations as one instruction |
-//! | [`preamble`] | the values that a draw computes once |
-//! | [`allocate`] | real registers for virtual ones |
-//! | [`repeated_lookups`] | lookups at the points of the one before |
-//! | [`product`] | the programs that need no interpreter |
-//! | [`machine`] | the interpreter: 64 lanes an instruction, with an execution [`mask`] |
+//! | [`maskless_stores`] | variables that only one loop reads: stored without a mask |
+//! | [`compute`], [`fuse`] | fused operations: the table, and the search for its trees |
+//! | [`preamble`] | values computed once per draw |
+//! | [`schedule`] | order of instructions |
+//! | [`allocate`] | virtual → real registers |
+//! | [`repeated_lookups`] | lookups with the operands of the lookup before |
+//! | [`product`] | programs that need no interpreter: products of texels |
+//! | [`attribute_dependencies`] | which attributes an output of the vertex stage depends on |
+//! | [`program`] | the compiled stage, and its per-draw values |
+//! | [`machine`] | the interpreter: 64 lanes for each instruction, with an execution [`mask`] |
 
 mod allocate;
 mod attribute_dependencies;

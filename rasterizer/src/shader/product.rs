@@ -1,6 +1,6 @@
-//! Programs that are a product: each colour is a lookup, or several, times at most one more number. Most of what
-//! is drawn with textures is so, by the fixed function too. Between its lookups and its colours no register is
-//! needed: `raster/product.rs` multiplies texels as they come, by the same numbers in the same order.
+//! Programs that compute a product: each colour is one or several texels times at most one more factor, as most
+//! fixed-function texturing does. `raster/texel_product.rs` multiplies the texels without the interpreter, by the
+//! same numbers in the same order.
 
 use super::allocate::Layout;
 use super::compute::{Compute, OPERANDS};
@@ -117,7 +117,7 @@ impl TexelProduct {
         self.lookups[at].texture as usize
     }
 
-    /// A lookup that asks for the same as the one before, of another texture or of the same.
+    /// The pair of a lookup and the one before, if both have the same operands.
     pub(crate) fn repeat(&self, at: usize) -> Option<Repeat> {
         match &self.lookups[..=at] {
             [.., before, here] => Repeat::of(before, here),

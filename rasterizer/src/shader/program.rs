@@ -69,7 +69,7 @@ impl Prepared {
         self.id
     }
 
-    /// Who looks for the places of a lookup of the program.
+    /// Whether the texel addresses of a lookup are computed or reused.
     #[inline(always)]
     pub(super) fn places(&self, sample: &SampleInst) -> Places {
         match sample.repeat {
@@ -92,7 +92,7 @@ pub(crate) struct OptimizedModule {
 }
 
 impl OptimizedModule {
-    /// Optimizes `module`, keeping only the outputs that `keep` says somebody reads. The module has been validated.
+    /// Optimizes `module`, keeping only the outputs for which `keep` holds. The module has been validated.
     pub fn new(module: &Module, keep: impl Fn(Output) -> bool) -> Self {
         let mut module = module.clone();
         let given = statements(&module);
@@ -101,7 +101,8 @@ impl OptimizedModule {
         Self { module, given }
     }
 
-    /// Leaves what vertices can do as well to `vertex`, the module of the vertex stage that this one runs with; `None`
+    /// Leaves what vertices can do as well to `vertex`, the module of the vertex stage that this one runs with;
+    /// `None`
     /// where there is nothing.
     pub fn hoist_to_vertex(&mut self, vertex: &Module) -> Option<Module> {
         optimize::hoist_to_vertex(vertex, &mut self.module)
@@ -137,7 +138,7 @@ fn identity() -> u64 {
 }
 
 impl Program {
-    /// Optimizes and lowers `module`, keeping only the outputs that `keep` says somebody reads.
+    /// Optimizes and lowers `module`, keeping only the outputs for which `keep` holds.
     /// The module has been validated.
     pub fn new(module: &Module, keep: impl Fn(Output) -> bool) -> Self {
         OptimizedModule::new(module, keep).finish()
@@ -223,8 +224,7 @@ impl Program {
         self.discards
     }
 
-    /// Whether it asks for levels of detail, which must then be right even where no texture of the
-    /// draw needs them.
+    /// Whether it queries levels of detail, which must then be exact even if no texture of the draw needs them.
     pub fn queries_lod(&self) -> bool {
         self.queries_lod
     }

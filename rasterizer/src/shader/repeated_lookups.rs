@@ -1,4 +1,5 @@
-//! Lookups at the same points as the one before: a surface has its colours, normals and gloss in textures of one size.
+//! Lookups at the same points as the one before: a surface has its colours, normals and gloss in textures of one
+//! size.
 //! Where a draw's textures then read alike, levels of detail and places are found once.
 
 use super::inst::{Inst, Reg, Role, SampleInst};
@@ -14,13 +15,13 @@ pub(crate) struct Repeat {
 }
 
 impl Repeat {
-    /// The second lookup, if it asks for the same as the one before.
+    /// The second lookup, if it has the same operands as the one before.
     pub(super) fn of(before: &SampleInst, sample: &SampleInst) -> Option<Self> {
         let textures = [before.texture, sample.texture];
         repeats(sample, before).then_some(Self { textures })
     }
 
-    /// Who looks for the places of the second, in a draw with these textures.
+    /// Whether the second lookup computes or reuses texel addresses, in a draw with these textures.
     pub(crate) fn places(&self, textures: &[Option<Arc<SamplePlan>>]) -> Places {
         let texture = |slot: u32| textures.get(slot as usize)?.as_ref();
         let [before, here] = self.textures.map(texture);
@@ -59,7 +60,7 @@ pub(super) fn find(code: &mut [Inst]) -> Vec<Repeat> {
     found
 }
 
-/// Whether a lookup asks for the same as the one before.
+/// Whether a lookup has the same operands as the one before.
 fn repeats(sample: &SampleInst, before: &SampleInst) -> bool {
     match (sample.access, before.access) {
         (Access::Filter { offset }, Access::Filter { offset: same }) if offset == same => {

@@ -1,5 +1,5 @@
 //! What every lane of a run does alike: values, variables, and the loops and scopes that lanes leave
-//! together. Such a branch is one scalar test, such a loop a jump, and neither looks at a mask.
+//! together. Such a branch is one scalar test, such a loop a jump, and neither reads a mask.
 //!
 //! A variable is alike if all that is stored in it is, and no lane misses a store that it could
 //! notice. A lane misses stores while it is away: in a branch it did not take, or after it left a
@@ -162,7 +162,7 @@ fn is_jump(stmt: &Stmt) -> bool {
 enum ProductCode {
     /// A side of this branch.
     Side(u32),
-    /// A turn of this loop.
+    /// An iteration of this loop.
     Turn(u32),
     /// This loop or scope.
     Whole(u32),
@@ -289,7 +289,7 @@ impl Walk<'_> {
         let [middle, end] = self.ends(start);
         let depth = self.loops.len();
         if !self.alike.loops[number] {
-            // From the second turn on, lanes may have left.
+            // From the second iteration on, lanes may have left.
             self.away.push(Away { part: ProductCode::Whole(start), start, end, again: depth > 0 });
         }
         self.loops.push(Open { number, start, away: self.away.len(), depth });

@@ -1,4 +1,4 @@
-//! Threads: who shares a piece of work, what they work with, and how much stack they have.
+//! Threads: the thread pool, pools of reusable objects, `fork`, and stacks for deep recursion.
 
 mod fork;
 mod object_pool;

@@ -1,7 +1,7 @@
 //! What happens to one pixel, written down: the clears and fragments of the passes that watch it
 //! ([`Watch`]), with the numbers that they were drawn with.
 //!
-//! Nothing is computed a second way. The shader runs the same instructions over the same lanes, one
+//! Nothing is computed differently. The shader runs the same instructions over the same lanes, one
 //! at a time; a texture access runs the texture unit's general kernels with a recorder in them;
 //! tests and writes are what the attachment held before and after.
 

@@ -66,7 +66,7 @@ pub struct Fragment {
     pub steps: Vec<Step>,
     /// How many more steps there were.
     pub more_steps: usize,
-    /// What it wrote that somebody reads.
+    /// The outputs that it wrote and that are used.
     pub outputs: Vec<(Output, Operand)>,
     /// The stencil and depth tests, by sample.
     pub tests: Vec<Test>,
@@ -76,7 +76,7 @@ pub struct Fragment {
     pub writes: Vec<Write>,
 }
 
-/// The most steps of a shader that are kept.
+/// The most steps of a shader that are recorded.
 pub const MAX_STEPS: usize = 4096;
 
 /// How a fragment ended.
@@ -207,7 +207,7 @@ pub struct Lookup {
     pub coords: [Operand; 3],
     /// The steps of a filtered sample of a complete texture.
     pub trace: Option<SampleTrace>,
-    /// Red, green, blue, alpha; nothing where nobody reads them.
+    /// Red, green, blue, alpha; `None` for components that are not used.
     pub result: [Option<u32>; 4],
 }
 

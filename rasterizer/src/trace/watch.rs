@@ -4,7 +4,7 @@ use super::record::PixelEvent;
 use parking_lot::Mutex;
 use std::sync::Arc;
 
-/// A pixel whose story is recorded. Cloning gives another handle to the same record.
+/// A watched pixel. Cloning gives another handle to the same record.
 #[derive(Clone, Debug)]
 pub struct Watch {
     pixel: [u32; 2],
@@ -13,7 +13,7 @@ pub struct Watch {
 }
 
 impl Watch {
-    /// The most events that are kept.
+    /// The most events that are recorded.
     pub const MAX_EVENTS: usize = 1 << 16;
 
     /// Nothing recorded yet of pixel `(x, y)`; row 0 is the lowest.

@@ -8,7 +8,7 @@ use crate::desc::Viewport;
 pub struct Geometry {
     /// `stride` for each vertex: x, y, z and w in clip coordinates, and its varyings.
     pub values: Vec<f32>,
-    /// Values of a vertex, and up to three that nobody reads: a multiple of four.
+    /// Values of a vertex, padded to a multiple of four.
     pub stride: usize,
     /// Window coordinates on the subpixel grid; meaningless unless `w > 0`.
     pub snapped: Vec<[i32; 2]>,

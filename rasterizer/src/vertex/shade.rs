@@ -14,7 +14,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use texunit::lanes::{F32s, Isa, LANES, U32s};
 use texunit::plan::SamplePlan;
 
-/// What every vertex of a draw goes through.
+/// The vertex stage of a draw.
 pub struct VertexStage<'a> {
     /// The instruction set.
     pub isa: Isa,
@@ -24,9 +24,9 @@ pub struct VertexStage<'a> {
     pub program: &'a Program,
     /// Its values of this draw.
     pub prepared: &'a Prepared,
-    /// Who runs it.
+    /// The threads that run it.
     pub thread_pool: &'a ThreadPool,
-    /// What runs it.
+    /// The interpreters that run it.
     pub machines: &'a ObjectPool<Machine>,
     /// Its textures.
     pub textures: &'a [Option<Arc<SamplePlan>>],
@@ -162,8 +162,8 @@ fn shade_all(
     if stopped.into_inner() { Err(OverBudget) } else { Ok(()) }
 }
 
-/// What is left of values of which each vertex has so many, to be cut into batches. (`chunks_mut`
-/// takes no stride of zero.)
+/// The rest of a slice with `each` values for every vertex, from which batches are taken. (`chunks_mut` takes no
+/// stride of zero.)
 struct VertexSlices<'a, T> {
     rest: &'a mut [T],
     each: usize,
@@ -181,7 +181,7 @@ impl<'a, T> VertexSlices<'a, T> {
 /// Where an input of the program comes from.
 enum InputSource<'a> {
     Attribute(&'a VertexSource, u8),
-    /// An attribute with an element for so many instances.
+    /// An attribute that advances once for a number of instances.
     Instanced(&'a VertexSource, u8, NonZeroU32),
     /// An attribute without a binding.
     Missing(f32),
@@ -189,7 +189,7 @@ enum InputSource<'a> {
     InstanceId,
 }
 
-/// Where an output of the program goes.
+/// The destination of an output of the program.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum OutputTarget {
     PointSize,
@@ -200,7 +200,7 @@ enum OutputTarget {
     Nowhere,
 }
 
-/// A batch of vertices: what goes in, and where the results go.
+/// A batch of up to 64 vertices: its inputs and the slices for its results.
 struct Batch<'a> {
     ids: &'a [u32],
     instances: Instances<'a>,

@@ -1,4 +1,4 @@
-//! StoreContext what has changed: who reads a few pixels after a small draw waits for the tiles that it touched.
+//! Stores only the tiles that changed, so that reading a few pixels after a small draw is cheap.
 
 use super::{Level, Part, Slices, StoreContext, Surface, WORTH_THREADS};
 use crate::sizes::TILE;

@@ -12,7 +12,7 @@ use std::iter::once;
 use texunit::format::Format;
 use texunit::lanes::Isa;
 
-/// Pixels of a picture in rows: from here on, so many across.
+/// A region of an image, given by its first pixel and its width.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Part {
     /// The first column.
@@ -23,17 +23,17 @@ pub struct Part {
     pub width: u32,
 }
 
-/// What becomes of a row of texels where it is put.
+/// How a row of texels is written to a client's memory.
 #[derive(Clone, Copy)]
 pub enum Put<'a> {
-    /// It is copied.
+    /// Copied.
     AsStored,
-    /// What this makes of the texels and their place.
+    /// Converted by this function: the texels, and the row of the client.
     By(&'a (dyn Fn(&[u8], &mut [u8]) + Sync)),
 }
 
 impl Put<'_> {
-    /// Puts a row of texels.
+    /// Writes a row of texels.
     pub(crate) fn row(self, texels: &[u8], to: &mut [u8]) {
         match self {
             Put::AsStored => to[..texels.len()].copy_from_slice(texels),
@@ -58,7 +58,7 @@ impl Surface {
         self.store_rows(all, self.height, level, slices, context);
     }
 
-    /// Writes so many rows of a part into slices of the level that the tiles came from.
+    /// Writes `height` rows of a region into slices of the level that the tiles came from.
     pub(super) fn store_rows(
         &self,
         part: Part,

@@ -16,11 +16,11 @@ use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, OnceLock};
 
-/// Shapes in the bins from which on they are drawn before the pass ends. A tile's part of so many is worth a turn of
-/// its own, and the next ones have their memory: it is near, and the system does not have to give any more.
+/// The number of binned shapes at which tiles run before the pass ends. The next chunks then reuse memory that is in
+/// the cache.
 const BINS_FULL: usize = 1 << 15;
 
-/// So many plans are kept for draws that are as others were.
+/// The most plans that a pass keeps for reuse by later draws.
 const KEPT_PLANS: usize = 8;
 
 impl Pass<'_> {
@@ -91,7 +91,7 @@ impl Pass<'_> {
                 resolution,
             },
         };
-        // Edge flags are kept of one draw, and so are lines that only carry a stipple on.
+        // Edge flags belong to one draw, and so do lines that only advance a stipple.
         let is_small = raster.polygon.edge_flag.is_none()
             && raster.line.stipple.is_none()
             && self.job.watch.is_none()

@@ -10,7 +10,7 @@ use crate::sizes::TILE;
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
 
-/// Pixels that short programs draw sooner than another thread is awake.
+/// Pixels that a short program shades before another thread would wake.
 const SMALL_WORK_PIXELS: u64 = 1 << 14;
 
 impl Pass<'_> {
@@ -48,7 +48,7 @@ impl Pass<'_> {
         }
     }
 
-    /// Whether all of it is done sooner than another thread is awake: whole clears, and shapes of few pixels.
+    /// Whether the tiles finish before another thread would wake: whole clears, and shapes of few pixels.
     fn is_small_work(&self) -> bool {
         let Self { job, shapes, .. } = self;
         let is_whole = |clear: &ClearJob| clear.is_whole(job.width, job.height);

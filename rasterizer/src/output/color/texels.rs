@@ -55,7 +55,7 @@ impl Kernel for WriteTexels<'_> {
     }
 }
 
-/// Fragments blended with the texels that are stored, of which there are as many words as the format has.
+/// Fragments blended with the stored texels, one vector for each word of the format.
 #[inline(always)]
 fn blended<S: Simd>(
     state: &Blend,
@@ -80,8 +80,7 @@ fn blended<S: Simd>(
     blend::blend(state, &clamped, &destination, range)
 }
 
-/// The texels of 64 integer colours, each clamped to what its field can hold: as many words as the format
-/// has.
+/// The texels of 64 integer colours, each clamped to the range of its field.
 #[inline(always)]
 fn encode_integers(format: Format, rgba: [&F32s; 4], out: &mut [U32s; 4]) {
     let is_signed = format.info().encoding == Encoding::Sint;

@@ -162,7 +162,7 @@ impl Worker {
                 |block| edge_functions::inside_area(&job.area, BlockAt::numbered(first, block));
             self.broad.cut(plan.packing, inside);
         }
-        // What waits of other shapes goes first, as in `make_way`. No block of a shape is in another's way.
+        // Waiting fragments of other shapes run first, as in `make_way`. Blocks of one shape do not overlap.
         if !self.waiting.is_empty() && self.broad.any(|of, lanes| self.waiting.holds(of, lanes)) {
             self.flush_quads(pass, job, tile);
         }
@@ -239,7 +239,8 @@ impl Worker {
         blocks
     }
 
-    /// A number of the shape in this lane of the group for what is the same all over it: then no run of its blocks has
+    /// A number of the shape in this lane of the group for what is the same all over it: then no run of its blocks
+    /// has
     /// to look. No other shape has it.
     fn level_of(&mut self, plan: &DrawPlan, lane: usize) -> Level {
         let Some(product) = &plan.product else { return Level::default() };

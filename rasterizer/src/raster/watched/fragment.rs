@@ -61,7 +61,7 @@ pub struct Shaded {
     pub(super) event: usize,
     /// Its lane of the batch.
     pub lane: usize,
-    /// Its story.
+    /// Its record.
     pub fragment: Box<Fragment>,
     /// By plane: the values at the vertices, of varyings.
     pub(super) values: Vec<Vec<f32>>,

@@ -20,7 +20,7 @@ pub(super) enum OpenScope {
     Alike(Vec<usize>),
 }
 
-/// A way out of the innermost loop, its body, or the innermost scope.
+/// An exit of the innermost loop, its body, or the innermost scope.
 #[derive(Clone, Copy)]
 enum Way {
     Break,
@@ -45,7 +45,7 @@ impl Way {
     }
 }
 
-/// How lanes go a way.
+/// How lanes take an exit.
 enum Exit<'a> {
     /// To this slot, each when it comes.
     To(Slot),

@@ -17,7 +17,8 @@ impl Machine {
         Ok(run.active & !self.discarded.bits())
     }
 
-    /// Runs the program once for each of so many files, at most [`Program::files`], over all lanes.
+    /// Runs the program once for each of the first `files` register files, at most [`Program::register_files`], over
+    /// all lanes.
     ///
     /// # Errors
     /// When the budget is used up.
@@ -29,7 +30,7 @@ impl Machine {
     }
 }
 
-/// Runs from an instruction to the end of the code; gives where the program goes on.
+/// Runs from an instruction to the end of the code; gives the index of the next instruction.
 pub(super) struct Interpreter<'a> {
     pub machine: &'a mut Machine,
     pub run: &'a Run<'a>,
@@ -132,7 +133,7 @@ impl Kernel for Interpreter<'_> {
     }
 }
 
-/// The head of a loop that ends at `pc`, its turn taken off the budget.
+/// The head of a loop that ends at `pc`; an iteration is deducted from the budget.
 #[inline(always)]
 pub(super) fn back(head: Target, pc: usize, left: &mut u64) -> Result<usize, OverBudget> {
     let head = head.0 as usize;

@@ -9,7 +9,8 @@ use texunit::lanes::F32s;
 use texunit::plan::Lod;
 
 impl Machine {
-    /// Computes what comes before the lookups of a product, or a part of it, for so many files whose inputs are there.
+    /// Runs the code before the lookups of a product, or a part of it, for the first `files` register files, whose
+    /// inputs are filled.
     ///
     /// # Errors
     /// When the budget is used up.

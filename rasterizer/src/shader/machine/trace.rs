@@ -19,7 +19,7 @@ pub struct Tracer {
     names: Vec<Name>,
     /// In the order of the source.
     pub steps: Vec<Step>,
-    /// How many were not kept.
+    /// How many were not recorded.
     pub more: usize,
     next: u32,
     /// Those of the present straight run of code, with their places, in the order of execution.
@@ -96,7 +96,7 @@ enum Before {
     Copy { out: Reg, name: Name },
     /// It writes zeros.
     Zero { out: Reg, len: u32 },
-    /// It decides where the program goes on.
+    /// It is a jump.
     Control,
 }
 

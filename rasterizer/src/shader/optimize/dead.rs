@@ -1,4 +1,4 @@
-//! What no output depends on goes: values, stores, and control flow around nothing.
+//! Dead code elimination: values, stores, and empty control flow on which no output depends.
 //!
 //! Marks backwards from the outputs and the discards. A construct is needed when something needed
 //! stands in it; then so are its condition, and every jump to its end. A loop that nothing leaves
@@ -38,7 +38,7 @@ pub(super) fn run(module: &mut Module) {
 struct Node {
     parent: usize,
     condition: Option<Value>,
-    /// The nodes in which a jump to the end of this one, or to its next turn, stands.
+    /// The nodes that contain a jump to the end of this one, or to its next iteration.
     jumps: Vec<usize>,
     is_loop: bool,
     /// Whether anything leaves the loop.

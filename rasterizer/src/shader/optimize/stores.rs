@@ -1,7 +1,6 @@
-//! Stores that are overwritten before anybody reads them go: liveness of variables, backwards.
+//! Dead store elimination: liveness of variables, backwards.
 //!
-//! A lane that stores here has its own way from here on, so liveness is that of one lane's control
-//! flow; masks play no part.
+//! Each lane follows its own control flow, so liveness is that of a single lane and does not depend on masks.
 
 use crate::ir::{Block, Expr, Module, Stmt, Var};
 

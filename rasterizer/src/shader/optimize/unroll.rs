@@ -1,4 +1,4 @@
-//! Loops whose turns can be counted become that many copies of their body.
+//! Loop unrolling: a loop whose iterations can be counted becomes that many copies of its body.
 //!
 //! A loop is tried out: its statements run on what is known where it begins, until the one `break`
 //! at its outermost level is taken. So any counter, step and condition will do. Loops with other
@@ -72,7 +72,7 @@ struct Trial<'a, K, V> {
     module: &'a Module,
     known: K,
     variable: V,
-    /// What this turn's values are.
+    /// The values of this iteration.
     values: HashMap<Value, Option<u32>>,
     /// What the loop has stored.
     variables: HashMap<Var, Option<u32>>,
@@ -142,7 +142,7 @@ where
     }
 }
 
-/// A copy of a turn, with values of its own.
+/// A copy of an iteration, with values of its own.
 struct Copy<'a> {
     module: &'a mut Module,
     of: HashMap<Value, Value>,
