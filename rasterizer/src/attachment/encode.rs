@@ -16,7 +16,7 @@ pub fn encode_color<S: Simd>(format: Format, rgba: [&F32s; 4], out: &mut [U32s; 
     S::apart(Encode { format, rgba, out });
 }
 
-/// The colours of 64 texels, as blending sees them: what is not stored is 0, alpha 1. A function of its own.
+/// The colours of 64 texels, as blending sees them: components that are not stored are 0, alpha 1. Not inlined.
 #[inline(always)]
 pub fn decode_color<S: Simd>(format: Format, words: [&U32s; 4]) -> [F32s; 4] {
     S::apart(Decode { format, words })

@@ -3,7 +3,7 @@
 //! A clear stores one word and a bit for each cleared block; a block gets memory of its own when something is drawn
 //! to it.
 
-use super::place::LoadOp;
+use super::batch_layout::LoadOp;
 use texunit::lanes::{U32s, prefetch};
 
 /// Blocks of 8×8 pixels in a tile.

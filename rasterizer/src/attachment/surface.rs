@@ -39,7 +39,7 @@ pub struct Surface {
     /// The planes of each tile, row by row of tiles: word `w` of sample `s` is plane
     /// `s · words + w`.
     pub tiles: Vec<Vec<WordPlane>>,
-    /// Which of them are other than the level's texels.
+    /// Which tiles differ from the level's texels.
     changed: Vec<bool>,
 }
 
@@ -143,7 +143,7 @@ impl Surface {
         Self { format, width, height, samples, tiles, changed }
     }
 
-    /// Takes a tile's planes out, to be changed.
+    /// Moves a tile's planes out of the surface, to be drawn to.
     pub fn take(&mut self, tile: usize) -> TileTarget {
         self.changed[tile] = true;
         let planes = std::mem::take(&mut self.tiles[tile]);

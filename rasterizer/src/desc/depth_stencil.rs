@@ -2,7 +2,7 @@
 
 use texunit::sampler::Compare;
 
-/// What is done with depth.
+/// State of the depth test.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct DepthState {
     /// `new OP stored` must hold.
@@ -11,12 +11,12 @@ pub struct DepthState {
     pub write: DepthWrite,
 }
 
-/// Whether passing fragments write their depth.
+/// Whether fragments that pass write their depth.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum DepthWrite {
-    /// They do.
+    /// Yes.
     On,
-    /// They do not.
+    /// No.
     Off,
 }
 
@@ -48,14 +48,14 @@ pub struct StencilFace {
     pub pass: StencilOp,
 }
 
-/// What happens to a stencil.
+/// An operation on a stencil value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum StencilOp {
-    /// It stays.
+    /// Unchanged.
     Keep,
-    /// It becomes 0.
+    /// 0.
     Zero,
-    /// It becomes the reference.
+    /// The reference.
     Replace,
     /// One more, up to 255.
     Increment,

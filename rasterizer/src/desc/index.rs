@@ -38,6 +38,6 @@ pub struct Indices {
     pub offset: usize,
     /// Their type.
     pub ty: IndexType,
-    /// Added to every index.
+    /// Added to each index.
     pub base_vertex: i32,
 }

@@ -4,7 +4,7 @@
 use super::depth_stencil::StencilState;
 use texunit::format::Format;
 
-/// State of a pipeline that comes after the fragment shader. By default all of it is off.
+/// State of a pipeline for the stages after the fragment shader. All of it is off by default.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct OutputState {
     /// The stencil test; `None` neither tests nor writes.

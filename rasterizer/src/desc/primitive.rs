@@ -1,6 +1,6 @@
 //! How vertices make primitives, and which sides of polygons are drawn.
 
-/// How vertices make primitives (GL 2.1, section 2.6.1).
+/// How vertices form primitives (GL 2.1, section 2.6.1).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Topology {
     /// Each vertex a point.
@@ -9,13 +9,13 @@ pub enum Topology {
     Lines,
     /// Each vertex joined to the next.
     LineStrip,
-    /// And the last to the first.
+    /// As [`Self::LineStrip`], and the last vertex joined to the first.
     LineLoop,
     /// Each three a triangle.
     Triangles,
     /// Each vertex with the two before it.
     TriangleStrip,
-    /// Each two with the first.
+    /// Each two consecutive vertices with the first.
     TriangleFan,
     /// Each four a quadrilateral.
     Quads,
@@ -56,12 +56,12 @@ pub enum Provoking {
     First,
 }
 
-/// Which side of a polygon is seen.
+/// The facing of a primitive.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Facing {
-    /// Points and lines too.
+    /// Front faces, points and lines.
     #[default]
     Front,
-    /// The other.
+    /// Back faces.
     Back,
 }

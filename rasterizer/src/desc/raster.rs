@@ -87,7 +87,7 @@ pub struct LineState {
     pub stipple: Option<LineStipple>,
 }
 
-/// Where the size of points comes from.
+/// The source of point sizes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum PointSize {
     /// The state.
@@ -129,14 +129,14 @@ pub enum SampleRule {
     /// All or none, as it does the centre.
     #[default]
     Center,
-    /// Each by itself. Rims of primitives do not count; points are discs and lines rectangles.
+    /// Coverage is computed for each sample. Antialiasing state is ignored; points are discs and lines rectangles.
     Each,
 }
 
 /// Whether alpha determines how many samples a fragment keeps.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum AlphaToCoverage {
-    /// It keeps all it covers.
+    /// All covered samples.
     #[default]
     Off,
     /// Of the `n` samples, the first `round(alpha n)`, alpha being that of the first colour.
@@ -146,10 +146,10 @@ pub enum AlphaToCoverage {
 /// Whether a fragment's alpha becomes 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum AlphaToOne {
-    /// It stays.
+    /// Unchanged.
     #[default]
     Off,
-    /// It does, after it has served for [`AlphaToCoverage`].
+    /// Alpha becomes 1, after [`AlphaToCoverage`] has used it.
     On,
 }
 
@@ -171,9 +171,9 @@ pub struct MultisampleState {
     pub alpha_to_coverage: AlphaToCoverage,
     /// What alpha is written.
     pub alpha_to_one: AlphaToOne,
-    /// Which of them are left at all.
+    /// The samples that the coverage value keeps.
     pub coverage: Option<SampleCoverage>,
-    /// Which of those, bit by sample (`ARB_texture_multisample`, section 4.1.3).
+    /// The samples that the mask keeps, bit by sample (`ARB_texture_multisample`, section 4.1.3).
     pub mask: u32,
 }
 
@@ -189,7 +189,7 @@ impl Default for MultisampleState {
     }
 }
 
-/// All of it.
+/// All raster state.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RasterState {
     /// Polygons.

@@ -69,7 +69,7 @@ pub enum VertexFormat {
     Integer,
 }
 
-/// Where an attribute comes from. Missing components are 0, 0, 0, 1.
+/// The source of an attribute. Missing components are 0, 0, 0, 1.
 #[derive(Clone, Debug)]
 pub enum VertexSource {
     /// The same for every vertex.

@@ -1,6 +1,6 @@
 //! Where primitives go in the window, and what becomes of depths outside [0, 1].
 
-/// Where window coordinates lie (GL 2.1, section 2.11.1). May reach outside the attachments.
+/// The viewport in pixels (GL 2.1, section 2.11.1). It may extend beyond the attachments.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Viewport {
     /// Left edge in pixels.
@@ -15,17 +15,17 @@ pub struct Viewport {
     pub near: f32,
     /// Window depth of the far plane, 0 to 1.
     pub far: f32,
-    /// What becomes of what lies before the near plane or behind the far one.
+    /// The treatment of depths beyond the near and the far plane.
     pub depth_clip: DepthClip,
 }
 
-/// What the near and the far plane do.
+/// The treatment of depths beyond the near and the far plane.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum DepthClip {
-    /// They cut.
+    /// Primitives are clipped.
     #[default]
     Cut,
-    /// Nothing; depths are held between those of both planes (`ARB_depth_clamp`).
+    /// Depths are clamped to the range of both planes (`ARB_depth_clamp`).
     Clamp,
 }
 

@@ -187,7 +187,7 @@ impl DrawState<'_> {
     /// Puts all of a draw of at most [`CHUNK`] primitives behind those of others.
     ///
     /// # Errors
-    /// When a batch of vertices runs over its budget; then nothing of it is there.
+    /// When a batch of vertices runs over its budget; then nothing of the draw is appended.
     pub fn gather(&self, all: &mut MergedDraws) -> Result<(), OverBudget> {
         let MergedDraws { geometry, lists, .. } = all;
         let range = 0..self.primitives.len;

@@ -231,7 +231,7 @@ impl Image {
         change(&mut state.texels)
     }
 
-    /// Puts other texels in place of its own, which are `rows` of this many samples.
+    /// Replaces its texels; `rows` says what they are for this number of samples.
     pub fn replace(&self, texels: Texels, samples: u8, rows: Rows) {
         let samples = possible_samples(samples);
         *self.0.lock() = State { texels, blank: None, samples, rows, attached: None };

@@ -5,7 +5,7 @@ use super::ops::Op;
 use super::texture::{Access, Sample, TextureDecl};
 use super::types::{Axis, Ty, Value, Var};
 
-/// How a value comes to be.
+/// The definition of a value.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Expr {
     /// These bits.

@@ -317,7 +317,7 @@ operations! { $
     Or "or" (a: bool, b: bool) -> bool = a | b;
     /// Exactly one.
     Xor "xor" (a: bool, b: bool) -> bool = a ^ b;
-    /// The other.
+    /// The opposite.
     Not "not" (a: bool) -> bool = !a;
 
     /// `b` where `a`, else `c`.

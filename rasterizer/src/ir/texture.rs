@@ -89,6 +89,6 @@ pub struct Sample {
     pub layer: Option<Value>,
     /// The reference for depth compare, when the slot compares.
     pub reference: Option<Value>,
-    /// Where the level of detail comes from.
+    /// The source of the level of detail.
     pub lod: Lod,
 }

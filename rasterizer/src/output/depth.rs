@@ -17,7 +17,7 @@ pub struct DepthPlan {
     pub write: DepthWrite,
 }
 
-/// Tests and writes 64 fragments; gives those that passed.
+/// Tests and writes 64 fragments; returns the mask of those that passed.
 pub struct DepthTest<'a> {
     /// What is done.
     pub plan: DepthPlan,

@@ -32,13 +32,13 @@ pub struct Fragments<'a> {
     pub depth: &'a F32s,
     /// What their stencils are compared with.
     pub reference: Reference<'a>,
-    /// Which of them are of back faces.
+    /// The lanes of back faces.
     pub back: u64,
-    /// Which there are.
+    /// The lanes that are covered.
     pub mask: u64,
 }
 
-/// Tests fragments against the planes of a sample and updates these; gives those that passed.
+/// Tests fragments against the planes of a sample and updates them; returns the mask of those that passed.
 pub fn test(
     isa: Isa,
     tests: &Tests,

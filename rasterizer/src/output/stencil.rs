@@ -44,7 +44,7 @@ pub enum Reference<'a> {
     Each(&'a U32s),
 }
 
-/// Tests fragments of one face; gives those that passed.
+/// Tests fragments of one face; returns the mask of those that passed.
 pub struct StencilTest<'a> {
     /// What is done.
     pub face: &'a StencilFace,

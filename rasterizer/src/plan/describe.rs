@@ -64,7 +64,7 @@ impl DrawPlan {
         text
     }
 
-    /// What is interpolated.
+    /// The varyings, in words.
     fn describe_varyings(&self) -> String {
         let compiled = self.pipeline.compiled();
         let mut text = format!("{} scalars interpolated", compiled.varyings.len());
@@ -83,7 +83,7 @@ impl DrawPlan {
 }
 
 impl TestTiming {
-    /// When a test is done, and what it writes.
+    /// The timing of a test, in words.
     fn describe(self, test: Compare, write: impl std::fmt::Debug) -> String {
         match self {
             Self::Never => "left out".into(),
@@ -101,7 +101,7 @@ impl TestTiming {
     }
 }
 
-/// What is done to an attachment.
+/// The operations on an attachment, in words.
 fn describe_color(color: &ColorPlan) -> String {
     let how = match (color.logic_op, color.blend) {
         (Some(op), _) => format!("logical operation, {op:?}"),

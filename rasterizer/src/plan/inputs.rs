@@ -28,7 +28,7 @@ pub enum PlaneSource {
     Sprite(usize, u8),
 }
 
-/// Where a fragment program's input comes from. The numbers are planes.
+/// The source of an input of a fragment program. The numbers are indices of planes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FragmentInput {
     /// Divided by the denominator.
@@ -51,7 +51,7 @@ pub enum FragmentInput {
     Y,
     /// Window depth.
     Depth,
-    /// Which side is seen.
+    /// The facing of the primitive.
     Front,
     /// The part of the pixel that is covered.
     Coverage,
@@ -108,7 +108,7 @@ pub struct InputPlanner<'a> {
     pub compiled: &'a Compiled,
     /// The first slots of the varyings that sprites replace.
     pub replaced: &'a [u16],
-    /// What vertices have for themselves.
+    /// The attribute components that come from arrays.
     pub arrays: AttributeSet,
     /// Whether any level of detail is made of slopes.
     pub needs_slopes: bool,
@@ -204,7 +204,7 @@ impl InputPlanner<'_> {
         self.replaced.iter().copied().find(|first| (*first..first + 4).contains(&slot))
     }
 
-    /// What every vertex has alike needs no plane: it is exactly that everywhere.
+    /// Whether a varying is equal at all vertices; it then needs no plane.
     fn is_constant(&self, slot: u16) -> bool {
         self.sprite(slot).is_none() && self.compiled.vertex.is_constant(slot, self.arrays)
     }

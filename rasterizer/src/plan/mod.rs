@@ -39,18 +39,18 @@ pub type Textures = Arc<[Option<Arc<SamplePlan>>]>;
 pub enum TestTiming {
     /// Neither test nor write.
     Never,
-    /// Before shading: what fails is not shaded.
+    /// Before shading: fragments that fail are not shaded.
     Early,
-    /// After shading: the shader throws fragments away, or writes what is tested.
+    /// After shading: the shader discards fragments, or writes depth or the stencil reference.
     Late(ShaderTestOutputs),
 }
 
-/// What a shader writes for the tests: the program outputs that hold it.
+/// The program outputs that hold what a shader writes for the tests.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ShaderTestOutputs {
     /// The depth.
     pub depth: Option<usize>,
-    /// What stencils are compared with.
+    /// The stencil reference.
     pub reference: Option<usize>,
 }
 
@@ -95,7 +95,7 @@ pub struct DrawPlan {
     pub product: Option<ProductPlan>,
     /// How sparse fragments are packed.
     pub packing: Packing,
-    /// Where the window is.
+    /// The viewport.
     pub viewport: Viewport,
     /// The offset of filled polygons, where depth matters.
     pub offset: Option<PolygonOffset>,
@@ -105,7 +105,7 @@ pub struct DrawPlan {
     pub raster: Arc<RasterState>,
     /// Which lanes the polygon stipple leaves.
     pub stipple: Option<StippleLanes>,
-    /// What vertices have for themselves.
+    /// The attribute components that come from arrays.
     arrays: AttributeSet,
     counting: Counting,
 }
@@ -122,9 +122,9 @@ pub enum Packing {
 /// Whether fragments are shaded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shading {
-    /// They are.
+    /// Yes.
     On,
-    /// Nobody takes a colour and nothing is thrown away: the depth test is all there is.
+    /// No colour is written and nothing is discarded: only the depth test runs.
     Off,
 }
 
@@ -298,8 +298,8 @@ impl DrawPlan {
         }
     }
 
-    /// Whether it is what would be decided of a draw in the same pass, of which `prepared` are the values, if the
-    /// fragment program has any.
+    /// Whether this plan is valid for another draw of the same pass, whose fragment program has the per-draw values
+    /// `prepared`.
     pub fn is_of(
         &self,
         pipeline: &Pipeline,
@@ -315,7 +315,7 @@ impl DrawPlan {
             && (Arc::ptr_eq(&self.raster, &input.raster) || self.raster == input.raster)
     }
 
-    /// Whether nothing but its outline says what a triangle covers, of one sample.
+    /// Whether the outline of a triangle alone determines its coverage, with one sample.
     pub fn covers_by_outline(&self) -> bool {
         self.samples.count == 1
             && self.samples.leaves(0)
@@ -325,7 +325,7 @@ impl DrawPlan {
     }
 }
 
-/// The components of attributes that vertices have for themselves.
+/// The attribute components that come from arrays.
 pub fn arrays(bindings: &[VertexBinding]) -> AttributeSet {
     let of = |sources: AttributeSet, binding: &VertexBinding| match binding.source {
         VertexSource::Constant(_) => sources,
@@ -336,7 +336,7 @@ pub fn arrays(bindings: &[VertexBinding]) -> AttributeSet {
     bindings.iter().fold(AttributeSet::default(), of)
 }
 
-/// Whether two lists are of the same plans.
+/// Whether two lists hold the same plans.
 pub fn same_textures(a: &Textures, b: &Textures) -> bool {
     let same = |(a, b): (&Option<Arc<SamplePlan>>, &Option<Arc<SamplePlan>>)| match (a, b) {
         (Some(a), Some(b)) => Arc::ptr_eq(a, b),

@@ -17,8 +17,7 @@ pub struct Pipeline(Arc<Compiled>);
 #[derive(Debug)]
 pub(crate) struct Compiled {
     pub desc: PipelineDesc,
-    /// The vertex program, without the varyings that the fragment program does not read, and with what it hoisted to
-    /// it.
+    /// The vertex program: without varyings that the fragment program does not read, with what was hoisted from it.
     pub vertex: Program,
     /// The fragment program, without outputs that are not used.
     pub fragment: Program,

@@ -6,7 +6,7 @@ use crate::shader::Program;
 use texunit::lanes::Isa;
 use texunit::plan::Places;
 
-/// What a fragment program that is a product ([`crate::shader::TexelProduct`]) comes to in a draw.
+/// The plan of a draw whose fragment program is a [`crate::shader::TexelProduct`].
 #[derive(Debug)]
 pub struct ProductPlan {
     /// The planes that its factors depend on, if they depend on nothing else: where these are the same all over a
@@ -41,7 +41,7 @@ pub struct FactorPlanes {
 }
 
 impl ProductPlan {
-    /// Decides; `None` where the interpreter is needed.
+    /// Makes the plan; `None` where the interpreter is needed.
     pub(super) fn new(
         isa: Isa,
         fragment: &Program,

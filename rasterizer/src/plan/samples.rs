@@ -31,9 +31,8 @@ impl SampleMasks {
     }
 
     /// The lanes of which any sample is covered.
-    ///
-    /// An only sample is read by itself: what was written a word at a time cannot be read as a
-    /// vector before the processor has put all its stores away.
+    /// A single sample is read as one word: a vector load of words that were just stored one by one waits for the
+    /// store buffer.
     #[inline]
     pub fn any(&self) -> u64 {
         match self.count {
@@ -104,7 +103,7 @@ const FOUR: [[i32; 2]; 4] = [[-32, -96], [96, -32], [-96, 32], [32, 96]];
 /// The centre of the pixel.
 const CENTER: [[i32; 2]; 1] = [[0, 0]];
 
-/// What a draw does with the samples of its pixels.
+/// How a draw treats the samples of its pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Samples {
     /// How many there are: 1, 2 or 4.
@@ -112,7 +111,7 @@ pub struct Samples {
     /// Where each lies, from the pixel's centre, in subpixels; empty where all are covered, and
     /// have the depth, that the centre has.
     places: &'static [[i32; 2]],
-    /// Those that the coverage and the mask of the state leave, bit by sample.
+    /// The samples that coverage value and mask keep, bit by sample.
     left: u8,
     /// The program output whose alpha determines how many samples are kept.
     pub alpha: Option<usize>,
@@ -152,12 +151,12 @@ impl Samples {
         if self.places.is_empty() { &CENTER } else { self.places }
     }
 
-    /// Whether each sample is covered by itself.
+    /// Whether coverage is computed for each sample.
     pub fn is_each(&self) -> bool {
         !self.places.is_empty()
     }
 
-    /// Whether the coverage and the mask of the state leave a sample.
+    /// Whether coverage value and mask keep a sample.
     pub fn leaves(&self, sample: usize) -> bool {
         self.left >> sample & 1 == 1
     }

@@ -15,7 +15,7 @@ pub enum Edge {
     /// Along the view volume, where nothing is drawn.
     #[default]
     View,
-    /// Clipping of one of its own, by the vertex where that begins.
+    /// Part of one of its own, by the vertex where that begins.
     Own(u8),
     /// Along a plane of the user's: an edge like its own (GL 2.1, section 2.12).
     Made,

@@ -6,14 +6,14 @@ use crate::desc::Cull;
 use crate::vertex::{Geometry, Outcode, Primitive, Primitives, VertexList};
 use std::ops::Range;
 
-/// Why nothing of a primitive is seen.
+/// Why a primitive covers no sample.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Reason {
     /// A coordinate is inf or NaN.
     NotFinite,
     /// All its vertices are beyond one side of the view volume.
     Outside(Side),
-    /// Clipping, by several sides or by the user's planes, leaves nothing of it.
+    /// Clipping by several sides or by user planes removes all of it.
     Cut,
     /// All vertices of a triangle are on a line.
     Flat,
@@ -64,10 +64,10 @@ pub enum Drawn {
     Triangle,
 }
 
-/// Of each of some primitives, in order, what it is and why nothing of it is seen.
+/// For each primitive, in order, its kind and the reason.
 pub type Reasons = Vec<(Drawn, Reason)>;
 
-/// Why nothing is seen of any of a range of primitives, which have no shapes.
+/// The reasons of a range of primitives without shapes.
 pub fn reasons(
     setup: &Setup<'_>,
     geometry: &Geometry,

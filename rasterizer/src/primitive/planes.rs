@@ -92,7 +92,7 @@ impl Across {
 /// What the depth of the shapes of a draw depends on.
 #[derive(Clone, Copy, Debug)]
 pub struct DepthSetup {
-    /// Where the window is.
+    /// The viewport.
     pub viewport: Viewport,
     /// Moves the depth of filled polygons.
     pub offset: Option<PolygonOffset>,

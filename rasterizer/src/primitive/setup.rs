@@ -56,7 +56,7 @@ pub struct Shape {
     pub part: Clipping,
     /// What it is.
     pub kind: ShapeKind,
-    /// Which side is seen.
+    /// The facing of the primitive.
     pub facing: Facing,
 }
 
@@ -90,7 +90,7 @@ impl Shape {
 pub struct Setup<'a> {
     /// The instruction set.
     pub isa: Isa,
-    /// Where the window is.
+    /// The viewport.
     pub viewport: Viewport,
     /// Which faces are not drawn.
     pub cull: Cull,
@@ -234,7 +234,7 @@ impl Setup<'_> {
         scratch.snapped.extend(snapped);
     }
 
-    /// Twice the area of a convex polygon, and which side is seen; `None` where nothing of it is.
+    /// Twice the area of a convex polygon, and its facing; `None` if it is culled.
     #[inline]
     pub(super) fn facing(&self, corners: &[[i32; 2]]) -> Option<(i64, Facing)> {
         if corners.len() < 3 {

@@ -31,7 +31,7 @@ impl Default for Triangles {
 }
 
 /// Which of them there are, bit by lane.
-struct Fates {
+struct TriangleMasks {
     /// Those that are drawn as they are.
     whole: u64,
     /// Those of them of which the back is seen.
@@ -111,9 +111,9 @@ struct Project<'a> {
 }
 
 impl Kernel for Project<'_> {
-    type Output = Fates;
+    type Output = TriangleMasks;
     #[inline(always)]
-    fn run<S: Simd>(self) -> Fates {
+    fn run<S: Simd>(self) -> TriangleMasks {
         let Self { triangles: Triangles { vertices, corners, bounds, .. }, setup, geometry } = self;
         let places: &[u8] = bytemuck::cast_slice(&geometry.snapped);
         let outcodes: &[u8] = bytemuck::cast_slice(&geometry.outcodes);
@@ -189,6 +189,6 @@ impl Kernel for Project<'_> {
                 whole[lane] = if is_seen { whole[lane] } else { 0 };
             }
         }
-        Fates { whole: S::nonzero(&whole), back: S::nonzero(&back), cut: S::nonzero(&cut) }
+        TriangleMasks { whole: S::nonzero(&whole), back: S::nonzero(&back), cut: S::nonzero(&cut) }
     }
 }

@@ -32,7 +32,7 @@ pub enum BatchPixels<'a> {
 pub struct BlockOf<'a> {
     /// Of each plane: at its first pixel, per pixel across, per pixel up.
     pub planes: &'a [[f32; 3]],
-    /// Which side is seen.
+    /// The facing of the primitive.
     pub facing: Facing,
     /// Whether its lanes went through the early tests, if there are any.
     pub tests: EarlyTests,
@@ -42,7 +42,7 @@ pub struct BlockOf<'a> {
     pub x: i32,
     /// Its first row.
     pub y: i32,
-    /// The part of each lane's pixel that is covered, where the draw asks.
+    /// The covered fraction of each lane's pixel, where the draw reads it.
     pub coverage: Option<&'a F32s>,
 }
 
@@ -137,7 +137,7 @@ pub struct Packed {
     pub y: [f32; QUADS],
     /// The word of each quad's [`front_word`].
     pub front: [u32; QUADS],
-    /// The part of each lane's pixel that is covered, where the draw asks.
+    /// The covered fraction of each lane's pixel, where the draw reads it.
     pub coverage: F32s,
     pub planes: Vec<EachPlane<QUADS>>,
     /// By block: the lanes that wait in this batch.
@@ -175,7 +175,7 @@ impl Packed {
         self.len == QUADS
     }
 
-    /// Whether any of the lanes of a block waits here: what comes after must not overtake it.
+    /// Whether any of these lanes of a block waits here: later fragments must not overtake it.
     pub fn holds(&self, block: usize, lanes: u64) -> bool {
         self.waiting[block] & lanes != 0
     }

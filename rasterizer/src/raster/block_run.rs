@@ -52,7 +52,7 @@ impl BlockRun {
         self.len
     }
 
-    /// Whether any of the lanes of a block waits here: what comes after must not overtake it.
+    /// Whether any of these lanes of a block waits here: later fragments must not overtake it.
     #[inline(always)]
     pub fn holds(&self, block: usize, lanes: u64) -> bool {
         let waiting = |covered: &Covered| {

@@ -83,7 +83,7 @@ pub fn block(isa: Isa, edges: &[Edge; 3], bx: i32, by: i32) -> Coverage {
     if !partial {
         return Coverage::Full;
     }
-    match isa.run(Inside(crossing)) {
+    match isa.run(InsideKernel(crossing)) {
         0 => Coverage::None,
         mask => Coverage::Partial(mask),
     }
@@ -146,9 +146,9 @@ const fn coordinates(axis: usize) -> [i32; LANES] {
 
 /// The lanes of 8×8 pixels where none of three edge functions is negative, given their values at
 /// the first pixel and their steps.
-struct Inside([(i32, i32, i32); 3]);
+struct InsideKernel([(i32, i32, i32); 3]);
 
-impl Kernel for Inside {
+impl Kernel for InsideKernel {
     type Output = u64;
     #[inline(always)]
     fn run<S: Simd>(self) -> u64 {

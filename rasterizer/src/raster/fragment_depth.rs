@@ -81,7 +81,7 @@ pub struct BatchDepth<'a> {
     pub offset: Option<[f32; 2]>,
     /// What depths are held within.
     pub depths: [f32; 2],
-    /// Takes the depth.
+    /// Receives the depth.
     pub depth: &'a mut F32s,
 }
 

@@ -147,9 +147,9 @@ pub struct Interpolate<'a> {
     pub plan: &'a DrawPlan,
     /// The quads.
     pub batch: &'a Batch<'a>,
-    /// Takes the inputs.
+    /// Receives the inputs.
     pub machine: &'a mut Machine,
-    /// Takes the depth, where the plan has a plane for it.
+    /// Receives the depth, where the plan has a plane for it.
     pub depth: &'a mut F32s,
 }
 
@@ -178,7 +178,7 @@ pub struct InterpolateRun<'a> {
     pub run: &'a BlockRun,
     /// The first pixel of their tile.
     pub tile: [i32; 2],
-    /// Takes the inputs.
+    /// Receives the inputs.
     pub machine: &'a mut Machine,
 }
 

@@ -7,7 +7,7 @@ use crate::primitive::rectangle;
 use crate::sizes::SUBPIXEL;
 use texunit::lanes::{Isa, Kernel, LANES, Simd, U32s, lane_x, lane_y};
 
-/// What of a line is left, and how far it has come before this one, in subpixels.
+/// The stipple of a line, and its phase at the start of the line in subpixels.
 pub type Dashes = Option<(LineStipple, u32)>;
 
 /// Whether the stipple leaves what is `at` subpixels from a line's start.
@@ -74,7 +74,7 @@ impl LineRectangle {
 
     /// The lanes of the block from pixel `first` on whose centres the line holds, where its stipple leaves it.
     pub fn centers(&self, isa: Isa, dashes: Dashes, first: [i32; 2]) -> u64 {
-        let held = isa.run(Held { band: self, first: first.map(f64::from) });
+        let held = isa.run(SamplesHeld { band: self, first: first.map(f64::from) });
         if dashes.is_none() {
             return held;
         }
@@ -97,12 +97,12 @@ fn center(first: [f64; 2], lane: usize) -> [f64; 2] {
 }
 
 /// The lanes whose centres a line holds. Of its sides those of its start and on its right do not belong to the next.
-struct Held<'a> {
+struct SamplesHeld<'a> {
     band: &'a LineRectangle,
     first: [f64; 2],
 }
 
-impl Kernel for Held<'_> {
+impl Kernel for SamplesHeld<'_> {
     type Output = u64;
     #[inline(always)]
     fn run<S: Simd>(self) -> u64 {

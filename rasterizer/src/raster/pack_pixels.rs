@@ -18,11 +18,11 @@ use texunit::lanes::{Kernel, Simd};
 pub enum Stop {
     /// All shapes are packed.
     Done,
-    /// The pixels that wait must be shaded first: they are a whole batch, or one of them comes again.
+    /// The waiting pixels must be shaded first: the batch is full, or one of them is covered again.
     Pixels,
     /// So must the blocks.
     Blocks,
-    /// This share is for the caller, and will not come again: it is dense, or has no lanes as its shape has no
+    /// This share is for the caller, and is not returned again: it is dense, or has no lanes as its shape has no
     /// window.
     Share(Share),
 }

@@ -104,7 +104,7 @@ pub fn along(axis: Axis, [_, a, b]: [f32; 3]) -> f32 {
     }
 }
 
-/// The inverse of each lane. Where nothing is in perspective they are alike, and one division does.
+/// The inverse of each lane; without perspective all are equal, and one division suffices.
 #[inline(always)]
 pub fn invert<S: Simd>(lanes: &mut F32s) {
     let first = lanes[0].to_bits();

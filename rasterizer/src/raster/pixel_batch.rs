@@ -24,7 +24,7 @@ pub struct Pixels {
     len: usize,
     /// Where each is: its block of the tile times 64, and its lane there.
     at: [u16; ROOM],
-    /// The lanes that there are, once they are a batch.
+    /// The occupied lanes, once it is a batch.
     masks: SampleMasks,
     /// Those of back faces, bit by lane.
     pub back: u64,
@@ -67,13 +67,13 @@ impl Pixels {
         self.len == LANES
     }
 
-    /// Whether any of the lanes of a block waits here: what comes after must not overtake it.
+    /// Whether any of these lanes of a block waits here: later fragments must not overtake it.
     #[inline(always)]
     pub fn holds(&self, block: usize, lanes: u64) -> bool {
         self.waiting[block % BLOCKS] & lanes != 0
     }
 
-    /// The lanes that there are.
+    /// The occupied lanes.
     #[inline(always)]
     fn mask(&self) -> u64 {
         !0 >> (LANES - self.len.clamp(1, LANES))
@@ -103,7 +103,7 @@ impl Pixels {
         }
     }
 
-    /// Adds lanes of a block of one shape, as many as fit; gives those that do not. `planes` are, of each plane,
+    /// Adds lanes of a block of one shape, as many as fit; returns the rest. `planes` are, of each plane,
     /// its value at the first pixel of the block and its steps across and up.
     #[inline(always)]
     pub fn push(

@@ -72,7 +72,7 @@ fn write_run<'a>(
     }
 }
 
-/// Runs batches and writes what comes out.
+/// Runs batches and writes their results.
 #[derive(Debug, Default)]
 pub struct Shader {
     /// Runs the fragment program.

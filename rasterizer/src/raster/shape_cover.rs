@@ -26,9 +26,9 @@ pub enum Cover {
     LineRectangle(LineRectangle),
     /// A smooth point: centre and radius.
     Disc([f64; 2], f64),
-    /// What of a smooth line holds a sample.
+    /// The samples within a line.
     LineSample(LineRectangle),
-    /// What of a smooth point does.
+    /// The samples within a point.
     DiscSample([f64; 2], f64),
 }
 
@@ -185,7 +185,7 @@ impl Cover {
     }
 }
 
-/// The blocks of a tile that a run of columns comes through.
+/// The blocks of a tile that a run of columns touches.
 fn run_blocks(run: &LineRun, width: i32, tile: [i32; 2]) -> u64 {
     let (major, minor) = (run.major, 1 - run.major);
     let last_row = TILE as i32 - 1;

@@ -62,7 +62,7 @@ impl Windows {
         isa.run(Cover { windows: self, tile, shapes });
     }
 
-    /// The pixels inside, of each part that there is, as the two words of a mask of lanes.
+    /// The pixels inside, of each part, as the two words of a mask of lanes.
     #[inline(always)]
     pub fn inside(&self) -> &[[U32s; 2]] {
         &self.inside[..self.parts.min(4)]

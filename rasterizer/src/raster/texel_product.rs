@@ -116,7 +116,7 @@ impl Products {
         self.how
     }
 
-    /// Computes what comes before the lookups of a run, whose inputs are in the machine.
+    /// Runs the code before the lookups of a run, whose inputs are in the machine.
     ///
     /// # Errors
     /// When the budget is used up.
@@ -147,7 +147,7 @@ impl Products {
         self.level.details = run.level().details;
     }
 
-    /// Red, green, blue or alpha of a block of the run, where that is what was asked for.
+    /// Red, green, blue or alpha of a block of the run, if colours were requested.
     #[inline(always)]
     pub fn color(&self, file: usize, component: usize) -> &F32s {
         &self.colors[file][component]
@@ -201,7 +201,7 @@ impl Kernel for Multiply<'_> {
                 let is_last = at + 1 == product.lookups();
                 let (before, after) =
                     if at % 2 == 0 { (&*odd, &mut *even) } else { (&*even, &mut *odd) };
-                let times = Times {
+                let times = MultiplyKernel {
                     factors: if at == 0 { given } else { before.each_ref() },
                     is_one: is_one && at == 0,
                     to: match &mut words {
@@ -278,7 +278,7 @@ fn lod_of<'a>(
 }
 
 /// Multiplies a lookup.
-struct Times<'a> {
+struct MultiplyKernel<'a> {
     factors: [&'a F32s; 4],
     /// Whether all of them are 1.
     is_one: bool,
@@ -291,7 +291,7 @@ enum To<'a> {
     Words { color: &'a ColorPlan, stored: &'a mut U32s, mask: u64 },
 }
 
-impl Take for Times<'_> {
+impl Take for MultiplyKernel<'_> {
     type Output = ();
 
     #[inline(always)]

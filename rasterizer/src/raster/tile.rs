@@ -87,7 +87,7 @@ impl Worker {
         }
     }
 
-    /// Makes `draw` the one whose shapes come next.
+    /// Makes `draw` the current draw.
     fn select(&mut self, pass: &PassJob, tile: &mut TileJob, draw: usize) {
         if self.draw == Some(draw) {
             return;
@@ -122,7 +122,8 @@ impl Worker {
         self.flush_run(pass, job, tile);
     }
 
-    /// Shades what of these lanes of a block waits: what comes must not overtake it. No pixel waits twice, so
+    /// Shades waiting fragments in these lanes of a block, which later ones must not overtake. No pixel waits twice,
+    /// so
     /// that nothing else has to go first.
     #[inline]
     fn make_way(

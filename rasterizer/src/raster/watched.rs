@@ -28,7 +28,7 @@ pub struct WatchedPixel {
     /// Those of fragments that are being shaded are taken out.
     events: Vec<Option<PixelEvent>>,
     /// The fragments that wait to be shaded, in order.
-    waiting: VecDeque<Waiting>,
+    waiting: VecDeque<WaitingFragment>,
 }
 
 /// The formats of a pass's attachments.
@@ -42,7 +42,7 @@ pub struct Formats {
 
 /// A fragment that waits.
 #[derive(Debug)]
-struct Waiting {
+struct WaitingFragment {
     event: usize,
     /// By plane: the values at the vertices, of varyings.
     values: Vec<Vec<f32>>,
@@ -157,7 +157,7 @@ impl WatchedPixel {
         let covered = (0..)
             .zip(masks.iter())
             .fold(0, |bits, (sample, mask)| bits | u8::from(mask >> self.lane & 1 == 1) << sample);
-        self.waiting.push_back(Waiting {
+        self.waiting.push_back(WaitingFragment {
             event: self.events.len(),
             values: job.plan.planes.iter().map(values).collect(),
         });
@@ -193,7 +193,7 @@ impl WatchedPixel {
     /// The fragment that is shaded now, if the batch covers the pixel.
     pub fn begin(&mut self, place: BatchLayout<'_>, lanes: u64) -> Option<Shaded> {
         let lane = self.lane_of(place, lanes)?;
-        let Waiting { event, values } = self.waiting.pop_front()?;
+        let WaitingFragment { event, values } = self.waiting.pop_front()?;
         match self.events.get_mut(event)?.take()? {
             PixelEvent::Fragment(fragment) => Some(Shaded { event, lane, fragment, values }),
             clear @ PixelEvent::Clear(_) => {

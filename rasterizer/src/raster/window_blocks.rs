@@ -28,7 +28,7 @@ const FURTHER: [usize; BITS] = {
 /// What up to 64 shapes cover of the blocks that their windows reach into.
 #[derive(Debug)]
 pub struct Shares {
-    /// The lanes, by block in rows of [`REACHED`]; the others are there so that nothing is checked.
+    /// The lanes, by block in rows of [`REACHED`]; the others avoid a bounds check.
     lanes: [[u64; LANES]; BITS],
     /// The first block of each shape.
     first: U32s,

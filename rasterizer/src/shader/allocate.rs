@@ -38,7 +38,7 @@ pub(super) fn allocate(lowered: &mut Lowered) -> Layout {
 
 /// Where a virtual register is used.
 #[derive(Clone, Copy, Debug, Default)]
-struct Span {
+struct LiveRange {
     start: u32,
     end: u32,
     reads: u32,
@@ -53,7 +53,7 @@ struct Access {
 
 struct Allocation {
     /// By virtual register; of temporaries only.
-    spans: Vec<Option<Span>>,
+    spans: Vec<Option<LiveRange>>,
     /// By variable, in the order of the code.
     accesses: Vec<Vec<Access>>,
     /// By virtual register: the register that is used instead.
@@ -99,7 +99,7 @@ impl Allocation {
             inst.operands(&mut |reg, role| match kinds[reg.0 as usize] {
                 Kind::Variable { var } => self.accesses[var.0 as usize].push(Access { at, role }),
                 Kind::Temp => {
-                    let span = self.spans[reg.0 as usize].get_or_insert(Span {
+                    let span = self.spans[reg.0 as usize].get_or_insert(LiveRange {
                         start: at,
                         end: at,
                         reads: 0,

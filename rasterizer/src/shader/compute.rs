@@ -40,7 +40,7 @@ struct Lanes(usize);
 /// A large letter of the table.
 struct Same(usize);
 
-/// What the operands of an instruction hold, as far as its tree asks.
+/// What the operands of an instruction hold, as far as its tree requires.
 struct Operands<'a> {
     lanes: [&'a F32s; OPERANDS],
     same: [f32; OPERANDS],

@@ -23,7 +23,7 @@ pub(super) struct Target(pub u32);
 /// One step of a register program.
 #[derive(Clone, Debug)]
 pub(super) enum Inst {
-    /// All lanes; operands that there are not repeat another.
+    /// All lanes; unused operands repeat another.
     Compute { what: Compute, out: Reg, args: [Reg; OPERANDS] },
     /// All lanes.
     Move { out: Reg, from: Reg },
@@ -41,7 +41,7 @@ pub(super) enum Inst {
     Derivative { axis: Axis, out: Reg, from: Reg },
     /// All lanes.
     Sample(Box<SampleInst>),
-    /// Goes on at `to` when this is 0: a branch that all lanes take alike.
+    /// Jumps to `to` when this is 0: a uniform branch.
     Unless { test: Test, to: Target },
     /// Goes on at `to`.
     Jump { to: Target },
@@ -102,7 +102,7 @@ pub(super) struct SampleInst {
     pub repeat: Option<u8>,
 }
 
-/// Where a sample's level of detail comes from.
+/// The source of a sample's level of detail.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum SampleLod {
     Implicit { bias: Option<Reg> },

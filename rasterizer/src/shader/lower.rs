@@ -12,7 +12,7 @@ use super::maskless_stores::MasklessStores;
 use super::preamble::Preamble;
 use super::uniformity::Alike;
 use crate::ir::{Access, Expr, Input, Lod, Module, Output, Sample, Stage, Ty, Value, Var};
-use flow::{OpenLoop, OpenScope, Turn};
+use flow::{LoopPosition, OpenLoop, OpenScope};
 
 /// What a virtual register stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -105,7 +105,7 @@ struct Lowering<'a> {
     /// How many outermost loops were begun.
     outermost: u32,
     /// In an outermost loop whose lanes take whole turns or none: the place of its statements.
-    turn: Option<Turn>,
+    turn: Option<LoopPosition>,
     alike: Alike,
     next_loop: usize,
     next_scope: usize,

@@ -154,7 +154,7 @@ impl Machine {
     fn store(&mut self, out: Reg, from: Reg) {
         match self.exec.extent {
             Extent::Empty => {}
-            Extent::ProductCode => {
+            Extent::Partial => {
                 let old = &self.registers[out.0 as usize];
                 let new = &self.registers[from.0 as usize];
                 let mut blended = U32s::ZERO;

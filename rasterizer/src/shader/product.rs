@@ -8,21 +8,21 @@ use super::inst::{Inst, Reg, Role, SampleInst, SampleLod};
 use super::repeated_lookups::Repeat;
 use crate::ir::{Access, Output};
 
-/// As many instructions may come before the lookups; programs with more of them keep to the interpreter.
+/// The most instructions before the lookups; programs with more use the interpreter.
 const MOST_BEFORE: usize = 16;
 
 /// What a product is made of.
 #[derive(Debug)]
 pub struct TexelProduct {
-    /// The factors of red, green, blue and alpha, which come first. One that is not there is 1.
+    /// The first factors of red, green, blue and alpha; `None` is 1.
     pub(super) factors: [Option<Reg>; 4],
     /// The lookups in the order in which they are multiplied.
     pub(super) lookups: Vec<SampleInst>,
     /// What computes the factors and what the lookups read, of what is given.
     pub(super) before: Vec<Inst>,
-    /// What of it the factors need.
+    /// The part of `before` that the factors need.
     pub(super) before_factors: Vec<Inst>,
-    /// What of it the lookups need.
+    /// The part of `before` that the lookups need.
     pub(super) before_lookups: Vec<Inst>,
     /// Which inputs of the program its factors depend on.
     pub factor_inputs: Vec<usize>,
@@ -33,7 +33,7 @@ pub struct TexelProduct {
     pub detail_inputs: Option<Vec<usize>>,
 }
 
-/// A part of what comes before the lookups.
+/// A part of the code before the lookups.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ProductCode {
     /// What the factors need.
@@ -52,7 +52,7 @@ impl TexelProduct {
         layout: &mut Layout,
         mut outputs: impl Iterator<Item = Output>,
     ) -> Option<Self> {
-        let mut steps = Steps { given: layout.given, ..Steps::default() };
+        let mut steps = ProductMatcher { given: layout.given, ..ProductMatcher::default() };
         for inst in code {
             steps.take(inst)?;
         }
@@ -68,7 +68,7 @@ impl TexelProduct {
         let [Some(r), Some(g), Some(b), Some(a)] = colors else { return None };
         let colors = [r, g, b, a];
         let lookups = colors[0].lookups.clone();
-        let belongs = |(component, color): (usize, &Term)| {
+        let belongs = |(component, color): (usize, &TexelTerm)| {
             color.component == component && color.lookups == lookups
         };
         if !colors.iter().enumerate().all(belongs) {
@@ -136,12 +136,12 @@ impl TexelProduct {
 enum Value {
     /// What is given or computed before the lookups.
     Number(Reg),
-    TexelProduct(Term),
+    TexelProduct(TexelTerm),
 }
 
 /// Lookups and a factor.
 #[derive(Clone, Debug)]
-struct Term {
+struct TexelTerm {
     factor: Option<Reg>,
     /// By number.
     lookups: Vec<usize>,
@@ -149,7 +149,7 @@ struct Term {
     component: usize,
 }
 
-impl Term {
+impl TexelTerm {
     /// The lookup, if it is a lookup by itself.
     fn texel(&self) -> Option<usize> {
         match (self.factor, &self.lookups[..]) {
@@ -169,7 +169,7 @@ impl Term {
 
 /// A program so far, its parts sorted.
 #[derive(Default)]
-struct Steps {
+struct ProductMatcher {
     /// Registers below are given to the program.
     given: u32,
     /// What the registers hold that it has written.
@@ -179,8 +179,8 @@ struct Steps {
     lookups: Vec<SampleInst>,
 }
 
-impl Steps {
-    /// Takes the next instruction; `None` where it makes the program something else.
+impl ProductMatcher {
+    /// Adds the next instruction; `None` if the program is no product.
     fn take(&mut self, inst: &Inst) -> Option<()> {
         if let Inst::Sample(sample) = inst {
             return self.look_up(sample);
@@ -214,7 +214,7 @@ impl Steps {
         let number = self.lookups.len();
         self.lookups.push(moved);
         for (component, out) in sample.out.iter().enumerate() {
-            let term = Term { factor: None, lookups: vec![number], component };
+            let term = TexelTerm { factor: None, lookups: vec![number], component };
             out.iter().for_each(|&out| self.set(out, Value::TexelProduct(term.clone())));
         }
         Some(())
@@ -259,13 +259,13 @@ impl Steps {
         Some(Value::Number(out))
     }
 
-    /// The product of two values that are not both numbers. (Which comes first does not matter to it.)
+    /// The product of two values that are not both numbers, in any order.
     fn times(&self, first: Value, second: Value) -> Option<Value> {
         let product = match (first, second) {
             (Value::Number(factor), Value::TexelProduct(term))
             | (Value::TexelProduct(term), Value::Number(factor)) => {
                 let is_first = term.factor.is_none() && term.lookups.len() == 1;
-                is_first.then_some(Term { factor: Some(factor), ..term })
+                is_first.then_some(TexelTerm { factor: Some(factor), ..term })
             }
             (Value::TexelProduct(first), Value::TexelProduct(second)) => match second.texel() {
                 Some(_) => first.times(&second),
@@ -290,7 +290,7 @@ impl Steps {
     }
 }
 
-/// Operands that there are not repeat the last.
+/// Unused operands repeat the last.
 fn padded(args: [Reg; 3]) -> [Reg; OPERANDS] {
     std::array::from_fn(|at| args[at.min(2)])
 }

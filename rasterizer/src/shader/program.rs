@@ -27,7 +27,7 @@ pub struct Program {
     pub(super) layout: Layout,
     pub(super) preamble: Preamble,
     pub(super) inputs: Vec<Input>,
-    /// And what of the vertex each depends on.
+    /// And the attribute components that each depends on.
     pub(super) outputs: Vec<(Output, AttributeSet)>,
     pub(super) textures: Vec<u32>,
     pub(super) slots: u32,
@@ -49,7 +49,7 @@ pub const MAX_REGISTER_FILES: usize = 4;
 /// As many registers as files may have together, so that they stay in the first cache.
 const MAX_TOTAL_REGISTERS: usize = 96;
 
-/// What of a program is computed once per draw: its uniform words, and every value that depends on
+/// The values of a program that are computed once per draw: its uniform words, and every value that depends on
 /// nothing else.
 #[derive(Debug)]
 pub struct Prepared {

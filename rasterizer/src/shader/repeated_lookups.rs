@@ -83,7 +83,7 @@ fn reads(sample: &mut SampleInst, wanted: Reg) -> bool {
     found
 }
 
-/// Of which of these both textures read alike: bit by number.
+/// The pairs whose textures are alike, bit by number.
 pub(super) fn alike(repeats: &[Repeat], textures: &[Option<Arc<SamplePlan>>]) -> u64 {
     let bit = |(number, repeat): (usize, &Repeat)| {
         u64::from(repeat.places(textures) == Places::Kept) << number

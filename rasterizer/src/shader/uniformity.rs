@@ -11,10 +11,10 @@
 
 use crate::ir::{Block, Expr, Module, Stmt, Value, Var};
 
-/// More rounds than this are not worth it: then nothing is taken as alike.
+/// The most rounds; if they do not suffice, nothing is taken as uniform.
 const ROUNDS: usize = 32;
 
-/// What is alike.
+/// What is uniform.
 #[derive(Debug, Default)]
 pub(super) struct Alike {
     /// By value.
@@ -159,19 +159,19 @@ fn is_jump(stmt: &Stmt) -> bool {
 
 /// What lanes are away from.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum ProductCode {
+enum CodeRegion {
     /// A side of this branch.
     Side(u32),
     /// An iteration of this loop.
-    Turn(u32),
+    Iteration(u32),
     /// This loop or scope.
     Whole(u32),
 }
 
 /// A part of the code that some lanes may not be in while others are.
 #[derive(Clone, Copy)]
-struct Away {
-    part: ProductCode,
+struct DivergentRegion {
+    part: CodeRegion,
     start: u32,
     end: u32,
     /// Whether the part itself is run more than once.
@@ -198,7 +198,7 @@ struct Walk<'a> {
     /// The number of the next statement.
     at: u32,
     /// The parts that lanes may be away from here.
-    away: Vec<Away>,
+    away: Vec<DivergentRegion>,
     loops: Vec<Open>,
     scopes: Vec<Open>,
     next_loop: usize,
@@ -254,7 +254,7 @@ impl Walk<'_> {
 
     fn store(&mut self, var: Var, value: Value) {
         let reads = self.places.reads[var.0 as usize];
-        let notices = |away: &Away| {
+        let notices = |away: &DivergentRegion| {
             let inside = |[first, last]: [u32; 2]| away.start <= first && last < away.end;
             away.again || !reads.is_none_or(inside)
         };
@@ -272,10 +272,10 @@ impl Walk<'_> {
         let together = self.alike.value(self.module, condition);
         let [middle, end] = self.ends(start);
         let again = !self.loops.is_empty();
-        let part = ProductCode::Side(start);
+        let part = CodeRegion::Side(start);
         for (block, start, end) in [(accept, start, middle), (reject, middle, end)] {
             if !together {
-                self.away.push(Away { part, start, end, again });
+                self.away.push(DivergentRegion { part, start, end, again });
             }
             self.block(block);
             self.at = end;
@@ -290,20 +290,25 @@ impl Walk<'_> {
         let depth = self.loops.len();
         if !self.alike.loops[number] {
             // From the second iteration on, lanes may have left.
-            self.away.push(Away { part: ProductCode::Whole(start), start, end, again: depth > 0 });
+            self.away.push(DivergentRegion {
+                part: CodeRegion::Whole(start),
+                start,
+                end,
+                again: depth > 0,
+            });
         }
         self.loops.push(Open { number, start, away: self.away.len(), depth });
         self.block(body);
         self.at = middle;
-        self.back(ProductCode::Turn(start));
+        self.back(CodeRegion::Iteration(start));
         self.block(continuing);
         self.at = end;
         self.loops.pop();
-        self.back(ProductCode::Whole(start));
+        self.back(CodeRegion::Whole(start));
     }
 
-    /// Lanes come back to where a part ends.
-    fn back(&mut self, from: ProductCode) {
+    /// Lanes rejoin at the end of a region.
+    fn back(&mut self, from: CodeRegion) {
         self.away.retain(|away| away.part != from);
     }
 
@@ -316,7 +321,7 @@ impl Walk<'_> {
         let end = self.ends(start)[1];
         self.at = end;
         self.scopes.pop();
-        self.back(ProductCode::Whole(start));
+        self.back(CodeRegion::Whole(start));
     }
 
     /// A `Break`, or a `Continue` to the end of the body.
@@ -327,8 +332,8 @@ impl Walk<'_> {
         }
         self.part_ways(open.depth);
         if let Some(end) = body {
-            let (part, start) = (ProductCode::Turn(open.start), open.start);
-            self.away.push(Away { part, start, end, again: true });
+            let (part, start) = (CodeRegion::Iteration(open.start), open.start);
+            self.away.push(DivergentRegion { part, start, end, again: true });
         }
     }
 
@@ -341,8 +346,8 @@ impl Walk<'_> {
         self.changed |= std::mem::replace(known, false);
         self.part_ways(open.depth);
         let end = self.ends(open.start)[1];
-        let (part, start) = (ProductCode::Whole(open.start), open.start);
-        self.away.push(Away { part, start, end, again: open.depth > 0 });
+        let (part, start) = (CodeRegion::Whole(open.start), open.start);
+        self.away.push(DivergentRegion { part, start, end, again: open.depth > 0 });
     }
 
     /// Lanes leave the loops from this one inwards on their own.

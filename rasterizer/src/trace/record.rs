@@ -56,7 +56,7 @@ pub struct Fragment {
     pub shape: usize,
     /// Its primitive's vertices: three of a triangle, two of a line, one of a point.
     pub vertices: Vec<Vertex>,
-    /// Which side is seen.
+    /// The facing of the primitive.
     pub facing: Facing,
     /// Which samples are covered, bit by sample, and of how many.
     pub samples: (u8, usize),

@@ -32,11 +32,11 @@ pub struct VertexStage<'a> {
     pub textures: &'a [Option<Arc<SamplePlan>>],
     /// Its attributes.
     pub bindings: &'a [VertexBinding],
-    /// Where the window is.
+    /// The viewport.
     pub viewport: Viewport,
     /// Varying slots that the fragment stage reads, in the order they are stored.
     pub varyings: &'a [u16],
-    /// Where the size of points comes from.
+    /// The source of point sizes.
     pub point_size: PointSize,
     /// The attribute that holds edge flags, where they matter.
     pub edge_flag: Option<u8>,
@@ -178,7 +178,7 @@ impl<'a, T> VertexSlices<'a, T> {
     }
 }
 
-/// Where an input of the program comes from.
+/// The source of an input of the program.
 enum InputSource<'a> {
     Attribute(&'a VertexSource, u8),
     /// An attribute that advances once for a number of instances.

@@ -35,7 +35,7 @@ mod tests {
     use texunit::format::Format;
     use texunit::lanes::{Isa, U32s};
 
-    /// Tile by tile gives what context all of them gives.
+    /// Storing tile by tile equals storing all of them.
     #[test]
     fn what_has_changed_is_stored_as_all_is() {
         for (format, samples) in [(Format::Rgba8, 1), (Format::R8, 4), (Format::Rgba32F, 4)] {

@@ -42,7 +42,7 @@ impl Put<'_> {
     }
 }
 
-/// What of a pixel is written to a texel.
+/// Which samples of a pixel are written to a texel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Stored {
     /// All samples, resolved.

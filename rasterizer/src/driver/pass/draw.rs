@@ -131,7 +131,7 @@ impl Pass<'_> {
         Ok(all.len() > before)
     }
 
-    /// Puts a draw into chunks of its own; says whether it has shapes.
+    /// Divides a draw into its own chunks; returns whether it has shapes.
     fn draw_in_own_chunks(
         &mut self,
         state: &mut DrawState<'_>,

@@ -73,7 +73,7 @@ impl Machine {
     }
 }
 
-/// Where the level of detail of a sample comes from.
+/// The source of the level of detail of a sample.
 #[inline(always)]
 pub(super) fn lod<'a>(registers: &'a [U32s], sample: &SampleInst) -> Lod<'a> {
     let reg = |reg: Reg| registers[reg.0 as usize].as_f32();

@@ -48,7 +48,7 @@ impl Machine {
         product.lookups[at].coords.map(|reg| registers[reg.0 as usize].as_f32())
     }
 
-    /// Where the level of detail of a lookup comes from, as its file has it.
+    /// The level of detail of a lookup, from the registers of a register file.
     #[inline(always)]
     pub fn lod<'a>(&'a self, product: &'a TexelProduct, at: usize, file: usize) -> Lod<'a> {
         lod(self.file(file), &product.lookups[at])

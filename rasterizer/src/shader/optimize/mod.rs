@@ -50,7 +50,7 @@ pub(super) fn optimize(module: &mut Module) {
     dead::run(module);
 }
 
-/// The passes that come last.
+/// The final passes.
 pub(super) fn finish(module: &mut Module) {
     if slopes::run(module) {
         simplify::run(module);

@@ -25,7 +25,7 @@ pub(super) fn run(
     let mut size = 0;
     turn.iter().for_each(|stmt| stmt.walk(&mut |_| size += 1));
     let turns =
-        Trial { module, known, variable, values: HashMap::new(), variables: HashMap::new() }
+        TrialRun { module, known, variable, values: HashMap::new(), variables: HashMap::new() }
             .turns(&turn, exit, LARGEST.min(room) / size)?;
     let mut out = Vec::with_capacity(turns * turn.len() + exit);
     for at in 0..=turns {
@@ -68,7 +68,7 @@ fn cuts(stmt: &Stmt) -> bool {
 }
 
 /// A loop that is run on what is known.
-struct Trial<'a, K, V> {
+struct TrialRun<'a, K, V> {
     module: &'a Module,
     known: K,
     variable: V,
@@ -78,7 +78,7 @@ struct Trial<'a, K, V> {
     variables: HashMap<Var, Option<u32>>,
 }
 
-impl<K, V> Trial<'_, K, V>
+impl<K, V> TrialRun<'_, K, V>
 where
     K: Fn(&Module, Value) -> Option<u32>,
     V: Fn(&Module, Var) -> Option<u32>,

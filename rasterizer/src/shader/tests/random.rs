@@ -15,9 +15,9 @@ const FUSED: [Op; 8] =
 const UNIFORMS: u32 = 8;
 
 /// Draws decisions from a list of random numbers; zeros when it is used up.
-struct Dice<'a>(std::slice::Iter<'a, u32>);
+struct RandomSource<'a>(std::slice::Iter<'a, u32>);
 
-impl Dice<'_> {
+impl RandomSource<'_> {
     fn below(&mut self, count: usize) -> usize {
         self.0.next().map_or(0, |roll| *roll as usize % count)
     }
@@ -28,7 +28,7 @@ impl Dice<'_> {
 }
 
 struct Generator<'a> {
-    dice: Dice<'a>,
+    dice: RandomSource<'a>,
     b: Builder,
     scalars: Vec<Var>,
     arrays: Vec<Var>,
@@ -62,7 +62,7 @@ pub fn module(rolls: &[u32]) -> crate::ir::Module {
     }
     visible.extend([b.float(1.0), b.float(-0.0), b.int(1), b.uint(!0), b.boolean(true)]);
     let mut g = Generator {
-        dice: Dice(rolls.iter()),
+        dice: RandomSource(rolls.iter()),
         b,
         scalars,
         arrays,

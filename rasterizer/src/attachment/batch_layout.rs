@@ -1,29 +1,29 @@
-//! Where a batch's pixels lie in a tile, and how their words come and go.
+//! The positions of a batch's pixels in a tile, and loads and stores of their words.
 
 use super::{BLOCKS, WordPlane};
 use texunit::lanes::{Isa, Kernel, LANES, QUADS, Simd, U32s};
 
-/// Where a batch's pixels lie in a tile.
+/// The positions of a batch's pixels in a tile.
 #[derive(Clone, Copy)]
 pub enum BatchLayout<'a> {
     /// All of one block.
     Block(usize),
     /// The block and quad of each of its quads.
     Quads(&'a [u8], &'a [u8]),
-    /// Each pixel by itself: its block times 64 and its lane there; and these blocks, bit by block. No pixel is
-    /// there twice; lanes that there are not are anywhere.
+    /// Each pixel by itself: its block times 64 and its lane there; and these blocks, bit by block. No pixel occurs
+    /// twice; unused lanes hold any valid index.
     Pixels(&'a [u16; LANES], u64),
 }
 
 /// Pixels of a tile.
 const PIXELS: usize = BLOCKS * LANES;
 
-/// Whether it matters what words hold before they are written.
+/// Whether words are loaded before they are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LoadOp {
-    /// It does.
+    /// They are loaded.
     Load,
-    /// All of each word is written, whatever it was.
+    /// They are not: all bits of each word are written.
     DontCare,
 }
 
@@ -32,20 +32,20 @@ pub enum LoadOp {
 pub fn with_words<R>(
     isa: Isa,
     plane: &mut WordPlane,
-    place: &BatchLayout<'_>,
+    layout: &BatchLayout<'_>,
     mask: u64,
-    old: LoadOp,
+    load_op: LoadOp,
     change: impl FnOnce(&mut U32s) -> R,
 ) -> R {
-    if let BatchLayout::Block(block) = *place {
+    if let BatchLayout::Block(block) = *layout {
         return change(plane.block_mut(block));
     }
-    let mut words = match old {
-        LoadOp::Load => load(isa, plane, place),
+    let mut words = match load_op {
+        LoadOp::Load => load(isa, plane, layout),
         LoadOp::DontCare => U32s::ZERO,
     };
     let result = change(&mut words);
-    store(plane, place, mask, &words);
+    store(plane, layout, mask, &words);
     result
 }
 
@@ -54,20 +54,20 @@ pub fn with_words<R>(
 pub fn with_texels(
     isa: Isa,
     planes: &mut [WordPlane],
-    place: &BatchLayout<'_>,
+    layout: &BatchLayout<'_>,
     mask: u64,
-    old: LoadOp,
+    load_op: LoadOp,
     change: impl FnOnce([&mut [U32s]; 4]),
 ) {
     let mut texels = [U32s::ZERO; 4];
-    let is_read = match place {
+    let is_read = match layout {
         // Put back whole.
         BatchLayout::Block(_) => true,
-        BatchLayout::Quads(..) | BatchLayout::Pixels(..) => old == LoadOp::Load,
+        BatchLayout::Quads(..) | BatchLayout::Pixels(..) => load_op == LoadOp::Load,
     };
     if is_read {
         for (words, plane) in texels.iter_mut().zip(&mut *planes) {
-            *words = load(isa, plane, place);
+            *words = load(isa, plane, layout);
         }
     }
     let mut words = <[&mut [U32s]; 4]>::default();
@@ -76,20 +76,20 @@ pub fn with_texels(
     }
     change(words);
     for (words, plane) in texels.iter().zip(planes) {
-        store(plane, place, mask, words);
+        store(plane, layout, mask, words);
     }
 }
 
-fn load(isa: Isa, plane: &mut WordPlane, place: &BatchLayout<'_>) -> U32s {
-    match *place {
+fn load(isa: Isa, plane: &mut WordPlane, layout: &BatchLayout<'_>) -> U32s {
+    match *layout {
         BatchLayout::Block(block) => plane.block(block),
         BatchLayout::Quads(of, quads) => gather(plane.blocks_mut(set_of(of)), of, quads),
         BatchLayout::Pixels(at, of) => isa.run(Gather { blocks: plane.blocks_mut(of), at }),
     }
 }
 
-fn store(plane: &mut WordPlane, place: &BatchLayout<'_>, mask: u64, words: &U32s) {
-    match *place {
+fn store(plane: &mut WordPlane, layout: &BatchLayout<'_>, mask: u64, words: &U32s) {
+    match *layout {
         BatchLayout::Block(block) => *plane.block_mut(block) = *words,
         BatchLayout::Quads(of, quads) => {
             scatter(plane.blocks_mut(set_of(of)), of, quads, mask, words)
