@@ -108,7 +108,7 @@ impl Device {
         image.set_each_sample(*face, *level, samples, self.resources.desc.isa);
     }
 
-    /// The plans recorded since the last call, without duplicates ([`Explain::Keep`]).
+    /// The plans recorded since the last call, without duplicates ([`crate::driver::Explain::Keep`]).
     pub fn take_explanations(&self) -> Vec<String> {
         self.resources.take_explanations()
     }

@@ -167,9 +167,9 @@ operations! { $
     Min "min" (a: f32, b: f32) -> f32 = math::min_number(a, b);
     /// The larger; the other if one is NaN.
     Max "max" (a: f32, b: f32) -> f32 = math::max_number(a, b);
-    /// [`Self::Min`] of `a` and what is known to be a number, in one step; `b` if `a` is NaN.
+    /// `Self::Min` of `a` and what is known to be a number, in one step; `b` if `a` is NaN.
     AtMost "at_most" (a: f32, b: f32) -> f32 = math::min(a, b);
-    /// [`Self::Max`] of `a` and what is known to be a number, in one step; `b` if `a` is NaN.
+    /// `Self::Max` of `a` and what is known to be a number, in one step; `b` if `a` is NaN.
     AtLeast "at_least" (a: f32, b: f32) -> f32 = math::max(a, b);
     /// The largest integer not above.
     Floor "floor" (a: f32) -> f32 = S::floor(a);

@@ -16,15 +16,15 @@ pub enum Ty {
     Bool,
 }
 
-/// A handle into [`Module::values`].
+/// A handle into [`crate::ir::Module::values`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Value(pub u32);
 
-/// A handle into [`Module::variables`].
+/// A handle into [`crate::ir::Module::variables`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Var(pub u32);
 
-/// A handle into [`Module::textures`]: the slot that a draw binds a texture to.
+/// A handle into [`crate::ir::Module::textures`]: the slot that a draw binds a texture to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Texture(pub u32);
 

@@ -1,6 +1,6 @@
 //! Running a register program over 64 lanes.
 //!
-//! One run is one [`Kernel`]: the loop over the instructions is compiled per instruction set with
+//! One run is one `Kernel`: the loop over the instructions is compiled per instruction set with
 //! every operation's loop inlined. An operation computes into a value of its own that is then moved to
 //! its register, so that no output ever aliases an input.
 //!

@@ -177,12 +177,12 @@ impl Program {
         }
     }
 
-    /// The inputs that the program reads, each once. Their order is that of [`Machine::input_mut`].
+    /// The inputs that the program reads, each once. Their order is that of [`crate::shader::Machine::input_mut`].
     pub fn inputs(&self) -> &[Input] {
         &self.inputs
     }
 
-    /// The outputs that the program writes, each once. Their order is that of [`Machine::output`].
+    /// The outputs that the program writes, each once. Their order is that of [`crate::shader::Machine::output`].
     pub fn outputs(&self) -> impl ExactSizeIterator<Item = Output> {
         self.outputs.iter().map(|&(output, _)| output)
     }
@@ -209,7 +209,7 @@ impl Program {
         self.reads_uniforms || self.preamble.reads_uniforms()
     }
 
-    /// How many batches may run together, see [`Machine::run_files`].
+    /// How many batches may run together, see [`crate::shader::Machine::run_files`].
     pub fn register_files(&self) -> usize {
         self.files
     }

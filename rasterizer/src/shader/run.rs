@@ -10,7 +10,7 @@ use texunit::plan::SamplePlan;
 pub struct Run<'a> {
     /// The instruction set.
     pub isa: Isa,
-    /// The program that [`Machine::begin`] was given.
+    /// The program that [`crate::shader::Machine::begin`] was given.
     pub program: &'a Program,
     /// Its values of this draw.
     pub prepared: &'a Prepared,

@@ -18,7 +18,7 @@ pub struct BlockColors<'a> {
     pub mask: u64,
 }
 
-/// Blends, packs and writes fragments of [`ColorClass::Bytes`], block after block.
+/// Blends, packs and writes fragments of [`crate::output::ColorClass::Bytes`], block after block.
 pub struct WriteBytes<'a> {
     /// What is done.
     pub plan: &'a ColorPlan,

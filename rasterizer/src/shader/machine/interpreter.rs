@@ -17,7 +17,7 @@ impl Machine {
         Ok(run.active & !self.discarded.bits())
     }
 
-    /// Runs the program once for each of the first `files` register files, at most [`Program::register_files`], over
+    /// Runs the program once for each of the first `files` register files, at most [`crate::shader::Program::register_files`], over
     /// all lanes.
     ///
     /// # Errors
