@@ -27,7 +27,7 @@ use crate::interface::StateBinding;
 use diagnostics::{Diagnostic, Log};
 pub use limits::{GATHER_OFFSETS, TEXEL_OFFSETS};
 use rasterizer::ir::{Interpolation, Module, Output};
-use rasterizer::stack::with_room;
+use rasterizer::stack::with_large_stack;
 use source::{Source, Span};
 use std::collections::BTreeMap;
 use std::fmt;
@@ -371,7 +371,7 @@ fn compile_once(stage: Stage, text: &str) -> Pass {
 
 /// Compiles one shader. Any text is fine; it never panics, and takes little of the caller's stack.
 pub fn compile(stage: Stage, source: &str, options: &Options) -> Compiled {
-    with_room(|| match options.repairs {
+    with_large_stack(|| match options.repairs {
         Repairs::Off => {
             let pass = compile_once(stage, source);
             let log = pass.log.render(Some(&pass.source));
@@ -383,5 +383,5 @@ pub fn compile(stage: Stage, source: &str, options: &Options) -> Compiled {
 
 /// Links shaders into a program. It takes little of the caller's stack.
 pub fn link(shaders: &[&Shader], bindings: &Bindings) -> Linked {
-    with_room(|| link::link(shaders, bindings))
+    with_large_stack(|| link::link(shaders, bindings))
 }

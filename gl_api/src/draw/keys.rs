@@ -21,7 +21,7 @@ use crate::state::fog::FogSource;
 use crate::state::light::{ColorControl, Light};
 use crate::state::material::{Part, column};
 use glam::{DMat4, DVec4};
-use rasterizer::driver::{LevelInfo, Rim, VertexBinding, VertexSource};
+use rasterizer::driver::{Antialiasing, LevelInfo, VertexBinding, VertexSource};
 use std::sync::Arc;
 
 /// Looks at the units, if they have changed.
@@ -180,7 +180,7 @@ pub(crate) fn fragment_key(
         color_sum,
         fog: state.enables.has(Flag::Fog).then_some(FogKey { mode: state.fog.mode, source }),
         alpha: alpha_test(context),
-        rim: Rim::Aliased,
+        antialiasing: Antialiasing::Aliased,
         clamp,
     }
 }

@@ -6,8 +6,8 @@ use crate::draw::assembly_words::has_vertex_program;
 use crate::interface::{ATTRIB_EDGE_FLAG, VARYING_TEX_COORD};
 use crate::state::enable::Flag;
 use rasterizer::driver::{
-    LineState, LineStipple, PointSize, PointState, PolygonMode, PolygonOffset, PolygonState,
-    RasterState, Rim, Stipple, Topology, VertexBinding, VertexSource,
+    Antialiasing, LineState, LineStipple, PointSize, PointState, PolygonMode, PolygonOffset,
+    PolygonState, RasterState, Stipple, Topology, VertexBinding, VertexSource,
 };
 
 /// What the primitives of a draw are drawn as.
@@ -41,20 +41,20 @@ fn drawn_as(context: &Context, topology: Topology) -> DrawnAs {
 }
 
 /// Smooth where its flag is on.
-fn rim(context: &Context, flag: Flag) -> Rim {
-    if context.state.enables.has(flag) { Rim::Smooth } else { Rim::Aliased }
+fn antialiasing(context: &Context, flag: Flag) -> Antialiasing {
+    if context.state.enables.has(flag) { Antialiasing::Smooth } else { Antialiasing::Aliased }
 }
 
-/// Whether any primitive of the topology has a smooth rim, so that its coverage changes alpha (GL
+/// Whether any primitive of the topology has a smooth edge, so that its coverage changes alpha (GL
 /// 2.1, section 3.12).
-pub(crate) fn smoothness(context: &Context, topology: Topology) -> Rim {
+pub(crate) fn smoothness(context: &Context, topology: Topology) -> Antialiasing {
     let DrawnAs { points, lines, polygons } = drawn_as(context, topology);
     let enables = &context.state.enables;
     let sprites = enables.has(Flag::PointSprite);
     let smooth = points && !sprites && enables.has(Flag::PointSmooth)
         || lines && enables.has(Flag::LineSmooth)
         || polygons && enables.has(Flag::PolygonSmooth);
-    if smooth { Rim::Smooth } else { Rim::Aliased }
+    if smooth { Antialiasing::Smooth } else { Antialiasing::Aliased }
 }
 
 /// How the primitives of a draw become fragments.
@@ -74,7 +74,7 @@ pub(crate) fn raster_state(
             LineStipple { factor: raster.stipple_factor, pattern: raster.stipple_pattern };
         state.line = LineState {
             width: raster.line_width,
-            rim: rim(context, Flag::LineSmooth),
+            antialiasing: antialiasing(context, Flag::LineSmooth),
             stipple: context.state.enables.has(Flag::LineStipple).then_some(stipple),
         };
     }
@@ -98,7 +98,7 @@ fn polygon_state(context: &Context, vertices: &[VertexBinding]) -> PolygonState 
     PolygonState {
         mode: polygons.mode,
         offset: flags.map(|flag| enables.has(flag).then_some(offset)),
-        rim: rim(context, Flag::PolygonSmooth),
+        antialiasing: antialiasing(context, Flag::PolygonSmooth),
         stipple,
         edge_flag: flagged.then_some(ATTRIB_EDGE_FLAG),
     }
@@ -121,7 +121,7 @@ fn point_state(context: &Context) -> PointState {
     PointState {
         size: points.derived_size(),
         source: if from_vertex { PointSize::Vertex } else { PointSize::State },
-        rim: rim(context, Flag::PointSmooth),
+        antialiasing: antialiasing(context, Flag::PointSmooth),
         sprite,
         origin: points.origin,
     }

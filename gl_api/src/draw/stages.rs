@@ -27,7 +27,7 @@ use crate::objects::programs::Linked;
 use crate::objects::target::TextureTarget;
 use crate::state::enable::Flag;
 use glam::DMat4;
-use rasterizer::driver::{Rim, ShaderModule, VertexBinding};
+use rasterizer::driver::{Antialiasing, ShaderModule, VertexBinding};
 use rasterizer::ir::{Access, Expr, Interpolation, Module, Output, Stage};
 use std::sync::Arc;
 use texunit::plan::SamplePlan;
@@ -101,7 +101,7 @@ impl Programs {
 pub(crate) fn choose(
     context: &mut Context,
     vertices: &[VertexBinding],
-    rim: Rim,
+    antialiasing: Antialiasing,
 ) -> Result<Stages> {
     let name = context.state.bindings.program.name();
     crate::draw::uniform_blocks::refresh(context, name)?;
@@ -112,7 +112,7 @@ pub(crate) fn choose(
         Some(module) => programs.textures(context, Stage::Vertex, module)?,
         None => Arc::clone(&context.recorder.no_textures),
     };
-    let fragment = FragmentStage::new(context, &programs, vertices, rim, clamp)?;
+    let fragment = FragmentStage::new(context, &programs, vertices, antialiasing, clamp)?;
     let vertex = VertexStage::new(context, &programs, vertices)?;
     let Programs { samplers, mut words, assembly, .. } = programs;
     let note = context.watched.is_some().then(|| match (&fragment.key, assembly[1]) {
@@ -173,7 +173,7 @@ impl FragmentStage {
         context: &mut Context,
         programs: &Programs,
         vertices: &[VertexBinding],
-        rim: Rim,
+        antialiasing: Antialiasing,
         clamp: Clamp,
     ) -> Result<Self> {
         let enables = &context.state.enables;
@@ -195,7 +195,7 @@ impl FragmentStage {
                     clamp
                 },
                 said: programs.said,
-                rim,
+                antialiasing,
                 module: module.clone(),
             };
             return Ok(Self {
@@ -216,7 +216,7 @@ impl FragmentStage {
             });
             plans.collect()
         };
-        let key = FragmentKey { two_sided: key.two_sided || two_sided, rim, ..key };
+        let key = FragmentKey { two_sided: key.two_sided || two_sided, antialiasing, ..key };
         let module = context.recorder.fixed.fragment(&key).map_err(|error| internal(&error))?;
         Ok(Self { module, textures, key: Some(key) })
     }
@@ -289,7 +289,7 @@ fn program_fragment(
         key.clamp = clamp;
     }
     let plain = key.shade_model == Interpolation::Smooth && key.alpha.is_none();
-    let plain = plain && key.sides == Sides::One && key.rim == Rim::Aliased;
+    let plain = plain && key.sides == Sides::One && key.antialiasing == Antialiasing::Aliased;
     if plain && key.clamp == Clamp::Off {
         return Ok(key.module);
     }
@@ -301,7 +301,7 @@ fn program_fragment(
         if key.clamp == Clamp::On {
             clamp_fragment_colors(&mut variant);
         }
-        if key.rim == Rim::Smooth {
+        if key.antialiasing == Antialiasing::Smooth {
             add_coverage(&mut variant);
         }
         if key.shade_model == Interpolation::Flat {

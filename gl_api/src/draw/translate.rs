@@ -20,8 +20,8 @@ use crate::interface::ATTRIB_EDGE_FLAG;
 use crate::state::enable::Flag;
 use crate::state::stencil::Side;
 use rasterizer::driver::{
-    Buffer, ColorState, Command, Cull, DepthClip, DepthState, FrontFace, OutputState, PassDesc,
-    Pipeline, PipelineDesc, PolygonState, Provoking, RasterState, Rect, Rim, SampleRule,
+    Antialiasing, Buffer, ColorState, Command, Cull, DepthClip, DepthState, FrontFace, OutputState,
+    PassDesc, Pipeline, PipelineDesc, PolygonState, Provoking, RasterState, Rect, SampleRule,
     ShaderModule, Topology, VertexBinding, VertexSource, Viewport, same_textures,
 };
 use std::sync::Arc;
@@ -87,9 +87,10 @@ pub(crate) fn draw(
     if !is_rasterized(context, topology, &vertices, elements)? {
         return Ok(());
     }
-    let rim = smoothness(context, topology);
+    let antialiasing = smoothness(context, topology);
     // Choosing may carry out what was recorded, if a texture of this draw was drawn to.
-    let Stages { vertex, fragment, reads } = crate::draw::stages::choose(context, &vertices, rim)?;
+    let Stages { vertex, fragment, reads } =
+        crate::draw::stages::choose(context, &vertices, antialiasing)?;
     let viewport = viewport(context);
     let mut raster = raster_state(context, topology, &vertices);
     raster.multisample = multisample_state(context, SampleRule::Each);
@@ -115,7 +116,7 @@ pub(crate) fn draw_rectangle(
     if context.queries.discards() || !is_rasterized(context, topology, &vertices, elements)? {
         return Ok(());
     }
-    let mut stages = crate::draw::stages::choose(context, &vertices, Rim::Aliased)?;
+    let mut stages = crate::draw::stages::choose(context, &vertices, Antialiasing::Aliased)?;
     rectangle.apply(context, &mut stages).map_err(|error| stages::internal(&error))?;
     let Stages { vertex, fragment, reads } = stages;
     let reads = Reads { keys: None, ..reads };

@@ -1,4 +1,4 @@
-//! What a fragment program that is a product comes to in a draw: what of it may be the same all over a shape.
+//! The texel-product fast path in a draw: which factors and levels of detail are constant over a shape.
 
 use super::Textures;
 use super::inputs::{FilledInput, FragmentInput};
@@ -6,7 +6,7 @@ use crate::shader::Program;
 use texunit::lanes::Isa;
 use texunit::sample::Addresses;
 
-/// What a fragment program that is a product ([`crate::shader::Product`]) comes to in a draw.
+/// The plan of a draw whose fragment program is a [`crate::shader::TexelProduct`].
 #[derive(Debug)]
 pub struct ProductPlan {
     /// The planes that its factors depend on, if they depend on nothing else: where these are the same all over a
@@ -19,7 +19,7 @@ pub struct ProductPlan {
     pub inputs: ProductInputs,
     /// Those where the levels of detail are known.
     pub without_details: ProductInputs,
-    /// Who looks for the texels of each lookup: the one before where both read alike at one point.
+    /// For each lookup, whether its texel addresses are computed or reused from the lookup before.
     pub places: Vec<Addresses>,
 }
 
@@ -41,7 +41,7 @@ pub struct FactorPlanes {
 }
 
 impl ProductPlan {
-    /// Decides; `None` where the interpreter is needed.
+    /// Makes the plan; `None` where the interpreter is needed.
     pub(super) fn new(
         isa: Isa,
         fragment: &Program,

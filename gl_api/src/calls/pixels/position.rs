@@ -16,7 +16,7 @@ use crate::interface::*;
 use crate::state::fog::FogSource;
 use crate::state::raster_position::{Answer, RasterPosition};
 use crate::state::viewport::within;
-use rasterizer::driver::{DepthClip, Rim, VertexBinding, VertexSource};
+use rasterizer::driver::{Antialiasing, DepthClip, VertexBinding, VertexSource};
 use rasterizer::ir::{Input, Output};
 use texunit::lanes::U32s;
 
@@ -57,7 +57,7 @@ impl Passed {
                 VertexBinding { location, source: VertexSource::Constant(value) }
             })
             .collect();
-        let stages = crate::draw::stages::choose(context, &vertices, Rim::Aliased)?;
+        let stages = crate::draw::stages::choose(context, &vertices, Antialiasing::Aliased)?;
         let outputs = Outputs::Units(moved_units(&stages));
         let ready = Ready::new(context, stages, outputs);
         Ok(Self { at: context.changes.calls, ready })

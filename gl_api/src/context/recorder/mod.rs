@@ -23,7 +23,7 @@ use crate::generate::fixed::FixedModules;
 use crate::objects::buffers::WaitingDraws;
 use rasterizer::driver::{
     Command, CommandBuffer, Counter, Device, Image, PassDesc, Pipeline, PipelineDesc, RasterState,
-    Rect, ShaderModule, Sight, VertexBinding, Viewport,
+    Rect, ShaderModule, VertexBinding, Viewport, Visibility,
 };
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -68,7 +68,7 @@ pub(crate) struct Recorder {
     /// Stages of assembly programs, by what their uniform words are moved by.
     pub moved: Vec<(ShaderModule, u32, ShaderModule)>,
     /// Whether anything is seen of what was submitted since the last picture was taken.
-    pub sight: Sight,
+    pub sight: Visibility,
     /// What counts the samples of draws.
     pub counter: Option<Counter>,
     pub rectangles: RectangleModules,
@@ -128,7 +128,7 @@ impl Recorder {
             variants: HashMap::new(),
             vertex_variants: HashMap::new(),
             moved: Vec::new(),
-            sight: Sight::default(),
+            sight: Visibility::default(),
             counter: None,
             rectangles: RectangleModules::default(),
             single: HashMap::new(),

@@ -5,7 +5,7 @@ use crate::base::clamp::Clamp;
 use crate::base::error::{ErrorCode, GlError};
 use crate::context::draw_note::DrawNote;
 use crate::context::recorder::fixed_words::Keys;
-use rasterizer::driver::{Rim, ShaderModule};
+use rasterizer::driver::{Antialiasing, ShaderModule};
 use rasterizer::ir::{Interpolation, IrError};
 use std::sync::Arc;
 use texunit::plan::SamplePlan;
@@ -42,7 +42,7 @@ pub(crate) struct VariantKey {
     /// The alpha test and the word of its reference.
     pub alpha: Option<(Compare, u32)>,
     pub sides: Sides,
-    pub rim: Rim,
+    pub antialiasing: Antialiasing,
     /// Whether its colours are clamped.
     pub clamp: Clamp,
 }

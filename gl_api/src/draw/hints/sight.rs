@@ -2,15 +2,15 @@
 
 use crate::context::Context;
 use crate::context::said::Hint;
-use rasterizer::driver::{Drawn, Reason, Reasons, Side, Sight};
+use rasterizer::driver::{Drawn, Reason, Reasons, Side, Visibility};
 
 /// Looks back on what was drawn, when a picture is taken: since the one before, all of it may have been where
 /// nobody sees it.
 pub(crate) fn picture(context: &mut Context) {
     crate::draw::hints::depths::picture(context);
     match std::mem::take(&mut context.recorder.sight) {
-        Sight::Undrawn | Sight::Some => {}
-        Sight::None(reasons) => nothing(context, &reasons),
+        Visibility::NothingDrawn | Visibility::Visible => {}
+        Visibility::Invisible(reasons) => nothing(context, &reasons),
     }
 }
 
