@@ -3,10 +3,9 @@
 use super::lookups::{self, Lookup};
 use super::math::Args;
 use super::table;
-use crate::Scalar;
-use crate::lower::emit::Emit;
-use crate::types::{Sampler, Type, vec};
-use crate::version::{Language, Since, Stages};
+use crate::emit::Emit;
+use crate::language::{Language, Since, Stages};
+use crate::types::{Sampler, Scalar, Type, vec};
 use rasterizer::ir::{Axis, Op, Stage, Value};
 use std::sync::LazyLock;
 

@@ -4,9 +4,8 @@
 //! sampler takes.
 
 use super::functions::{Lower, P, Row};
-use crate::Scalar;
-use crate::types::{Comparison, Dim, Sampler};
-use crate::version::{Extension, Since, Stages};
+use crate::language::{Extension, Since, Stages};
+use crate::types::{Comparison, Dim, Sampler, Scalar};
 
 /// Where a lookup's level of detail comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,7 +1,7 @@
 //! What the built-in functions compute, in the order in which it is computed: that order is the
 //! definition of their results.
 
-use crate::lower::emit::Emit;
+use crate::emit::Emit;
 use crate::types::Type;
 use rasterizer::ir::{Axis, Op, Ty, Value};
 use texunit::lanes::math::NAN;

@@ -2,7 +2,7 @@
 //! computed is the definition of its result.
 
 use super::math::Args;
-use crate::lower::emit::Emit;
+use crate::emit::Emit;
 use rasterizer::ir::{Op, Value};
 
 /// A square matrix, by columns.

@@ -8,7 +8,7 @@
 //! continuous. The components of `noise2` to `noise4` differ in the seed of the hash.
 
 use super::math::Args;
-use crate::lower::emit::Emit;
+use crate::emit::Emit;
 use rasterizer::ir::{Op, Ty, Value};
 
 /// The seeds of the components.

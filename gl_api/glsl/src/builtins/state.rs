@@ -4,9 +4,9 @@ use super::variables::Builtin;
 use crate::interface::{
     MAX_TEXTURE_UNITS, MatrixForm, Side, StateMatrix, StateVar, TexCoord, TexGenPlane,
 };
+use crate::language::Since;
 use crate::limits::{MAX_CLIP_PLANES, MAX_LIGHTS};
 use crate::types::{FLOAT, Struct, Type, vec};
-use crate::version::Since;
 use std::sync::Arc;
 
 /// State with an element for each texture unit, light or clip plane.

@@ -3,8 +3,8 @@
 
 use super::functions::{Lower, P, Row};
 use super::{math, matrix, noise};
-use crate::Scalar;
-use crate::version::{Extension, Since, Stages};
+use crate::language::{Extension, Since, Stages};
+use crate::types::Scalar;
 use rasterizer::ir::{Axis, Op};
 
 const ALWAYS: Since = Since::ALWAYS;

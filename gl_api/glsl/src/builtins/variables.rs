@@ -1,20 +1,18 @@
 //! The built-in variables and constants (GLSL 1.30 chapter 7), but for the state of the context.
 
 use super::state::{self, StateArray};
-use crate::hir::{Storage, Variable};
 use crate::interface::{
     ATTRIB_COLOR, ATTRIB_FOG_COORD, ATTRIB_NORMAL, ATTRIB_SECONDARY_COLOR, ATTRIB_TEX_COORD,
     ATTRIB_VERTEX, MAX_COMBINED_TEXTURE_IMAGE_UNITS, MAX_TEXTURE_IMAGE_UNITS, MAX_TEXTURE_UNITS,
     StateVar, VARYING_BACK_COLOR, VARYING_COLOR, VARYING_FOG, VARYING_SECONDARY_COLOR,
     VARYING_TEX_COORD,
 };
+use crate::language::{Extension, Language, Since, Stages};
 use crate::limits::{
     MAX_CLIP_DISTANCES, MAX_CLIP_PLANES, MAX_DRAW_BUFFERS, MAX_LIGHTS, MAX_UNIFORM_COMPONENTS,
     MAX_VARYING_FLOATS, MAX_VERTEX_ATTRIBS, TEXEL_OFFSETS,
 };
-use crate::source::Span;
 use crate::types::{BOOL, FLOAT, INT, Type, vec};
-use crate::version::{Extension, Language, Since, Stages};
 use rasterizer::ir::Stage;
 use std::sync::LazyLock;
 
@@ -68,29 +66,25 @@ enum Access {
     ReadWrite,
 }
 
-struct Row {
-    name: &'static str,
-    ty: Type,
+/// A built-in variable.
+pub struct Row {
+    /// Its name.
+    pub name: &'static str,
+    /// Its type.
+    pub ty: Type,
     stages: Stages,
     since: Since,
     access: Access,
-    builtin: Builtin,
+    /// What it stands for.
+    pub builtin: Builtin,
 }
 
-/// The built-in variable of that name, as a global of a shader.
-pub fn find(name: &str, stage: Stage, language: Language) -> Option<Variable> {
+/// The built-in variable of that name.
+pub fn find(name: &str, stage: Stage, language: Language) -> Option<&'static Row> {
     if !name.starts_with("gl_") {
         return None;
     }
-    let row = ROWS
-        .iter()
-        .find(|row| row.name == name && row.stages.has(stage) && language.has(row.since))?;
-    let storage = Storage::Builtin(row.builtin);
-    let mut variable = Variable::new(row.name.into(), row.ty.clone(), storage, Span::default());
-    if let Builtin::Limit(value) = row.builtin {
-        variable.constant = Some([value as u32].into());
-    }
-    Some(variable)
+    ROWS.iter().find(|row| row.name == name && row.stages.has(stage) && language.has(row.since))
 }
 
 /// The structure of that name that a built-in variable has.

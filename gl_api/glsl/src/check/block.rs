@@ -5,14 +5,13 @@
 
 use super::Checker;
 use super::scope::Symbol;
-use crate::MatrixOrder;
 use crate::ast::{self, BlockLayout, Qualifier};
-use crate::diagnostics::Diagnostic;
 use crate::hir::{Block, Expr, ExprKind, Packing, Storage, VarRef};
+use crate::language::Since;
 use crate::limits::MAX_SCALARS;
-use crate::source::Span;
-use crate::types::{Struct, Type};
-use crate::version::Since;
+use crate::text::diagnostics::Diagnostic;
+use crate::text::source::Span;
+use crate::types::{MatrixOrder, Struct, Type};
 use std::sync::Arc;
 
 const BLOCKS: &str = "ARB_uniform_buffer_object, section 4.3.5.1";

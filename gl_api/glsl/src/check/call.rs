@@ -7,13 +7,13 @@ use super::scope::Symbol;
 use crate::ast::{self, BinaryOp};
 use crate::builtins::functions::{self, Lower, P, Row};
 use crate::builtins::lookups::{LodForm, Lookup, Shift};
-use crate::diagnostics::Diagnostic;
 use crate::hir::{Direction, Expr, ExprKind, VarRef};
+use crate::language::{Extension, Version, stage_name};
 use crate::limits::{GATHER_OFFSETS, TEXEL_OFFSETS};
-use crate::source::Span;
-use crate::spelling::closest;
+use crate::text::diagnostics::Diagnostic;
+use crate::text::source::Span;
+use crate::text::spelling::closest;
 use crate::types::Type;
-use crate::version::{Extension, Version, stage_name};
 use rasterizer::ir::Stage;
 
 /// A function that a call may mean.

@@ -2,12 +2,12 @@
 
 use super::Checker;
 use crate::ast;
-use crate::diagnostics::Diagnostic;
 use crate::hir::{Expr, ExprKind};
+use crate::language::Version;
 use crate::limits::MAX_SCALARS;
-use crate::source::Span;
+use crate::text::diagnostics::Diagnostic;
+use crate::text::source::Span;
 use crate::types::{Struct, Type};
-use crate::version::Version;
 use std::sync::Arc;
 
 impl Checker<'_> {

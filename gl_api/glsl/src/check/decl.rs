@@ -2,16 +2,15 @@
 
 use super::Checker;
 use super::scope::Symbol;
-use crate::Scalar;
 use crate::ast::{self, TypeBase};
 use crate::builtins::variables;
-use crate::diagnostics::Diagnostic;
 use crate::hir::{Expr, ExprKind, Storage, VarRef, Variable};
+use crate::language::{Extension, Since, Version};
 use crate::limits::{MAX_DIMENSIONS, MAX_SCALARS, MAX_STRUCT_DEPTH};
-use crate::source::Span;
-use crate::spelling::closest;
-use crate::types::{Struct, Type};
-use crate::version::{Extension, Since, Version};
+use crate::text::diagnostics::Diagnostic;
+use crate::text::source::Span;
+use crate::text::spelling::closest;
+use crate::types::{Scalar, Struct, Type};
 use std::collections::BTreeSet;
 use std::sync::Arc;
 

@@ -3,14 +3,13 @@
 use super::Checker;
 use super::operators::{self, converts};
 use super::scope::Symbol;
-use crate::Scalar;
 use crate::ast::{self, BinaryOp, UnaryOp};
-use crate::builtins::variables;
-use crate::diagnostics::Diagnostic;
-use crate::hir::{Expr, ExprKind, VarRef};
-use crate::source::Span;
-use crate::types::{BOOL, FLOAT, INT, Type, UINT};
-use crate::version::{Extension, Since, Version};
+use crate::builtins::variables::{self, Builtin};
+use crate::hir::{Expr, ExprKind, Storage, VarRef, Variable};
+use crate::language::{Extension, Since, Version};
+use crate::text::diagnostics::Diagnostic;
+use crate::text::source::Span;
+use crate::types::{BOOL, FLOAT, INT, Scalar, Type, UINT};
 use rasterizer::ir::TRUE;
 use std::sync::Arc;
 
@@ -92,7 +91,12 @@ impl Checker<'_> {
 
     /// Brings a built-in variable into the global scope.
     pub(super) fn builtin_variable(&mut self, name: &str) -> Option<VarRef> {
-        let variable = variables::find(name, self.stage, self.language)?;
+        let row = variables::find(name, self.stage, self.language)?;
+        let storage = Storage::Builtin(row.builtin);
+        let mut variable = Variable::new(row.name.into(), row.ty.clone(), storage, Span::default());
+        if let Builtin::Limit(value) = row.builtin {
+            variable.constant = Some([value as u32].into());
+        }
         let var = VarRef::Global(self.unit.globals.len() as u32);
         self.scopes.add_global(variable.name.clone(), Symbol::Variable(var));
         self.unit.globals.push(variable);

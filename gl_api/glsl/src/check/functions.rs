@@ -4,10 +4,10 @@ use super::redeclare::settle_arrays;
 use super::scope::Symbol;
 use super::{Body, Checker};
 use crate::ast::{self, Qualifier};
-use crate::diagnostics::Diagnostic;
 use crate::hir::{Direction, Function, Storage, VarRef, Variable};
+use crate::language::Version;
+use crate::text::diagnostics::Diagnostic;
 use crate::types::Type;
-use crate::version::Version;
 
 impl Checker<'_> {
     pub(super) fn function(&mut self, declared: &ast::Function) {

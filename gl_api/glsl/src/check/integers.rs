@@ -4,14 +4,13 @@
 
 use super::Checker;
 use super::call::Candidate;
-use crate::Scalar;
 use crate::ast;
 use crate::builtins::functions::{self, P, Row};
-use crate::diagnostics::Diagnostic;
 use crate::hir::{Expr, ExprKind};
-use crate::source::Span;
-use crate::types::Type;
-use crate::version::Since;
+use crate::language::Since;
+use crate::text::diagnostics::Diagnostic;
+use crate::text::source::Span;
+use crate::types::{Scalar, Type};
 
 /// Whether a function is of signed integers alone.
 fn is_of_integers(row: &Row) -> bool {

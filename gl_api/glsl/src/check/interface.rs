@@ -2,14 +2,13 @@
 //! pass (GLSL 1.30 section 4.3).
 
 use super::Checker;
-use crate::Scalar;
 use crate::ast::{self, Qualifier};
 use crate::builtins::variables::Builtin;
-use crate::diagnostics::Diagnostic;
 use crate::hir::{Passing, Storage};
-use crate::source::Span;
-use crate::types::{FLOAT, INT, Type};
-use crate::version::{Extension, Since, Version};
+use crate::language::{Extension, Since, Version};
+use crate::text::diagnostics::Diagnostic;
+use crate::text::source::Span;
+use crate::types::{FLOAT, INT, Scalar, Type};
 use rasterizer::ir::{Interpolation, Stage};
 
 /// What a storage qualifier makes a global in a stage; the error says why it cannot be there.

@@ -2,9 +2,9 @@
 
 use super::Checker;
 use crate::builtins::variables;
-use crate::diagnostics::Diagnostic;
 use crate::hir::{Direction, Expr, ExprKind, Storage, Variable};
-use crate::source::Span;
+use crate::text::diagnostics::Diagnostic;
+use crate::text::source::Span;
 use rasterizer::ir::Stage;
 
 impl Checker<'_> {

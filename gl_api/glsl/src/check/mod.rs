@@ -11,20 +11,18 @@ mod interface;
 mod lvalue;
 mod operators;
 mod part;
-mod recursion;
 mod redeclare;
 mod scope;
 mod stmt;
 
-use super::ast::{Item, StructDecl};
-use super::diagnostics::{Diagnostic, Log};
-use super::hir::{Expr, Stmt, Storage, Unit, VarRef, Variable};
-use super::source::{Source, Span};
-use super::types::Type;
-use super::version::{Language, Version};
+use crate::ast::{Item, StructDecl};
+use crate::hir::{Expr, Stmt, Storage, Unit, VarRef, Variable, recursive_call};
+use crate::language::{Language, Version};
+use crate::text::diagnostics::{Diagnostic, Log};
+use crate::text::source::{Source, Span};
+use crate::types::Type;
 use block::BlockDefaults;
 use rasterizer::ir::Stage;
-pub use recursion::recursive_call;
 use redeclare::settle_arrays;
 use scope::{Scopes, Undeclared};
 use std::collections::BTreeMap;
@@ -202,7 +200,7 @@ impl Checker<'_> {
             return None;
         }
         let locals = self.body.as_ref().map_or(&[][..], |body| &body.locals);
-        super::lower::constant(expr, &self.unit.globals, locals).map(Arc::from)
+        crate::lower::constant(expr, &self.unit.globals, locals).map(Arc::from)
     }
 
     /// A body of statements in a scope of its own.

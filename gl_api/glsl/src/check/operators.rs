@@ -1,9 +1,8 @@
 //! What operators take and give (GLSL 1.30 section 5.9).
 
-use crate::Scalar;
 use crate::ast::BinaryOp;
-use crate::types::{BOOL, Type, vec};
-use crate::version::Version;
+use crate::language::Version;
+use crate::types::{BOOL, Scalar, Type, vec};
 
 /// Whether a value of `from` becomes `to` without a constructor (GLSL 1.30 section 4.1.10; 1.10
 /// has no such conversions).

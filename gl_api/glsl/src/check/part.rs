@@ -2,15 +2,14 @@
 
 use super::Checker;
 use super::expr::word;
-use crate::Scalar;
 use crate::ast;
-use crate::diagnostics::Diagnostic;
 use crate::hir::{Expr, ExprKind, Storage};
+use crate::language::Version;
 use crate::limits::{MAX_CLIP_DISTANCES, MAX_IMPLICIT_SIZE, MAX_SCALARS};
-use crate::source::Span;
-use crate::spelling::closest;
-use crate::types::{INT, Type};
-use crate::version::Version;
+use crate::text::diagnostics::Diagnostic;
+use crate::text::source::Span;
+use crate::text::spelling::closest;
+use crate::types::{INT, Scalar, Type};
 
 /// The three sets of component names (GLSL 1.30 section 5.5).
 const SWIZZLES: [&str; 3] = ["xyzw", "rgba", "stpq"];

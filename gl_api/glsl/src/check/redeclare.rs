@@ -5,11 +5,11 @@ use super::Checker;
 use super::scope::Symbol;
 use crate::ast;
 use crate::builtins::variables::{self, Builtin};
-use crate::diagnostics::Diagnostic;
 use crate::hir::{Passing, Storage, VarRef, Variable};
+use crate::language::stage_name;
 use crate::limits::MAX_CLIP_DISTANCES;
+use crate::text::diagnostics::Diagnostic;
 use crate::types::Type;
-use crate::version::stage_name;
 use rasterizer::ir::Stage;
 
 impl Checker<'_> {

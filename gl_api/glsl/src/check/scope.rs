@@ -2,13 +2,13 @@
 
 use super::Checker;
 use crate::builtins::{functions, variables};
-use crate::diagnostics::{Diagnostic, Edit, Suggestion};
 use crate::hir::{Storage, VarRef};
+use crate::language::{Version, stage_name};
 use crate::limits::MAX_ERRORS;
-use crate::source::Span;
-use crate::spelling::edit_distance;
+use crate::text::diagnostics::{Diagnostic, Edit, Suggestion};
+use crate::text::source::Span;
+use crate::text::spelling::edit_distance;
 use crate::types::Struct;
-use crate::version::{Version, stage_name};
 use rasterizer::ir::Stage;
 use std::collections::BTreeMap;
 use std::sync::Arc;

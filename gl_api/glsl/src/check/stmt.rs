@@ -3,12 +3,11 @@
 use super::Checker;
 use super::operators::converts;
 use super::scope::Symbol;
-use crate::Scalar;
 use crate::ast::{self, Qualifier, StmtKind};
-use crate::diagnostics::Diagnostic;
 use crate::hir::{Case, Expr, Loop, Stmt, Storage, VarRef};
-use crate::source::Span;
-use crate::types::{BOOL, Type};
+use crate::text::diagnostics::Diagnostic;
+use crate::text::source::Span;
+use crate::types::{BOOL, Scalar, Type};
 use rasterizer::ir::Stage;
 use std::collections::BTreeSet;
 

@@ -2,14 +2,13 @@
 //! (ARB_uniform_buffer_object, sections 2.15.3.1 and 4.3.5.1).
 
 use super::{StageUnits, std140};
-use crate::diagnostics::{Diagnostic, Log};
 use crate::hir::{Block, Packing, Storage, Variable};
-use crate::limits::MAX_UNIFORM_WORDS;
-use crate::limits::{MAX_UNIFORM_BLOCK_SIZE, MAX_UNIFORM_BLOCKS};
+use crate::language::stage_name;
+use crate::limits::{MAX_UNIFORM_BLOCK_SIZE, MAX_UNIFORM_BLOCKS, MAX_UNIFORM_WORDS};
 use crate::lower::Words;
-use crate::types::Type;
-use crate::version::stage_name;
-use crate::{MatrixOrder, Member, UniformBlock};
+use crate::program::{Member, UniformBlock};
+use crate::text::diagnostics::{Diagnostic, Log};
+use crate::types::{MatrixOrder, Type};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 

@@ -3,14 +3,14 @@
 
 use super::{Locations, StageUnits};
 use crate::builtins::variables::Builtin;
-use crate::diagnostics::{Diagnostic, Log};
 use crate::hir::{Storage, Variable};
 use crate::limits::{
     MAX_TRANSFORM_FEEDBACK_INTERLEAVED_COMPONENTS, MAX_TRANSFORM_FEEDBACK_SEPARATE_COMPONENTS,
 };
 use crate::lower::{Binding, varying_slots};
+use crate::program::{BufferMode, Capture, CaptureRequest, Captured, CapturedScalar};
+use crate::text::diagnostics::{Diagnostic, Log};
 use crate::types::Type;
-use crate::{BufferMode, Capture, CaptureRequest, Captured, CapturedScalar};
 use rasterizer::ir::{Output, Ty};
 
 const RULE: &str = "GL 3.0 section 2.15";

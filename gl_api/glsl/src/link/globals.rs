@@ -1,12 +1,12 @@
 //! Globals that several shaders of a program declare: one size of each array, one type, one value
 //! (GLSL 1.30 sections 4.1.9 and 4.3).
 
-use crate::diagnostics::{Diagnostic, Log};
 use crate::hir::{Expr, Storage, Unit, Variable};
+use crate::language::stage_name;
 use crate::limits::MAX_SCALARS;
 use crate::lower;
+use crate::text::diagnostics::{Diagnostic, Log};
 use crate::types::Type;
-use crate::version::stage_name;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 

@@ -9,14 +9,15 @@ mod std140;
 mod uniforms;
 mod varyings;
 
-use super::check::recursive_call;
-use super::diagnostics::{Diagnostic, Log};
-use super::hir::{Function, Storage, Unit, Variable};
-use super::lower::{self, Binding, Words, lower_stage};
-use super::version::{Version, stage_name};
-use super::{Bindings, Captured, Linked, Program, SamplerSlot, Shader, Stage};
+use crate::hir::recursive_call;
+use crate::hir::{Function, Storage, Unit, Variable};
 use crate::interface::MAX_TEXTURE_IMAGE_UNITS;
+use crate::language::{Version, stage_name};
+use crate::lower::{self, Binding, Words, lower_stage};
+use crate::program::{Bindings, Captured, Linked, Program, SamplerSlot};
+use crate::text::diagnostics::{Diagnostic, Log};
 use rasterizer::ir::Module;
+use rasterizer::ir::Stage;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
@@ -44,15 +45,15 @@ impl<'a> StageUnits<'a> {
 }
 
 /// Links shaders into a program; of none, the program leaves everything to the fixed function.
-pub fn link(shaders: &[&Shader], bindings: &Bindings) -> Linked {
+pub fn link(shaders: &[&Arc<Unit>], bindings: &Bindings) -> Linked {
     let mut log = Log::default();
     let program = build(shaders, bindings, &mut log);
     let program = program.filter(|_| !log.has_errors());
     Linked { program, log: log.render(None) }
 }
 
-fn build(shaders: &[&Shader], bindings: &Bindings, log: &mut Log) -> Option<Program> {
-    let units = globals::settled(shaders.iter().map(|shader| Arc::clone(&shader.unit)));
+fn build(shaders: &[&Arc<Unit>], bindings: &Bindings, log: &mut Log) -> Option<Program> {
+    let units = globals::settled(shaders.iter().map(|shader| Arc::clone(shader)));
     let vertex = collect(&units, Stage::Vertex, log);
     let fragment = collect(&units, Stage::Fragment, log);
     if log.has_errors() {

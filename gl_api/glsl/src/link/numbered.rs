@@ -3,12 +3,12 @@
 
 use super::{Locations, StageUnits};
 use crate::builtins::variables::Builtin;
-use crate::diagnostics::{Diagnostic, Log};
 use crate::hir::{Storage, Variable};
 use crate::interface::ATTRIB_VERTEX;
 use crate::limits::{MAX_DRAW_BUFFERS, MAX_VERTEX_ATTRIBS};
 use crate::lower::Binding;
-use crate::{Attribute, Bindings};
+use crate::program::{Attribute, Bindings};
+use crate::text::diagnostics::{Diagnostic, Log};
 
 /// Gives attributes their locations: first those that were bound, then the others in order.
 pub fn attributes(

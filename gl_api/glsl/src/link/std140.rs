@@ -1,8 +1,7 @@
 //! Where the members of a uniform block lie in its buffer: ARB_uniform_buffer_object, section
 //! 2.15.3.1.2. All layouts are this one.
 
-use crate::MatrixOrder;
-use crate::types::Type;
+use crate::types::{MatrixOrder, Type};
 
 /// The base alignment of a `vec4`, to which that of everything but short vectors is rounded up.
 const VEC4: u32 = 16;

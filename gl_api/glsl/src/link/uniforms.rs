@@ -3,12 +3,12 @@
 
 use super::StageUnits;
 use crate::builtins::variables::Builtin;
-use crate::diagnostics::{Diagnostic, Log};
 use crate::hir::{Storage, Variable};
 use crate::limits::MAX_UNIFORM_WORDS;
 use crate::lower::{self, Words};
+use crate::program::{BuiltinUniform, Uniform};
+use crate::text::diagnostics::{Diagnostic, Log};
 use crate::types::Type;
-use crate::{BuiltinUniform, Uniform};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 

@@ -1,12 +1,12 @@
 //! What passes from the vertex to the fragment stage (GLSL 1.30 sections 4.3.6 and 4.3.7).
 
 use super::{Locations, StageUnits};
-use crate::diagnostics::{Diagnostic, Log};
 use crate::hir::{Storage, Variable};
 use crate::interface::VARYING_USER;
+use crate::language::Version;
 use crate::limits::MAX_VARYING_FLOATS;
 use crate::lower::{Binding, varying_slots};
-use crate::version::Version;
+use crate::text::diagnostics::{Diagnostic, Log};
 use rasterizer::ir::Interpolation;
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -1,12 +1,11 @@
 //! Expressions to scalars. The order of the operations here is the definition of their results.
 
 use super::{Failure, Lowered, Lowerer};
-use crate::Scalar;
 use crate::ast::{BinaryOp, Step, StepResult, UnaryOp};
 use crate::builtins::functions::{Lower, Row};
 use crate::builtins::math::{self, Args};
 use crate::hir::{Expr, ExprKind};
-use crate::types::Type;
+use crate::types::{Scalar, Type};
 use rasterizer::ir::{Op, Stmt, Ty, Value};
 
 impl Lowerer<'_> {

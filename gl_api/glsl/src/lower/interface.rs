@@ -5,7 +5,7 @@ use super::outputs::Copy;
 use super::place::Slot;
 use super::{Failure, Lowered, Lowerer, Words, functions};
 use crate::hir::{Function, Storage, Unit, Variable};
-use crate::{ComparisonResult, Dim};
+use crate::types::{ComparisonResult, Dim};
 use rasterizer::ir::{Input, Interpolation, Module, Op, Output, Stage, Texture, Ty, Value};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;

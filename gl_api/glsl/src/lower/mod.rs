@@ -2,7 +2,6 @@
 
 mod builtin;
 mod call;
-pub mod emit;
 mod expr;
 mod interface;
 mod outputs;
@@ -10,12 +9,12 @@ mod place;
 mod stmt;
 mod texture;
 
-use super::builtins::state::StateArray;
-use super::hir::{Expr, Function, Unit, VarRef, Variable};
-use super::limits::{MAX_INLINED_DEPTH, MAX_VALUES};
+use crate::builtins::state::StateArray;
+use crate::emit::Emit;
+use crate::hir::{Expr, Function, Unit, VarRef, Variable};
 use crate::interface::{StateBinding, StateVar};
-use crate::{ComparisonResult, Dim};
-use emit::Emit;
+use crate::limits::{MAX_INLINED_DEPTH, MAX_VALUES};
+use crate::types::{ComparisonResult, Dim};
 pub use interface::{Binding, lower_stage, named_globals, varying_slots};
 use place::Slot;
 use rasterizer::ir::{Stage, Texture, TextureDecl, Ty, Value, Var};

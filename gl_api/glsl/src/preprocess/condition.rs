@@ -1,11 +1,11 @@
 //! The expressions of `#if` and `#elif` (GLSL 1.30 section 3.3).
 
 use super::macros::Macros;
-use crate::diagnostics::{Diagnostic, Log};
-use crate::lexer::{Kind, Literal, Token, literal};
+use crate::language::Version;
+use crate::lex::{Kind, Literal, Token, literal};
 use crate::limits::MAX_CONDITION_DEPTH;
-use crate::source::{Source, Span};
-use crate::version::Version;
+use crate::text::diagnostics::{Diagnostic, Log};
+use crate::text::source::{Source, Span};
 
 /// Evaluates a condition.
 pub fn evaluate(

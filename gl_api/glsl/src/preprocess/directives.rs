@@ -3,12 +3,12 @@
 use super::condition;
 use super::macros::{Macro, Macros};
 use super::{Conditional, Group, Preprocessor};
-use crate::diagnostics::Diagnostic;
-use crate::lexer::{Kind, Token};
+use crate::language::{Behaviour, Extension, Version};
+use crate::lex::{Kind, Token};
 use crate::limits::MAX_CONDITIONALS;
-use crate::source::Span;
-use crate::spelling::closest;
-use crate::version::{Behaviour, Extension, Version};
+use crate::text::diagnostics::Diagnostic;
+use crate::text::source::Span;
+use crate::text::spelling::closest;
 
 /// The names of the directives.
 const NAMES: [&str; 13] = [

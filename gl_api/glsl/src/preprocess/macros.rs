@@ -1,10 +1,10 @@
 //! Macros and their expansion, bounded in what it may produce.
 
-use crate::diagnostics::Diagnostic;
-use crate::lexer::{Kind, Token};
+use crate::language::{Extension, Version};
+use crate::lex::{Kind, Token};
 use crate::limits::{MAX_EXPANDED_TOKENS, MAX_MACRO_DEPTH};
-use crate::source::{Source, Span};
-use crate::version::{Extension, Version};
+use crate::text::diagnostics::Diagnostic;
+use crate::text::source::{Source, Span};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
@@ -440,7 +440,7 @@ fn join(output: &mut Vec<Item>, start: usize, at: Span) -> Result<(), Box<Diagno
         Item::EndOf(_) => String::new(),
     };
     let joined = format!("{}{}", text(&output[start - 1]), text(&output[start]));
-    match &crate::lexer::tokens(&joined).tokens[..] {
+    match &crate::lex::tokens(&joined).tokens[..] {
         [one, _, _] => {
             output[start - 1] = Item::Token(Token { kind: one.kind.clone(), span: at });
             output.remove(start);

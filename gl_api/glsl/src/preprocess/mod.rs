@@ -5,10 +5,10 @@ mod condition;
 mod directives;
 mod macros;
 
-use super::diagnostics::{Diagnostic, Log};
-use super::lexer::{Kind, Token, tokens};
-use super::source::{Source, Span};
-use super::version::{Language, Version};
+use crate::language::{Language, Version};
+use crate::lex::{Kind, Token, tokens};
+use crate::text::diagnostics::{Diagnostic, Log};
+use crate::text::source::{Source, Span};
 use macros::Macros;
 
 /// What comes out.

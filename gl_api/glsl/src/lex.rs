@@ -1,7 +1,7 @@
 //! Text to tokens: comments and line continuations go, everything else stays, also what is no
 //! token of the language; the preprocessor decides what is looked at (GLSL 1.30 chapter 3).
 
-use super::source::{Span, is_line_end, line_end};
+use crate::text::source::{Span, is_line_end, line_end};
 use std::sync::Arc;
 
 /// What a token is.

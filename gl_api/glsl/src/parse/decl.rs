@@ -6,10 +6,10 @@ use crate::ast::{
     ArraySize, Declaration, Declarator, ExprKind, Function, Item, Name, Parameter, QualifiedType,
     Qualifier, StructDecl, TypeBase, TypeName,
 };
-use crate::diagnostics::Diagnostic;
-use crate::lexer::Kind;
-use crate::source::Span;
-use crate::version::{Extension, Version};
+use crate::language::{Extension, Version};
+use crate::lex::Kind;
+use crate::text::diagnostics::Diagnostic;
+use crate::text::source::Span;
 use std::sync::Arc;
 
 impl Parser<'_> {

@@ -1,8 +1,8 @@
 //! The words that are not names (GLSL 1.30 section 3.6).
 
 use crate::ast::{BlockLayout, Qualifier};
+use crate::language::{Extension, Language, Since, Version};
 use crate::types::Type;
-use crate::version::{Extension, Language, Since, Version};
 
 const ALWAYS: Since = Since::ALWAYS;
 const V120: Since = Since::V120;

@@ -6,13 +6,13 @@ mod expr;
 mod keywords;
 mod stmt;
 
-use super::ast::{Item, Name};
-use super::diagnostics::{Diagnostic, Log};
-use super::lexer::{Kind, Token};
-use super::limits::MAX_NESTING;
-use super::source::Span;
-use super::spelling::closest;
-use super::version::{Language, Version};
+use crate::ast::{Item, Name};
+use crate::language::{Language, Version};
+use crate::lex::{Kind, Token};
+use crate::limits::MAX_NESTING;
+use crate::text::diagnostics::{Diagnostic, Log};
+use crate::text::source::Span;
+use crate::text::spelling::closest;
 use keywords::Word;
 
 /// Where to go on after an error that has been reported.

@@ -1,7 +1,7 @@
 //! What is wrong with a shader, as data, and how an info log shows it.
 
-use super::limits::MAX_ERRORS;
-use super::source::{Source, Span};
+use crate::limits::MAX_ERRORS;
+use crate::text::source::{Source, Span};
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use std::fmt::Write as _;
 

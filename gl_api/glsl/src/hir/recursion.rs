@@ -1,7 +1,7 @@
 //! Functions that call themselves.
 
 use crate::hir::Function;
-use crate::source::Span;
+use crate::text::source::Span;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 

@@ -3,10 +3,10 @@
 use super::keywords;
 use super::{Parsed, Parser};
 use crate::ast::{BlockDecl, Item, Qualifier, TypeBase};
-use crate::diagnostics::Diagnostic;
-use crate::lexer::Kind;
-use crate::source::Span;
-use crate::version::Since;
+use crate::language::Since;
+use crate::lex::Kind;
+use crate::text::diagnostics::Diagnostic;
+use crate::text::source::Span;
 
 const SECTION: &str = "ARB_uniform_buffer_object, section 4.3.5.1";
 

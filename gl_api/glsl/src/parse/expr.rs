@@ -6,11 +6,11 @@ use crate::ast::{
     ArraySize, BINARY, BinaryOp, Expr, ExprKind, Name, Step, StepResult, TypeBase, TypeName,
     UnaryOp,
 };
-use crate::diagnostics::Diagnostic;
-use crate::lexer::{Kind, Literal, literal};
+use crate::language::Version;
+use crate::lex::{Kind, Literal, literal};
 use crate::limits::MAX_TREE;
-use crate::source::Span;
-use crate::version::Version;
+use crate::text::diagnostics::Diagnostic;
+use crate::text::source::Span;
 
 /// The assignment operators.
 const ASSIGNMENTS: [(&str, Option<BinaryOp>); 11] = [

@@ -3,9 +3,9 @@
 use super::keywords::{self, Word};
 use super::{Broken, Parsed, Parser};
 use crate::ast::{Condition, Expr, QualifiedType, Stmt, StmtKind};
-use crate::diagnostics::Diagnostic;
-use crate::lexer::Kind;
-use crate::version::Version;
+use crate::language::Version;
+use crate::lex::Kind;
+use crate::text::diagnostics::Diagnostic;
 
 impl Parser<'_> {
     /// `{ ... }`; a broken statement in it is reported and left out.
@@ -188,7 +188,7 @@ impl Parser<'_> {
     }
 
     /// The token after this word and the `[...]` that may follow it.
-    fn after_brackets(&self) -> &crate::lexer::Token {
+    fn after_brackets(&self) -> &crate::lex::Token {
         let mut distance = 1;
         let mut depth = 0usize;
         loop {

@@ -1,9 +1,10 @@
 //! Compiling with repairs: the suggested edits are applied to the text, round by round, until
 //! nothing is left to repair.
 
-use super::diagnostics::{Diagnostic, Edit, Severity};
-use super::source::Span;
-use super::{Compiled, Pass, Stage, compile_once};
+use super::{Compiled, Pass, compile_once};
+use crate::text::diagnostics::{Diagnostic, Edit, Severity};
+use crate::text::source::Span;
+use rasterizer::ir::Stage;
 
 /// How many rounds of repairs there are at most: one repair can uncover another mistake.
 const MAX_ROUNDS: usize = 8;

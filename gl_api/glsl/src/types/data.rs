@@ -1,0 +1,49 @@
+//! The types as GL reports them, of uniforms and attributes.
+
+use super::Sampler;
+use rasterizer::ir::Ty;
+
+/// The type of a uniform or attribute as GL reports it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum DataType {
+    /// A scalar or vector: what it is made of, and 1 to 4 components.
+    Vector(Scalar, u8),
+    /// A matrix: columns, rows.
+    Matrix(u8, u8),
+    /// A sampler.
+    Sampler(Sampler),
+}
+
+/// What a vector is made of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Scalar {
+    /// `float`.
+    Float,
+    /// `int`.
+    Int,
+    /// `uint`.
+    Uint,
+    /// `bool`.
+    Bool,
+}
+
+/// Which way a matrix lies in a buffer (ARB_uniform_buffer_object, section 2.15.3.1.1).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MatrixOrder {
+    /// Column by column.
+    Columns,
+    /// Row by row.
+    Rows,
+}
+
+impl Scalar {
+    /// The type in the IR.
+    pub fn ty(self) -> Ty {
+        match self {
+            Self::Float => Ty::F32,
+            Self::Int => Ty::I32,
+            Self::Uint => Ty::U32,
+            Self::Bool => Ty::Bool,
+        }
+    }
+}
