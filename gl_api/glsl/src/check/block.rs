@@ -7,7 +7,7 @@ use super::Checker;
 use super::scope::Symbol;
 use crate::ast::{self, BlockLayout, Qualifier};
 use crate::hir::{Block, Expr, ExprKind, Packing, Storage, VarRef};
-use crate::language::Since;
+use crate::language::Availability;
 use crate::limits::MAX_SCALARS;
 use crate::text::diagnostics::Diagnostic;
 use crate::text::source::Span;
@@ -102,7 +102,7 @@ impl Checker<'_> {
     /// A uniform block.
     pub(super) fn uniform_block(&mut self, declared: &ast::BlockDecl) {
         let ast::BlockDecl { qualifiers, name, members } = declared;
-        if let Some(extension) = self.language.warns(Since::UNIFORM_BLOCKS) {
+        if let Some(extension) = self.language.warns(Availability::UNIFORM_BLOCKS) {
             let message = format!("uniform blocks come from {}", extension.name());
             self.log.push(Diagnostic::warning(name.span, message));
         }

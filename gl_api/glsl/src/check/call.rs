@@ -5,8 +5,8 @@ use super::expr::convert;
 use super::operators::converts;
 use super::scope::Symbol;
 use crate::ast::{self, BinaryOp};
-use crate::builtins::functions::{self, Lower, P, Row};
-use crate::builtins::lookups::{LodForm, Lookup, Shift};
+use crate::builtins::function::{self, FunctionRow, Lowering, Pattern};
+use crate::builtins::texture_lookup::{LodSource, Lookup, TexelOffset};
 use crate::hir::{Direction, Expr, ExprKind, VarRef};
 use crate::language::{Extension, Version, stage_name};
 use crate::limits::{GATHER_OFFSETS, TEXEL_OFFSETS};
@@ -20,7 +20,7 @@ use rasterizer::ir::Stage;
 #[derive(Clone, Debug)]
 enum Target {
     User(u32),
-    Builtin(&'static Row),
+    Builtin(&'static FunctionRow),
 }
 
 #[derive(Clone, Debug)]
@@ -33,8 +33,9 @@ pub(super) struct Candidate {
 
 impl Candidate {
     /// A function of the language.
-    pub(super) fn builtin(row: &'static Row, parameters: Vec<Type>, result: Type) -> Self {
-        let direction = |p: &P| if *p == P::Out { Direction::Out } else { Direction::In };
+    pub(super) fn builtin(row: &'static FunctionRow, parameters: Vec<Type>, result: Type) -> Self {
+        let direction =
+            |p: &Pattern| if *p == Pattern::OutGen { Direction::Out } else { Direction::In };
         let directions = row.parameters.iter().map(direction).collect();
         Self { target: Target::Builtin(row), parameters, directions, result }
     }
@@ -144,7 +145,7 @@ impl Checker<'_> {
             }
         });
         let mut candidates: Vec<Candidate> = own.collect();
-        for row in functions::find(&name.text, self.stage, self.language) {
+        for row in function::find(&name.text, self.stage, self.language) {
             for (parameters, result) in row.signatures() {
                 if candidates.iter().any(|candidate| candidate.parameters == parameters) {
                     continue;
@@ -166,10 +167,10 @@ impl Checker<'_> {
             Stage::Vertex => Stage::Fragment,
             Stage::Fragment => Stage::Vertex,
         };
-        let known: Vec<&Row> = functions::named(text).collect();
-        let here = |row: &&&Row| row.stages.has(self.stage);
+        let known: Vec<&FunctionRow> = function::named(text).collect();
+        let here = |row: &&&FunctionRow| row.stages.has(self.stage);
         if let Some(row) = known.iter().find(here) {
-            if let Some(advice) = self.language.advice(row.since) {
+            if let Some(advice) = self.language.advice(row.availability) {
                 problem = problem.help(advice);
             }
         } else if !known.is_empty() {
@@ -177,7 +178,7 @@ impl Checker<'_> {
             problem = problem.note(format!("only the {stage} stage has it"));
         } else {
             let user = self.unit.functions.iter().map(|function| &*function.name);
-            let builtin: Vec<&str> = functions::names(self.stage, self.language).collect();
+            let builtin: Vec<&str> = function::names(self.stage, self.language).collect();
             let names = user.chain(builtin);
             if let Some(near) = closest(text, names) {
                 problem =
@@ -281,26 +282,30 @@ impl Checker<'_> {
 
     fn finish_builtin(
         &mut self,
-        row: &'static Row,
+        row: &'static FunctionRow,
         ty: Type,
         name: &ast::Name,
         arguments: Vec<Expr>,
         span: Span,
     ) -> Expr {
-        match row.lower {
-            Lower::Ftransform => {
+        match row.lowering {
+            Lowering::Ftransform => {
                 let matrix = self.builtin_expr("gl_ModelViewProjectionMatrix", span);
                 let vertex = self.builtin_expr("gl_Vertex", span);
                 return self.binary(BinaryOp::Mul, matrix, vertex, span);
             }
-            Lower::Texture(lookup) => {
+            Lowering::Texture(lookup) => {
                 if !self.check_lookup(lookup, name, &arguments) {
                     return Expr::error(span);
                 }
             }
-            Lower::Map(_) | Lower::With(_) | Lower::Derivative(_) | Lower::Modf => {}
+            Lowering::PerComponent(_)
+            | Lowering::Expand(_)
+            | Lowering::ExpandAtRunTime(_)
+            | Lowering::Derivative(_)
+            | Lowering::Modf => {}
         }
-        if let Some(extension) = self.language.warns(row.since) {
+        if let Some(extension) = self.language.warns(row.availability) {
             let message = format!("`{}` comes from {}", name.text, extension.name());
             self.log.push(Diagnostic::warning(name.span, message));
         }
@@ -313,7 +318,7 @@ impl Checker<'_> {
 
     /// What the types of a lookup's arguments do not say; whether it can be carried out.
     fn check_lookup(&mut self, lookup: Lookup, name: &ast::Name, arguments: &[Expr]) -> bool {
-        let explicit = matches!(lookup, Lookup::Sample(_, LodForm::Explicit, _));
+        let explicit = matches!(lookup, Lookup::Sample(_, LodSource::Explicit, _));
         if explicit && !self.is_vertex() && self.version < Version::V130 {
             let message = format!("`{}` in the fragment stage is an extension", name.text);
             let warning = Diagnostic::warning(name.span, message)
@@ -324,15 +329,15 @@ impl Checker<'_> {
             }
         }
         let shift = match lookup {
-            Lookup::Sample(_, form, Shift::Texels) => {
-                arguments.len().checked_sub(if form == LodForm::Bias { 2 } else { 1 })
+            Lookup::Sample(_, form, TexelOffset::Constant) => {
+                arguments.len().checked_sub(if form == LodSource::Bias { 2 } else { 1 })
             }
-            Lookup::Fetch(Shift::Texels) | Lookup::Gather(Shift::Texels) => {
+            Lookup::Fetch(TexelOffset::Constant) | Lookup::Gather(TexelOffset::Constant) => {
                 arguments.len().checked_sub(1)
             }
-            Lookup::Sample(_, _, Shift::None)
-            | Lookup::Gather(Shift::None)
-            | Lookup::Fetch(Shift::None)
+            Lookup::Sample(_, _, TexelOffset::None)
+            | Lookup::Gather(TexelOffset::None)
+            | Lookup::Fetch(TexelOffset::None)
             | Lookup::Size
             | Lookup::QueryLod => None,
         };

@@ -3,9 +3,9 @@
 use super::Checker;
 use super::scope::Symbol;
 use crate::ast::{self, TypeBase};
-use crate::builtins::variables;
+use crate::builtins::variable;
 use crate::hir::{Expr, ExprKind, Storage, VarRef, Variable};
-use crate::language::{Extension, Since, Version};
+use crate::language::{Availability, Extension, Version};
 use crate::limits::{MAX_DIMENSIONS, MAX_SCALARS, MAX_STRUCT_DEPTH};
 use crate::text::diagnostics::Diagnostic;
 use crate::text::source::Span;
@@ -44,7 +44,8 @@ impl Checker<'_> {
             return Type::Error;
         }
         if count > 1
-            && let Some(extension) = self.language.warns(Since::only(Extension::ArraysOfArrays))
+            && let Some(extension) =
+                self.language.warns(Availability::extension(Extension::ArraysOfArrays))
         {
             let message = format!("arrays of arrays come from {}", extension.name());
             self.log.push(Diagnostic::warning(name.span, message));
@@ -72,12 +73,12 @@ impl Checker<'_> {
         if let Some(Symbol::Struct(structure)) = self.scopes.find(word) {
             return Type::Struct(structure.clone());
         }
-        if let Some(ty) = variables::structure(word, self.language) {
+        if let Some(ty) = variable::structure(word, self.language) {
             return ty;
         }
         let mut problem =
             Diagnostic::error(span, format!("there is no type `{word}`")).rule(self.rule("4.1"));
-        if let Some(since) = Type::since(word) {
+        if let Some(since) = Type::availability(word) {
             if let Some(advice) = self.language.advice(since) {
                 problem = problem.help(advice);
             }

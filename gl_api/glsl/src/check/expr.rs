@@ -4,9 +4,9 @@ use super::Checker;
 use super::operators::{self, converts};
 use super::scope::Symbol;
 use crate::ast::{self, BinaryOp, UnaryOp};
-use crate::builtins::variables::{self, Builtin};
+use crate::builtins::variable::{self, Builtin};
 use crate::hir::{Expr, ExprKind, Storage, VarRef, Variable};
-use crate::language::{Extension, Since, Version};
+use crate::language::{Availability, Version};
 use crate::text::diagnostics::Diagnostic;
 use crate::text::source::Span;
 use crate::types::{BOOL, FLOAT, INT, Scalar, Type, UINT};
@@ -91,9 +91,10 @@ impl Checker<'_> {
 
     /// Brings a built-in variable into the global scope.
     pub(super) fn builtin_variable(&mut self, name: &str) -> Option<VarRef> {
-        let row = variables::find(name, self.stage, self.language)?;
+        let builtin = variable::find(name, self.stage, self.language)?;
+        let (row, ty) = (builtin.row, builtin.ty.clone());
         let storage = Storage::Builtin(row.builtin);
-        let mut variable = Variable::new(row.name.into(), row.ty.clone(), storage, Span::default());
+        let mut variable = Variable::new(row.name.into(), ty, storage, Span::default());
         if let Builtin::Limit(value) = row.builtin {
             variable.constant = Some([value as u32].into());
         }
@@ -139,7 +140,7 @@ impl Checker<'_> {
 
     /// Whether the version has integer operators; says so if not.
     fn has_integers(&mut self, span: Span) -> bool {
-        if !self.language.has(Since::V130.or(Extension::GpuShader4)) {
+        if !self.language.has(Availability::INTEGERS) {
             let message = "bits, shifts and remainders of integers are reserved in this version";
             let problem = Diagnostic::error(span, message)
                 .rule(format!("{} section 5.1", self.version.title()));

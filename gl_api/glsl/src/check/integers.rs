@@ -5,17 +5,18 @@
 use super::Checker;
 use super::call::Candidate;
 use crate::ast;
-use crate::builtins::functions::{self, P, Row};
+use crate::builtins::function::{self, FunctionRow, Pattern};
 use crate::hir::{Expr, ExprKind};
-use crate::language::Since;
+use crate::language::Availability;
 use crate::text::diagnostics::Diagnostic;
 use crate::text::source::Span;
 use crate::types::{Scalar, Type};
 
 /// Whether a function is of signed integers alone.
-fn is_of_integers(row: &Row) -> bool {
-    let integer = |p: &P| matches!(p, P::Gen(Scalar::Int) | P::Fixed(Scalar::Int, 1));
-    row.result == P::Gen(Scalar::Int) && row.parameters.iter().all(integer)
+fn is_of_integers(row: &FunctionRow) -> bool {
+    let integer =
+        |p: &Pattern| matches!(p, Pattern::Gen(Scalar::Int) | Pattern::Fixed(Scalar::Int, 1));
+    row.result == Pattern::Gen(Scalar::Int) && row.parameters.iter().all(integer)
 }
 
 impl Checker<'_> {
@@ -56,13 +57,15 @@ impl Checker<'_> {
         &self,
         name: &str,
         types: impl Iterator<Item = &'a Type> + Clone,
-    ) -> Option<(&'static Row, Vec<Type>, Type)> {
+    ) -> Option<(&'static FunctionRow, Vec<Type>, Type)> {
         // Not in OpenGL ES, whose compilers keep to the letter.
-        if !self.language.has(Since::V110) {
+        if !self.language.has(Availability::V110) {
             return None;
         }
-        let rows = functions::named(name).filter(|row| {
-            is_of_integers(row) && row.stages.has(self.stage) && !self.language.has(row.since)
+        let rows = function::named(name).filter(|row| {
+            is_of_integers(row)
+                && row.stages.has(self.stage)
+                && !self.language.has(row.availability)
         });
         let signatures = rows.flat_map(|row| {
             row.signatures().into_iter().map(move |(parameters, result)| (row, parameters, result))
@@ -70,10 +73,10 @@ impl Checker<'_> {
         signatures.into_iter().find(|(_, parameters, _)| types.clone().eq(parameters))
     }
 
-    fn warn_of_integers(&mut self, row: &Row, span: Span) {
+    fn warn_of_integers(&mut self, row: &FunctionRow, span: Span) {
         let message = format!("`{}` of integers is not in {}", row.name, self.version.title());
         let mut problem = Diagnostic::warning(span, message);
-        if let Some(advice) = self.language.advice(row.since) {
+        if let Some(advice) = self.language.advice(row.availability) {
             problem = problem.help(advice);
         }
         self.log.push(problem);

@@ -3,9 +3,9 @@
 
 use super::Checker;
 use crate::ast::{self, Qualifier};
-use crate::builtins::variables::Builtin;
+use crate::builtins::variable::Invariance;
 use crate::hir::{Passing, Storage};
-use crate::language::{Extension, Since, Version};
+use crate::language::{Availability, Extension, Version};
 use crate::text::diagnostics::Diagnostic;
 use crate::text::source::Span;
 use crate::types::{FLOAT, INT, Scalar, Type};
@@ -205,26 +205,10 @@ impl Checker<'_> {
         let fits = match storage {
             Storage::Output(_) | Storage::Input(_) => true,
             Storage::FragmentOutput => later,
-            Storage::Builtin(builtin) => match builtin {
-                Builtin::Position
-                | Builtin::PointSize
-                | Builtin::ClipVertex
-                | Builtin::ClipDistance
-                | Builtin::Varying(_)
-                | Builtin::FragCoord
-                | Builtin::PointCoord => true,
-                Builtin::FragColor
-                | Builtin::FragData
-                | Builtin::FragDepth
-                | Builtin::FragStencilRef => later,
-                Builtin::InstanceId
-                | Builtin::VertexId
-                | Builtin::Attribute(_)
-                | Builtin::FrontFacing
-                | Builtin::PrimitiveId
-                | Builtin::State(_)
-                | Builtin::States(_)
-                | Builtin::Limit(_) => false,
+            Storage::Builtin(builtin) => match builtin.invariance() {
+                Invariance::Allowed => true,
+                Invariance::AllowedLater => later,
+                Invariance::Forbidden => false,
             },
             Storage::Plain
             | Storage::Const
@@ -297,7 +281,7 @@ impl Checker<'_> {
             |ty: &Type| ty.any(&|part| matches!(part, Type::Vector(Scalar::Int | Scalar::Uint, _)));
         let boolean = ty.any(&|part| matches!(part, Type::Vector(Scalar::Bool, _)));
         let structure = ty.any(&|part| matches!(part, Type::Struct(_)));
-        let old = !self.language.has(Since::V130.or(Extension::GpuShader4));
+        let old = !self.language.has(Availability::INTEGERS);
         let wrong = match storage {
             Storage::Attribute => {
                 if boolean || structure || ty.has_array() || (old && integer(ty)) {

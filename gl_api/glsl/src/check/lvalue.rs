@@ -1,7 +1,7 @@
 //! What can be written (GLSL 1.30 section 5.8).
 
 use super::Checker;
-use crate::builtins::variables;
+use crate::builtins::variable;
 use crate::hir::{Direction, Expr, ExprKind, Storage, Variable};
 use crate::text::diagnostics::Diagnostic;
 use crate::text::source::Span;
@@ -71,7 +71,7 @@ impl Checker<'_> {
             Storage::Uniform => Some("a uniform"),
             Storage::Attribute => Some("a vertex attribute"),
             Storage::Input(_) => Some("an input of the fragment stage"),
-            Storage::Builtin(builtin) if !variables::is_writable(builtin, self.stage) => {
+            Storage::Builtin(builtin) if !variable::is_writable(builtin, self.stage) => {
                 Some("read-only")
             }
             Storage::Parameter(Direction::In | Direction::Out | Direction::Inout)

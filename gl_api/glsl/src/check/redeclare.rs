@@ -4,7 +4,7 @@
 use super::Checker;
 use super::scope::Symbol;
 use crate::ast;
-use crate::builtins::variables::{self, Builtin};
+use crate::builtins::variable::Builtin;
 use crate::hir::{Passing, Storage, VarRef, Variable};
 use crate::language::stage_name;
 use crate::limits::MAX_CLIP_DISTANCES;
@@ -47,7 +47,7 @@ impl Checker<'_> {
         if *ty == Type::Error {
             return true;
         }
-        if !variables::is_redeclarable(builtin) {
+        if !builtin.is_redeclarable() {
             let message = format!("`{}` is part of the language", name.text);
             let problem = Diagnostic::error(name.span, message).rule(self.rule("3.7"));
             self.log.push(problem.help("leave the declaration out"));

@@ -1,7 +1,7 @@
 //! Names: scopes, and what to do about a name that is not declared.
 
 use super::Checker;
-use crate::builtins::{functions, variables};
+use crate::builtins::{function, variable};
 use crate::hir::{Storage, VarRef};
 use crate::language::{Version, stage_name};
 use crate::limits::MAX_ERRORS;
@@ -194,7 +194,7 @@ impl Checker<'_> {
             | Symbol::Undeclared(_) => None,
         });
         let mut candidates: Vec<Candidate> = declared.collect();
-        for near in variables::names(self.stage, self.language) {
+        for near in variable::names(self.stage, self.language) {
             if let Some(distance) = edit_distance(name, near, limit) {
                 candidates.push(Candidate { distance, name: near.into(), declared: None });
             }
@@ -234,10 +234,10 @@ impl Checker<'_> {
                 (variable.named == 0 && plain && own)
                     .then_some((variable.span, candidate.name.clone()))
             });
-            let since = variables::since(&name, self.stage);
-            let other = [Stage::Vertex, Stage::Fragment]
-                .into_iter()
-                .find(|stage| *stage != self.stage && variables::since(&name, *stage).is_some());
+            let since = variable::availability(&name, self.stage);
+            let other = [Stage::Vertex, Stage::Fragment].into_iter().find(|stage| {
+                *stage != self.stage && variable::availability(&name, *stage).is_some()
+            });
             if let Some(advice) = since.and_then(|since| self.language.advice(since)) {
                 problem = problem.help(advice);
             } else if let Some(other) = other {
@@ -255,11 +255,11 @@ impl Checker<'_> {
                 let edits = uses.iter().filter(plain).map(edit).collect();
                 let text = format!("did you mean `{near}`?");
                 problem.suggestion = Some(Suggestion { text, edits });
-            } else if let Some(advice) =
-                variables::since(&name, self.stage).and_then(|since| self.language.advice(since))
+            } else if let Some(advice) = variable::availability(&name, self.stage)
+                .and_then(|since| self.language.advice(since))
             {
                 problem = problem.help(advice);
-            } else if functions::find(&name, self.stage, self.language).next().is_some()
+            } else if function::find(&name, self.stage, self.language).next().is_some()
                 || !self.scopes.functions(&name).is_empty()
             {
                 problem = problem.note(format!("`{name}` is a function: it is called with `()`"));

@@ -1,5 +1,7 @@
 //! One shader: its text through the preprocessor, the parser and the checker.
 
+#[cfg(test)]
+mod builtins_test;
 mod fix_its;
 
 use crate::hir::Unit;

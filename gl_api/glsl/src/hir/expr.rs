@@ -2,7 +2,7 @@
 
 use super::VarRef;
 use crate::ast::{BinaryOp, Step, StepResult, UnaryOp};
-use crate::builtins::functions::Row;
+use crate::builtins::function::FunctionRow;
 use crate::text::source::Span;
 use crate::types::Type;
 use std::collections::BTreeSet;
@@ -53,7 +53,7 @@ pub enum ExprKind {
     /// A function of the unit.
     Call(u32, Vec<Expr>),
     /// A function of the language.
-    Builtin(&'static Row, Vec<Expr>),
+    Builtin(&'static FunctionRow, Vec<Expr>),
     /// What was wrong; the shader does not link.
     Error,
 }

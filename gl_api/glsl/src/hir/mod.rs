@@ -5,7 +5,7 @@ mod function;
 mod recursion;
 mod stmt;
 
-use crate::builtins::variables::Builtin;
+use crate::builtins::variable::Builtin;
 use crate::language::Version;
 use crate::text::source::Span;
 use crate::types::{MatrixOrder, Type};

@@ -1,38 +1,65 @@
-//! In which versions, profiles and stages something is there.
+//! In which versions, profiles, extensions and stages something is there.
 
 use super::{Extension, Version};
 use rasterizer::ir::Stage;
 
-/// Which versions and extensions bring something.
+/// A profile of desktop GLSL, from 1.40 on. Up to 1.30 there is one language.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Since {
-    pub(super) core: Option<Version>,
+pub enum Profile {
+    /// Without what GLSL 1.40 has left to `GL_ARB_compatibility`. No context has it yet.
+    Core,
+    /// With everything.
+    Compatibility,
+}
+
+/// Which profiles of desktop GLSL have something.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Profiles {
+    /// Both.
+    All,
+    /// The compatibility profile alone.
+    Compatibility,
+}
+
+/// Which versions, profiles and extensions have something.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Availability {
+    /// The first version of desktop GLSL that has it; `None` if none has.
+    pub(super) desktop: Option<Version>,
+    /// The profiles of desktop GLSL that have it.
+    pub(super) profiles: Profiles,
+    /// Whether GLSL ES 1.00 has it.
     pub(super) es: bool,
-    /// The bits of the extensions of which any brings it.
+    /// The bits of the extensions each of which adds it.
     pub(super) extensions: u32,
 }
 
-impl Since {
+impl Availability {
     /// Every version.
-    pub const ALWAYS: Self = Self { es: true, ..Self::V110 };
+    pub const ALL: Self = Self { es: true, ..Self::V110 };
     /// Every version but that of OpenGL ES.
-    pub const V110: Self = Self { core: Some(Version::V110), es: false, extensions: 0 };
+    pub const V110: Self = Self::from_version(Version::V110);
     /// From GLSL 1.20 on.
-    pub const V120: Self = Self { core: Some(Version::V120), ..Self::V110 };
+    pub const V120: Self = Self::from_version(Version::V120);
     /// From GLSL 1.30 on.
-    pub const V130: Self = Self { core: Some(Version::V130), ..Self::V110 };
+    pub const V130: Self = Self::from_version(Version::V130);
     /// From GLSL 1.40 on.
-    pub const V140: Self = Self { core: Some(Version::V140), ..Self::V110 };
+    pub const V140: Self = Self::from_version(Version::V140);
+    /// GLSL ES 1.00 alone.
+    pub const ES: Self = Self { desktop: None, profiles: Profiles::All, es: true, extensions: 0 };
 
-    /// What brings uniform blocks and their layouts.
+    /// Integers: their types, operators and functions.
+    pub const INTEGERS: Self = Self::V130.or(Extension::GpuShader4);
+    /// Uniform blocks and their layouts.
     pub const UNIFORM_BLOCKS: Self = Self::V140.or(Extension::UniformBufferObject);
 
-    /// GLSL ES 1.00 alone.
-    pub const ES: Self = Self { core: None, es: true, extensions: 0 };
+    const fn from_version(version: Version) -> Self {
+        Self { desktop: Some(version), profiles: Profiles::All, es: false, extensions: 0 }
+    }
 
     /// An extension alone.
-    pub const fn only(extension: Extension) -> Self {
-        Self { core: None, es: false, extensions: extension.bit() }
+    pub const fn extension(extension: Extension) -> Self {
+        Self { desktop: None, profiles: Profiles::All, es: false, extensions: extension.bit() }
     }
 
     /// An extension too.
@@ -40,18 +67,24 @@ impl Since {
         Self { extensions: self.extensions | extension.bit(), ..self }
     }
 
-    pub(super) fn extensions(self) -> impl Iterator<Item = Extension> {
-        let all = Extension::ALL.into_iter().map(|(extension, _)| extension);
-        all.filter(move |extension| self.extensions & extension.bit() != 0)
-    }
-
     /// GLSL ES 1.00 too.
     pub const fn and_es(self) -> Self {
         Self { es: true, ..self }
     }
+
+    /// From GLSL 1.40 on only in the compatibility profile.
+    pub const fn in_compatibility(self) -> Self {
+        Self { profiles: Profiles::Compatibility, ..self }
+    }
+
+    /// The extensions that add it.
+    pub fn extensions(self) -> impl Iterator<Item = Extension> {
+        let all = Extension::ALL.into_iter().map(|(extension, _)| extension);
+        all.filter(move |extension| self.extensions & extension.bit() != 0)
+    }
 }
 
-/// What names are available to.
+/// The stages that have a name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stages {
     /// Both.
@@ -73,7 +106,7 @@ impl Stages {
     }
 }
 
-/// As messages name a stage.
+/// The name of a stage in messages.
 pub fn stage_name(stage: Stage) -> &'static str {
     match stage {
         Stage::Vertex => "vertex",

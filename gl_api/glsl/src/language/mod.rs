@@ -4,7 +4,8 @@ mod availability;
 mod extension;
 mod version;
 
-pub use availability::{Since, Stages, stage_name};
+use availability::Profiles;
+pub use availability::{Availability, Profile, Stages, stage_name};
 pub use extension::{Behaviour, Extension};
 pub use version::Version;
 
@@ -13,6 +14,8 @@ pub use version::Version;
 pub struct Language {
     /// The version.
     pub version: Version,
+    /// The profile, from GLSL 1.40 on.
+    profile: Profile,
     enabled: u32,
     warned: u32,
 }
@@ -23,7 +26,7 @@ impl From<Version> for Language {
     fn from(version: Version) -> Self {
         let rectangles = Extension::TextureRectangle;
         let enabled = if rectangles.is_in(version) { rectangles.bit() } else { 0 };
-        Self { version, enabled, warned: 0 }
+        Self { version, profile: Profile::Compatibility, enabled, warned: 0 }
     }
 }
 
@@ -48,40 +51,62 @@ impl Language {
         self.enabled & extension.bit() != 0
     }
 
-    /// Whether what came so is here.
-    pub fn has(self, since: Since) -> bool {
-        self.has_core(since) || since.extensions & self.enabled != 0
+    /// Whether the shader has it.
+    pub fn has(self, availability: Availability) -> bool {
+        self.has_core(availability) || availability.extensions & self.enabled != 0
     }
 
-    /// The extension that what came so is here by, if uses of it are to be reported.
-    pub fn warns(self, since: Since) -> Option<Extension> {
-        let enabled = since.extensions & self.enabled;
-        if self.has_core(since) || enabled & !self.warned != 0 {
+    /// The extension that adds it, if `#extension … : warn` asks for a warning of each use.
+    pub fn warns(self, availability: Availability) -> Option<Extension> {
+        let enabled = availability.extensions & self.enabled;
+        if self.has_core(availability) || enabled & !self.warned != 0 {
             return None;
         }
-        since.extensions().find(|extension| self.warned & extension.bit() != 0)
+        availability.extensions().find(|extension| self.warned & extension.bit() != 0)
     }
 
-    fn has_core(self, since: Since) -> bool {
-        match (self.version, since.core) {
-            (Version::Es100, _) => since.es,
-            (Version::V110 | Version::V120 | Version::V130 | Version::V140, Some(core)) => {
-                self.version >= core
+    /// Whether the version and profile have it without an extension.
+    fn has_core(self, availability: Availability) -> bool {
+        match self.version {
+            Version::Es100 => availability.es,
+            Version::V110 | Version::V120 | Version::V130 | Version::V140 => {
+                let removed = self.version >= Version::V140
+                    && self.profile == Profile::Core
+                    && availability.profiles == Profiles::Compatibility;
+                availability.desktop.is_some_and(|first| self.version >= first) && !removed
             }
-            (Version::V110 | Version::V120 | Version::V130 | Version::V140, None) => false,
         }
     }
 
-    /// What to write to have what came so, if anything helps.
-    pub fn advice(self, since: Since) -> Option<String> {
-        if self.has_core(since) {
+    /// Advice: the directives that make it available; `None` if none does.
+    pub fn advice(self, availability: Availability) -> Option<String> {
+        if self.has_core(availability) {
             return None;
         }
-        let extensions = since.extensions().filter(|extension| extension.is_in(self.version));
+        let extensions =
+            availability.extensions().filter(|extension| extension.is_in(self.version));
         let extensions = extensions.map(|known| format!("`#extension {} : enable`", known.name()));
-        let core = since.core.filter(|core| *core > self.version || self.version == Version::Es100);
+        let core = availability
+            .desktop
+            .filter(|core| *core > self.version || self.version == Version::Es100);
         let core = core.map(|core| format!("`#version {}`", core.number()));
         let ways: Vec<String> = core.into_iter().chain(extensions).collect();
         (!ways.is_empty()).then(|| format!("write {} first", ways.join(" or ")))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_core_profile_is_without_what_only_compatibility_has() {
+        let compatibility = Language::from(Version::V140);
+        let core = Language { profile: Profile::Core, ..compatibility };
+        let removed = Availability::V110.in_compatibility();
+        assert!(compatibility.has(removed) && !core.has(removed));
+        assert!(core.has(Availability::V110));
+        let older = Language { profile: Profile::Core, ..Language::from(Version::V130) };
+        assert!(older.has(removed));
     }
 }

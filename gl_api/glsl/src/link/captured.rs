@@ -2,7 +2,7 @@
 //! outputs of the vertex stage.
 
 use super::{Locations, StageUnits};
-use crate::builtins::variables::Builtin;
+use crate::builtins::variable::Builtin;
 use crate::hir::{Storage, Variable};
 use crate::limits::{
     MAX_TRANSFORM_FEEDBACK_INTERLEAVED_COMPONENTS, MAX_TRANSFORM_FEEDBACK_SEPARATE_COMPONENTS,

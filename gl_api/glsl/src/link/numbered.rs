@@ -2,7 +2,7 @@
 //! section 2.15.3, GLSL 1.30 section 7.2).
 
 use super::{Locations, StageUnits};
-use crate::builtins::variables::Builtin;
+use crate::builtins::variable::Builtin;
 use crate::hir::{Storage, Variable};
 use crate::interface::ATTRIB_VERTEX;
 use crate::limits::{MAX_DRAW_BUFFERS, MAX_VERTEX_ATTRIBS};

@@ -2,7 +2,7 @@
 //! (GLSL 1.30 section 4.3.5).
 
 use super::StageUnits;
-use crate::builtins::variables::Builtin;
+use crate::builtins::variable::Builtin;
 use crate::hir::{Storage, Variable};
 use crate::limits::MAX_UNIFORM_WORDS;
 use crate::lower::{self, Words};

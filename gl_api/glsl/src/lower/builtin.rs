@@ -3,7 +3,7 @@
 use super::outputs::Copy;
 use super::place::Slot;
 use super::{Lowered, Lowerer};
-use crate::builtins::variables::Builtin;
+use crate::builtins::variable::Builtin;
 use crate::hir::{Passing, Variable};
 use crate::interface::{StateVar, VARYING_BACK_COLOR, VARYING_CLIP_DISTANCE, VARYING_PRIMITIVE_ID};
 use crate::limits::MAX_DRAW_BUFFERS;
@@ -85,7 +85,7 @@ impl Lowerer<'_> {
                 return Ok(Slot::Uniform(word, types.into()));
             }
             Builtin::States(array) => {
-                return Ok(Slot::States(array, array.of(0).words(), types.into()));
+                return Ok(Slot::States(array, array.element(0).words(), types.into()));
             }
             Builtin::Limit(_) => return self.plain_global(variable, types),
             Builtin::ClipVertex => return Ok(self.clip_vertex(variable, types, copies)),

@@ -2,8 +2,8 @@
 
 use super::{Failure, Lowered, Lowerer};
 use crate::ast::{BinaryOp, Step, StepResult, UnaryOp};
-use crate::builtins::functions::{Lower, Row};
-use crate::builtins::math::{self, Args};
+use crate::builtins::expand::{self, Args, geometric};
+use crate::builtins::function::{FunctionRow, Lowering};
 use crate::hir::{Expr, ExprKind};
 use crate::types::{Scalar, Type};
 use rasterizer::ir::{Op, Stmt, Ty, Value};
@@ -208,7 +208,7 @@ impl Lowerer<'_> {
             if let Some(rows) = b.0.rows() {
                 let columns = b.1.chunks(usize::from(rows));
                 return columns
-                    .map(|column| math::dot_product(&mut self.emit, a.1, column))
+                    .map(|column| geometric::dot_product(&mut self.emit, a.1, column))
                     .collect();
             }
         }
@@ -227,7 +227,7 @@ impl Lowerer<'_> {
     fn multiply(&mut self, matrix: &[Value], column: &[Value], rows: usize) -> Vec<Value> {
         let row = |row: usize| {
             let of_row: Vec<Value> = matrix[row..].iter().step_by(rows).copied().collect();
-            math::dot_product(&mut self.emit, &of_row, column)
+            geometric::dot_product(&mut self.emit, &of_row, column)
         };
         (0..rows).map(row).collect()
     }
@@ -331,11 +331,16 @@ impl Lowerer<'_> {
         (0..needed).map(at).collect()
     }
 
-    fn builtin(&mut self, row: &Row, arguments: &[Expr], result: &Type) -> Lowered<Vec<Value>> {
-        if let Lower::Texture(lookup) = row.lower {
+    fn builtin(
+        &mut self,
+        row: &FunctionRow,
+        arguments: &[Expr],
+        result: &Type,
+    ) -> Lowered<Vec<Value>> {
+        if let Lowering::Texture(lookup) = row.lowering {
             return self.texture(lookup, arguments, result);
         }
-        if let (Lower::Modf, [x, whole]) = (row.lower, arguments) {
+        if let (Lowering::Modf, [x, whole]) = (row.lowering, arguments) {
             let values = self.expr(x)?;
             let place = self.place(whole)?.ok_or_else(not_a_variable)?;
             let trunc = |&x: &Value| self.emit.op(Op::Trunc, &[x]);
@@ -351,13 +356,15 @@ impl Lowerer<'_> {
             types.push(argument.ty.clone());
         }
         let args = Args { values: &values, types: &types };
-        match row.lower {
-            Lower::Map(op) => Ok(math::map(&mut self.emit, args, op)),
-            Lower::With(lower) => Ok(lower(&mut self.emit, args)),
-            Lower::Derivative(axis) => {
+        match row.lowering {
+            Lowering::PerComponent(op) => Ok(expand::per_component(&mut self.emit, args, op)),
+            Lowering::Expand(expand) | Lowering::ExpandAtRunTime(expand) => {
+                Ok(expand(&mut self.emit, args))
+            }
+            Lowering::Derivative(axis) => {
                 Ok(values[0].iter().map(|&value| self.emit.derivative(axis, value)).collect())
             }
-            Lower::Texture(_) | Lower::Modf | Lower::Ftransform => {
+            Lowering::Texture(_) | Lowering::Modf | Lowering::Ftransform => {
                 Err(Failure(format!("`{}` takes other arguments", row.name)))
             }
         }

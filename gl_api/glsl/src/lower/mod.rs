@@ -9,7 +9,7 @@ mod place;
 mod stmt;
 mod texture;
 
-use crate::builtins::state::StateArray;
+use crate::builtins::variable::StateArray;
 use crate::emit::Emit;
 use crate::hir::{Expr, Function, Unit, VarRef, Variable};
 use crate::interface::{StateBinding, StateVar};
@@ -54,7 +54,7 @@ impl Words {
         }
         let first = self.next;
         for index in 0..array.len() {
-            self.add(array.of(index));
+            self.add(array.element(index));
         }
         self.arrays.push((array, first));
         first

@@ -2,7 +2,7 @@
 
 use super::place::Slot;
 use super::{Lowered, Lowerer};
-use crate::builtins::math::dot_product;
+use crate::builtins::expand::geometric::dot_product;
 use crate::hir::Variable;
 use crate::interface::{StateVar, VARYING_CLIP_DISTANCE};
 use crate::limits::MAX_CLIP_PLANES;

@@ -2,7 +2,7 @@
 
 use super::expr::not_a_variable;
 use super::{Failure, Lowered, Lowerer};
-use crate::builtins::state::StateArray;
+use crate::builtins::variable::StateArray;
 use crate::hir::{Expr, ExprKind, VarRef, Variable};
 use crate::types::Type;
 use rasterizer::ir::{Expr as IrExpr, Op, Stmt, Ty, Value, Var};
@@ -303,7 +303,7 @@ impl Lowerer<'_> {
             }
             (Slot::States(array, stride, types), None) => {
                 let load = |&at: &u32| {
-                    let word = self.words.state(array.of((at / stride) as u8));
+                    let word = self.words.state(array.element((at / stride) as u8));
                     self.emit.uniform(word + at % stride, types[at as usize])
                 };
                 Ok(offsets.iter().map(load).collect())

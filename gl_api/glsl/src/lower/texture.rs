@@ -2,7 +2,7 @@
 
 use super::place::{Place, Slot};
 use super::{Failure, Lowered, Lowerer, texture_key};
-use crate::builtins::lookups::{LodForm, Lookup, Projection, Shift};
+use crate::builtins::texture_lookup::{LodSource, Lookup, Projection, TexelOffset};
 use crate::hir::Expr;
 use crate::limits::MAX_DYNAMIC_SAMPLERS;
 use crate::types::{Comparison, ComparisonResult, Dim, Sampler, Scalar, Type};
@@ -107,10 +107,10 @@ impl Lowerer<'_> {
                 self.sample_access(&arguments, projection, form, shift)
             }
             Lookup::Gather(shift) => {
-                let at = (shift == Shift::Texels).then_some(1);
+                let at = (shift == TexelOffset::Constant).then_some(1);
                 let [s, t, _] = self.texel_offset(&arguments, at);
-                let (projection, form) = (Projection::None, LodForm::Implicit);
-                let sample = self.sample_access(&arguments, projection, form, Shift::None);
+                let (projection, form) = (Projection::None, LodSource::Implicit);
+                let sample = self.sample_access(&arguments, projection, form, TexelOffset::None);
                 Access { access: ir::Access::Gather { offset: [s, t] }, ..sample }
             }
             Lookup::Fetch(shift) => self.fetch_access(&arguments, shift),
@@ -148,8 +148,8 @@ impl Lowerer<'_> {
         &mut self,
         arguments: &Arguments<'_>,
         projection: Projection,
-        form: LodForm,
-        shift: Shift,
+        form: LodSource,
+        shift: TexelOffset,
     ) -> Access {
         let Arguments { kind, values, zeros: [_, zero], compared } = *arguments;
         let mut coords = values.first().cloned().unwrap_or_default();
@@ -181,16 +181,16 @@ impl Lowerer<'_> {
         let reference = compares.then(|| coords.get(behind).copied().unwrap_or(zero));
         let last = values.len().checked_sub(1);
         // Behind the offset, where there is one.
-        let bias = if form == LodForm::Bias { last } else { None };
+        let bias = if form == LodSource::Bias { last } else { None };
         let offset = match (shift, bias) {
-            (Shift::None, _) => None,
-            (Shift::Texels, None) => last,
-            (Shift::Texels, Some(bias)) => bias.checked_sub(1),
+            (TexelOffset::None, _) => None,
+            (TexelOffset::Constant, None) => last,
+            (TexelOffset::Constant, Some(bias)) => bias.checked_sub(1),
         };
         let lod = match form {
-            LodForm::Implicit | LodForm::Bias => Lod::Implicit { bias: arguments.scalar(bias) },
-            LodForm::Explicit => Lod::Explicit(arguments.scalar(Some(1)).unwrap_or(zero)),
-            LodForm::Gradient => {
+            LodSource::Implicit | LodSource::Bias => Lod::Implicit { bias: arguments.scalar(bias) },
+            LodSource::Explicit => Lod::Explicit(arguments.scalar(Some(1)).unwrap_or(zero)),
+            LodSource::Gradient => {
                 let derivative =
                     |at: usize| arguments.three(values.get(at).map_or(&[], |v| &v[..]), zero);
                 Lod::Gradient { dx: derivative(1), dy: derivative(2), bias: None }
@@ -200,7 +200,7 @@ impl Lowerer<'_> {
         Access { access, coords: arguments.three(&coords, zero), layer, reference, lod, compared }
     }
 
-    fn fetch_access(&mut self, arguments: &Arguments<'_>, shift: Shift) -> Access {
+    fn fetch_access(&mut self, arguments: &Arguments<'_>, shift: TexelOffset) -> Access {
         let Arguments { kind, values, zeros: [zero, _], compared } = *arguments;
         let coords = arguments.three(values.first().map_or(&[], |v| &v[..]), zero);
         if let Dim::D2Multisample | Dim::D2MultisampleArray = kind.dim {
@@ -208,10 +208,10 @@ impl Lowerer<'_> {
             return self.sample_fetch(coords, number, zero);
         }
         let (level, offset) = match (kind.dim, shift) {
-            (Dim::Rect | Dim::Buffer, Shift::None) => (None, None),
-            (Dim::Rect, Shift::Texels) => (None, Some(1)),
-            (_, Shift::None) => (Some(1), None),
-            (_, Shift::Texels) => (Some(1), Some(2)),
+            (Dim::Rect | Dim::Buffer, TexelOffset::None) => (None, None),
+            (Dim::Rect, TexelOffset::Constant) => (None, Some(1)),
+            (_, TexelOffset::None) => (Some(1), None),
+            (_, TexelOffset::Constant) => (Some(1), Some(2)),
         };
         let lod = Lod::Explicit(arguments.scalar(level).unwrap_or(zero));
         let access = ir::Access::Fetch { offset: self.texel_offset(arguments, offset) };

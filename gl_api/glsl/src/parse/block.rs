@@ -3,7 +3,7 @@
 use super::keywords;
 use super::{Parsed, Parser};
 use crate::ast::{BlockDecl, Item, Qualifier, TypeBase};
-use crate::language::Since;
+use crate::language::Availability;
 use crate::lex::Kind;
 use crate::text::diagnostics::Diagnostic;
 use crate::text::source::Span;
@@ -26,7 +26,7 @@ impl Parser<'_> {
         if !keywords::has_blocks(self.language) {
             let message = format!("uniform blocks are not in {}", self.version.title());
             let mut problem = Diagnostic::error(self.span(), message);
-            if let Some(advice) = self.language.advice(Since::UNIFORM_BLOCKS) {
+            if let Some(advice) = self.language.advice(Availability::UNIFORM_BLOCKS) {
                 problem = problem.help(advice);
             }
             self.log.push(problem);

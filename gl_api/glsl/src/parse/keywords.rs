@@ -1,18 +1,19 @@
 //! The words that are not names (GLSL 1.30 section 3.6).
 
 use crate::ast::{BlockLayout, Qualifier};
-use crate::language::{Extension, Language, Since, Version};
+use crate::language::{Availability, Extension, Language, Version};
 use crate::types::Type;
 
-const ALWAYS: Since = Since::ALWAYS;
-const V120: Since = Since::V120;
-const V130: Since = Since::V130;
+const ALWAYS: Availability = Availability::ALL;
+const V120: Availability = Availability::V120;
+const V130: Availability = Availability::V130;
 /// Words about precision, which GLSL ES had first.
-const PRECISION: Since = V130.and_es();
+const PRECISION: Availability = V130.and_es();
 
 /// `layout`: of `gl_FragCoord`, of attributes and outputs, of uniform blocks; a keyword from GLSL 1.40 on.
-const LAYOUT: Since =
-    Since::V140.or(Extension::FragmentCoordConventions).or(Extension::ExplicitAttribLocation);
+const LAYOUT: Availability = Availability::V140
+    .or(Extension::FragmentCoordConventions)
+    .or(Extension::ExplicitAttribLocation);
 
 /// The words that a layout of uniform blocks can have.
 const BLOCK_LAYOUTS: [(&str, BlockLayout); 5] = [
@@ -37,7 +38,7 @@ pub enum Word {
 }
 
 /// Keywords that are no types, and since when.
-const KEYWORDS: [(&str, Since); 32] = [
+const KEYWORDS: [(&str, Availability); 32] = [
     ("attribute", ALWAYS),
     ("const", ALWAYS),
     ("uniform", ALWAYS),
@@ -69,11 +70,11 @@ const KEYWORDS: [(&str, Since); 32] = [
     ("mediump", PRECISION),
     ("precision", PRECISION),
     ("layout", LAYOUT),
-    ("layout", Since::UNIFORM_BLOCKS),
+    ("layout", Availability::UNIFORM_BLOCKS),
 ];
 
 /// Qualifiers, and since when.
-const QUALIFIERS: [(&str, Qualifier, Since); 15] = [
+const QUALIFIERS: [(&str, Qualifier, Availability); 15] = [
     ("const", Qualifier::Const, ALWAYS),
     ("attribute", Qualifier::Attribute, ALWAYS),
     ("varying", Qualifier::Varying, ALWAYS),
@@ -151,7 +152,7 @@ pub fn qualifier(word: &str, language: Language) -> Option<Qualifier> {
 }
 
 /// What brings a qualifier that the language of the shader lacks.
-pub fn missing_qualifier(word: &str, language: Language) -> Option<Since> {
+pub fn missing_qualifier(word: &str, language: Language) -> Option<Availability> {
     QUALIFIERS.iter().find(|row| row.0 == word && !language.has(row.2)).map(|row| row.2)
 }
 
@@ -162,7 +163,7 @@ pub fn has_layout(language: Language) -> bool {
 
 /// Whether the language has uniform blocks.
 pub fn has_blocks(language: Language) -> bool {
-    language.has(Since::UNIFORM_BLOCKS)
+    language.has(Availability::UNIFORM_BLOCKS)
 }
 
 /// The layout of uniform blocks that a word is.

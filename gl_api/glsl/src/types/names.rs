@@ -1,28 +1,28 @@
 //! The keywords that name types, and in which versions they are keywords (GLSL 1.30 section 4.1).
 
 use super::{Comparison, Dim, Sampler, Scalar, Type};
-use crate::language::{Extension, Language, Since};
+use crate::language::{Availability, Extension, Language};
 use std::fmt;
 
 /// The words that name types, and since when.
-static NAMES: [(&str, Type, Since); 69] = {
+static NAMES: [(&str, Type, Availability); 69] = {
     use Dim::{
         Buffer, Cube, CubeArray, D1, D1Array, D2, D2Array, D2Multisample, D2MultisampleArray, D3,
         Rect,
     };
     use Scalar::{Bool, Float, Int, Uint};
     use Type::{Matrix, Vector, Void};
-    const ALWAYS: Since = Since::ALWAYS;
-    const V110: Since = Since::V110;
-    const V120: Since = Since::V120;
-    const V130: Since = Since::V130;
-    const INTEGER: Since = V130.or(Extension::GpuShader4);
-    const ARRAY: Since = INTEGER.or(Extension::TextureArray);
-    const CUBE_ARRAY: Since = Since::only(Extension::TextureCubeMapArray);
-    const RECT: Since = Since::V140.or(Extension::TextureRectangle);
-    const INTEGER_RECT: Since = Since::V140.or(Extension::GpuShader4);
-    const MULTISAMPLE: Since = Since::only(Extension::TextureMultisample);
-    const BUFFER: Since = Since::V140.or(Extension::GpuShader4);
+    const ALWAYS: Availability = Availability::ALL;
+    const V110: Availability = Availability::V110;
+    const V120: Availability = Availability::V120;
+    const V130: Availability = Availability::V130;
+    const INTEGER: Availability = V130.or(Extension::GpuShader4);
+    const ARRAY: Availability = INTEGER.or(Extension::TextureArray);
+    const CUBE_ARRAY: Availability = Availability::extension(Extension::TextureCubeMapArray);
+    const RECT: Availability = Availability::V140.or(Extension::TextureRectangle);
+    const INTEGER_RECT: Availability = Availability::V140.or(Extension::GpuShader4);
+    const MULTISAMPLE: Availability = Availability::extension(Extension::TextureMultisample);
+    const BUFFER: Availability = Availability::V140.or(Extension::GpuShader4);
     const fn plain(dim: Dim, scalar: Scalar) -> Type {
         Type::Sampler(Sampler { dim, scalar, comparison: Comparison::No })
     }
@@ -110,7 +110,7 @@ impl Type {
     }
 
     /// What brings the type that a word names.
-    pub fn since(word: &str) -> Option<Since> {
+    pub fn availability(word: &str) -> Option<Availability> {
         NAMES.iter().find(|row| row.0 == word).map(|row| row.2)
     }
 

@@ -1,8 +1,8 @@
-//! The inverse of a matrix (GLSL 1.40 section 8.5), by Cramer's rule: the order in which it is
-//! computed is the definition of its result.
+//! Matrix functions (GLSL 1.40 section 8.5).
 
-use super::math::Args;
+use super::Args;
 use crate::emit::Emit;
+use crate::types::Type;
 use rasterizer::ir::{Op, Value};
 
 /// A square matrix, by columns.
@@ -12,7 +12,7 @@ struct Square<'a> {
 }
 
 impl Square<'_> {
-    /// The determinant of what these columns and rows have in common, expanded along the first
+    /// The determinant of the submatrix of these columns and rows, expanded along its first
     /// column.
     fn determinant(&self, emit: &mut Emit, columns: &[usize], rows: &[usize]) -> Value {
         let [column, columns @ ..] = columns else { return emit.float(1.0) };
@@ -36,12 +36,12 @@ impl Square<'_> {
     }
 }
 
-/// All but one.
+/// The numbers without `one`.
 fn without(numbers: &[usize], one: usize) -> Vec<usize> {
     numbers.iter().copied().filter(|number| *number != one).collect()
 }
 
-/// The matrix of cofactors, transposed, over the determinant. That of a singular matrix is whatever
+/// The inverse, by Cramer's rule: the matrix of cofactors, transposed, over the determinant. That of a singular matrix is whatever
 /// the divisions by 0 give.
 pub fn inverse(emit: &mut Emit, args: Args<'_>) -> Vec<Value> {
     let values = &args.values[0];
@@ -58,4 +58,23 @@ pub fn inverse(emit: &mut Emit, args: Args<'_>) -> Vec<Value> {
         }
     }
     inverse
+}
+
+/// Column vector times row vector.
+pub fn outer_product(emit: &mut Emit, args: Args<'_>) -> Vec<Value> {
+    let mut all = Vec::new();
+    for &row in &args.values[1] {
+        for &column in &args.values[0] {
+            all.push(emit.op(Op::Mul, &[column, row]));
+        }
+    }
+    all
+}
+
+/// Rows as columns.
+pub fn transpose(_: &mut Emit, args: Args<'_>) -> Vec<Value> {
+    let Type::Matrix(columns, rows) = args.types[0] else { return args.values[0].clone() };
+    let (columns, rows) = (usize::from(columns), usize::from(rows));
+    let at = |index: usize| args.values[0][(index % columns) * rows + index / columns];
+    (0..columns * rows).map(at).collect()
 }

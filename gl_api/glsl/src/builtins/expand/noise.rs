@@ -7,7 +7,7 @@
 //! stays in [-1, 1]; it is 0 at the corners, its mean is 0 and its first two derivatives are
 //! continuous. The components of `noise2` to `noise4` differ in the seed of the hash.
 
-use super::math::Args;
+use super::Args;
 use crate::emit::Emit;
 use rasterizer::ir::{Op, Ty, Value};
 
