@@ -6,7 +6,7 @@ use gl_api::constants::*;
 use gl_api::context::{Context, ContextDesc};
 use gl_api::entry::*;
 use gl_api::explain::Explanation;
-use gl_api::glsl::Repairs;
+use gl_api::glsl::FixIts;
 use gl_api::types::GLint;
 use std::error::Error;
 use std::path::{Path, PathBuf};
@@ -99,7 +99,7 @@ impl Window {
     /// # Panics
     /// When there is no memory for another context of the same size.
     pub fn switch_repairs_on(&mut self) {
-        let desc = ContextDesc { repairs: Repairs::On, ..self.desc.clone() };
+        let desc = ContextDesc { fix_its: FixIts::Apply, ..self.desc.clone() };
         self.current = None;
         let mut context = Context::new(desc).expect("a context of this size was made before");
         watch(&mut context, self.watched);

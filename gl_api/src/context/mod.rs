@@ -19,7 +19,7 @@ use crate::evaluate::Maps;
 use crate::explain::Watched;
 use crate::feedback::Feedback;
 use crate::framebuffer::Window;
-use crate::glsl::Repairs;
+use crate::glsl::FixIts;
 use crate::list::{Compiling, Lists};
 use crate::object::Objects;
 use crate::object::queries::ActiveQueries;
@@ -44,7 +44,7 @@ pub struct ContextDesc {
     /// Pixels up of the default framebuffer, 1 to 8192.
     pub height: u32,
     /// Whether the GLSL compiler applies the fixes it suggests.
-    pub repairs: Repairs,
+    pub fix_its: FixIts,
     /// The device; `None` shares one that the environment describes.
     pub device: Option<Arc<Device>>,
     /// What the default framebuffer has.
@@ -54,7 +54,7 @@ pub struct ContextDesc {
 impl Default for ContextDesc {
     fn default() -> Self {
         let surface = SurfaceDesc::default();
-        Self { width: 512, height: 512, repairs: Repairs::Off, device: None, surface }
+        Self { width: 512, height: 512, fix_its: FixIts::Suggest, device: None, surface }
     }
 }
 
@@ -119,7 +119,7 @@ pub struct Context {
     pub(crate) changes: Changes,
     /// Whether a call runs.
     pub(crate) entered: Entered,
-    pub(crate) repairs: Repairs,
+    pub(crate) fix_its: FixIts,
     /// Where an OSMesa client wants the picture.
     pub(crate) mirror: Option<Mirror>,
     /// The pixel that is watched.
@@ -142,14 +142,14 @@ impl Context {
     /// # Errors
     /// When the size is out of range or the device cannot be made.
     pub fn new(desc: ContextDesc) -> Result<Self, ContextError> {
-        let repairs = desc.repairs;
+        let fix_its = desc.fix_its;
         let (device, window) = Self::parts(desc)?;
-        Ok(Self::assemble(device, window, repairs, None))
+        Ok(Self::assemble(device, window, fix_its, None))
     }
 
     /// What a context is made of that there may not be.
     fn parts(desc: ContextDesc) -> Result<(Arc<Device>, Window), ContextError> {
-        let ContextDesc { width, height, repairs: _, device, surface } = desc;
+        let ContextDesc { width, height, fix_its: _, device, surface } = desc;
         let limit = limits::MAX_VIEWPORT_DIMS;
         if !(1..=limit).contains(&width) || !(1..=limit).contains(&height) {
             return Err(ContextError::Size { width, height, limit });
@@ -169,7 +169,7 @@ impl Context {
     fn assemble(
         device: Arc<Device>,
         window: Window,
-        repairs: Repairs,
+        fix_its: FixIts,
         group: Option<Group>,
     ) -> Self {
         Self {
@@ -194,7 +194,7 @@ impl Context {
             invitation: Invitation::default(),
             changes: Changes::default(),
             entered: Entered::No,
-            repairs,
+            fix_its,
             mirror: None,
             watched: None,
         }
@@ -218,10 +218,10 @@ impl Context {
         desc: ContextDesc,
         shared: Option<Shared>,
     ) -> Result<Box<Self>, ContextError> {
-        let repairs = desc.repairs;
+        let fix_its = desc.fix_its;
         let (group, device) = shared.map(|shared| (shared.group, shared.device)).unzip();
         let (device, window) = Self::parts(ContextDesc { device: desc.device.or(device), ..desc })?;
-        Ok(Box::new(Self::assemble(device, window, repairs, group)))
+        Ok(Box::new(Self::assemble(device, window, fix_its, group)))
     }
 
     /// What a new context needs to share this one's objects.

@@ -3,7 +3,7 @@
 mod rules;
 mod shaders;
 
-use gl_api::glsl::{Bindings, Compiled, Linked, Options, Repairs, Stage, compile, link};
+use gl_api::glsl::{Bindings, Compiled, FixIts, Linked, Options, Stage, compile, link};
 use rules::{CHANGED, LINKED, REFUSED, UNLINKED, WARNED};
 use shaders::{DIRECTIVES, FRAGMENT, VERTEX};
 use std::fmt::Write as _;
@@ -182,7 +182,7 @@ fn independent_mistakes_are_all_reported_up_to_twenty() {
 fn repairs_are_listed() {
     let source =
         "uniform vec4 color;\nvoid main() {\n    float f = 1\n    gl_FragColor = colour * f;\n}";
-    let compiled = compile(Stage::Fragment, source, &Options { repairs: Repairs::On });
+    let compiled = compile(Stage::Fragment, source, &Options { fix_its: FixIts::Apply });
     assert!(compiled.shader.is_some(), "{}", compiled.log);
     insta::assert_snapshot!(compiled.log);
 }

@@ -14,19 +14,19 @@ use std::sync::Arc;
 
 /// Whether the compiler applies the fixes it suggests.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Repairs {
+pub enum FixIts {
     /// What is wrong is rejected.
     #[default]
-    Off,
+    Suggest,
     /// What has one suggested fix is fixed, and listed in the log as a warning.
-    On,
+    Apply,
 }
 
 /// How to compile.
 #[derive(Clone, Debug, Default)]
 pub struct Options {
     /// Whether suggested fixes are applied.
-    pub repairs: Repairs,
+    pub fix_its: FixIts,
 }
 
 /// A compiled, checked shader object.
@@ -82,12 +82,12 @@ fn compile_once(stage: Stage, text: &str) -> Pass {
 
 /// Compiles one shader. Any text is fine; it never panics, and takes little of the caller's stack.
 pub fn compile(stage: Stage, source: &str, options: &Options) -> Compiled {
-    with_room(|| match options.repairs {
-        Repairs::Off => {
+    with_room(|| match options.fix_its {
+        FixIts::Suggest => {
             let pass = compile_once(stage, source);
             let log = pass.log.render(Some(&pass.source));
             Compiled { shader: pass.shader(), log }
         }
-        Repairs::On => fix_its::compile(stage, source),
+        FixIts::Apply => fix_its::compile(stage, source),
     })
 }

@@ -99,7 +99,7 @@ impl Lowerer<'_> {
         let zeros = [self.emit.constant(0, Ty::I32), self.emit.float(0.0)];
         let compared = match (kind.comparison, result.scalars()) {
             (Comparison::Yes, 1) => ComparisonResult::Scalar,
-            (Comparison::Yes | Comparison::No, _) => ComparisonResult::Placed,
+            (Comparison::Yes | Comparison::No, _) => ComparisonResult::DepthTextureMode,
         };
         let arguments = Arguments { kind, values: &values, zeros, compared };
         let access = match lookup {
@@ -117,7 +117,7 @@ impl Lowerer<'_> {
             Lookup::Size => {
                 let [zero, _] = zeros;
                 let lod = Lod::Explicit(arguments.scalar(Some(0)).unwrap_or(zero));
-                let compared = ComparisonResult::Placed;
+                let compared = ComparisonResult::DepthTextureMode;
                 Access {
                     access: ir::Access::Size,
                     coords: [zero; 3],
@@ -131,7 +131,7 @@ impl Lowerer<'_> {
                 let [_, zero] = zeros;
                 let coords = arguments.three(values.first().map_or(&[], |v| &v[..]), zero);
                 let lod = Lod::Implicit { bias: None };
-                let (layer, reference, compared) = (None, None, ComparisonResult::Placed);
+                let (layer, reference, compared) = (None, None, ComparisonResult::DepthTextureMode);
                 Access { access: ir::Access::Lod, coords, layer, reference, lod, compared }
             }
         };
@@ -224,7 +224,7 @@ impl Lowerer<'_> {
         let first = self.emit.op(Op::IMul, &[layer, samples]);
         let coords = [x, y, self.emit.op(Op::IAdd, &[first, number])];
         let (access, lod) = (ir::Access::Fetch { offset: [0; 3] }, Lod::Explicit(zero));
-        let compared = ComparisonResult::Placed;
+        let compared = ComparisonResult::DepthTextureMode;
         Access { access, coords, layer: None, reference: None, lod, compared }
     }
 

@@ -65,7 +65,7 @@ pub struct Sampler {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum ComparisonResult {
     /// Four components, as `GL_DEPTH_TEXTURE_MODE` has them: functions such as `shadow2D`.
-    Placed,
+    DepthTextureMode,
     /// One number, whatever the mode is: the functions of GLSL 1.30.
     Scalar,
     /// There is none, whatever the sampler says: assembly programs that do not ask for it.
