@@ -94,7 +94,7 @@ impl Window {
         f64::from(width) / f64::from(height)
     }
 
-    /// Goes on in a new context, one that repairs shaders.
+    /// Continues in a new context, which applies the fix-its of shaders.
     ///
     /// # Panics
     /// When there is no memory for another context of the same size.

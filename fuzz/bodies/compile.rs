@@ -2,7 +2,7 @@
 
 use gl_api::glsl::{Bindings, FixIts, Options, Stage, compile, link};
 
-/// Compiles a text as either stage, with repairs and without, and links what comes out.
+/// Compiles a text as either stage, with fix-its applied and without, and links the result.
 pub fn compile_and_link(source: &str) {
     for fix_its in [FixIts::Suggest, FixIts::Apply] {
         for stage in [Stage::Vertex, Stage::Fragment] {

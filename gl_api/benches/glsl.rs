@@ -4,7 +4,7 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use gl_api::glsl::{Bindings, FixIts, Options, Shader, Stage, compile, link};
 use std::hint::black_box;
 
-/// The lecture's shaders as printed; repairs make valid ones of them.
+/// The lecture's shaders as printed; the fix-its make them valid.
 const SHADERS: [(&str, Stage, &str); 5] = [
     ("textured.vert", Stage::Vertex, include_str!("../tests/lecture/textured.vert")),
     ("textured.frag", Stage::Fragment, include_str!("../tests/lecture/textured.frag")),

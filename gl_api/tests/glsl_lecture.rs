@@ -1,4 +1,4 @@
-//! The shaders of the CS380 lecture, as printed: which are rejected and why, and what repairs do.
+//! The shaders of the CS380 lecture, as printed: which are rejected and why, and what applying the fix-its does.
 
 use gl_api::glsl::{
     Bindings, Comparison, Compiled, DataType, Dim, FixIts, Options, Sampler, Scalar, Stage,

@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 
 /// What is the same everywhere, and so is needed once.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Once {
+enum PooledExpr {
     Const(u32, u8),
     Uniform(u32, u8),
     Input(Input),
@@ -20,7 +20,7 @@ enum Once {
 pub struct Emit {
     /// The module.
     pub builder: Builder,
-    once: BTreeMap<Once, Value>,
+    pool: BTreeMap<PooledExpr, Value>,
 }
 
 fn tag(ty: Ty) -> u8 {
@@ -35,7 +35,7 @@ fn tag(ty: Ty) -> u8 {
 impl Emit {
     /// An empty module.
     pub fn new(stage: Stage) -> Self {
-        Self { builder: Builder::new(stage), once: BTreeMap::new() }
+        Self { builder: Builder::new(stage), pool: BTreeMap::new() }
     }
 
     /// Whether there are too many values; from then on, operations give nonsense.
@@ -56,7 +56,10 @@ impl Emit {
     /// A constant.
     pub fn constant(&mut self, bits: u32, ty: Ty) -> Value {
         let builder = &mut self.builder;
-        *self.once.entry(Once::Const(bits, tag(ty))).or_insert_with(|| builder.constant(bits, ty))
+        *self
+            .pool
+            .entry(PooledExpr::Const(bits, tag(ty)))
+            .or_insert_with(|| builder.constant(bits, ty))
     }
 
     /// A constant `f32`.
@@ -72,13 +75,16 @@ impl Emit {
     /// A uniform word.
     pub fn uniform(&mut self, word: u32, ty: Ty) -> Value {
         let builder = &mut self.builder;
-        *self.once.entry(Once::Uniform(word, tag(ty))).or_insert_with(|| builder.uniform(word, ty))
+        *self
+            .pool
+            .entry(PooledExpr::Uniform(word, tag(ty)))
+            .or_insert_with(|| builder.uniform(word, ty))
     }
 
     /// An input.
     pub fn input(&mut self, input: Input) -> Value {
         let builder = &mut self.builder;
-        *self.once.entry(Once::Input(input)).or_insert_with(|| builder.input(input))
+        *self.pool.entry(PooledExpr::Input(input)).or_insert_with(|| builder.input(input))
     }
 
     /// Any expression, unless there are too many.

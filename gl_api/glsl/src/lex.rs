@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 /// What a token is.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Kind {
+pub enum TokenKind {
     /// An identifier or keyword.
     Word(Arc<str>),
     /// A number as written, checked when it is used.
@@ -25,7 +25,7 @@ pub enum Kind {
 #[derive(Clone, Debug)]
 pub struct Token {
     /// What it is.
-    pub kind: Kind,
+    pub kind: TokenKind,
     /// Where; for what a macro gives, where the macro is used.
     pub span: Span,
 }
@@ -33,29 +33,33 @@ pub struct Token {
 impl Token {
     /// Whether it is this punctuation.
     pub fn is(&self, punct: &str) -> bool {
-        matches!(self.kind, Kind::Punct(p) if p == punct)
+        matches!(self.kind, TokenKind::Punct(p) if p == punct)
     }
 
     /// The word, if it is one.
     pub fn word(&self) -> Option<&Arc<str>> {
         match &self.kind {
-            Kind::Word(word) => Some(word),
-            Kind::Number(_) | Kind::Punct(_) | Kind::Stray(_) | Kind::Newline | Kind::End => None,
+            TokenKind::Word(word) => Some(word),
+            TokenKind::Number(_)
+            | TokenKind::Punct(_)
+            | TokenKind::Stray(_)
+            | TokenKind::Newline
+            | TokenKind::End => None,
         }
     }
 
     /// As a message names it.
     pub fn describe(&self) -> String {
         match &self.kind {
-            Kind::Word(word) | Kind::Number(word) => {
+            TokenKind::Word(word) | TokenKind::Number(word) => {
                 let short: String = word.chars().take(40).collect();
                 format!("`{short}`")
             }
-            Kind::Punct(punct) => format!("`{punct}`"),
-            Kind::Stray(c) if c.is_ascii_graphic() => format!("the character `{c}`"),
-            Kind::Stray(c) => format!("the character U+{:04X}", u32::from(*c)),
-            Kind::Newline => "the end of the line".to_owned(),
-            Kind::End => "the end of the shader".to_owned(),
+            TokenKind::Punct(punct) => format!("`{punct}`"),
+            TokenKind::Stray(c) if c.is_ascii_graphic() => format!("the character `{c}`"),
+            TokenKind::Stray(c) => format!("the character U+{:04X}", u32::from(*c)),
+            TokenKind::Newline => "the end of the line".to_owned(),
+            TokenKind::End => "the end of the shader".to_owned(),
         }
     }
 }
@@ -70,7 +74,7 @@ const PUNCTUATION: [&str; 47] = [
 /// A text taken apart.
 #[derive(Debug, Default)]
 pub struct Lexed {
-    /// Its tokens; the last is [`Kind::End`].
+    /// Its tokens; the last is [`TokenKind::End`].
     pub tokens: Vec<Token>,
     /// Where a comment begins that does not end.
     pub unclosed: Option<Span>,
@@ -97,7 +101,7 @@ pub fn tokens(text: &str) -> Lexed {
         let kind = match bytes[at] {
             b'\n' | b'\r' => {
                 at += line_end(&bytes[at..]);
-                Some(Kind::Newline)
+                Some(TokenKind::Newline)
             }
             b' ' | b'\t' | 0x0b | 0x0c => {
                 at += 1;
@@ -130,25 +134,25 @@ pub fn tokens(text: &str) -> Lexed {
             b'a'..=b'z' | b'A'..=b'Z' | b'_' => {
                 let more = |b: &u8| !(b.is_ascii_alphanumeric() || *b == b'_');
                 at += bytes[at..].iter().position(more).unwrap_or(bytes.len() - at);
-                Some(Kind::Word(text[start..at].into()))
+                Some(TokenKind::Word(text[start..at].into()))
             }
             b'0'..=b'9' => {
                 at = number_end(bytes, at);
-                Some(Kind::Number(text[start..at].into()))
+                Some(TokenKind::Number(text[start..at].into()))
             }
             b'.' if bytes.get(at + 1).is_some_and(u8::is_ascii_digit) => {
                 at = number_end(bytes, at);
-                Some(Kind::Number(text[start..at].into()))
+                Some(TokenKind::Number(text[start..at].into()))
             }
             _ => match PUNCTUATION.iter().find(|punct| text[at..].starts_with(**punct)) {
                 Some(punct) => {
                     at += punct.len();
-                    Some(Kind::Punct(punct))
+                    Some(TokenKind::Punct(punct))
                 }
                 None => {
                     let c = text[at..].chars().next().unwrap_or(' ');
                     at += c.len_utf8();
-                    Some(Kind::Stray(c))
+                    Some(TokenKind::Stray(c))
                 }
             },
         };
@@ -157,8 +161,8 @@ pub fn tokens(text: &str) -> Lexed {
         }
     }
     let end = text.len() as u32;
-    tokens.push(Token { kind: Kind::Newline, span: Span { start: end, end } });
-    tokens.push(Token { kind: Kind::End, span: Span { start: end, end } });
+    tokens.push(Token { kind: TokenKind::Newline, span: Span { start: end, end } });
+    tokens.push(Token { kind: TokenKind::End, span: Span { start: end, end } });
     Lexed { tokens, unclosed, continued, terminator }
 }
 

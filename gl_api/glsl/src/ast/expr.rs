@@ -1,6 +1,6 @@
 //! Expressions.
 
-use super::{BinaryOp, Name, Step, StepResult, TypeName, UnaryOp};
+use super::{BinaryOp, IncDec, IncDecResult, Name, TypeName, UnaryOp};
 use crate::text::source::Span;
 use std::sync::Arc;
 
@@ -35,7 +35,7 @@ pub enum ExprKind {
     /// `target = value` or, with an operator, `target op= value`.
     Assign(Option<BinaryOp>, Box<Expr>, Box<Expr>),
     /// `++`, `--`.
-    Step(Step, StepResult, Box<Expr>),
+    IncDec(IncDec, IncDecResult, Box<Expr>),
     /// `a ? b : c`.
     Conditional(Box<[Expr; 3]>),
     /// `a, b, c`.

@@ -8,7 +8,7 @@ mod stmt;
 use crate::text::source::Span;
 pub use decl::*;
 pub use expr::{Expr, ExprKind};
-pub use operator::{BINARY, BinaryOp, Step, StepResult, UnaryOp};
+pub use operator::{BINARY, BinaryOp, IncDec, IncDecResult, UnaryOp};
 use std::sync::Arc;
 pub use stmt::{Condition, Stmt, StmtKind};
 

@@ -126,7 +126,7 @@ impl BinaryOp {
 
 /// `++` or `--`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Step {
+pub enum IncDec {
     /// `++`.
     Increment,
     /// `--`.
@@ -135,7 +135,7 @@ pub enum Step {
 
 /// Which value a step has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum StepResult {
+pub enum IncDecResult {
     /// The new one (`++a`).
     After,
     /// The old one (`a++`).

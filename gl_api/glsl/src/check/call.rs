@@ -18,14 +18,14 @@ use rasterizer::ir::Stage;
 
 /// A function that a call may mean.
 #[derive(Clone, Debug)]
-enum Target {
+enum CallTarget {
     User(u32),
     Builtin(&'static FunctionRow),
 }
 
 #[derive(Clone, Debug)]
 pub(super) struct Candidate {
-    target: Target,
+    target: CallTarget,
     parameters: Vec<Type>,
     directions: Vec<Direction>,
     result: Type,
@@ -37,12 +37,12 @@ impl Candidate {
         let direction =
             |p: &Pattern| if *p == Pattern::OutGen { Direction::Out } else { Direction::In };
         let directions = row.parameters.iter().map(direction).collect();
-        Self { target: Target::Builtin(row), parameters, directions, result }
+        Self { target: CallTarget::Builtin(row), parameters, directions, result }
     }
 
     /// Whether it is a function of the shader.
-    fn is_own(&self) -> bool {
-        matches!(self.target, Target::User(_))
+    fn is_user(&self) -> bool {
+        matches!(self.target, CallTarget::User(_))
     }
 
     /// How many arguments need a conversion; `None` if one does not fit.
@@ -103,11 +103,11 @@ impl Checker<'_> {
         // A function of the shader hides all of the language's that have its name: those lie in a
         // scope around the global one. Before, it hides the one that takes the same.
         let hides = version >= Version::V120;
-        if hides && fitting.iter().any(|c| c.is_own()) {
-            fitting.retain(|c| c.is_own());
+        if hides && fitting.iter().any(|c| c.is_user()) {
+            fitting.retain(|c| c.is_user());
         }
         let Some(&best) = fitting.iter().min_by_key(|c| fits(c)) else {
-            if let Some(function) = self.integer_function(name, &arguments) {
+            if let Some(function) = self.integer_candidate(name, &arguments) {
                 return self.finish_call(name, function, arguments, span);
             }
             self.no_match(name, &arguments, &candidates);
@@ -120,7 +120,7 @@ impl Checker<'_> {
             self.log.push(problem.note(format!("there are: {}", list.join(", "))));
             return Expr::error(span);
         }
-        if hides && !best.is_own() && candidates.iter().any(Candidate::is_own) {
+        if hides && !best.is_user() && candidates.iter().any(Candidate::is_user) {
             let message = format!("the shader's own `{0}` hides the language's `{0}`", name.text);
             let problem = Diagnostic::warning(name.span, message).rule(self.rule("4.2"));
             self.log.push(problem.help("name it otherwise: other compilers refuse this call"));
@@ -138,7 +138,7 @@ impl Checker<'_> {
         let own = self.scopes.functions(&name.text).iter().map(|&index| {
             let function = &self.unit.functions[index as usize];
             Candidate {
-                target: Target::User(index),
+                target: CallTarget::User(index),
                 parameters: function.parameters().cloned().collect(),
                 directions: function.directions.clone(),
                 result: function.result.clone(),
@@ -255,14 +255,14 @@ impl Checker<'_> {
             match direction {
                 Direction::In => converted.push(convert(argument, parameter)),
                 Direction::Out | Direction::Inout => {
-                    self.written(&argument, "pass as an `out` argument");
+                    self.check_written(&argument, "pass as an `out` argument");
                     converted.push(argument);
                 }
             }
         }
         let ty = best.result;
         match best.target {
-            Target::User(index) => {
+            CallTarget::User(index) => {
                 match &mut self.body {
                     Some(body) => body.calls.push((index, name.span)),
                     // Initializers run before `main`; those of GLSL ES are constant.
@@ -276,7 +276,7 @@ impl Checker<'_> {
                 }
                 Expr { ty, span, constant: false, kind: ExprKind::Call(index, converted) }
             }
-            Target::Builtin(row) => self.finish_builtin(row, ty, name, converted, span),
+            CallTarget::Builtin(row) => self.finish_builtin(row, ty, name, converted, span),
         }
     }
 

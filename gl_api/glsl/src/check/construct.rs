@@ -96,8 +96,9 @@ impl Checker<'_> {
             return self.bad_constructor(span, format!("{ty} has a sampler in it"));
         }
         let pairs = arguments.into_iter().zip(&structure.fields);
-        let parts: Vec<Expr> =
-            pairs.map(|(argument, (_, field))| self.converted(argument, field, "use")).collect();
+        let parts: Vec<Expr> = pairs
+            .map(|(argument, (_, field))| self.implicit_conversion(argument, field, "use"))
+            .collect();
         let constant = parts.iter().all(|part| part.constant);
         Expr { ty, span, constant, kind: ExprKind::Construct(parts) }
     }
@@ -121,7 +122,7 @@ impl Checker<'_> {
         }
         // `float[][](...)` has the inner sizes of its arguments too.
         let element = element.sized_as(&arguments[0].ty);
-        let convert = |argument| self.converted(argument, &element, "use");
+        let convert = |argument| self.implicit_conversion(argument, &element, "use");
         let parts: Vec<Expr> = arguments.into_iter().map(convert).collect();
         if parts.iter().any(Expr::is_error) {
             return Expr::error(span);

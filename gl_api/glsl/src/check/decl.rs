@@ -201,7 +201,9 @@ impl Checker<'_> {
     }
 
     pub(super) fn global_declaration(&mut self, declaration: &ast::Declaration) {
-        let Some((storage, passing)) = self.global_storage(&declaration.ty) else { return };
+        let Some((storage, interface_qualifiers)) = self.global_storage(&declaration.ty) else {
+            return;
+        };
         self.check_precision(&declaration.ty);
         if declaration.names.is_empty() {
             let _ = self.type_of(&declaration.ty.ty, &[]);
@@ -209,7 +211,7 @@ impl Checker<'_> {
         }
         for declared in &declaration.names {
             let ty = self.type_of(&declaration.ty.ty, &declared.array);
-            if self.redeclares_builtin(declared, &ty, storage, passing) {
+            if self.redeclares_builtin(declared, &ty, storage, interface_qualifiers) {
                 continue;
             }
             let init = declared.init.as_ref().map(|init| self.expr(init));
@@ -223,12 +225,12 @@ impl Checker<'_> {
                 continue;
             }
             self.check_new(&declared.name);
-            self.check_interface(storage, &ty, declared.name.span);
-            self.check_layout(&declared.name, passing);
+            self.check_interface_type(storage, &ty, declared.name.span);
+            self.check_layout(&declared.name, interface_qualifiers);
             let type_span = (declaration.names.len() == 1).then_some(declaration.ty.ty.span);
             let mut variable = self.new_variable(declared, ty, storage);
             variable.type_span = type_span.filter(|_| declared.array.is_empty());
-            variable.passing = passing;
+            variable.interface_qualifiers = interface_qualifiers;
             self.initialize(&mut variable, init, declared.name.span);
             self.check_sized(&variable);
             let var = VarRef::Global(self.unit.globals.len() as u32);
@@ -274,7 +276,7 @@ impl Checker<'_> {
         if self.version < Version::V120 && variable.ty.has_array() {
             self.error(init.span, "4.3", "arrays take no value before GLSL 1.20");
         }
-        let init = self.converted(init, &variable.ty.clone(), "initialize with");
+        let init = self.implicit_conversion(init, &variable.ty.clone(), "initialize with");
         if init.is_error() {
             variable.constant = None;
             variable.init = Some(init);

@@ -34,7 +34,7 @@ impl Checker<'_> {
                 self.binary(*op, left, right, span)
             }
             ast::ExprKind::Assign(op, target, value) => self.assign(*op, target, value, span),
-            ast::ExprKind::Step(step, result, operand) => {
+            ast::ExprKind::IncDec(step, result, operand) => {
                 let operand = self.expr(operand);
                 if operand.is_error() {
                     return operand;
@@ -45,12 +45,12 @@ impl Checker<'_> {
                     self.error(span, "5.9", message);
                     return Expr::error(span);
                 }
-                self.written(&operand, "change");
+                self.check_written(&operand, "change");
                 let ty = operand.ty.clone();
-                let kind = ExprKind::Step(*step, *result, Box::new(operand));
+                let kind = ExprKind::IncDec(*step, *result, Box::new(operand));
                 Expr { ty, span, constant: false, kind }
             }
-            ast::ExprKind::Conditional(parts) => self.choice(parts, span),
+            ast::ExprKind::Conditional(parts) => self.conditional(parts, span),
             ast::ExprKind::Comma(all) => {
                 let all: Vec<Expr> = all.iter().map(|expr| self.expr(expr)).collect();
                 let ty = all.last().map_or(Type::Void, |last| last.ty.clone());
@@ -246,7 +246,7 @@ impl Checker<'_> {
     ) -> Expr {
         let target = self.expr(target);
         let value = self.expr(value);
-        self.written(&target, "assign to");
+        self.check_written(&target, "assign to");
         if target.is_error() || value.is_error() {
             return Expr::error(span);
         }
@@ -257,7 +257,7 @@ impl Checker<'_> {
                     let message = format!("arrays cannot be assigned in {}", self.version.title());
                     self.error(span, "5.8", message);
                 }
-                self.converted(value, &ty, "assign")
+                self.implicit_conversion(value, &ty, "assign")
             }
             Some(op) => {
                 let Some(typed) = operators::binary(op, &ty, &value.ty, self.version) else {
@@ -284,14 +284,14 @@ impl Checker<'_> {
     }
 
     /// The value as a `ty`, or an error that begins with `verb`.
-    pub(super) fn converted(&mut self, value: Expr, ty: &Type, verb: &str) -> Expr {
+    pub(super) fn implicit_conversion(&mut self, value: Expr, ty: &Type, verb: &str) -> Expr {
         if value.ty == *ty || value.is_error() || *ty == Type::Error {
             return value;
         }
         if converts(&value.ty, ty, self.version) {
             return convert(value, ty);
         }
-        if let Some(integer) = self.as_integers(&value, ty) {
+        if let Some(integer) = self.as_integer_call(&value, ty) {
             return integer;
         }
         let message = format!("cannot {verb} {} where {ty} is needed", value.ty);
@@ -314,9 +314,9 @@ impl Checker<'_> {
         Expr::error(span)
     }
 
-    fn choice(&mut self, parts: &[ast::Expr; 3], span: Span) -> Expr {
+    fn conditional(&mut self, parts: &[ast::Expr; 3], span: Span) -> Expr {
         let [condition, accept, reject] = [&parts[0], &parts[1], &parts[2]].map(|e| self.expr(e));
-        let condition = self.converted(condition, &BOOL, "test");
+        let condition = self.implicit_conversion(condition, &BOOL, "test");
         if condition.is_error() || accept.is_error() || reject.is_error() {
             return Expr::error(span);
         }

@@ -125,7 +125,9 @@ impl Checker<'_> {
             known.filter(|&index| self.unit.functions[index].parameters().eq(new.parameters()));
         if let Some(index) = same {
             let other = &self.unit.functions[index];
-            let problem = if other.result != new.result || !other.ways().eq(new.ways()) {
+            let problem = if other.result != new.result
+                || !other.parameter_storages().eq(new.parameter_storages())
+            {
                 Some(("differs from its declaration", &*name.text))
             } else if other.body.is_some() && declared.body.is_some() {
                 Some(("is defined already,", &*signature))

@@ -9,7 +9,7 @@ use rasterizer::ir::Stage;
 
 impl Checker<'_> {
     /// Checks that `target` can be written, and notes that it is. `what` is done to it.
-    pub(super) fn written(&mut self, target: &Expr, what: &str) {
+    pub(super) fn check_written(&mut self, target: &Expr, what: &str) {
         if target.is_error() {
             return;
         }
@@ -21,7 +21,7 @@ impl Checker<'_> {
                         (1..components.len()).any(|i| components[..i].contains(&components[i]));
                     if twice {
                         let message = "a swizzle that is written cannot name a component twice";
-                        self.rejected(part.span, message);
+                        self.reject_lvalue(part.span, message);
                         return;
                     }
                     part = base;
@@ -33,7 +33,7 @@ impl Checker<'_> {
                 | ExprKind::Unary(..)
                 | ExprKind::Binary(..)
                 | ExprKind::Assign(..)
-                | ExprKind::Step(..)
+                | ExprKind::IncDec(..)
                 | ExprKind::Conditional(_)
                 | ExprKind::Comma(_)
                 | ExprKind::Construct(_)
@@ -41,7 +41,7 @@ impl Checker<'_> {
                 | ExprKind::Builtin(..)
                 | ExprKind::Error => {
                     let message = format!("cannot {what} this: it is a value, not a variable");
-                    self.rejected(part.span, message);
+                    self.reject_lvalue(part.span, message);
                     return;
                 }
             }
@@ -50,13 +50,13 @@ impl Checker<'_> {
         let variable = self.variable(root);
         if let Some(kind) = self.read_only(variable) {
             let name = variable.name.clone();
-            self.rejected(target.span, format!("cannot {what} `{name}`: it is {kind}"));
+            self.reject_lvalue(target.span, format!("cannot {what} `{name}`: it is {kind}"));
             return;
         }
         self.variable_mut(root).written = true;
     }
 
-    fn rejected(&mut self, span: Span, message: impl Into<String>) {
+    fn reject_lvalue(&mut self, span: Span, message: impl Into<String>) {
         let rule = format!("{} section 5.8: what is written is an l-value", self.version.title());
         self.log.push(Diagnostic::error(span, message).rule(rule));
     }

@@ -1,19 +1,19 @@
 //! Syntax tree to checked shader: names, types, qualifiers, constants (GLSL 1.30 chapters 4 to 6).
 
-mod block;
 mod call;
 mod construct;
 mod decl;
 mod expr;
 mod functions;
-mod integers;
-mod interface;
+mod integer_overloads;
 mod lvalue;
 mod operators;
-mod part;
+mod qualifiers;
 mod redeclare;
 mod scope;
+mod selection;
 mod stmt;
+mod uniform_block;
 
 use crate::ast::{Item, StructDecl};
 use crate::hir::{Expr, Stmt, Storage, Unit, VarRef, Variable, recursive_call};
@@ -21,12 +21,12 @@ use crate::language::{Language, Version};
 use crate::text::diagnostics::{Diagnostic, Log};
 use crate::text::source::{Source, Span};
 use crate::types::Type;
-use block::BlockDefaults;
 use rasterizer::ir::Stage;
 use redeclare::settle_arrays;
 use scope::{Scopes, Undeclared};
 use std::collections::BTreeMap;
 use std::sync::Arc;
+use uniform_block::BlockDefaults;
 
 /// What is known while a function's body is checked.
 #[derive(Debug, Default)]
@@ -59,7 +59,7 @@ struct Checker<'a> {
     /// Whether floats have a precision here (GLSL ES 1.00 section 4.5.3).
     float_precision: bool,
     /// Whether it was said that they have none: once is enough.
-    lacks_precision: bool,
+    reported_missing_precision: bool,
     unit: Unit,
     /// What the next uniform block begins with.
     block_layout: BlockDefaults,
@@ -71,7 +71,7 @@ struct Checker<'a> {
     undeclared: Vec<Undeclared>,
     body: Option<Body>,
     /// The globals that initializers of globals name.
-    outside: std::collections::BTreeSet<u32>,
+    initializer_globals: std::collections::BTreeSet<u32>,
 }
 
 /// Checks a shader; what is wrong is in the log.
@@ -92,7 +92,7 @@ pub fn check(
         language,
         version,
         float_precision: version != Version::Es100 || stage == Stage::Vertex,
-        lacks_precision: false,
+        reported_missing_precision: false,
         unit,
         block_layout: BlockDefaults::default(),
         declared: None,
@@ -100,7 +100,7 @@ pub fn check(
         signatures: BTreeMap::new(),
         undeclared: Vec::new(),
         body: None,
-        outside: std::collections::BTreeSet::new(),
+        initializer_globals: std::collections::BTreeSet::new(),
     };
     for item in items {
         match item {
@@ -185,11 +185,11 @@ impl Checker<'_> {
 
     /// Notes that a variable is named here.
     fn note_use(&mut self, var: VarRef) {
-        self.variable_mut(var).named += 1;
+        self.variable_mut(var).references += 1;
         if let VarRef::Global(index) = var {
             match &mut self.body {
                 Some(body) => body.globals.insert(index),
-                None => self.outside.insert(index),
+                None => self.initializer_globals.insert(index),
             };
         }
     }

@@ -5,7 +5,7 @@ use super::Checker;
 use super::scope::Symbol;
 use crate::ast;
 use crate::builtins::variable::Builtin;
-use crate::hir::{Passing, Storage, VarRef, Variable};
+use crate::hir::{InterfaceQualifiers, Storage, VarRef, Variable};
 use crate::language::stage_name;
 use crate::limits::MAX_CLIP_DISTANCES;
 use crate::text::diagnostics::Diagnostic;
@@ -19,7 +19,7 @@ impl Checker<'_> {
         declared: &ast::Declarator,
         ty: &Type,
         storage: Storage,
-        passing: Passing,
+        interface_qualifiers: InterfaceQualifiers,
     ) -> bool {
         let name = &declared.name;
         if !name.text.starts_with("gl_") {
@@ -32,10 +32,10 @@ impl Checker<'_> {
         let Some(var) = known.or_else(|| self.builtin_variable(&name.text)) else { return false };
         let variable = self.variable(var);
         let Storage::Builtin(builtin) = variable.storage else { return false };
-        let (known, indexed) = (variable.ty.clone(), variable.indexed);
+        let (known, min_len) = (variable.ty.clone(), variable.min_len);
         let fits = if let (Type::Array(a, limit), Type::Array(b, len)) = (&known, ty) {
             let limit = limit.unwrap_or(MAX_CLIP_DISTANCES.into());
-            a == b && len.is_none_or(|len| (indexed..=limit).contains(&len))
+            a == b && len.is_none_or(|len| (min_len..=limit).contains(&len))
         } else {
             known == *ty
         };
@@ -43,7 +43,7 @@ impl Checker<'_> {
             Stage::Vertex => matches!(storage, Storage::Output(_)),
             Stage::Fragment => matches!(storage, Storage::Input(_)),
         };
-        let used = variable.named > 0;
+        let used = variable.references > 0;
         if *ty == Type::Error {
             return true;
         }
@@ -62,15 +62,17 @@ impl Checker<'_> {
             self.log.push(Diagnostic::error(name.span, message).rule(self.rule("7.6")));
         } else {
             if builtin != Builtin::FragCoord {
-                self.check_layout(name, passing);
+                self.check_layout(name, interface_qualifiers);
             } else if used {
                 let message = "`gl_FragCoord` is used before it is redeclared";
                 let rule = "ARB_fragment_coord_conventions";
                 self.log.push(Diagnostic::error(name.span, message).rule(rule));
             }
             let variable = self.variable_mut(var);
-            let invariant = variable.passing.invariant || passing.invariant;
-            variable.passing = Passing { invariant, ..passing };
+            let invariant =
+                variable.interface_qualifiers.invariant || interface_qualifiers.invariant;
+            variable.interface_qualifiers =
+                InterfaceQualifiers { invariant, ..interface_qualifiers };
             if matches!(ty, Type::Array(_, Some(_))) {
                 variable.ty = ty.clone();
             }
@@ -79,8 +81,12 @@ impl Checker<'_> {
     }
 
     /// Nothing but `gl_FragCoord` has a layout.
-    pub(super) fn check_layout(&mut self, name: &ast::Name, passing: Passing) {
-        if passing.origin_upper_left || passing.pixel_center_integer {
+    pub(super) fn check_layout(
+        &mut self,
+        name: &ast::Name,
+        interface_qualifiers: InterfaceQualifiers,
+    ) {
+        if interface_qualifiers.origin_upper_left || interface_qualifiers.pixel_center_integer {
             let message = format!("`{}` has no layout: only gl_FragCoord has one", name.text);
             let rule = "ARB_fragment_coord_conventions";
             self.log.push(Diagnostic::error(name.span, message).rule(rule));
@@ -104,8 +110,8 @@ impl Checker<'_> {
         if old != new {
             return None;
         }
-        if *len < variable.indexed {
-            let (last, name) = (variable.indexed - 1, &declared.name);
+        if *len < variable.min_len {
+            let (last, name) = (variable.min_len - 1, &declared.name);
             let message = format!("element {last} of `{}` is used already", name.text);
             self.error(name.span, "4.1.9", message);
         }
@@ -114,10 +120,10 @@ impl Checker<'_> {
     }
 
     /// Makes an array without a size at least `len` long.
-    pub(super) fn pick(&mut self, var: VarRef, len: u32) {
+    pub(super) fn note_constant_index(&mut self, var: VarRef, len: u32) {
         let variable = self.variable_mut(var);
-        variable.picked += 1;
-        variable.indexed = variable.indexed.max(len);
+        variable.constant_index_references += 1;
+        variable.min_len = variable.min_len.max(len);
     }
 }
 
@@ -126,8 +132,8 @@ impl Checker<'_> {
 pub(super) fn settle_arrays(variables: &mut [Variable]) {
     for variable in variables {
         if let Type::Array(element, None) = &variable.ty {
-            variable.ty = Type::Array(element.clone(), Some(variable.indexed.max(1)));
-            variable.implicit = true;
+            variable.ty = Type::Array(element.clone(), Some(variable.min_len.max(1)));
+            variable.implicitly_sized = true;
         }
     }
 }

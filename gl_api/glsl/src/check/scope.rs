@@ -148,7 +148,7 @@ impl Scopes {
 
 /// A variable whose name is close to one that is not declared.
 #[derive(Debug)]
-struct Candidate {
+struct NearMiss {
     distance: usize,
     name: Arc<str>,
     /// The variable and, of a local one, its function; `None` for what the language brings.
@@ -161,7 +161,7 @@ pub struct Undeclared {
     name: Arc<str>,
     /// Everywhere it is used.
     uses: Vec<Span>,
-    candidates: Vec<Candidate>,
+    candidates: Vec<NearMiss>,
 }
 
 impl Checker<'_> {
@@ -181,7 +181,7 @@ impl Checker<'_> {
                     VarRef::Local(_) => function,
                     VarRef::Global(_) => None,
                 };
-                edit_distance(name, near, limit).map(|distance| Candidate {
+                edit_distance(name, near, limit).map(|distance| NearMiss {
                     distance,
                     name: near.clone(),
                     declared: Some((*var, of)),
@@ -193,10 +193,10 @@ impl Checker<'_> {
             | Symbol::Functions
             | Symbol::Undeclared(_) => None,
         });
-        let mut candidates: Vec<Candidate> = declared.collect();
+        let mut candidates: Vec<NearMiss> = declared.collect();
         for near in variable::names(self.stage, self.language) {
             if let Some(distance) = edit_distance(name, near, limit) {
-                candidates.push(Candidate { distance, name: near.into(), declared: None });
+                candidates.push(NearMiss { distance, name: near.into(), declared: None });
             }
         }
         candidates.sort_by_key(|candidate| candidate.distance);
@@ -231,7 +231,7 @@ impl Checker<'_> {
                 let plain = self.source.slice(variable.span) == &*candidate.name;
                 // The application knows uniforms and attributes by name.
                 let own = !matches!(variable.storage, Storage::Uniform | Storage::Attribute);
-                (variable.named == 0 && plain && own)
+                (variable.references == 0 && plain && own)
                     .then_some((variable.span, candidate.name.clone()))
             });
             let since = variable::availability(&name, self.stage);

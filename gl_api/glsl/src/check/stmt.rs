@@ -216,7 +216,7 @@ impl Checker<'_> {
             let ty = self.sized_by(ty, init.as_ref(), declared.name.span);
             if let Some(var) = self.completes_array(declared, &ty) {
                 if let (Some(init), VarRef::Local(local)) = (init, var) {
-                    let init = self.converted(init, &ty, "initialize with");
+                    let init = self.implicit_conversion(init, &ty, "initialize with");
                     all.push(Stmt::Declare(local, Some(init)));
                 }
                 continue;
@@ -261,7 +261,7 @@ impl Checker<'_> {
     /// What a function returns, which is not converted.
     fn returned(&mut self, value: Expr, ty: &Type) -> Expr {
         if value.ty == *ty || !converts(&value.ty, ty, self.version) {
-            return self.converted(value, ty, "return");
+            return self.implicit_conversion(value, ty, "return");
         }
         let message = format!("cannot return {} where {ty} is needed", value.ty);
         let text = self.source.slice(value.span);
@@ -285,7 +285,7 @@ impl Checker<'_> {
         }
         self.scopes.open();
         let mut cases: Vec<Case> = Vec::new();
-        let mut seen = Labels::default();
+        let mut seen = SeenLabels::default();
         for statement in body {
             let label = match &statement.kind {
                 StmtKind::Case(label) => self.case_label(label, &selector, &mut seen),
@@ -293,7 +293,7 @@ impl Checker<'_> {
                     if std::mem::replace(&mut seen.default, true) {
                         self.error(statement.span, "6.2", "a second `default`");
                     }
-                    Some(Label::Default)
+                    Some(CaseLabel::Default)
                 }
                 StmtKind::Empty
                 | StmtKind::Precision(_)
@@ -331,9 +331,9 @@ impl Checker<'_> {
             }
             if let Some(case) = cases.last_mut() {
                 match label {
-                    Label::Value(value) => case.labels.push(value),
-                    Label::Default => case.default = true,
-                    Label::Wrong => {}
+                    CaseLabel::Value(value) => case.labels.push(value),
+                    CaseLabel::Default => case.default = true,
+                    CaseLabel::Wrong => {}
                 }
             }
         }
@@ -358,12 +358,12 @@ impl Checker<'_> {
         &mut self,
         label: &ast::Expr,
         selector: &Expr,
-        seen: &mut Labels,
-    ) -> Option<Label> {
+        seen: &mut SeenLabels,
+    ) -> Option<CaseLabel> {
         let label = self.expr(label);
         let value = self.evaluate(&label).filter(|_| label.ty == selector.ty);
         match value {
-            Some(value) if seen.values.insert(value[0]) => return Some(Label::Value(value[0])),
+            Some(value) if seen.values.insert(value[0]) => return Some(CaseLabel::Value(value[0])),
             Some(_) => {
                 let problem = Diagnostic::error(label.span, "a second `case` with this value");
                 self.log.push(problem.rule(self.rule("6.2")));
@@ -374,13 +374,13 @@ impl Checker<'_> {
                 self.log.push(Diagnostic::error(label.span, message).rule(self.rule("6.2")));
             }
         }
-        Some(Label::Wrong)
+        Some(CaseLabel::Wrong)
     }
 }
 
 /// Where a `switch` jumps to.
 #[derive(Clone, Copy)]
-enum Label {
+enum CaseLabel {
     /// `case`, with its word.
     Value(u32),
     /// `default`.
@@ -391,7 +391,7 @@ enum Label {
 
 /// The labels of a `switch` so far.
 #[derive(Default)]
-struct Labels {
+struct SeenLabels {
     values: BTreeSet<u32>,
     default: bool,
 }

@@ -1,7 +1,7 @@
 //! Typed expressions.
 
 use super::VarRef;
-use crate::ast::{BinaryOp, Step, StepResult, UnaryOp};
+use crate::ast::{BinaryOp, IncDec, IncDecResult, UnaryOp};
 use crate::builtins::function::FunctionRow;
 use crate::text::source::Span;
 use crate::types::Type;
@@ -37,7 +37,7 @@ pub enum ExprKind {
     /// `target = value` or `target op= value`.
     Assign(Option<BinaryOp>, Box<Expr>, Box<Expr>),
     /// `++`, `--`.
-    Step(Step, StepResult, Box<Expr>),
+    IncDec(IncDec, IncDecResult, Box<Expr>),
     /// `a ? b : c`.
     Conditional(Box<[Expr; 3]>),
     /// All, one after the other; the value of the last.
@@ -81,7 +81,7 @@ impl Expr {
             | ExprKind::Unary(..)
             | ExprKind::Binary(..)
             | ExprKind::Assign(..)
-            | ExprKind::Step(..)
+            | ExprKind::IncDec(..)
             | ExprKind::Conditional(_)
             | ExprKind::Comma(_)
             | ExprKind::Construct(_)
@@ -100,7 +100,7 @@ impl Expr {
             ExprKind::Const(_) | ExprKind::Var(VarRef::Local(_)) | ExprKind::Error => {}
             ExprKind::Convert(a)
             | ExprKind::Unary(_, a)
-            | ExprKind::Step(_, _, a)
+            | ExprKind::IncDec(_, _, a)
             | ExprKind::Field(a, _)
             | ExprKind::Swizzle(a, _) => a.add_globals(found),
             ExprKind::Binary(_, a, b) | ExprKind::Index(a, b) | ExprKind::Assign(_, a, b) => {
@@ -119,7 +119,7 @@ impl Expr {
     /// function, or a write.
     pub fn has_effects(&self) -> bool {
         match &self.kind {
-            ExprKind::Assign(..) | ExprKind::Step(..) | ExprKind::Call(..) => true,
+            ExprKind::Assign(..) | ExprKind::IncDec(..) | ExprKind::Call(..) => true,
             ExprKind::Const(_) | ExprKind::Var(_) | ExprKind::Error => false,
             ExprKind::Convert(a)
             | ExprKind::Unary(_, a)

@@ -28,7 +28,7 @@ pub struct Function {
 
 impl Function {
     /// Which ways its parameters go, and which are constant.
-    pub fn ways(&self) -> impl Iterator<Item = Storage> {
+    pub fn parameter_storages(&self) -> impl Iterator<Item = Storage> {
         self.locals.iter().take(self.directions.len()).map(|local| local.storage)
     }
 

@@ -78,7 +78,7 @@ pub enum Storage {
 
 /// The words about how a variable passes between the stages, as written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Passing {
+pub struct InterfaceQualifiers {
     /// `smooth`, `flat` or `noperspective`.
     pub interpolation: Option<Interpolation>,
     /// `invariant`.
@@ -96,7 +96,7 @@ pub struct Passing {
 /// How a uniform block lies in its buffer (ARB_uniform_buffer_object, section 4.3.5.2). They lie
 /// all as `std140` says; what is `packed` and not named is not there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Packing {
+pub enum BlockPacking {
     /// `shared`.
     Shared,
     /// `packed`.
@@ -111,7 +111,7 @@ pub struct Block {
     /// The block's name.
     pub name: Arc<str>,
     /// How it lies in its buffer.
-    pub packing: Packing,
+    pub packing: BlockPacking,
     /// How the matrices of each member lie.
     pub orders: Vec<MatrixOrder>,
 }
@@ -132,17 +132,17 @@ pub struct Variable {
     /// Whether anything but its initializer writes it.
     pub written: bool,
     /// Whether it is indexed by what is not constant.
-    pub dynamic: bool,
+    pub dynamically_indexed: bool,
     /// Of an array: one more than the largest constant index.
-    pub indexed: u32,
+    pub min_len: u32,
     /// How often it is named.
-    pub named: u32,
+    pub references: u32,
     /// How often of these it is an array of which a constant names an element.
-    pub picked: u32,
+    pub constant_index_references: u32,
     /// The words about how it passes between the stages, as written.
-    pub passing: Passing,
+    pub interface_qualifiers: InterfaceQualifiers,
     /// Whether the size of the array comes from its largest index alone.
-    pub implicit: bool,
+    pub implicitly_sized: bool,
     /// What it is as a uniform block.
     pub block: Option<Arc<Block>>,
     /// Its words, if it is a constant.
@@ -161,12 +161,12 @@ impl Variable {
             span,
             type_span: None,
             written: false,
-            dynamic: false,
-            indexed: 0,
-            named: 0,
-            picked: 0,
-            passing: Passing::default(),
-            implicit: false,
+            dynamically_indexed: false,
+            min_len: 0,
+            references: 0,
+            constant_index_references: 0,
+            interface_qualifiers: InterfaceQualifiers::default(),
+            implicitly_sized: false,
             block: None,
             constant: None,
             init: None,
@@ -180,7 +180,7 @@ impl Variable {
 
     /// How many elements of an array anything names, from the first one on (GL 2.1, section 2.15.3:
     /// the highest index used, plus one); `None` where all may be.
-    pub fn reach(&self) -> Option<u32> {
-        (self.named == self.picked).then_some(self.indexed)
+    pub fn used_elements(&self) -> Option<u32> {
+        (self.references == self.constant_index_references).then_some(self.min_len)
     }
 }

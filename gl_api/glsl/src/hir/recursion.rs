@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 /// How far a function has been looked at.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Mark {
+enum VisitState {
     New,
     Open,
     Done,
@@ -23,30 +23,30 @@ pub fn recursive_call(functions: &[Function]) -> Option<(Arc<str>, Span)> {
         }
     }
     let target = |call: u32| bodies.get(&functions[call as usize].signature()).copied();
-    let mut marks = vec![Mark::New; functions.len()];
+    let mut states = vec![VisitState::New; functions.len()];
     for start in 0..functions.len() {
-        if marks[start] != Mark::New {
+        if states[start] != VisitState::New {
             continue;
         }
         // Depth first without recursion: function, and how many of its calls were followed.
         let mut path = vec![(start, 0)];
-        marks[start] = Mark::Open;
+        states[start] = VisitState::Open;
         while let Some((function, followed)) = path.last_mut() {
             let function = *function;
             let Some(&(call, span)) = functions[function].calls.get(*followed) else {
-                marks[function] = Mark::Done;
+                states[function] = VisitState::Done;
                 path.pop();
                 continue;
             };
             *followed += 1;
             let Some(next) = target(call) else { continue };
-            match marks[next] {
-                Mark::Open => return Some((functions[next].name.clone(), span)),
-                Mark::New => {
-                    marks[next] = Mark::Open;
+            match states[next] {
+                VisitState::Open => return Some((functions[next].name.clone(), span)),
+                VisitState::New => {
+                    states[next] = VisitState::Open;
                     path.push((next, 0));
                 }
-                Mark::Done => {}
+                VisitState::Done => {}
             }
         }
     }

@@ -2,7 +2,7 @@
 //! (ARB_uniform_buffer_object, sections 2.15.3.1 and 4.3.5.1).
 
 use super::{StageUnits, std140};
-use crate::hir::{Block, Packing, Storage, Variable};
+use crate::hir::{Block, BlockPacking, Storage, Variable};
 use crate::language::stage_name;
 use crate::limits::{MAX_UNIFORM_BLOCK_SIZE, MAX_UNIFORM_BLOCKS, MAX_UNIFORM_WORDS};
 use crate::lower::Words;
@@ -33,7 +33,7 @@ pub fn blocks(stages: &[&StageUnits<'_>], words: &mut Words, log: &mut Log) -> B
             stage.used.iter().any(|used| used.block.is_some() && used.name == variable.name)
         };
         let readers: Vec<_> = stages.iter().filter(named).map(|stage| stage.stage).collect();
-        if block.packing == Packing::Packed && readers.is_empty() {
+        if block.packing == BlockPacking::Packed && readers.is_empty() {
             continue;
         }
         let index = blocks.list.len() as u32;
@@ -41,7 +41,7 @@ pub fn blocks(stages: &[&StageUnits<'_>], words: &mut Words, log: &mut Log) -> B
         let Type::Struct(structure) = &variable.ty else { continue };
         let (mut end, mut word) = (0, 0);
         for ((name, ty), &order) in structure.fields.iter().zip(&block.orders) {
-            let offset = std140::place(end, ty);
+            let offset = std140::aligned_offset(end, ty);
             end = offset.saturating_add(std140::size(ty, order));
             if end > MAX_UNIFORM_BLOCK_SIZE {
                 break;
@@ -152,7 +152,7 @@ impl Layout<'_> {
             Type::Struct(structure) => {
                 let (mut end, mut word) = (offset, word);
                 for (field, ty) in &structure.fields {
-                    let offset = std140::place(end, ty);
+                    let offset = std140::aligned_offset(end, ty);
                     self.add(&format!("{name}.{field}"), ty, offset, word);
                     end = offset + std140::size(ty, self.order);
                     word += ty.scalars();

@@ -28,7 +28,7 @@ type Key<'a> = (Arc<str>, Option<&'a str>);
 
 /// The units, with arrays that have no size but their largest index as long as the declaration of
 /// another shader says, or as any of them needs.
-pub fn settled(units: impl Iterator<Item = Arc<Unit>>) -> Vec<Arc<Unit>> {
+pub fn unify_globals(units: impl Iterator<Item = Arc<Unit>>) -> Vec<Arc<Unit>> {
     let mut units: Vec<Arc<Unit>> = units.collect();
     // Of each name, in both stages or in one: the longest size, and the one that is declared.
     let mut sizes: BTreeMap<Key<'_>, (u32, Option<u32>)> = BTreeMap::new();
@@ -41,7 +41,7 @@ pub fn settled(units: impl Iterator<Item = Arc<Unit>>) -> Vec<Arc<Unit>> {
             let Type::Array(_, Some(len)) = variable.ty else { continue };
             let (longest, declared) = sizes.entry(key(unit, variable)).or_default();
             *longest = len.max(*longest);
-            if variable.implicit {
+            if variable.implicitly_sized {
                 implicit.push((index, global, len));
             } else {
                 *declared = Some(len);
@@ -79,11 +79,12 @@ pub fn same_globals(units: &[&Unit], stage: &str, log: &mut Log) {
         let (home, other) = *entry;
         let message = if other.ty != variable.ty || other.storage != variable.storage {
             format!("is {} in one {stage} shader and {} in another", other.ty, variable.ty)
-        } else if other.passing.invariant != variable.passing.invariant {
+        } else if other.interface_qualifiers.invariant != variable.interface_qualifiers.invariant {
             format!("is invariant in one {stage} shader only")
-        } else if other.passing.centroid != variable.passing.centroid {
+        } else if other.interface_qualifiers.centroid != variable.interface_qualifiers.centroid {
             format!("is centroid in one {stage} shader only")
-        } else if let (Some(a), Some(b)) = (other.passing.location, variable.passing.location)
+        } else if let (Some(a), Some(b)) =
+            (other.interface_qualifiers.location, variable.interface_qualifiers.location)
             && a != b
         {
             format!("has location {a} in one {stage} shader and {b} in another")
@@ -94,7 +95,7 @@ pub fn same_globals(units: &[&Unit], stage: &str, log: &mut Log) {
         {
             format!("has two initial values in the {stage} shaders")
         } else {
-            if other.init.is_none() && other.passing.location.is_none() {
+            if other.init.is_none() && other.interface_qualifiers.location.is_none() {
                 *entry = (unit, variable);
             }
             continue;

@@ -2,10 +2,10 @@
 //! matched, locations and uniform words given, and both stages lowered.
 
 mod blocks;
-mod captured;
 mod globals;
-mod numbered;
+mod locations;
 mod std140;
+mod transform_feedback;
 mod uniforms;
 mod varyings;
 
@@ -21,7 +21,7 @@ use rasterizer::ir::Stage;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-type Locations = BTreeMap<Arc<str>, Binding>;
+type BindingMap = BTreeMap<Arc<str>, Binding>;
 
 /// The shaders of one stage.
 struct StageUnits<'a> {
@@ -53,34 +53,35 @@ pub fn link(shaders: &[&Arc<Unit>], bindings: &Bindings) -> Linked {
 }
 
 fn build(shaders: &[&Arc<Unit>], bindings: &Bindings, log: &mut Log) -> Option<Program> {
-    let units = globals::settled(shaders.iter().map(|shader| Arc::clone(shader)));
-    let vertex = collect(&units, Stage::Vertex, log);
-    let fragment = collect(&units, Stage::Fragment, log);
+    let units = globals::unify_globals(shaders.iter().map(|shader| Arc::clone(shader)));
+    let vertex = stage_units(&units, Stage::Vertex, log);
+    let fragment = stage_units(&units, Stage::Fragment, log);
     if log.has_errors() {
         return None;
     }
-    let mut in_vertex = Locations::new();
-    let mut in_fragment = Locations::new();
+    let mut in_vertex = BindingMap::new();
+    let mut in_fragment = BindingMap::new();
     let stages: Vec<&StageUnits<'_>> = vertex.iter().chain(&fragment).collect();
     let mut words = Words::default();
-    let reaches = uniforms::Reaches::of(&stages);
-    let uniforms = uniforms::uniforms(&stages, &reaches, &mut words, log);
+    let used_elements = uniforms::UsedElements::of(&stages);
+    let uniforms = uniforms::uniforms(&stages, &used_elements, &mut words, log);
     let blocks = blocks::blocks(&stages, &mut words, log);
     for (name, word) in uniforms.words.iter().chain(&blocks.words) {
         in_vertex.insert(name.clone(), Binding::Uniform(*word));
         in_fragment.insert(name.clone(), Binding::Uniform(*word));
     }
     let attributes = match &vertex {
-        Some(vertex) => numbered::attributes(vertex, bindings, &mut in_vertex, log),
+        Some(vertex) => locations::attributes(vertex, bindings, &mut in_vertex, log),
         None => Vec::new(),
     };
     let (outputs, inputs) = (vertex.as_ref(), fragment.as_ref());
     let next = varyings::varyings(outputs, inputs, &mut in_vertex, &mut in_fragment, log);
-    let captured = captured::captured(outputs, &bindings.capture, next, &mut in_vertex, log);
+    let captured =
+        transform_feedback::captured(outputs, &bindings.capture, next, &mut in_vertex, log);
     let varyings = varyings::slots(inputs, &in_fragment);
     let color_interpolation = varyings::colors(outputs, inputs, log);
     let targets = match &fragment {
-        Some(fragment) => numbered::targets(fragment, bindings, &mut in_fragment, log),
+        Some(fragment) => locations::targets(fragment, bindings, &mut in_fragment, log),
         None => Vec::new(),
     };
     if let Some(vertex) = &vertex {
@@ -90,9 +91,9 @@ fn build(shaders: &[&Arc<Unit>], bindings: &Bindings, log: &mut Log) -> Option<P
         return None;
     }
 
-    let builtin_uniforms = uniforms::builtins(&stages, &reaches);
+    let builtin_uniforms = uniforms::builtins(&stages, &used_elements);
     let mut samplers = Vec::new();
-    let mut lower = |stage: Option<&StageUnits<'_>>, locations: &Locations| {
+    let mut lower = |stage: Option<&StageUnits<'_>>, locations: &BindingMap| {
         lowered(stage?, locations, &mut words, &mut samplers, log)
     };
     let vertex = lower(vertex.as_ref(), &in_vertex);
@@ -139,7 +140,7 @@ fn check_position(vertex: &StageUnits<'_>, captured: &[Captured], log: &mut Log)
 /// The module of a stage; its words and samplers come to those that there are.
 fn lowered(
     of: &StageUnits<'_>,
-    locations: &Locations,
+    locations: &BindingMap,
     words: &mut Words,
     samplers: &mut Vec<SamplerSlot>,
     log: &mut Log,
@@ -177,7 +178,7 @@ fn lowered(
 }
 
 /// The shaders of a stage, checked against each other; `None` if it has none.
-fn collect<'a>(units: &'a [Arc<Unit>], stage: Stage, log: &mut Log) -> Option<StageUnits<'a>> {
+fn stage_units<'a>(units: &'a [Arc<Unit>], stage: Stage, log: &mut Log) -> Option<StageUnits<'a>> {
     let name = stage_name(stage);
     let units: Vec<&Unit> =
         units.iter().map(|unit| &**unit).filter(|unit| unit.stage == stage).collect();

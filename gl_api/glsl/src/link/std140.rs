@@ -31,10 +31,9 @@ pub fn size(ty: &Type, order: MatrixOrder) -> u32 {
         },
         Type::Array(element, len) => stride(element, order).saturating_mul(len.unwrap_or(0)),
         Type::Struct(structure) => {
-            let end = structure
-                .fields
-                .iter()
-                .fold(0, |end, (_, field)| place(end, field).saturating_add(size(field, order)));
+            let end = structure.fields.iter().fold(0, |end, (_, field)| {
+                aligned_offset(end, field).saturating_add(size(field, order))
+            });
             padded(end)
         }
         Type::Sampler(_) | Type::Void | Type::Error => 0,
@@ -51,8 +50,8 @@ pub fn matrix_stride(ty: &Type) -> u32 {
     if matches!(ty, Type::Matrix(..)) { VEC4 } else { 0 }
 }
 
-/// Where a member lies that comes after so many bytes.
-pub fn place(end: u32, ty: &Type) -> u32 {
+/// The offset of a member after `end` bytes: `end`, rounded up to the base alignment of its type.
+pub fn aligned_offset(end: u32, ty: &Type) -> u32 {
     end.checked_next_multiple_of(alignment(ty)).unwrap_or(u32::MAX)
 }
 

@@ -24,7 +24,7 @@ pub struct Uniforms {
 /// any shader of the program may bring the value (GLSL 1.30 section 4.3.5).
 pub fn uniforms(
     stages: &[&StageUnits<'_>],
-    reaches: &Reaches<'_>,
+    used_elements: &UsedElements<'_>,
     words: &mut Words,
     log: &mut Log,
 ) -> Uniforms {
@@ -75,7 +75,7 @@ pub fn uniforms(
         }
         uniforms.words.insert(variable.name.clone(), words.next);
         let mut leaves = Vec::new();
-        add_leaves(&variable.name, &variable.ty, reaches.get(variable), 0, &mut leaves);
+        add_leaves(&variable.name, &variable.ty, used_elements.get(variable), 0, &mut leaves);
         for Leaf { name, ty, array, at, scalars } in leaves {
             let Some(data_type) = ty.data_type() else {
                 let message = format!("uniform `{name}`: {ty} is not supported by DetGL yet");
@@ -98,7 +98,10 @@ fn initial(variable: &Variable) -> Vec<u32> {
 }
 
 /// The built-in uniforms that the stages name.
-pub fn builtins(stages: &[&StageUnits<'_>], reaches: &Reaches<'_>) -> Vec<BuiltinUniform> {
+pub fn builtins(
+    stages: &[&StageUnits<'_>],
+    used_elements: &UsedElements<'_>,
+) -> Vec<BuiltinUniform> {
     let is_state =
         |storage| matches!(storage, Storage::Builtin(Builtin::State(_) | Builtin::States(_)));
     let mut named: Vec<&Variable> = Vec::new();
@@ -109,7 +112,7 @@ pub fn builtins(stages: &[&StageUnits<'_>], reaches: &Reaches<'_>) -> Vec<Builti
     }
     let mut leaves = Vec::new();
     for variable in named {
-        add_leaves(&variable.name, &variable.ty, reaches.get(variable), 0, &mut leaves);
+        add_leaves(&variable.name, &variable.ty, used_elements.get(variable), 0, &mut leaves);
     }
     let listed = |leaf: Leaf<'_>| {
         let ty = leaf.ty.data_type()?;
@@ -130,20 +133,20 @@ struct Leaf<'a> {
 }
 
 /// How many elements the shaders of a program name of each array that any of them names, by its name.
-pub struct Reaches<'a>(BTreeMap<&'a str, u32>);
+pub struct UsedElements<'a>(BTreeMap<&'a str, u32>);
 
-impl<'a> Reaches<'a> {
+impl<'a> UsedElements<'a> {
     /// Of all arrays that the stages declare.
     pub fn of(stages: &[&StageUnits<'a>]) -> Self {
-        let mut reaches = BTreeMap::new();
+        let mut used_elements = BTreeMap::new();
         for variable in stages.iter().flat_map(|stage| stage.declared()) {
-            if variable.named > 0 && matches!(variable.ty, Type::Array(..)) {
-                let all = variable.reach().unwrap_or(u32::MAX);
-                let most = reaches.entry(&*variable.name).or_insert(all);
+            if variable.references > 0 && matches!(variable.ty, Type::Array(..)) {
+                let all = variable.used_elements().unwrap_or(u32::MAX);
+                let most = used_elements.entry(&*variable.name).or_insert(all);
                 *most = all.max(*most);
             }
         }
-        Self(reaches)
+        Self(used_elements)
     }
 
     fn get(&self, variable: &Variable) -> u32 {

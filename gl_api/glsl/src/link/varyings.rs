@@ -1,6 +1,6 @@
 //! What passes from the vertex to the fragment stage (GLSL 1.30 sections 4.3.6 and 4.3.7).
 
-use super::{Locations, StageUnits};
+use super::{BindingMap, StageUnits};
 use crate::hir::{Storage, Variable};
 use crate::interface::VARYING_USER;
 use crate::language::Version;
@@ -15,8 +15,8 @@ use std::collections::{BTreeMap, BTreeSet};
 pub fn varyings(
     vertex: Option<&StageUnits<'_>>,
     fragment: Option<&StageUnits<'_>>,
-    in_vertex: &mut Locations,
-    in_fragment: &mut Locations,
+    in_vertex: &mut BindingMap,
+    in_fragment: &mut BindingMap,
     log: &mut Log,
 ) -> u16 {
     // Of each name, what the vertex stage declares, and whether it writes it.
@@ -76,7 +76,7 @@ pub fn varyings(
 }
 
 /// The slots of the varyings that the fragment stage reads: first, how many, name.
-pub fn slots(fragment: Option<&StageUnits<'_>>, locations: &Locations) -> Vec<(u16, u16, String)> {
+pub fn slots(fragment: Option<&StageUnits<'_>>, locations: &BindingMap) -> Vec<(u16, u16, String)> {
     let inputs = fragment.iter().flat_map(|stage| stage.with(|s| matches!(s, Storage::Input(_))));
     inputs
         .filter_map(|input| match locations.get(&input.name) {
@@ -98,13 +98,14 @@ fn check_alike(output: &Variable, input: &Variable, vertex: &StageUnits<'_>, log
         (output.ty.to_string(), input.ty.to_string(), "GLSL 1.30 section 4.3.6")
     } else if let Some((a, b)) = mismatch(output, input) {
         (a.to_owned(), b.to_owned(), "GLSL 1.30 section 4.3.7")
-    } else if output.passing.invariant != input.passing.invariant
+    } else if output.interface_qualifiers.invariant != input.interface_qualifiers.invariant
         && !vertex.units.iter().any(|unit| unit.all_invariant)
     {
-        let [a, b] = [output, input].map(|variable| match variable.passing.invariant {
-            true => "invariant".to_owned(),
-            false => "not invariant".to_owned(),
-        });
+        let [a, b] =
+            [output, input].map(|variable| match variable.interface_qualifiers.invariant {
+                true => "invariant".to_owned(),
+                false => "not invariant".to_owned(),
+            });
         (a, b, "GLSL 1.20 section 4.6.1")
     } else {
         return;
@@ -122,7 +123,7 @@ fn mismatch(output: &Variable, input: &Variable) -> Option<(&'static str, &'stat
         return Some((word(a), word(b)));
     }
     let words = |one: bool, word, without| if one { word } else { without };
-    let (a, b) = (output.passing, input.passing);
+    let (a, b) = (output.interface_qualifiers, input.interface_qualifiers);
     if a.centroid != b.centroid {
         let of = |centroid| words(centroid, "centroid", "not centroid");
         return Some((of(a.centroid), of(b.centroid)));
@@ -156,7 +157,7 @@ pub fn colors(
         let used = |stage: Option<&StageUnits<'_>>, name: &str| {
             stage.and_then(|stage| {
                 let found = stage.used.iter().find(|variable| *variable.name == *name);
-                found.map(|variable| variable.passing.interpolation)
+                found.map(|variable| variable.interface_qualifiers.interpolation)
             })
         };
         let [input, front, back] = names;

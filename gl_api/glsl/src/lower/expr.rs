@@ -1,7 +1,7 @@
 //! Expressions to scalars. The order of the operations here is the definition of their results.
 
-use super::{Failure, Lowered, Lowerer};
-use crate::ast::{BinaryOp, Step, StepResult, UnaryOp};
+use super::{LowerError, LowerResult, Lowerer};
+use crate::ast::{BinaryOp, IncDec, IncDecResult, UnaryOp};
 use crate::builtins::expand::{self, Args, geometric};
 use crate::builtins::function::{FunctionRow, Lowering};
 use crate::hir::{Expr, ExprKind};
@@ -10,11 +10,11 @@ use rasterizer::ir::{Op, Stmt, Ty, Value};
 
 impl Lowerer<'_> {
     /// The scalars of an expression.
-    pub(super) fn expr(&mut self, expr: &Expr) -> Lowered<Vec<Value>> {
+    pub(super) fn expr(&mut self, expr: &Expr) -> LowerResult<Vec<Value>> {
         self.nested(|lowerer| lowerer.expr_kind(expr))
     }
 
-    fn expr_kind(&mut self, expr: &Expr) -> Lowered<Vec<Value>> {
+    fn expr_kind(&mut self, expr: &Expr) -> LowerResult<Vec<Value>> {
         match &expr.kind {
             ExprKind::Const(words) => Ok(self.constants(words, &expr.ty.flat())),
             ExprKind::Var(_) => self.load_expr(expr),
@@ -35,31 +35,31 @@ impl Lowerer<'_> {
                 Ok(self.binary(*op, (&left.ty, &a), (&right.ty, &b)))
             }
             ExprKind::Assign(op, target, value) => {
-                let place = self.place(target)?.ok_or_else(not_a_variable)?;
+                let chain = self.access_chain(target)?.ok_or_else(not_a_variable)?;
                 let values = match op {
                     None => self.expr(value)?,
                     Some(op) => {
                         // The target is read after the value: the value may write it.
                         let values = self.expr(value)?;
-                        let old = self.load(&place)?;
+                        let old = self.load(&chain)?;
                         self.binary(*op, (&target.ty, &old), (&value.ty, &values))
                     }
                 };
-                self.store(&place, &values)?;
+                self.store(&chain, &values)?;
                 Ok(values)
             }
-            ExprKind::Step(step, result, target) => {
-                let place = self.place(target)?.ok_or_else(not_a_variable)?;
-                let old = self.load(&place)?;
+            ExprKind::IncDec(step, result, target) => {
+                let chain = self.access_chain(target)?.ok_or_else(not_a_variable)?;
+                let old = self.load(&chain)?;
                 let op = match step {
-                    Step::Increment => BinaryOp::Add,
-                    Step::Decrement => BinaryOp::Sub,
+                    IncDec::Increment => BinaryOp::Add,
+                    IncDec::Decrement => BinaryOp::Sub,
                 };
                 let new: Vec<Value> = old.iter().map(|&value| self.count(op, value)).collect();
-                self.store(&place, &new)?;
+                self.store(&chain, &new)?;
                 Ok(match result {
-                    StepResult::After => new,
-                    StepResult::Before => old,
+                    IncDecResult::After => new,
+                    IncDecResult::Before => old,
                 })
             }
             ExprKind::Conditional(parts) => self.conditional(parts),
@@ -76,8 +76,8 @@ impl Lowerer<'_> {
                 }
                 let values = self.expr(base)?;
                 let index = self.expr(index)?[0];
-                let place = Self::value_place(values, base.ty.clone());
-                let element = self.element(place, index, &expr.ty)?;
+                let chain = Self::value_chain(values, base.ty.clone());
+                let element = self.element(chain, index, &expr.ty)?;
                 self.load(&element)
             }
             ExprKind::Field(base, index) => {
@@ -101,13 +101,13 @@ impl Lowerer<'_> {
             ExprKind::Construct(parts) => self.construct(&expr.ty, parts),
             ExprKind::Call(function, arguments) => self.call(*function, arguments),
             ExprKind::Builtin(row, arguments) => self.builtin(row, arguments, &expr.ty),
-            ExprKind::Error => Err(Failure("an expression with an error".to_owned())),
+            ExprKind::Error => Err(LowerError("an expression with an error".to_owned())),
         }
     }
 
-    fn load_expr(&mut self, expr: &Expr) -> Lowered<Vec<Value>> {
-        let place = self.place(expr)?.ok_or_else(not_a_variable)?;
-        self.load(&place)
+    fn load_expr(&mut self, expr: &Expr) -> LowerResult<Vec<Value>> {
+        let chain = self.access_chain(expr)?.ok_or_else(not_a_variable)?;
+        self.load(&chain)
     }
 
     fn unary(&mut self, op: UnaryOp, value: Value) -> Value {
@@ -141,7 +141,7 @@ impl Lowerer<'_> {
     }
 
     /// `&&` and `||`: the right side runs only where it matters, if that can be seen.
-    fn logical(&mut self, op: BinaryOp, left: &Expr, right: &Expr) -> Lowered<Vec<Value>> {
+    fn logical(&mut self, op: BinaryOp, left: &Expr, right: &Expr) -> LowerResult<Vec<Value>> {
         let a = self.expr(left)?[0];
         let combine = if op == BinaryOp::And { Op::And } else { Op::Or };
         if !right.has_effects() {
@@ -163,7 +163,7 @@ impl Lowerer<'_> {
         Ok(vec![self.emit.load(var)])
     }
 
-    fn conditional(&mut self, parts: &[Expr; 3]) -> Lowered<Vec<Value>> {
+    fn conditional(&mut self, parts: &[Expr; 3]) -> LowerResult<Vec<Value>> {
         let [condition, accept, reject] = parts;
         let condition = self.expr(condition)?[0];
         if !accept.has_effects() && !reject.has_effects() {
@@ -171,13 +171,13 @@ impl Lowerer<'_> {
             let pairs = a.iter().zip(&b);
             return Ok(pairs.map(|(&a, &b)| self.emit.select(condition, a, b)).collect());
         }
-        let slot = self.new_vars("chosen", &accept.ty.flat());
+        let storage = self.new_vars("chosen", &accept.ty.flat());
         let mut blocks = Vec::new();
         for part in [accept, reject] {
             self.emit.builder.begin();
             let values = self.expr(part);
             if let Ok(values) = &values {
-                self.fill(&slot, values);
+                self.fill(&storage, values);
             }
             blocks.push(self.emit.builder.end());
             values?;
@@ -185,7 +185,7 @@ impl Lowerer<'_> {
         let not_chosen = blocks.pop().unwrap_or_default();
         let chosen = blocks.pop().unwrap_or_default();
         self.emit.push(Stmt::If { condition, accept: chosen, reject: not_chosen });
-        self.load_all(slot, &accept.ty)
+        self.load_all(storage, &accept.ty)
     }
 
     /// A binary operation but `&&` and `||`.
@@ -278,7 +278,7 @@ impl Lowerer<'_> {
     }
 
     /// GLSL 1.30 section 5.4.
-    fn construct(&mut self, ty: &Type, parts: &[Expr]) -> Lowered<Vec<Value>> {
+    fn construct(&mut self, ty: &Type, parts: &[Expr]) -> LowerResult<Vec<Value>> {
         let mut all = Vec::new();
         for part in parts {
             all.extend(self.expr(part)?);
@@ -336,16 +336,16 @@ impl Lowerer<'_> {
         row: &FunctionRow,
         arguments: &[Expr],
         result: &Type,
-    ) -> Lowered<Vec<Value>> {
+    ) -> LowerResult<Vec<Value>> {
         if let Lowering::Texture(lookup) = row.lowering {
             return self.texture(lookup, arguments, result);
         }
         if let (Lowering::Modf, [x, whole]) = (row.lowering, arguments) {
             let values = self.expr(x)?;
-            let place = self.place(whole)?.ok_or_else(not_a_variable)?;
+            let chain = self.access_chain(whole)?.ok_or_else(not_a_variable)?;
             let trunc = |&x: &Value| self.emit.op(Op::Trunc, &[x]);
             let wholes: Vec<Value> = values.iter().map(trunc).collect();
-            self.store(&place, &wholes)?;
+            self.store(&chain, &wholes)?;
             let pairs = values.iter().zip(&wholes);
             return Ok(pairs.map(|(&x, &whole)| self.emit.op(Op::Sub, &[x, whole])).collect());
         }
@@ -365,12 +365,12 @@ impl Lowerer<'_> {
                 Ok(values[0].iter().map(|&value| self.emit.derivative(axis, value)).collect())
             }
             Lowering::Texture(_) | Lowering::Modf | Lowering::Ftransform => {
-                Err(Failure(format!("`{}` takes other arguments", row.name)))
+                Err(LowerError(format!("`{}` takes other arguments", row.name)))
             }
         }
     }
 }
 
-pub(super) fn not_a_variable() -> Failure {
-    Failure("what is written is no variable".to_owned())
+pub(super) fn not_a_variable() -> LowerError {
+    LowerError("what is written is no variable".to_owned())
 }

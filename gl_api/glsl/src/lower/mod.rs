@@ -1,11 +1,11 @@
 //! Checked shader to IR: every vector taken apart into scalars, every call inlined.
 
-mod builtin;
+mod access_chain;
+mod builtin_variables;
 mod call;
 mod expr;
-mod interface;
 mod outputs;
-mod place;
+mod stage;
 mod stmt;
 mod texture;
 
@@ -15,17 +15,17 @@ use crate::hir::{Expr, Function, Unit, VarRef, Variable};
 use crate::interface::{StateBinding, StateVar};
 use crate::limits::{MAX_INLINED_DEPTH, MAX_VALUES};
 use crate::types::{ComparisonResult, Dim};
-pub use interface::{Binding, lower_stage, named_globals, varying_slots};
-use place::Slot;
+use access_chain::VarStorage;
 use rasterizer::ir::{Stage, Texture, TextureDecl, Ty, Value, Var};
+pub use stage::{Binding, lower_stage, named_globals, varying_slots};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// Why a stage cannot be lowered; ends up in the link log.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Failure(pub String);
+pub struct LowerError(pub String);
 
-type Lowered<T> = Result<T, Failure>;
+type LowerResult<T> = Result<T, LowerError>;
 
 /// The uniform words of a program, and the state among them.
 #[derive(Clone, Debug, Default)]
@@ -86,7 +86,7 @@ struct Frame<'a> {
     /// Its variables.
     locals: &'a [Variable],
     /// Where they live, once they are declared.
-    slots: Vec<Option<Slot>>,
+    storages: Vec<Option<VarStorage>>,
     /// What is open in it, outermost first.
     regions: Vec<Region>,
     /// Where its result goes, if it can return early.
@@ -105,7 +105,7 @@ struct Lowerer<'a> {
     /// The functions of each unit.
     unit_functions: Vec<&'a [Function]>,
     /// Where the globals live, by name.
-    globals: BTreeMap<Arc<str>, Slot>,
+    globals: BTreeMap<Arc<str>, VarStorage>,
     frames: Vec<Frame<'a>>,
     depth: u32,
     /// How many loops are open.
@@ -139,16 +139,16 @@ impl<'a> Lowerer<'a> {
     }
 
     fn open_frame(&mut self, unit: usize, locals: &'a [Variable]) {
-        let slots = vec![None; locals.len()];
+        let storages = vec![None; locals.len()];
         let (regions, result) = (Vec::new(), Vec::new());
         let labelled = false;
-        self.frames.push(Frame { unit, locals, slots, regions, result, labelled });
+        self.frames.push(Frame { unit, locals, storages, regions, result, labelled });
     }
 
     /// Fails when there are too many values.
-    fn check_size(&self) -> Lowered<()> {
+    fn check_size(&self) -> LowerResult<()> {
         if self.emit.is_full() {
-            return Err(Failure(format!(
+            return Err(LowerError(format!(
                 "function calls and loops expand to too many operations (more than {MAX_VALUES})"
             )));
         }
@@ -156,10 +156,10 @@ impl<'a> Lowerer<'a> {
     }
 
     /// Runs `lower` one level deeper.
-    fn nested<T>(&mut self, lower: impl FnOnce(&mut Self) -> Lowered<T>) -> Lowered<T> {
+    fn nested<T>(&mut self, lower: impl FnOnce(&mut Self) -> LowerResult<T>) -> LowerResult<T> {
         if self.depth >= MAX_INLINED_DEPTH {
             let message = "statements, expressions and calls nest too deeply";
-            return Err(Failure(message.to_owned()));
+            return Err(LowerError(message.to_owned()));
         }
         self.depth += 1;
         let result = lower(self);

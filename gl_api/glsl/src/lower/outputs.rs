@@ -1,7 +1,7 @@
 //! What a stage hands on: outputs, some of them copied when `main` has ended.
 
-use super::place::Slot;
-use super::{Lowered, Lowerer};
+use super::access_chain::VarStorage;
+use super::{LowerResult, Lowerer};
 use crate::builtins::expand::geometric::dot_product;
 use crate::hir::Variable;
 use crate::interface::{StateVar, VARYING_CLIP_DISTANCE};
@@ -10,26 +10,26 @@ use rasterizer::ir::{Op, Output, Stmt, Ty, Value, Var};
 
 /// Scalars to copy to outputs when `main` has ended.
 #[derive(Debug)]
-pub struct Copy {
+pub struct OutputCopy {
     /// Where they are.
-    pub slot: Slot,
+    pub storage: VarStorage,
     /// Which of them.
     pub at: u32,
     /// What of it.
-    pub part: Part,
+    pub source: CopySource,
     /// Where to.
     pub var: Var,
 }
 
 /// What of a scalar is copied.
 #[derive(Clone, Copy, Debug)]
-pub enum Part {
+pub enum CopySource {
     /// Its value as a float.
-    Whole,
+    Value,
     /// The low 16 bits.
-    Low,
+    LowHalf,
     /// The high 16 bits.
-    High,
+    HighHalf,
     /// Its value if this user clip plane is enabled, else 0, which cuts nothing away.
     ClipDistance(u8),
     /// The vector that begins there times this user clip plane, if it is enabled.
@@ -40,22 +40,22 @@ impl Lowerer<'_> {
     /// Hands a variable on as a varying.
     pub(super) fn varying_output(
         &mut self,
-        slot: &Slot,
+        storage: &VarStorage,
         types: &[Ty],
         first: u16,
-        copies: &mut Vec<Copy>,
+        copies: &mut Vec<OutputCopy>,
     ) {
         let mut next = first;
         for (at, &ty) in types.iter().enumerate() {
             let at = at as u32;
             if ty == Ty::F32 {
-                self.output(slot, types, at, Output::Varying(next), copies);
+                self.output(storage, types, at, Output::Varying(next), copies);
                 next += 1;
                 continue;
             }
-            for part in [Part::Low, Part::High] {
+            for source in [CopySource::LowHalf, CopySource::HighHalf] {
                 let var = self.emit.builder.output(Output::Varying(next));
-                copies.push(Copy { slot: slot.clone(), at, part, var });
+                copies.push(OutputCopy { storage: storage.clone(), at, source, var });
                 next += 1;
             }
         }
@@ -64,11 +64,11 @@ impl Lowerer<'_> {
     /// Makes scalar `at` of a variable an output: the variable itself where it fits, else a copy.
     pub(super) fn output(
         &mut self,
-        slot: &Slot,
+        storage: &VarStorage,
         types: &[Ty],
         at: u32,
         output: Output,
-        copies: &mut Vec<Copy>,
+        copies: &mut Vec<OutputCopy>,
     ) {
         // The stencil's reference is an integer; colours for attachments of integers stay integers.
         let own = types[at as usize];
@@ -82,7 +82,7 @@ impl Lowerer<'_> {
             | Output::Varying(_)
             | Output::Depth => Ty::F32,
         };
-        if let Slot::Vars(vars) = slot
+        if let VarStorage::Vars(vars) = storage
             && own == ty
         {
             let var = vars[at as usize];
@@ -91,32 +91,32 @@ impl Lowerer<'_> {
         }
         let var = self.emit.builder.variable(format!("{output:?}"), ty);
         self.emit.builder.module_mut().outputs.push((output, var));
-        copies.push(Copy { slot: slot.clone(), at, part: Part::Whole, var });
+        copies.push(OutputCopy { storage: storage.clone(), at, source: CopySource::Value, var });
     }
 
-    pub(super) fn copy(&mut self, copy: &Copy) -> Lowered<()> {
-        let mut place = Self::value_place(Vec::new(), crate::types::FLOAT);
-        place.slot = copy.slot.clone();
-        place.base = copy.at;
-        if let Part::ClipVertex(_) = copy.part {
-            place.ty = crate::types::vec(4);
+    pub(super) fn copy(&mut self, copy: &OutputCopy) -> LowerResult<()> {
+        let mut chain = Self::value_chain(Vec::new(), crate::types::FLOAT);
+        chain.storage = copy.storage.clone();
+        chain.base = copy.at;
+        if let CopySource::ClipVertex(_) = copy.source {
+            chain.ty = crate::types::vec(4);
         }
-        let words = self.load(&place)?;
+        let words = self.load(&chain)?;
         let word = words[0];
-        let value = match copy.part {
-            Part::Whole => word,
-            Part::Low => {
+        let value = match copy.source {
+            CopySource::Value => word,
+            CopySource::LowHalf => {
                 let bits = self.emit.convert(word, Ty::U32);
                 let mask = self.emit.uint(0xffff);
                 self.emit.op(Op::BitAnd, &[bits, mask])
             }
-            Part::High => {
+            CopySource::HighHalf => {
                 let bits = self.emit.convert(word, Ty::U32);
                 let sixteen = self.emit.uint(16);
                 self.emit.op(Op::UShiftRight, &[bits, sixteen])
             }
-            Part::ClipDistance(plane) => self.if_enabled(plane, word),
-            Part::ClipVertex(plane) => {
+            CopySource::ClipDistance(plane) => self.if_enabled(plane, word),
+            CopySource::ClipVertex(plane) => {
                 let first = self.words.state(StateVar::ClipPlane(plane));
                 let plane_words: Vec<Value> =
                     (0..4).map(|i| self.emit.uniform(first + i, Ty::F32)).collect();
@@ -143,34 +143,34 @@ impl Lowerer<'_> {
         &mut self,
         variable: &Variable,
         types: &[Ty],
-        copies: &mut Vec<Copy>,
-    ) -> Slot {
-        let slot = self.new_slot(variable, types);
+        copies: &mut Vec<OutputCopy>,
+    ) -> VarStorage {
+        let storage = self.new_storage(variable, types);
         if variable.written {
             for plane in 0..MAX_CLIP_PLANES {
                 let var = self.emit.builder.output(Output::ClipDistance(plane));
-                let part = Part::ClipVertex(plane);
-                copies.push(Copy { slot: slot.clone(), at: 0, part, var });
+                let source = CopySource::ClipVertex(plane);
+                copies.push(OutputCopy { storage: storage.clone(), at: 0, source, var });
             }
         }
-        slot
+        storage
     }
 
     pub(super) fn clip_distances(
         &mut self,
         variable: &Variable,
         types: &[Ty],
-        copies: &mut Vec<Copy>,
-    ) -> Slot {
-        let slot = self.new_slot(variable, types);
+        copies: &mut Vec<OutputCopy>,
+    ) -> VarStorage {
+        let storage = self.new_storage(variable, types);
         if variable.written {
             for plane in 0..types.len() as u8 {
-                let (at, part) = (plane.into(), Part::ClipDistance(plane));
+                let (at, source) = (plane.into(), CopySource::ClipDistance(plane));
                 let var = self.emit.builder.output(Output::ClipDistance(plane));
-                copies.push(Copy { slot: slot.clone(), at, part, var });
+                copies.push(OutputCopy { storage: storage.clone(), at, source, var });
             }
-            self.varying_output(&slot, types, VARYING_CLIP_DISTANCE, copies);
+            self.varying_output(&storage, types, VARYING_CLIP_DISTANCE, copies);
         }
-        slot
+        storage
     }
 }

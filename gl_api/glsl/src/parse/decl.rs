@@ -1,20 +1,20 @@
 //! Declarations, functions and types (GLSL 1.30 chapters 4 and 6).
 
-use super::keywords::{self, Word};
-use super::{Parsed, Parser};
+use super::keywords::{self, WordClass};
+use super::{ParseResult, Parser};
 use crate::ast::{
     ArraySize, Declaration, Declarator, ExprKind, Function, Item, Name, Parameter, QualifiedType,
     Qualifier, StructDecl, TypeBase, TypeName,
 };
 use crate::language::{Extension, Version};
-use crate::lex::Kind;
+use crate::lex::TokenKind;
 use crate::text::diagnostics::Diagnostic;
 use crate::text::source::Span;
 use std::sync::Arc;
 
 impl Parser<'_> {
     /// One item; `None` for what declares nothing.
-    pub(super) fn item(&mut self) -> Parsed<Option<Item>> {
+    pub(super) fn item(&mut self) -> ParseResult<Option<Item>> {
         if self.eat(";") {
             return Ok(None);
         }
@@ -47,7 +47,7 @@ impl Parser<'_> {
     }
 
     /// `precision highp float;`
-    pub(super) fn default_precision(&mut self) -> Parsed<TypeName> {
+    pub(super) fn default_precision(&mut self) -> ParseResult<TypeName> {
         self.bump();
         if !(self.eat_word("lowp") || self.eat_word("mediump") || self.eat_word("highp")) {
             return self.fail("expected `lowp`, `mediump` or `highp`");
@@ -58,11 +58,11 @@ impl Parser<'_> {
     }
 
     /// Qualifiers and a type.
-    pub(super) fn qualified_type(&mut self) -> Parsed<QualifiedType> {
+    pub(super) fn qualified_type(&mut self) -> ParseResult<QualifiedType> {
         Ok(QualifiedType { qualifiers: self.qualifiers()?, ty: self.type_name()? })
     }
 
-    fn qualifiers(&mut self) -> Parsed<Vec<(Qualifier, Span)>> {
+    fn qualifiers(&mut self) -> ParseResult<Vec<(Qualifier, Span)>> {
         let mut qualifiers = Vec::new();
         let mut layouts = 0;
         while let Some(word) = self.token().word() {
@@ -116,7 +116,7 @@ impl Parser<'_> {
     /// `layout(origin_upper_left, pixel_center_integer)` (ARB_fragment_coord_conventions),
     /// `layout(location = 3)` (ARB_explicit_attrib_location) or `layout(std140)`
     /// (ARB_uniform_buffer_object).
-    fn layout(&mut self, qualifiers: &mut Vec<(Qualifier, Span)>) -> Parsed<()> {
+    fn layout(&mut self, qualifiers: &mut Vec<(Qualifier, Span)>) -> ParseResult<()> {
         self.bump();
         self.expect("(")?;
         loop {
@@ -167,10 +167,10 @@ impl Parser<'_> {
     }
 
     /// `= 3` of a location: a literal, no expression.
-    fn location(&mut self) -> Parsed<Option<Qualifier>> {
+    fn location(&mut self) -> ParseResult<Option<Qualifier>> {
         self.expect("=")?;
         let token = self.token();
-        let Kind::Number(text) = &token.kind else {
+        let TokenKind::Number(text) = &token.kind else {
             let found = token.describe();
             return self.fail(format!("expected the number of a location, found {found}"));
         };
@@ -191,7 +191,7 @@ impl Parser<'_> {
     }
 
     /// A type, with the size of an array of it.
-    pub(super) fn type_name(&mut self) -> Parsed<TypeName> {
+    pub(super) fn type_name(&mut self) -> ParseResult<TypeName> {
         let span = self.span();
         let base = if self.is_word("struct") {
             TypeBase::Struct(Arc::new(self.nested(Self::structure)?))
@@ -204,12 +204,12 @@ impl Parser<'_> {
                 return self.fail(format!("expected a type, found {}", token.describe()));
             };
             match keywords::classify(word, self.language) {
-                Word::Type | Word::Name => {
+                WordClass::Type | WordClass::Name => {
                     self.bump();
                     TypeBase::Named(word.clone())
                 }
-                Word::Keyword => return self.fail(format!("expected a type, found `{word}`")),
-                Word::Reserved => {
+                WordClass::Keyword => return self.fail(format!("expected a type, found `{word}`")),
+                WordClass::Reserved => {
                     return self.fail(format!("`{word}` is reserved for later versions"));
                 }
             }
@@ -229,7 +229,7 @@ impl Parser<'_> {
     }
 
     /// As many `[]` and `[size]` as are here.
-    pub(super) fn array_sizes(&mut self) -> Parsed<Vec<ArraySize>> {
+    pub(super) fn array_sizes(&mut self) -> ParseResult<Vec<ArraySize>> {
         let mut sizes = Vec::new();
         loop {
             let span = self.span();
@@ -247,7 +247,7 @@ impl Parser<'_> {
     }
 
     /// Whether an array may have the second size that begins here; says so if not.
-    pub(super) fn has_arrays_of_arrays(&mut self, span: Span) -> Parsed<()> {
+    pub(super) fn has_arrays_of_arrays(&mut self, span: Span) -> ParseResult<()> {
         if self.language.enabled(Extension::ArraysOfArrays) {
             return Ok(());
         }
@@ -255,16 +255,16 @@ impl Parser<'_> {
         let problem = Diagnostic::error(span, message)
             .rule(format!("{} section 4.1.9", self.version.title()));
         self.log.push(problem.help("write one array of all elements, or of structures"));
-        Err(super::Broken)
+        Err(super::SyntaxError)
     }
 
-    fn structure(&mut self) -> Parsed<StructDecl> {
+    fn structure(&mut self) -> ParseResult<StructDecl> {
         self.bump();
         let name = if self.is("{") { None } else { Some(self.name()?) };
         self.expect("{")?;
         let mut fields = Vec::new();
         while !self.is("}") {
-            if self.kind() == &Kind::End {
+            if self.kind() == &TokenKind::End {
                 return self.fail("the structure is not closed by `}`");
             }
             let ty = self.qualified_type()?;
@@ -290,7 +290,7 @@ impl Parser<'_> {
     }
 
     /// The names of a declaration, up to the `;`.
-    pub(super) fn declarators(&mut self, ty: QualifiedType) -> Parsed<Declaration> {
+    pub(super) fn declarators(&mut self, ty: QualifiedType) -> ParseResult<Declaration> {
         let mut names = Vec::new();
         if self.is(";") {
             return Ok(Declaration { ty, names });
@@ -307,15 +307,15 @@ impl Parser<'_> {
     }
 
     /// The name after a type; a misspelt qualifier or type before it is the likely mistake.
-    fn declared_name(&mut self, ty: &QualifiedType) -> Parsed<Name> {
+    fn declared_name(&mut self, ty: &QualifiedType) -> ParseResult<Name> {
         let misplaced = match &ty.ty.base {
             TypeBase::Named(word) if self.token().word().is_some() => {
-                let unknown = keywords::classify(word, self.language) == Word::Name;
+                let unknown = keywords::classify(word, self.language) == WordClass::Name;
                 let next = self
                     .token()
                     .word()
-                    .map_or(Word::Name, |next| keywords::classify(next, self.language));
-                let broken = unknown && matches!(next, Word::Type | Word::Keyword);
+                    .map_or(WordClass::Name, |next| keywords::classify(next, self.language));
+                let broken = unknown && matches!(next, WordClass::Type | WordClass::Keyword);
                 broken.then(|| word.clone())
             }
             TypeBase::Named(_) | TypeBase::Struct(_) => None,
@@ -327,10 +327,10 @@ impl Parser<'_> {
             problem = problem.fix(text, ty.ty.span, near.to_owned());
         }
         self.log.push(problem);
-        Err(super::Broken)
+        Err(super::SyntaxError)
     }
 
-    pub(super) fn function(&mut self, ty: QualifiedType) -> Parsed<Function> {
+    pub(super) fn function(&mut self, ty: QualifiedType) -> ParseResult<Function> {
         let name = self.name()?;
         self.expect("(")?;
         let mut parameters = Vec::new();

@@ -1,13 +1,13 @@
 //! Expressions (GLSL 1.30 chapter 5).
 
-use super::keywords::{self, Word};
-use super::{Parsed, Parser};
+use super::keywords::{self, WordClass};
+use super::{ParseResult, Parser};
 use crate::ast::{
-    ArraySize, BINARY, BinaryOp, Expr, ExprKind, Name, Step, StepResult, TypeBase, TypeName,
+    ArraySize, BINARY, BinaryOp, Expr, ExprKind, IncDec, IncDecResult, Name, TypeBase, TypeName,
     UnaryOp,
 };
 use crate::language::Version;
-use crate::lex::{Kind, Literal, literal};
+use crate::lex::{Literal, TokenKind, literal};
 use crate::limits::MAX_TREE;
 use crate::text::diagnostics::Diagnostic;
 use crate::text::source::Span;
@@ -29,27 +29,27 @@ const ASSIGNMENTS: [(&str, Option<BinaryOp>); 11] = [
 
 impl Parser<'_> {
     /// A node above `children`, unless the tree gets too deep.
-    fn node(&mut self, span: Span, children: &[&Expr], kind: ExprKind) -> Parsed<Expr> {
+    fn node(&mut self, span: Span, children: &[&Expr], kind: ExprKind) -> ParseResult<Expr> {
         let depth = 1 + children.iter().map(|child| child.depth).max().unwrap_or(0);
         self.node_at(span, depth, kind)
     }
 
-    fn node_at(&mut self, span: Span, depth: u32, kind: ExprKind) -> Parsed<Expr> {
+    fn node_at(&mut self, span: Span, depth: u32, kind: ExprKind) -> ParseResult<Expr> {
         if depth > MAX_TREE {
-            if !self.hopeless {
-                self.hopeless = true;
+            if !self.aborted {
+                self.aborted = true;
                 let message = format!("expression with more than {MAX_TREE} operations in a row");
                 self.log.push(
                     Diagnostic::error(span, message).help("split it into several statements"),
                 );
             }
-            return Err(super::Broken);
+            return Err(super::SyntaxError);
         }
         Ok(Expr { span, depth, kind })
     }
 
     /// An expression, commas included.
-    pub(super) fn expression(&mut self) -> Parsed<Expr> {
+    pub(super) fn expression(&mut self) -> ParseResult<Expr> {
         let first = self.assignment()?;
         if !self.is(",") {
             return Ok(first);
@@ -64,7 +64,7 @@ impl Parser<'_> {
     }
 
     /// An assignment, or what binds tighter.
-    pub(super) fn assignment(&mut self) -> Parsed<Expr> {
+    pub(super) fn assignment(&mut self) -> ParseResult<Expr> {
         self.nested(|parser| {
             let target = parser.conditional()?;
             let row = ASSIGNMENTS.iter().find(|row| parser.is(row.0));
@@ -79,7 +79,7 @@ impl Parser<'_> {
     }
 
     /// `a ? b : c`, or what binds tighter.
-    pub(super) fn conditional(&mut self) -> Parsed<Expr> {
+    pub(super) fn conditional(&mut self) -> ParseResult<Expr> {
         let condition = self.binary(0)?;
         if !self.eat("?") {
             return Ok(condition);
@@ -95,9 +95,9 @@ impl Parser<'_> {
         })
     }
 
-    fn binary(&mut self, loosest: u8) -> Parsed<Expr> {
+    fn binary(&mut self, loosest: u8) -> ParseResult<Expr> {
         let mut left = self.unary()?;
-        while let Kind::Punct(punct) = self.kind() {
+        while let TokenKind::Punct(punct) = self.kind() {
             let row = BINARY.iter().find(|row| row.0 == *punct);
             let Some(&(_, operator, binding)) = row.filter(|row| row.2 > loosest) else { break };
             self.bump();
@@ -110,9 +110,9 @@ impl Parser<'_> {
         Ok(left)
     }
 
-    fn unary(&mut self) -> Parsed<Expr> {
+    fn unary(&mut self) -> ParseResult<Expr> {
         let start = self.span();
-        let Kind::Punct(punct) = self.kind() else { return self.postfix() };
+        let TokenKind::Punct(punct) = self.kind() else { return self.postfix() };
         let operator = match *punct {
             "+" => Some(UnaryOp::Plus),
             "-" => Some(UnaryOp::Negate),
@@ -121,8 +121,8 @@ impl Parser<'_> {
             _ => None,
         };
         let step = match *punct {
-            "++" => Some(Step::Increment),
-            "--" => Some(Step::Decrement),
+            "++" => Some(IncDec::Increment),
+            "--" => Some(IncDec::Decrement),
             _ => None,
         };
         if operator.is_none() && step.is_none() {
@@ -135,13 +135,13 @@ impl Parser<'_> {
         let operand = Box::new(operand);
         let kind = match (operator, step) {
             (Some(operator), _) => ExprKind::Unary(operator, operand),
-            (None, Some(step)) => ExprKind::Step(step, StepResult::After, operand),
+            (None, Some(step)) => ExprKind::IncDec(step, IncDecResult::After, operand),
             (None, None) => ExprKind::Error,
         };
         self.node_at(span, depth, kind)
     }
 
-    fn postfix(&mut self) -> Parsed<Expr> {
+    fn postfix(&mut self) -> ParseResult<Expr> {
         let mut expr = self.primary()?;
         loop {
             let start = expr.span;
@@ -166,10 +166,10 @@ impl Parser<'_> {
                 };
                 expr = self.node_at(span, depth, kind)?;
             } else if self.is("++") || self.is("--") {
-                let step = if self.is("++") { Step::Increment } else { Step::Decrement };
+                let step = if self.is("++") { IncDec::Increment } else { IncDec::Decrement };
                 let span = start.to(self.bump().span);
                 let depth = expr.depth + 1;
-                let kind = ExprKind::Step(step, StepResult::Before, Box::new(expr));
+                let kind = ExprKind::IncDec(step, IncDecResult::Before, Box::new(expr));
                 expr = self.node_at(span, depth, kind)?;
             } else {
                 return Ok(expr);
@@ -178,7 +178,7 @@ impl Parser<'_> {
     }
 
     /// `a[b][c]`, or `Structure[n][m](...)`.
-    fn brackets(&mut self, base: Expr) -> Parsed<Expr> {
+    fn brackets(&mut self, base: Expr) -> ParseResult<Expr> {
         let mut array = Vec::new();
         while self.is("[") {
             let open = self.bump().span;
@@ -199,7 +199,7 @@ impl Parser<'_> {
         for ArraySize { span, size } in array {
             let Some(index) = size else {
                 self.log.push(Diagnostic::error(span, "an index is missing"));
-                return Err(super::Broken);
+                return Err(super::SyntaxError);
             };
             let span = expr.span.to(span);
             let depth = 1 + expr.depth.max(index.depth);
@@ -208,7 +208,7 @@ impl Parser<'_> {
         Ok(expr)
     }
 
-    fn construct(&mut self, ty: TypeName) -> Parsed<Expr> {
+    fn construct(&mut self, ty: TypeName) -> ParseResult<Expr> {
         let arguments = self.arguments()?;
         let span = ty.span.to(self.last_span());
         let depth = 1 + arguments.iter().map(|expr| expr.depth).max().unwrap_or(0);
@@ -216,7 +216,7 @@ impl Parser<'_> {
     }
 
     /// `(a, b, ...)`.
-    fn arguments(&mut self) -> Parsed<Vec<Expr>> {
+    fn arguments(&mut self) -> ParseResult<Vec<Expr>> {
         self.expect("(")?;
         let mut arguments = Vec::new();
         if self.is_word("void") && self.ahead(1).is(")") {
@@ -233,32 +233,32 @@ impl Parser<'_> {
         Ok(arguments)
     }
 
-    fn primary(&mut self) -> Parsed<Expr> {
+    fn primary(&mut self) -> ParseResult<Expr> {
         let token = self.token();
         let span = token.span;
         match &token.kind {
-            Kind::Number(text) => {
+            TokenKind::Number(text) => {
                 let text = text.clone();
                 self.bump();
                 let kind = self.number(&text, span);
                 self.node(span, &[], kind)
             }
-            Kind::Punct("(") => {
+            TokenKind::Punct("(") => {
                 self.bump();
                 let inner = self.expression()?;
                 self.expect(")")?;
                 let span = span.to(self.last_span());
                 Ok(Expr { span, ..inner })
             }
-            Kind::Word(word) => match keywords::classify(word, self.language) {
-                Word::Type => {
+            TokenKind::Word(word) => match keywords::classify(word, self.language) {
+                WordClass::Type => {
                     let ty = self.type_name()?;
                     if !self.is("(") {
                         return self.fail(format!("expected `(` after the type `{word}`"));
                     }
                     self.construct(ty)
                 }
-                Word::Name => {
+                WordClass::Name => {
                     self.bump();
                     let name = Name { text: word.clone(), span };
                     if !self.is("(") {
@@ -269,20 +269,22 @@ impl Parser<'_> {
                     let depth = 1 + arguments.iter().map(|expr| expr.depth).max().unwrap_or(0);
                     self.node_at(span, depth, ExprKind::Call(name, arguments))
                 }
-                Word::Keyword if &**word == "true" || &**word == "false" => {
+                WordClass::Keyword if &**word == "true" || &**word == "false" => {
                     self.bump();
                     self.node(span, &[], ExprKind::Bool(&**word == "true"))
                 }
-                Word::Keyword => self.fail(format!("expected an expression, found `{word}`")),
-                Word::Reserved
+                WordClass::Keyword => self.fail(format!("expected an expression, found `{word}`")),
+                WordClass::Reserved
                     if &**word == "unsigned" && keywords::has_unsigned_int(self.language) =>
                 {
                     let ty = self.type_name()?;
                     self.construct(ty)
                 }
-                Word::Reserved => self.fail(format!("`{word}` is reserved for later versions")),
+                WordClass::Reserved => {
+                    self.fail(format!("`{word}` is reserved for later versions"))
+                }
             },
-            Kind::Punct(_) | Kind::Stray(_) | Kind::Newline | Kind::End => {
+            TokenKind::Punct(_) | TokenKind::Stray(_) | TokenKind::Newline | TokenKind::End => {
                 self.fail(format!("expected an expression, found {}", token.describe()))
             }
         }

@@ -26,7 +26,7 @@ const BLOCK_LAYOUTS: [(&str, BlockLayout); 5] = [
 
 /// What a word is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Word {
+pub enum WordClass {
     /// A name.
     Name,
     /// The name of a type.
@@ -126,23 +126,23 @@ const RESERVED_130: [&str; 34] = [
 ];
 
 /// What a word is in a version.
-pub fn classify(word: &str, language: Language) -> Word {
+pub fn classify(word: &str, language: Language) -> WordClass {
     if Type::named(word, language).is_some() {
-        return Word::Type;
+        return WordClass::Type;
     }
     let keyword = KEYWORDS.iter().any(|row| row.0 == word && language.has(row.1))
         || QUALIFIERS.iter().any(|row| row.0 == word && language.has(row.2));
     if keyword {
-        return Word::Keyword;
+        return WordClass::Keyword;
     }
     let later = language.version >= Version::V130 && RESERVED_130.contains(&word);
     let early = |row: &(&str, Version, Version)| {
         row.0 == word && (row.1..=row.2).contains(&language.version)
     };
     if RESERVED.contains(&word) || later || RESERVED_EARLY.iter().any(early) {
-        return Word::Reserved;
+        return WordClass::Reserved;
     }
-    Word::Name
+    WordClass::Name
 }
 
 /// The qualifier that a word is.

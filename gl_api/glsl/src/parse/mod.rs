@@ -1,25 +1,25 @@
 //! Tokens to the syntax tree: recursive descent, bounded in depth, that goes on after an error.
 
-mod block;
 mod decl;
 mod expr;
 mod keywords;
 mod stmt;
+mod uniform_block;
 
 use crate::ast::{Item, Name};
 use crate::language::{Language, Version};
-use crate::lex::{Kind, Token};
+use crate::lex::{Token, TokenKind};
 use crate::limits::MAX_NESTING;
 use crate::text::diagnostics::{Diagnostic, Log};
 use crate::text::source::Span;
 use crate::text::spelling::closest;
-use keywords::Word;
+use keywords::WordClass;
 
 /// Where to go on after an error that has been reported.
 #[derive(Clone, Copy, Debug)]
-struct Broken;
+struct SyntaxError;
 
-type Parsed<T> = Result<T, Broken>;
+type ParseResult<T> = Result<T, SyntaxError>;
 
 /// The state of the parser.
 struct Parser<'a> {
@@ -30,20 +30,20 @@ struct Parser<'a> {
     log: &'a mut Log,
     depth: u32,
     /// Whether an error is such that what follows makes no sense (too deep a nesting).
-    hopeless: bool,
+    aborted: bool,
 }
 
 /// Parses a shader; what is wrong is in the log.
 pub fn parse(tokens: &[Token], language: Language, log: &mut Log) -> Vec<Item> {
     let version = language.version;
-    let mut parser = Parser { tokens, at: 0, language, version, log, depth: 0, hopeless: false };
+    let mut parser = Parser { tokens, at: 0, language, version, log, depth: 0, aborted: false };
     let mut items = Vec::new();
-    while parser.kind() != &Kind::End && !parser.log.is_full() && !parser.hopeless {
+    while parser.kind() != &TokenKind::End && !parser.log.is_full() && !parser.aborted {
         let start = parser.at;
         match parser.item() {
             Ok(Some(item)) => items.push(item),
             Ok(None) => {}
-            Err(Broken) => parser.skip_item(start),
+            Err(SyntaxError) => parser.skip_item(start),
         }
     }
     items
@@ -58,7 +58,7 @@ impl<'a> Parser<'a> {
         &self.tokens[(self.at + distance).min(self.tokens.len() - 1)]
     }
 
-    fn kind(&self) -> &'a Kind {
+    fn kind(&self) -> &'a TokenKind {
         &self.token().kind
     }
 
@@ -73,7 +73,7 @@ impl<'a> Parser<'a> {
 
     fn bump(&mut self) -> &'a Token {
         let token = self.token();
-        if token.kind != Kind::End {
+        if token.kind != TokenKind::End {
             self.at += 1;
         }
         token
@@ -104,7 +104,7 @@ impl<'a> Parser<'a> {
     }
 
     /// Takes a token that must be there. A missing `;` is reported where it should stand.
-    fn expect(&mut self, punct: &str) -> Parsed<()> {
+    fn expect(&mut self, punct: &str) -> ParseResult<()> {
         if self.eat(punct) {
             return Ok(());
         }
@@ -115,46 +115,46 @@ impl<'a> Parser<'a> {
             problem = problem.fix("add `;` before it", Span { start: end, end }, ";".to_owned());
         }
         self.log.push(problem);
-        Err(Broken)
+        Err(SyntaxError)
     }
 
-    fn fail<T>(&mut self, message: impl Into<String>) -> Parsed<T> {
+    fn fail<T>(&mut self, message: impl Into<String>) -> ParseResult<T> {
         self.log.push(Diagnostic::error(self.span(), message));
-        Err(Broken)
+        Err(SyntaxError)
     }
 
     /// A name that is no keyword.
-    fn name(&mut self) -> Parsed<Name> {
+    fn name(&mut self) -> ParseResult<Name> {
         let token = self.token();
         let Some(word) = token.word() else {
             return self.fail(format!("expected a name, found {}", token.describe()));
         };
         match keywords::classify(word, self.language) {
-            Word::Name => {
+            WordClass::Name => {
                 self.bump();
                 Ok(Name { text: word.clone(), span: token.span })
             }
-            Word::Keyword | Word::Type => {
+            WordClass::Keyword | WordClass::Type => {
                 let message = format!("`{word}` is a keyword and cannot be a name");
                 self.log.push(
                     Diagnostic::error(token.span, message)
                         .rule(format!("{} section 3.6", self.version.title())),
                 );
-                Err(Broken)
+                Err(SyntaxError)
             }
-            Word::Reserved => {
+            WordClass::Reserved => {
                 let message = format!("`{word}` is reserved for later versions");
                 self.log.push(
                     Diagnostic::error(token.span, message)
                         .rule(format!("{} section 3.6", self.version.title())),
                 );
-                Err(Broken)
+                Err(SyntaxError)
             }
         }
     }
 
     /// Runs `parse` one level deeper, or reports that this is too deep.
-    fn nested<T>(&mut self, parse: impl FnOnce(&mut Self) -> Parsed<T>) -> Parsed<T> {
+    fn nested<T>(&mut self, parse: impl FnOnce(&mut Self) -> ParseResult<T>) -> ParseResult<T> {
         if self.depth >= MAX_NESTING {
             return self.too_deep();
         }
@@ -164,13 +164,13 @@ impl<'a> Parser<'a> {
         result
     }
 
-    fn too_deep<T>(&mut self) -> Parsed<T> {
-        if !self.hopeless {
-            self.hopeless = true;
+    fn too_deep<T>(&mut self) -> ParseResult<T> {
+        if !self.aborted {
+            self.aborted = true;
             let message = format!("nested more than {MAX_NESTING} levels deep");
             self.log.push(Diagnostic::error(self.span(), message));
         }
-        Err(Broken)
+        Err(SyntaxError)
     }
 
     /// Skips to after the `;` or the balanced `}` that ends the broken statement, or to before the
@@ -179,25 +179,25 @@ impl<'a> Parser<'a> {
         let mut depth = 0usize;
         loop {
             match self.kind() {
-                Kind::End => return,
-                Kind::Punct(";") if depth == 0 => {
+                TokenKind::End => return,
+                TokenKind::Punct(";") if depth == 0 => {
                     self.bump();
                     return;
                 }
-                Kind::Punct("{") => depth += 1,
-                Kind::Punct("}") if depth == 0 => return,
-                Kind::Punct("}") => {
+                TokenKind::Punct("{") => depth += 1,
+                TokenKind::Punct("}") if depth == 0 => return,
+                TokenKind::Punct("}") => {
                     depth -= 1;
                     if depth == 0 {
                         self.bump();
                         return;
                     }
                 }
-                Kind::Word(_)
-                | Kind::Number(_)
-                | Kind::Punct(_)
-                | Kind::Stray(_)
-                | Kind::Newline => {}
+                TokenKind::Word(_)
+                | TokenKind::Number(_)
+                | TokenKind::Punct(_)
+                | TokenKind::Stray(_)
+                | TokenKind::Newline => {}
             }
             self.bump();
         }

@@ -1,42 +1,42 @@
 //! Statements (GLSL 1.30 chapter 6).
 
-use super::keywords::{self, Word};
-use super::{Broken, Parsed, Parser};
+use super::keywords::{self, WordClass};
+use super::{ParseResult, Parser, SyntaxError};
 use crate::ast::{Condition, Expr, QualifiedType, Stmt, StmtKind};
 use crate::language::Version;
-use crate::lex::Kind;
+use crate::lex::TokenKind;
 use crate::text::diagnostics::Diagnostic;
 
 impl Parser<'_> {
     /// `{ ... }`; a broken statement in it is reported and left out.
-    pub(super) fn block(&mut self) -> Parsed<Vec<Stmt>> {
+    pub(super) fn block(&mut self) -> ParseResult<Vec<Stmt>> {
         let open = self.span();
         self.expect("{")?;
         let mut statements = Vec::new();
         while !self.is("}") {
-            if self.kind() == &Kind::End || self.hopeless || self.log.is_full() {
-                if !self.hopeless && !self.log.is_full() {
+            if self.kind() == &TokenKind::End || self.aborted || self.log.is_full() {
+                if !self.aborted && !self.log.is_full() {
                     let message = "this `{` is not closed by `}`";
                     self.log.push(Diagnostic::error(open, message));
                 }
-                return Err(Broken);
+                return Err(SyntaxError);
             }
             match self.statement() {
                 Ok(statement) => statements.push(statement),
-                Err(Broken) => self.skip_statement(),
+                Err(SyntaxError) => self.skip_statement(),
             }
         }
         self.expect("}")?;
         Ok(statements)
     }
 
-    fn statement(&mut self) -> Parsed<Stmt> {
+    fn statement(&mut self) -> ParseResult<Stmt> {
         let start = self.span();
         let kind = self.nested(Self::statement_kind)?;
         Ok(Stmt { span: start.to(self.last_span()), kind })
     }
 
-    fn statement_kind(&mut self) -> Parsed<StmtKind> {
+    fn statement_kind(&mut self) -> ParseResult<StmtKind> {
         if self.is("{") {
             return self.block().map(StmtKind::Block);
         }
@@ -98,13 +98,13 @@ impl Parser<'_> {
         }
     }
 
-    fn jump(&mut self, kind: StmtKind) -> Parsed<StmtKind> {
+    fn jump(&mut self, kind: StmtKind) -> ParseResult<StmtKind> {
         self.bump();
         self.expect(";")?;
         Ok(kind)
     }
 
-    fn if_statement(&mut self) -> Parsed<StmtKind> {
+    fn if_statement(&mut self) -> ParseResult<StmtKind> {
         self.bump();
         self.expect("(")?;
         let condition = self.expression()?;
@@ -114,7 +114,7 @@ impl Parser<'_> {
         Ok(StmtKind::If(condition, accept, reject))
     }
 
-    fn for_statement(&mut self) -> Parsed<StmtKind> {
+    fn for_statement(&mut self) -> ParseResult<StmtKind> {
         self.bump();
         self.expect("(")?;
         let start = self.span();
@@ -131,7 +131,7 @@ impl Parser<'_> {
         Ok(StmtKind::For(init, condition, step, Box::new(self.statement()?)))
     }
 
-    fn condition(&mut self) -> Parsed<Condition> {
+    fn condition(&mut self) -> ParseResult<Condition> {
         if self.is_declaration() {
             let ty = self.qualified_type()?;
             return Ok(Condition::Declaration(Box::new(self.declarators(ty)?)));
@@ -140,7 +140,7 @@ impl Parser<'_> {
     }
 
     /// A declaration or an expression, with its `;`.
-    fn simple(&mut self) -> Parsed<StmtKind> {
+    fn simple(&mut self) -> ParseResult<StmtKind> {
         let kind = if self.is_word("precision") && keywords::has_precision(self.language) {
             return self.default_precision().map(StmtKind::Precision);
         } else if self.is_declaration() {
@@ -158,7 +158,7 @@ impl Parser<'_> {
     }
 
     /// A prototype among statements, which GLSL 1.10 alone has.
-    fn prototype(&mut self, ty: QualifiedType) -> Parsed<StmtKind> {
+    fn prototype(&mut self, ty: QualifiedType) -> ParseResult<StmtKind> {
         if self.version != Version::V110 {
             return self.fail("a function cannot be declared inside another");
         }
@@ -181,9 +181,9 @@ impl Parser<'_> {
             return true;
         }
         match keywords::classify(word, self.language) {
-            Word::Type => !self.after_brackets().is("("),
-            Word::Name => self.after_brackets().word().is_some(),
-            Word::Keyword | Word::Reserved => false,
+            WordClass::Type => !self.after_brackets().is("("),
+            WordClass::Name => self.after_brackets().word().is_some(),
+            WordClass::Keyword | WordClass::Reserved => false,
         }
     }
 
@@ -197,7 +197,9 @@ impl Parser<'_> {
                 depth += 1;
             } else if token.is("]") && depth > 0 {
                 depth -= 1;
-            } else if depth == 0 || matches!(token.kind, Kind::End | Kind::Punct(";" | "{" | "}")) {
+            } else if depth == 0
+                || matches!(token.kind, TokenKind::End | TokenKind::Punct(";" | "{" | "}"))
+            {
                 return token;
             }
             distance += 1;

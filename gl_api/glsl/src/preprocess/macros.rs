@@ -1,7 +1,7 @@
 //! Macros and their expansion, bounded in what it may produce.
 
 use crate::language::{Extension, Version};
-use crate::lex::{Kind, Token};
+use crate::lex::{Token, TokenKind};
 use crate::limits::{MAX_EXPANDED_TOKENS, MAX_MACRO_DEPTH};
 use crate::text::diagnostics::Diagnostic;
 use crate::text::source::{Source, Span};
@@ -81,7 +81,7 @@ fn nothing_to_join(at: &Token) -> Box<Diagnostic> {
 }
 
 /// A token on its way through the expansion.
-enum Item {
+enum ExpansionItem {
     Token(Token),
     /// A token of a macro inside its own expansion: never expanded again.
     Painted(Token),
@@ -99,7 +99,7 @@ pub struct Macros {
 impl Macros {
     /// What a version defines: its extensions, and what [`ES`] and [`HIGH`] say.
     pub fn new(version: Version) -> Self {
-        let one = Token { kind: Kind::Number("1".into()), span: Span::default() };
+        let one = Token { kind: TokenKind::Number("1".into()), span: Span::default() };
         let row = |name: &str| (name.into(), Macro { parameters: None, body: vec![one.clone()] });
         let extensions = Extension::ALL.iter().filter(|known| known.0.is_in(version));
         let names = extensions.map(|known| known.1);
@@ -137,7 +137,7 @@ impl Macros {
         source: &Source,
         version: Version,
     ) -> Result<Vec<Token>, Box<Diagnostic>> {
-        self.expand_where(Place::Text, tokens, source, version)
+        self.expand_in(ExpansionContext::Text, tokens, source, version)
     }
 
     /// Expands every macro in a condition, and replaces `defined X` and `defined(X)` by 1 or 0, also
@@ -148,12 +148,12 @@ impl Macros {
         source: &Source,
         version: Version,
     ) -> Result<Vec<Token>, Box<Diagnostic>> {
-        self.expand_where(Place::Condition, tokens, source, version)
+        self.expand_in(ExpansionContext::Condition, tokens, source, version)
     }
 
-    fn expand_where(
+    fn expand_in(
         &mut self,
-        place: Place,
+        context: ExpansionContext,
         tokens: Vec<Token>,
         source: &Source,
         version: Version,
@@ -161,17 +161,17 @@ impl Macros {
         let mut produced = self.produced;
         let mut expansion = Expansion {
             macros: self,
-            place,
+            context,
             source,
             version,
             active: BTreeSet::new(),
             produced: &mut produced,
         };
-        let result = expansion.run(tokens.into_iter().map(Item::Token).collect(), None, 0);
+        let result = expansion.run(tokens.into_iter().map(ExpansionItem::Token).collect(), None, 0);
         self.produced = produced;
         let plain = |item| match item {
-            Item::Token(token) | Item::Painted(token) => Some(token),
-            Item::EndOf(_) => None,
+            ExpansionItem::Token(token) | ExpansionItem::Painted(token) => Some(token),
+            ExpansionItem::EndOf(_) => None,
         };
         Ok(result?.into_iter().filter_map(plain).collect())
     }
@@ -179,7 +179,7 @@ impl Macros {
 
 /// What is expanded.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Place {
+enum ExpansionContext {
     /// The program, or the numbers of `#line`.
     Text,
     /// What follows `#if` or `#elif`.
@@ -189,7 +189,7 @@ enum Place {
 /// One expansion under way.
 struct Expansion<'a> {
     macros: &'a Macros,
-    place: Place,
+    context: ExpansionContext,
     source: &'a Source,
     version: Version,
     /// The macros whose bodies are being read.
@@ -201,52 +201,53 @@ impl Expansion<'_> {
     /// `call` is the place of the outermost macro call, for what stands in its expansion.
     fn run(
         &mut self,
-        items: Vec<Item>,
+        items: Vec<ExpansionItem>,
         call: Option<Span>,
         depth: usize,
-    ) -> Result<Vec<Item>, Box<Diagnostic>> {
-        let mut work: Vec<Item> = items.into_iter().rev().collect();
+    ) -> Result<Vec<ExpansionItem>, Box<Diagnostic>> {
+        let mut work: Vec<ExpansionItem> = items.into_iter().rev().collect();
         let mut output = Vec::new();
         while let Some(item) = work.pop() {
             let token = match item {
-                Item::Token(token) => token,
-                Item::Painted(token) => {
-                    output.push(Item::Painted(token));
+                ExpansionItem::Token(token) => token,
+                ExpansionItem::Painted(token) => {
+                    output.push(ExpansionItem::Painted(token));
                     continue;
                 }
-                Item::EndOf(name) => {
+                ExpansionItem::EndOf(name) => {
                     self.active.remove(&name);
                     continue;
                 }
             };
             let at = call.unwrap_or(token.span);
             let Some(name) = token.word().cloned() else {
-                output.push(Item::Token(token));
+                output.push(ExpansionItem::Token(token));
                 continue;
             };
             if let Some(number) = self.predefined(&name, at) {
-                let kind = Kind::Number(number.to_string().into());
-                output.push(Item::Token(Token { kind, span: at }));
+                let kind = TokenKind::Number(number.to_string().into());
+                output.push(ExpansionItem::Token(Token { kind, span: at }));
                 continue;
             }
-            if self.place == Place::Condition && &*name == "defined" {
-                output.push(Item::Token(self.defined(&mut work, &token)?));
+            if self.context == ExpansionContext::Condition && &*name == "defined" {
+                output.push(ExpansionItem::Token(self.defined(&mut work, &token)?));
                 continue;
             }
             let Some(found) = self.macros.table.get(&name) else {
-                output.push(Item::Token(token));
+                output.push(ExpansionItem::Token(token));
                 continue;
             };
             if self.active.contains(&name) {
-                output.push(Item::Painted(token));
+                output.push(ExpansionItem::Painted(token));
                 continue;
             }
             let body = match &found.parameters {
                 None => self.paste(&found.body, &[], &[], &[], token.span)?,
                 Some(parameters) => {
-                    let next = work.iter().rev().find(|item| !matches!(item, Item::EndOf(_)));
-                    if !matches!(next, Some(Item::Token(next)) if next.is("(")) {
-                        output.push(Item::Token(token));
+                    let next =
+                        work.iter().rev().find(|item| !matches!(item, ExpansionItem::EndOf(_)));
+                    if !matches!(next, Some(ExpansionItem::Token(next)) if next.is("(")) {
+                        output.push(ExpansionItem::Token(token));
                         continue;
                     }
                     if depth >= MAX_MACRO_DEPTH {
@@ -268,7 +269,7 @@ impl Expansion<'_> {
                     }
                     let mut arguments = Vec::new();
                     for argument in &raw {
-                        let items = argument.iter().cloned().map(Item::Token).collect();
+                        let items = argument.iter().cloned().map(ExpansionItem::Token).collect();
                         let active = self.active.clone();
                         arguments.push(self.run(items, None, depth + 1)?);
                         self.active = active;
@@ -281,7 +282,7 @@ impl Expansion<'_> {
                 return Err(too_many_tokens(token.span));
             }
             self.active.insert(name.clone());
-            work.push(Item::EndOf(name));
+            work.push(ExpansionItem::EndOf(name));
             work.extend(body.into_iter().rev());
         }
         Ok(output)
@@ -300,13 +301,15 @@ impl Expansion<'_> {
     /// Takes the name that `defined` asks for off the work, with its parentheses, if it has some.
     fn defined(
         &mut self,
-        work: &mut Vec<Item>,
+        work: &mut Vec<ExpansionItem>,
         operator: &Token,
     ) -> Result<Token, Box<Diagnostic>> {
         let mut next = || loop {
             match work.pop() {
-                Some(Item::Token(token) | Item::Painted(token)) => return Some(token),
-                Some(Item::EndOf(name)) => drop(self.active.remove(&name)),
+                Some(ExpansionItem::Token(token) | ExpansionItem::Painted(token)) => {
+                    return Some(token);
+                }
+                Some(ExpansionItem::EndOf(name)) => drop(self.active.remove(&name)),
                 None => return None,
             }
         };
@@ -323,7 +326,7 @@ impl Expansion<'_> {
         match name.as_ref().map(|name| (name.word(), name.span)) {
             Some((Some(word), _)) => {
                 let value = if self.macros.is_defined(word) { "1" } else { "0" };
-                Ok(Token { kind: Kind::Number(value.into()), span: operator.span })
+                Ok(Token { kind: TokenKind::Number(value.into()), span: operator.span })
             }
             other => {
                 let at = other.map_or(operator.span, |(_, span)| span);
@@ -335,15 +338,15 @@ impl Expansion<'_> {
     /// Takes a call's arguments, with both parentheses, off the work.
     fn arguments(
         &mut self,
-        work: &mut Vec<Item>,
+        work: &mut Vec<ExpansionItem>,
         name: &Token,
     ) -> Result<Vec<Vec<Token>>, Box<Diagnostic>> {
         let mut arguments = vec![Vec::new()];
         let mut depth = 0usize;
         while let Some(item) = work.pop() {
             let token = match item {
-                Item::Token(token) | Item::Painted(token) => token,
-                Item::EndOf(name) => {
+                ExpansionItem::Token(token) | ExpansionItem::Painted(token) => token,
+                ExpansionItem::EndOf(name) => {
                     self.active.remove(&name);
                     continue;
                 }
@@ -377,10 +380,10 @@ impl Expansion<'_> {
         body: &[Token],
         parameters: &[Arc<str>],
         written: &[Vec<Token>],
-        expanded: &[Vec<Item>],
+        expanded: &[Vec<ExpansionItem>],
         at: Span,
-    ) -> Result<Vec<Item>, Box<Diagnostic>> {
-        let mut output: Vec<Item> = Vec::new();
+    ) -> Result<Vec<ExpansionItem>, Box<Diagnostic>> {
+        let mut output: Vec<ExpansionItem> = Vec::new();
         let mut joining = false;
         // Whether what is before gave a token: an empty argument joins as nothing.
         let mut before = false;
@@ -397,18 +400,22 @@ impl Expansion<'_> {
             let start = output.len();
             match parameter {
                 Some(index) if joined => {
-                    output.extend(written[index].iter().cloned().map(Item::Token));
+                    output.extend(written[index].iter().cloned().map(ExpansionItem::Token));
                 }
                 Some(index) => {
                     for item in &expanded[index] {
                         match item {
-                            Item::Token(t) => output.push(Item::Token(t.clone())),
-                            Item::Painted(t) => output.push(Item::Painted(t.clone())),
-                            Item::EndOf(_) => {}
+                            ExpansionItem::Token(t) => output.push(ExpansionItem::Token(t.clone())),
+                            ExpansionItem::Painted(t) => {
+                                output.push(ExpansionItem::Painted(t.clone()))
+                            }
+                            ExpansionItem::EndOf(_) => {}
                         }
                     }
                 }
-                None => output.push(Item::Token(Token { kind: token.kind.clone(), span: at })),
+                None => {
+                    output.push(ExpansionItem::Token(Token { kind: token.kind.clone(), span: at }))
+                }
             }
             if *self.produced + output.len() > MAX_EXPANDED_TOKENS {
                 return Err(too_many_tokens(at));
@@ -430,19 +437,19 @@ fn too_many_tokens(at: Span) -> Box<Diagnostic> {
 }
 
 /// Joins the tokens at `start - 1` and `start` into one.
-fn join(output: &mut Vec<Item>, start: usize, at: Span) -> Result<(), Box<Diagnostic>> {
-    let text = |item: &Item| match item {
-        Item::Token(token) | Item::Painted(token) => match &token.kind {
-            Kind::Word(text) | Kind::Number(text) => text.to_string(),
-            Kind::Punct(text) => (*text).to_owned(),
-            Kind::Stray(_) | Kind::Newline | Kind::End => String::new(),
+fn join(output: &mut Vec<ExpansionItem>, start: usize, at: Span) -> Result<(), Box<Diagnostic>> {
+    let text = |item: &ExpansionItem| match item {
+        ExpansionItem::Token(token) | ExpansionItem::Painted(token) => match &token.kind {
+            TokenKind::Word(text) | TokenKind::Number(text) => text.to_string(),
+            TokenKind::Punct(text) => (*text).to_owned(),
+            TokenKind::Stray(_) | TokenKind::Newline | TokenKind::End => String::new(),
         },
-        Item::EndOf(_) => String::new(),
+        ExpansionItem::EndOf(_) => String::new(),
     };
     let joined = format!("{}{}", text(&output[start - 1]), text(&output[start]));
     match &crate::lex::tokens(&joined).tokens[..] {
         [one, _, _] => {
-            output[start - 1] = Item::Token(Token { kind: one.kind.clone(), span: at });
+            output[start - 1] = ExpansionItem::Token(Token { kind: one.kind.clone(), span: at });
             output.remove(start);
             Ok(())
         }

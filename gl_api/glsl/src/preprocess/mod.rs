@@ -6,7 +6,7 @@ mod directives;
 mod macros;
 
 use crate::language::{Language, Version};
-use crate::lex::{Kind, Token, tokens};
+use crate::lex::{Token, TokenKind, tokens};
 use crate::text::diagnostics::{Diagnostic, Log};
 use crate::text::source::{Source, Span};
 use macros::Macros;
@@ -14,7 +14,7 @@ use macros::Macros;
 /// What comes out.
 #[derive(Debug)]
 pub struct Preprocessed {
-    /// The program; the last is [`Kind::End`].
+    /// The program; the last is [`TokenKind::End`].
     pub tokens: Vec<Token>,
     /// What `#version` and `#extension` asked for.
     pub language: Language,
@@ -28,14 +28,14 @@ struct Conditional {
     /// Where it began.
     span: Span,
     /// What its groups do.
-    state: Group,
+    state: GroupState,
     /// Whether `#else` came.
     after_else: bool,
 }
 
 /// The state of a conditional's current group.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Group {
+enum GroupState {
     /// Its lines count.
     Taken,
     /// Skipped; a later group may be taken.
@@ -95,12 +95,14 @@ impl Preprocessor<'_> {
         let mut output = Vec::new();
         // Text lines between directives, expanded together: a macro's arguments may span lines.
         let mut text: Vec<Token> = Vec::new();
-        for line in all.split_inclusive(|token| token.kind == Kind::Newline) {
+        for line in all.split_inclusive(|token| token.kind == TokenKind::Newline) {
             if self.log.is_full() {
                 break;
             }
             let line = match line {
-                [line @ .., last] if matches!(last.kind, Kind::Newline | Kind::End) => line,
+                [line @ .., last] if matches!(last.kind, TokenKind::Newline | TokenKind::End) => {
+                    line
+                }
                 line => line,
             };
             match line {
@@ -112,7 +114,7 @@ impl Preprocessor<'_> {
                 }
                 _ => {
                     self.begun = true;
-                    if self.taking() {
+                    if self.is_active() {
                         self.program_begun = true;
                         text.extend_from_slice(line);
                     }
@@ -125,7 +127,7 @@ impl Preprocessor<'_> {
             self.log.push(Diagnostic::error(conditional.span, message));
         }
         let end = self.source.text().len() as u32;
-        output.push(Token { kind: Kind::End, span: Span { start: end, end } });
+        output.push(Token { kind: TokenKind::End, span: Span { start: end, end } });
         output
     }
 
@@ -137,8 +139,8 @@ impl Preprocessor<'_> {
     }
 
     /// Whether lines count here.
-    fn taking(&self) -> bool {
-        self.conditionals.iter().all(|conditional| conditional.state == Group::Taken)
+    fn is_active(&self) -> bool {
+        self.conditionals.iter().all(|conditional| conditional.state == GroupState::Taken)
     }
 
     fn error(&mut self, span: Span, message: impl Into<String>) {

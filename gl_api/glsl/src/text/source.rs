@@ -44,7 +44,7 @@ pub struct Position {
 
 /// What a `#line` says about the lines that follow.
 #[derive(Clone, Copy, Debug)]
-struct Renumbering {
+struct LineDirective {
     /// Index of the first line it holds for.
     first: usize,
     /// The number of that line.
@@ -59,7 +59,7 @@ pub struct Source {
     text: String,
     /// Offset of the first byte of each line.
     lines: Vec<u32>,
-    renumberings: Vec<Renumbering>,
+    line_directives: Vec<LineDirective>,
 }
 
 impl Source {
@@ -73,7 +73,7 @@ impl Source {
             at += line_end(&bytes[at..]);
             lines.push(at as u32);
         }
-        Self { text: text.to_owned(), lines, renumberings: Vec::new() }
+        Self { text: text.to_owned(), lines, line_directives: Vec::new() }
     }
 
     /// The whole text.
@@ -101,10 +101,11 @@ impl Source {
     /// The source string number and the line of a byte, as `#line` says.
     pub fn line_of(&self, offset: u32) -> (i64, i64) {
         let index = self.line_index(offset);
-        let ruling = self.renumberings.iter().rev().find(|renumbering| renumbering.first <= index);
-        match ruling {
-            Some(ruling) => {
-                (ruling.string, ruling.line.saturating_add((index - ruling.first) as i64))
+        let directive =
+            self.line_directives.iter().rev().find(|directive| directive.first <= index);
+        match directive {
+            Some(directive) => {
+                (directive.string, directive.line.saturating_add((index - directive.first) as i64))
             }
             None => (0, index as i64 + 1),
         }
@@ -124,6 +125,6 @@ impl Source {
     pub fn renumber(&mut self, directive: u32, line: i64, string: Option<i64>) {
         let string = string.unwrap_or_else(|| self.line_of(directive).0);
         let first = self.line_index(directive) + 1;
-        self.renumberings.push(Renumbering { first, line, string });
+        self.line_directives.push(LineDirective { first, line, string });
     }
 }

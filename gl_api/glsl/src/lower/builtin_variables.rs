@@ -1,24 +1,24 @@
 //! The variables of the language as inputs, outputs and uniform words.
 
-use super::outputs::Copy;
-use super::place::Slot;
-use super::{Lowered, Lowerer};
+use super::access_chain::VarStorage;
+use super::outputs::OutputCopy;
+use super::{LowerResult, Lowerer};
 use crate::builtins::variable::Builtin;
-use crate::hir::{Passing, Variable};
+use crate::hir::{InterfaceQualifiers, Variable};
 use crate::interface::{StateVar, VARYING_BACK_COLOR, VARYING_CLIP_DISTANCE, VARYING_PRIMITIVE_ID};
 use crate::limits::MAX_DRAW_BUFFERS;
 use rasterizer::ir::{Input, Interpolation, Op, Output, Stage, Ty, Value};
 
 impl Lowerer<'_> {
     /// A component of `gl_FragCoord`, counted as its layout says (ARB_fragment_coord_conventions).
-    fn frag_coord(&mut self, passing: Passing, at: u8) -> Value {
+    fn frag_coord(&mut self, interface_qualifiers: InterfaceQualifiers, at: u8) -> Value {
         let mut value = self.emit.input(Input::FragCoord(at));
-        if at == 1 && passing.origin_upper_left {
+        if at == 1 && interface_qualifiers.origin_upper_left {
             let word = self.words.state(StateVar::FramebufferHeight);
             let height = self.emit.uniform(word, Ty::F32);
             value = self.emit.op(Op::Sub, &[height, value]);
         }
-        if at < 2 && passing.pixel_center_integer {
+        if at < 2 && interface_qualifiers.pixel_center_integer {
             let half = self.emit.float(0.5);
             value = self.emit.op(Op::Sub, &[value, half]);
         }
@@ -30,8 +30,8 @@ impl Lowerer<'_> {
         variable: &Variable,
         types: &[Ty],
         builtin: Builtin,
-        copies: &mut Vec<Copy>,
-    ) -> Lowered<Slot> {
+        copies: &mut Vec<OutputCopy>,
+    ) -> LowerResult<VarStorage> {
         let stage = self.emit.builder.module().stage;
         let single: fn(u32) -> Vec<Output> = match builtin {
             Builtin::VertexId => {
@@ -49,8 +49,10 @@ impl Lowerer<'_> {
                 return Ok(self.inputs(variable, types, read));
             }
             Builtin::FragCoord => {
-                let passing = variable.passing;
-                let read = |lowerer: &mut Self, at: u32| lowerer.frag_coord(passing, at as u8);
+                let interface_qualifiers = variable.interface_qualifiers;
+                let read = |lowerer: &mut Self, at: u32| {
+                    lowerer.frag_coord(interface_qualifiers, at as u8)
+                };
                 return Ok(self.inputs(variable, types, read));
             }
             Builtin::PointCoord => {
@@ -69,11 +71,11 @@ impl Lowerer<'_> {
             }
             Builtin::Varying(slot) => {
                 if stage == Stage::Fragment {
-                    let said = variable.passing.interpolation;
+                    let said = variable.interface_qualifiers.interpolation;
                     let interpolation = said.unwrap_or(Interpolation::Smooth);
                     return Ok(self.varying_input(variable, types, slot, interpolation));
                 }
-                let storage = self.new_slot(variable, types);
+                let storage = self.new_storage(variable, types);
                 if variable.written {
                     self.varying_output(&storage, types, slot, copies);
                 }
@@ -82,10 +84,10 @@ impl Lowerer<'_> {
             }
             Builtin::State(state) => {
                 let word = self.words.state(state);
-                return Ok(Slot::Uniform(word, types.into()));
+                return Ok(VarStorage::Uniform(word, types.into()));
             }
             Builtin::States(array) => {
-                return Ok(Slot::States(array, array.element(0).words(), types.into()));
+                return Ok(VarStorage::States(array, array.element(0).words(), types.into()));
             }
             Builtin::Limit(_) => return self.plain_global(variable, types),
             Builtin::ClipVertex => return Ok(self.clip_vertex(variable, types, copies)),
@@ -111,7 +113,7 @@ impl Lowerer<'_> {
                 vec![Output::Color { target, component }]
             },
         };
-        let storage = self.new_slot(variable, types);
+        let storage = self.new_storage(variable, types);
         if variable.written {
             for at in 0..types.len() as u32 {
                 for output in single(at) {

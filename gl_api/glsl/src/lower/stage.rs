@@ -1,9 +1,9 @@
 //! A stage's inputs, outputs and uniforms as IR, around its `main`.
 
+use super::access_chain::VarStorage;
 use super::call::{returns_early, without_last_return};
-use super::outputs::Copy;
-use super::place::Slot;
-use super::{Failure, Lowered, Lowerer, Words, functions};
+use super::outputs::OutputCopy;
+use super::{LowerError, LowerResult, Lowerer, Words, functions};
 use crate::hir::{Function, Storage, Unit, Variable};
 use crate::types::{ComparisonResult, Dim};
 use rasterizer::ir::{Input, Interpolation, Module, Op, Output, Stage, Texture, Ty, Value};
@@ -26,8 +26,8 @@ pub enum Binding {
 /// How many varying slots scalars of these types take: the IR hands on floats, and an integer goes
 /// as two of 16 bits each, exactly.
 pub fn varying_slots(types: &[Ty]) -> u16 {
-    let slots: usize = types.iter().map(|ty| if *ty == Ty::F32 { 1 } else { 2 }).sum();
-    u16::try_from(slots).unwrap_or(u16::MAX)
+    let storages: usize = types.iter().map(|ty| if *ty == Ty::F32 { 1 } else { 2 }).sum();
+    u16::try_from(storages).unwrap_or(u16::MAX)
 }
 
 /// A lowered stage.
@@ -48,7 +48,7 @@ pub fn lower_stage(
     reachable: &[(usize, &Function)],
     bindings: &BTreeMap<Arc<str>, Binding>,
     words: Words,
-) -> Result<LoweredStage, Failure> {
+) -> Result<LoweredStage, LowerError> {
     let mut lowerer = Lowerer::new(stage, units.iter().map(|unit| &unit.globals[..]).collect());
     lowerer.functions = functions(units);
     lowerer.unit_functions = units.iter().map(|unit| &unit.functions[..]).collect();
@@ -80,10 +80,10 @@ pub fn lower_stage(
         })?;
     }
     let Some(&(unit, main)) = reachable.first() else {
-        return Err(Failure("there is no function `main`".to_owned()));
+        return Err(LowerError("there is no function `main`".to_owned()));
     };
     let Some(body) = &main.body else {
-        return Err(Failure("there is no function `main`".to_owned()));
+        return Err(LowerError("there is no function `main`".to_owned()));
     };
     lowerer.open_frame(unit, &main.locals);
     if returns_early(body) {
@@ -166,7 +166,7 @@ fn used_globals(
             Some(&index) => {
                 let known: &mut Variable = &mut merged[index].1;
                 known.written |= variable.written;
-                known.dynamic |= variable.dynamic;
+                known.dynamically_indexed |= variable.dynamically_indexed;
                 if known.init.is_none() && variable.init.is_some() {
                     // Its initializer may name what only its own unit has before it.
                     let known = merged.remove(index);
@@ -189,8 +189,8 @@ impl Lowerer<'_> {
     fn in_unit<T>(
         &mut self,
         unit: usize,
-        lower: impl FnOnce(&mut Self) -> Lowered<T>,
-    ) -> Lowered<T> {
+        lower: impl FnOnce(&mut Self) -> LowerResult<T>,
+    ) -> LowerResult<T> {
         self.open_frame(unit, &[]);
         let result = lower(self);
         self.frames.pop();
@@ -202,8 +202,8 @@ impl Lowerer<'_> {
         &mut self,
         variable: &Variable,
         bindings: &BTreeMap<Arc<str>, Binding>,
-        copies: &mut Vec<Copy>,
-    ) -> Lowered<Slot> {
+        copies: &mut Vec<OutputCopy>,
+    ) -> LowerResult<VarStorage> {
         let types = variable.ty.flat();
         let binding = bindings.get(&variable.name).copied();
         match (variable.storage, binding) {
@@ -211,7 +211,7 @@ impl Lowerer<'_> {
                 self.plain_global(variable, &types)
             }
             (Storage::Uniform, Some(Binding::Uniform(word))) => {
-                Ok(Slot::Uniform(word, types.into()))
+                Ok(VarStorage::Uniform(word, types.into()))
             }
             (Storage::Attribute, Some(Binding::Attribute(location))) => {
                 let columns = variable.ty.rows().map_or(4, u32::from);
@@ -236,14 +236,14 @@ impl Lowerer<'_> {
                 Ok(self.inputs(variable, &types, zero))
             }
             (Storage::Output(_), Some(Binding::Varying(slot))) => {
-                let storage = self.new_slot(variable, &types);
+                let storage = self.new_storage(variable, &types);
                 if let Some(first) = slot {
                     self.varying_output(&storage, &types, first, copies);
                 }
                 Ok(storage)
             }
             (Storage::FragmentOutput, Some(Binding::Target(target))) => {
-                let storage = self.new_slot(variable, &types);
+                let storage = self.new_storage(variable, &types);
                 let each = variable.ty.base().scalars();
                 for at in 0..types.len() as u32 {
                     let (target, component) = (target + (at / each) as u8, (at % each) as u8);
@@ -267,22 +267,26 @@ impl Lowerer<'_> {
                 | Storage::Output(_)
                 | Storage::FragmentOutput,
                 _,
-            ) => Err(Failure(format!("`{}` was not linked", variable.name))),
+            ) => Err(LowerError(format!("`{}` was not linked", variable.name))),
         }
     }
 
-    pub(super) fn plain_global(&mut self, variable: &Variable, types: &[Ty]) -> Lowered<Slot> {
+    pub(super) fn plain_global(
+        &mut self,
+        variable: &Variable,
+        types: &[Ty],
+    ) -> LowerResult<VarStorage> {
         let values = match (&variable.constant, &variable.init) {
             (Some(words), _) => Some(self.constants(words, types)),
             (None, Some(init)) => Some(self.expr(init)?),
             (None, None) => None,
         };
         match values {
-            Some(values) if !variable.written && !variable.dynamic => {
-                Ok(Slot::Values(values.into()))
+            Some(values) if !variable.written && !variable.dynamically_indexed => {
+                Ok(VarStorage::Values(values.into()))
             }
             values => {
-                let slot = self.new_slot(variable, types);
+                let slot = self.new_storage(variable, types);
                 if let Some(values) = values {
                     self.fill(&slot, &values);
                 }
@@ -297,16 +301,16 @@ impl Lowerer<'_> {
         variable: &Variable,
         types: &[Ty],
         read: impl Fn(&mut Self, u32) -> Value,
-    ) -> Slot {
+    ) -> VarStorage {
         let mut values = Vec::new();
         for (at, &ty) in types.iter().enumerate() {
             let value = read(self, at as u32);
             values.push(self.emit.convert(value, ty));
         }
-        if !variable.dynamic {
-            return Slot::Values(values.into());
+        if !variable.dynamically_indexed {
+            return VarStorage::Values(values.into());
         }
-        let slot = self.new_slot(variable, types);
+        let slot = self.new_storage(variable, types);
         self.fill(&slot, &values);
         slot
     }
@@ -317,7 +321,7 @@ impl Lowerer<'_> {
         types: &[Ty],
         first: u16,
         interpolation: Interpolation,
-    ) -> Slot {
+    ) -> VarStorage {
         let mut next = first;
         let mut take = |lowerer: &mut Self| {
             let varyings = &mut lowerer.emit.builder.module_mut().varyings;
@@ -326,7 +330,7 @@ impl Lowerer<'_> {
                 varyings.resize(len, Interpolation::Smooth);
             }
             varyings[usize::from(next)] = interpolation;
-            if variable.passing.centroid {
+            if variable.interface_qualifiers.centroid {
                 lowerer.emit.builder.module_mut().centroids.push(next);
             }
             next += 1;
@@ -346,10 +350,10 @@ impl Lowerer<'_> {
             let word = self.emit.op(Op::BitOr, &[low, high]);
             values.push(self.emit.convert(word, ty));
         }
-        if !variable.dynamic {
-            return Slot::Values(values.into());
+        if !variable.dynamically_indexed {
+            return VarStorage::Values(values.into());
         }
-        let slot = self.new_slot(variable, types);
+        let slot = self.new_storage(variable, types);
         self.fill(&slot, &values);
         slot
     }

@@ -1,10 +1,10 @@
 //! Uniform blocks (ARB_uniform_buffer_object, section 4.3.5.1).
 
 use super::keywords;
-use super::{Parsed, Parser};
+use super::{ParseResult, Parser};
 use crate::ast::{BlockDecl, Item, Qualifier, TypeBase};
 use crate::language::Availability;
-use crate::lex::Kind;
+use crate::lex::TokenKind;
 use crate::text::diagnostics::Diagnostic;
 use crate::text::source::Span;
 
@@ -13,7 +13,7 @@ const SECTION: &str = "ARB_uniform_buffer_object, section 4.3.5.1";
 impl Parser<'_> {
     /// What these qualifiers begin, if it is no declaration of variables: `uniform name { ... };`,
     /// or `layout(std140) uniform;`.
-    pub(super) fn block_item(&mut self, words: &[(Qualifier, Span)]) -> Parsed<Option<Item>> {
+    pub(super) fn block_item(&mut self, words: &[(Qualifier, Span)]) -> ParseResult<Option<Item>> {
         let uniform = matches!(words.last(), Some((Qualifier::Uniform, _)));
         if uniform && words.len() > 1 && self.is(";") {
             self.bump();
@@ -30,17 +30,17 @@ impl Parser<'_> {
                 problem = problem.help(advice);
             }
             self.log.push(problem);
-            return Err(super::Broken);
+            return Err(super::SyntaxError);
         }
         self.uniform_block(words.to_vec()).map(|block| Some(Item::Block(block)))
     }
 
-    fn uniform_block(&mut self, qualifiers: Vec<(Qualifier, Span)>) -> Parsed<BlockDecl> {
+    fn uniform_block(&mut self, qualifiers: Vec<(Qualifier, Span)>) -> ParseResult<BlockDecl> {
         let name = self.name()?;
         self.expect("{")?;
         let mut members = Vec::new();
         while !self.is("}") {
-            if self.kind() == &Kind::End {
+            if self.kind() == &TokenKind::End {
                 return self.fail("the uniform block is not closed by `}`");
             }
             let ty = self.qualified_type()?;
@@ -57,7 +57,7 @@ impl Parser<'_> {
         if self.token().word().is_some() {
             let message = "a uniform block has no name behind it: its members are named directly";
             self.log.push(Diagnostic::error(self.span(), message).rule(SECTION));
-            return Err(super::Broken);
+            return Err(super::SyntaxError);
         }
         self.expect(";")?;
         Ok(BlockDecl { qualifiers, name, members })

@@ -6,7 +6,7 @@
 use super::Checker;
 use super::scope::Symbol;
 use crate::ast::{self, BlockLayout, Qualifier};
-use crate::hir::{Block, Expr, ExprKind, Packing, Storage, VarRef};
+use crate::hir::{Block, BlockPacking, Expr, ExprKind, Storage, VarRef};
 use crate::language::Availability;
 use crate::limits::MAX_SCALARS;
 use crate::text::diagnostics::Diagnostic;
@@ -20,13 +20,13 @@ const LAYOUTS: &str = "ARB_uniform_buffer_object, section 4.3.5.2";
 /// What a layout says.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct BlockDefaults {
-    packing: Packing,
+    packing: BlockPacking,
     order: MatrixOrder,
 }
 
 impl Default for BlockDefaults {
     fn default() -> Self {
-        Self { packing: Packing::Shared, order: MatrixOrder::Columns }
+        Self { packing: BlockPacking::Shared, order: MatrixOrder::Columns }
     }
 }
 
@@ -34,9 +34,9 @@ impl BlockDefaults {
     /// Each word overrides those that it contradicts.
     fn set(&mut self, layout: BlockLayout) {
         match layout {
-            BlockLayout::Shared => self.packing = Packing::Shared,
-            BlockLayout::Packed => self.packing = Packing::Packed,
-            BlockLayout::Std140 => self.packing = Packing::Std140,
+            BlockLayout::Shared => self.packing = BlockPacking::Shared,
+            BlockLayout::Packed => self.packing = BlockPacking::Packed,
+            BlockLayout::Std140 => self.packing = BlockPacking::Std140,
             BlockLayout::RowMajor => self.order = MatrixOrder::Rows,
             BlockLayout::ColumnMajor => self.order = MatrixOrder::Columns,
         }

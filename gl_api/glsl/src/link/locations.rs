@@ -1,7 +1,7 @@
 //! What has a number that the application can choose: attributes and fragment outputs (GL 2.1
 //! section 2.15.3, GLSL 1.30 section 7.2).
 
-use super::{Locations, StageUnits};
+use super::{BindingMap, StageUnits};
 use crate::builtins::variable::Builtin;
 use crate::hir::{Storage, Variable};
 use crate::interface::ATTRIB_VERTEX;
@@ -14,7 +14,7 @@ use crate::text::diagnostics::{Diagnostic, Log};
 pub fn attributes(
     vertex: &StageUnits<'_>,
     bindings: &Bindings,
-    locations: &mut Locations,
+    locations: &mut BindingMap,
     log: &mut Log,
 ) -> Vec<Attribute> {
     let used = vertex.with(|storage| storage == Storage::Attribute);
@@ -27,7 +27,10 @@ pub fn attributes(
     let mut found: Vec<Option<u8>> = Vec::new();
     for variable in &used {
         // What the shader says goes before what the application says.
-        let said = variable.passing.location.map(|said| u8::try_from(said).unwrap_or(u8::MAX));
+        let said = variable
+            .interface_qualifiers
+            .location
+            .map(|said| u8::try_from(said).unwrap_or(u8::MAX));
         let bound = said.or_else(|| bindings.attributes.get(&*variable.name).copied());
         found.push(bound);
         if position && bound == Some(0) {
@@ -91,7 +94,7 @@ fn conventional(vertex: &StageUnits<'_>) -> Vec<Attribute> {
 pub fn targets(
     fragment: &StageUnits<'_>,
     bindings: &Bindings,
-    locations: &mut Locations,
+    locations: &mut BindingMap,
     log: &mut Log,
 ) -> Vec<(String, u8)> {
     let outputs = fragment.with(|storage| storage == Storage::FragmentOutput);
@@ -107,7 +110,10 @@ pub fn targets(
         (variable.ty.scalars() / variable.ty.base().scalars().max(1)) as usize
     };
     let bound = |variable: &Variable| {
-        let said = variable.passing.location.map(|said| u8::try_from(said).unwrap_or(u8::MAX));
+        let said = variable
+            .interface_qualifiers
+            .location
+            .map(|said| u8::try_from(said).unwrap_or(u8::MAX));
         said.or_else(|| bindings.frag_data.get(&*variable.name).copied())
     };
     for output in &outputs {

@@ -4,7 +4,7 @@
 use super::Checker;
 use crate::ast::{self, Qualifier};
 use crate::builtins::variable::Invariance;
-use crate::hir::{Passing, Storage};
+use crate::hir::{InterfaceQualifiers, Storage};
 use crate::language::{Availability, Extension, Version};
 use crate::text::diagnostics::Diagnostic;
 use crate::text::source::Span;
@@ -47,11 +47,14 @@ fn storage(
 impl Checker<'_> {
     /// What the qualifiers of a global make it, and how it passes; `None` when they contradict each
     /// other.
-    pub(super) fn global_storage(&mut self, ty: &ast::QualifiedType) -> Option<(Storage, Passing)> {
+    pub(super) fn global_storage(
+        &mut self,
+        ty: &ast::QualifiedType,
+    ) -> Option<(Storage, InterfaceQualifiers)> {
         self.check_order(&ty.qualifiers);
         self.no_block_layout(&ty.qualifiers);
         let mut word: Option<(Qualifier, Span)> = None;
-        let mut passing = Passing::default();
+        let mut interface_qualifiers = InterfaceQualifiers::default();
         let mut invariant = None;
         let mut words_of_passing: Vec<(Qualifier, Span)> = Vec::new();
         for &(qualifier, span) in &ty.qualifiers {
@@ -81,36 +84,36 @@ impl Checker<'_> {
                 Qualifier::NoPerspective => Interpolation::NoPerspective,
                 // Invariance always holds: the word is only compared.
                 Qualifier::Invariant => {
-                    passing.invariant = true;
+                    interface_qualifiers.invariant = true;
                     invariant = Some(span);
                     continue;
                 }
                 Qualifier::Centroid => {
-                    passing.centroid = true;
+                    interface_qualifiers.centroid = true;
                     words_of_passing.push((qualifier, span));
                     continue;
                 }
                 Qualifier::OriginUpperLeft => {
-                    passing.origin_upper_left = true;
+                    interface_qualifiers.origin_upper_left = true;
                     continue;
                 }
                 Qualifier::PixelCenterInteger => {
-                    passing.pixel_center_integer = true;
+                    interface_qualifiers.pixel_center_integer = true;
                     continue;
                 }
                 Qualifier::Location(location) => {
-                    passing.location = Some(location);
+                    interface_qualifiers.location = Some(location);
                     continue;
                 }
                 Qualifier::Block(_) | Qualifier::Precision => continue,
             };
             words_of_passing.push((qualifier, span));
-            if passing.interpolation.replace(smoothness).is_some() {
+            if interface_qualifiers.interpolation.replace(smoothness).is_some() {
                 let message = "a second word that says how the variable is interpolated";
                 self.log.push(Diagnostic::error(span, message).rule(self.rule("4.3.9")));
             }
         }
-        let smoothness = passing.interpolation.unwrap_or(Interpolation::Smooth);
+        let smoothness = interface_qualifiers.interpolation.unwrap_or(Interpolation::Smooth);
         let found = match word {
             Some((qualifier, span)) => {
                 self.check_old(qualifier, span);
@@ -126,7 +129,7 @@ impl Checker<'_> {
                 if let Some(span) = invariant {
                     self.check_invariant(storage, span);
                 }
-                Some((storage, passing))
+                Some((storage, interface_qualifiers))
             }
             Err((message, span)) => {
                 self.log.push(Diagnostic::error(span, message).rule(self.rule("4.3")));
@@ -235,8 +238,8 @@ impl Checker<'_> {
                 continue;
             };
             let variable = self.variable_mut(var);
-            variable.passing.invariant = true;
-            let (storage, used) = (variable.storage, variable.named > 0);
+            variable.interface_qualifiers.invariant = true;
+            let (storage, used) = (variable.storage, variable.references > 0);
             self.check_invariant(storage, name.span);
             if used {
                 let message = format!("`{}` is used before it is made invariant", name.text);
@@ -276,7 +279,7 @@ impl Checker<'_> {
     }
 
     /// Which types may pass between the stages (GLSL 1.30 sections 4.3.4 to 4.3.6).
-    pub(super) fn check_interface(&mut self, storage: Storage, ty: &Type, span: Span) {
+    pub(super) fn check_interface_type(&mut self, storage: Storage, ty: &Type, span: Span) {
         let integer =
             |ty: &Type| ty.any(&|part| matches!(part, Type::Vector(Scalar::Int | Scalar::Uint, _)));
         let boolean = ty.any(&|part| matches!(part, Type::Vector(Scalar::Bool, _)));
@@ -354,10 +357,10 @@ impl Checker<'_> {
             self.error(*span, "4.5.2", message);
         }
         let float = named.is_some_and(|named| named.scalar() == Some(Scalar::Float));
-        if self.float_precision || self.lacks_precision || given || !float {
+        if self.float_precision || self.reported_missing_precision || given || !float {
             return;
         }
-        self.lacks_precision = true;
+        self.reported_missing_precision = true;
         let message = "floats of the fragment stage have no precision yet";
         let problem = Diagnostic::error(ty.ty.span, message).rule(self.rule("4.5.3"));
         self.log.push(problem.help("write `precision mediump float;` first"));

@@ -1,7 +1,7 @@
 //! Where variables live, and reading and writing parts of them.
 
 use super::expr::not_a_variable;
-use super::{Failure, Lowered, Lowerer};
+use super::{LowerError, LowerResult, Lowerer};
 use crate::builtins::variable::StateArray;
 use crate::hir::{Expr, ExprKind, VarRef, Variable};
 use crate::types::Type;
@@ -10,7 +10,7 @@ use std::rc::Rc;
 
 /// Where the scalars of a variable live.
 #[derive(Clone, Debug)]
-pub enum Slot {
+pub enum VarStorage {
     /// They are these, and never change.
     Values(Rc<[Value]>),
     /// A variable each.
@@ -22,7 +22,7 @@ pub enum Slot {
     /// State of each unit, light or plane: so many words an element, of these types all.
     States(StateArray, u32, Rc<[Ty]>),
     /// A part of another variable.
-    Alias(Rc<Place>),
+    Alias(Rc<AccessChain>),
 }
 
 /// Arrays that hold a variable which is indexed dynamically.
@@ -36,24 +36,24 @@ pub struct Arrays {
 
 /// A part of a variable.
 #[derive(Clone, Debug)]
-pub struct Place {
+pub struct AccessChain {
     /// Where the whole variable lives.
-    pub slot: Slot,
+    pub storage: VarStorage,
     /// How many scalars the whole variable has.
     total: u32,
     /// The first scalar, besides `dynamic`.
     pub base: u32,
     /// A `u32` to add, below the total.
-    pub dynamic: Option<Value>,
+    pub dynamic_offset: Option<Value>,
     /// Of each index in `dynamic`, scalars from an element to the next and how many there are.
-    pub steps: Vec<(u32, u32)>,
+    pub index_strides: Vec<(u32, u32)>,
     /// The components of a swizzle.
     components: Option<Vec<u8>>,
     /// The type of the part.
     pub ty: Type,
 }
 
-impl Place {
+impl AccessChain {
     /// The scalars of the part, besides `dynamic`.
     fn offsets(&self) -> Vec<u32> {
         match &self.components {
@@ -65,18 +65,18 @@ impl Place {
 
 impl Lowerer<'_> {
     /// Where a variable of scalars of these types lives: in arrays if it is indexed dynamically.
-    pub(super) fn new_slot(&mut self, variable: &Variable, types: &[Ty]) -> Slot {
-        if variable.dynamic {
-            Slot::Arrays(Rc::new(self.new_arrays(&variable.name, types)))
+    pub(super) fn new_storage(&mut self, variable: &Variable, types: &[Ty]) -> VarStorage {
+        if variable.dynamically_indexed {
+            VarStorage::Arrays(Rc::new(self.new_arrays(&variable.name, types)))
         } else {
             self.new_vars(&variable.name, types)
         }
     }
 
     /// New variables for scalars of these types.
-    pub(super) fn new_vars(&mut self, name: &str, types: &[Ty]) -> Slot {
+    pub(super) fn new_vars(&mut self, name: &str, types: &[Ty]) -> VarStorage {
         let builder = &mut self.emit.builder;
-        Slot::Vars(types.iter().map(|&ty| builder.variable(name, ty)).collect())
+        VarStorage::Vars(types.iter().map(|&ty| builder.variable(name, ty)).collect())
     }
 
     /// The same in arrays, to be indexed dynamically.
@@ -91,15 +91,18 @@ impl Lowerer<'_> {
     }
 
     /// Writes every scalar of a variable.
-    pub(super) fn fill(&mut self, slot: &Slot, values: &[Value]) {
-        match slot {
-            Slot::Vars(vars) => {
+    pub(super) fn fill(&mut self, storage: &VarStorage, values: &[Value]) {
+        match storage {
+            VarStorage::Vars(vars) => {
                 for (&var, &value) in vars.iter().zip(values) {
                     self.emit.push(Stmt::Store { var, value });
                 }
             }
-            Slot::Arrays(arrays) => self.fill_arrays(arrays, values),
-            Slot::Values(_) | Slot::Uniform(..) | Slot::States(..) | Slot::Alias(_) => {}
+            VarStorage::Arrays(arrays) => self.fill_arrays(arrays, values),
+            VarStorage::Values(_)
+            | VarStorage::Uniform(..)
+            | VarStorage::States(..)
+            | VarStorage::Alias(_) => {}
         }
     }
 
@@ -109,11 +112,17 @@ impl Lowerer<'_> {
         }
     }
 
-    fn store_element(&mut self, arrays: &Arrays, at: u32, dynamic: Option<Value>, value: Value) {
+    fn store_element(
+        &mut self,
+        arrays: &Arrays,
+        at: u32,
+        dynamic_offset: Option<Value>,
+        value: Value,
+    ) {
         let ty = arrays.types[at as usize];
         let found = arrays.vars.iter().find(|(known, _)| *known == ty);
         let Some(&(_, var)) = found else { return };
-        let index = self.index(at, dynamic);
+        let index = self.index(at, dynamic_offset);
         if arrays.types.len() == 1 {
             self.emit.push(Stmt::Store { var, value });
         } else {
@@ -122,88 +131,88 @@ impl Lowerer<'_> {
     }
 
     /// `at + dynamic` as a `u32`.
-    fn index(&mut self, at: u32, dynamic: Option<Value>) -> Value {
+    fn index(&mut self, at: u32, dynamic_offset: Option<Value>) -> Value {
         let constant = self.emit.uint(at);
-        match dynamic {
+        match dynamic_offset {
             None => constant,
-            Some(dynamic) if at == 0 => dynamic,
-            Some(dynamic) => self.emit.op(Op::UAdd, &[dynamic, constant]),
+            Some(dynamic_offset) if at == 0 => dynamic_offset,
+            Some(dynamic_offset) => self.emit.op(Op::UAdd, &[dynamic_offset, constant]),
         }
     }
 
     /// Where a variable lives.
-    pub(super) fn slot(&mut self, var: VarRef) -> Lowered<Slot> {
+    pub(super) fn storage(&mut self, var: VarRef) -> LowerResult<VarStorage> {
         let variable = self.variable(var);
         let known = match var {
             VarRef::Global(_) => self.globals.get(&variable.name).cloned(),
-            VarRef::Local(index) => self.frame().slots[index as usize].clone(),
+            VarRef::Local(index) => self.frame().storages[index as usize].clone(),
         };
-        if let Some(slot) = known {
-            return Ok(slot);
+        if let Some(storage) = known {
+            return Ok(storage);
         }
         match &variable.constant {
             Some(words) => {
                 let types = variable.ty.flat();
-                Ok(Slot::Values(self.constants(words, &types).into()))
+                Ok(VarStorage::Values(self.constants(words, &types).into()))
             }
-            None => Err(Failure(format!("`{}` has no storage here", variable.name))),
+            None => Err(LowerError(format!("`{}` has no storage here", variable.name))),
         }
     }
 
     /// The part of a variable that an expression names; `None` if it is a value.
-    pub(super) fn place(&mut self, expr: &Expr) -> Lowered<Option<Place>> {
+    pub(super) fn access_chain(&mut self, expr: &Expr) -> LowerResult<Option<AccessChain>> {
         if expr.root().is_none() {
             return Ok(None);
         }
-        self.nested(|lowerer| lowerer.part(expr)).map(Some)
+        self.nested(|lowerer| lowerer.build_chain(expr)).map(Some)
     }
 
-    fn part(&mut self, expr: &Expr) -> Lowered<Place> {
+    fn build_chain(&mut self, expr: &Expr) -> LowerResult<AccessChain> {
         match &expr.kind {
             ExprKind::Var(var) => {
-                let slot = self.slot(*var)?;
+                let storage = self.storage(*var)?;
                 let ty = self.variable(*var).ty.clone();
-                Ok(match slot {
-                    Slot::Alias(place) => (*place).clone(),
-                    slot => Place {
-                        slot,
+                Ok(match storage {
+                    VarStorage::Alias(chain) => (*chain).clone(),
+                    storage => AccessChain {
+                        storage,
                         total: ty.scalars(),
                         base: 0,
-                        dynamic: None,
-                        steps: Vec::new(),
+                        dynamic_offset: None,
+                        index_strides: Vec::new(),
                         components: None,
                         ty,
                     },
                 })
             }
             ExprKind::Field(base, index) => {
-                let mut place = self.part(base)?;
+                let mut chain = self.build_chain(base)?;
                 if let Type::Struct(structure) = &base.ty {
                     let before = &structure.fields[..*index as usize];
-                    place.base += before.iter().map(|(_, ty)| ty.scalars()).sum::<u32>();
+                    chain.base += before.iter().map(|(_, ty)| ty.scalars()).sum::<u32>();
                 }
-                place.ty = expr.ty.clone();
-                Ok(place)
+                chain.ty = expr.ty.clone();
+                Ok(chain)
             }
             ExprKind::Swizzle(base, components) => {
-                let mut place = self.part(base)?;
-                let inner = place.components.take();
+                let mut chain = self.build_chain(base)?;
+                let inner = chain.components.take();
                 let through = |&c: &u8| inner.as_ref().map_or(c, |inner| inner[usize::from(c)]);
-                place.components = Some(components.iter().map(through).collect());
-                place.ty = expr.ty.clone();
-                Ok(place)
+                chain.components = Some(components.iter().map(through).collect());
+                chain.ty = expr.ty.clone();
+                Ok(chain)
             }
             ExprKind::Index(base, index) => {
-                let place = self.part(base)?;
+                let chain = self.build_chain(base)?;
                 let index = self.expr(index)?[0];
-                self.element(place, index, &expr.ty)
+                self.element(chain, index, &expr.ty)
             }
             ExprKind::Const(_)
             | ExprKind::Convert(_)
             | ExprKind::Unary(..)
             | ExprKind::Binary(..)
             | ExprKind::Assign(..)
-            | ExprKind::Step(..)
+            | ExprKind::IncDec(..)
             | ExprKind::Conditional(_)
             | ExprKind::Comma(_)
             | ExprKind::Construct(_)
@@ -214,35 +223,40 @@ impl Lowerer<'_> {
     }
 
     /// An element of a part; an index out of range means the last element.
-    pub(super) fn element(&mut self, place: Place, index: Value, ty: &Type) -> Lowered<Place> {
+    pub(super) fn element(
+        &mut self,
+        chain: AccessChain,
+        index: Value,
+        ty: &Type,
+    ) -> LowerResult<AccessChain> {
         let stride = ty.scalars().max(1);
-        let len = (place.ty.scalars() / stride).max(1);
+        let len = (chain.ty.scalars() / stride).max(1);
         let index = self.emit.convert(index, Ty::U32);
         let last = self.emit.uint(len - 1);
         let index = self.emit.op(Op::UMin, &[index, last]);
-        let mut place = place;
+        let mut chain = chain;
         if let Some(known) = self.emit.known(index) {
-            match &place.components {
-                Some(components) => place.base += u32::from(components[known as usize]),
-                None => place.base += known * stride,
+            match &chain.components {
+                Some(components) => chain.base += u32::from(components[known as usize]),
+                None => chain.base += known * stride,
             }
-            place.components = None;
+            chain.components = None;
         } else {
-            let offset = match place.components.take() {
+            let offset = match chain.components.take() {
                 Some(components) => self.swizzled(&components, index),
                 None => {
-                    place.steps.push((stride, len));
+                    chain.index_strides.push((stride, len));
                     let stride = self.emit.uint(stride);
                     self.emit.op(Op::UMul, &[index, stride])
                 }
             };
-            place.dynamic = Some(match place.dynamic {
+            chain.dynamic_offset = Some(match chain.dynamic_offset {
                 Some(other) => self.emit.op(Op::UAdd, &[other, offset]),
                 None => offset,
             });
         }
-        place.ty = ty.clone();
-        Ok(place)
+        chain.ty = ty.clone();
+        Ok(chain)
     }
 
     /// Which component element `index` of a swizzle is.
@@ -257,62 +271,62 @@ impl Lowerer<'_> {
     }
 
     /// A place that holds these values.
-    pub(super) fn value_place(values: Vec<Value>, ty: Type) -> Place {
+    pub(super) fn value_chain(values: Vec<Value>, ty: Type) -> AccessChain {
         let total = values.len() as u32;
-        let slot = Slot::Values(values.into());
-        let (dynamic, steps) = (None, Vec::new());
-        Place { slot, total, base: 0, dynamic, steps, components: None, ty }
+        let storage = VarStorage::Values(values.into());
+        let (dynamic_offset, index_strides) = (None, Vec::new());
+        AccessChain { storage, total, base: 0, dynamic_offset, index_strides, components: None, ty }
     }
 
     /// Reads a part.
-    pub(super) fn load(&mut self, place: &Place) -> Lowered<Vec<Value>> {
-        let offsets = place.offsets();
-        let slot = place.slot.clone();
-        match (&slot, place.dynamic) {
-            (Slot::Values(values), None) => {
+    pub(super) fn load(&mut self, chain: &AccessChain) -> LowerResult<Vec<Value>> {
+        let offsets = chain.offsets();
+        let storage = chain.storage.clone();
+        match (&storage, chain.dynamic_offset) {
+            (VarStorage::Values(values), None) => {
                 Ok(offsets.iter().map(|&at| values[at as usize]).collect())
             }
-            (Slot::Vars(vars), None) => {
+            (VarStorage::Vars(vars), None) => {
                 Ok(offsets.iter().map(|&at| self.emit.load(vars[at as usize])).collect())
             }
-            (Slot::Values(values), Some(dynamic)) => {
+            (VarStorage::Values(values), Some(dynamic_offset)) => {
                 let spilt = self.spill(values);
-                Ok(self.load_elements(&spilt, &offsets, Some(dynamic)))
+                Ok(self.load_elements(&spilt, &offsets, Some(dynamic_offset)))
             }
-            (Slot::Vars(vars), Some(dynamic)) => {
+            (VarStorage::Vars(vars), Some(dynamic_offset)) => {
                 let values: Vec<Value> = vars.iter().map(|&var| self.emit.load(var)).collect();
                 let spilt = self.spill(&values);
-                Ok(self.load_elements(&spilt, &offsets, Some(dynamic)))
+                Ok(self.load_elements(&spilt, &offsets, Some(dynamic_offset)))
             }
-            (Slot::Arrays(arrays), dynamic) => {
+            (VarStorage::Arrays(arrays), dynamic_offset) => {
                 let arrays = arrays.clone();
-                Ok(self.load_elements(&arrays, &offsets, dynamic))
+                Ok(self.load_elements(&arrays, &offsets, dynamic_offset))
             }
-            (Slot::Uniform(word, types), None) => {
+            (VarStorage::Uniform(word, types), None) => {
                 let load = |&at: &u32| self.emit.uniform(word + at, types[at as usize]);
                 Ok(offsets.iter().map(load).collect())
             }
-            (Slot::Uniform(word, types), Some(index)) => {
+            (VarStorage::Uniform(word, types), Some(index)) => {
                 let load = |&at: &u32| {
-                    let (base, len, ty) = (word + at, place.total - at, types[at as usize]);
+                    let (base, len, ty) = (word + at, chain.total - at, types[at as usize]);
                     let uniforms = &mut self.emit.builder.module_mut().uniform_words;
-                    *uniforms = (*uniforms).max(word + place.total);
+                    *uniforms = (*uniforms).max(word + chain.total);
                     self.emit.value(IrExpr::UniformAt { base, len, index, ty }, ty)
                 };
                 Ok(offsets.iter().map(load).collect())
             }
-            (Slot::States(array, stride, types), None) => {
+            (VarStorage::States(array, stride, types), None) => {
                 let load = |&at: &u32| {
                     let word = self.words.state(array.element((at / stride) as u8));
                     self.emit.uniform(word + at % stride, types[at as usize])
                 };
                 Ok(offsets.iter().map(load).collect())
             }
-            (Slot::States(array, _, types), Some(_)) => {
-                let slot = Slot::Uniform(self.words.array(*array), types.clone());
-                self.load(&Place { slot, ..place.clone() })
+            (VarStorage::States(array, _, types), Some(_)) => {
+                let storage = VarStorage::Uniform(self.words.array(*array), types.clone());
+                self.load(&AccessChain { storage, ..chain.clone() })
             }
-            (Slot::Alias(_), _) => Err(Failure("an alias of an alias".to_owned())),
+            (VarStorage::Alias(_), _) => Err(LowerError("an alias of an alias".to_owned())),
         }
     }
 
@@ -320,14 +334,14 @@ impl Lowerer<'_> {
         &mut self,
         arrays: &Arrays,
         offsets: &[u32],
-        dynamic: Option<Value>,
+        dynamic_offset: Option<Value>,
     ) -> Vec<Value> {
         let mut values = Vec::with_capacity(offsets.len());
         for &at in offsets {
             let ty = arrays.types[at as usize];
             let found = arrays.vars.iter().find(|(known, _)| *known == ty);
             let Some(&(_, var)) = found else { continue };
-            let index = self.index(at, dynamic);
+            let index = self.index(at, dynamic_offset);
             values.push(if arrays.types.len() == 1 {
                 self.emit.load(var)
             } else {
@@ -346,26 +360,30 @@ impl Lowerer<'_> {
     }
 
     /// Writes a part.
-    pub(super) fn store(&mut self, place: &Place, values: &[Value]) -> Lowered<()> {
-        let offsets = place.offsets();
-        match (&place.slot, place.dynamic) {
-            (Slot::Vars(vars), None) => {
+    pub(super) fn store(&mut self, chain: &AccessChain, values: &[Value]) -> LowerResult<()> {
+        let offsets = chain.offsets();
+        match (&chain.storage, chain.dynamic_offset) {
+            (VarStorage::Vars(vars), None) => {
                 for (&at, &value) in offsets.iter().zip(values) {
                     self.emit.push(Stmt::Store { var: vars[at as usize], value });
                 }
                 Ok(())
             }
-            (Slot::Arrays(arrays), dynamic) => {
+            (VarStorage::Arrays(arrays), dynamic_offset) => {
                 let arrays = arrays.clone();
                 for (&at, &value) in offsets.iter().zip(values) {
-                    self.store_element(&arrays, at, dynamic, value);
+                    self.store_element(&arrays, at, dynamic_offset, value);
                 }
                 Ok(())
             }
-            (Slot::Vars(_), Some(_))
-            | (Slot::Values(_) | Slot::Uniform(..) | Slot::States(..) | Slot::Alias(_), _) => {
-                Err(not_a_variable())
-            }
+            (VarStorage::Vars(_), Some(_))
+            | (
+                VarStorage::Values(_)
+                | VarStorage::Uniform(..)
+                | VarStorage::States(..)
+                | VarStorage::Alias(_),
+                _,
+            ) => Err(not_a_variable()),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! What transform feedback captures (GL 3.0 section 2.15): the names that were asked for become
 //! outputs of the vertex stage.
 
-use super::{Locations, StageUnits};
+use super::{BindingMap, StageUnits};
 use crate::builtins::variable::Builtin;
 use crate::hir::{Storage, Variable};
 use crate::limits::{
@@ -20,7 +20,7 @@ pub fn captured(
     vertex: Option<&StageUnits<'_>>,
     request: &Capture,
     mut next: u16,
-    in_vertex: &mut Locations,
+    in_vertex: &mut BindingMap,
     log: &mut Log,
 ) -> Vec<Captured> {
     let mut all: Vec<Captured> = Vec::new();
@@ -62,7 +62,7 @@ fn find(
     vertex: Option<&StageUnits<'_>>,
     wanted: &CaptureRequest,
     next: &mut u16,
-    in_vertex: &mut Locations,
+    in_vertex: &mut BindingMap,
 ) -> Result<Captured, String> {
     let Some(vertex) = vertex else { return Err("there is no vertex shader".to_owned()) };
     let named = |variable: &&Variable| *variable.name == *wanted.variable;

@@ -18,7 +18,7 @@ impl Checker<'_> {
     pub(super) fn index(&mut self, base: &ast::Expr, index: &ast::Expr, span: Span) -> Expr {
         let base = self.expr(base);
         let mut index = self.expr(index);
-        if let Some(integer) = self.as_integers(&index, &INT) {
+        if let Some(integer) = self.as_integer_call(&index, &INT) {
             index = integer;
         }
         if base.is_error() || index.is_error() {
@@ -57,7 +57,7 @@ impl Checker<'_> {
                     self.error(index.span, "4.1.7", message);
                 }
                 if let Some(root) = base.root() {
-                    self.variable_mut(root).dynamic = true;
+                    self.variable_mut(root).dynamically_indexed = true;
                 }
                 index
             }
@@ -83,7 +83,7 @@ impl Checker<'_> {
             let rule = format!("{} section 5.7", self.version.title());
             self.log.push(Diagnostic::error(span, message).rule(rule));
         } else if let (ExprKind::Var(var), Type::Array(..)) = (&base.kind, &base.ty) {
-            self.pick(*var, value + 1);
+            self.note_constant_index(*var, value + 1);
         }
     }
 

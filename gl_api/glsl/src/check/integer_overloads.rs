@@ -13,7 +13,7 @@ use crate::text::source::Span;
 use crate::types::{Scalar, Type};
 
 /// Whether a function is of signed integers alone.
-fn is_of_integers(row: &FunctionRow) -> bool {
+fn is_integer_overload(row: &FunctionRow) -> bool {
     let integer =
         |p: &Pattern| matches!(p, Pattern::Gen(Scalar::Int) | Pattern::Fixed(Scalar::Int, 1));
     row.result == Pattern::Gen(Scalar::Int) && row.parameters.iter().all(integer)
@@ -21,20 +21,20 @@ fn is_of_integers(row: &FunctionRow) -> bool {
 
 impl Checker<'_> {
     /// The function of integers that a call of what is no function here means.
-    pub(super) fn integer_function(
+    pub(super) fn integer_candidate(
         &mut self,
         name: &ast::Name,
         arguments: &[Expr],
     ) -> Option<Candidate> {
         let types = arguments.iter().map(|argument| &argument.ty);
-        let (row, parameters, result) = self.of_integers(&name.text, types)?;
-        self.warn_of_integers(row, name.span);
+        let (row, parameters, result) = self.integer_overload(&name.text, types)?;
+        self.warn_integer_overload(row, name.span);
         Some(Candidate::builtin(row, parameters, result))
     }
 
     /// A call of floats that were integers, where its result has to be an integer of this type: the
     /// same of integers.
-    pub(super) fn as_integers(&mut self, value: &Expr, wanted: &Type) -> Option<Expr> {
+    pub(super) fn as_integer_call(&mut self, value: &Expr, wanted: &Type) -> Option<Expr> {
         let ExprKind::Builtin(row, arguments) = &value.kind else { return None };
         if value.ty.with_scalar(Scalar::Int) != *wanted || value.ty == *wanted {
             return None;
@@ -43,17 +43,18 @@ impl Checker<'_> {
         for argument in arguments {
             integers.push(match &argument.kind {
                 ExprKind::Convert(integer) => (**integer).clone(),
-                _ => self.as_integers(argument, &argument.ty.with_scalar(Scalar::Int))?,
+                _ => self.as_integer_call(argument, &argument.ty.with_scalar(Scalar::Int))?,
             });
         }
-        let (row, _, ty) = self.of_integers(&row.name, integers.iter().map(|expr| &expr.ty))?;
-        self.warn_of_integers(row, value.span);
+        let (row, _, ty) =
+            self.integer_overload(&row.name, integers.iter().map(|expr| &expr.ty))?;
+        self.warn_integer_overload(row, value.span);
         let kind = ExprKind::Builtin(row, integers);
         Some(Expr { ty, span: value.span, constant: value.constant, kind })
     }
 
     /// The function of integers of a name that takes these types and is not here.
-    fn of_integers<'a>(
+    fn integer_overload<'a>(
         &self,
         name: &str,
         types: impl Iterator<Item = &'a Type> + Clone,
@@ -63,7 +64,7 @@ impl Checker<'_> {
             return None;
         }
         let rows = function::named(name).filter(|row| {
-            is_of_integers(row)
+            is_integer_overload(row)
                 && row.stages.has(self.stage)
                 && !self.language.has(row.availability)
         });
@@ -73,7 +74,7 @@ impl Checker<'_> {
         signatures.into_iter().find(|(_, parameters, _)| types.clone().eq(parameters))
     }
 
-    fn warn_of_integers(&mut self, row: &FunctionRow, span: Span) {
+    fn warn_integer_overload(&mut self, row: &FunctionRow, span: Span) {
         let message = format!("`{}` of integers is not in {}", row.name, self.version.title());
         let mut problem = Diagnostic::warning(span, message);
         if let Some(advice) = self.language.advice(row.availability) {
