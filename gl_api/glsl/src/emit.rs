@@ -1,5 +1,5 @@
-//! Appending IR: constants are folded on the way, inputs and uniforms named once, and the number
-//! of values is bounded.
+//! Appends IR: folds constants, emits each constant, uniform and input once, and bounds the number
+//! of values.
 
 use crate::limits::MAX_VALUES;
 use rasterizer::ir::{
@@ -8,7 +8,7 @@ use rasterizer::ir::{
 };
 use std::collections::BTreeMap;
 
-/// What is the same everywhere, and so is needed once.
+/// An expression that is emitted once per module.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum PooledExpr {
     Const(u32, u8),
@@ -38,7 +38,7 @@ impl Emit {
         Self { builder: Builder::new(stage), pool: BTreeMap::new() }
     }
 
-    /// Whether there are too many values; from then on, operations give nonsense.
+    /// Whether there are too many values; from then on, operations give constants.
     pub fn is_full(&self) -> bool {
         self.builder.module().values.len() >= MAX_VALUES
     }
@@ -95,7 +95,7 @@ impl Emit {
         self.builder.value(expr)
     }
 
-    /// An operation, computed here if its operands are constant.
+    /// An operation, folded if its operands are constant.
     pub fn op(&mut self, op: Op, operands: &[Value]) -> Value {
         let mut words = [0; 3];
         let mut all = [Value(0); 3];

@@ -1,5 +1,5 @@
-//! Text to tokens: comments and line continuations go, everything else stays, also what is no
-//! token of the language; the preprocessor decides what is looked at (GLSL 1.30 chapter 3).
+//! Text to tokens (GLSL 1.30 chapter 3): removes comments and line continuations. Characters that
+//! are no part of the language become tokens too, because the preprocessor may skip them.
 
 use crate::text::source::{Span, is_line_end, line_end};
 use std::sync::Arc;
@@ -21,12 +21,12 @@ pub enum TokenKind {
     End,
 }
 
-/// A token and where it stands.
+/// A token and its span.
 #[derive(Clone, Debug)]
 pub struct Token {
     /// What it is.
     pub kind: TokenKind,
-    /// Where; for what a macro gives, where the macro is used.
+    /// Its span; in the result of a macro, that of the macro call.
     pub span: Span,
 }
 
@@ -48,7 +48,7 @@ impl Token {
         }
     }
 
-    /// As a message names it.
+    /// Its description in messages.
     pub fn describe(&self) -> String {
         match &self.kind {
             TokenKind::Word(word) | TokenKind::Number(word) => {
@@ -64,23 +64,23 @@ impl Token {
     }
 }
 
-/// Every punctuation, the longer before its beginnings.
+/// Every punctuation, longer ones before their prefixes.
 const PUNCTUATION: [&str; 47] = [
     "<<=", ">>=", "++", "--", "<=", ">=", "==", "!=", "&&", "||", "^^", "*=", "/=", "+=", "-=",
     "%=", "&=", "^=", "|=", "<<", ">>", "##", "(", ")", "[", "]", "{", "}", ".", ",", ";", ":",
     "?", "=", "+", "-", "*", "/", "%", "<", ">", "!", "~", "&", "|", "^", "#",
 ];
 
-/// A text taken apart.
+/// The tokens of a text, and what is notable about it.
 #[derive(Debug, Default)]
 pub struct Lexed {
     /// Its tokens; the last is [`TokenKind::End`].
     pub tokens: Vec<Token>,
-    /// Where a comment begins that does not end.
+    /// The begin of a comment that is not closed.
     pub unclosed: Option<Span>,
-    /// The first line end that a backslash takes away.
+    /// The first line continuation.
     pub continued: Option<Span>,
-    /// The first U+0000 behind everything else.
+    /// The first U+0000 after the last token.
     pub terminator: Option<Span>,
 }
 
@@ -166,7 +166,7 @@ pub fn tokens(text: &str) -> Lexed {
     Lexed { tokens, unclosed, continued, terminator }
 }
 
-/// Where a number ends: digits, letters, points, and signs after an exponent letter, as in C.
+/// The end of a number: digits, letters, points, and signs after an exponent letter, as in C.
 fn number_end(bytes: &[u8], mut at: usize) -> usize {
     let hexadecimal = bytes[at] == b'0' && matches!(bytes.get(at + 1), Some(b'x' | b'X'));
     while let Some(&byte) = bytes.get(at) {
@@ -180,7 +180,7 @@ fn number_end(bytes: &[u8], mut at: usize) -> usize {
     at
 }
 
-/// A number of the language.
+/// The value of a number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Literal {
     /// A signed integer (its bits may come from an unsigned hexadecimal).
@@ -191,7 +191,7 @@ pub enum Literal {
     Float(f32),
 }
 
-/// Reads a number as written; the error says what is wrong with it.
+/// Parses a number; the error says what is wrong with it.
 pub fn literal(text: &str) -> Result<Literal, &'static str> {
     let hexadecimal = text.strip_prefix("0x").or_else(|| text.strip_prefix("0X"));
     let is_float = hexadecimal.is_none() && text.contains(['.', 'e', 'E', 'f', 'F']);

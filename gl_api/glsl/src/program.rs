@@ -1,4 +1,4 @@
-//! What a link takes and gives: the bindings that were asked for, and the linked program.
+//! Input and result of a link: the bindings that the application set, and the linked program.
 
 use crate::interface::StateBinding;
 use crate::types::{ComparisonResult, DataType, Dim, MatrixOrder};
@@ -49,15 +49,15 @@ pub struct Member {
     pub array: Option<u32>,
     /// Which block.
     pub block: u32,
-    /// Its first word, counted from the block's; as those of [`Uniform`].
+    /// Its first word, relative to the block's; as those of [`Uniform`].
     pub word: u32,
-    /// Its first byte in the buffer, counted from the block's.
+    /// Its first byte in the buffer, relative to the block's.
     pub offset: u32,
     /// Bytes from an element to the next; 0 when it is no array.
     pub array_stride: u32,
     /// Bytes from a column (or a row) to the next; 0 when it is no matrix.
     pub matrix_stride: u32,
-    /// Which way a matrix lies.
+    /// The order of a matrix.
     pub order: MatrixOrder,
 }
 
@@ -70,7 +70,7 @@ pub struct UniformBlock {
     pub bytes: u32,
     /// Its first word; `None` if no stage reads it.
     pub word: Option<u32>,
-    /// Which members it has.
+    /// The range of its members in [`Program::members`].
     pub members: std::ops::Range<u32>,
     /// Which stages read it.
     pub stages: Vec<Stage>,
@@ -90,7 +90,7 @@ pub struct BuiltinUniform {
 /// A texture slot of a module and the uniform that says which unit it samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SamplerSlot {
-    /// Which stage's module.
+    /// The stage of the module.
     pub stage: Stage,
     /// Index into that module's `textures`.
     pub slot: u32,
@@ -98,12 +98,12 @@ pub struct SamplerSlot {
     pub word: u32,
     /// The shape of the textures that it takes.
     pub dim: Dim,
-    /// What comes of comparisons.
+    /// The result of its comparisons.
     pub result: ComparisonResult,
 }
 
-/// What was asked for with `glBindAttribLocation`, `glBindFragDataLocation` and
-/// `glTransformFeedbackVaryings` before the link.
+/// What the application set before the link with `glBindAttribLocation`, `glBindFragDataLocation`
+/// and `glTransformFeedbackVaryings`.
 #[derive(Clone, Debug, Default)]
 pub struct Bindings {
     /// Attribute name to location.
@@ -124,7 +124,7 @@ pub enum BufferMode {
     Separate,
 }
 
-/// What transform feedback was asked to capture.
+/// What the application set for transform feedback to capture.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Capture {
     /// How it fills buffers.
@@ -133,7 +133,7 @@ pub struct Capture {
     pub varyings: Vec<CaptureRequest>,
 }
 
-/// A name that transform feedback was asked to capture.
+/// A name that transform feedback is to capture.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CaptureRequest {
     /// The variable.
@@ -154,17 +154,17 @@ impl fmt::Display for CaptureRequest {
 /// A varying that transform feedback captures.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Captured {
-    /// Its name, as it was asked for.
+    /// Its name, as the application gave it.
     pub name: String,
     /// The type of it or of its elements.
     pub ty: DataType,
     /// How many elements; 1 if it is no array.
     pub size: u32,
-    /// Where its scalars are, in order.
+    /// Its scalars among the outputs of the vertex stage, in order.
     pub scalars: Vec<CapturedScalar>,
 }
 
-/// Where a captured scalar is among the outputs of the vertex stage.
+/// A captured scalar among the outputs of the vertex stage.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CapturedScalar {
     /// An output as it is.
@@ -181,9 +181,9 @@ pub enum CapturedScalar {
 /// A linked program.
 #[derive(Clone, Debug)]
 pub struct Program {
-    /// The vertex stage; `None` leaves it to the fixed function.
+    /// The vertex stage; `None` if it is fixed function.
     pub vertex: Option<Module>,
-    /// The fragment stage; `None` leaves it to the fixed function.
+    /// The fragment stage; `None` if it is fixed function.
     pub fragment: Option<Module>,
     /// What it reads per vertex: generic attributes, then the conventional ones, whose locations
     /// begin at [`ATTRIB_VERTEX`](crate::interface::ATTRIB_VERTEX).
@@ -194,32 +194,32 @@ pub struct Program {
     pub members: Vec<Member>,
     /// The uniform blocks.
     pub blocks: Vec<UniformBlock>,
-    /// The built-in uniforms that it names.
+    /// The built-in uniforms that it references.
     pub builtin_uniforms: Vec<BuiltinUniform>,
-    /// The fragment stage's own outputs and the colours they go to.
+    /// The user-defined outputs of the fragment stage and their colour attachments.
     pub outputs: Vec<(String, u8)>,
-    /// The fragment stage's own varyings: first slot, how many slots, name.
+    /// The user-defined varyings of the fragment stage: first slot, number of slots, name.
     pub varyings: Vec<(u16, u16, String)>,
-    /// What transform feedback captures, and how.
+    /// The varyings that transform feedback captures.
     pub captured: Vec<Captured>,
     /// How it fills buffers.
     pub buffer_mode: BufferMode,
-    /// Which texture slots sample which units.
+    /// The texture slots, with the uniforms that hold their units.
     pub samplers: Vec<SamplerSlot>,
-    /// How its shaders say that the colour and the secondary colour are interpolated; `None` leaves
-    /// it to the shade model (GLSL 1.30 section 4.3.7).
+    /// The interpolation of the colour and the secondary colour that its shaders declare; `None`
+    /// leaves it to the shade model (GLSL 1.30 section 4.3.7).
     pub color_interpolation: [Option<Interpolation>; 2],
     /// GL state that it reads through uniform words.
     pub state: Vec<StateBinding>,
-    /// How many uniform words a draw brings: uniforms and state together.
+    /// The number of uniform words of a draw: uniforms and state together.
     pub words: u32,
 }
 
-/// What a link gives.
+/// The result of a link.
 #[derive(Clone, Debug)]
 pub struct Linked {
     /// The program, if there was no error.
     pub program: Option<Program>,
-    /// What `glGetProgramInfoLog` answers.
+    /// The answer of `glGetProgramInfoLog`.
     pub log: String,
 }

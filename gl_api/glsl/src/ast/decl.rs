@@ -42,7 +42,7 @@ pub struct ArraySize {
     pub size: Option<Box<Expr>>,
 }
 
-/// A word before the type in a declaration.
+/// A qualifier in a declaration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Qualifier {
     /// `const`.
@@ -81,7 +81,7 @@ pub enum Qualifier {
     Block(BlockLayout),
 }
 
-/// A word about how a uniform block lies in its buffer (ARB_uniform_buffer_object, section 4.3.5.2).
+/// A layout qualifier of a uniform block (ARB_uniform_buffer_object, section 4.3.5.2).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BlockLayout {
     /// `shared`.
@@ -97,7 +97,7 @@ pub enum BlockLayout {
 }
 
 impl Qualifier {
-    /// Where it stands among others (GLSL 1.30 section 4.7): invariance, interpolation, storage,
+    /// Its position among others (GLSL 1.30 section 4.7): invariance, interpolation, storage,
     /// precision.
     pub fn rank(self) -> u8 {
         match self {
@@ -139,7 +139,7 @@ pub struct Declarator {
     pub init: Option<Expr>,
 }
 
-/// A declaration of variables, or of nothing but a structure.
+/// A declaration of variables, or of a structure alone.
 #[derive(Clone, Debug)]
 pub struct Declaration {
     /// The type.
@@ -175,15 +175,15 @@ pub struct Function {
 /// A uniform block.
 #[derive(Clone, Debug)]
 pub struct BlockDecl {
-    /// The words before its name.
+    /// The qualifiers before its name.
     pub qualifiers: Vec<(Qualifier, Span)>,
     /// Its name.
     pub name: Name,
-    /// What stands in it.
+    /// Its members.
     pub members: Vec<Declaration>,
 }
 
-/// What stands outside of functions.
+/// A declaration outside of functions.
 #[derive(Clone, Debug)]
 pub enum Item {
     /// Variables.
@@ -192,7 +192,7 @@ pub enum Item {
     Function(Function),
     /// A uniform block.
     Block(BlockDecl),
-    /// `layout(std140) uniform;`: what the blocks after it begin with.
+    /// `layout(std140) uniform;`: the default layout of the blocks after it.
     BlockDefaults(Vec<(Qualifier, Span)>),
     /// `invariant a, b;`.
     Invariant(Vec<Name>),

@@ -9,7 +9,7 @@ use std::sync::Arc;
 pub struct Expr {
     /// Where.
     pub span: Span,
-    /// How many expressions stand inside one another in it.
+    /// The depth of its tree.
     pub depth: u32,
     /// What.
     pub kind: ExprKind,
@@ -50,6 +50,6 @@ pub enum ExprKind {
     Call(Name, Vec<Expr>),
     /// `type(arguments)`.
     Construct(TypeName, Vec<Expr>),
-    /// What could not be parsed; reported already.
+    /// A syntax error, reported already.
     Error,
 }

@@ -56,7 +56,7 @@ pub enum BinaryOp {
     Xor,
 }
 
-/// Every binary operator: how it is written, and how tightly it binds (GLSL 1.30 section 5.1).
+/// Every binary operator: its text, and its precedence (GLSL 1.30 section 5.1).
 pub const BINARY: [(&str, BinaryOp, u8); 19] = [
     ("||", BinaryOp::Or, 1),
     ("^^", BinaryOp::Xor, 2),
@@ -80,7 +80,7 @@ pub const BINARY: [(&str, BinaryOp, u8); 19] = [
 ];
 
 impl BinaryOp {
-    /// The function that compares vectors as it compares scalars (section 8.6).
+    /// The function that compares vectors (section 8.6).
     pub fn vector_function(self) -> Option<&'static str> {
         match self {
             Self::Less => Some("lessThan"),
@@ -105,7 +105,7 @@ impl BinaryOp {
         }
     }
 
-    /// Whether it is for integers only, and so came with GLSL 1.30.
+    /// Whether it takes only integers, and so came with GLSL 1.30.
     pub fn is_integer(self) -> bool {
         matches!(
             self,
@@ -133,7 +133,7 @@ pub enum IncDec {
     Decrement,
 }
 
-/// Which value a step has.
+/// Which value `++` or `--` has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum IncDecResult {
     /// The new one (`++a`).

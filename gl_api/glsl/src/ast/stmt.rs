@@ -21,7 +21,7 @@ pub enum StmtKind {
     Precision(TypeName),
     /// Variables.
     Declaration(Declaration),
-    /// A function that is defined elsewhere.
+    /// A prototype.
     Prototype(Function),
     /// An expression.
     Expr(Expr),

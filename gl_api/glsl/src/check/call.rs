@@ -1,4 +1,4 @@
-//! Calls: which function is meant (GLSL 1.30 section 6.1).
+//! Calls: overload resolution (GLSL 1.30 section 6.1).
 
 use super::Checker;
 use super::expr::convert;
@@ -16,7 +16,7 @@ use crate::text::spelling::closest;
 use crate::types::Type;
 use rasterizer::ir::Stage;
 
-/// A function that a call may mean.
+/// The function that a candidate stands for.
 #[derive(Clone, Debug)]
 enum CallTarget {
     User(u32),
@@ -32,7 +32,7 @@ pub(super) struct Candidate {
 }
 
 impl Candidate {
-    /// A function of the language.
+    /// A candidate for a built-in function.
     pub(super) fn builtin(row: &'static FunctionRow, parameters: Vec<Type>, result: Type) -> Self {
         let direction =
             |p: &Pattern| if *p == Pattern::OutGen { Direction::Out } else { Direction::In };
@@ -40,12 +40,12 @@ impl Candidate {
         Self { target: CallTarget::Builtin(row), parameters, directions, result }
     }
 
-    /// Whether it is a function of the shader.
+    /// Whether the shader declares it.
     fn is_user(&self) -> bool {
         matches!(self.target, CallTarget::User(_))
     }
 
-    /// How many arguments need a conversion; `None` if one does not fit.
+    /// The number of arguments that need a conversion; `None` if one does not fit.
     fn conversions(&self, arguments: &[Expr], version: Version) -> Option<usize> {
         if arguments.len() != self.parameters.len() {
             return None;
@@ -57,7 +57,8 @@ impl Candidate {
             if argument.ty == *parameter {
                 continue;
             }
-            // An `out` argument takes the parameter's value back (GLSL 1.30 section 6.1).
+            // The value of an `out` parameter is converted to the type of the argument (GLSL 1.30
+            // section 6.1).
             let fits = match direction {
                 Direction::In => converts(&argument.ty, parameter, version),
                 Direction::Out => converts(parameter, &argument.ty, version),
@@ -100,8 +101,8 @@ impl Checker<'_> {
         let fits = |candidate: &&Candidate| candidate.conversions(&arguments, version);
         let mut fitting: Vec<&Candidate> =
             candidates.iter().filter(|c| fits(c).is_some()).collect();
-        // A function of the shader hides all of the language's that have its name: those lie in a
-        // scope around the global one. Before, it hides the one that takes the same.
+        // A user function hides all built-in functions of its name, which lie in a scope around the
+        // global one. Before 1.20, it hides only the one with the same parameters.
         let hides = version >= Version::V120;
         if hides && fitting.iter().any(|c| c.is_user()) {
             fitting.retain(|c| c.is_user());
@@ -129,8 +130,8 @@ impl Checker<'_> {
         self.finish_call(name, best, arguments, span)
     }
 
-    /// What a name can mean in a call: the shader's functions, and those of the language that take
-    /// something else.
+    /// The candidates of a name: the functions of the shader, and the built-in functions with other
+    /// parameters.
     fn candidates(&mut self, name: &ast::Name) -> Vec<Candidate> {
         if self.scopes.hides_functions(&name.text) {
             return Vec::new();
@@ -188,7 +189,7 @@ impl Checker<'_> {
         self.log.push(problem);
     }
 
-    /// Says why no candidate takes the arguments.
+    /// Reports why no candidate takes the arguments.
     fn no_match(&mut self, name: &ast::Name, arguments: &[Expr], candidates: &[Candidate]) {
         let types: Vec<String> = arguments.iter().map(|a| a.ty.to_string()).collect();
         let message = format!("no `{}` takes ({})", name.text, types.join(", "));
@@ -203,7 +204,7 @@ impl Checker<'_> {
         let more = if shown.len() > 6 { ", ..." } else { "" };
         problem = problem.note(format!("there are: {}{more}", list.join(", ")));
 
-        // One argument alone may be in the way.
+        // Points at the argument, if a single one does not fit.
         let mut wrong = None;
         for candidate in candidates.iter().filter(same_length) {
             let fits = |index: usize| {
@@ -228,7 +229,7 @@ impl Checker<'_> {
         self.log.push(problem);
     }
 
-    /// Advice for a sampler of the wrong kind: declare it as the kind that is needed.
+    /// A fix-it for a sampler of the wrong type: declare it with the type that is needed.
     fn with_sampler_fix(&self, problem: Diagnostic, argument: &Expr, needed: &Type) -> Diagnostic {
         let ExprKind::Var(VarRef::Global(index)) = argument.kind else { return problem };
         let variable = &self.unit.globals[index as usize];
@@ -309,14 +310,15 @@ impl Checker<'_> {
             let message = format!("`{}` comes from {}", name.text, extension.name());
             self.log.push(Diagnostic::warning(name.span, message));
         }
-        // From ES 1.00 (section 5.10) and 1.20 (section 4.3.3) on a function of constants is constant.
+        // From ES 1.00 (section 5.10) and 1.20 (section 4.3.3) on, a call with constant arguments
+        // is constant.
         let constant = row.folds()
             && self.version >= Version::Es100
             && arguments.iter().all(|argument| argument.constant);
         Expr { ty, span, constant, kind: ExprKind::Builtin(row, arguments) }
     }
 
-    /// What the types of a lookup's arguments do not say; whether it can be carried out.
+    /// Checks of a texture lookup beyond the types of its arguments; whether it is valid.
     fn check_lookup(&mut self, lookup: Lookup, name: &ast::Name, arguments: &[Expr]) -> bool {
         let explicit = matches!(lookup, Lookup::Sample(_, LodSource::Explicit, _));
         if explicit && !self.is_vertex() && self.version < Version::V130 {

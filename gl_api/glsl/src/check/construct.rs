@@ -40,7 +40,7 @@ impl Checker<'_> {
         Expr::error(span)
     }
 
-    /// A scalar, vector or matrix of the scalars of the arguments.
+    /// A scalar, vector or matrix from the scalars of the arguments.
     fn construct_numbers(&mut self, ty: Type, arguments: Vec<Expr>, span: Span) -> Expr {
         let plain = |argument: &&Expr| argument.ty.scalar().is_none();
         if let Some(bad) = arguments.iter().find(plain) {
@@ -120,7 +120,7 @@ impl Checker<'_> {
             let message = format!("an array of {len} takes {len} elements, not {have}");
             return self.bad_constructor(span, message);
         }
-        // `float[][](...)` has the inner sizes of its arguments too.
+        // `float[][](...)` takes the inner sizes from its arguments.
         let element = element.sized_as(&arguments[0].ty);
         let convert = |argument| self.implicit_conversion(argument, &element, "use");
         let parts: Vec<Expr> = arguments.into_iter().map(convert).collect();

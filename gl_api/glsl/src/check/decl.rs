@@ -15,12 +15,12 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 impl Checker<'_> {
-    /// The type that is written, with the array sizes after the name: these are the outer ones
+    /// The type of a declaration, with the array sizes after the name, which are the outer ones
     /// (ARB_arrays_of_arrays).
     pub(super) fn type_of(&mut self, name: &ast::TypeName, after: &[ast::ArraySize]) -> Type {
         let base = match &name.base {
             TypeBase::Struct(declared) => match &self.declared {
-                // Another name of the same declaration.
+                // An earlier name of the same declaration.
                 Some((known, ty)) if Arc::ptr_eq(known, declared) => ty.clone(),
                 Some(_) | None => {
                     let ty = self.structure(declared, name.span);
@@ -181,7 +181,7 @@ impl Checker<'_> {
         }
     }
 
-    /// Reports a name that the innermost scope has already, or that is reserved.
+    /// Reports a name that the innermost scope already has, or that is reserved.
     pub(super) fn check_new(&mut self, name: &ast::Name) {
         self.check_reserved(name);
         match self.scopes.find_innermost(&name.text).cloned() {
@@ -248,7 +248,7 @@ impl Checker<'_> {
         Variable::new(declared.name.text.clone(), ty, storage, declared.name.span)
     }
 
-    /// Checks an initializer, and keeps it in the variable.
+    /// Checks an initializer and stores it in the variable.
     pub(super) fn initialize(&mut self, variable: &mut Variable, init: Option<Expr>, span: Span) {
         let Some(init) = init else {
             if variable.storage == Storage::Const {
@@ -286,7 +286,7 @@ impl Checker<'_> {
         let must_fold = match variable.storage {
             Storage::Const => Some("a constant"),
             Storage::Uniform => Some("a uniform"),
-            // The desktop's versions run other initializers before `main` (section 4.3).
+            // Desktop GLSL runs other initializers before `main` (section 4.3).
             Storage::Plain if self.version == Version::Es100 => {
                 self.body.is_none().then_some("a global variable")
             }
@@ -308,7 +308,7 @@ impl Checker<'_> {
                 variable.constant = words;
                 variable.init = Some(init);
             }
-            // The linker knows nothing of the constants that the value may be made of.
+            // The linker does not have the constants of the unit.
             (Storage::Uniform, Some(words)) => {
                 variable.init = Some(Expr { kind: ExprKind::Const(words), ..init });
             }
@@ -316,7 +316,7 @@ impl Checker<'_> {
         }
     }
 
-    /// What no variable can be.
+    /// Reports a variable of type `void`, and a sampler that is no uniform.
     pub(super) fn check_sized(&mut self, variable: &Variable) {
         if variable.ty == Type::Void {
             self.error(variable.span, "4.1.1", format!("`{}` cannot be void", variable.name));
@@ -332,8 +332,8 @@ impl Checker<'_> {
         }
     }
 
-    /// The type of an array, with the sizes that its initializer gives it. Indices can bring the
-    /// outermost size later; the others have to be there.
+    /// The type of an array, with the sizes from its initializer. Indices can give the outermost
+    /// size later; the inner sizes are required.
     pub(super) fn sized_by(&mut self, ty: Type, init: Option<&Expr>, span: Span) -> Type {
         let ty = match init {
             Some(init) => ty.sized_as(&init.ty),

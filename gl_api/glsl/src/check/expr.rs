@@ -54,7 +54,8 @@ impl Checker<'_> {
             ast::ExprKind::Comma(all) => {
                 let all: Vec<Expr> = all.iter().map(|expr| self.expr(expr)).collect();
                 let ty = all.last().map_or(Type::Void, |last| last.ty.clone());
-                // An operator like any other in GLSL 1.10 (section 4.3.3) and GLSL ES 1.00 (section 5.10).
+                // A constant operator in GLSL 1.10 (section 4.3.3) and GLSL ES 1.00 (section 5.10)
+                // only.
                 let constant = self.version < Version::V120 && all.iter().all(|part| part.constant);
                 Expr { ty, span, constant, kind: ExprKind::Comma(all) }
             }
@@ -89,7 +90,7 @@ impl Checker<'_> {
         Expr { ty: variable.ty.clone(), span, constant, kind: ExprKind::Var(var) }
     }
 
-    /// Brings a built-in variable into the global scope.
+    /// Adds a built-in variable to the globals of the unit.
     pub(super) fn builtin_variable(&mut self, name: &str) -> Option<VarRef> {
         let builtin = variable::find(name, self.stage, self.language)?;
         let (row, ty) = (builtin.row, builtin.ty.clone());
@@ -138,7 +139,7 @@ impl Checker<'_> {
         Expr { ty, span, constant, kind: ExprKind::Unary(op, Box::new(operand)) }
     }
 
-    /// Whether the version has integer operators; says so if not.
+    /// Whether the version has integer operators; reports it if not.
     fn has_integers(&mut self, span: Span) -> bool {
         if !self.language.has(Availability::INTEGERS) {
             let message = "bits, shifts and remainders of integers are reserved in this version";
@@ -168,7 +169,7 @@ impl Checker<'_> {
         Expr { ty: typed.result, span, constant, kind }
     }
 
-    /// Says why two operands do not go together.
+    /// Reports why two operands do not go together.
     fn mismatch(&mut self, op: BinaryOp, left: &Expr, right: &Expr, span: Span) {
         let (a, b) = (&left.ty, &right.ty);
         let verb = if op == BinaryOp::Mul {
@@ -215,7 +216,7 @@ impl Checker<'_> {
         self.log.push(problem);
     }
 
-    /// Advice for an `int` where a `float` is needed.
+    /// A fix-it for an `int` where a `float` is needed.
     pub(super) fn with_float_fix(&self, problem: Diagnostic, integer: &Expr) -> Diagnostic {
         let text = self.source.slice(integer.span);
         let title = self.version.title();
@@ -283,7 +284,7 @@ impl Checker<'_> {
         Expr { ty, span, constant: false, kind }
     }
 
-    /// The value as a `ty`, or an error that begins with `verb`.
+    /// The value implicitly converted to `ty`, or an error that begins with `verb`.
     pub(super) fn implicit_conversion(&mut self, value: Expr, ty: &Type, verb: &str) -> Expr {
         if value.ty == *ty || value.is_error() || *ty == Type::Error {
             return value;
@@ -339,13 +340,13 @@ impl Checker<'_> {
         Expr { ty, span, constant, kind: ExprKind::Conditional(Box::new(all)) }
     }
 
-    /// A reference to a variable of the language, which the stage has.
+    /// A reference to a built-in variable, which the stage has.
     pub(super) fn builtin_expr(&mut self, name: &str, span: Span) -> Expr {
         self.name(&Arc::from(name), span)
     }
 }
 
-/// The value as a `ty`, which it converts to.
+/// The value converted to `ty`, which must be an allowed conversion.
 pub(super) fn convert(value: Expr, ty: &Type) -> Expr {
     if value.ty == *ty {
         return value;

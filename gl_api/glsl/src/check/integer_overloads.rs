@@ -1,6 +1,6 @@
-//! `abs`, `sign`, `min`, `max` and `clamp` of integers before GLSL 1.30, which brought them. Other
-//! compilers have them always, and programs rely on it. Here they are meant where nothing else can
-//! be: where a call or its result would be an error without them. That changes no valid shader.
+//! Integer overloads of `abs`, `sign`, `min`, `max` and `clamp` before GLSL 1.30, which added them.
+//! Other compilers always have them, and programs rely on it. Here they are used only if a call or
+//! its result would be an error without them, so the meaning of valid shaders does not change.
 
 use super::Checker;
 use super::call::Candidate;
@@ -12,7 +12,7 @@ use crate::text::diagnostics::Diagnostic;
 use crate::text::source::Span;
 use crate::types::{Scalar, Type};
 
-/// Whether a function is of signed integers alone.
+/// Whether all types of a function are signed integers.
 fn is_integer_overload(row: &FunctionRow) -> bool {
     let integer =
         |p: &Pattern| matches!(p, Pattern::Gen(Scalar::Int) | Pattern::Fixed(Scalar::Int, 1));
@@ -20,7 +20,7 @@ fn is_integer_overload(row: &FunctionRow) -> bool {
 }
 
 impl Checker<'_> {
-    /// The function of integers that a call of what is no function here means.
+    /// The integer overload for a call that no function here takes.
     pub(super) fn integer_candidate(
         &mut self,
         name: &ast::Name,
@@ -32,8 +32,8 @@ impl Checker<'_> {
         Some(Candidate::builtin(row, parameters, result))
     }
 
-    /// A call of floats that were integers, where its result has to be an integer of this type: the
-    /// same of integers.
+    /// Replaces a call with implicitly converted arguments by the integer overload, if its result
+    /// must be an integer of this type.
     pub(super) fn as_integer_call(&mut self, value: &Expr, wanted: &Type) -> Option<Expr> {
         let ExprKind::Builtin(row, arguments) = &value.kind else { return None };
         if value.ty.with_scalar(Scalar::Int) != *wanted || value.ty == *wanted {
@@ -53,13 +53,13 @@ impl Checker<'_> {
         Some(Expr { ty, span: value.span, constant: value.constant, kind })
     }
 
-    /// The function of integers of a name that takes these types and is not here.
+    /// The integer overload of a name that takes these types and is not available.
     fn integer_overload<'a>(
         &self,
         name: &str,
         types: impl Iterator<Item = &'a Type> + Clone,
     ) -> Option<(&'static FunctionRow, Vec<Type>, Type)> {
-        // Not in OpenGL ES, whose compilers keep to the letter.
+        // Compilers of OpenGL ES follow the specification.
         if !self.language.has(Availability::V110) {
             return None;
         }

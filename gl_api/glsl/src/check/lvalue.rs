@@ -1,4 +1,4 @@
-//! What can be written (GLSL 1.30 section 5.8).
+//! L-values (GLSL 1.30 section 5.8).
 
 use super::Checker;
 use crate::builtins::variable;
@@ -8,7 +8,8 @@ use crate::text::source::Span;
 use rasterizer::ir::Stage;
 
 impl Checker<'_> {
-    /// Checks that `target` can be written, and notes that it is. `what` is done to it.
+    /// Checks that `target` is an l-value, and marks its variable as written. `what` is the verb of
+    /// the message.
     pub(super) fn check_written(&mut self, target: &Expr, what: &str) {
         if target.is_error() {
             return;
@@ -61,7 +62,7 @@ impl Checker<'_> {
         self.log.push(Diagnostic::error(span, message).rule(rule));
     }
 
-    /// Why a variable cannot be written.
+    /// Why a variable is read-only.
     fn read_only(&self, variable: &Variable) -> Option<&'static str> {
         if variable.ty.has_sampler() {
             return Some("a sampler");

@@ -1,11 +1,11 @@
-//! What operators take and give (GLSL 1.30 section 5.9).
+//! Types of operands and results (GLSL 1.30 section 5.9).
 
 use crate::ast::BinaryOp;
 use crate::language::Version;
 use crate::types::{BOOL, Scalar, Type, vec};
 
-/// Whether a value of `from` becomes `to` without a constructor (GLSL 1.30 section 4.1.10; 1.10
-/// has no such conversions).
+/// Whether a value of `from` converts to `to` implicitly (GLSL 1.30 section 4.1.10; 1.10 has no
+/// implicit conversions).
 pub fn converts(from: &Type, to: &Type, version: Version) -> bool {
     let (Type::Vector(from, n), Type::Vector(Scalar::Float, m)) = (from, to) else {
         return false;
@@ -28,7 +28,7 @@ pub struct BinaryTypes {
     pub result: Type,
 }
 
-/// Types a binary operation; `None` when the operands do not go together.
+/// The types of a binary operation; `None` if the operands do not go together.
 pub fn binary(op: BinaryOp, left: &Type, right: &Type, version: Version) -> Option<BinaryTypes> {
     match op {
         BinaryOp::Add | BinaryOp::Sub | BinaryOp::Mul | BinaryOp::Div => {
@@ -80,7 +80,7 @@ pub fn binary(op: BinaryOp, left: &Type, right: &Type, version: Version) -> Opti
     }
 }
 
-/// The scalar that both become.
+/// The scalar type that both operands convert to.
 fn common(a: Scalar, b: Scalar, version: Version) -> Option<Scalar> {
     let float = Type::Vector(Scalar::Float, 1);
     if a == b {

@@ -1,5 +1,5 @@
-//! What passes between stages: the words that say what a global is for, and the types that may
-//! pass (GLSL 1.30 section 4.3).
+//! Qualifiers of globals, and the types of variables that pass between stages (GLSL 1.30 section
+//! 4.3).
 
 use super::Checker;
 use crate::ast::{self, Qualifier};
@@ -11,7 +11,7 @@ use crate::text::source::Span;
 use crate::types::{FLOAT, INT, Scalar, Type};
 use rasterizer::ir::{Interpolation, Stage};
 
-/// What a storage qualifier makes a global in a stage; the error says why it cannot be there.
+/// The storage that a qualifier gives a global in a stage; the error says why it is not allowed.
 fn storage(
     qualifier: Qualifier,
     stage: Stage,
@@ -45,8 +45,8 @@ fn storage(
 }
 
 impl Checker<'_> {
-    /// What the qualifiers of a global make it, and how it passes; `None` when they contradict each
-    /// other.
+    /// The storage and the interface qualifiers of a global; `None` if its qualifiers contradict
+    /// each other.
     pub(super) fn global_storage(
         &mut self,
         ty: &ast::QualifiedType,
@@ -67,7 +67,7 @@ impl Checker<'_> {
                 | Qualifier::Out
                 | Qualifier::Inout => {
                     let before = word.replace((qualifier, span));
-                    // `varying out` is what EXT_gpu_shader4 calls an output of the fragment stage.
+                    // `varying out` of EXT_gpu_shader4 is an output of the fragment stage.
                     let output = self.language.enabled(Extension::GpuShader4)
                         && self.stage == Stage::Fragment
                         && qualifier == Qualifier::Out
@@ -82,7 +82,7 @@ impl Checker<'_> {
                 Qualifier::Smooth => Interpolation::Smooth,
                 Qualifier::Flat => Interpolation::Flat,
                 Qualifier::NoPerspective => Interpolation::NoPerspective,
-                // Invariance always holds: the word is only compared.
+                // Every result is invariant: the qualifier is only compared between the stages.
                 Qualifier::Invariant => {
                     interface_qualifiers.invariant = true;
                     invariant = Some(span);
@@ -138,7 +138,7 @@ impl Checker<'_> {
         }
     }
 
-    /// Qualifiers follow each other in one order (GLSL 1.30 section 4.7).
+    /// Qualifiers have a fixed order (GLSL 1.30 section 4.7).
     pub(super) fn check_order(&mut self, qualifiers: &[(Qualifier, Span)]) {
         if self.language.enabled(Extension::GpuShader4) {
             return;
@@ -153,8 +153,8 @@ impl Checker<'_> {
         }
     }
 
-    /// Words about interpolation stand at what passes from the vertex to the fragment stage, and
-    /// not where the word for the storage is the deprecated `varying` (GLSL 1.30 section 4.3).
+    /// Interpolation qualifiers are for what passes from the vertex to the fragment stage, and not
+    /// for the deprecated `varying` (GLSL 1.30 section 4.3).
     fn check_passing(
         &mut self,
         storage: Storage,
@@ -179,8 +179,8 @@ impl Checker<'_> {
         }
     }
 
-    /// Locations are of the `in`s of the vertex stage and the `out`s of the fragment stage
-    /// (ARB_explicit_attrib_location); the older words take none.
+    /// Only `in` of the vertex stage and `out` of the fragment stage have locations
+    /// (ARB_explicit_attrib_location), not `attribute` and `varying`.
     fn check_location(
         &mut self,
         storage: Storage,
@@ -226,7 +226,7 @@ impl Checker<'_> {
         }
     }
 
-    /// `invariant a, b;`: invariance holds always here, so it is only noted, for the linker.
+    /// `invariant a, b;`: recorded for the linker only, because every result is invariant.
     pub(super) fn invariant(&mut self, names: &[ast::Name]) {
         for name in names {
             let var = match self.scopes.find(&name.text) {
@@ -249,8 +249,8 @@ impl Checker<'_> {
         }
     }
 
-    /// `in` and `out` of globals came with 1.30; before, they are taken as what they mean there, so
-    /// that only this is reported.
+    /// `in` and `out` of globals came with 1.30. Before, they are reported and then treated like
+    /// `attribute` and `varying`, so that there are no further errors.
     fn check_old(&mut self, qualifier: Qualifier, span: Span) {
         let is_in = qualifier == Qualifier::In;
         if !is_in && self.language.enabled(Extension::GpuShader4) {
@@ -278,7 +278,7 @@ impl Checker<'_> {
         self.log.push(Diagnostic::error(span, message).rule(self.rule("4.3")).help(old));
     }
 
-    /// Which types may pass between the stages (GLSL 1.30 sections 4.3.4 to 4.3.6).
+    /// The types that may pass between the stages (GLSL 1.30 sections 4.3.4 to 4.3.6).
     pub(super) fn check_interface_type(&mut self, storage: Storage, ty: &Type, span: Span) {
         let integer =
             |ty: &Type| ty.any(&|part| matches!(part, Type::Vector(Scalar::Int | Scalar::Uint, _)));
@@ -320,7 +320,7 @@ impl Checker<'_> {
         }
     }
 
-    /// `precision highp float;`: every number has 32 bits here, so only the type is checked.
+    /// `precision highp float;`: all numbers have 32 bits, so only the type is checked.
     pub(super) fn default_precision(&mut self, name: &ast::TypeName) {
         let ty = self.type_of(name, &[]);
         match ty {

@@ -1,5 +1,5 @@
-//! Second declarations: arrays that get their size, and variables of the language with a size,
-//! words about interpolation or a layout (GLSL 1.30 sections 4.1.9, 4.3.7, 7.1 and 7.6).
+//! Redeclarations: arrays that get a size, and built-in variables with a size, an interpolation
+//! qualifier or a layout (GLSL 1.30 sections 4.1.9, 4.3.7, 7.1 and 7.6).
 
 use super::Checker;
 use super::scope::Symbol;
@@ -13,7 +13,7 @@ use crate::types::Type;
 use rasterizer::ir::Stage;
 
 impl Checker<'_> {
-    /// A redeclaration of a variable of the language; false if the name is none of those.
+    /// Checks the redeclaration of a built-in variable; false if the name is not built in.
     pub(super) fn redeclares_builtin(
         &mut self,
         declared: &ast::Declarator,
@@ -80,7 +80,7 @@ impl Checker<'_> {
         true
     }
 
-    /// Nothing but `gl_FragCoord` has a layout.
+    /// Only `gl_FragCoord` has a layout.
     pub(super) fn check_layout(
         &mut self,
         name: &ast::Name,
@@ -93,7 +93,7 @@ impl Checker<'_> {
         }
     }
 
-    /// The array without a size that a second declaration gives its size.
+    /// The unsized array that a redeclaration gives a size.
     pub(super) fn completes_array(
         &mut self,
         declared: &ast::Declarator,
@@ -119,7 +119,7 @@ impl Checker<'_> {
         Some(var)
     }
 
-    /// Makes an array without a size at least `len` long.
+    /// Counts an access with a constant index to an array, which has at least `len` elements.
     pub(super) fn note_constant_index(&mut self, var: VarRef, len: u32) {
         let variable = self.variable_mut(var);
         variable.constant_index_references += 1;
@@ -127,8 +127,8 @@ impl Checker<'_> {
     }
 }
 
-/// Gives arrays without a size the one that their largest index needs. The linker makes a global
-/// longer that another shader of the program needs longer.
+/// Gives unsized arrays the size that their largest index needs. The linker enlarges a global if
+/// another shader of the program needs more.
 pub(super) fn settle_arrays(variables: &mut [Variable]) {
     for variable in variables {
         if let Type::Array(element, None) = &variable.ty {

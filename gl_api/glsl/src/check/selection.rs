@@ -1,4 +1,4 @@
-//! Parts of values: elements, members and components (GLSL 1.30 sections 5.5 to 5.7).
+//! Elements, members and components of values (GLSL 1.30 sections 5.5 to 5.7).
 
 use super::Checker;
 use super::expr::word;
@@ -66,7 +66,7 @@ impl Checker<'_> {
         Expr { ty: element, span, constant, kind }
     }
 
-    /// A constant index lies in the array; one without a size is as large as it needs.
+    /// Checks a constant index; an unsized array grows with it.
     fn check_bounds(&mut self, base: &Expr, value: u32, len: Option<u32>, span: Span) {
         let builtin = base.root().map(|root| self.variable(root).storage);
         let implicit = match builtin {
@@ -151,7 +151,7 @@ impl Checker<'_> {
     }
 }
 
-/// The components that a swizzle names.
+/// The components that a swizzle selects.
 fn swizzle(text: &str, size: u8) -> Result<Vec<u8>, String> {
     let Some(set) = SWIZZLES.iter().find(|set| text.chars().all(|c| set.contains(c))) else {
         return Err(match text.chars().find(|c| !SWIZZLES.concat().contains(*c)) {

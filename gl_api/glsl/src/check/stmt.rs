@@ -115,7 +115,7 @@ impl Checker<'_> {
         checked
     }
 
-    /// A statement that is a block of its own.
+    /// A statement in a scope of its own.
     fn branch(&mut self, statement: &ast::Stmt) -> Vec<Stmt> {
         self.scoped(|checker| checker.unscoped(statement))
     }
@@ -130,7 +130,7 @@ impl Checker<'_> {
         all
     }
 
-    /// What a loop repeats. `for` and `while` have one scope for their head and it (section 6.3).
+    /// The body of a loop. In `for` and `while` it shares one scope with the head (section 6.3).
     fn loop_body(&mut self, check: impl FnOnce(&mut Self) -> Vec<Stmt>) -> Vec<Stmt> {
         self.nest(1);
         let body = check(self);
@@ -171,7 +171,7 @@ impl Checker<'_> {
         self.local_declaration(declaration, &mut declared);
         if let Some(Stmt::Declare(local, Some(value))) = declared.pop() {
             let value = self.boolean(value);
-            // Written anew in each turn.
+            // Each iteration writes it.
             self.variable_mut(VarRef::Local(local)).written = true;
             return (Some(local), Some(value));
         }
@@ -258,7 +258,7 @@ impl Checker<'_> {
         all.push(Stmt::Return(value));
     }
 
-    /// What a function returns, which is not converted.
+    /// The value of a `return`, which is not converted.
     fn returned(&mut self, value: Expr, ty: &Type) -> Expr {
         if value.ty == *ty || !converts(&value.ty, ty, self.version) {
             return self.implicit_conversion(value, ty, "return");
@@ -353,7 +353,7 @@ impl Checker<'_> {
         all.push(Stmt::Switch(selector, cases));
     }
 
-    /// The value of a `case`, which no other has.
+    /// The value of a `case`, which must be unique.
     fn case_label(
         &mut self,
         label: &ast::Expr,
@@ -378,14 +378,14 @@ impl Checker<'_> {
     }
 }
 
-/// Where a `switch` jumps to.
+/// A label of a `switch`.
 #[derive(Clone, Copy)]
 enum CaseLabel {
-    /// `case`, with its word.
+    /// `case` with its value.
     Value(u32),
     /// `default`.
     Default,
-    /// A `case` that is reported.
+    /// A `case` with an error.
     Wrong,
 }
 

@@ -1,7 +1,7 @@
 //! Uniform blocks and their layouts (ARB_uniform_buffer_object, section 4.3.5).
 //!
-//! A block becomes one uniform, a structure of its members; the names of the members stand for
-//! parts of it.
+//! A block becomes one uniform whose type is a structure of its members; the name of a member
+//! stands for the member of that structure.
 
 use super::Checker;
 use super::scope::Symbol;
@@ -17,7 +17,7 @@ use std::sync::Arc;
 const BLOCKS: &str = "ARB_uniform_buffer_object, section 4.3.5.1";
 const LAYOUTS: &str = "ARB_uniform_buffer_object, section 4.3.5.2";
 
-/// What a layout says.
+/// A block layout: packing and matrix order.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct BlockDefaults {
     packing: BlockPacking,
@@ -31,7 +31,7 @@ impl Default for BlockDefaults {
 }
 
 impl BlockDefaults {
-    /// Each word overrides those that it contradicts.
+    /// Applies a qualifier, which overrides those that it contradicts.
     fn set(&mut self, layout: BlockLayout) {
         match layout {
             BlockLayout::Shared => self.packing = BlockPacking::Shared,
@@ -48,7 +48,7 @@ impl Checker<'_> {
         self.log.push(Diagnostic::error(span, message).rule(rule));
     }
 
-    /// The layouts among some words; the others must be these.
+    /// The layout qualifiers; all other qualifiers must be `expected`.
     fn layouts(
         &mut self,
         words: &[(Qualifier, Span)],
@@ -66,7 +66,7 @@ impl Checker<'_> {
         layouts
     }
 
-    /// What the words before a block say, over what holds already.
+    /// The layout of a block with these qualifiers, over the default.
     fn layout_of(&mut self, words: &[(Qualifier, Span)]) -> BlockDefaults {
         let message = "before a uniform block stand `layout(...)` and `uniform`";
         let mut defaults = self.block_layout;
@@ -81,7 +81,7 @@ impl Checker<'_> {
         self.block_layout = self.layout_of(words);
     }
 
-    /// How the matrices of a member lie.
+    /// The matrix order of a member.
     fn order_of(&mut self, words: &[(Qualifier, Span)], order: MatrixOrder) -> MatrixOrder {
         let message = "a member of a uniform block takes `layout(...)` and `uniform`";
         let others = [Qualifier::Uniform, Qualifier::Precision];
@@ -112,7 +112,7 @@ impl Checker<'_> {
         let var = VarRef::Global(self.unit.globals.len() as u32);
         let whole = ast::Declarator { name: name.clone(), array: Vec::new(), init: None };
         let mut variable = self.new_variable(&whole, Type::Error, Storage::Uniform);
-        // No other variable has such a name.
+        // A name that no variable can have.
         variable.name = format!("block {}", name.text).into();
         self.unit.globals.push(variable);
         let mut fields: Vec<(Arc<str>, Type)> = Vec::new();
@@ -151,7 +151,7 @@ impl Checker<'_> {
         variable.block = Some(Arc::new(block));
     }
 
-    /// What no member can be.
+    /// Reports a type or qualifier that a member cannot have.
     fn check_member(&mut self, member: &ast::Declarator, ty: &Type) {
         let (name, span) = (&member.name.text, member.name.span);
         if member.init.is_some() {
@@ -184,7 +184,7 @@ impl Checker<'_> {
         Expr { ty: member, span, constant: false, kind }
     }
 
-    /// Layouts of uniform blocks stand at nothing else.
+    /// Reports block layouts on other declarations.
     pub(super) fn no_block_layout(&mut self, words: &[(Qualifier, Span)]) {
         let layout = words.iter().find(|(word, _)| matches!(word, Qualifier::Block(_)));
         if let Some(&(_, span)) = layout {

@@ -1,15 +1,15 @@
-//! Compiling with repairs: the suggested edits are applied to the text, round by round, until
-//! nothing is left to repair.
+//! Compiling with fix-its: the suggested edits are applied to the text, round by round, until none
+//! is left.
 
 use super::{Compiled, Pass, compile_once};
 use crate::text::diagnostics::{Diagnostic, Edit, Severity};
 use crate::text::source::Span;
 use rasterizer::ir::Stage;
 
-/// How many rounds of repairs there are at most: one repair can uncover another mistake.
+/// The maximum number of rounds: one edit can uncover another error.
 const MAX_ROUNDS: usize = 8;
 
-/// Compiles `text`, applying what the diagnostics suggest.
+/// Compiles `text` and applies the fix-its of its diagnostics.
 pub fn compile(stage: Stage, text: &str) -> Compiled {
     let mut text = text.to_owned();
     let mut rounds: Vec<Vec<Edit>> = Vec::new();
@@ -31,7 +31,7 @@ pub fn compile(stage: Stage, text: &str) -> Compiled {
     Compiled { shader: pass.shader(), log }
 }
 
-/// The edits of a pass, in order and apart from each other, and the warnings that tell of them.
+/// The edits of a pass, in order and disjoint, and the warnings that report them.
 fn applicable(pass: &Pass, rounds: &[Vec<Edit>], repaired: &mut Vec<Diagnostic>) -> Vec<Edit> {
     let mut edits: Vec<Edit> = Vec::new();
     for item in &pass.log.items {
@@ -71,10 +71,10 @@ fn apply(text: &str, edits: &[Edit]) -> String {
     result
 }
 
-/// Where an offset of the repaired text was in the original.
+/// The position in the original text of an offset in the edited text.
 fn original(offset: u32, rounds: &[Vec<Edit>]) -> u32 {
     rounds.iter().rev().fold(offset, |offset, edits| {
-        // How much longer the text before the offset became.
+        // How much longer the text before the offset has become.
         let mut grown = 0i64;
         for edit in edits {
             let start = i64::from(edit.span.start) + grown;

@@ -12,20 +12,20 @@ use rasterizer::ir::Stage;
 use rasterizer::stack::with_room;
 use std::sync::Arc;
 
-/// Whether the compiler applies the fixes it suggests.
+/// Whether the compiler applies the fix-its of its diagnostics.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum FixIts {
-    /// What is wrong is rejected.
+    /// They are suggested in the log; the shader is rejected.
     #[default]
     Suggest,
-    /// What has one suggested fix is fixed, and listed in the log as a warning.
+    /// They are applied, and listed in the log as warnings.
     Apply,
 }
 
-/// How to compile.
+/// Options of the compiler.
 #[derive(Clone, Debug, Default)]
 pub struct Options {
-    /// Whether suggested fixes are applied.
+    /// Whether fix-its are applied.
     pub fix_its: FixIts,
 }
 
@@ -42,12 +42,12 @@ impl Shader {
     }
 }
 
-/// What a compilation gives.
+/// The result of a compilation.
 #[derive(Clone, Debug)]
 pub struct Compiled {
     /// The shader, if there was no error.
     pub shader: Option<Shader>,
-    /// What `glGetShaderInfoLog` answers; empty when there is nothing to say.
+    /// The answer of `glGetShaderInfoLog`; empty if there is nothing to report.
     pub log: String,
 }
 
@@ -59,7 +59,7 @@ struct Pass {
 }
 
 impl Pass {
-    /// The shader, if nothing is wrong with it.
+    /// The shader, if there was no error.
     fn shader(self) -> Option<Shader> {
         (!self.log.has_errors()).then(|| Shader { unit: Arc::new(self.unit) })
     }
@@ -80,7 +80,8 @@ fn compile_once(stage: Stage, text: &str) -> Pass {
     Pass { unit, source, log }
 }
 
-/// Compiles one shader. Any text is fine; it never panics, and takes little of the caller's stack.
+/// Compiles one shader. Any text is accepted; it never panics, and needs little of the caller's
+/// stack.
 pub fn compile(stage: Stage, source: &str, options: &Options) -> Compiled {
     with_room(|| match options.fix_its {
         FixIts::Suggest => {

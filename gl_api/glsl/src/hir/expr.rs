@@ -24,11 +24,11 @@ pub struct Expr {
 /// What an expression is.
 #[derive(Clone, Debug)]
 pub enum ExprKind {
-    /// These words.
+    /// A constant, as words.
     Const(Arc<[u32]>),
     /// A variable.
     Var(VarRef),
-    /// Each component as the scalar of the expression's type.
+    /// Each component converted to the scalar type of the expression.
     Convert(Box<Expr>),
     /// An operator with one operand.
     Unary(UnaryOp, Box<Expr>),
@@ -40,36 +40,36 @@ pub enum ExprKind {
     IncDec(IncDec, IncDecResult, Box<Expr>),
     /// `a ? b : c`.
     Conditional(Box<[Expr; 3]>),
-    /// All, one after the other; the value of the last.
+    /// All expressions in order; the value of the last.
     Comma(Vec<Expr>),
     /// `a[b]`.
     Index(Box<Expr>, Box<Expr>),
-    /// The member of this index of a structure.
+    /// A member of a structure, by index.
     Field(Box<Expr>, u32),
     /// Components of a vector.
     Swizzle(Box<Expr>, Vec<u8>),
     /// A constructor.
     Construct(Vec<Expr>),
-    /// A function of the unit.
+    /// A call of a function of the unit, by index.
     Call(u32, Vec<Expr>),
-    /// A function of the language.
+    /// A call of a built-in function.
     Builtin(&'static FunctionRow, Vec<Expr>),
-    /// What was wrong; the shader does not link.
+    /// An error that was reported; the shader does not link.
     Error,
 }
 
 impl Expr {
-    /// What stands for something wrong.
+    /// The expression that stands for an error.
     pub fn error(span: Span) -> Self {
         Self { ty: Type::Error, span, constant: false, kind: ExprKind::Error }
     }
 
-    /// Whether this was wrong already.
+    /// Whether an error was reported for it.
     pub fn is_error(&self) -> bool {
         self.ty == Type::Error
     }
 
-    /// The variable that this is a part of.
+    /// The variable at the root of an access chain.
     pub fn root(&self) -> Option<VarRef> {
         match &self.kind {
             ExprKind::Var(var) => Some(*var),
@@ -91,7 +91,7 @@ impl Expr {
         }
     }
 
-    /// Adds the globals of its unit that it names.
+    /// Adds the globals of its unit that it references.
     pub fn add_globals(&self, found: &mut BTreeSet<u32>) {
         match &self.kind {
             ExprKind::Var(VarRef::Global(index)) => {
@@ -115,8 +115,8 @@ impl Expr {
         }
     }
 
-    /// Whether evaluating it can be seen otherwise than by its value, or takes long: a call of a
-    /// function, or a write.
+    /// Whether it must be evaluated exactly once where it stands: it writes something or calls a
+    /// function.
     pub fn has_effects(&self) -> bool {
         match &self.kind {
             ExprKind::Assign(..) | ExprKind::IncDec(..) | ExprKind::Call(..) => true,

@@ -10,7 +10,7 @@ use std::sync::Arc;
 pub struct Function {
     /// Its name.
     pub name: Arc<str>,
-    /// Which way its parameters go; their variables are the first locals.
+    /// The directions of its parameters, whose variables are the first locals.
     pub directions: Vec<Direction>,
     /// What it returns.
     pub result: Type,
@@ -22,12 +22,12 @@ pub struct Function {
     pub span: Span,
     /// The functions it calls, with repetitions.
     pub calls: Vec<(u32, Span)>,
-    /// The globals it names, each once, in order.
+    /// The globals it references, each once, in order.
     pub globals: Vec<u32>,
 }
 
 impl Function {
-    /// Which ways its parameters go, and which are constant.
+    /// The storage of each parameter: direction and `const`.
     pub fn parameter_storages(&self) -> impl Iterator<Item = Storage> {
         self.locals.iter().take(self.directions.len()).map(|local| local.storage)
     }
@@ -37,7 +37,7 @@ impl Function {
         self.locals[..self.directions.len()].iter().map(|local| &local.ty)
     }
 
-    /// Name and parameter types, which make a function what it is.
+    /// Name and parameter types, which identify a function.
     pub fn signature(&self) -> String {
         let types: Vec<String> = self.parameters().map(ToString::to_string).collect();
         format!("{}({})", self.name, types.join(", "))

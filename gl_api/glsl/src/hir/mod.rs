@@ -1,4 +1,4 @@
-//! A checked shader: every name resolved, every expression typed, every conversion written out.
+//! The checked shader: all names resolved, all expressions typed, all conversions explicit.
 
 mod expr;
 mod function;
@@ -23,9 +23,9 @@ pub struct Unit {
     pub stage: Stage,
     /// The version it is written in.
     pub version: Version,
-    /// Whether all that it passes on is invariant, by a `#pragma`.
+    /// Whether `#pragma STDGL invariant(all)` makes all outputs invariant.
     pub all_invariant: bool,
-    /// Its global variables, those of the language that it names among them.
+    /// Its global variables, with the built-in variables that it references.
     pub globals: Vec<Variable>,
     /// Its functions, prototypes among them.
     pub functions: Vec<Function>,
@@ -36,13 +36,13 @@ pub struct Unit {
 /// A variable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum VarRef {
-    /// Of the unit.
+    /// A global of the unit.
     Global(u32),
-    /// Of the function; the parameters come first.
+    /// A local of the function; the parameters come first.
     Local(u32),
 }
 
-/// Which way a parameter goes.
+/// The direction of a parameter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Direction {
     /// `in`.
@@ -53,10 +53,10 @@ pub enum Direction {
     Inout,
 }
 
-/// What a variable is.
+/// Where a variable is stored, or what it stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Storage {
-    /// Read and written.
+    /// A variable that is read and written.
     Plain,
     /// `const`.
     Const,
@@ -72,11 +72,11 @@ pub enum Storage {
     Input(Interpolation),
     /// `out` of the fragment stage.
     FragmentOutput,
-    /// Part of the language.
+    /// A built-in variable.
     Builtin(Builtin),
 }
 
-/// The words about how a variable passes between the stages, as written.
+/// Interpolation, invariance and layout qualifiers, as written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct InterfaceQualifiers {
     /// `smooth`, `flat` or `noperspective`.
@@ -93,8 +93,8 @@ pub struct InterfaceQualifiers {
     pub location: Option<u32>,
 }
 
-/// How a uniform block lies in its buffer (ARB_uniform_buffer_object, section 4.3.5.2). They lie
-/// all as `std140` says; what is `packed` and not named is not there.
+/// The packing of a uniform block (ARB_uniform_buffer_object, section 4.3.5.2). All are laid out
+/// like `std140`; blocks that are `packed` and not referenced are not active.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BlockPacking {
     /// `shared`.
@@ -105,14 +105,14 @@ pub enum BlockPacking {
     Std140,
 }
 
-/// What makes a uniform that is a structure a uniform block: its members have the names.
+/// The block of a uniform whose type is the structure of the block's members.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Block {
     /// The block's name.
     pub name: Arc<str>,
-    /// How it lies in its buffer.
+    /// Its packing.
     pub packing: BlockPacking,
-    /// How the matrices of each member lie.
+    /// The matrix order of each member.
     pub orders: Vec<MatrixOrder>,
 }
 
@@ -123,27 +123,27 @@ pub struct Variable {
     pub name: Arc<str>,
     /// Its type.
     pub ty: Type,
-    /// What it is.
+    /// Where it is stored.
     pub storage: Storage,
     /// Where its name is declared.
     pub span: Span,
-    /// Where the type stands, if this is the only name declared with it.
+    /// Where its type stands, if this is the only name of the declaration.
     pub type_span: Option<Span>,
     /// Whether anything but its initializer writes it.
     pub written: bool,
-    /// Whether it is indexed by what is not constant.
+    /// Whether an index that is not constant selects an element.
     pub dynamically_indexed: bool,
     /// Of an array: one more than the largest constant index.
     pub min_len: u32,
-    /// How often it is named.
+    /// How many references to it there are.
     pub references: u32,
-    /// How often of these it is an array of which a constant names an element.
+    /// How many of these select an element of an array by a constant index.
     pub constant_index_references: u32,
-    /// The words about how it passes between the stages, as written.
+    /// Its interpolation, invariance and layout qualifiers.
     pub interface_qualifiers: InterfaceQualifiers,
     /// Whether the size of the array comes from its largest index alone.
     pub implicitly_sized: bool,
-    /// What it is as a uniform block.
+    /// The uniform block that it is.
     pub block: Option<Arc<Block>>,
     /// Its words, if it is a constant.
     pub constant: Option<Arc<[u32]>>,
@@ -152,7 +152,7 @@ pub struct Variable {
 }
 
 impl Variable {
-    /// One that nothing is known of but how it is declared, at `span`.
+    /// A variable without references, declared at `span`.
     pub fn new(name: Arc<str>, ty: Type, storage: Storage, span: Span) -> Self {
         Self {
             name,
@@ -173,13 +173,14 @@ impl Variable {
         }
     }
 
-    /// Whether its value has effects, so that it is worked out even if nobody names the variable.
+    /// Whether its initializer has effects, so that it must run even if nothing references the
+    /// variable.
     pub fn has_effects(&self) -> bool {
         self.storage == Storage::Plain && self.init.as_ref().is_some_and(Expr::has_effects)
     }
 
-    /// How many elements of an array anything names, from the first one on (GL 2.1, section 2.15.3:
-    /// the highest index used, plus one); `None` where all may be.
+    /// The number of elements of an array that are used, from the first one on (GL 2.1, section
+    /// 2.15.3: the highest index used, plus one); `None` if all may be.
     pub fn used_elements(&self) -> Option<u32> {
         (self.references == self.constant_index_references).then_some(self.min_len)
     }

@@ -1,11 +1,11 @@
-//! Functions that call themselves.
+//! Recursive calls.
 
 use crate::hir::Function;
 use crate::text::source::Span;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// How far a function has been looked at.
+/// The state of a function in the depth-first search.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum VisitState {
     New,
@@ -13,8 +13,8 @@ enum VisitState {
     Done,
 }
 
-/// The first function found that calls itself, directly or through others, and where. Prototypes
-/// count as the function they announce.
+/// The first function found that calls itself, directly or through others, and the call. Prototypes
+/// stand for their definition.
 pub fn recursive_call(functions: &[Function]) -> Option<(Arc<str>, Span)> {
     let mut bodies: BTreeMap<String, usize> = BTreeMap::new();
     for (index, function) in functions.iter().enumerate() {
@@ -28,7 +28,8 @@ pub fn recursive_call(functions: &[Function]) -> Option<(Arc<str>, Span)> {
         if states[start] != VisitState::New {
             continue;
         }
-        // Depth first without recursion: function, and how many of its calls were followed.
+        // Depth-first search with an explicit stack: function, and how many of its calls were
+        // followed.
         let mut path = vec![(start, 0)];
         states[start] = VisitState::Open;
         while let Some((function, followed)) = path.last_mut() {

@@ -5,7 +5,7 @@ use super::Expr;
 /// A statement.
 #[derive(Clone, Debug)]
 pub enum Stmt {
-    /// A local variable comes into being.
+    /// The declaration of a local variable, with its initializer.
     Declare(u32, Option<Expr>),
     /// An expression.
     Expr(Expr),
@@ -13,7 +13,7 @@ pub enum Stmt {
     Block(Vec<Stmt>),
     /// `if`.
     If(Expr, Vec<Stmt>, Vec<Stmt>),
-    /// Any loop.
+    /// A loop of any kind.
     Loop(Box<Loop>),
     /// `switch`: the selector and its groups of statements.
     Switch(Expr, Vec<Case>),
@@ -32,22 +32,22 @@ pub enum Stmt {
 pub struct Loop {
     /// The variable that the condition declares.
     pub declare: Option<u32>,
-    /// Tested before each turn.
+    /// Tested before each iteration.
     pub before: Option<Expr>,
     /// The body.
     pub body: Vec<Stmt>,
-    /// Runs after each turn.
+    /// Runs after each iteration.
     pub step: Option<Expr>,
-    /// Tested after each turn.
+    /// Tested after each iteration.
     pub after: Option<Expr>,
 }
 
-/// A label's statements, up to the next label.
+/// The statements of a label, up to the next label.
 #[derive(Clone, Debug)]
 pub struct Case {
-    /// The values that lead here.
+    /// The values of its `case` labels.
     pub labels: Vec<u32>,
-    /// Whether `default` leads here.
+    /// Whether it has a `default` label.
     pub default: bool,
     /// The statements.
     pub body: Vec<Stmt>,

@@ -1,4 +1,4 @@
-//! In which versions, profiles, extensions and stages something is there.
+//! Availability: versions, profiles, extensions and stages that have something.
 
 use super::{Extension, Version};
 use rasterizer::ir::Stage;

@@ -7,7 +7,7 @@ use super::Version;
 pub enum Extension {
     /// `GL_ARB_arrays_of_arrays`: arrays of more than one dimension.
     ArraysOfArrays,
-    /// `GL_ARB_compatibility`: what GLSL 1.40 has left out, which is there with or without it.
+    /// `GL_ARB_compatibility`: what GLSL 1.40 has removed, available with or without it.
     Compatibility,
     /// `GL_ARB_draw_buffers`: `gl_FragData`, which every version has.
     DrawBuffers,
@@ -17,7 +17,7 @@ pub enum Extension {
     ExplicitAttribLocation,
     /// `GL_ARB_fragment_coord_conventions`: `layout(...)` of `gl_FragCoord`.
     FragmentCoordConventions,
-    /// `GL_ARB_shader_bit_encoding`: `floatBitsToInt` and its kin.
+    /// `GL_ARB_shader_bit_encoding`: `floatBitsToInt` and the like.
     ShaderBitEncoding,
     /// `GL_ARB_shader_stencil_export`: `gl_FragStencilRefARB`.
     ShaderStencilExport,
@@ -35,7 +35,7 @@ pub enum Extension {
     TextureRectangle,
     /// `GL_ARB_uniform_buffer_object`: uniform blocks.
     UniformBufferObject,
-    /// `GL_EXT_gpu_shader4`, as far as it is what GLSL 1.30 has.
+    /// `GL_EXT_gpu_shader4`: the part that GLSL 1.30 has adopted.
     GpuShader4,
     /// `GL_EXT_texture_array`: `sampler1DArray`, `sampler2DArray`.
     TextureArray,

@@ -1,4 +1,4 @@
-//! The versions of the language, its extensions, and what either brings.
+//! Versions and extensions of the language, and what is available in them.
 
 mod availability;
 mod extension;
@@ -21,8 +21,8 @@ pub struct Language {
 }
 
 impl From<Version> for Language {
-    /// A version as it begins: rectangles are the one extension that is there unasked, as
-    /// `GL_ARB_texture_rectangle` says.
+    /// A version without `#extension`: of the extensions only `GL_ARB_texture_rectangle` is enabled
+    /// by default, as its specification says.
     fn from(version: Version) -> Self {
         let rectangles = Extension::TextureRectangle;
         let enabled = if rectangles.is_in(version) { rectangles.bit() } else { 0 };

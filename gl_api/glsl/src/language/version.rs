@@ -1,10 +1,10 @@
 //! The versions of the language.
 
-/// A version that `#version` can ask for, by what it has: GLSL ES 1.00 comes after 1.10, of which
-/// it is nearly a subset.
+/// A version that `#version` can select, in the order of features: GLSL ES 1.00 comes after 1.10,
+/// of which it is nearly a subset.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Version {
-    /// GLSL 1.10, what a shader without `#version` is written in.
+    /// GLSL 1.10, the version of a shader without `#version`.
     V110,
     /// GLSL ES 1.00.
     Es100,
@@ -12,14 +12,14 @@ pub enum Version {
     V120,
     /// GLSL 1.30.
     V130,
-    /// GLSL 1.40 as contexts with `GL_ARB_compatibility` have it: with everything of 1.30.
+    /// GLSL 1.40 with `GL_ARB_compatibility`: with everything of 1.30.
     V140,
 }
 
 impl Version {
     /// Every version.
     pub const ALL: [Self; 5] = [Self::V110, Self::Es100, Self::V120, Self::V130, Self::V140];
-    /// The newest, which stands in for those that there are not.
+    /// The newest version, which stands in for unknown ones.
     pub const NEWEST: Self = Self::V140;
 
     /// The number that `#version` takes and `__VERSION__` gives.
@@ -33,7 +33,7 @@ impl Version {
         }
     }
 
-    /// As the specification's title has it.
+    /// The title of its specification.
     pub fn title(self) -> &'static str {
         match self {
             Self::V110 => "GLSL 1.10",

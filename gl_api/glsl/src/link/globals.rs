@@ -10,7 +10,7 @@ use crate::types::Type;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// Whether a variable is one in the whole program, and not one in each stage.
+/// Whether a variable is shared by all stages, and not one in each stage.
 fn is_shared(variable: &Variable) -> bool {
     match variable.storage {
         Storage::Uniform | Storage::Output(_) | Storage::Input(_) => true,
@@ -26,11 +26,11 @@ fn is_shared(variable: &Variable) -> bool {
 /// A variable by its name, and its stage unless both stages share it.
 type Key<'a> = (Arc<str>, Option<&'a str>);
 
-/// The units, with arrays that have no size but their largest index as long as the declaration of
-/// another shader says, or as any of them needs.
+/// The units, with implicitly sized arrays as long as the declaration of another shader says, or
+/// else as the largest index in any of them needs.
 pub fn unify_globals(units: impl Iterator<Item = Arc<Unit>>) -> Vec<Arc<Unit>> {
     let mut units: Vec<Arc<Unit>> = units.collect();
-    // Of each name, in both stages or in one: the longest size, and the one that is declared.
+    // Per key: the largest implicit size, and the declared size.
     let mut sizes: BTreeMap<Key<'_>, (u32, Option<u32>)> = BTreeMap::new();
     let key = |unit: &Unit, variable: &Variable| {
         (variable.name.clone(), (!is_shared(variable)).then(|| stage_name(unit.stage)))
@@ -52,7 +52,7 @@ pub fn unify_globals(units: impl Iterator<Item = Arc<Unit>>) -> Vec<Arc<Unit>> {
     for (unit, global, len) in implicit {
         let known = sizes.get(&key(&units[unit], &units[unit].globals[global]));
         let Some((longest, declared)) = known else { continue };
-        lengths.push((unit, global, declared.filter(|said| *said >= len).unwrap_or(*longest)));
+        lengths.push((unit, global, declared.filter(|size| *size >= len).unwrap_or(*longest)));
     }
     for (unit, global, len) in lengths {
         let variable = &mut Arc::make_mut(&mut units[unit]).globals[global];
@@ -65,7 +65,7 @@ pub fn unify_globals(units: impl Iterator<Item = Arc<Unit>>) -> Vec<Arc<Unit>> {
     units
 }
 
-/// Globals of the same name in several shaders of a stage are the same.
+/// Globals of the same name in several shaders of a stage must be declared alike.
 pub fn same_globals(units: &[&Unit], stage: &str, log: &mut Log) {
     let mut known: BTreeMap<&str, (&Unit, &Variable)> = BTreeMap::new();
     for (unit, variable) in
@@ -105,7 +105,7 @@ pub fn same_globals(units: &[&Unit], stage: &str, log: &mut Log) {
     }
 }
 
-/// Whether two initializers give one value. Several shaders can only give what is constant
+/// Whether two initializers give one value. Of several shaders, only constant initializers can
 /// (GLSL 1.30 section 4.3).
 fn same_value((home, a): (&Unit, &Expr), (away, b): (&Unit, &Expr)) -> bool {
     if a.has_effects() || b.has_effects() {

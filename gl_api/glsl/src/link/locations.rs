@@ -1,7 +1,7 @@
-//! What has a number that the application can choose: attributes and fragment outputs (GL 2.1
-//! section 2.15.3, GLSL 1.30 section 7.2).
+//! Locations of attributes and fragment outputs, which the application can choose (GL 2.1 section
+//! 2.15.3, GLSL 1.30 section 7.2).
 
-use super::{BindingMap, StageUnits};
+use super::stage::{BindingMap, StageUnits};
 use crate::builtins::variable::Builtin;
 use crate::hir::{Storage, Variable};
 use crate::interface::ATTRIB_VERTEX;
@@ -10,7 +10,8 @@ use crate::lower::Binding;
 use crate::program::{Attribute, Bindings};
 use crate::text::diagnostics::{Diagnostic, Log};
 
-/// Gives attributes their locations: first those that were bound, then the others in order.
+/// Gives attributes their locations: first those with an explicit or bound location, then the
+/// others in order.
 pub fn attributes(
     vertex: &StageUnits<'_>,
     bindings: &Bindings,
@@ -26,12 +27,12 @@ pub fn attributes(
     taken[0] = position;
     let mut found: Vec<Option<u8>> = Vec::new();
     for variable in &used {
-        // What the shader says goes before what the application says.
-        let said = variable
+        // `layout(location = n)` overrides `glBindAttribLocation`.
+        let explicit = variable
             .interface_qualifiers
             .location
-            .map(|said| u8::try_from(said).unwrap_or(u8::MAX));
-        let bound = said.or_else(|| bindings.attributes.get(&*variable.name).copied());
+            .map(|explicit| u8::try_from(explicit).unwrap_or(u8::MAX));
+        let bound = explicit.or_else(|| bindings.attributes.get(&*variable.name).copied());
         found.push(bound);
         if position && bound == Some(0) {
             let message = format!(
@@ -90,7 +91,7 @@ fn conventional(vertex: &StageUnits<'_>) -> Vec<Attribute> {
     vertex.used.iter().filter_map(attribute).collect()
 }
 
-/// Gives the outputs of the fragment stage their render targets: name and colour of each.
+/// Gives the outputs of the fragment stage their colour attachments: name and attachment of each.
 pub fn targets(
     fragment: &StageUnits<'_>,
     bindings: &Bindings,
@@ -105,16 +106,16 @@ pub fn targets(
         log.push(Diagnostic::link_error(message).rule("GLSL 1.30 section 7.2"));
     }
     let mut taken = [false; MAX_DRAW_BUFFERS as usize];
-    // An array takes a colour for each element.
+    // An array takes an attachment for each element.
     let colors = |variable: &Variable| {
         (variable.ty.scalars() / variable.ty.base().scalars().max(1)) as usize
     };
     let bound = |variable: &Variable| {
-        let said = variable
+        let explicit = variable
             .interface_qualifiers
             .location
-            .map(|said| u8::try_from(said).unwrap_or(u8::MAX));
-        said.or_else(|| bindings.frag_data.get(&*variable.name).copied())
+            .map(|explicit| u8::try_from(explicit).unwrap_or(u8::MAX));
+        explicit.or_else(|| bindings.frag_data.get(&*variable.name).copied())
     };
     for output in &outputs {
         let Some(target) = bound(output) else { continue };

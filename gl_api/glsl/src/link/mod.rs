@@ -1,50 +1,28 @@
-//! Shaders to a program (GL 2.1 section 2.15, GLSL 1.30 section 4.3): the stages' interfaces are
-//! matched, locations and uniform words given, and both stages lowered.
+//! Shaders to a program (GL 2.1 section 2.15, GLSL 1.30 section 4.3): matches the interfaces of the
+//! stages, assigns locations and uniform words, and lowers both stages.
 
 mod blocks;
 mod globals;
 mod locations;
+mod stage;
 mod std140;
 mod transform_feedback;
 mod uniforms;
 mod varyings;
 
-use crate::hir::recursive_call;
-use crate::hir::{Function, Storage, Unit, Variable};
+use crate::hir::Unit;
 use crate::interface::MAX_TEXTURE_IMAGE_UNITS;
 use crate::language::{Version, stage_name};
-use crate::lower::{self, Binding, Words, lower_stage};
+use crate::lower::{Binding, Words, lower_stage};
 use crate::program::{Bindings, Captured, Linked, Program, SamplerSlot};
 use crate::text::diagnostics::{Diagnostic, Log};
 use rasterizer::ir::Module;
 use rasterizer::ir::Stage;
-use std::collections::{BTreeMap, BTreeSet};
+use stage::{BindingMap, StageUnits, stage_units};
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
-type BindingMap = BTreeMap<Arc<str>, Binding>;
-
-/// The shaders of one stage.
-struct StageUnits<'a> {
-    stage: Stage,
-    units: Vec<&'a Unit>,
-    /// What `main` reaches.
-    reachable: Vec<(usize, &'a Function)>,
-    /// The globals it names, each once by name, in order.
-    used: Vec<&'a Variable>,
-}
-
-impl<'a> StageUnits<'a> {
-    /// Every global of the stage.
-    fn declared(&self) -> impl Iterator<Item = &'a Variable> {
-        self.units.iter().flat_map(|unit| unit.globals.iter())
-    }
-
-    fn with(&self, test: impl Fn(Storage) -> bool) -> Vec<&'a Variable> {
-        self.used.iter().copied().filter(|variable| test(variable.storage)).collect()
-    }
-}
-
-/// Links shaders into a program; of none, the program leaves everything to the fixed function.
+/// Links shaders into a program; without shaders, both stages are fixed function.
 pub fn link(shaders: &[&Arc<Unit>], bindings: &Bindings) -> Linked {
     let mut log = Log::default();
     let program = build(shaders, bindings, &mut log);
@@ -117,13 +95,14 @@ fn build(shaders: &[&Arc<Unit>], bindings: &Bindings, log: &mut Log) -> Option<P
     })
 }
 
-/// The vertex stage writes the position.
+/// The vertex stage must write the position.
 fn check_position(vertex: &StageUnits<'_>, captured: &[Captured], log: &mut Log) {
     if vertex.used.iter().any(|v| &*v.name == "gl_Position" && v.written) {
         return;
     }
     let message = "the vertex shader never writes gl_Position";
-    // What is seen is undefined in GLSL ES and from 1.40 on; those between forbid it.
+    // Without it the position is undefined in GLSL ES and from 1.40 on; the versions between forbid
+    // it.
     let is_legal = vertex
         .units
         .iter()
@@ -132,12 +111,12 @@ fn check_position(vertex: &StageUnits<'_>, captured: &[Captured], log: &mut Log)
     if !is_legal {
         log.push(Diagnostic::link_error(message).rule(rule));
     } else if captured.is_empty() {
-        // What is captured need not be seen.
+        // A program that only captures needs no position.
         log.push(Diagnostic::link_warning(message).rule(rule));
     }
 }
 
-/// The module of a stage; its words and samplers come to those that there are.
+/// The module of a stage; its words and samplers are appended to those of the program.
 fn lowered(
     of: &StageUnits<'_>,
     locations: &BindingMap,
@@ -175,62 +154,4 @@ fn lowered(
             None
         }
     }
-}
-
-/// The shaders of a stage, checked against each other; `None` if it has none.
-fn stage_units<'a>(units: &'a [Arc<Unit>], stage: Stage, log: &mut Log) -> Option<StageUnits<'a>> {
-    let name = stage_name(stage);
-    let units: Vec<&Unit> =
-        units.iter().map(|unit| &**unit).filter(|unit| unit.stage == stage).collect();
-    if units.is_empty() {
-        return None;
-    }
-    let mut bodies: BTreeSet<String> = BTreeSet::new();
-    for function in units.iter().flat_map(|unit| &unit.functions) {
-        if function.body.is_some() {
-            let signature = function.signature();
-            if !bodies.insert(signature) {
-                let signature = function.signature();
-                let message = format!("`{signature}` is defined in two {name} shaders");
-                log.push(Diagnostic::link_error(message));
-            }
-        }
-    }
-    if !bodies.contains("main()") {
-        let message = format!("no {name} shader has a function `main`");
-        log.push(Diagnostic::link_error(message).rule("GLSL 1.30 section 6.1"));
-        return None;
-    }
-    if units.len() > 1 {
-        if let Some((name, _)) = recursive_call(&merged(&units)) {
-            let message = format!("`{name}` calls itself, directly or through others");
-            log.push(Diagnostic::link_error(message).rule("GLSL 1.30 section 6.1"));
-            return None;
-        }
-        globals::same_globals(&units, name, log);
-    }
-    let reachable = lower::reachable(&units);
-    let mut used: Vec<&Variable> = Vec::new();
-    let mut names: BTreeSet<&str> = BTreeSet::new();
-    for (unit, global) in lower::named_globals(&units, &reachable) {
-        let variable = &units[unit].globals[global as usize];
-        if names.insert(&variable.name) {
-            used.push(variable);
-        }
-    }
-    Some(StageUnits { stage, units, reachable, used })
-}
-
-/// The functions of several units as those of one.
-fn merged(units: &[&Unit]) -> Vec<Function> {
-    let mut all: Vec<Function> = Vec::new();
-    for unit in units {
-        let first = all.len() as u32;
-        for function in &unit.functions {
-            let mut function = function.clone();
-            function.calls.iter_mut().for_each(|(call, _)| *call += first);
-            all.push(function);
-        }
-    }
-    all
 }

@@ -1,9 +1,9 @@
-//! Where the members of a uniform block lie in its buffer: ARB_uniform_buffer_object, section
-//! 2.15.3.1.2. All layouts are this one.
+//! Offsets of the members of a uniform block: ARB_uniform_buffer_object, section 2.15.3.1.2. Every
+//! layout is laid out like this.
 
 use crate::types::{MatrixOrder, Type};
 
-/// The base alignment of a `vec4`, to which that of everything but short vectors is rounded up.
+/// The base alignment of a `vec4`, to which all but short vectors are rounded up.
 const VEC4: u32 = 16;
 
 /// The base alignment of a type, in bytes (rules 1 to 10).

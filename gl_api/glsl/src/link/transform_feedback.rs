@@ -1,7 +1,7 @@
-//! What transform feedback captures (GL 3.0 section 2.15): the names that were asked for become
-//! outputs of the vertex stage.
+//! Transform feedback (GL 3.0 section 2.15): the varyings to capture become outputs of the vertex
+//! stage.
 
-use super::{BindingMap, StageUnits};
+use super::stage::{BindingMap, StageUnits};
 use crate::builtins::variable::Builtin;
 use crate::hir::{Storage, Variable};
 use crate::limits::{
@@ -15,7 +15,8 @@ use rasterizer::ir::{Output, Ty};
 
 const RULE: &str = "GL 3.0 section 2.15";
 
-/// Finds what was asked for; what the fragment stage does not read gets slots from `next` on.
+/// Finds the varyings to capture; those that the fragment stage does not read get slots from `next`
+/// on.
 pub fn captured(
     vertex: Option<&StageUnits<'_>>,
     request: &Capture,
@@ -57,7 +58,7 @@ pub fn captured(
     all
 }
 
-/// What a name stands for.
+/// The variable, or element of an array, that a name stands for.
 fn find(
     vertex: Option<&StageUnits<'_>>,
     wanted: &CaptureRequest,
@@ -140,7 +141,7 @@ fn find(
     Ok(Captured { name: wanted.to_string(), ty, size, scalars })
 }
 
-/// The outputs that scalars of these types are, from a slot on.
+/// The outputs of scalars of these types, from a slot on.
 fn scalars(types: &[Ty], first: u16) -> Vec<CapturedScalar> {
     let mut next = first;
     let mut take = || {

@@ -1,6 +1,6 @@
-//! What passes from the vertex to the fragment stage (GLSL 1.30 sections 4.3.6 and 4.3.7).
+//! Varyings: from the vertex to the fragment stage (GLSL 1.30 sections 4.3.6 and 4.3.7).
 
-use super::{BindingMap, StageUnits};
+use super::stage::{BindingMap, StageUnits};
 use crate::hir::{Storage, Variable};
 use crate::interface::VARYING_USER;
 use crate::language::Version;
@@ -10,8 +10,8 @@ use crate::text::diagnostics::{Diagnostic, Log};
 use rasterizer::ir::Interpolation;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Matches what the vertex stage writes with what the fragment stage reads; gives the first slot that
-/// is free.
+/// Matches the outputs of the vertex stage with the inputs of the fragment stage; gives the first
+/// free slot.
 pub fn varyings(
     vertex: Option<&StageUnits<'_>>,
     fragment: Option<&StageUnits<'_>>,
@@ -19,7 +19,7 @@ pub fn varyings(
     in_fragment: &mut BindingMap,
     log: &mut Log,
 ) -> u16 {
-    // Of each name, what the vertex stage declares, and whether it writes it.
+    // By name: the declaration of the vertex stage, and whether the stage writes it.
     let mut outputs: Vec<(&Variable, bool)> = Vec::new();
     let mut named: BTreeMap<&str, usize> = BTreeMap::new();
     for variable in vertex.iter().flat_map(|stage| stage.declared()) {
@@ -34,7 +34,7 @@ pub fn varyings(
     }
     let (mut next, mut scalars) = (VARYING_USER, 0u32);
     let (Some(vertex), Some(fragment)) = (vertex, fragment) else {
-        // The fixed function writes no varying of the program's: it is undefined, here zero.
+        // A fixed-function vertex stage writes no user varying: it is undefined, here zero.
         for input in fragment.iter().flat_map(|fragment| fragment.with(is_input)) {
             in_fragment.insert(input.name.clone(), Binding::Varying(None));
         }
@@ -115,7 +115,7 @@ fn check_alike(output: &Variable, input: &Variable, vertex: &StageUnits<'_>, log
     log.push(Diagnostic::link_error(message).rule(rule));
 }
 
-/// The words about its passing that two declarations of a varying differ in.
+/// The qualifiers in which two declarations of a varying differ.
 fn mismatch(output: &Variable, input: &Variable) -> Option<(&'static str, &'static str)> {
     if let (Storage::Output(a), Storage::Input(b)) = (output.storage, input.storage)
         && a != b
@@ -131,7 +131,7 @@ fn mismatch(output: &Variable, input: &Variable) -> Option<(&'static str, &'stat
     None
 }
 
-/// How an interpolation is written.
+/// The keyword of an interpolation.
 fn word(interpolation: Interpolation) -> &'static str {
     match interpolation {
         Interpolation::Smooth => "smooth",
@@ -140,14 +140,14 @@ fn word(interpolation: Interpolation) -> &'static str {
     }
 }
 
-/// What the fragment stage reads of a colour and what the vertex stage writes of it.
+/// The inputs of the fragment stage for a colour, and the outputs of the vertex stage.
 const COLORS: [[&str; 3]; 2] = [
     ["gl_Color", "gl_FrontColor", "gl_BackColor"],
     ["gl_SecondaryColor", "gl_FrontSecondaryColor", "gl_BackSecondaryColor"],
 ];
 
-/// The interpolation of the colour and the secondary colour, where the shaders say it: all of a
-/// colour that they use say the same (GLSL 1.30 section 4.3.7).
+/// The interpolation of the colour and the secondary colour, if a shader declares it: all of the
+/// built-in variables of one colour must agree (GLSL 1.30 section 4.3.7).
 pub fn colors(
     vertex: Option<&StageUnits<'_>>,
     fragment: Option<&StageUnits<'_>>,
@@ -166,10 +166,12 @@ pub fn colors(
             (front, used(vertex, front)),
             (back, used(vertex, back)),
         ];
-        let mut said = all.into_iter().filter_map(|(name, said)| said.map(|said| (name, said)));
-        let (first, interpolation) = said.next()?;
-        if let Some((other, different)) = said.find(|(_, other)| *other != interpolation) {
-            let text = |said: Option<Interpolation>| said.map_or("not qualified", word);
+        let mut declared = all
+            .into_iter()
+            .filter_map(|(name, declared)| declared.map(|declared| (name, declared)));
+        let (first, interpolation) = declared.next()?;
+        if let Some((other, different)) = declared.find(|(_, other)| *other != interpolation) {
+            let text = |declared: Option<Interpolation>| declared.map_or("not qualified", word);
             let message = format!(
                 "`{first}` is {} and `{other}` is {}",
                 text(interpolation),

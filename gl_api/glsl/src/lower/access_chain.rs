@@ -1,4 +1,4 @@
-//! Where variables live, and reading and writing parts of them.
+//! Storage of variables, and access chains: loads and stores of elements, members and components.
 
 use super::expr::not_a_variable;
 use super::{LowerError, LowerResult, Lowerer};
@@ -8,24 +8,24 @@ use crate::types::Type;
 use rasterizer::ir::{Expr as IrExpr, Op, Stmt, Ty, Value, Var};
 use std::rc::Rc;
 
-/// Where the scalars of a variable live.
+/// Where the scalars of a variable are stored.
 #[derive(Clone, Debug)]
 pub enum VarStorage {
-    /// They are these, and never change.
+    /// Values that never change.
     Values(Rc<[Value]>),
-    /// A variable each.
+    /// An IR variable for each scalar.
     Vars(Rc<[Var]>),
-    /// Elements of arrays, one array for each type of scalar, all as long as the variable.
+    /// IR arrays, one for each type of scalar, each as long as the variable.
     Arrays(Rc<Arrays>),
-    /// Uniform words in a row, beginning here.
+    /// Consecutive uniform words, from this one on.
     Uniform(u32, Rc<[Ty]>),
-    /// State of each unit, light or plane: so many words an element, of these types all.
+    /// State of each unit, light or plane: words per element, and the types of all scalars.
     States(StateArray, u32, Rc<[Ty]>),
-    /// A part of another variable.
+    /// Part of another variable.
     Alias(Rc<AccessChain>),
 }
 
-/// Arrays that hold a variable which is indexed dynamically.
+/// The IR arrays of a variable that is dynamically indexed.
 #[derive(Clone, Debug)]
 pub struct Arrays {
     /// The type of each scalar.
@@ -34,27 +34,27 @@ pub struct Arrays {
     vars: Vec<(Ty, Var)>,
 }
 
-/// A part of a variable.
+/// A path from a variable to an element, member or components of it.
 #[derive(Clone, Debug)]
 pub struct AccessChain {
-    /// Where the whole variable lives.
+    /// The storage of the whole variable.
     pub storage: VarStorage,
     /// How many scalars the whole variable has.
     total: u32,
-    /// The first scalar, besides `dynamic`.
+    /// The first scalar, without `dynamic_offset`.
     pub base: u32,
-    /// A `u32` to add, below the total.
+    /// A `u32` to add to it, below the total.
     pub dynamic_offset: Option<Value>,
-    /// Of each index in `dynamic`, scalars from an element to the next and how many there are.
+    /// For each dynamic index: scalars from an element to the next, and the number of elements.
     pub index_strides: Vec<(u32, u32)>,
     /// The components of a swizzle.
     components: Option<Vec<u8>>,
-    /// The type of the part.
+    /// The type of what the path leads to.
     pub ty: Type,
 }
 
 impl AccessChain {
-    /// The scalars of the part, besides `dynamic`.
+    /// The scalars that the path leads to, without `dynamic_offset`.
     fn offsets(&self) -> Vec<u32> {
         match &self.components {
             Some(components) => components.iter().map(|&c| self.base + u32::from(c)).collect(),
@@ -64,7 +64,7 @@ impl AccessChain {
 }
 
 impl Lowerer<'_> {
-    /// Where a variable of scalars of these types lives: in arrays if it is indexed dynamically.
+    /// New storage for a variable of these scalars: arrays if it is dynamically indexed.
     pub(super) fn new_storage(&mut self, variable: &Variable, types: &[Ty]) -> VarStorage {
         if variable.dynamically_indexed {
             VarStorage::Arrays(Rc::new(self.new_arrays(&variable.name, types)))
@@ -73,13 +73,13 @@ impl Lowerer<'_> {
         }
     }
 
-    /// New variables for scalars of these types.
+    /// New IR variables for scalars of these types.
     pub(super) fn new_vars(&mut self, name: &str, types: &[Ty]) -> VarStorage {
         let builder = &mut self.emit.builder;
         VarStorage::Vars(types.iter().map(|&ty| builder.variable(name, ty)).collect())
     }
 
-    /// The same in arrays, to be indexed dynamically.
+    /// New IR arrays for scalars of these types.
     fn new_arrays(&mut self, name: &str, types: &[Ty]) -> Arrays {
         let mut vars: Vec<(Ty, Var)> = Vec::new();
         for &ty in types {
@@ -140,7 +140,7 @@ impl Lowerer<'_> {
         }
     }
 
-    /// Where a variable lives.
+    /// The storage of a variable.
     pub(super) fn storage(&mut self, var: VarRef) -> LowerResult<VarStorage> {
         let variable = self.variable(var);
         let known = match var {
@@ -159,7 +159,7 @@ impl Lowerer<'_> {
         }
     }
 
-    /// The part of a variable that an expression names; `None` if it is a value.
+    /// The access chain of an expression; `None` if its root is no variable.
     pub(super) fn access_chain(&mut self, expr: &Expr) -> LowerResult<Option<AccessChain>> {
         if expr.root().is_none() {
             return Ok(None);
@@ -222,7 +222,7 @@ impl Lowerer<'_> {
         }
     }
 
-    /// An element of a part; an index out of range means the last element.
+    /// Adds an index to a chain; an index out of range selects the last element.
     pub(super) fn element(
         &mut self,
         chain: AccessChain,
@@ -259,7 +259,7 @@ impl Lowerer<'_> {
         Ok(chain)
     }
 
-    /// Which component element `index` of a swizzle is.
+    /// The component that element `index` of a swizzle selects.
     fn swizzled(&mut self, components: &[u8], index: Value) -> Value {
         let mut chosen = self.emit.uint(0);
         for (at, &component) in components.iter().enumerate() {
@@ -270,7 +270,7 @@ impl Lowerer<'_> {
         chosen
     }
 
-    /// A place that holds these values.
+    /// A chain to these values.
     pub(super) fn value_chain(values: Vec<Value>, ty: Type) -> AccessChain {
         let total = values.len() as u32;
         let storage = VarStorage::Values(values.into());
@@ -278,7 +278,7 @@ impl Lowerer<'_> {
         AccessChain { storage, total, base: 0, dynamic_offset, index_strides, components: None, ty }
     }
 
-    /// Reads a part.
+    /// Loads what a chain leads to.
     pub(super) fn load(&mut self, chain: &AccessChain) -> LowerResult<Vec<Value>> {
         let offsets = chain.offsets();
         let storage = chain.storage.clone();
@@ -351,7 +351,7 @@ impl Lowerer<'_> {
         values
     }
 
-    /// Puts values into arrays, to be indexed dynamically.
+    /// Copies values into IR arrays, for a dynamic index.
     fn spill(&mut self, values: &[Value]) -> Arrays {
         let types: Vec<Ty> = values.iter().map(|&value| self.emit.ty(value)).collect();
         let arrays = self.new_arrays("spilt", &types);
@@ -359,7 +359,7 @@ impl Lowerer<'_> {
         arrays
     }
 
-    /// Writes a part.
+    /// Stores to what a chain leads to.
     pub(super) fn store(&mut self, chain: &AccessChain, values: &[Value]) -> LowerResult<()> {
         let offsets = chain.offsets();
         match (&chain.storage, chain.dynamic_offset) {

@@ -1,4 +1,4 @@
-//! The variables of the language as inputs, outputs and uniform words.
+//! Built-in variables as inputs, outputs and uniform words.
 
 use super::access_chain::VarStorage;
 use super::outputs::OutputCopy;
@@ -10,7 +10,7 @@ use crate::limits::MAX_DRAW_BUFFERS;
 use rasterizer::ir::{Input, Interpolation, Op, Output, Stage, Ty, Value};
 
 impl Lowerer<'_> {
-    /// A component of `gl_FragCoord`, counted as its layout says (ARB_fragment_coord_conventions).
+    /// A component of `gl_FragCoord` in its layout (ARB_fragment_coord_conventions).
     fn frag_coord(&mut self, interface_qualifiers: InterfaceQualifiers, at: u8) -> Value {
         let mut value = self.emit.input(Input::FragCoord(at));
         if at == 1 && interface_qualifiers.origin_upper_left {
@@ -71,8 +71,8 @@ impl Lowerer<'_> {
             }
             Builtin::Varying(slot) => {
                 if stage == Stage::Fragment {
-                    let said = variable.interface_qualifiers.interpolation;
-                    let interpolation = said.unwrap_or(Interpolation::Smooth);
+                    let declared = variable.interface_qualifiers.interpolation;
+                    let interpolation = declared.unwrap_or(Interpolation::Smooth);
                     return Ok(self.varying_input(variable, types, slot, interpolation));
                 }
                 let storage = self.new_storage(variable, types);

@@ -1,4 +1,4 @@
-//! Calls, inlined.
+//! Inlining of calls.
 
 use super::access_chain::{AccessChain, VarStorage};
 use super::expr::not_a_variable;
@@ -17,7 +17,7 @@ impl<'a> Lowerer<'a> {
             return Err(LowerError(format!("`{signature}` is called and never defined")));
         };
 
-        // Arguments belong to the caller; they are evaluated once, from left to right.
+        // Arguments are evaluated once, in the frame of the caller, from left to right.
         let mut chains: Vec<Option<AccessChain>> = Vec::new();
         let mut storages = Vec::new();
         for ((argument, direction), parameter) in
@@ -66,7 +66,7 @@ impl<'a> Lowerer<'a> {
         Ok(result)
     }
 
-    /// Where an `in` parameter lives: in the argument itself, where nobody can tell the difference.
+    /// The storage of an `in` parameter: that of the argument, if neither is written.
     fn argument(&mut self, argument: &Expr, parameter: &'a Variable) -> LowerResult<VarStorage> {
         let chain = self.access_chain(argument)?;
         if !parameter.written
@@ -93,13 +93,13 @@ impl<'a> Lowerer<'a> {
         self.load(&whole)
     }
 
-    /// The body of a function whose frame is open; gives its result.
+    /// Inlines the body of a function whose frame is open; gives its result.
     fn inline(&mut self, function: &'a Function) -> LowerResult<Vec<Value>> {
         let Some(body) = &function.body else { return Ok(Vec::new()) };
         if !returns_early(body) {
             let Some((Stmt::Return(value), before)) = body.split_last() else {
                 self.statements(body)?;
-                // A function that ends without a `return` gives zeros.
+                // A missing `return` gives zeros.
                 let types = function.result.flat();
                 return Ok(types.iter().map(|&ty| self.emit.constant(0, ty)).collect());
             };
@@ -115,7 +115,7 @@ impl<'a> Lowerer<'a> {
         self.load_all(storage, &function.result)
     }
 
-    /// Statements in a scope that `return` leaves.
+    /// Lowers statements in a scope that `return` leaves.
     pub(super) fn scope(&mut self, body: &'a [Stmt]) -> LowerResult<()> {
         self.frame().regions.push(Region::Function);
         self.emit.builder.begin();
@@ -128,12 +128,12 @@ impl<'a> Lowerer<'a> {
     }
 }
 
-/// The statements before a `return` at the very end, or all if there is none.
+/// The statements before a `return` at the end, or all if there is none.
 pub(super) fn without_last_return(body: &[Stmt]) -> &[Stmt] {
     if let Some((Stmt::Return(_), before)) = body.split_last() { before } else { body }
 }
 
-/// Whether a `return` stands anywhere but at the very end.
+/// Whether a `return` stands anywhere but at the end.
 pub(super) fn returns_early(body: &[Stmt]) -> bool {
     contains(without_last_return(body), Jump::Return)
 }
@@ -143,11 +143,11 @@ pub(super) fn returns_early(body: &[Stmt]) -> bool {
 pub(super) enum Jump {
     /// `return`.
     Return,
-    /// `continue` of the loop around.
+    /// `continue` of the enclosing loop.
     Continue,
 }
 
-/// Whether statements hold such a jump.
+/// Whether statements contain such a jump.
 pub(super) fn contains(statements: &[Stmt], jumps: Jump) -> bool {
     statements.iter().any(|statement| match statement {
         Stmt::Return(_) => jumps == Jump::Return,

@@ -39,7 +39,7 @@ impl Lowerer<'_> {
                 let values = match op {
                     None => self.expr(value)?,
                     Some(op) => {
-                        // The target is read after the value: the value may write it.
+                        // The target is loaded after the value, which may write it.
                         let values = self.expr(value)?;
                         let old = self.load(&chain)?;
                         self.binary(*op, (&target.ty, &old), (&value.ty, &values))
@@ -140,7 +140,7 @@ impl Lowerer<'_> {
         self.scalar(op, value, one)
     }
 
-    /// `&&` and `||`: the right side runs only where it matters, if that can be seen.
+    /// `&&` and `||`: the right operand is evaluated conditionally if it has effects.
     fn logical(&mut self, op: BinaryOp, left: &Expr, right: &Expr) -> LowerResult<Vec<Value>> {
         let a = self.expr(left)?[0];
         let combine = if op == BinaryOp::And { Op::And } else { Op::Or };
@@ -188,7 +188,7 @@ impl Lowerer<'_> {
         self.load_all(storage, &accept.ty)
     }
 
-    /// A binary operation but `&&` and `||`.
+    /// A binary operation other than `&&` and `||`.
     fn binary(&mut self, op: BinaryOp, a: (&Type, &[Value]), b: (&Type, &[Value])) -> Vec<Value> {
         if matches!(op, BinaryOp::Equal | BinaryOp::NotEqual) {
             let mut all = self.emit.constant(rasterizer::ir::TRUE, Ty::Bool);
@@ -223,7 +223,7 @@ impl Lowerer<'_> {
         columns.flat_map(|column| self.multiply(matrix, column, rows)).collect()
     }
 
-    /// Matrix times column: the columns weighted by the components, summed from the first on.
+    /// Matrix times column: each row's dot product, summed from the first column on.
     fn multiply(&mut self, matrix: &[Value], column: &[Value], rows: usize) -> Vec<Value> {
         let row = |row: usize| {
             let of_row: Vec<Value> = matrix[row..].iter().step_by(rows).copied().collect();
@@ -277,7 +277,7 @@ impl Lowerer<'_> {
         self.emit.convert(result, ty)
     }
 
-    /// GLSL 1.30 section 5.4.
+    /// A constructor: GLSL 1.30 section 5.4.
     fn construct(&mut self, ty: &Type, parts: &[Expr]) -> LowerResult<Vec<Value>> {
         let mut all = Vec::new();
         for part in parts {
@@ -310,7 +310,7 @@ impl Lowerer<'_> {
         Ok(all.iter().take(needed).map(|&value| convert(self, value)).collect())
     }
 
-    /// A matrix made of a matrix: what the source lacks comes from the identity.
+    /// A matrix from a matrix: missing elements come from the identity.
     fn resized(
         &mut self,
         source: &[Value],

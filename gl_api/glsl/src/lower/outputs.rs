@@ -1,4 +1,4 @@
-//! What a stage hands on: outputs, some of them copied when `main` has ended.
+//! Outputs of a stage; some are copied at the end of `main`.
 
 use super::access_chain::VarStorage;
 use super::{LowerResult, Lowerer};
@@ -8,36 +8,37 @@ use crate::interface::{StateVar, VARYING_CLIP_DISTANCE};
 use crate::limits::MAX_CLIP_PLANES;
 use rasterizer::ir::{Op, Output, Stmt, Ty, Value, Var};
 
-/// Scalars to copy to outputs when `main` has ended.
+/// A scalar to copy to an output at the end of `main`.
 #[derive(Debug)]
 pub struct OutputCopy {
-    /// Where they are.
+    /// The storage of its variable.
     pub storage: VarStorage,
-    /// Which of them.
+    /// Its index in the variable.
     pub at: u32,
-    /// What of it.
+    /// The value to copy.
     pub source: CopySource,
-    /// Where to.
+    /// The variable of the output.
     pub var: Var,
 }
 
-/// What of a scalar is copied.
+/// The value that is copied to an output.
 #[derive(Clone, Copy, Debug)]
 pub enum CopySource {
-    /// Its value as a float.
+    /// The scalar as a float.
     Value,
     /// The low 16 bits.
     LowHalf,
     /// The high 16 bits.
     HighHalf,
-    /// Its value if this user clip plane is enabled, else 0, which cuts nothing away.
+    /// The scalar if this user clip plane is enabled, else 0, which clips nothing.
     ClipDistance(u8),
-    /// The vector that begins there times this user clip plane, if it is enabled.
+    /// The dot product of the vector that begins at the scalar with this user clip plane, if it is
+    /// enabled, else 0.
     ClipVertex(u8),
 }
 
 impl Lowerer<'_> {
-    /// Hands a variable on as a varying.
+    /// Makes a variable a varying output.
     pub(super) fn varying_output(
         &mut self,
         storage: &VarStorage,
@@ -61,7 +62,8 @@ impl Lowerer<'_> {
         }
     }
 
-    /// Makes scalar `at` of a variable an output: the variable itself where it fits, else a copy.
+    /// Makes scalar `at` of a variable an output: its own IR variable if the types agree, else a
+    /// copy.
     pub(super) fn output(
         &mut self,
         storage: &VarStorage,
@@ -70,7 +72,7 @@ impl Lowerer<'_> {
         output: Output,
         copies: &mut Vec<OutputCopy>,
     ) {
-        // The stencil's reference is an integer; colours for attachments of integers stay integers.
+        // The stencil reference is an integer; colours for integer attachments stay integers.
         let own = types[at as usize];
         let ty = match output {
             Output::Color { .. } if matches!(own, Ty::I32 | Ty::U32) => own,

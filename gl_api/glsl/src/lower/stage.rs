@@ -1,4 +1,4 @@
-//! A stage's inputs, outputs and uniforms as IR, around its `main`.
+//! One stage: its inputs, outputs and uniforms, then its `main`.
 
 use super::access_chain::VarStorage;
 use super::call::{returns_early, without_last_return};
@@ -10,7 +10,7 @@ use rasterizer::ir::{Input, Interpolation, Module, Op, Output, Stage, Texture, T
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-/// Where the linker put a variable that is not of the stage alone.
+/// What the linker assigned to a variable of the interface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Binding {
     /// An attribute's location.
@@ -23,8 +23,8 @@ pub enum Binding {
     Target(u8),
 }
 
-/// How many varying slots scalars of these types take: the IR hands on floats, and an integer goes
-/// as two of 16 bits each, exactly.
+/// The number of varying slots of scalars of these types: varyings are floats, and an integer takes
+/// two of 16 bits each, which is exact.
 pub fn varying_slots(types: &[Ty]) -> u16 {
     let storages: usize = types.iter().map(|ty| if *ty == Ty::F32 { 1 } else { 2 }).sum();
     u16::try_from(storages).unwrap_or(u16::MAX)
@@ -37,7 +37,7 @@ pub struct LoweredStage {
     pub module: Module,
     /// Each texture slot, the word that holds its unit, and what textures it takes.
     pub samplers: Vec<(Texture, u32, Dim, ComparisonResult)>,
-    /// The words, with the state that this stage reads.
+    /// The words, with the GL state of this stage.
     pub words: Words,
 }
 
@@ -55,8 +55,8 @@ pub fn lower_stage(
     lowerer.words = words;
     let mut copies = Vec::new();
     let mut globals = used_globals(units, reachable, bindings);
-    // What is called may name any global, so all of them are there before the first value is worked
-    // out.
+    // Called functions may reference any global, so all storage exists before the first initializer
+    // is lowered.
     let mut values = Vec::new();
     if units.iter().any(|unit| !unit.calls.is_empty()) {
         for (unit, global) in &mut globals {
@@ -100,8 +100,8 @@ pub fn lower_stage(
     Ok(LoweredStage { module: emit.builder.finish(), samplers, words })
 }
 
-/// The globals that the functions name, those whose initializers have effects, and those that
-/// initializers name: unit and index, in order.
+/// The globals that the functions reference, those whose initializers have effects, and those that
+/// initializers reference: unit and index, in order.
 pub fn named_globals(units: &[&Unit], reachable: &[(usize, &Function)]) -> Vec<(usize, u32)> {
     let mut named: Vec<BTreeSet<u32>> = vec![BTreeSet::new(); units.len()];
     for (unit, function) in reachable {
@@ -140,14 +140,14 @@ pub fn named_globals(units: &[&Unit], reachable: &[(usize, &Function)]) -> Vec<(
     with(&named)
 }
 
-/// The globals that the functions name, each once by name, with what all units do to it.
+/// The referenced globals, each once by name, with the uses in all units merged.
 fn used_globals(
     units: &[&Unit],
     reachable: &[(usize, &Function)],
     bindings: &BTreeMap<Arc<str>, Binding>,
 ) -> Vec<(usize, Variable)> {
     let mut order = named_globals(units, reachable);
-    // What the other stage reads exists, as zeros, even if this one never names it.
+    // Inputs of the other stage exist as outputs, zero if this one never references them.
     for (unit, declared) in units.iter().enumerate() {
         for (global, variable) in declared.globals.iter().enumerate() {
             let read = matches!(bindings.get(&variable.name), Some(Binding::Varying(Some(_))));
@@ -168,7 +168,8 @@ fn used_globals(
                 known.written |= variable.written;
                 known.dynamically_indexed |= variable.dynamically_indexed;
                 if known.init.is_none() && variable.init.is_some() {
-                    // Its initializer may name what only its own unit has before it.
+                    // Its initializer may reference globals that only its own unit declares before
+                    // it.
                     let known = merged.remove(index);
                     names.values_mut().for_each(|at| *at -= usize::from(*at > index));
                     names.insert(&variable.name, merged.len());
@@ -185,7 +186,7 @@ fn used_globals(
 }
 
 impl Lowerer<'_> {
-    /// Runs `lower` outside of the functions of a unit.
+    /// Runs `lower` in a frame for the globals of a unit.
     fn in_unit<T>(
         &mut self,
         unit: usize,
@@ -197,7 +198,7 @@ impl Lowerer<'_> {
         result
     }
 
-    /// Where a global lives; copies to outputs are noted.
+    /// The storage of a global; copies to outputs are appended.
     fn global(
         &mut self,
         variable: &Variable,
@@ -229,7 +230,7 @@ impl Lowerer<'_> {
             (Storage::Input(interpolation), Some(Binding::Varying(Some(slot)))) => {
                 Ok(self.varying_input(variable, &types, slot, interpolation))
             }
-            // Nothing writes it: undefined, here zero.
+            // No stage writes it: undefined, here zero.
             (Storage::Input(_), Some(Binding::Varying(None))) => {
                 let zero =
                     |lowerer: &mut Self, at: u32| lowerer.emit.constant(0, types[at as usize]);
@@ -295,7 +296,7 @@ impl Lowerer<'_> {
         }
     }
 
-    /// Inputs that `read` gives, converted to their types.
+    /// Storage for inputs that `read` gives, converted to their types.
     pub(super) fn inputs(
         &mut self,
         variable: &Variable,

@@ -70,7 +70,7 @@ impl<'a> Lowerer<'a> {
         }
     }
 
-    /// A block of its own.
+    /// Lowers into a block of its own.
     fn block(&mut self, lower: impl FnOnce(&mut Self) -> LowerResult<()>) -> LowerResult<Block> {
         self.emit.builder.begin();
         let result = self.unlabelled(lower);
@@ -99,7 +99,7 @@ impl<'a> Lowerer<'a> {
                 let storage = self.new_storage(variable, &types);
                 match values {
                     Some(values) => self.fill(&storage, &values),
-                    // Without an initializer it is zero, also in the next turn of a loop.
+                    // Without an initializer it is zero, also in the next iteration of a loop.
                     None if self.loops > 0 && types.len() <= MAX_CLEARED => {
                         let zeros: Vec<Value> =
                             types.iter().map(|&ty| self.emit.constant(0, ty)).collect();
@@ -117,7 +117,7 @@ impl<'a> Lowerer<'a> {
     fn loop_statement(&mut self, turn: &'a Loop) -> LowerResult<()> {
         let body = self.block(|lowerer| {
             if let Some(local) = turn.declare {
-                // The step stands in another block, so the condition's variable is a real one.
+                // The step is in another block, so the variable of the condition needs IR storage.
                 lowerer.declare(local, turn.before.as_ref())?;
                 let storage = lowerer.frame().storages[local as usize].clone();
                 if let Some(VarStorage::Vars(vars)) = storage {
@@ -163,7 +163,7 @@ impl<'a> Lowerer<'a> {
         self.emit.push(IrStmt::Leave);
     }
 
-    /// Goes on with the innermost loop, through the switches that are open in it.
+    /// Continues the innermost loop, through the switches that are open in it.
     fn continue_loop(&mut self) {
         let inner = self.frame().regions.last().copied();
         match inner {
@@ -178,8 +178,8 @@ impl<'a> Lowerer<'a> {
         }
     }
 
-    /// A scope that `break` leaves. In it, `active` says whether a label was reached; each group
-    /// runs where it is true, so that groups fall through.
+    /// A scope that `break` leaves. `active` is whether a label was reached; each group of
+    /// statements runs if it is true, which gives fall-through.
     fn switch(&mut self, selector: &'a Expr, cases: &'a [Case]) -> LowerResult<()> {
         let selector = self.expr(selector)?[0];
         let ty = self.emit.ty(selector);

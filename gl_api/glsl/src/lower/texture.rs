@@ -10,7 +10,7 @@ use rasterizer::driver::MAX_SAMPLES;
 use rasterizer::ir::{self, Lod, Op, Texture, TextureDecl, Ty, Value};
 use texunit::image::Shape;
 
-/// A lookup, but for the texture.
+/// The operands of a lookup, without the texture.
 struct LookupOperands {
     access: ir::Access,
     coords: [Value; 3],
@@ -20,8 +20,7 @@ struct LookupOperands {
     comparison_result: ComparisonResult,
 }
 
-/// The shape of texture that a sampler takes; where there are several samples a texel, each is a
-/// layer.
+/// The shape of texture that a sampler takes; the samples of a multisample texture are layers.
 fn shape(dim: Dim) -> Shape {
     match dim {
         Dim::D1 | Dim::Buffer => Shape::D1,
@@ -35,7 +34,7 @@ fn shape(dim: Dim) -> Shape {
     }
 }
 
-/// The slot that a sampler needs.
+/// The declaration of the texture slot that a sampler needs.
 fn texture_decl(sampler: Sampler) -> TextureDecl {
     let texels = match sampler.scalar {
         Scalar::Float | Scalar::Bool => Ty::F32,
@@ -46,8 +45,8 @@ fn texture_decl(sampler: Sampler) -> TextureDecl {
     TextureDecl { shape: shape(sampler.dim), compare, texels }
 }
 
-/// Of what some indices can choose, each with so many words an element and so many elements, how far
-/// the one of this number lies behind the first.
+/// For dynamic indices, each with the words from an element to the next and the number of elements:
+/// the offset in words of element `number` in the order of all combinations.
 fn offset_of(mut number: u32, index_strides: &[(u32, u32)]) -> u32 {
     let mut offset = 0;
     for (stride, len) in index_strides {
@@ -57,13 +56,13 @@ fn offset_of(mut number: u32, index_strides: &[(u32, u32)]) -> u32 {
     offset
 }
 
-/// The arguments of a lookup behind the sampler, taken apart.
+/// The arguments of a lookup after the sampler.
 struct LookupArguments<'a> {
     kind: Sampler,
     values: &'a [Vec<Value>],
     /// 0 and 0.0.
     zeros: [Value; 2],
-    /// What a comparison gives.
+    /// The result of a comparison.
     comparison_result: ComparisonResult,
 }
 
@@ -72,7 +71,7 @@ impl LookupArguments<'_> {
         self.values.get(at?).and_then(|values| values.first()).copied()
     }
 
-    /// As many components as find a texel, the rest `zero`.
+    /// The first components, as many as the texture has coordinates; the others are `zero`.
     fn three(&self, values: &[Value], zero: Value) -> [Value; 3] {
         let used = self.kind.dim.coords();
         [0, 1, 2].map(|i| if i < used { values.get(i).copied().unwrap_or(zero) } else { zero })
@@ -181,14 +180,14 @@ impl Lowerer<'_> {
             | Dim::Buffer => None,
         };
         if compares && layer.is_some() {
-            // Four components find the texel: the reference is an argument of its own.
+            // The coordinates have four components: the reference is an argument of its own.
             coords.extend(arguments.scalar(Some(1)));
         }
         // The reference is the third component, or the one after the coordinates.
         let behind = kind.dim.coords().max(2);
         let reference = compares.then(|| coords.get(behind).copied().unwrap_or(zero));
         let last = values.len().checked_sub(1);
-        // Behind the offset, where there is one.
+        // The offset comes before the bias.
         let bias = if form == LodSource::Bias { last } else { None };
         let offset = match (shift, bias) {
             (TexelOffset::None, _) => None,
@@ -237,7 +236,7 @@ impl Lowerer<'_> {
         LookupOperands { access, coords, layer: None, reference: None, lod, comparison_result }
     }
 
-    /// A sample of a texel: those of a layer lie together.
+    /// A fetch of a sample: the samples of a layer are consecutive layers.
     fn sample_fetch(
         &mut self,
         [x, y, layer]: [Value; 3],
@@ -252,7 +251,7 @@ impl Lowerer<'_> {
         LookupOperands { access, coords, layer: None, reference: None, lod, comparison_result }
     }
 
-    /// A constant offset, as the checker has seen it; 0 where there is none.
+    /// A constant offset, which the checker has evaluated; 0 if there is none.
     fn texel_offset(&self, arguments: &LookupArguments<'_>, at: Option<usize>) -> [i32; 3] {
         let mut offset = [0; 3];
         let values = at.and_then(|at| arguments.values.get(at)).into_iter().flatten();
@@ -275,7 +274,7 @@ impl Lowerer<'_> {
         let Some(dynamic_offset) = chain.dynamic_offset else {
             return Ok(self.sample(first, kind, access).to_vec());
         };
-        // There is no texture by number in the IR: sample all, choose one.
+        // The IR has no dynamic texture index: sample all, select one.
         let count =
             chain.index_strides.iter().fold(1, |count: u32, (_, len)| count.saturating_mul(*len));
         if count > MAX_DYNAMIC_SAMPLERS {

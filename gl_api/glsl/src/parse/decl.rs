@@ -13,7 +13,7 @@ use crate::text::source::Span;
 use std::sync::Arc;
 
 impl Parser<'_> {
-    /// One item; `None` for what declares nothing.
+    /// One item; `None` for an empty declaration.
     pub(super) fn item(&mut self) -> ParseResult<Option<Item>> {
         if self.eat(";") {
             return Ok(None);
@@ -166,7 +166,7 @@ impl Parser<'_> {
         }
     }
 
-    /// `= 3` of a location: a literal, no expression.
+    /// `= 3` of a location: an integer literal.
     fn location(&mut self) -> ParseResult<Option<Qualifier>> {
         self.expect("=")?;
         let token = self.token();
@@ -228,7 +228,7 @@ impl Parser<'_> {
         Ok(TypeName { span, base, array })
     }
 
-    /// As many `[]` and `[size]` as are here.
+    /// As many `[]` and `[size]` as follow.
     pub(super) fn array_sizes(&mut self) -> ParseResult<Vec<ArraySize>> {
         let mut sizes = Vec::new();
         loop {
@@ -246,7 +246,7 @@ impl Parser<'_> {
         }
     }
 
-    /// Whether an array may have the second size that begins here; says so if not.
+    /// Whether an array may have the second size that begins here; reports it if not.
     pub(super) fn has_arrays_of_arrays(&mut self, span: Span) -> ParseResult<()> {
         if self.language.enabled(Extension::ArraysOfArrays) {
             return Ok(());
@@ -306,7 +306,8 @@ impl Parser<'_> {
         }
     }
 
-    /// The name after a type; a misspelt qualifier or type before it is the likely mistake.
+    /// The name after a type; if it is missing, the word before is likely a misspelt qualifier or
+    /// type.
     fn declared_name(&mut self, ty: &QualifiedType) -> ParseResult<Name> {
         let misplaced = match &ty.ty.base {
             TypeBase::Named(word) if self.token().word().is_some() => {

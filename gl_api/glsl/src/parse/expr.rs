@@ -63,7 +63,7 @@ impl Parser<'_> {
         self.node_at(span, depth, ExprKind::Comma(all))
     }
 
-    /// An assignment, or what binds tighter.
+    /// An assignment or conditional expression.
     pub(super) fn assignment(&mut self) -> ParseResult<Expr> {
         self.nested(|parser| {
             let target = parser.conditional()?;
@@ -78,7 +78,7 @@ impl Parser<'_> {
         })
     }
 
-    /// `a ? b : c`, or what binds tighter.
+    /// `a ? b : c`, or a binary expression.
     pub(super) fn conditional(&mut self) -> ParseResult<Expr> {
         let condition = self.binary(0)?;
         if !self.eat("?") {
@@ -304,7 +304,7 @@ impl Parser<'_> {
                 let message = format!("the suffix `f` is not in {}", self.version.title());
                 let plain = text.trim_end_matches(['f', 'F']).to_owned();
                 let problem = match self.version {
-                    // Every compiler of the desktop takes it.
+                    // Every desktop compiler accepts it.
                     Version::V110 => Diagnostic::warning(span, message),
                     Version::Es100 | Version::V120 | Version::V130 | Version::V140 => {
                         Diagnostic::error(span, message)

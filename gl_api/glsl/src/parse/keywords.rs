@@ -1,4 +1,4 @@
-//! The words that are not names (GLSL 1.30 section 3.6).
+//! Keywords, reserved words and names (GLSL 1.30 section 3.6).
 
 use crate::ast::{BlockLayout, Qualifier};
 use crate::language::{Availability, Extension, Language, Version};
@@ -7,7 +7,7 @@ use crate::types::Type;
 const ALWAYS: Availability = Availability::ALL;
 const V120: Availability = Availability::V120;
 const V130: Availability = Availability::V130;
-/// Words about precision, which GLSL ES had first.
+/// Precision qualifiers.
 const PRECISION: Availability = V130.and_es();
 
 /// `layout`: of `gl_FragCoord`, of attributes and outputs, of uniform blocks; a keyword from GLSL 1.40 on.
@@ -15,7 +15,7 @@ const LAYOUT: Availability = Availability::V140
     .or(Extension::FragmentCoordConventions)
     .or(Extension::ExplicitAttribLocation);
 
-/// The words that a layout of uniform blocks can have.
+/// The layout qualifiers of uniform blocks.
 const BLOCK_LAYOUTS: [(&str, BlockLayout); 5] = [
     ("shared", BlockLayout::Shared),
     ("packed", BlockLayout::Packed),
@@ -24,10 +24,10 @@ const BLOCK_LAYOUTS: [(&str, BlockLayout); 5] = [
     ("column_major", BlockLayout::ColumnMajor),
 ];
 
-/// What a word is.
+/// The class of a word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum WordClass {
-    /// A name.
+    /// An identifier.
     Name,
     /// The name of a type.
     Type,
@@ -37,7 +37,7 @@ pub enum WordClass {
     Reserved,
 }
 
-/// Keywords that are no types, and since when.
+/// Keywords that name no types, and their availability.
 const KEYWORDS: [(&str, Availability); 32] = [
     ("attribute", ALWAYS),
     ("const", ALWAYS),
@@ -73,7 +73,7 @@ const KEYWORDS: [(&str, Availability); 32] = [
     ("layout", Availability::UNIFORM_BLOCKS),
 ];
 
-/// Qualifiers, and since when.
+/// Qualifiers, and their availability.
 const QUALIFIERS: [(&str, Qualifier, Availability); 15] = [
     ("const", Qualifier::Const, ALWAYS),
     ("attribute", Qualifier::Attribute, ALWAYS),
@@ -114,7 +114,7 @@ const RESERVED_EARLY: [(&str, Version, Version); 6] = [
     ("precision", Version::V120, Version::V120),
 ];
 
-/// Words that GLSL 1.30 reserves besides, and 1.40 as far as it does not use them.
+/// Words that GLSL 1.30 reserves too, and 1.40 unless it uses them.
 #[rustfmt::skip]
 const RESERVED_130: [&str; 34] = [
     "common", "partition", "active", "filter", "image1D", "image2D",
@@ -125,7 +125,7 @@ const RESERVED_130: [&str; 34] = [
     "sampler2DRect", "sampler2DRectShadow", "row_major", "superp",
 ];
 
-/// What a word is in a version.
+/// The class of a word in a version.
 pub fn classify(word: &str, language: Language) -> WordClass {
     if Type::named(word, language).is_some() {
         return WordClass::Type;
@@ -151,7 +151,7 @@ pub fn qualifier(word: &str, language: Language) -> Option<Qualifier> {
     row.map(|row| row.1)
 }
 
-/// What brings a qualifier that the language of the shader lacks.
+/// The availability of a qualifier that the language of the shader does not have.
 pub fn missing_qualifier(word: &str, language: Language) -> Option<Availability> {
     QUALIFIERS.iter().find(|row| row.0 == word && !language.has(row.2)).map(|row| row.2)
 }
@@ -187,7 +187,7 @@ pub fn has_precision(language: Language) -> bool {
     language.has(PRECISION)
 }
 
-/// Every keyword of a version, for misspelt words.
+/// Every keyword of a version, for spelling suggestions.
 pub fn known(language: Language) -> impl Iterator<Item = &'static str> {
     let words = KEYWORDS.iter().filter(move |row| language.has(row.1)).map(|row| row.0);
     words.chain(Type::names(language))

@@ -1,4 +1,4 @@
-//! Tokens to the syntax tree: recursive descent, bounded in depth, that goes on after an error.
+//! Tokens to the syntax tree: recursive descent with bounded depth and error recovery.
 
 mod decl;
 mod expr;
@@ -15,7 +15,7 @@ use crate::text::source::Span;
 use crate::text::spelling::closest;
 use keywords::WordClass;
 
-/// Where to go on after an error that has been reported.
+/// An error that has been reported: the caller unwinds to where parsing can go on.
 #[derive(Clone, Copy, Debug)]
 struct SyntaxError;
 
@@ -29,11 +29,11 @@ struct Parser<'a> {
     version: Version,
     log: &'a mut Log,
     depth: u32,
-    /// Whether an error is such that what follows makes no sense (too deep a nesting).
+    /// Whether parsing stops at this error: nesting is too deep.
     aborted: bool,
 }
 
-/// Parses a shader; what is wrong is in the log.
+/// Parses a shader; errors are in the log.
 pub fn parse(tokens: &[Token], language: Language, log: &mut Log) -> Vec<Item> {
     let version = language.version;
     let mut parser = Parser { tokens, at: 0, language, version, log, depth: 0, aborted: false };
@@ -103,7 +103,7 @@ impl<'a> Parser<'a> {
         found
     }
 
-    /// Takes a token that must be there. A missing `;` is reported where it should stand.
+    /// Consumes a token that must be there. A missing `;` is reported where it should stand.
     fn expect(&mut self, punct: &str) -> ParseResult<()> {
         if self.eat(punct) {
             return Ok(());
@@ -153,7 +153,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// Runs `parse` one level deeper, or reports that this is too deep.
+    /// Runs `parse` one level deeper, or reports that the nesting is too deep.
     fn nested<T>(&mut self, parse: impl FnOnce(&mut Self) -> ParseResult<T>) -> ParseResult<T> {
         if self.depth >= MAX_NESTING {
             return self.too_deep();
@@ -173,7 +173,7 @@ impl<'a> Parser<'a> {
         Err(SyntaxError)
     }
 
-    /// Skips to after the `;` or the balanced `}` that ends the broken statement, or to before the
+    /// Error recovery: skips past the `;` or the balanced `}` that ends the statement, or up to the
     /// `}` that closes the block around it.
     fn skip_statement(&mut self) {
         let mut depth = 0usize;
@@ -211,7 +211,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// A name that is close to a misspelt word.
+    /// The keyword that a misspelt word is closest to.
     fn near_keyword(&self, word: &str) -> Option<&'static str> {
         closest(word, keywords::known(self.language))
     }

@@ -8,7 +8,7 @@ use crate::lex::TokenKind;
 use crate::text::diagnostics::Diagnostic;
 
 impl Parser<'_> {
-    /// `{ ... }`; a broken statement in it is reported and left out.
+    /// `{ ... }`; a statement with a syntax error is reported and left out.
     pub(super) fn block(&mut self) -> ParseResult<Vec<Stmt>> {
         let open = self.span();
         self.expect("{")?;
@@ -171,7 +171,7 @@ impl Parser<'_> {
         Ok(StmtKind::Prototype(function))
     }
 
-    /// Whether a declaration begins here: a qualifier, or a type that no `(` follows.
+    /// Whether a declaration begins here: a qualifier, or a type without a `(` after it.
     fn is_declaration(&self) -> bool {
         let Some(word) = self.token().word() else { return false };
         if &**word == "struct" || keywords::qualifier(word, self.language).is_some() {

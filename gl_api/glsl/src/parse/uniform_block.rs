@@ -11,8 +11,8 @@ use crate::text::source::Span;
 const SECTION: &str = "ARB_uniform_buffer_object, section 4.3.5.1";
 
 impl Parser<'_> {
-    /// What these qualifiers begin, if it is no declaration of variables: `uniform name { ... };`,
-    /// or `layout(std140) uniform;`.
+    /// Parses `uniform name { ... };` or `layout(std140) uniform;`; `None` if these qualifiers
+    /// begin a declaration of variables.
     pub(super) fn block_item(&mut self, words: &[(Qualifier, Span)]) -> ParseResult<Option<Item>> {
         let uniform = matches!(words.last(), Some((Qualifier::Uniform, _)));
         if uniform && words.len() > 1 && self.is(";") {
@@ -45,7 +45,7 @@ impl Parser<'_> {
             }
             let ty = self.qualified_type()?;
             if let TypeBase::Struct(_) = ty.ty.base {
-                // Against the rule, but Mesa takes it, and so there are programs that do it.
+                // The specification forbids it, but Mesa accepts it and programs rely on that.
                 let message = "a structure is not defined inside of a uniform block";
                 let problem = Diagnostic::warning(ty.ty.span, message).rule(SECTION);
                 self.log.push(problem.help("define it before the block, and name it here"));

@@ -27,7 +27,7 @@ pub fn evaluate(
     }
 }
 
-/// The values of constant expressions that follow one another, macros expanded.
+/// The values of a sequence of constant expressions, macros already expanded.
 pub fn values(
     span: Span,
     tokens: &[Token],
@@ -42,7 +42,7 @@ pub fn values(
     Ok(values)
 }
 
-/// Whether an operand's value matters: what `0 &&` and `1 ||` leave out may be undefined.
+/// Whether an operand is evaluated: what `0 &&` and `1 ||` skip may be undefined.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Operand {
     Evaluated,
@@ -58,7 +58,7 @@ struct Parser<'a> {
     log: &'a mut Log,
 }
 
-/// Binary operators and how tightly they bind.
+/// Binary operators and their precedence.
 const OPERATORS: [(&str, u8); 18] = [
     ("||", 1),
     ("&&", 2),
@@ -149,7 +149,7 @@ impl Parser<'_> {
 
 impl Parser<'_> {
     /// A name that is no macro. Up to GLSL 1.30 this is an error (section 3.3), from 4.30 on it
-    /// counts as 0, which is what every compiler of the desktop has made of it; GLSL ES rejects it.
+    /// counts as 0, as in every desktop compiler; GLSL ES rejects it.
     fn undefined(&mut self, name: &str, span: Span) -> Result<(), Box<Diagnostic>> {
         let help = format!("test it with `defined({name})`");
         if self.version == Version::Es100 {

@@ -27,7 +27,7 @@ const NAMES: [&str; 13] = [
     "line",
 ];
 
-/// Whether a shader goes without an extension.
+/// Whether a missing extension is an error.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Required {
     No,
@@ -99,7 +99,7 @@ impl Preprocessor<'_> {
         }
     }
 
-    /// The name that a directive is about.
+    /// The macro name of a directive.
     fn name<'t>(&mut self, span: Span, rest: &'t [Token]) -> Option<(&'t str, &'t [Token])> {
         match rest {
             [Token { kind: TokenKind::Word(name), .. }, more @ ..] => Some((name, more)),
@@ -230,9 +230,8 @@ impl Preprocessor<'_> {
             return;
         };
         let known = Version::ALL.into_iter().find(|known| i64::from(known.number()) == number);
-        // The rest of a shader in a version that there is not is read as one of the newest with all
-        // extensions, which is what later ones began as: most of it is alike, and what is wrong with
-        // it besides is worth saying.
+        // A shader in an unknown version is checked like one in the newest version with all
+        // extensions: most of the language is the same, and its other errors are worth reporting.
         let version = known.unwrap_or(Version::NEWEST);
         self.language = version.into();
         self.macros = Macros::new(version);
@@ -253,7 +252,7 @@ impl Preprocessor<'_> {
         }
     }
 
-    /// Every extension of the version.
+    /// Enables all extensions of the version.
     fn set_all(&mut self, behaviour: Behaviour) {
         for (known, _) in Extension::ALL {
             if known.is_in(self.language.version) {

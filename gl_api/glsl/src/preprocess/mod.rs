@@ -3,6 +3,7 @@
 
 mod condition;
 mod directives;
+mod expansion;
 mod macros;
 
 use crate::language::{Language, Version};
@@ -11,7 +12,7 @@ use crate::text::diagnostics::{Diagnostic, Log};
 use crate::text::source::{Source, Span};
 use macros::Macros;
 
-/// What comes out.
+/// The result of preprocessing.
 #[derive(Debug)]
 pub struct Preprocessed {
     /// The program; the last is [`TokenKind::End`].
@@ -27,20 +28,20 @@ pub struct Preprocessed {
 struct Conditional {
     /// Where it began.
     span: Span,
-    /// What its groups do.
+    /// The state of its current group.
     state: GroupState,
-    /// Whether `#else` came.
+    /// Whether it has had its `#else`.
     after_else: bool,
 }
 
 /// The state of a conditional's current group.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum GroupState {
-    /// Its lines count.
+    /// Its lines are part of the program.
     Taken,
     /// Skipped; a later group may be taken.
     Waiting,
-    /// Skipped; so are all later groups.
+    /// Skipped, like all later groups.
     Done,
 }
 
@@ -52,13 +53,13 @@ struct Preprocessor<'a> {
     all_invariant: bool,
     macros: Macros,
     conditionals: Vec<Conditional>,
-    /// Whether anything but blanks and comments came before.
+    /// Whether a token came before.
     begun: bool,
-    /// Whether anything but directives came before.
+    /// Whether a token outside of directives came before.
     program_begun: bool,
 }
 
-/// Preprocesses a source. `#line` is applied to the source, so that later messages keep to it.
+/// Preprocesses a source. `#line` is applied to the source, for the positions in later messages.
 pub fn preprocess(source: &mut Source, log: &mut Log) -> Preprocessed {
     let lexed = tokens(source.text());
     if let Some(span) = lexed.unclosed {
@@ -93,7 +94,7 @@ pub fn preprocess(source: &mut Source, log: &mut Log) -> Preprocessed {
 impl Preprocessor<'_> {
     fn run(&mut self, all: &[Token]) -> Vec<Token> {
         let mut output = Vec::new();
-        // Text lines between directives, expanded together: a macro's arguments may span lines.
+        // Lines between directives are expanded together: the arguments of a macro may span lines.
         let mut text: Vec<Token> = Vec::new();
         for line in all.split_inclusive(|token| token.kind == TokenKind::Newline) {
             if self.log.is_full() {
@@ -138,7 +139,7 @@ impl Preprocessor<'_> {
         }
     }
 
-    /// Whether lines count here.
+    /// Whether lines are part of the program here.
     fn is_active(&self) -> bool {
         self.conditionals.iter().all(|conditional| conditional.state == GroupState::Taken)
     }

@@ -1,56 +1,56 @@
-//! What is wrong with a shader, as data, and how an info log shows it.
+//! Diagnostics, and how an info log shows them.
 
 use crate::limits::MAX_ERRORS;
 use crate::text::source::{Source, Span};
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use std::fmt::Write as _;
 
-/// How much of a long line is shown on each side of what is pointed at, in bytes.
+/// How many bytes of a long line are shown on each side of a span.
 const CONTEXT: usize = 100;
 
-/// How bad it is.
+/// The severity of a diagnostic.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Severity {
     /// The shader is rejected.
     Error,
-    /// The shader is taken.
+    /// The shader is accepted.
     Warning,
 }
 
-/// A replacement of a part of the source.
+/// A replacement of a span of the source.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Edit {
-    /// What is replaced.
+    /// The span that is replaced.
     pub span: Span,
-    /// By what.
+    /// The new text.
     pub text: String,
 }
 
-/// A way out.
+/// Advice: a fix-it, if it has edits.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Suggestion {
-    /// As a sentence that begins with a verb.
+    /// A sentence that begins with a verb.
     pub text: String,
-    /// What to change; empty if a machine cannot do it.
+    /// The edits; empty if the compiler cannot apply it.
     pub edits: Vec<Edit>,
 }
 
 /// One error or warning.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostic {
-    /// How bad it is.
+    /// Its severity.
     pub severity: Severity,
-    /// What is wrong.
+    /// The message.
     pub message: String,
-    /// Where; `None` for what concerns no line.
+    /// The span; `None` for link errors.
     pub span: Option<Span>,
-    /// A word about the place, beneath the caret.
+    /// The label beneath the caret.
     pub label: String,
-    /// The rule that is broken, with its section.
+    /// The rule that is violated, with its section.
     pub rule: Option<String>,
-    /// What else helps.
+    /// Further notes.
     pub notes: Vec<String>,
-    /// A way out.
+    /// Advice.
     pub suggestion: Option<Suggestion>,
 }
 
@@ -67,12 +67,12 @@ impl Diagnostic {
         }
     }
 
-    /// An error at a place.
+    /// An error at a span.
     pub fn error(span: Span, message: impl Into<String>) -> Self {
         Self::new(Severity::Error, Some(span), message)
     }
 
-    /// A warning at a place.
+    /// A warning at a span.
     pub fn warning(span: Span, message: impl Into<String>) -> Self {
         Self::new(Severity::Warning, Some(span), message)
     }
@@ -87,7 +87,7 @@ impl Diagnostic {
         Self::new(Severity::Warning, None, message)
     }
 
-    /// Adds a word about the place.
+    /// Adds the label.
     pub fn label(mut self, label: impl Into<String>) -> Self {
         self.label = label.into();
         self
@@ -111,14 +111,14 @@ impl Diagnostic {
         self
     }
 
-    /// Adds advice that a machine can follow.
+    /// Adds a fix-it.
     pub fn fix(mut self, text: impl Into<String>, span: Span, replacement: String) -> Self {
         let edits = vec![Edit { span, text: replacement }];
         self.suggestion = Some(Suggestion { text: text.into(), edits });
         self
     }
 
-    /// As an info log shows it, ending in a newline.
+    /// Its text in an info log, which ends in a newline.
     pub fn render(&self, source: Option<&Source>) -> String {
         let severity = match self.severity {
             Severity::Error => "error",
@@ -161,7 +161,7 @@ impl Diagnostic {
     }
 }
 
-/// The largest character boundary not above `at`.
+/// The largest character boundary not after `at`.
 fn floor_boundary(text: &str, at: usize) -> usize {
     let mut at = at.min(text.len());
     while !text.is_char_boundary(at) {
@@ -170,7 +170,8 @@ fn floor_boundary(text: &str, at: usize) -> usize {
     at
 }
 
-/// One ASCII byte for each byte, so that offsets stay; tabs and control characters as blanks.
+/// One ASCII byte for each byte, so that offsets stay the same; tabs and control characters become
+/// blanks.
 fn ascii(text: &str) -> String {
     let show = |byte: u8| match byte {
         b' '..=b'~' => char::from(byte),
@@ -189,7 +190,7 @@ pub struct Log {
 }
 
 impl Log {
-    /// Adds one, unless there are enough or the same was said of the same place.
+    /// Adds a diagnostic, unless there are enough or it is a duplicate.
     pub fn push(&mut self, diagnostic: Diagnostic) {
         if self.items.len() >= 2 * MAX_ERRORS || self.is_full() {
             return;
@@ -205,7 +206,7 @@ impl Log {
         self.items.push(diagnostic);
     }
 
-    /// Whether the compiler should give up.
+    /// Whether there are so many errors that the compiler gives up.
     pub fn is_full(&self) -> bool {
         self.errors >= MAX_ERRORS
     }

@@ -1,4 +1,4 @@
-//! The text of a shader, what is wrong with it, and how that is reported.
+//! The text of a shader, diagnostics about it, and spelling suggestions.
 
 pub mod diagnostics;
 pub mod source;

@@ -1,12 +1,12 @@
-//! The text of a shader and where things stand in it.
+//! The text of a shader, and positions in it.
 
 /// Whether a byte ends a line.
 pub fn is_line_end(byte: u8) -> bool {
     matches!(byte, b'\n' | b'\r')
 }
 
-/// How many bytes of line end these begin with: a carriage return, a line feed, or both in either
-/// order, which end one line (GLSL 1.30 section 3.1).
+/// The length of the line end at the beginning: a carriage return, a line feed, or both in either
+/// order, which are one line end (GLSL 1.30 section 3.1).
 pub fn line_end(bytes: &[u8]) -> usize {
     match bytes {
         [b'\n', b'\r', ..] | [b'\r', b'\n', ..] => 2,
@@ -15,7 +15,7 @@ pub fn line_end(bytes: &[u8]) -> usize {
     }
 }
 
-/// A run of bytes of the source.
+/// A range of bytes of the source.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Span {
     /// Offset of the first byte.
@@ -31,7 +31,7 @@ impl Span {
     }
 }
 
-/// Where something stands, as an info log says it.
+/// A position, as info logs show it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Position {
     /// The source string number that `#line` set, else 0.
@@ -42,7 +42,7 @@ pub struct Position {
     pub column: usize,
 }
 
-/// What a `#line` says about the lines that follow.
+/// A `#line` directive, for the lines that follow.
 #[derive(Clone, Copy, Debug)]
 struct LineDirective {
     /// Index of the first line it holds for.
@@ -111,8 +111,8 @@ impl Source {
         }
     }
 
-    /// What `#line` says of a byte's position. Takes as long as the line before it is; where no column
-    /// is needed, use [`Source::line_of`].
+    /// The position of a byte, as `#line` says. Takes time proportional to the length of the line
+    /// before it; use [`Source::line_of`] if no column is needed.
     pub fn position(&self, offset: u32) -> Position {
         let (text, start) = self.line_text(offset);
         let before = (offset - start) as usize;
@@ -121,7 +121,7 @@ impl Source {
         Position { string, line, column }
     }
 
-    /// Applies a `#line`: the line after the one of `directive` gets the number `line`.
+    /// Applies a `#line`: the line after that of `directive` gets the number `line`.
     pub fn renumber(&mut self, directive: u32, line: i64, string: Option<i64>) {
         let string = string.unwrap_or_else(|| self.line_of(directive).0);
         let first = self.line_index(directive) + 1;

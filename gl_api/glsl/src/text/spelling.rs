@@ -1,7 +1,7 @@
-//! Near misses: the known name that a misspelt one is closest to.
+//! Spelling suggestions: the known name that is closest to a misspelt one.
 
-/// How many insertions, deletions, replacements and swaps of neighbours lead from `a` to `b`,
-/// counted up to `limit`.
+/// The number of insertions, deletions, replacements and swaps of neighbours from `a` to `b`;
+/// `None` if it is above `limit`.
 pub fn edit_distance(a: &str, b: &str, limit: usize) -> Option<usize> {
     let (a, b) = (a.as_bytes(), b.as_bytes());
     if a.len().abs_diff(b.len()) > limit || a.len() > 64 || b.len() > 64 {
@@ -23,7 +23,7 @@ pub fn edit_distance(a: &str, b: &str, limit: usize) -> Option<usize> {
     Some(last[b.len()]).filter(|&distance| distance <= limit)
 }
 
-/// The candidate closest to `name`, if one is close; the first of equals.
+/// The candidate closest to `name`, if one is close enough; the first of equals.
 pub fn closest<'a>(name: &str, candidates: impl Iterator<Item = &'a str>) -> Option<&'a str> {
     let limit = (name.len() / 3).clamp(1, 3);
     let near = candidates.filter(|candidate| *candidate != name).filter_map(|candidate| {

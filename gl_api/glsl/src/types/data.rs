@@ -1,4 +1,4 @@
-//! The types as GL reports them, of uniforms and attributes.
+//! Types as GL reports them, of uniforms and attributes.
 
 use super::Sampler;
 use rasterizer::ir::Ty;
@@ -6,7 +6,7 @@ use rasterizer::ir::Ty;
 /// The type of a uniform or attribute as GL reports it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum DataType {
-    /// A scalar or vector: what it is made of, and 1 to 4 components.
+    /// A scalar or vector: its scalar type, and 1 to 4 components.
     Vector(Scalar, u8),
     /// A matrix: columns, rows.
     Matrix(u8, u8),
@@ -14,7 +14,7 @@ pub enum DataType {
     Sampler(Sampler),
 }
 
-/// What a vector is made of.
+/// The scalar type of a vector.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Scalar {
     /// `float`.
@@ -27,12 +27,12 @@ pub enum Scalar {
     Bool,
 }
 
-/// Which way a matrix lies in a buffer (ARB_uniform_buffer_object, section 2.15.3.1.1).
+/// The order of a matrix in a buffer (ARB_uniform_buffer_object, section 2.15.3.1.1).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MatrixOrder {
-    /// Column by column.
+    /// Column-major.
     Columns,
-    /// Row by row.
+    /// Row-major.
     Rows,
 }
 

@@ -24,7 +24,7 @@ pub enum Type {
     Struct(Arc<Struct>),
     /// An array; `None` until its size is known.
     Array(Box<Type>, Option<u32>),
-    /// The type of what was wrong already; goes with everything.
+    /// The type of an expression with an error, which goes with every other type.
     Error,
 }
 
@@ -37,7 +37,7 @@ pub struct Struct {
     pub fields: Vec<(Arc<str>, Type)>,
     /// How many scalars it has.
     pub scalars: u32,
-    /// How deep structures stand inside one another in it.
+    /// The depth of nested structures in it.
     pub depth: u32,
 }
 
@@ -82,7 +82,7 @@ impl Type {
         }
     }
 
-    /// The types of its scalars, in order; a sampler is its unit, an `i32`.
+    /// The IR types of its scalars, in order; a sampler is its unit, an `i32`.
     pub fn flat(&self) -> Vec<Ty> {
         let mut all = Vec::with_capacity(self.scalars() as usize);
         self.flatten(&mut all);
@@ -104,7 +104,7 @@ impl Type {
         }
     }
 
-    /// What a vector or matrix is made of.
+    /// The scalar type of a vector or matrix.
     pub fn scalar(&self) -> Option<Scalar> {
         match self {
             Self::Vector(scalar, _) => Some(*scalar),
@@ -123,7 +123,7 @@ impl Type {
         if let Self::Matrix(_, rows) = self { Some(*rows) } else { None }
     }
 
-    /// The same shape made of another scalar.
+    /// The same shape with another scalar type.
     pub fn with_scalar(&self, scalar: Scalar) -> Self {
         match self {
             Self::Vector(_, size) => Self::Vector(scalar, *size),
@@ -136,7 +136,7 @@ impl Type {
         matches!(self, Self::Vector(_, 1))
     }
 
-    /// What indexing gives, and how many of them there are (`None`: not known yet).
+    /// The type of an element, and the number of elements (`None`: not known yet).
     pub fn element(&self) -> Option<(Self, Option<u32>)> {
         match self {
             Self::Vector(scalar, size @ 2..) => {
@@ -150,7 +150,7 @@ impl Type {
         }
     }
 
-    /// The type of what an array holds in its last dimension, or itself when it is no array.
+    /// The type of the innermost elements of an array; itself if it is no array.
     pub fn base(&self) -> &Self {
         match self {
             Self::Array(element, _) => element.base(),
@@ -163,18 +163,17 @@ impl Type {
         }
     }
 
-    /// Whether it is an array with a dimension that has no size.
+    /// Whether it is an array with an unsized dimension.
     pub fn is_unsized(&self) -> bool {
         matches!(self, Self::Array(element, len) if len.is_none() || element.is_unsized())
     }
 
-    /// Itself, with the sizes of `other` in the dimensions that have none, where that makes it
-    /// `other`.
+    /// Itself, with the sizes of `other` in its unsized dimensions, if that makes it `other`.
     pub fn sized_as(self, other: &Self) -> Self {
         if self.is_unsized() && self.fits(other) { other.clone() } else { self }
     }
 
-    /// Whether it is `other` but for the dimensions that have no size.
+    /// Whether it is `other` except for the unsized dimensions.
     fn fits(&self, other: &Self) -> bool {
         match (self, other) {
             (Self::Array(a, len), Self::Array(b, other)) => {
@@ -184,7 +183,7 @@ impl Type {
         }
     }
 
-    /// Whether something in it satisfies `test`.
+    /// Whether a type in it satisfies `test`.
     pub fn any(&self, test: &dyn Fn(&Self) -> bool) -> bool {
         test(self)
             || match self {
@@ -208,7 +207,7 @@ impl Type {
         self.any(&|ty| matches!(ty, Self::Array(..)))
     }
 
-    /// As GL reports an element of it; `None` for what GL does not report.
+    /// The type that GL reports for an element of it; `None` for what GL does not report.
     pub fn data_type(&self) -> Option<DataType> {
         match self {
             Self::Vector(scalar, size) => Some(DataType::Vector(*scalar, *size)),

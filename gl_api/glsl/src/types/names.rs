@@ -4,7 +4,7 @@ use super::{Comparison, Dim, Sampler, Scalar, Type};
 use crate::language::{Availability, Extension, Language};
 use std::fmt;
 
-/// The words that name types, and since when.
+/// The keywords and their availability.
 static NAMES: [(&str, Type, Availability); 69] = {
     use Dim::{
         Buffer, Cube, CubeArray, D1, D1Array, D2, D2Array, D2Multisample, D2MultisampleArray, D3,
@@ -109,7 +109,7 @@ impl Type {
         row.map(|row| row.1.clone())
     }
 
-    /// What brings the type that a word names.
+    /// The availability of the type that a word names.
     pub fn availability(word: &str) -> Option<Availability> {
         NAMES.iter().find(|row| row.0 == word).map(|row| row.2)
     }

@@ -30,7 +30,7 @@ pub enum Dim {
 }
 
 impl Dim {
-    /// How many coordinates find a texel, the layer included.
+    /// The number of coordinates of a texel, with the layer.
     pub fn coords(self) -> usize {
         match self {
             Self::D1 | Self::Buffer => 1,
@@ -50,24 +50,24 @@ pub enum Comparison {
     Yes,
 }
 
-/// A kind of sampler.
+/// A sampler type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Sampler {
     /// The shape of its textures.
     pub dim: Dim,
-    /// What their texels are made of.
+    /// The scalar type of their texels.
     pub scalar: Scalar,
     /// Whether it compares.
     pub comparison: Comparison,
 }
 
-/// What a lookup makes of a comparison with a depth.
+/// The result of a lookup that compares with a depth.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum ComparisonResult {
-    /// Four components, as `GL_DEPTH_TEXTURE_MODE` has them: functions such as `shadow2D`.
+    /// Four components as `GL_DEPTH_TEXTURE_MODE` arranges them: functions such as `shadow2D`.
     DepthTextureMode,
     /// One number, whatever the mode is: the functions of GLSL 1.30.
     Scalar,
-    /// There is none, whatever the sampler says: assembly programs that do not ask for it.
+    /// No comparison, whatever the sampler state is: assembly programs without `SHADOW` targets.
     Ignored,
 }

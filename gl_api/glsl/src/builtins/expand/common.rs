@@ -15,8 +15,9 @@ pub fn max(emit: &mut Emit, args: Args<'_>) -> Vec<Value> {
     extreme(emit, args, Op::Max)
 }
 
-/// A constant goes second, where the operation is a single step. Zero stays where it is: of zeros the second is
-/// taken, whatever their signs.
+/// `Op::Min` and `Op::Max` with a constant as second operand are a single instruction, so a
+/// constant first operand is swapped, unless it is zero: of two zeros the second is the result,
+/// whatever their signs.
 fn extreme(emit: &mut Emit, args: Args<'_>, op: Op) -> Vec<Value> {
     each(emit, args, |emit, at| {
         let [a, b] = [at(0), at(1)];
@@ -54,7 +55,7 @@ fn float_bits(emit: &mut Emit, x: Value) -> Value {
     emit.select(is_signed, unsigned, bits)
 }
 
-/// The float whose bits a signed integer has.
+/// The float with the bits of a signed integer.
 pub fn int_bits_to_float(emit: &mut Emit, args: Args<'_>) -> Vec<Value> {
     each(emit, args, |emit, at| {
         let bits = emit.op(Op::IntToUint, &[at(0)]);
@@ -62,7 +63,7 @@ pub fn int_bits_to_float(emit: &mut Emit, args: Args<'_>) -> Vec<Value> {
     })
 }
 
-/// `x - y · floor(x / y)`. `y` is mostly a constant: its inverse is one too.
+/// `x - y · floor(x / y)`. `y` is often constant; then its inverse is folded.
 pub fn modulo(emit: &mut Emit, args: Args<'_>) -> Vec<Value> {
     let one = emit.float(1.0);
     each(emit, args, |emit, at| {

@@ -41,8 +41,8 @@ fn without(numbers: &[usize], one: usize) -> Vec<usize> {
     numbers.iter().copied().filter(|number| *number != one).collect()
 }
 
-/// The inverse, by Cramer's rule: the matrix of cofactors, transposed, over the determinant. That of a singular matrix is whatever
-/// the divisions by 0 give.
+/// The inverse, by Cramer's rule: the matrix of cofactors, transposed, over the determinant. A
+/// singular matrix gives the results of the divisions by 0.
 pub fn inverse(emit: &mut Emit, args: Args<'_>) -> Vec<Value> {
     let values = &args.values[0];
     let side = values.len().isqrt();
@@ -71,7 +71,7 @@ pub fn outer_product(emit: &mut Emit, args: Args<'_>) -> Vec<Value> {
     all
 }
 
-/// Rows as columns.
+/// The transposed matrix.
 pub fn transpose(_: &mut Emit, args: Args<'_>) -> Vec<Value> {
     let Type::Matrix(columns, rows) = args.types[0] else { return args.values[0].clone() };
     let (columns, rows) = (usize::from(columns), usize::from(rows));

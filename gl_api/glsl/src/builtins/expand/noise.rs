@@ -40,9 +40,9 @@ pub fn noise4(emit: &mut Emit, args: Args<'_>) -> Vec<Value> {
 struct Axis {
     /// The integer coordinate of both sides, spread over the word.
     sides: [Value; 2],
-    /// The way from both sides to the point.
+    /// The distance from both sides to the point.
     ways: [Value; 2],
-    /// How much of the far side is blended in.
+    /// The weight of the far side.
     fade: Value,
 }
 
@@ -92,7 +92,8 @@ fn blend(emit: &mut Emit, axes: &[Axis], seed: u32) -> Value {
     emit.op(Op::Mul, &[corners[0], scale])
 }
 
-/// The gradient of a corner times the way from there; bit `i` of `corner` is its side on axis `i`.
+/// The dot product of the gradient of a corner with the vector from there to the point; bit `i` of
+/// `corner` is its side on axis `i`.
 fn contribution(emit: &mut Emit, axes: &[Axis], corner: usize, seed: u32) -> Value {
     let mut hash = emit.uint(seed);
     let (spread, fifteen) = (emit.uint(SPREAD[1]), emit.uint(15));

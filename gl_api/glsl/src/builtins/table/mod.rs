@@ -2,5 +2,6 @@
 //! stages, and what it is lowered to.
 
 pub mod functions;
+mod samplers;
 pub mod textures;
 pub mod variables;
