@@ -17,7 +17,7 @@ const ENVIRONMENT_FRAG: &str = include_str!("lecture/environment.frag");
 const PROJECTOR_VERT: &str = include_str!("lecture/projector.vert");
 const PROJECTOR_FRAG: &str = include_str!("lecture/projector.frag");
 
-/// What the lecture leaves out: the vertex stage of the environment map.
+/// The vertex stage of the environment map, which the lecture does not print.
 const ENVIRONMENT_VERT: &str = "#version 130
 uniform mat4 uProjMatrix, uModelViewMatrix;
 uniform mat3 uNormalMatrix;

@@ -65,8 +65,14 @@ impl Checker<'_> {
             StmtKind::DoWhile(body, condition) => {
                 let body = self.loop_body(|checker| checker.branch(body));
                 let after = Some(self.condition(condition));
-                let turn = Loop { declare: None, before: None, body, step: None, after };
-                all.push(Stmt::Loop(Box::new(turn)));
+                let looped = Loop {
+                    declare: None,
+                    condition_before: None,
+                    body,
+                    step: None,
+                    condition_after: after,
+                };
+                all.push(Stmt::Loop(Box::new(looped)));
             }
             StmtKind::Switch(selector, body) => self.switch(selector, body, all),
             StmtKind::Case(_) | StmtKind::Default => {
@@ -159,7 +165,13 @@ impl Checker<'_> {
         };
         let step = step.map(|step| self.expr(step));
         let body = self.loop_body(|checker| checker.unscoped(body));
-        all.push(Stmt::Loop(Box::new(Loop { declare, before, body, step, after: None })));
+        all.push(Stmt::Loop(Box::new(Loop {
+            declare,
+            condition_before: before,
+            body,
+            step,
+            condition_after: None,
+        })));
     }
 
     /// `bool name = value` as the condition of a loop.

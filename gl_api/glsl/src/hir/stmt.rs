@@ -33,13 +33,13 @@ pub struct Loop {
     /// The variable that the condition declares.
     pub declare: Option<u32>,
     /// Tested before each iteration.
-    pub before: Option<Expr>,
+    pub condition_before: Option<Expr>,
     /// The body.
     pub body: Vec<Stmt>,
     /// Runs after each iteration.
     pub step: Option<Expr>,
     /// Tested after each iteration.
-    pub after: Option<Expr>,
+    pub condition_after: Option<Expr>,
 }
 
 /// The statements of a label, up to the next label.

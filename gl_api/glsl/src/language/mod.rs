@@ -90,8 +90,8 @@ impl Language {
             .desktop
             .filter(|core| *core > self.version || self.version == Version::Es100);
         let core = core.map(|core| format!("`#version {}`", core.number()));
-        let ways: Vec<String> = core.into_iter().chain(extensions).collect();
-        (!ways.is_empty()).then(|| format!("write {} first", ways.join(" or ")))
+        let directives: Vec<String> = core.into_iter().chain(extensions).collect();
+        (!directives.is_empty()).then(|| format!("write {} first", directives.join(" or ")))
     }
 }
 

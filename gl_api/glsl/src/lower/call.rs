@@ -154,7 +154,7 @@ pub(super) fn contains(statements: &[Stmt], jumps: Jump) -> bool {
         Stmt::Continue => jumps == Jump::Continue,
         Stmt::Block(block) => contains(block, jumps),
         Stmt::If(_, accept, reject) => contains(accept, jumps) || contains(reject, jumps),
-        Stmt::Loop(turn) => jumps == Jump::Return && contains(&turn.body, jumps),
+        Stmt::Loop(looped) => jumps == Jump::Return && contains(&looped.body, jumps),
         Stmt::Switch(_, cases) => cases.iter().any(|case| contains(&case.body, jumps)),
         Stmt::Declare(..) | Stmt::Expr(_) | Stmt::Break | Stmt::Discard => false,
     })

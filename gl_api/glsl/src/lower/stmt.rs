@@ -33,10 +33,10 @@ impl<'a> Lowerer<'a> {
                 self.emit.push(IrStmt::If { condition, accept, reject });
                 Ok(())
             }
-            Stmt::Loop(turn) => {
+            Stmt::Loop(looped) => {
                 self.loops += 1;
                 self.frame().regions.push(Region::Loop);
-                let result = self.loop_statement(turn);
+                let result = self.loop_statement(looped);
                 self.frame().regions.pop();
                 self.loops -= 1;
                 result
@@ -114,27 +114,27 @@ impl<'a> Lowerer<'a> {
         Ok(())
     }
 
-    fn loop_statement(&mut self, turn: &'a Loop) -> LowerResult<()> {
+    fn loop_statement(&mut self, looped: &'a Loop) -> LowerResult<()> {
         let body = self.block(|lowerer| {
-            if let Some(local) = turn.declare {
+            if let Some(local) = looped.declare {
                 // The step is in another block, so the variable of the condition needs IR storage.
-                lowerer.declare(local, turn.before.as_ref())?;
+                lowerer.declare(local, looped.condition_before.as_ref())?;
                 let storage = lowerer.frame().storages[local as usize].clone();
                 if let Some(VarStorage::Vars(vars)) = storage {
                     let condition = lowerer.emit.load(vars[0]);
                     lowerer.break_unless(condition);
                 }
-            } else if let Some(before) = &turn.before {
+            } else if let Some(before) = &looped.condition_before {
                 let condition = lowerer.expr(before)?[0];
                 lowerer.break_unless(condition);
             }
-            lowerer.statements(&turn.body)
+            lowerer.statements(&looped.body)
         })?;
         let continuing = self.block(|lowerer| {
-            if let Some(step) = &turn.step {
+            if let Some(step) = &looped.step {
                 lowerer.expr(step)?;
             }
-            if let Some(after) = &turn.after {
+            if let Some(after) = &looped.condition_after {
                 let condition = lowerer.expr(after)?[0];
                 lowerer.break_unless(condition);
             }
