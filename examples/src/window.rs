@@ -6,7 +6,7 @@ use gl_api::constants::*;
 use gl_api::context::{Context, ContextDesc};
 use gl_api::entry::*;
 use gl_api::explain::Explanation;
-use gl_api::glsl::Repairs;
+use gl_api::glsl::FixIts;
 use gl_api::types::GLint;
 use std::error::Error;
 use std::path::{Path, PathBuf};
@@ -94,12 +94,12 @@ impl Window {
         f64::from(width) / f64::from(height)
     }
 
-    /// Goes on in a new context, one that repairs shaders.
+    /// Continues in a new context, which applies the fix-its of shaders.
     ///
     /// # Panics
     /// When there is no memory for another context of the same size.
     pub fn switch_repairs_on(&mut self) {
-        let desc = ContextDesc { repairs: Repairs::On, ..self.desc.clone() };
+        let desc = ContextDesc { fix_its: FixIts::Apply, ..self.desc.clone() };
         self.current = None;
         let mut context = Context::new(desc).expect("a context of this size was made before");
         watch(&mut context, self.watched);

@@ -32,7 +32,7 @@ use crate::context::recorder::Recorder;
 use crate::context::sharing::{Entered, Group, Invitation, Shared};
 use crate::context::watched::Watched;
 use crate::context::window::Window;
-use crate::glsl::Repairs;
+use crate::glsl::FixIts;
 use crate::objects::Objects;
 use crate::objects::queries::ActiveQueries;
 use crate::state::State;
@@ -57,7 +57,7 @@ pub struct ContextDesc {
     /// Pixels up of the default framebuffer, 1 to 8192.
     pub height: u32,
     /// Whether the GLSL compiler applies the fixes it suggests.
-    pub repairs: Repairs,
+    pub fix_its: FixIts,
     /// The device; `None` shares one that the environment describes.
     pub device: Option<Arc<Device>>,
     /// What the default framebuffer has.
@@ -67,7 +67,7 @@ pub struct ContextDesc {
 impl Default for ContextDesc {
     fn default() -> Self {
         let surface = SurfaceDesc::default();
-        Self { width: 512, height: 512, repairs: Repairs::Off, device: None, surface }
+        Self { width: 512, height: 512, fix_its: FixIts::Suggest, device: None, surface }
     }
 }
 
@@ -132,7 +132,7 @@ pub struct Context {
     pub(crate) changes: Changes,
     /// Whether a call runs.
     pub(crate) entered: Entered,
-    pub(crate) repairs: Repairs,
+    pub(crate) fix_its: FixIts,
     /// The client memory that shows the picture.
     pub(crate) mirror: Option<Mirror>,
     /// The pixel that is watched.
@@ -155,14 +155,14 @@ impl Context {
     /// # Errors
     /// When the size is out of range or the device cannot be made.
     pub fn new(desc: ContextDesc) -> Result<Self, ContextError> {
-        let repairs = desc.repairs;
+        let fix_its = desc.fix_its;
         let (device, window) = Self::parts(desc)?;
-        Ok(Self::assemble(device, window, repairs, None))
+        Ok(Self::assemble(device, window, fix_its, None))
     }
 
     /// What a context is made of that there may not be.
     fn parts(desc: ContextDesc) -> Result<(Arc<Device>, Window), ContextError> {
-        let ContextDesc { width, height, repairs: _, device, surface } = desc;
+        let ContextDesc { width, height, fix_its: _, device, surface } = desc;
         let limit = crate::base::limits::MAX_VIEWPORT_DIMS;
         if !(1..=limit).contains(&width) || !(1..=limit).contains(&height) {
             return Err(ContextError::Size { width, height, limit });
@@ -182,7 +182,7 @@ impl Context {
     fn assemble(
         device: Arc<Device>,
         window: Window,
-        repairs: Repairs,
+        fix_its: FixIts,
         group: Option<Group>,
     ) -> Self {
         Self {
@@ -207,7 +207,7 @@ impl Context {
             invitation: Invitation::default(),
             changes: Changes::default(),
             entered: Entered::No,
-            repairs,
+            fix_its,
             mirror: None,
             watched: None,
         }
@@ -221,10 +221,10 @@ impl Context {
         desc: ContextDesc,
         shared: Option<Shared>,
     ) -> Result<Box<Self>, ContextError> {
-        let repairs = desc.repairs;
+        let fix_its = desc.fix_its;
         let (group, device) = shared.map(|shared| (shared.group, shared.device)).unzip();
         let (device, window) = Self::parts(ContextDesc { device: desc.device.or(device), ..desc })?;
-        Ok(Box::new(Self::assemble(device, window, repairs, group)))
+        Ok(Box::new(Self::assemble(device, window, fix_its, group)))
     }
 
     /// What a new context needs to share this one's objects, where nothing is recorded; no call of another context is waited for.

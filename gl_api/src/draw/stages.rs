@@ -211,7 +211,7 @@ impl FragmentStage {
         } else {
             let plans = key.units.iter().map(|unit| {
                 let target = TextureTarget::of(unit.shape);
-                let (result, reader) = (ComparisonResult::Placed, Reader::FixedFunction);
+                let (result, reader) = (ComparisonResult::DepthTextureMode, Reader::FixedFunction);
                 Some(plan(context, unit.unit, target, result, reader))
             });
             plans.collect()
@@ -422,7 +422,7 @@ pub(crate) fn plan(
     crate::draw::settle(context, &image);
     let mut sampler = sampler(context, unit, target);
     match result {
-        ComparisonResult::Placed => {}
+        ComparisonResult::DepthTextureMode => {}
         ComparisonResult::Scalar => sampler.depth_mode = DepthMode::Red,
         ComparisonResult::Ignored => sampler.compare = None,
     }
