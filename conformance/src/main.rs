@@ -2,14 +2,15 @@
 //! shows that the checks can fail, and measures error against run time and at the extremes.
 
 use clap::{Parser, Subcommand};
-use conformance::check::{Bench, Check, Effort, Outcome, Subject, Verdict, checks};
+use conformance::chapters::checks;
+use conformance::check::{Check, Effort, Harness, Outcome, Subject, Verdict};
 use conformance::mutation::Variant;
-use conformance::peers::child::Task;
+use conformance::peers::process::Task;
 use conformance::peers::{self, PeersError};
 use conformance::report::page::PageError;
-use conformance::sweep::{SWEEPS, Sweep, Swept};
+use conformance::sweep::{SWEEPS, Sweep, SweepOutcome};
 use conformance::tradeoff::{self, functions};
-use conformance::{comparison, report, selftest};
+use conformance::{filter_pictures, report, self_test};
 use serde::Serialize;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -61,7 +62,7 @@ enum Failure {
     #[error("nothing has {0:?} in its name or citation; the names are {1}")]
     Nothing(String, String),
     #[error(transparent)]
-    Drive(#[from] conformance::drive::DriveError),
+    Drive(#[from] conformance::probe::ProbeError),
     #[error(transparent)]
     Page(#[from] PageError),
     #[error(transparent)]
@@ -145,12 +146,13 @@ impl Args {
 
     fn formulas(&self) -> Result<bool, Failure> {
         let wanted = self.wanted(checks(), |check: &Check| [check.name, check.citation])?;
-        let bench =
-            Bench { subject: Subject::Driver, effort: self.effort(), variant: Variant::TRUE };
-        let outcomes: Vec<Outcome> = wanted.iter().map(|check| check.run(&bench)).collect();
+        let harness =
+            Harness { subject: Subject::Driver, effort: self.effort(), variant: Variant::CORRECT };
+        let outcomes: Vec<Outcome> = wanted.iter().map(|check| check.run(&harness)).collect();
         self.print(|| report::table(&outcomes), &outcomes)?;
         if !self.json {
-            let pictures = if self.only.is_none() { comparison::pictures()? } else { Vec::new() };
+            let pictures =
+                if self.only.is_none() { filter_pictures::pictures()? } else { Vec::new() };
             report::checks_page(&self.out, &outcomes, &pictures)?;
             self.point_to("index.html");
         }
@@ -158,7 +160,7 @@ impl Args {
     }
 
     fn self_test(&self) -> Result<bool, Failure> {
-        let trials = selftest::run(Subject::Driver);
+        let trials = self_test::run(Subject::Driver);
         self.print(|| report::trials_table(&trials), &trials)?;
         Ok(trials.iter().all(|trial| trial.noticed))
     }
@@ -191,18 +193,18 @@ impl Args {
 
     fn extremes(&self) -> Result<bool, Failure> {
         let wanted = self.wanted(SWEEPS.iter(), |sweep: &Sweep| [sweep.name, sweep.parameter])?;
-        let swept: Vec<Swept> = wanted.iter().map(|sweep| sweep.run()).collect();
+        let swept: Vec<SweepOutcome> = wanted.iter().map(|sweep| sweep.run()).collect();
         self.print(|| report::sweeps_table(&swept), &swept)?;
         if !self.json {
             report::sweeps_page(&self.out, &swept)?;
             self.point_to("extremes.html");
         }
-        Ok(swept.iter().all(Swept::passes))
+        Ok(swept.iter().all(SweepOutcome::passes))
     }
 
     fn peers(&self, options: &peers::Options) -> Result<bool, Failure> {
         let only = self.only.as_deref().unwrap_or_default();
-        let scenes = peers::wanted(only);
+        let scenes = peers::selected(only);
         if scenes.is_empty() {
             return Err(Failure::Nothing(only.to_owned(), peers::names().join(", ")));
         }

@@ -127,7 +127,7 @@ fn line(block: &[u8], at: usize, [low, high]: [f64; 2], variant: Variant) -> f64
 mod tests {
     use super::*;
 
-    const TRUE: Variant = Variant::TRUE;
+    const TRUE: Variant = Variant::CORRECT;
 
     #[test]
     fn colors_by_hand() {
