@@ -40,7 +40,7 @@ impl Rng {
         self.next() as u8
     }
 
-    /// One of `choices`.
+    /// One of the elements of `of`.
     pub fn pick<T: Copy>(&mut self, of: &[T]) -> T {
         of[self.integer(0, of.len() as i64 - 1) as usize]
     }

@@ -1,7 +1,7 @@
 //! Bricks, flagstones and planks that repeat without a seam.
 
+use super::image::{Color, Picture, dim, mix, smooth};
 use super::noise::{hash, turbulence};
-use super::{Color, Picture, dim, mix, smooth};
 
 const SIZE: usize = 256;
 
@@ -9,7 +9,7 @@ const SIZE: usize = 256;
 struct Courses {
     rows: i64,
     per_row: i64,
-    /// Width of the joint, in parts of a row's height.
+    /// Width of the joint, as a fraction of a row's height.
     joint: f64,
     shift: f64,
 }
@@ -18,7 +18,7 @@ const BRICKS: Courses = Courses { rows: 8, per_row: 4, joint: 0.085, shift: 0.5 
 const FLAGSTONES: Courses = Courses { rows: 4, per_row: 4, joint: 0.04, shift: 0.35 };
 const PLANKS: Courses = Courses { rows: 6, per_row: 1, joint: 0.05, shift: 0.37 };
 
-/// Where a point of the unit square is in its block.
+/// The block of a point of the unit square, and the point's position in it.
 struct Place {
     /// A number in [0, 1) for the block, by seed.
     block: (i64, i64),
