@@ -2,7 +2,7 @@
 
 use crate::check::{Check, Harness, Tally, Unit};
 use crate::mutation::Variant;
-use crate::oracle::block::{self, Kind};
+use crate::oracle::block::{self, BlockFormat};
 use crate::probe::ProbeError;
 use crate::rng::Rng;
 use gl_api::constants::*;
@@ -20,23 +20,23 @@ pub const COMPRESSED: Check = Check {
 };
 
 /// Format, how it decodes, and whether it is sRGB-encoded.
-const FORMATS: [(u32, Kind, bool); 16] = [
-    (GL_COMPRESSED_RGB_S3TC_DXT1_EXT, Kind::Dxt1Rgb, false),
-    (GL_COMPRESSED_RGBA_S3TC_DXT1_EXT, Kind::Dxt1Rgba, false),
-    (GL_COMPRESSED_RGBA_S3TC_DXT3_EXT, Kind::Dxt3, false),
-    (GL_COMPRESSED_RGBA_S3TC_DXT5_EXT, Kind::Dxt5, false),
-    (GL_COMPRESSED_SRGB_S3TC_DXT1_EXT, Kind::Dxt1Rgb, true),
-    (GL_COMPRESSED_SRGB_ALPHA_S3TC_DXT1_EXT, Kind::Dxt1Rgba, true),
-    (GL_COMPRESSED_SRGB_ALPHA_S3TC_DXT3_EXT, Kind::Dxt3, true),
-    (GL_COMPRESSED_SRGB_ALPHA_S3TC_DXT5_EXT, Kind::Dxt5, true),
-    (GL_COMPRESSED_RED_RGTC1, Kind::Rgtc1, false),
-    (GL_COMPRESSED_SIGNED_RED_RGTC1, Kind::Rgtc1Signed, false),
-    (GL_COMPRESSED_RG_RGTC2, Kind::Rgtc2, false),
-    (GL_COMPRESSED_SIGNED_RG_RGTC2, Kind::Rgtc2Signed, false),
-    (GL_COMPRESSED_LUMINANCE_LATC1_EXT, Kind::Latc1, false),
-    (GL_COMPRESSED_SIGNED_LUMINANCE_LATC1_EXT, Kind::Latc1Signed, false),
-    (GL_COMPRESSED_LUMINANCE_ALPHA_LATC2_EXT, Kind::Latc2, false),
-    (GL_COMPRESSED_SIGNED_LUMINANCE_ALPHA_LATC2_EXT, Kind::Latc2Signed, false),
+const FORMATS: [(u32, BlockFormat, bool); 16] = [
+    (GL_COMPRESSED_RGB_S3TC_DXT1_EXT, BlockFormat::Dxt1Rgb, false),
+    (GL_COMPRESSED_RGBA_S3TC_DXT1_EXT, BlockFormat::Dxt1Rgba, false),
+    (GL_COMPRESSED_RGBA_S3TC_DXT3_EXT, BlockFormat::Dxt3, false),
+    (GL_COMPRESSED_RGBA_S3TC_DXT5_EXT, BlockFormat::Dxt5, false),
+    (GL_COMPRESSED_SRGB_S3TC_DXT1_EXT, BlockFormat::Dxt1Rgb, true),
+    (GL_COMPRESSED_SRGB_ALPHA_S3TC_DXT1_EXT, BlockFormat::Dxt1Rgba, true),
+    (GL_COMPRESSED_SRGB_ALPHA_S3TC_DXT3_EXT, BlockFormat::Dxt3, true),
+    (GL_COMPRESSED_SRGB_ALPHA_S3TC_DXT5_EXT, BlockFormat::Dxt5, true),
+    (GL_COMPRESSED_RED_RGTC1, BlockFormat::Rgtc1, false),
+    (GL_COMPRESSED_SIGNED_RED_RGTC1, BlockFormat::Rgtc1Signed, false),
+    (GL_COMPRESSED_RG_RGTC2, BlockFormat::Rgtc2, false),
+    (GL_COMPRESSED_SIGNED_RG_RGTC2, BlockFormat::Rgtc2Signed, false),
+    (GL_COMPRESSED_LUMINANCE_LATC1_EXT, BlockFormat::Latc1, false),
+    (GL_COMPRESSED_SIGNED_LUMINANCE_LATC1_EXT, BlockFormat::Latc1Signed, false),
+    (GL_COMPRESSED_LUMINANCE_ALPHA_LATC2_EXT, BlockFormat::Latc2, false),
+    (GL_COMPRESSED_SIGNED_LUMINANCE_ALPHA_LATC2_EXT, BlockFormat::Latc2Signed, false),
 ];
 
 /// Blocks in a row of the texture.

@@ -16,7 +16,7 @@ pub const SAMPLED: Check = Check {
     unit: Unit::Ulp,
     tolerance: 1.0,
     why: "one rounding of the exact fraction to f32 is 0.5 ULP; the table of sRGB one more",
-    run: |harness, tally| run(harness, tally, Side::Sampled),
+    run: |harness, tally| run(harness, tally, ReadPath::Sampled),
 };
 
 /// Stored and queried.
@@ -27,7 +27,7 @@ pub const QUERIED: Check = Check {
     unit: Unit::Ulp,
     tolerance: 0.5,
     why: "one rounding of the exact fraction to f32",
-    run: |harness, tally| run(harness, tally, Side::Queried),
+    run: |harness, tally| run(harness, tally, ReadPath::Queried),
 };
 
 /// Integers.
@@ -43,14 +43,14 @@ pub const INTEGERS: Check = Check {
 
 /// How texels are read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Side {
+enum ReadPath {
     Sampled,
     Queried,
 }
 
 const WIDTH: usize = 64;
 
-fn run(harness: &Harness, tally: &mut Tally, side: Side) -> Result<(), ProbeError> {
+fn run(harness: &Harness, tally: &mut Tally, side: ReadPath) -> Result<(), ProbeError> {
     let mut rng = Rng::named("format");
     for &(internal, base, encoding) in FORMATS {
         let cases: Vec<[f32; 4]> = (0..harness.cases(WIDTH * 4))
@@ -59,17 +59,17 @@ fn run(harness: &Harness, tally: &mut Tally, side: Side) -> Result<(), ProbeErro
         let expect = |case: &[f32; 4], variant: Variant| {
             let channels = format::stored(base, encoding, case.map(f64::from), variant);
             match side {
-                Side::Sampled => {
+                ReadPath::Sampled => {
                     base.sampled(format::linear(base, encoding, channels, variant), variant)
                 }
-                Side::Queried => base.queried(channels, variant),
+                ReadPath::Queried => base.queried(channels, variant),
             }
         };
         harness.compare(tally, &enum_name(internal), &cases, expect, |session| {
             let row = TexelRow { internal, is_depth: base == Base::Depth, texels: &cases };
             session.texel_row(&row)?;
             match side {
-                Side::Sampled => {
+                ReadPath::Sampled => {
                     let width = cases.len() as f32;
                     let at = |i: usize| [(i as f32 + 0.5) / width, 0.5, 0.0, 1.0];
                     let inputs: Vec<_> =
@@ -78,7 +78,7 @@ fn run(harness: &Harness, tally: &mut Tally, side: Side) -> Result<(), ProbeErro
                                 vec4 value() { return texture2D(image, a.xy); }";
                     session.field(body, 4, &inputs)
                 }
-                Side::Queried => session.query_texel_row(&row),
+                ReadPath::Queried => session.query_texel_row(&row),
             }
         })?;
     }

@@ -19,7 +19,7 @@ pub const LOD: Check = Check {
     unit: Unit::FullScale,
     tolerance: 1.0 / (1 << 16) as f64,
     why: "f32: weight frac(λ) to 2^-18, times a difference of texels up to 1; bilinear 2^-17",
-    run: |harness, tally| run(harness, tally, Form::Lod),
+    run: |harness, tally| run(harness, tally, LookupForm::Lod),
 };
 
 /// ρ from the shader.
@@ -30,12 +30,12 @@ pub const GRAD: Check = Check {
     unit: Unit::FullScale,
     tolerance: 1.0 / (1 << 16) as f64,
     why: "f32: weight frac(λ) to 2^-18, times a difference of texels up to 1; bilinear 2^-17",
-    run: |harness, tally| run(harness, tally, Form::Grad),
+    run: |harness, tally| run(harness, tally, LookupForm::Grad),
 };
 
 /// How a lookup specifies λ.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Form {
+enum LookupForm {
     Lod,
     Grad,
 }
@@ -43,7 +43,7 @@ enum Form {
 /// A footprint, and λ in place of its bias.
 type Case = Footprint;
 
-fn run(harness: &Harness, tally: &mut Tally, form: Form) -> Result<(), ProbeError> {
+fn run(harness: &Harness, tally: &mut Tally, form: LookupForm) -> Result<(), ProbeError> {
     let mut rng = Rng::named("lookup");
     let size = [64, 32];
     let top = level_count(size) - 1;
@@ -70,7 +70,7 @@ fn run(harness: &Harness, tally: &mut Tally, form: Form) -> Result<(), ProbeErro
         let expect = |case: &Case, variant: Variant| {
             let st = case.st.map(f64::from);
             match form {
-                Form::Lod => {
+                LookupForm::Lod => {
                     let given = if variant.has(Mutation::ExplicitLodIgnored) {
                         0.0
                     } else {
@@ -79,18 +79,20 @@ fn run(harness: &Harness, tally: &mut Tally, form: Form) -> Result<(), ProbeErro
                     let lambda = lod::lambda(given.exp2(), &state, variant);
                     sample::at_lambda(&image, &sampler, st, lambda, variant)
                 }
-                Form::Grad => sample::sample(&image, &sampler, st, &case.derivatives(), variant),
+                LookupForm::Grad => {
+                    sample::sample(&image, &sampler, st, &case.derivatives(), variant)
+                }
             }
         };
         harness.compare(tally, &state, &cases, expect, |session| {
             session.texture_2d(&image, &sampler)?;
             let inputs: Vec<_> = cases.iter().map(Footprint::inputs).collect();
             let body = match form {
-                Form::Lod => {
+                LookupForm::Lod => {
                     "uniform sampler2D image;
                      vec4 value() { return texture2DLod(image, a.xy, c.x); }"
                 }
-                Form::Grad => {
+                LookupForm::Grad => {
                     "uniform sampler2D image;
                      vec4 value() { return texture2DGradARB(image, a.xy, b.xy, b.zw); }"
                 }

@@ -15,7 +15,7 @@ pub const GENERATED: Check = Check {
     unit: Unit::Bytes,
     tolerance: 0.01,
     why: "the mean of bytes is exact and rounded once, halves up",
-    run: |harness, tally| run(harness, tally, Maker::Gl),
+    run: |harness, tally| run(harness, tally, Generator::Gl),
 };
 
 /// Mipmaps of float textures.
@@ -37,12 +37,12 @@ pub const GLU: Check = Check {
     unit: Unit::Bytes,
     tolerance: 0.01,
     why: "the area mean of bytes is exact and rounded once, halves up",
-    run: |harness, tally| run(harness, tally, Maker::Glu),
+    run: |harness, tally| run(harness, tally, Generator::Glu),
 };
 
 /// The library that derives the levels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Maker {
+enum Generator {
     Gl,
     Glu,
 }
@@ -83,16 +83,16 @@ fn random(rng: &mut Rng, size: [usize; 3]) -> Volume {
     Volume { size, texels }
 }
 
-fn run(harness: &Harness, tally: &mut Tally, maker: Maker) -> Result<(), ProbeError> {
+fn run(harness: &Harness, tally: &mut Tally, generator: Generator) -> Result<(), ProbeError> {
     let mut rng = Rng::named("mipmap");
-    let (sizes, storages): (&[_], &[_]) = match maker {
-        Maker::Gl => (&GL_SIZES, &[Storage::Bytes, Storage::SrgbBytes]),
-        Maker::Glu => (&GLU_SIZES, &[Storage::Bytes]),
+    let (sizes, storages): (&[_], &[_]) = match generator {
+        Generator::Gl => (&GL_SIZES, &[Storage::Bytes, Storage::SrgbBytes]),
+        Generator::Glu => (&GLU_SIZES, &[Storage::Bytes]),
     };
     for (&(target, size), &storage) in
         sizes.iter().flat_map(|s| storages.iter().map(move |k| (s, k)))
     {
-        compare(harness, tally, maker, target, random(&mut rng, size), storage)?;
+        compare(harness, tally, generator, target, random(&mut rng, size), storage)?;
     }
     Ok(())
 }
@@ -104,7 +104,7 @@ fn floats(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
         for texel in &mut image.texels {
             *texel = [0; 4].map(|_: i32| f64::from(rng.real(0.0, 1000.0)));
         }
-        compare(harness, tally, Maker::Gl, target, image, Storage::Floats)?;
+        compare(harness, tally, Generator::Gl, target, image, Storage::Floats)?;
     }
     Ok(())
 }
@@ -112,23 +112,23 @@ fn floats(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
 fn compare(
     harness: &Harness,
     tally: &mut Tally,
-    maker: Maker,
+    generator: Generator,
     target: u32,
     image: Volume,
     storage: Storage,
 ) -> Result<(), ProbeError> {
-    let levels = |variant: Variant| match maker {
-        Maker::Gl => image.chain(storage, variant),
-        Maker::Glu => {
+    let levels = |variant: Variant| match generator {
+        Generator::Gl => image.chain(storage, variant),
+        Generator::Glu => {
             let base =
                 image.scaled(image.size.map(|n| closest_power(n, variant)), storage, variant);
             let rest = base.chain(storage, variant);
             [vec![base], rest].concat()
         }
     };
-    let first = match maker {
-        Maker::Gl => 1,
-        Maker::Glu => 0,
+    let first = match generator {
+        Generator::Gl => 1,
+        Generator::Glu => 0,
     };
     let expected = levels(harness.variant);
     let truth = levels(Variant::CORRECT);
@@ -151,9 +151,9 @@ fn compare(
             Storage::Floats => GL_RGBA32F,
         };
         let request = MipmapRequest { target, internal, image: &image };
-        match maker {
-            Maker::Gl => session.generate_mipmaps(&request)?,
-            Maker::Glu => session.glu_mipmaps(&request)?,
+        match generator {
+            Generator::Gl => session.generate_mipmaps(&request)?,
+            Generator::Glu => session.glu_mipmaps(&request)?,
         }
         let mut values = Vec::new();
         for (level, number) in truth.iter().zip(first..) {

@@ -160,7 +160,7 @@ fn pack(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
 }
 
 /// A texel of an image.
-type Place = [usize; 3];
+type TexelPosition = [usize; 3];
 
 fn store(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
     let mut rng = Rng::named("pixel-store");
@@ -177,15 +177,16 @@ fn store(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
             (GL_RED, GL_UNSIGNED_SHORT, 2, 2),
             (GL_RGBA, GL_UNSIGNED_BYTE, 1, 4),
         ]);
-        let place =
-            |at: Place, variant| store.place(at, [size[0], size[1]], element, pixel, variant);
+        let place = |at: TexelPosition, variant| {
+            store.place(at, [size[0], size[1]], element, pixel, variant)
+        };
         // With a mistake built in, an index may lie beyond the last pixel.
         let last = place(size.map(|n| n - 1), Variant::CORRECT) + pixel;
         let memory: Vec<u8> = (0..last + 4096).map(|_| rng.byte()).collect();
-        let cases: Vec<Place> = (0..size[2])
+        let cases: Vec<TexelPosition> = (0..size[2])
             .flat_map(|z| (0..size[1]).flat_map(move |y| (0..size[0]).map(move |x| [x, y, z])))
             .collect();
-        let expect = |&at: &Place, variant: Variant| {
+        let expect = |&at: &TexelPosition, variant: Variant| {
             let mut out = [0.0; 4];
             for (out, &byte) in out.iter_mut().zip(&memory[place(at, variant)..][..pixel]) {
                 *out = f64::from(byte);

@@ -21,7 +21,7 @@ pub const FILTERED: Check = Check {
     unit: Unit::FullScale,
     tolerance: TOLERANCE,
     why: WHY,
-    run: |harness, tally| run(harness, tally, Form::Plain),
+    run: |harness, tally| run(harness, tally, LookupForm::Plain),
 };
 
 /// Offsets.
@@ -32,7 +32,7 @@ pub const OFFSET: Check = Check {
     unit: Unit::FullScale,
     tolerance: TOLERANCE,
     why: WHY,
-    run: |harness, tally| run(harness, tally, Form::Offset),
+    run: |harness, tally| run(harness, tally, LookupForm::Offset),
 };
 
 /// Projection.
@@ -43,7 +43,7 @@ pub const PROJECTED: Check = Check {
     unit: Unit::FullScale,
     tolerance: 1.0 / (1 << 16) as f64,
     why: "as without projection, and one division",
-    run: |harness, tally| run(harness, tally, Form::Projected),
+    run: |harness, tally| run(harness, tally, LookupForm::Projected),
 };
 
 /// Single texels.
@@ -54,12 +54,12 @@ pub const FETCH: Check = Check {
     unit: Unit::FullScale,
     tolerance: 0.0,
     why: "texels are floats and come back as they are",
-    run: |harness, tally| run(harness, tally, Form::Fetch),
+    run: |harness, tally| run(harness, tally, LookupForm::Fetch),
 };
 
 /// The form of a texture lookup.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Form {
+enum LookupForm {
     Plain,
     Offset,
     Projected,
@@ -69,18 +69,18 @@ enum Form {
 /// Coordinates; the last is the divisor of a projective lookup.
 type Case = [f32; 4];
 
-fn run(harness: &Harness, tally: &mut Tally, form: Form) -> Result<(), ProbeError> {
+fn run(harness: &Harness, tally: &mut Tally, form: LookupForm) -> Result<(), ProbeError> {
     let mut rng = Rng::named("target");
     for target in Target::ALL {
-        if form == Form::Projected && target.has_layers() {
+        if form == LookupForm::Projected && target.has_layers() {
             continue;
         }
         for round in 0..8 {
             let texture = texture(&mut rng, target, round, form);
             let offset = match form {
-                Form::Offset => [0; 3].map(|_: i32| rng.integer(-8, 7)),
-                Form::Fetch if round % 2 == 1 => [0; 3].map(|_: i32| rng.integer(-2, 2)),
-                Form::Plain | Form::Projected | Form::Fetch => [0; 3],
+                LookupForm::Offset => [0; 3].map(|_: i32| rng.integer(-8, 7)),
+                LookupForm::Fetch if round % 2 == 1 => [0; 3].map(|_: i32| rng.integer(-2, 2)),
+                LookupForm::Plain | LookupForm::Projected | LookupForm::Fetch => [0; 3],
             };
             let offset = std::array::from_fn(|i| if i < target.axes() { offset[i] } else { 0 });
             let cases: Vec<Case> =
@@ -88,11 +88,13 @@ fn run(harness: &Harness, tally: &mut Tally, form: Form) -> Result<(), ProbeErro
             let expect = |case: &Case, variant: Variant| {
                 let [s, t, r, q] = case.map(f64::from);
                 match form {
-                    Form::Fetch => texture.fetch([s, t, r].map(|c| c as i64), offset, variant),
-                    Form::Projected if variant.has(Mutation::MissingDivide) => {
+                    LookupForm::Fetch => {
+                        texture.fetch([s, t, r].map(|c| c as i64), offset, variant)
+                    }
+                    LookupForm::Projected if variant.has(Mutation::MissingDivide) => {
                         texture.sample([s, t, r], offset, variant)
                     }
-                    Form::Plain | Form::Offset | Form::Projected => {
+                    LookupForm::Plain | LookupForm::Offset | LookupForm::Projected => {
                         texture.sample([s / q, t / q, r / q], offset, variant)
                     }
                 }
@@ -110,14 +112,14 @@ fn run(harness: &Harness, tally: &mut Tally, form: Form) -> Result<(), ProbeErro
 }
 
 /// A random texture; every other one has a border, if the target supports it.
-fn texture(rng: &mut Rng, target: Target, round: usize, form: Form) -> Texture {
+fn texture(rng: &mut Rng, target: Target, round: usize, form: LookupForm) -> Texture {
     let used = target.axes() + usize::from(target.has_layers());
     let mut size = [1; 3];
     for side in &mut size[..used] {
         *side = rng.pick(&[1, 2, 4, 5, 7, 8, 16]);
     }
     let bordered = match target {
-        Target::D1 | Target::D2 | Target::D3 => form == Form::Plain && round % 2 == 1,
+        Target::D1 | Target::D2 | Target::D3 => form == LookupForm::Plain && round % 2 == 1,
         Target::Rect | Target::D1Array | Target::D2Array => false,
     };
     let border = usize::from(bordered);
@@ -141,8 +143,8 @@ fn texture(rng: &mut Rng, target: Target, round: usize, form: Form) -> Texture {
 
 /// Coordinates inside and outside, for a nearest filter not near a texel's edge, and layers not
 /// near the middle between two.
-fn case(rng: &mut Rng, texture: &Texture, form: Form) -> Case {
-    if form == Form::Fetch {
+fn case(rng: &mut Rng, texture: &Texture, form: LookupForm) -> Case {
+    if form == LookupForm::Fetch {
         let at = |n: usize, rng: &mut Rng| rng.integer(-1, n as i64) as f32;
         let [w, h, d] = texture.size;
         let axes = texture.target.axes() + usize::from(texture.target.has_layers());
@@ -151,8 +153,8 @@ fn case(rng: &mut Rng, texture: &Texture, form: Form) -> Case {
         return [c[0], c[1], c[2], 1.0];
     }
     let q = match form {
-        Form::Projected => rng.pick(&[-2.0, 0.5, 1.0, 4.0]),
-        Form::Plain | Form::Offset | Form::Fetch => 1.0,
+        LookupForm::Projected => rng.pick(&[-2.0, 0.5, 1.0, 4.0]),
+        LookupForm::Plain | LookupForm::Offset | LookupForm::Fetch => 1.0,
     };
     let mut c = [0.0, 0.0, 0.0, q];
     for (axis, c) in c.iter_mut().enumerate().take(3) {
@@ -174,7 +176,7 @@ fn case(rng: &mut Rng, texture: &Texture, form: Form) -> Case {
 }
 
 /// The GLSL of a lookup.
-fn body(target: Target, form: Form, offset: [i64; 3]) -> String {
+fn body(target: Target, form: LookupForm, offset: [i64; 3]) -> String {
     let (sampler, size) = match target {
         Target::D1 => ("sampler1D", 1),
         Target::D2 => ("sampler2D", 2),
@@ -190,16 +192,18 @@ fn body(target: Target, form: Form, offset: [i64; 3]) -> String {
     // Rectangles have no levels.
     let level = if target == Target::Rect { "" } else { ", 0" };
     let call = match form {
-        Form::Plain => format!("texture(image, {ty}({coordinates}))"),
-        Form::Offset => format!("textureOffset(image, {coordinates}, {shift})"),
-        Form::Projected => {
+        LookupForm::Plain => format!("texture(image, {ty}({coordinates}))"),
+        LookupForm::Offset => format!("textureOffset(image, {coordinates}, {shift})"),
+        LookupForm::Projected => {
             let c = ["vec2(a.x, a.w)", "vec3(a.xy, a.w)", "a"][size - 1];
             format!("textureProj(image, {c})")
         }
-        Form::Fetch if offset == [0; 3] => {
+        LookupForm::Fetch if offset == [0; 3] => {
             format!("texelFetch(image, {ints}({coordinates}){level})")
         }
-        Form::Fetch => format!("texelFetchOffset(image, {ints}({coordinates}){level}, {shift})"),
+        LookupForm::Fetch => {
+            format!("texelFetchOffset(image, {ints}({coordinates}){level}, {shift})")
+        }
     };
     format!("uniform {sampler} image; vec4 value() {{ return {call}; }}")
 }

@@ -80,7 +80,7 @@ impl Driver {
     }
 
     fn probed(mut self) -> Result<Self, PeersError> {
-        let answer = process::ask(&mut self.command(&["--probe"]))?;
+        let answer = process::run_and_read(&mut self.command(&["--probe"]))?;
         let strings: process::Strings = serde_json::from_slice(&answer)?;
         (self.renderer, self.version) = (strings.renderer, strings.version);
         Ok(self)
@@ -92,8 +92,12 @@ impl Driver {
     /// When the process fails.
     pub fn measure(&self, scene: &Scene, size: usize) -> Result<Measurement, PeersError> {
         let size = size.to_string();
-        let answer =
-            process::ask(&mut self.command(&["--scene", scene.name, "--size", size.as_str()]))?;
+        let answer = process::run_and_read(&mut self.command(&[
+            "--scene",
+            scene.name,
+            "--size",
+            size.as_str(),
+        ]))?;
         Measurement::from_bytes(&answer)
     }
 

@@ -148,7 +148,7 @@ impl Measurement {
 ///
 /// # Errors
 /// When it cannot be started, or fails.
-pub fn ask(command: &mut Command) -> Result<Vec<u8>, PeersError> {
+pub fn run_and_read(command: &mut Command) -> Result<Vec<u8>, PeersError> {
     let output = command.output().map_err(PeersError::Process)?;
     if output.status.success() {
         return Ok(output.stdout);

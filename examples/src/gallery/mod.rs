@@ -79,11 +79,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
 }
 
 /// The selected programs.
-fn asked(arguments: &Arguments) -> Vec<Program> {
-    let asked = |program: &Program| {
+fn selected(arguments: &Arguments) -> Vec<Program> {
+    let is_selected = |program: &Program| {
         arguments.only.is_empty() || arguments.only.iter().any(|name| name == program.name)
     };
-    programs::ALL.into_iter().filter(asked).collect()
+    programs::ALL.into_iter().filter(is_selected).collect()
 }
 
 /// Prints the explanation of a pixel of each picture.
@@ -93,7 +93,7 @@ fn explain_pixels(
     pixel: [usize; 2],
 ) -> Result<(), Box<dyn Error>> {
     let mut explained = Vec::new();
-    for program in asked(arguments) {
+    for program in selected(arguments) {
         let (size, desc) = (arguments.size as usize, ContextDesc::default());
         let (_, explanation) = explain(&program, size, image.cloned(), &desc, pixel)?;
         if arguments.json {
@@ -109,7 +109,7 @@ fn explain_pixels(
 }
 
 fn draw(arguments: &Arguments, image: Option<&Picture>) -> Result<Vec<Entry>, Box<dyn Error>> {
-    let programs = asked(arguments);
+    let programs = selected(arguments);
     // On anything but a terminal the bar draws nothing.
     let bar = ProgressBar::new(programs.len() as u64);
     bar.set_style(ProgressStyle::with_template("{bar:30} {pos}/{len} {msg}")?);

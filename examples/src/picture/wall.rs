@@ -19,7 +19,7 @@ const FLAGSTONES: Courses = Courses { rows: 4, per_row: 4, joint: 0.04, shift: 0
 const PLANKS: Courses = Courses { rows: 6, per_row: 1, joint: 0.05, shift: 0.37 };
 
 /// The block of a point of the unit square, and the point's position in it.
-struct Place {
+struct BlockPosition {
     /// A number in [0, 1) for the block, by seed.
     block: (i64, i64),
     /// 0 in the joint, rising to 1 within the block.
@@ -27,7 +27,7 @@ struct Place {
 }
 
 impl Courses {
-    fn place(&self, x: f64, y: f64) -> Place {
+    fn place(&self, x: f64, y: f64) -> BlockPosition {
         let row = (y * self.rows as f64).floor();
         let shifted = x * self.per_row as f64 + self.shift * (row as i64 % 2) as f64;
         let column = shifted.floor();
@@ -36,7 +36,7 @@ impl Courses {
         let ragged = 0.5 * self.joint * turbulence(x * 16.0, y * 16.0, 16, 41);
         let edge = (u.min(1.0 - u) * aspect).min(v.min(1.0 - v)) - ragged;
         let block = ((column as i64).rem_euclid(self.per_row), row as i64);
-        Place { block, height: smooth(self.joint * 0.5, self.joint * 1.6, edge) }
+        BlockPosition { block, height: smooth(self.joint * 0.5, self.joint * 1.6, edge) }
     }
 }
 
