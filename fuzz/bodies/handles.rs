@@ -284,7 +284,7 @@ impl Client {
         }
     }
 
-    /// Binds new memory and draws to it, if possible. The picture of the old memory is complete then, and the old memory is freed.
+    /// Binds new memory and draws to it, if possible. The picture in the old memory is complete then, and it is freed.
     fn draw_to_memory(&mut self, random: &mut Random<'_>) {
         let ty = random.pick(&[GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT, GL_FLOAT, GL_INT]);
         let (width, height) = (random.side(), random.side());
