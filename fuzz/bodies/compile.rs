@@ -1,4 +1,4 @@
-//! Any text as a shader: what the fuzz target `compile` and the tests of hostile shaders share.
+//! Compiles any text as a shader, for the fuzz target `compile` and the tests of hostile shaders.
 
 use gl_api::glsl::{Bindings, FixIts, Options, Stage, compile, link};
 
