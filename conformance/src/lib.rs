@@ -14,7 +14,7 @@
 //! | [`chapters`] | the checks, one file a chapter |
 //! | [`self_test`] | every mistake, built into its formula, must make its check fail |
 //! | [`sweep`] | extreme cases: the error over the whole range of a parameter |
-//! | [`reference`] | slow reference samplers: exact area integral, supersampling, ꟻLIP |
+//! | [`mod@reference`] | slow reference samplers: exact area integral, supersampling, ꟻLIP |
 //! | [`tradeoff`] | error and run time of each way to sample a texture |
 //! | [`filter_pictures`] | pictures by driver and formula, one for each minification filter |
 //! | [`report`] | tables, JSON and pages |

@@ -1,7 +1,7 @@
 //! Pixels in memory, a client's or a texture's, as numbers: 64 at a time.
 //!
 //! A [`PixelLayout`] describes a pixel in memory: one to four words, whose [`Field`](crate::format::Field)s are numbers in
-//! a [`NumberEncoding`]. [`read`] and [`write`] convert through `f64`, which holds every number of GL's types. Where two
+//! a [`NumberEncoding`]. [`read()`] and [`write()`] convert through `f64`, which holds every number of GL's types. Where two
 //! layouts have the same bits at different positions, [`BitMoves`] moves them without conversion.
 
 pub mod boxes;

@@ -10,7 +10,7 @@
 //! | the items that a path names, through imports and re-exports | [`resolve`] |
 //! | the references between the files of a crate | [`Graph::of`] |
 //! | the order of layers that the page prints | [`page`] |
-//! | what breaks the order | [`check`] |
+//! | what breaks the order | [`check()`] |
 //!
 //! ```text
 //! cargo run -p architecture -- texunit

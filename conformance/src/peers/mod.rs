@@ -1,7 +1,7 @@
 //! `conformance peers`: the same scenes through the same C functions, on DetGL's shared library and
 //! on every other GL driver of the machine.
 //!
-//! A scene is data, a [`FrameDescription`](frame::FrameDescription). [`replay`] draws it with a driver, [`reference`]
+//! A scene is data, a [`FrameDescription`](frame::FrameDescription). [`replay`] draws it with a driver, [`mod@reference`]
 //! with the formulas. Every measurement runs in a process of its own, so that first frames and memory
 //! belong to one driver only. The drivers alternate over several rounds, and their medians are
 //! compared.

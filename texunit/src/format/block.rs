@@ -3,7 +3,7 @@
 //!
 //! Texels stay compressed; a fetch decodes the one it needs. Every decoded value is a fraction of
 //! small integers, so it is computed as such and divided once: the nearest `f32` to the
-//! specification's formula ([`quotient`]). sRGB blocks are decoded first and made linear afterwards, by tables
+//! specification's formula (`quotient`). sRGB blocks are decoded first and made linear afterwards, by tables
 //! over all fractions that there are.
 
 mod encode;
