@@ -8,10 +8,10 @@ use crate::base::error::{ErrorCode, GlError};
 use crate::base::types::{GLenum, GLint, GLuint};
 use crate::calls::framebuffer::read::{ClientRows, Up, read_rows};
 use crate::context::debug::Output;
-use crate::context::sharing::Turn;
+use crate::context::sharing::SharedObjectsGuard;
 use crate::context::window::{Visible, Window, format_of, whole};
 use crate::context::{Context, ContextDesc, ContextError, SurfaceDesc, sharing};
-use crate::draw::hints::sight;
+use crate::draw::warnings::visibility;
 use crate::glu::{GLUquadric, GLUquadricCallback};
 use crate::pixel::client::Pixel;
 use crate::pixel::client::format::LuminanceOf;
@@ -60,17 +60,17 @@ impl Surface {
 
 /// What a new context needs to share the objects of another.
 #[derive(Clone, Debug)]
-pub struct Shared(sharing::Shared);
+pub struct ShareHandle(sharing::ShareHandle);
 
 /// How a thread asks a context that is current on another to share its objects: at its next call, or when it is
 /// released.
 #[derive(Clone, Debug)]
-pub struct Invitation(sharing::Invitation);
+pub struct ShareRequest(sharing::ShareRequest);
 
-impl Invitation {
+impl ShareRequest {
     /// Where a context is asked.
     pub fn of(context: &Context) -> Self {
-        Self(context.invitation.clone())
+        Self(context.share_request.clone())
     }
 
     /// Asks: [`Self::wait`] waits for the answer.
@@ -79,8 +79,8 @@ impl Invitation {
     }
 
     /// Waits until the context has answered; `None` if it makes no call for so long.
-    pub fn wait(&self, patience: Duration) -> Option<Shared> {
-        self.0.wait(patience).map(Shared)
+    pub fn wait(&self, patience: Duration) -> Option<ShareHandle> {
+        self.0.wait(patience).map(ShareHandle)
     }
 }
 
@@ -99,7 +99,7 @@ pub enum DebugOutput {
 /// As [`Context::new`].
 pub fn new_context(
     desc: ContextDesc,
-    shared: Option<Shared>,
+    shared: Option<ShareHandle>,
     output: DebugOutput,
 ) -> Result<Box<Context>, ContextError> {
     let mut context = Context::boxed(desc, shared.map(|shared| shared.0))?;
@@ -111,20 +111,20 @@ pub fn new_context(
 }
 
 /// What a new context needs to share this one's objects. Draws what was recorded.
-pub fn share(context: &mut Context) -> Shared {
-    Shared(context.share())
+pub fn share(context: &mut Context) -> ShareHandle {
+    ShareHandle(context.share())
 }
 
 /// As [`share`], where nothing is recorded; no call of another context is waited for.
-pub fn share_drawn(context: &mut Context) -> Shared {
-    Shared(context.shared())
+pub fn share_drawn(context: &mut Context) -> ShareHandle {
+    ShareHandle(context.shared())
 }
 
 /// Answers who has asked to share the objects of a context to which everything was drawn.
-pub fn answer_invitation(context: &mut Context) {
-    if context.invitation.is_open() {
+pub fn answer_share_request(context: &mut Context) {
+    if context.share_request.is_open() {
         let shared = context.shared();
-        context.invitation.answer(shared);
+        context.share_request.answer(shared);
     }
 }
 
@@ -145,7 +145,7 @@ pub fn first_surface(context: &mut Context, width: u32, height: u32) {
 
 /// Warns, if `DETGL_DEBUG` asks for it, of a picture in which nothing may be seen: it is about to be shown.
 pub fn shows_picture(context: &mut Context) {
-    sight::picture(context);
+    visibility::picture(context);
 }
 
 /// Takes note of a GL error of the call `name`.
@@ -271,8 +271,8 @@ fn copy(
 
 /// How many values the uniform at a location of a program has; 0 if there is none.
 pub fn uniform_values(context: &mut Context, program: GLuint, location: GLint) -> usize {
-    let turn = Turn::begin(context);
-    match crate::calls::program::inspect::words(turn.context, program, location) {
+    let guard = SharedObjectsGuard::lock(context);
+    match crate::calls::program::inspect::words(guard.context, program, location) {
         Ok((_, words)) => words.len(),
         Err(_) => 0,
     }
@@ -280,8 +280,8 @@ pub fn uniform_values(context: &mut Context, program: GLuint, location: GLint) -
 
 /// How many values `pname` of a uniform block has; 0 if there are none.
 pub fn block_values(context: &mut Context, program: GLuint, index: GLuint, pname: GLenum) -> usize {
-    let turn = Turn::begin(context);
-    match crate::calls::program::blocks::block_values(turn.context, program, index, pname) {
+    let guard = SharedObjectsGuard::lock(context);
+    match crate::calls::program::blocks::block_values(guard.context, program, index, pname) {
         Ok(values) => values.len(),
         Err(_) => 0,
     }

@@ -1,7 +1,7 @@
-//! `KHR_debug`: the log that a program reads, or is called with; filters, groups and labels.
+//! `KHR_debug`: the message log, its filters, groups and labels, and the callback.
 //!
-//! The log has what [`super::debug`] has, and what the program puts in. A callback is called when
-//! the call that caused a message is over, never in its middle.
+//! The log has the messages of [`super::debug`], and those that the application inserts. The callback is called when the
+//! call that caused a message is over, never in its middle.
 
 use crate::base::constants::*;
 use crate::base::types::*;
@@ -25,7 +25,7 @@ pub type GLDEBUGPROC =
 /// Where a message comes from, what it is about, and how much it matters; `GL_DONT_CARE` in a
 /// filter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Kind {
+pub(crate) struct MessageClass {
     pub source: GLenum,
     pub ty: GLenum,
     pub severity: GLenum,
@@ -33,8 +33,8 @@ pub(crate) struct Kind {
 
 /// A message of the log.
 #[derive(Clone, Debug)]
-pub(crate) struct Logged {
-    pub kind: Kind,
+pub(crate) struct LogMessage {
+    pub kind: MessageClass,
     pub id: GLuint,
     pub text: String,
 }
@@ -42,14 +42,14 @@ pub(crate) struct Logged {
 /// What is let through; the last filter that fits a message decides.
 #[derive(Clone, Debug)]
 pub(crate) struct Filter {
-    pub kind: Kind,
+    pub kind: MessageClass,
     /// Only these, unless there are none.
     pub ids: Vec<GLuint>,
     pub on: bool,
 }
 
 impl Filter {
-    fn fits(&self, message: &Logged) -> bool {
+    fn fits(&self, message: &LogMessage) -> bool {
         let fits = |filter: GLenum, value: GLenum| filter == GL_DONT_CARE || filter == value;
         fits(self.kind.source, message.kind.source)
             && fits(self.kind.ty, message.kind.ty)
@@ -60,8 +60,8 @@ impl Filter {
 
 /// A group of messages: what was said when it began, and its filters.
 #[derive(Clone, Debug, Default)]
-struct Group {
-    begin: Option<Logged>,
+struct MessageGroup {
+    begin: Option<LogMessage>,
     filters: Vec<Filter>,
 }
 
@@ -76,12 +76,12 @@ struct Callback {
 /// The log.
 #[derive(Debug)]
 pub(crate) struct Log {
-    queue: VecDeque<Logged>,
+    queue: VecDeque<LogMessage>,
     /// What the callback is to be called with; what was logged before there was one stays in the log.
-    pending: VecDeque<Logged>,
+    pending: VecDeque<LogMessage>,
     callback: Callback,
     /// The groups that are open; the first always is.
-    groups: Vec<Group>,
+    groups: Vec<MessageGroup>,
     /// By what an object is, and its name.
     pub labels: BTreeMap<(GLenum, usize), String>,
 }
@@ -92,14 +92,14 @@ impl Default for Log {
             queue: VecDeque::new(),
             pending: VecDeque::new(),
             callback: Callback::default(),
-            groups: vec![Group::default()],
+            groups: vec![MessageGroup::default()],
             labels: BTreeMap::new(),
         }
     }
 }
 
 impl Log {
-    fn lets_through(&self, message: &Logged) -> bool {
+    fn lets_through(&self, message: &LogMessage) -> bool {
         let filters = self.groups.last().map_or(&[][..], |group| &group.filters);
         match filters.iter().rev().find(|filter| filter.fits(message)) {
             Some(filter) => filter.on,
@@ -109,7 +109,7 @@ impl Log {
     }
 
     /// Adds a message, if the filters let it through; a full log drops it.
-    pub fn push(&mut self, message: Logged) {
+    pub fn push(&mut self, message: LogMessage) {
         let lets_through = self.lets_through(&message);
         let queue = match self.callback.procedure {
             Some(_) => &mut self.pending,
@@ -121,7 +121,7 @@ impl Log {
     }
 
     /// Takes the messages for the callback, if there is one.
-    pub fn deliver(&mut self) -> Option<(GLDEBUGPROC, usize, VecDeque<Logged>)> {
+    pub fn deliver(&mut self) -> Option<(GLDEBUGPROC, usize, VecDeque<LogMessage>)> {
         if self.callback.procedure.is_none() || self.pending.is_empty() {
             return None;
         }
@@ -157,10 +157,10 @@ impl Log {
     }
 
     /// Opens a group; there must be room.
-    pub fn push_group(&mut self, begin: Logged) {
+    pub fn push_group(&mut self, begin: LogMessage) {
         self.push(begin.clone());
         let filters = self.groups.last().map_or(Vec::new(), |group| group.filters.clone());
-        self.groups.push(Group { begin: Some(begin), filters });
+        self.groups.push(MessageGroup { begin: Some(begin), filters });
     }
 
     /// Closes a group; one besides the first must be open.
@@ -176,12 +176,12 @@ impl Log {
     }
 
     /// The oldest message.
-    pub fn first(&self) -> Option<&Logged> {
+    pub fn first(&self) -> Option<&LogMessage> {
         self.queue.front()
     }
 
     /// Takes the oldest message.
-    pub fn pop(&mut self) -> Option<Logged> {
+    pub fn pop(&mut self) -> Option<LogMessage> {
         self.queue.pop_front()
     }
 }

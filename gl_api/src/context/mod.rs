@@ -1,36 +1,30 @@
 //! The context: all state, all objects, and the driver they are drawn with.
 
-pub(crate) mod counting;
+pub(crate) mod debug;
 pub(crate) mod feedback;
-pub(crate) mod raster_passed;
-pub(crate) mod swap;
-
-pub(crate) mod bitmaps;
-pub(crate) mod draw_note;
-pub(crate) mod ended;
 pub(crate) mod immediate;
 pub(crate) mod lists;
-pub(crate) mod presence;
-pub(crate) mod recorder;
-pub(crate) mod sharing;
-pub(crate) mod watched;
-pub(crate) mod window;
-
-mod changes;
-pub(crate) mod debug;
 pub(crate) mod log;
 pub(crate) mod mirror;
-pub(crate) mod said;
+pub(crate) mod pending_bitmaps;
+pub(crate) mod pending_primitives;
+pub(crate) mod recorder;
+pub(crate) mod sharing;
+pub(crate) mod stale_depth;
+mod state_changes;
 mod surface;
+pub(crate) mod warnings;
+pub(crate) mod watched_pixel;
+pub(crate) mod window;
 
 use crate::base::error::{GlError, Result};
-use crate::context::ended::Ended;
 use crate::context::feedback::Feedback;
 use crate::context::immediate::Immediate;
 use crate::context::lists::{Compiling, Lists};
+use crate::context::pending_primitives::PendingPrimitives;
 use crate::context::recorder::Recorder;
-use crate::context::sharing::{Entered, Group, Invitation, Shared};
-use crate::context::watched::Watched;
+use crate::context::sharing::{GroupLock, ShareGroup, ShareHandle, ShareRequest};
+use crate::context::watched_pixel::WatchedPixel;
 use crate::context::window::Window;
 use crate::glsl::FixIts;
 use crate::objects::Objects;
@@ -40,11 +34,11 @@ use crate::state::attrib::AttribStacks;
 use crate::state::evaluate::Maps;
 use crate::state::transform_feedback::TransformFeedback;
 use crate::state::uniform_buffers::UniformBuffers;
-use changes::Changes;
 pub use debug::{Message, Severity};
 pub use log::GLDEBUGPROC;
 use mirror::Mirror;
 use rasterizer::driver::{Device, DeviceDesc, DeviceError};
+use state_changes::StateChanges;
 use std::sync::{Arc, OnceLock};
 pub use surface::{SurfaceColor, SurfaceDesc};
 use thiserror::Error;
@@ -108,11 +102,11 @@ pub struct Context {
     pub(crate) read_window: Option<Window>,
     pub(crate) debug: debug::Debug,
     /// Which hints were given.
-    said: said::Said,
+    given_warnings: warnings::GivenWarnings,
     /// Between `glBegin` and `glEnd`.
     pub(crate) immediate: Option<Immediate>,
     /// What ended and is not drawn yet, as more like it may follow.
-    pub(crate) ended: Option<Ended>,
+    pub(crate) pending: Option<PendingPrimitives>,
     pub(crate) recorder: Recorder,
     /// Display lists, and the one that is being compiled.
     pub(crate) lists: Lists,
@@ -126,17 +120,17 @@ pub struct Context {
     pub(crate) transform_feedback: TransformFeedback,
     pub(crate) uniform_buffers: UniformBuffers,
     /// The contexts that this one shares objects with.
-    group: Option<Group>,
+    group: Option<ShareGroup>,
     /// Where another thread asks for the group.
-    pub(crate) invitation: Invitation,
-    pub(crate) changes: Changes,
+    pub(crate) share_request: ShareRequest,
+    pub(crate) state_changes: StateChanges,
     /// Whether a call runs.
-    pub(crate) entered: Entered,
-    pub(crate) fix_its: FixIts,
+    pub(crate) group_lock: GroupLock,
+    pub(crate) repairs: Repairs,
     /// The client memory that shows the picture.
     pub(crate) mirror: Option<Mirror>,
     /// The pixel that is watched.
-    pub(crate) watched: Option<Box<Watched>>,
+    pub(crate) watched: Option<Box<WatchedPixel>>,
 }
 
 /// The device that contexts share which bring none.
@@ -182,8 +176,8 @@ impl Context {
     fn assemble(
         device: Arc<Device>,
         window: Window,
-        fix_its: FixIts,
-        group: Option<Group>,
+        repairs: Repairs,
+        group: Option<ShareGroup>,
     ) -> Self {
         Self {
             state: State::new(window.width, window.height),
@@ -191,9 +185,9 @@ impl Context {
             window,
             read_window: None,
             debug: debug::Debug::from_env(device.desc()),
-            said: said::Said::default(),
+            given_warnings: warnings::GivenWarnings::default(),
             immediate: None,
-            ended: None,
+            pending: None,
             recorder: Recorder::new(device),
             lists: Lists::default(),
             compiling: None,
@@ -204,10 +198,10 @@ impl Context {
             transform_feedback: TransformFeedback::default(),
             uniform_buffers: UniformBuffers::default(),
             group,
-            invitation: Invitation::default(),
-            changes: Changes::default(),
-            entered: Entered::No,
-            fix_its,
+            share_request: ShareRequest::default(),
+            state_changes: StateChanges::default(),
+            group_lock: GroupLock::NotHeld,
+            repairs,
             mirror: None,
             watched: None,
         }
@@ -219,7 +213,7 @@ impl Context {
     #[inline(never)]
     pub(crate) fn boxed(
         desc: ContextDesc,
-        shared: Option<Shared>,
+        shared: Option<ShareHandle>,
     ) -> Result<Box<Self>, ContextError> {
         let fix_its = desc.fix_its;
         let (group, device) = shared.map(|shared| (shared.group, shared.device)).unzip();
@@ -228,10 +222,10 @@ impl Context {
     }
 
     /// What a new context needs to share this one's objects, where nothing is recorded; no call of another context is waited for.
-    pub(crate) fn shared(&mut self) -> Shared {
+    pub(crate) fn shared(&mut self) -> ShareHandle {
         let objects = &mut self.objects;
-        let group = self.group.get_or_insert_with(|| Group::of(objects)).clone();
-        Shared { group, device: self.recorder.device() }
+        let group = self.group.get_or_insert_with(|| ShareGroup::of(objects)).clone();
+        ShareHandle { group, device: self.recorder.device() }
     }
 
     /// Takes the messages that have gathered, oldest first.
@@ -245,13 +239,13 @@ impl Context {
     }
 
     /// Whether no other context shares its objects.
-    pub(crate) fn is_alone(&self) -> bool {
+    pub(crate) fn is_unshared(&self) -> bool {
         self.group.is_none()
     }
 
     /// The group whose objects a call has to fetch.
-    pub(crate) fn group_outside(&self) -> Option<&Group> {
-        self.group.as_ref().filter(|_| self.entered == Entered::No)
+    pub(crate) fn group_to_lock(&self) -> Option<&ShareGroup> {
+        self.group.as_ref().filter(|_| self.group_lock == GroupLock::NotHeld)
     }
 
     /// Takes note of an error.

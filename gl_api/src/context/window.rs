@@ -1,11 +1,15 @@
-//! Framebuffers: what is drawn to and read from (GL 2.1, chapter 4; framebuffer objects).
+//! The default framebuffer (GL 2.1, chapter 4), and rectangles of pixels in framebuffers.
+//!
+//! EGL's surfaces and OSMesa's memory are default framebuffers that a context takes in place of its own; a context can
+//! also be current without one ([`Presence::Absent`]).
 
+use crate::context::Context;
 use crate::context::SurfaceDesc;
-pub(crate) use crate::context::presence::Presence;
-use crate::context::recorder::depths::Depths;
+use crate::context::stale_depth::DepthHistory;
 use crate::objects::accumulation::Accumulation;
 use crate::objects::color_buffers::Selection;
 use crate::objects::framebuffers::Planes;
+use crate::state::State;
 use rasterizer::driver::{Attachment, Image};
 use texunit::format::Format;
 use texunit::image::{Image as Texels, ImageError, Level, Shape};
@@ -77,8 +81,8 @@ pub(crate) struct Window {
     pub selection: Selection,
     pub presence: Presence,
     pub accumulation: Accumulation,
-    /// What warnings of its depths go by.
-    pub depths: Depths,
+    /// Where its depths are from, for warnings.
+    pub depths: DepthHistory,
 }
 
 impl Window {
@@ -95,12 +99,65 @@ impl Window {
             selection: Selection::window(),
             presence: Presence::Present,
             accumulation: Accumulation::default(),
-            depths: Depths::default(),
+            depths: DepthHistory::default(),
         })
     }
 
     /// How depth and stencil are stored.
     pub fn depth_format(&self) -> Option<Format> {
         self.depth.as_ref()?.level(0, 0).map(|level| level.format)
+    }
+}
+
+/// Whether there is a default framebuffer at all: a context can be current without one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Presence {
+    Present,
+    Absent,
+}
+
+impl Window {
+    /// What stands in where there is none; it is not complete.
+    pub fn absent() -> Self {
+        Self {
+            width: 0,
+            height: 0,
+            format: Format::Rgba8,
+            color: Image::new(Texels::new(Shape::D2)),
+            depth: None,
+            planes: Planes { depth: false, stencil: false },
+            selection: Selection::window(),
+            presence: Presence::Absent,
+            accumulation: Accumulation::default(),
+            depths: DepthHistory::default(),
+        }
+    }
+}
+
+impl Context {
+    /// Puts another default framebuffer in place of one to which everything was drawn. Which of its
+    /// buffers are drawn to and read from is the context's.
+    pub(crate) fn swap_window(&mut self, mut window: Window) -> Window {
+        window.selection = self.window.selection.clone();
+        std::mem::replace(&mut self.window, window)
+    }
+
+    /// The default framebuffer that is read from: another one than is drawn to, if there is one.
+    pub(crate) fn read_window(&self) -> &Window {
+        self.read_window.as_ref().unwrap_or(&self.window)
+    }
+
+    /// Puts another default framebuffer in place to be read from, or that which is drawn to; nothing
+    /// that was recorded reads it.
+    pub(crate) fn swap_read_window(&mut self, window: Option<Window>) -> Option<Window> {
+        std::mem::replace(&mut self.read_window, window)
+    }
+
+    /// Viewport and scissor take the size of the first default framebuffer (GL 2.1, sections 2.11.1
+    /// and 4.1.2).
+    pub(crate) fn first_window(&mut self, width: u32, height: u32) {
+        let fresh = State::new(width, height);
+        self.state.viewport = fresh.viewport;
+        self.state.fragment.scissor = fresh.fragment.scissor;
     }
 }

@@ -1,11 +1,13 @@
-//! What a draw writes to the buffers of transform feedback.
+//! Transform feedback: what a draw writes to the buffers, by running its vertex stage once more; and the counts of
+//! primitives for queries.
 
 use crate::base::error::{Result, invalid_operation};
 use crate::context::Context;
 use crate::context::recorder::elements::Elements;
-use crate::context::recorder::vertex_stage::{Id, Outputs, Vertices};
+use crate::context::recorder::vertex_stage::{Outputs, VertexInstance, Vertices};
 use crate::draw::vertex_stage::shade;
 use crate::glsl::{BufferMode, Captured, CapturedScalar};
+use crate::objects::queries::{GENERATED, WRITTEN};
 use crate::state::transform_feedback::{Active, Kind, SECTION};
 use rasterizer::driver::{Primitive, Topology, VertexBinding, primitives};
 use texunit::lanes::math;
@@ -47,8 +49,8 @@ pub(crate) fn draw(
         for first in (0..all.len).step_by(CHUNK) {
             let chunk = first..all.len.min(first.saturating_add(CHUNK as u32));
             let asked = u64::from(chunk.end - chunk.start);
-            let id = |at| Id { vertex: elements.number(at), instance };
-            let mut ids: Vec<Id> = Vec::new();
+            let id = |at| VertexInstance { vertex: elements.number(at), instance };
+            let mut ids: Vec<VertexInstance> = Vec::new();
             for at in chunk {
                 match all.get(at) {
                     Primitive::Point(ordinal) => ids.push(id(ordinal)),
@@ -160,6 +162,17 @@ impl Place {
             Self::Word(places) => {
                 let [low, high] = places.map(|place| value(place) as u32);
                 high << 16 | low
+            }
+        }
+    }
+}
+
+impl Context {
+    /// Counts primitives of a draw, and those of them that transform feedback wrote.
+    pub(crate) fn count_primitives(&mut self, generated: u64, written: u64) {
+        for (place, count) in [(GENERATED, generated), (WRITTEN, written)] {
+            if let Some(query) = self.objects.queries.get_mut(self.queries.names[place]) {
+                query.primitives = query.primitives.saturating_add(count);
             }
         }
     }

@@ -1,4 +1,4 @@
-//! Whether a program can run with the units that its samplers have (GL 2.1, section 2.15.4).
+//! Whether a program can run with the texture units that its samplers name (GL 2.1, section 2.15.4).
 
 use crate::base::error::Result;
 use crate::glsl::{Dim, SamplerSlot};

@@ -1,16 +1,22 @@
-//! Vertices through the vertex stage of the state, for what is not drawn: selection, feedback,
-//! transform feedback, raster positions.
+//! Runs the vertex stage that a draw would run, for vertices that are not drawn: selection, feedback and transform
+//! feedback. `context/recorder/vertex_stage.rs` has the stage.
 
 use crate::base::error::Result;
 use crate::context::Context;
 use crate::context::recorder::stages::Stages;
-use crate::context::recorder::vertex_stage::{Id, Outputs, Ready, Vertices};
-use rasterizer::driver::{Antialiasing, VertexBinding, VertexSource};
+use crate::context::recorder::vertex_stage::{Outputs, PreparedStage, VertexInstance, Vertices};
+use rasterizer::driver::{Rim, VertexBinding, VertexSource};
 use rasterizer::ir::Input;
 use texunit::lanes::{Isa, LANES, U32s};
 
 /// An input of the stage for up to 64 vertices.
-fn input(isa: Isa, vertices: &[VertexBinding], input: Input, ids: &[Id], out: &mut U32s) {
+fn input(
+    isa: Isa,
+    vertices: &[VertexBinding],
+    input: Input,
+    ids: &[VertexInstance],
+    out: &mut U32s,
+) {
     match input {
         Input::Attribute { location, component } => {
             // Where all are bound, they lie in order.
@@ -44,11 +50,11 @@ fn input(isa: Isa, vertices: &[VertexBinding], input: Input, ids: &[Id], out: &m
     }
 }
 
-impl Ready {
+impl PreparedStage {
     /// That of a draw.
     pub fn new(context: &mut Context, stages: Stages, outputs: Outputs) -> Self {
         let Stages { vertex, reads, .. } = stages;
-        let stage = context.recorder.single_vertex(&vertex, outputs);
+        let stage = context.recorder.standalone_stage(&vertex, outputs);
         let isa = context.recorder.isa();
         let prepared = stage.program.prepare(isa, &reads.words, &reads.vertex_textures);
         let textures = reads.vertex_textures;
@@ -75,11 +81,11 @@ impl Ready {
 pub(crate) fn shade(
     context: &mut Context,
     vertices: &[VertexBinding],
-    ids: &[Id],
+    ids: &[VertexInstance],
     outputs: Outputs,
 ) -> Result<Vertices> {
-    let stages = crate::draw::stages::choose(context, vertices, Antialiasing::Aliased)?;
-    let ready = Ready::new(context, stages, outputs);
+    let stages = crate::draw::stages::choose(context, vertices, Rim::Aliased)?;
+    let ready = PreparedStage::new(context, stages, outputs);
     let isa = context.recorder.isa();
     ready.run((isa, &mut context.feedback.machine), ids.len(), |wanted, of, out| {
         input(isa, vertices, wanted, &ids[of], out);

@@ -1,6 +1,6 @@
 //! Clears, and what a fragment is made of.
 
-use crate::context::draw_note::DrawNote;
+use crate::context::watched_pixel::DrawNote;
 use crate::explain::page::{Page, number, numbers};
 use crate::explain::{output, shader};
 use rasterizer::ir::Input;

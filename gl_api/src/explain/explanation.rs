@@ -15,7 +15,7 @@
 //! | `shader` | the arithmetic of the fragment stage |
 //! | `output` | tests, blending, what is stored |
 
-use crate::context::draw_note::Note;
+use crate::context::watched_pixel::CommandNote;
 use crate::explain::page::Page;
 use rasterizer::trace::{Cleared, Fate, PixelEvent, Texel};
 use std::fmt;
@@ -50,7 +50,7 @@ pub struct Explanation {
     pub events: Vec<PixelEvent>,
     /// What the pixel holds now: red, green, blue, alpha as stored.
     pub value: [f32; 4],
-    pub(crate) notes: Vec<Note>,
+    pub(crate) notes: Vec<CommandNote>,
 }
 
 impl Explanation {
@@ -71,7 +71,7 @@ impl Explanation {
         })
     }
 
-    fn note(&self, label: u32) -> Option<&Note> {
+    fn note(&self, label: u32) -> Option<&CommandNote> {
         self.notes.get(label as usize)
     }
 }
@@ -97,8 +97,8 @@ impl fmt::Display for Explanation {
                 PixelEvent::Clear(clear) => crate::explain::event::clear(&mut page, clear),
                 PixelEvent::Fragment(fragment) => {
                     let note = match self.note(fragment.label) {
-                        Some(Note::Draw(note)) => Some(&**note),
-                        Some(Note::Clear) | None => None,
+                        Some(CommandNote::Draw(note)) => Some(&**note),
+                        Some(CommandNote::Clear) | None => None,
                     };
                     crate::explain::event::fragment(&mut page, fragment, note);
                 }

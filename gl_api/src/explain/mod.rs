@@ -19,11 +19,11 @@ pub(crate) mod event;
 pub(crate) mod explanation;
 pub(crate) mod output;
 pub(crate) mod page;
-pub(crate) mod sample;
 pub(crate) mod shader;
+pub(crate) mod texture_access;
 
 use crate::context::Context;
-use crate::context::watched::Watched;
+use crate::context::watched_pixel::WatchedPixel;
 pub use crate::explain::explanation::{Explanation, OutsideWindow};
 use rasterizer::driver::Watch;
 
@@ -40,14 +40,14 @@ impl Context {
             return Err(OutsideWindow { x, y, width, height });
         }
         // What was recorded before is not watched.
-        crate::draw::submit(self);
-        self.watched = Some(Box::new(Watched { watch: Watch::new(x, y), notes: Vec::new() }));
+        crate::draw::pass::submit(self);
+        self.watched = Some(Box::new(WatchedPixel { watch: Watch::new(x, y), notes: Vec::new() }));
         Ok(())
     }
 
     /// What happened to the watched pixel; `None` if none is watched. Ends the watch.
     pub fn explain_pixel(&mut self) -> Option<Explanation> {
-        crate::draw::submit(self);
+        crate::draw::pass::submit(self);
         let watched = self.watched.take()?;
         let [x, y] = watched.watch.pixel();
         let (width, height) = self.size();

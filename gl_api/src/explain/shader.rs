@@ -1,8 +1,8 @@
 //! The fragment stage: texture accesses, and the arithmetic around them.
 
-use crate::context::draw_note::DrawNote;
+use crate::context::watched_pixel::DrawNote;
 use crate::explain::page::{Page, number};
-use crate::explain::sample;
+use crate::explain::texture_access;
 use rasterizer::ir::{Axis, Op, Output, Ty};
 use rasterizer::trace::{Expression, Fragment, Name, Operand, Step};
 
@@ -25,7 +25,7 @@ pub fn steps(page: &mut Page, fragment: &Fragment, note: &DrawNote) {
             ]),
             Step::Lookup(lookup) => {
                 page.table(2, &std::mem::take(&mut rows));
-                sample::lookup(page, lookup, note);
+                texture_access::lookup(page, lookup, note);
             }
             Step::Discard => rows.push(vec!["discard".into()]),
         }

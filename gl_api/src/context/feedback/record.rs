@@ -1,4 +1,4 @@
-//! What feedback writes: GL 2.1, section 5.3 and figure 5.1.
+//! Feedback: the numbers that are written of each primitive (GL 2.1, section 5.3 and figure 5.1).
 
 use crate::base::constants::*;
 use crate::base::error::Table;
@@ -36,7 +36,7 @@ impl FeedbackType {
 
 /// What a primitive is written as.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub(crate) enum PrimitiveToken {
     Point,
     Line,
     /// A line that begins the stipple anew.
@@ -47,7 +47,7 @@ pub(crate) enum Kind {
     CopyPixels,
 }
 
-impl Kind {
+impl PrimitiveToken {
     fn token(self) -> GLenum {
         match self {
             Self::Point => GL_POINT_TOKEN,
@@ -141,9 +141,9 @@ impl Record {
         self.put(token.into());
     }
 
-    pub fn primitive(&mut self, kind: Kind, corners: &[Corner]) {
+    pub fn primitive(&mut self, kind: PrimitiveToken, corners: &[Corner]) {
         self.put(kind.token().into());
-        if kind == Kind::Polygon {
+        if kind == PrimitiveToken::Polygon {
             self.put(corners.len() as f64);
         }
         for corner in corners {

@@ -1,11 +1,10 @@
-//! Which shaders a draw runs, with which textures: the program in use, or the fixed function for
-//! each stage that it lacks.
+//! The stages of a draw and what they read; `draw/stages.rs` chooses them.
 
 use crate::base::clamp::Clamp;
 use crate::base::error::{ErrorCode, GlError};
-use crate::context::draw_note::DrawNote;
-use crate::context::recorder::fixed_words::Keys;
-use rasterizer::driver::{Antialiasing, ShaderModule};
+use crate::context::recorder::fixed_function::StageKeys;
+use crate::context::watched_pixel::DrawNote;
+use rasterizer::driver::{Rim, ShaderModule};
 use rasterizer::ir::{Interpolation, IrError};
 use std::sync::Arc;
 use texunit::plan::SamplePlan;
@@ -26,9 +25,9 @@ pub(crate) struct Reads {
     pub words: Vec<u32>,
     pub vertex_textures: Textures,
     pub fragment_textures: Textures,
-    /// What the words are made by, where nothing else is.
-    pub keys: Option<Keys>,
-    /// What it means, if a pixel is watched.
+    /// What the words are made by, if they can be made again by it alone.
+    pub keys: Option<StageKeys>,
+    /// Names for the explanation of a watched pixel, if there is one.
     pub note: Option<DrawNote>,
 }
 
@@ -38,7 +37,7 @@ pub(crate) struct VariantKey {
     pub module: ShaderModule,
     pub shade_model: Interpolation,
     /// What the shaders say of the colours' interpolation.
-    pub said: [Option<Interpolation>; 2],
+    pub color_interpolation: [Option<Interpolation>; 2],
     /// The alpha test and the word of its reference.
     pub alpha: Option<(Compare, u32)>,
     pub sides: Sides,

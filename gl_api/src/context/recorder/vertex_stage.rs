@@ -2,7 +2,7 @@
 //! transform feedback, raster positions.
 
 use crate::base::error::{Result, invalid_operation};
-use crate::context::recorder::fixed_words::Keys;
+use crate::context::recorder::fixed_function::StageKeys;
 use crate::context::recorder::stages::Textures;
 use crate::interface::{MAX_TEXTURE_UNITS, VARYING_BACK_COLOR, VARYING_COLOR, VARYING_TEX_COORD};
 use rasterizer::driver::ShaderModule;
@@ -14,7 +14,7 @@ use texunit::lanes::{Isa, LANES, U32s};
 
 /// Which vertex of which instance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Id {
+pub(crate) struct VertexInstance {
     pub vertex: u32,
     pub instance: u32,
 }
@@ -59,7 +59,7 @@ impl Outputs {
 
 /// A vertex stage with the outputs that are looked at.
 #[derive(Debug)]
-pub(crate) struct Single {
+pub(crate) struct StandaloneStage {
     pub program: Program,
     /// How many outputs it has.
     outputs: usize,
@@ -69,7 +69,7 @@ pub(crate) struct Single {
     others: Vec<(Output, usize)>,
 }
 
-impl Single {
+impl StandaloneStage {
     pub fn new(module: &ShaderModule, outputs: Outputs) -> Self {
         let program = Program::new(module.module(), |output| outputs.has(output));
         let (mut varyings, mut others) = (Vec::new(), Vec::new());
@@ -89,7 +89,7 @@ impl Single {
 
 /// What the vertex stage made of vertices.
 pub(crate) struct Vertices {
-    stage: Arc<Single>,
+    stage: Arc<StandaloneStage>,
     /// The outputs of the first 64 vertices, then those of the next: each output of all of them.
     values: Vec<f32>,
     len: usize,
@@ -171,16 +171,16 @@ impl Shaded<'_> {
 
 /// A vertex stage that is ready to run.
 #[derive(Debug)]
-pub(crate) struct Ready {
-    pub stage: Arc<Single>,
+pub(crate) struct PreparedStage {
+    pub stage: Arc<StandaloneStage>,
     pub prepared: Prepared,
     pub textures: Textures,
     pub words: Vec<u32>,
     /// What the words are made by, where nothing else is.
-    pub keys: Option<Keys>,
+    pub keys: Option<StageKeys>,
 }
 
-impl Ready {
+impl PreparedStage {
     /// Runs it for so many vertices; `fill` gives an input of up to 64 of them.
     ///
     /// # Errors
@@ -220,4 +220,12 @@ impl Ready {
         }
         Ok(Vertices { stage: Arc::clone(stage), values, len })
     }
+}
+
+/// The vertex stage that a raster position went through.
+#[derive(Debug)]
+pub(crate) struct RasterPositionStage {
+    /// How many calls there had been when it was chosen.
+    pub at: u64,
+    pub ready: PreparedStage,
 }

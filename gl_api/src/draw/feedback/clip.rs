@@ -1,5 +1,5 @@
-//! Clipping in homogeneous coordinates: GL 2.1, section 2.12. What lies between two vertices is
-//! mixed linearly there (section 2.14.8).
+//! Clipping of primitives in homogeneous coordinates (GL 2.1, section 2.12), in `f64`. Values between two vertices are
+//! interpolated linearly there (section 2.14.8).
 
 use rasterizer::driver::DepthClip;
 use std::borrow::Cow;
