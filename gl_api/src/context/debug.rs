@@ -26,7 +26,7 @@ pub enum Severity {
     Warning,
 }
 
-/// Something that the context has to say.
+/// An error or a warning of a context.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Message {
     /// How much it matters.
@@ -52,7 +52,7 @@ pub(crate) enum Echo {
     Stderr,
 }
 
-/// The flag and the queue.
+/// The error flag, the queue of messages, and the log.
 #[derive(Debug)]
 pub(crate) struct Debug {
     /// The first error since `glGetError`.
@@ -64,9 +64,9 @@ pub(crate) struct Debug {
     echo: Echo,
     /// What `KHR_debug` reads.
     pub log: Log,
-    /// Whether it is kept (`GL_DEBUG_OUTPUT`).
+    /// Whether messages are logged (`GL_DEBUG_OUTPUT`).
     pub output: Output,
-    /// Whether it was at first: it is in debug contexts.
+    /// What it was initially: on in debug contexts.
     at_first: Output,
 }
 
@@ -78,7 +78,7 @@ pub(crate) enum Output {
 }
 
 impl Debug {
-    /// Prints to stderr if `DETGL_DEBUG` is set to anything but 0; first of all, that it is there.
+    /// Prints to stderr if `DETGL_DEBUG` is set to anything but 0, first the version.
     pub fn from_env(device: &DeviceDesc) -> Self {
         static GREETED: Once = Once::new();
         let on = std::env::var_os("DETGL_DEBUG").is_some_and(|value| value != "0");
@@ -123,8 +123,7 @@ impl Debug {
         self.push(Message { severity: Severity::Warning, text });
     }
 
-    /// Adds a message of ours to the log, if it is kept: as much of it as the log's readers have
-    /// room for (`KHR_debug`, section 5.5.1).
+    /// Adds a message to the log, if that is on, cut to the length that its readers have room for (`KHR_debug`, section 5.5.1).
     fn log(&mut self, ty: GLenum, id: GLuint, severity: GLenum, text: &str) {
         if self.output == Output::On {
             let kind = MessageClass { source: GL_DEBUG_SOURCE_API, ty, severity };
@@ -146,19 +145,19 @@ impl Debug {
         }
     }
 
-    /// Calls the program's callback with what the log has gathered.
+    /// Calls the application's callback with the messages since its last call.
     pub fn deliver(&mut self) {
         if let Some((procedure, user, messages)) = self.log.deliver() {
             hand_over(procedure, user, messages);
         }
     }
 
-    /// Whether somebody asks for messages as they come.
+    /// Whether messages are printed or logged as they come.
     pub fn listens(&self) -> bool {
         self.echo == Echo::Stderr || self.output == Output::On
     }
 
-    /// Takes the flag.
+    /// Takes the error flag.
     pub fn take_flag(&mut self) -> Option<ErrorCode> {
         self.flag.take()
     }
@@ -179,7 +178,7 @@ impl Debug {
     }
 }
 
-/// Prints to stderr; where nobody reads that any more, nothing.
+/// Prints to stderr, ignoring that it may be closed.
 fn print(what: &impl fmt::Display) {
     let _ = writeln!(io::stderr(), "detgl: {what}");
 }
@@ -192,7 +191,7 @@ fn greeting(device: &DeviceDesc) -> String {
     format!("DetGL {version}, OpenGL {major}.{minor}, {isa}, {threads} thread{s}")
 }
 
-/// The number that filters know a warning by: a hash (FNV-1a) of the lowercase letters of its first
+/// The id of a warning in the log: a hash (FNV-1a) of the lowercase letters of its first
 /// line, without what is quoted. So it is the same for all values, objects and names of constants.
 fn warning_id(text: &str) -> GLuint {
     let line = text.lines().next().unwrap_or_default();

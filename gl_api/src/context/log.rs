@@ -18,12 +18,11 @@ pub(crate) const MAX_LABEL: usize = 256;
 /// More filters than this in a group are forgotten, oldest first.
 const MAX_FILTERS: usize = 1024;
 
-/// What a program is called with: source, type, id, severity, length, text, and its own pointer.
+/// The callback of an application: source, type, id, severity, length, text, and its own pointer.
 pub type GLDEBUGPROC =
     Option<extern "system" fn(GLenum, GLenum, GLuint, GLenum, GLsizei, *const GLchar, *mut GLvoid)>;
 
-/// Where a message comes from, what it is about, and how much it matters; `GL_DONT_CARE` in a
-/// filter.
+/// Source, type and severity of a message; each may be `GL_DONT_CARE` in a filter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct MessageClass {
     pub source: GLenum,
@@ -39,11 +38,11 @@ pub(crate) struct LogMessage {
     pub text: String,
 }
 
-/// What is let through; the last filter that fits a message decides.
+/// A filter; the last one that fits a message decides whether it is logged.
 #[derive(Clone, Debug)]
 pub(crate) struct Filter {
     pub kind: MessageClass,
-    /// Only these, unless there are none.
+    /// Only messages with these ids, unless there are none.
     pub ids: Vec<GLuint>,
     pub on: bool,
 }
@@ -58,18 +57,18 @@ impl Filter {
     }
 }
 
-/// A group of messages: what was said when it began, and its filters.
+/// A debug group: the message that began it, and its filters.
 #[derive(Clone, Debug, Default)]
 struct MessageGroup {
     begin: Option<LogMessage>,
     filters: Vec<Filter>,
 }
 
-/// What is called with messages instead of keeping them.
+/// The callback, which gets messages instead of the log.
 #[derive(Clone, Copy, Debug, Default)]
 struct Callback {
     procedure: GLDEBUGPROC,
-    /// The program's pointer.
+    /// The application's pointer.
     user: usize,
 }
 
@@ -77,12 +76,12 @@ struct Callback {
 #[derive(Debug)]
 pub(crate) struct Log {
     queue: VecDeque<LogMessage>,
-    /// What the callback is to be called with; what was logged before there was one stays in the log.
+    /// Messages for the callback; those that were logged before it was set stay in the log.
     pending: VecDeque<LogMessage>,
     callback: Callback,
     /// The groups that are open; the first always is.
     groups: Vec<MessageGroup>,
-    /// By what an object is, and its name.
+    /// Labels by kind and name of the object.
     pub labels: BTreeMap<(GLenum, usize), String>,
 }
 
@@ -170,7 +169,7 @@ impl Log {
         self.push(begin);
     }
 
-    /// How many messages wait.
+    /// How many messages are in the log.
     pub fn len(&self) -> usize {
         self.queue.len()
     }

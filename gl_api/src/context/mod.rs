@@ -43,7 +43,7 @@ use std::sync::{Arc, OnceLock};
 pub use surface::{SurfaceColor, SurfaceDesc};
 use thiserror::Error;
 
-/// What a context is made from.
+/// How a context is to be made.
 #[derive(Clone, Debug)]
 pub struct ContextDesc {
     /// Pixels across of the default framebuffer, 1 to 8192.
@@ -54,7 +54,7 @@ pub struct ContextDesc {
     pub fix_its: FixIts,
     /// The device; `None` shares one that the environment describes.
     pub device: Option<Arc<Device>>,
-    /// What the default framebuffer has.
+    /// The buffers of the default framebuffer.
     pub surface: SurfaceDesc,
 }
 
@@ -101,11 +101,11 @@ pub struct Context {
     /// What the default framebuffer is read from, if not from `window`.
     pub(crate) read_window: Option<Window>,
     pub(crate) debug: debug::Debug,
-    /// Which hints were given.
+    /// The draw warnings that were given.
     given_warnings: warnings::GivenWarnings,
-    /// Between `glBegin` and `glEnd`.
+    /// The vertices since `glBegin`; `None` outside of `glBegin` and `glEnd`.
     pub(crate) immediate: Option<Immediate>,
-    /// What ended and is not drawn yet, as more like it may follow.
+    /// Primitives after `glEnd`, and bitmaps, that wait to be batched with more.
     pub(crate) pending: Option<PendingPrimitives>,
     pub(crate) recorder: Recorder,
     /// Display lists, and the one that is being compiled.
@@ -119,21 +119,21 @@ pub struct Context {
     pub(crate) feedback: Feedback,
     pub(crate) transform_feedback: TransformFeedback,
     pub(crate) uniform_buffers: UniformBuffers,
-    /// The contexts that this one shares objects with.
+    /// The share group, if there is one.
     group: Option<ShareGroup>,
-    /// Where another thread asks for the group.
+    /// Where another thread asks to share objects.
     pub(crate) share_request: ShareRequest,
     pub(crate) state_changes: StateChanges,
-    /// Whether a call runs.
+    /// Whether the lock of the group is held.
     pub(crate) group_lock: GroupLock,
     pub(crate) repairs: Repairs,
-    /// The client memory that shows the picture.
+    /// The client memory that gets the picture.
     pub(crate) mirror: Option<Mirror>,
     /// The pixel that is watched.
     pub(crate) watched: Option<Box<WatchedPixel>>,
 }
 
-/// The device that contexts share which bring none.
+/// The device of contexts that are made without one.
 fn shared_device() -> Result<Arc<Device>, DeviceError> {
     static SHARED: OnceLock<Arc<Device>> = OnceLock::new();
     if let Some(device) = SHARED.get() {
@@ -154,7 +154,7 @@ impl Context {
         Ok(Self::assemble(device, window, fix_its, None))
     }
 
-    /// What a context is made of that there may not be.
+    /// The parts that may fail to be made: the device and the default framebuffer.
     fn parts(desc: ContextDesc) -> Result<(Arc<Device>, Window), ContextError> {
         let ContextDesc { width, height, fix_its: _, device, surface } = desc;
         let limit = crate::base::limits::MAX_VIEWPORT_DIMS;
@@ -221,14 +221,14 @@ impl Context {
         Ok(Box::new(Self::assemble(device, window, fix_its, group)))
     }
 
-    /// What a new context needs to share this one's objects, where nothing is recorded; no call of another context is waited for.
+    /// What a new context needs to share this one's objects. Nothing may be recorded. Does not wait for the lock.
     pub(crate) fn shared(&mut self) -> ShareHandle {
         let objects = &mut self.objects;
         let group = self.group.get_or_insert_with(|| ShareGroup::of(objects)).clone();
         ShareHandle { group, device: self.recorder.device() }
     }
 
-    /// Takes the messages that have gathered, oldest first.
+    /// Takes the queued messages, oldest first.
     pub fn messages(&mut self) -> Vec<Message> {
         self.debug.drain()
     }
@@ -238,17 +238,17 @@ impl Context {
         (self.window.width, self.window.height)
     }
 
-    /// Whether no other context shares its objects.
+    /// Whether it has no share group.
     pub(crate) fn is_unshared(&self) -> bool {
         self.group.is_none()
     }
 
-    /// The group whose objects a call has to fetch.
+    /// The group whose lock a call has to take; `None` without a group, or within a call that holds it.
     pub(crate) fn group_to_lock(&self) -> Option<&ShareGroup> {
         self.group.as_ref().filter(|_| self.group_lock == GroupLock::NotHeld)
     }
 
-    /// Takes note of an error.
+    /// Reports an error of a call: the flag and the message.
     #[cold]
     #[inline(never)]
     pub(crate) fn refuse(&mut self, name: &'static str, error: GlError) {

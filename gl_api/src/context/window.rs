@@ -14,7 +14,7 @@ use rasterizer::driver::{Attachment, Image};
 use texunit::format::Format;
 use texunit::image::{Image as Texels, ImageError, Level, Shape};
 
-/// A rectangle in a framebuffer or image, which may reach outside.
+/// A rectangle of pixels, which may reach outside of the framebuffer or image.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Region {
     pub x: i64,
@@ -23,7 +23,7 @@ pub(crate) struct Region {
     pub height: usize,
 }
 
-/// The part of a region that lies inside.
+/// The part of a [`Region`] that lies inside.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Visible {
     pub x: usize,
@@ -68,7 +68,7 @@ pub(crate) fn format_of(attachment: &Attachment) -> Option<Format> {
     attachment.image.level(0, attachment.level.into()).map(|level| level.format)
 }
 
-/// The default framebuffer: one colour buffer, whatever it is called, depth and stencil.
+/// A default framebuffer: one colour buffer, which stands for front and back, depth and stencil.
 #[derive(Debug)]
 pub(crate) struct Window {
     pub width: u32,
@@ -117,7 +117,7 @@ pub(crate) enum Presence {
 }
 
 impl Window {
-    /// What stands in where there is none; it is not complete.
+    /// The placeholder where there is none; it is not framebuffer complete.
     pub fn absent() -> Self {
         Self {
             width: 0,
@@ -135,25 +135,25 @@ impl Window {
 }
 
 impl Context {
-    /// Puts another default framebuffer in place of one to which everything was drawn. Which of its
-    /// buffers are drawn to and read from is the context's.
+    /// Replaces the default framebuffer; everything must have been submitted. Which buffers are drawn to and read from
+    /// is state of the context, and stays.
     pub(crate) fn swap_window(&mut self, mut window: Window) -> Window {
         window.selection = self.window.selection.clone();
         std::mem::replace(&mut self.window, window)
     }
 
-    /// The default framebuffer that is read from: another one than is drawn to, if there is one.
+    /// The default framebuffer that is read from.
     pub(crate) fn read_window(&self) -> &Window {
         self.read_window.as_ref().unwrap_or(&self.window)
     }
 
-    /// Puts another default framebuffer in place to be read from, or that which is drawn to; nothing
-    /// that was recorded reads it.
+    /// Replaces the default framebuffer that is read from; with `None` it is the one that is drawn to. Nothing that is
+    /// recorded may read it.
     pub(crate) fn swap_read_window(&mut self, window: Option<Window>) -> Option<Window> {
         std::mem::replace(&mut self.read_window, window)
     }
 
-    /// Viewport and scissor take the size of the first default framebuffer (GL 2.1, sections 2.11.1
+    /// Sets viewport and scissor to the size of the first default framebuffer (GL 2.1, sections 2.11.1
     /// and 4.1.2).
     pub(crate) fn first_window(&mut self, width: u32, height: u32) {
         let fresh = State::new(width, height);

@@ -10,10 +10,10 @@ use crate::glsl::SamplerSlot;
 use rasterizer::driver::ShaderModule;
 use rasterizer::ir::Expr;
 
-/// More moved modules than this are forgotten and made again.
-const KEPT: usize = 64;
+/// When there are this many relocated modules, all are dropped.
+const MAX_RELOCATED: usize = 64;
 
-/// A stage, whose words stand behind those that were there.
+/// The stage of an assembly program, whose words lie behind those of other programs.
 pub(crate) struct Assembled {
     pub module: ShaderModule,
     pub position: Position,
@@ -41,11 +41,11 @@ pub(crate) fn assembled(
     let moved = linked.program.samplers.iter();
     samplers.extend(moved.map(|slot| SamplerSlot { word: slot.word + first, ..*slot }));
     let position = loaded.position;
-    Ok(Some(Assembled { module: moved_by(context, module, first)?, position }))
+    Ok(Some(Assembled { module: relocated(context, module, first)?, position }))
 }
 
-/// A module whose uniform words stand farther on.
-fn moved_by(context: &mut Context, module: ShaderModule, first: u32) -> Result<ShaderModule> {
+/// A module whose uniform words begin at `first`.
+fn relocated(context: &mut Context, module: ShaderModule, first: u32) -> Result<ShaderModule> {
     if first == 0 {
         return Ok(module);
     }
@@ -53,7 +53,7 @@ fn moved_by(context: &mut Context, module: ShaderModule, first: u32) -> Result<S
     if let Some((.., known)) = moved.iter().find(|(of, by, _)| *by == first && *of == module) {
         return Ok(known.clone());
     }
-    if moved.len() >= KEPT {
+    if moved.len() >= MAX_RELOCATED {
         moved.clear();
     }
     let mut farther = module.module().clone();

@@ -12,7 +12,7 @@ use crate::state::transform_feedback::{Active, Kind, SECTION};
 use rasterizer::driver::{Primitive, Topology, VertexBinding, primitives};
 use texunit::lanes::math;
 
-/// Primitives of this many vertices are run and written at once.
+/// The number of primitives that are shaded and written at once.
 const CHUNK: usize = 1 << 12;
 
 /// Counts the primitives of a draw, and captures them if transform feedback is active.
@@ -104,7 +104,7 @@ impl Layout {
         Ok(())
     }
 
-    /// Writes whole primitives, as many as all buffers have room for: how many.
+    /// Writes as many whole primitives as all buffers have room for: how many.
     fn write(&self, context: &mut Context, vertices: &Vertices, active: &mut Active) -> u64 {
         let corners = active.kind.corners();
         let ranges = &context.transform_feedback.buffers;
@@ -119,14 +119,14 @@ impl Layout {
         for ((range, scalars), written) in ranges.iter().zip(&self.buffers).zip(&mut active.written)
         {
             let Some(object) = context.objects.buffers.bound_mut(&range.buffer) else { continue };
-            let places = scalars.iter().map(|scalar| Place::of(vertices, *scalar));
-            let places: Vec<Place> = places.collect();
+            let indices = scalars.iter().map(|scalar| CapturedIndex::of(vertices, *scalar));
+            let indices: Vec<CapturedIndex> = indices.collect();
             let first = range.offset + *written;
             let bytes = fit * corners * scalars.len() * 4;
             let out = object.bytes_mut(&mut context.recorder);
             let out = out.get_mut(first..first + bytes).unwrap_or_default();
             let words = (0..fit * corners)
-                .flat_map(|at| places.iter().map(move |place| place.word(vertices, at)));
+                .flat_map(|at| indices.iter().map(move |place| place.word(vertices, at)));
             for (out, word) in out.chunks_exact_mut(4).zip(words) {
                 out.copy_from_slice(&word.to_le_bytes());
             }
@@ -136,20 +136,19 @@ impl Layout {
     }
 }
 
-/// Where a captured scalar is among the outputs that vertices have; an output that the stage does
-/// not have is 0.
+/// The indices of a captured scalar's outputs; an output that the stage does not have is 0.
 #[derive(Clone, Copy)]
-enum Place {
+enum CapturedIndex {
     Float(Option<usize>),
     Word([Option<usize>; 2]),
 }
 
-impl Place {
+impl CapturedIndex {
     fn of(vertices: &Vertices, scalar: CapturedScalar) -> Self {
         match scalar {
-            CapturedScalar::Float(output) => Self::Float(vertices.place(output)),
+            CapturedScalar::Float(output) => Self::Float(vertices.output_index(output)),
             CapturedScalar::Word { low, high } => {
-                Self::Word([low, high].map(|output| vertices.place(output)))
+                Self::Word([low, high].map(|output| vertices.output_index(output)))
             }
         }
     }
@@ -159,8 +158,8 @@ impl Place {
         let value = |place: Option<usize>| place.map_or(0.0, |place| vertices.value(at, place));
         match self {
             Self::Float(place) => math::bits(value(place)),
-            Self::Word(places) => {
-                let [low, high] = places.map(|place| value(place) as u32);
+            Self::Word(indices) => {
+                let [low, high] = indices.map(|place| value(place) as u32);
                 high << 16 | low
             }
         }

@@ -5,7 +5,7 @@ use crate::context::Context;
 use crate::draw::completeness::drawn_formats;
 use texunit::format::{Encoding, Format};
 
-/// Whether all that is drawn to holds numbers from 0 to 1, so that writing clamps.
+/// Whether all buffers that are drawn to hold values in [0, 1], so that writing clamps.
 pub(crate) fn draws_fractions(context: &Context) -> bool {
     drawn_formats(context).all(|format| format.info().encoding.range() == Some(Encoding::UNIT))
 }

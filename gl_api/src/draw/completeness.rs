@@ -26,7 +26,7 @@ pub(crate) struct Incomplete {
 }
 
 impl Incomplete {
-    /// The reason, of a framebuffer with its name.
+    /// The reason, with the name of the framebuffer.
     pub fn rule(&self, name: GLuint) -> String {
         match name {
             0 => self.reason.clone(),
@@ -35,7 +35,7 @@ impl Incomplete {
     }
 }
 
-/// An attached image, found.
+/// The image of an attachment, with its properties.
 pub(crate) struct AttachedImage {
     pub format: Format,
     pub width: u32,
@@ -106,8 +106,8 @@ fn find(attached: &Attached) -> std::result::Result<AttachedImage, String> {
     }
 }
 
-/// Whether the samples of an attachment were asked to lie alike in all its pixels: those of
-/// renderbuffers do. Of a deleted texture it is not known any more.
+/// `GL_TEXTURE_FIXED_SAMPLE_LOCATIONS` of an attachment, which is true for renderbuffers; `None` for a texture that was
+/// deleted.
 fn fixed_locations(context: &Context, attached: &Attached) -> Option<bool> {
     match attached.source {
         Source::Renderbuffer(_) => Some(true),
@@ -119,7 +119,7 @@ fn fixed_locations(context: &Context, attached: &Attached) -> Option<bool> {
     }
 }
 
-/// What an attachment point takes.
+/// What is drawn to an attachment point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum AttachmentUse {
     Color,
@@ -232,9 +232,8 @@ pub(crate) fn completeness(context: &Context, name: GLuint) -> std::result::Resu
     Ok(())
 }
 
-/// What is selected though nothing is attached there, if anything is. Such a framebuffer is
-/// complete, as OpenGL has it since 4.1 and drivers have it for all versions: what is drawn there
-/// goes nowhere. But `ARB_framebuffer_object` alone calls it incomplete.
+/// The draw or read buffer that is selected but has no attachment, if there is one. Such a framebuffer is complete by
+/// OpenGL 4.1, and in drivers of all versions; what is drawn there is dropped. `ARB_framebuffer_object` calls it incomplete.
 pub(crate) fn selects_nothing(object: &Framebuffer) -> Option<String> {
     let absent = |buffer: GLenum| {
         attachment_index(buffer).is_some_and(|index| object.colors[index].is_none())
@@ -318,7 +317,7 @@ pub(crate) fn draw_pass(context: &Context) -> Result<PassDesc> {
             height: window.height,
         });
     };
-    // Attachments of different sizes are drawn to where all of them are.
+    // Of attachments of different sizes, the pixels that all have are drawn to.
     let (mut width, mut height) = (u32::MAX, u32::MAX);
     for found in object.attached().filter_map(|attached| find(attached).ok()) {
         width = width.min(found.width);
@@ -383,7 +382,7 @@ pub(crate) fn samples(context: &Context, name: GLuint) -> u8 {
     if samples > 1 { samples } else { 0 }
 }
 
-/// The same of what is read from.
+/// [`samples`] of the read framebuffer.
 pub(crate) fn read_samples(context: &Context) -> u8 {
     match (context.state.bindings.read_framebuffer, &context.read_window) {
         (0, Some(window)) if window.color.samples() > 1 => window.color.samples(),

@@ -16,8 +16,8 @@ impl Context {
         }
     }
 
-    /// Submits everything and removes the mirror, as the context is current no more. A picture that the client has already is
-    /// not copied again: it may have freed the memory.
+    /// Submits everything and removes the mirror, as the context is current no more. A picture that the client has
+    /// already is not copied again: it may have freed the memory.
     pub(crate) fn end_mirror(&mut self) {
         let guard = SharedObjectsGuard::lock(self);
         crate::draw::pass::submit(guard.context);

@@ -105,7 +105,7 @@ pub(crate) fn draw(context: &mut Context, bitmap: &Bitmap<'_>) -> Result<()> {
 
 /// Draws pending bitmaps.
 pub(crate) fn draw_pending_bitmaps(context: &mut Context, bitmaps: &PendingBitmaps) {
-    // What the driver cannot do is said, as of every draw.
+    // The driver may refuse it, as every draw.
     if let Err(error) =
         crate::draw::pixel_rectangle::draw_mask(context, &bitmaps.position, &bitmaps.pixels)
     {

@@ -65,7 +65,7 @@ pub(crate) fn draw<'a>(
     draw_rectangle(context, vertices, &elements, &rectangle)
 }
 
-/// Draws pixels of the framebuffer with what belongs to a raster position.
+/// Draws the pixels of a mask with the values of a raster position.
 ///
 /// # Errors
 /// As a draw.
@@ -117,7 +117,7 @@ pub(crate) fn image<'a>(
     Ok(SamplePlan::new(&texels, &sampler))
 }
 
-/// The corners of rectangles within so many pixels, in clip coordinates, and what belongs to a raster position as
+/// The corners of rectangles in a framebuffer of a size, in clip coordinates, and the values of a raster position as
 /// constants.
 fn vertices(
     raster: &RasterPosition,
@@ -158,7 +158,7 @@ fn vertices(
     bindings
 }
 
-/// The vertex stage: positions are clip coordinates, everything else is handed on.
+/// The vertex stage: positions are clip coordinates, everything else is passed through.
 fn vertex_module() -> Module {
     let mut b = Builder::new(Stage::Vertex);
     let mut pass = |location: u8, component: u8, output: Output| {
@@ -214,7 +214,7 @@ fn fragment_module(key: &Key) -> Module {
     module
 }
 
-/// Lets a stage's first `count` values read the primary colour from variables that hold `texel`.
+/// Makes a stage's first `count` values read the primary colour from variables that hold `texel`.
 fn replace_color(module: &mut Module, count: usize, texel: [Value; 4]) {
     let vars = texel.map(|value| {
         module.variables.push(Variable { ty: Ty::F32, len: 1, name: "pixel".into() });
@@ -234,10 +234,10 @@ fn replace_color(module: &mut Module, count: usize, texel: [Value; 4]) {
 }
 
 impl PixelRectangle {
-    /// Makes the stages of a draw those of the rectangle.
+    /// Replaces the stages of a draw by those of the rectangle.
     ///
     /// # Errors
-    /// Where a generated module breaks a rule of the IR, which would be a mistake of DetGL's.
+    /// Where a generated module breaks a rule of the IR, which would be a bug.
     pub fn apply(
         &self,
         context: &mut Context,

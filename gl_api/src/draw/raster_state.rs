@@ -16,19 +16,19 @@ use rasterizer::driver::{
     PolygonState, RasterState, Stipple, Topology, VertexBinding, VertexSource,
 };
 
-/// What the primitives of a draw are drawn as.
+/// What the primitives of a draw are rasterized as.
 #[derive(Clone, Copy, Debug)]
-struct DrawnAs {
+struct RasterizedAs {
     points: bool,
     lines: bool,
     polygons: bool,
 }
 
-fn drawn_as(context: &Context, topology: Topology) -> DrawnAs {
+fn rasterized_as(context: &Context, topology: Topology) -> RasterizedAs {
     match topology {
-        Topology::Points => DrawnAs { points: true, lines: false, polygons: false },
+        Topology::Points => RasterizedAs { points: true, lines: false, polygons: false },
         Topology::Lines | Topology::LineStrip | Topology::LineLoop => {
-            DrawnAs { points: false, lines: true, polygons: false }
+            RasterizedAs { points: false, lines: true, polygons: false }
         }
         Topology::Triangles
         | Topology::TriangleStrip
@@ -37,7 +37,7 @@ fn drawn_as(context: &Context, topology: Topology) -> DrawnAs {
         | Topology::QuadStrip
         | Topology::Polygon => {
             let mode = &context.state.raster.polygons.mode;
-            DrawnAs {
+            RasterizedAs {
                 points: mode.contains(&PolygonMode::Point),
                 lines: mode.contains(&PolygonMode::Line),
                 polygons: true,
@@ -53,8 +53,8 @@ fn antialiasing(context: &Context, flag: Flag) -> Antialiasing {
 
 /// Whether any primitive of the topology has a smooth edge, so that its coverage changes alpha (GL
 /// 2.1, section 3.12).
-pub(crate) fn smoothness(context: &Context, topology: Topology) -> Antialiasing {
-    let DrawnAs { points, lines, polygons } = drawn_as(context, topology);
+pub(crate) fn smoothness(context: &Context, topology: Topology) -> Rim {
+    let RasterizedAs { points, lines, polygons } = rasterized_as(context, topology);
     let enables = &context.state.enables;
     let sprites = enables.has(Flag::PointSprite);
     let smooth = points && !sprites && enables.has(Flag::PointSmooth)
@@ -69,7 +69,7 @@ pub(crate) fn raster_state(
     topology: Topology,
     vertices: &[VertexBinding],
 ) -> RasterState {
-    let DrawnAs { points, lines, polygons } = drawn_as(context, topology);
+    let RasterizedAs { points, lines, polygons } = rasterized_as(context, topology);
     let mut state = RasterState::default();
     if polygons {
         state.polygon = polygon_state(context, vertices);

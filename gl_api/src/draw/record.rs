@@ -79,7 +79,7 @@ pub(crate) fn draw(
         return Ok(());
     }
     let rim = smoothness(context, topology);
-    // Choosing may carry out what was recorded, if a texture of this draw was drawn to.
+    // This may submit what was recorded, if a texture of this draw was drawn to.
     let Stages { vertex, fragment, reads } = crate::draw::stages::choose(context, &vertices, rim)?;
     let viewport = viewport(context);
     let mut raster = raster_state(context, topology, &vertices);

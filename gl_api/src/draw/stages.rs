@@ -39,23 +39,23 @@ pub(crate) fn alpha_test(context: &Context) -> Option<Compare> {
     (tests && !draws_integers(context)).then_some(compare)
 }
 
-/// The stages that programs bring, and what they read.
+/// The stages of programs, and what they read.
 #[derive(Default)]
 struct Programs {
     vertex: Option<ShaderModule>,
     fragment: Option<ShaderModule>,
     samplers: Vec<SamplerSlot>,
     words: Vec<u32>,
-    /// What the shaders say of the colours' interpolation.
+    /// The interpolation of colours that the shaders declare.
     color_interpolation: [Option<Interpolation>; 2],
-    /// Of a vertex and a fragment stage that are assembly: where positions come from.
+    /// Where positions come from, by stage, if that is an assembly program.
     assembly: [Option<Position>; 2],
 }
 
 impl Programs {
     /// The program in use, and assembly programs for the stages that it lacks.
     fn new(context: &mut Context, name: u32) -> Result<Self> {
-        let mut programs = Self { words: context.recorder.no_words(), ..Self::default() };
+        let mut programs = Self { words: context.recorder.empty_words(), ..Self::default() };
         if let Some(linked) = context.objects.linked_program(name) {
             if let Err(problem) = runnable(linked) {
                 return invalid_operation("GL 2.1, section 2.15.4", problem);
@@ -81,7 +81,7 @@ impl Programs {
         Ok(programs)
     }
 
-    /// The first word of the fixed function, which comes behind theirs.
+    /// The first word of the fixed function, which lies behind those of programs.
     fn base(&self) -> u32 {
         self.words.len() as u32
     }
@@ -129,22 +129,22 @@ pub(crate) fn choose(
         needed,
     };
     crate::draw::fixed_function::words::append(context, &mut words, &keys);
-    // The words of assembly programs, and their clip space, are not made anew by keys.
+    // The words of assembly programs and their clip space cannot be made again by the keys alone.
     let keys = (assembly == [None; 2]).then_some(keys);
     let reads = Reads { words, vertex_textures, fragment_textures: fragment.textures, keys, note };
     Ok(Stages { vertex: vertex.module, fragment: fragment.module, reads })
 }
 
-/// The words of a program in use: its own, and those of the state that it reads.
+/// Writes the words of the program in use: its uniforms, and the state that it reads.
 fn put_words(context: &Context, words: &mut Vec<u32>, linked: &Linked) {
     words.clone_from(&linked.words);
     words.resize(linked.program.words as usize, 0);
     put_bindings(context, words, &linked.program.state);
 }
 
-/// The words of a draw whose stages are those of the draw before; `None` where samplers have changed.
+/// The words of a draw with the stages of the draw before; `None` where samplers have changed.
 pub(crate) fn words(context: &mut Context, keys: &StageKeys) -> Option<Vec<u32>> {
-    let mut words = context.recorder.no_words();
+    let mut words = context.recorder.empty_words();
     if let Some(linked) = context.objects.linked_program(context.state.bindings.program.name()) {
         put_words(context, &mut words, linked);
         let emitted = context.recorder.emitted.words.as_deref()?;
@@ -162,12 +162,12 @@ pub(crate) fn words(context: &mut Context, keys: &StageKeys) -> Option<Vec<u32>>
 struct FragmentStage {
     module: ShaderModule,
     textures: Textures,
-    /// Of the fixed function.
+    /// The key, where it is the fixed function's.
     key: Option<FragmentKey>,
 }
 
 impl FragmentStage {
-    /// The programs', or the fixed function. `vertices` are the fixed-function vertex stage's, where it runs.
+    /// The stage of a program, or the fixed function's. `vertices` are the fixed-function vertex stage's, where it runs.
     fn new(
         context: &mut Context,
         programs: &Programs,
@@ -187,7 +187,7 @@ impl FragmentStage {
                 alpha: alpha.map(|compare| (compare, programs.base() + word::ALPHA_REF)),
                 shade_model: context.state.raster.shade_model,
                 sides: if two_sided { Sides::Two } else { Sides::One },
-                // Writing fractions clamps.
+                // Formats with values in [0, 1] clamp when they are written.
                 clamp: if crate::draw::color_clamp::draws_fractions(context) {
                     Clamp::Off
                 } else {
@@ -225,7 +225,7 @@ impl FragmentStage {
 /// The vertex stage.
 struct VertexStage {
     module: ShaderModule,
-    /// Of the fixed function.
+    /// The key, where it is the fixed function's.
     key: Option<VertexKey>,
     /// The user clip planes that cut what a program gives, bit by plane, and the space they are in.
     clip_planes: u8,
@@ -233,7 +233,7 @@ struct VertexStage {
 }
 
 impl VertexStage {
-    /// The programs', or the fixed function.
+    /// The stage of a program, or the fixed function's.
     fn new(context: &mut Context, programs: &Programs, vertices: &[VertexBinding]) -> Result<Self> {
         let (mut clip_planes, mut clip_space) = (0, DMat4::IDENTITY);
         let base = programs.base();
@@ -251,7 +251,7 @@ impl VertexStage {
                     clip_space = inverse(context.state.matrices.projection.top).transpose();
                 }
             }
-            None if !clips_itself(&module) => clip_planes = context.state.clip.enabled,
+            None if !writes_clip_distances(&module) => clip_planes = context.state.clip.enabled,
             None => {}
         }
         let key = VertexVariantKey { module, planes: clip_planes, base };
@@ -260,8 +260,8 @@ impl VertexStage {
     }
 }
 
-/// Whether a vertex stage says itself what user clip planes cut.
-fn clips_itself(module: &ShaderModule) -> bool {
+/// Whether a vertex stage writes clip distances itself.
+fn writes_clip_distances(module: &ShaderModule) -> bool {
     let mut outputs = module.module().outputs.iter();
     outputs.any(|(output, _)| matches!(output, Output::ClipDistance(_)))
 }

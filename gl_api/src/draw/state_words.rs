@@ -31,7 +31,7 @@ fn matrix(context: &Context, matrix: StateMatrix, form: MatrixForm) -> DMat4 {
     }
 }
 
-/// Writes numbers as `f32` words from a place on; what lies beyond the end is left out.
+/// Writes numbers as `f32` words from word `first` on; those past the end are left out.
 pub(crate) fn put(words: &mut [u32], first: u32, values: impl IntoIterator<Item = f64>) {
     let Some(words) = words.get_mut(first as usize..) else { return };
     for (word, value) in words.iter_mut().zip(values) {
@@ -39,7 +39,7 @@ pub(crate) fn put(words: &mut [u32], first: u32, values: impl IntoIterator<Item 
     }
 }
 
-/// Colours one after the other.
+/// The components of colours, in order.
 fn colors<const N: usize>(colors: [[f32; 4]; N]) -> impl Iterator<Item = f64> {
     colors.into_iter().flatten().map(f64::from)
 }
@@ -65,7 +65,7 @@ fn light(words: &mut [u32], first: u32, light: &Light) {
     let [constant, linear, quadratic] = light.attenuation.map(f64::from);
     put(words, first, colors([light.ambient, light.diffuse, light.specular]));
     put(words, first + 12, light.position.to_array());
-    // No specification says what its w is; with 1 it is what other drivers have.
+    // No specification defines its w; other drivers have 1.
     put(words, first + 16, light.derived.half.extend(1.0).to_array());
     put(words, first + 20, direction);
     put(
@@ -170,7 +170,7 @@ fn put_state(context: &Context, words: &mut [u32], binding: StateBinding) {
     }
 }
 
-/// The state that a program reads, into its words.
+/// Writes the state that a program reads into its words.
 pub(crate) fn put_bindings(context: &Context, words: &mut [u32], bindings: &[StateBinding]) {
     for &binding in bindings {
         put_state(context, words, binding);

@@ -64,7 +64,7 @@ pub(crate) fn sampler(context: &Context, unit: u8, target: TextureTarget) -> Sam
     let state = &context.state.units.units[usize::from(unit)];
     let texture = context.objects.texture(target, &state.bound[target as usize]);
     let own = texture.sampler();
-    // Where there are several samples a texel, sampler objects do not count.
+    // Multisample textures ignore sampler objects.
     let object = context.objects.samplers.bound(&state.sampler);
     let mut sampler = match object.filter(|_| !target.is_multisample()) {
         Some(object) => Sampler {
@@ -79,7 +79,7 @@ pub(crate) fn sampler(context: &Context, unit: u8, target: TextureTarget) -> Sam
     if context.state.enables.has(Flag::SeamlessCubeMaps) {
         sampler.seamless = Seamless::On;
     }
-    // GL 2.1, section 3.8.4: a border of fractions is one; floats and integers keep theirs.
+    // GL 2.1, section 3.8.4: the border is clamped to [0, 1], except for floats and integers.
     if !texture.has_wide_texels() {
         let fractions =
             sampler.border.floats().map(|c| crate::base::convert::unit(c.into()) as f32);
@@ -98,7 +98,7 @@ pub(crate) enum Reader<'a> {
 }
 
 impl Reader<'_> {
-    /// Whether it reads texel by texel, if only here and there.
+    /// Whether any of its accesses is a fetch.
     fn fetches(self) -> bool {
         let Self::Program(module, slot) = self else { return false };
         module.values.iter().any(|value| {
@@ -125,8 +125,8 @@ pub(crate) fn plan(
         ComparisonResult::Scalar => sampler.depth_mode = DepthMode::Red,
         ComparisonResult::Ignored => sampler.compare = None,
     }
-    // What is fetched is linear whatever the sampler says (EXT_texture_sRGB_decode, where what a stage
-    // filters as well is undefined).
+    // A fetch decodes sRGB whatever the sampler has (EXT_texture_sRGB_decode; where a stage filters the texture as well, that
+    // is undefined).
     if sampler.srgb == SrgbRead::AsIs && reader.fetches() {
         sampler.srgb = SrgbRead::Decode;
     }

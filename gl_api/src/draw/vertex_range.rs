@@ -45,7 +45,7 @@ impl VertexRange<'_> {
         }
     }
 
-    /// Where its elements of an array are, in bytes, and which is the first of them.
+    /// The bytes of its elements of an array, and the first element.
     fn bytes(self, array: &Array, offset: usize) -> Option<(Range<usize>, u32)> {
         let (first, last) = self.elements(array);
         let at = |element: usize| element.checked_mul(array.step())?.checked_add(offset);
@@ -87,8 +87,8 @@ pub(crate) fn array_limits(context: &Context) -> [u32; 2] {
     all
 }
 
-/// A C program's vertices from the first to the last of a draw, and which is the first. Nothing before them
-/// is read, as nothing says that it is there.
+/// A copy of a C program's vertices from the first to the last of a draw, and the number of the first. Memory before them is
+/// not read, as it may not be there.
 fn snapshot(
     array: &Array,
     pointer: ClientPointer<'_>,
@@ -142,7 +142,7 @@ fn numbers_vertices(context: &Context) -> bool {
     values.into_iter().flatten().any(|value| matches!(value, Expr::Input(Input::VertexId)))
 }
 
-/// Vertices of an array one after the other.
+/// A copy of vertices of an array, in the order of `vertices`.
 fn gathered(context: &Context, array: &Array, vertices: &[u32]) -> Buffer {
     let size = array.size();
     let mut bytes = Vec::with_capacity(vertices.len() * size);

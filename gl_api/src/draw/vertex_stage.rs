@@ -19,7 +19,7 @@ fn input(
 ) {
     match input {
         Input::Attribute { location, component } => {
-            // Where all are bound, they lie in order.
+            // Where all locations are bound, the bindings lie in their order.
             let is_its = |binding: &&VertexBinding| binding.location == location;
             let in_order = vertices.get(usize::from(location)).filter(is_its);
             match in_order.or_else(|| vertices.iter().find(is_its)) {
@@ -51,7 +51,7 @@ fn input(
 }
 
 impl PreparedStage {
-    /// That of a draw.
+    /// The vertex stage of a draw.
     pub fn new(context: &mut Context, stages: Stages, outputs: Outputs) -> Self {
         let Stages { vertex, reads, .. } = stages;
         let stage = context.recorder.standalone_stage(&vertex, outputs);
@@ -61,7 +61,7 @@ impl PreparedStage {
         Self { stage, prepared, textures, words: reads.words, keys: reads.keys }
     }
 
-    /// The same stage where nothing but numbers has changed; `None` where it may be another.
+    /// The same stage after a change of values only; `None` where another may have to be chosen.
     pub fn again(mut self, context: &mut Context) -> Option<Self> {
         let keys = self.keys.as_ref().filter(|_| self.textures.is_empty())?;
         let words = crate::draw::stages::words(context, keys)?;
@@ -74,7 +74,7 @@ impl PreparedStage {
     }
 }
 
-/// Runs the vertex stage of the state for vertices.
+/// Runs the vertex stage of the current state for vertices.
 ///
 /// # Errors
 /// As a draw, and where the shader runs too long.

@@ -11,7 +11,7 @@ use rasterizer::driver::{Command, PassDesc, ShaderModule};
 use rasterizer::ir::Stage;
 
 impl DrawNote {
-    /// A program's draw.
+    /// The note of a draw by a program.
     pub fn of_program(
         context: &Context,
         name: u32,
@@ -41,7 +41,7 @@ impl DrawNote {
         note
     }
 
-    /// A draw whose fragments an assembly program colours.
+    /// The note of a draw whose fragment stage is an assembly program.
     pub fn of_assembly(context: &Context, samplers: &[SamplerSlot], words: &[u32]) -> Self {
         let name = context.state.assembly.bound[Target::Fragment as usize].name();
         let of_fragments = samplers.iter().filter(|sampler| sampler.stage == Stage::Fragment);
@@ -57,7 +57,7 @@ impl DrawNote {
         }
     }
 
-    /// A draw of the fixed function.
+    /// The note of a draw of the fixed function.
     pub fn of_fixed(context: &Context, key: &FragmentKey) -> Self {
         let of_unit = |unit: &crate::generate::fixed::fragment::UnitKey| {
             texture(context, unit.unit.into(), TextureTarget::of(unit.shape))
@@ -71,26 +71,26 @@ impl DrawNote {
     }
 }
 
-/// A texture unit's texture.
+/// Names a texture unit and its texture.
 pub(crate) fn texture(context: &Context, unit: u32, target: TextureTarget) -> String {
     let state = context.state.units.units.get(unit as usize);
     let name = state.map_or(0, |state| state.bound[target as usize].name());
     format!("unit {unit}, {} {name}", enum_name(TARGET.encode(target)))
 }
 
-/// Whether what a pass draws to is watched.
+/// Whether a pass draws to the watched pixel's framebuffer.
 pub(crate) fn is_watched(context: &Context, pass: &PassDesc) -> bool {
     let window = &context.window.color;
     context.watched.is_some()
         && pass.colors.iter().flatten().any(|attachment| attachment.image.same(window))
 }
 
-/// Records that what comes next in the open pass, which is watched, is a draw.
+/// Notes that the next command of the open pass, which is watched, is a draw.
 pub(crate) fn watch_draw(context: &mut Context, note: DrawNote) {
     watch(context, CommandNote::Draw(Box::new(note)));
 }
 
-/// Records that what comes next in the open pass, which is watched, are clears.
+/// Notes that the next commands of the open pass, which is watched, are clears.
 pub(crate) fn watch_clear(context: &mut Context) {
     watch(context, CommandNote::Clear);
 }

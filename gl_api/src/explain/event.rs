@@ -1,4 +1,4 @@
-//! Clears, and what a fragment is made of.
+//! Clears; and of a fragment the primitive, and the interpolation of its inputs.
 
 use crate::context::watched_pixel::DrawNote;
 use crate::explain::page::{Page, number, numbers};

@@ -1,19 +1,4 @@
-//! Why a pixel has its colour: every clear and fragment that reached it, with the numbers it was
-//! drawn with and the formula that each follows.
-//!
-//! [`Context::watch_pixel`] makes the driver write down what it does to one pixel of the default
-//! framebuffer ([`rasterizer::trace`]); [`Context::explain_pixel`] puts GL's names to it. What is
-//! written down is what ran: the last line is the picture's pixel, bit for bit.
-//!
-//! The modules in the order of the text:
-//!
-//! | module | says |
-//! |---|---|
-//! | `note` | what the state of a draw means: its units, its environments, the names of varyings |
-//! | `event` | clears; the primitive, its inputs |
-//! | `sample` | a texture access: λ, levels, texels with weights |
-//! | `shader` | the arithmetic of the fragment stage |
-//! | `output` | tests, blending, what is stored |
+//! An explanation of a pixel, and its page of text.
 
 use crate::context::watched_pixel::CommandNote;
 use crate::explain::page::Page;

@@ -1,19 +1,20 @@
-//! Why a pixel has its colour: every clear and fragment that reached it, with the numbers it was
-//! drawn with and the formula that each follows.
+//! The explanation of a pixel: every clear and fragment that reached it, with the numbers it was drawn with and the formula
+//! that each follows.
 //!
-//! [`Context::watch_pixel`] makes the driver write down what it does to one pixel of the default
-//! framebuffer ([`rasterizer::trace`]); [`Context::explain_pixel`] puts GL's names to it. What is
-//! written down is what ran: the last line is the picture's pixel, bit for bit.
+//! [`Context::watch_pixel`] makes the driver write down what it does to one pixel of the default framebuffer
+//! ([`rasterizer::trace`]); [`Context::explain_pixel`] puts GL's names to it, by the notes of the recorded draws
+//! ([`crate::context::watched_pixel`]). What is written down is what ran: the last line is the picture's pixel, bit for bit.
 //!
 //! The modules in the order of the text:
 //!
-//! | module | says |
+//! | module | writes |
 //! |---|---|
-//! | `note` | what the state of a draw means: its units, its environments, the names of varyings |
-//! | `event` | clears; the primitive, its inputs |
-//! | `sample` | a texture access: λ, levels, texels with weights |
+//! | `explanation` | the page of all events |
+//! | `event` | clears; the primitive of a fragment, and its inputs |
+//! | `texture_access` | a texture access: λ, levels, texels with weights |
 //! | `shader` | the arithmetic of the fragment stage |
 //! | `output` | tests, blending, what is stored |
+//! | `page` | lines and tables of text |
 
 pub(crate) mod event;
 pub(crate) mod explanation;

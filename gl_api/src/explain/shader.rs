@@ -6,7 +6,7 @@ use crate::explain::texture_access;
 use rasterizer::ir::{Axis, Op, Output, Ty};
 use rasterizer::trace::{Expression, Fragment, Name, Operand, Step};
 
-/// What the stage did.
+/// The steps of the stage.
 pub fn steps(page: &mut Page, fragment: &Fragment, note: &DrawNote) {
     for (formula, section) in &note.formulas {
         page.line(1, formula, section);
@@ -113,7 +113,7 @@ fn text(expression: &Expression, note: &DrawNote) -> String {
     }
 }
 
-/// What the source calls it.
+/// The name of an operation in the source.
 fn called(op: Op) -> &'static str {
     match op {
         Op::AtMost => Op::Min.name(),

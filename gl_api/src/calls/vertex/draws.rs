@@ -46,7 +46,7 @@ fn indexed_reach(
 
 /// Where every attribute of an array draw comes from, of those that matter.
 fn bindings(context: &mut Context, vertex_range: VertexRange<'_>) -> Result<Vec<VertexBinding>> {
-    let mut bindings = context.recorder.no_bindings();
+    let mut bindings = context.recorder.empty_bindings();
     let arrays = &context.state.arrays.by_location;
     let constants = constants_needed(context);
     for location in 0..LOCATIONS {

@@ -117,7 +117,7 @@ pub(crate) fn draw_columns(
     Columns { buffer, count, range: part }: Columns<'_>,
     column_of: impl Fn(usize) -> Option<usize>,
 ) -> Result<()> {
-    let mut vertices = context.recorder.no_bindings();
+    let mut vertices = context.recorder.empty_bindings();
     let constants = constants_needed(context);
     for location in 0..COLUMNS {
         let index = match location == 0 || location == usize::from(ATTRIB_VERTEX) {

@@ -14,19 +14,19 @@ use rasterizer::shader::Machine;
 pub(crate) mod record;
 pub(crate) mod select;
 
-/// What becomes of primitives.
+/// `GL_RENDER_MODE`: what becomes of primitives.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum RenderMode {
-    /// Fragments.
+    /// They make fragments.
     #[default]
     Render,
-    /// Hits of names.
+    /// They are hits of the names on the stack.
     Select,
-    /// Numbers.
+    /// Their corners are written to the feedback buffer.
     Feedback,
 }
 
-/// Where the numbers of a mode go when it ends.
+/// The selection or feedback buffer.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Target {
     /// The context keeps them for [`crate::Context::selection`] or [`crate::Context::feedback`].
@@ -35,19 +35,19 @@ pub(crate) enum Target {
     Client(ClientPointer<'static>),
 }
 
-/// The mode, and what selection and feedback have gathered.
+/// The render mode, and the results of selection and feedback.
 #[derive(Debug, Default)]
 pub(crate) struct Feedback {
     pub mode: RenderMode,
     pub select: Select,
     pub record: Record,
-    /// What the vertex stage runs in.
+    /// The registers that the vertex stage runs in.
     pub machine: Machine,
     /// The vertex stage of the raster position before.
     pub raster_position_stage: Option<RasterPositionStage>,
 }
 
-/// A corner of a primitive in window coordinates.
+/// A vertex of a primitive in window coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Corner {
     /// x, y, z.
@@ -59,7 +59,7 @@ pub(crate) struct Corner {
 }
 
 impl Feedback {
-    /// Takes a primitive.
+    /// Adds a primitive.
     pub fn primitive(&mut self, kind: record::PrimitiveToken, corners: &[Corner]) {
         match self.mode {
             RenderMode::Render => {}
@@ -71,7 +71,7 @@ impl Feedback {
     }
 }
 
-/// Takes a bitmap or a rectangle of pixels at the raster position, unless fragments are made.
+/// Adds a bitmap or a rectangle of pixels at the raster position, in feedback mode; gives the mode.
 pub(crate) fn pixels(context: &mut Context, kind: record::PrimitiveToken) -> RenderMode {
     let mode = context.feedback.mode;
     let position = &context.state.raster_position;

@@ -5,7 +5,7 @@ use crate::base::error::Table;
 use crate::base::types::*;
 use crate::context::feedback::{Corner, Target};
 
-/// What is written of each corner (GL 2.1, table 5.2).
+/// `GL_FEEDBACK_BUFFER_TYPE`: what is written of each vertex (GL 2.1, table 5.2).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum FeedbackType {
     /// x, y.
@@ -71,14 +71,14 @@ pub(crate) struct Record {
     state: Filling,
 }
 
-/// How full the buffer is.
+/// The fill state of the buffer.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 enum Filling {
     /// Nothing of this feedback is in it yet.
     #[default]
     Fresh,
     Some,
-    /// More came than it holds.
+    /// More was written than it holds.
     Overflowed,
 }
 

@@ -30,7 +30,7 @@ pub(crate) struct ArrayDraw {
     pub elements: Elements,
 }
 
-/// What a list does, one thing after the other.
+/// A step of a list.
 pub(crate) enum Step {
     /// Any call. Pixels were taken when the list was compiled, and are unpacked as they lay then.
     Call {
@@ -64,13 +64,13 @@ pub(crate) struct List {
     pub steps: Vec<Step>,
 }
 
-/// Where `glCallLists` counts from, and how far the calls of lists have come.
+/// `GL_LIST_BASE`, and the nesting of the calls of lists that run.
 #[derive(Debug, Default)]
 pub(crate) struct Lists {
     pub base: GLuint,
     /// How deep calls of lists are nested now.
     pub depth: usize,
-    /// How many more lists the outermost call may call.
+    /// How many more lists the outermost call may still call.
     pub budget: usize,
 }
 
@@ -99,7 +99,7 @@ pub(crate) struct Compiling {
     pub name: GLuint,
     pub mode: ListMode,
     pub steps: Vec<Step>,
-    /// Since `glBegin`, as long as nothing but attributes followed.
+    /// The attributes since `glBegin`, as long as nothing else followed.
     pub open: Option<OpenPrimitives>,
     /// Whether a `glBegin` is recorded by itself: vertices after another, which is refused when the
     /// list is called, are the first one's (GL 2.1, section 2.5).

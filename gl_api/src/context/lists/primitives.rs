@@ -107,8 +107,8 @@ impl ListPrimitives {
         Buffer::new(bytes)
     }
 
-    /// Whether `next` could have gone on without `glEnd` and `glBegin` in between: its primitives
-    /// stand each for itself, and its attributes are columns, or constants, as here.
+    /// Whether `next` can be joined, without `glEnd` and `glBegin` in between: primitives share no vertices, and the same
+    /// attributes vary.
     fn can_join(&self, next: &Self) -> bool {
         let has = |location: usize| next.columns.iter().any(|column| column.location == location);
         vertices_of_primitive(self.topology).is_some_and(|each| {
@@ -119,7 +119,7 @@ impl ListPrimitives {
             && self.columns.iter().all(|column| column.location < LOCATIONS && has(column.location))
     }
 
-    /// Those that go on one after the other as one; `None` where there are none.
+    /// Joins primitives that can be joined; `None` where there are none.
     fn joined(mut run: Vec<Self>) -> Option<Self> {
         if run.len() < 2 {
             return run.pop();
@@ -162,7 +162,7 @@ impl ListPrimitives {
     }
 }
 
-/// The steps of a list, with one in place of several shapes that go on one after the other.
+/// The steps of a list, with primitives joined that can be.
 pub(crate) fn join(steps: Vec<Step>) -> Vec<Step> {
     let mut joined = Vec::with_capacity(steps.len());
     let mut run: Vec<ListPrimitives> = Vec::new();

@@ -28,8 +28,8 @@ use texunit::lanes::Isa;
 
 /// A command buffer of this many commands is submitted.
 const MAX_COMMANDS: usize = 1 << 14;
-/// So is one that holds so many bytes of textures and vertices that are new with it: they may be
-/// deleted or replaced already, and then nothing but the waiting draws needs them.
+/// So is one that holds this many bytes of textures and vertices that are new since the last submission: they may be
+/// deleted or replaced already, and are kept for the recorded draws alone.
 const MAX_HELD: usize = 1 << 26;
 
 /// What has been recorded and not submitted, and what was compiled for it.
@@ -53,16 +53,16 @@ pub(crate) struct Recorder {
     /// The textures of a stage that samples none.
     pub no_textures: Textures,
     pub unit_summary: UnitSummary,
-    /// The version of the units, and where messages went, when it was last looked whether a texture
-    /// is bound though nothing is switched on.
+    /// The version of the units, and whether messages were logged, at the last check for textures that are bound while no
+    /// unit is enabled.
     pub nothing_enabled: Option<(u64, Output)>,
-    /// The memory of a draw's uniform words.
+    /// The uniform words of the last draw, whose memory is used again.
     pub words: Vec<u32>,
-    /// The memory of a draw's bindings.
+    /// Empty; the memory of the last draw's bindings, which is used again.
     pub bindings: Vec<VertexBinding>,
     pub variants: HashMap<stages::VariantKey, ShaderModule>,
     pub vertex_variants: HashMap<stages::VertexVariantKey, ShaderModule>,
-    /// Stages of assembly programs, by what their uniform words are moved by.
+    /// Relocated stages of assembly programs: the module, its first uniform word, and the relocated module.
     pub moved: Vec<(ShaderModule, u32, ShaderModule)>,
     /// Whether anything is visible of what was submitted since the last picture was taken.
     pub sight: Sight,
@@ -73,7 +73,7 @@ pub(crate) struct Recorder {
     standalone: HashMap<(ShaderModule, Outputs), Arc<StandaloneStage>>,
 }
 
-/// When there are this many stages of their own, all are dropped.
+/// When there are this many stages that run by themselves, all are dropped.
 const MAX_STANDALONE: usize = 64;
 
 impl WaitingDraws for Recorder {
@@ -142,7 +142,7 @@ impl Recorder {
         self.device.desc().isa
     }
 
-    /// Notes that what is recorded next holds so many bytes that nothing recorded before it does.
+    /// Adds to the bytes that recorded commands hold, which none recorded before does.
     pub fn hold(&mut self, bytes: usize) {
         self.held = self.held.saturating_add(bytes);
     }
@@ -158,15 +158,15 @@ impl Recorder {
         self.commands.commands.len() >= MAX_COMMANDS || self.held >= MAX_HELD
     }
 
-    /// The memory of uniform words, without any in it.
-    pub(crate) fn no_words(&mut self) -> Vec<u32> {
+    /// An empty vector for uniform words, with memory of the last one.
+    pub(crate) fn empty_words(&mut self) -> Vec<u32> {
         let mut words = std::mem::take(&mut self.words);
         words.clear();
         words
     }
 
-    /// The memory of bindings, without any in it.
-    pub(crate) fn no_bindings(&mut self) -> Vec<VertexBinding> {
+    /// An empty vector for bindings, with memory of the last one.
+    pub(crate) fn empty_bindings(&mut self) -> Vec<VertexBinding> {
         let mut bindings = std::mem::take(&mut self.bindings);
         bindings.clear();
         bindings

@@ -13,14 +13,14 @@ use texunit::sampler::Compare;
 /// The texture of each slot of a stage.
 pub(crate) type Textures = Arc<[Option<Arc<SamplePlan>>]>;
 
-/// What a draw runs.
+/// The stages of a draw, and what they read.
 pub(crate) struct Stages {
     pub vertex: ShaderModule,
     pub fragment: ShaderModule,
     pub reads: Reads,
 }
 
-/// What stages read beside vertices.
+/// What stages read besides vertices.
 pub(crate) struct Reads {
     pub words: Vec<u32>,
     pub vertex_textures: Textures,
@@ -31,12 +31,12 @@ pub(crate) struct Reads {
     pub note: Option<DrawNote>,
 }
 
-/// A program's fragment stage with state of the context built in.
+/// The key of a program's fragment stage with GL state compiled in.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct VariantKey {
     pub module: ShaderModule,
     pub shade_model: Interpolation,
-    /// What the shaders say of the colours' interpolation.
+    /// The interpolation of colours that the shaders declare.
     pub color_interpolation: [Option<Interpolation>; 2],
     /// The alpha test and the word of its reference.
     pub alpha: Option<(Compare, u32)>,
@@ -46,7 +46,7 @@ pub(crate) struct VariantKey {
     pub clamp: Clamp,
 }
 
-/// A program's vertex stage with state of the context built in.
+/// The key of a program's vertex stage with user clip planes compiled in.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct VertexVariantKey {
     pub module: ShaderModule,
@@ -63,6 +63,7 @@ pub(crate) enum Sides {
     Two,
 }
 
+/// A generated module that the IR refuses: a bug, reported as an error of the call.
 pub(crate) fn internal(error: &IrError) -> GlError {
     GlError::new(
         ErrorCode::InvalidOperation,

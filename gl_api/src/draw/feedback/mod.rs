@@ -25,16 +25,16 @@ use std::borrow::Cow;
 use std::ops::Range;
 use texunit::lanes::LANES;
 
-/// More vertices than this are not taken at once.
+/// The size of a chunk, at most.
 const MAX_VERTICES: u64 = 1 << 24;
 
-/// Vertices that are taken at once: whole batches, and whole primitives of any kind that shares none.
+/// Vertices of a chunk: whole batches of lanes, and whole primitives of every topology that shares no vertices.
 const CHUNK: u32 = 12 * LANES as u32;
 
-/// Takes a draw.
+/// Carries out a draw.
 ///
 /// # Errors
-/// As the draw.
+/// As any draw.
 pub(crate) fn draw(
     context: &mut Context,
     topology: Topology,
@@ -50,7 +50,7 @@ pub(crate) fn draw(
             format!("a draw of {total} vertices: at most {MAX_VERTICES} here"),
         ));
     }
-    // Primitives that share no vertices are taken few enough at a time to stay in the cache.
+    // Primitives that share no vertices go in chunks that stay in the cache.
     let at_once = match vertices_of_primitive(topology) {
         Some(_) => CHUNK,
         None => count.max(1),
@@ -90,7 +90,8 @@ fn clip_vertices(
     let coords = shaded.varyings(VARYING_TEX_COORD);
     let [color, coord] = [ATTRIB_COLOR, ATTRIB_TEX_COORD].map(current);
     let position = shaded.position();
-    let planes = [0, 1, 2, 3, 4, 5, 6, 7].map(|plane| shaded.place(Output::ClipDistance(plane)));
+    let planes =
+        [0, 1, 2, 3, 4, 5, 6, 7].map(|plane| shaded.output_index(Output::ClipDistance(plane)));
     let vertex = |(at, id): (usize, &VertexInstance)| {
         let front = shaded.four(at, colors[0], color);
         let back = shaded.four(at, colors[1], front);
@@ -107,12 +108,12 @@ fn clip_vertices(
     ids.iter().enumerate().map(vertex).collect()
 }
 
-/// Takes the primitives that vertices make.
+/// Assembles the primitives of a topology.
 fn assemble(context: &mut Context, topology: Topology, vertices: &[Vertex]) {
     let count = vertices.len();
     let at = |index: usize| vertices[index];
     let convention = context.state.raster.provoking;
-    let provoking = |first, last| &vertices[chosen(convention, first, last)];
+    let provoking = |first, last| &vertices[provoking_vertex(convention, first, last)];
     let line = |context: &mut Context, ends: [usize; 2], kind| {
         emit_line(context, ends.map(at), provoking(ends[0], ends[1]), kind);
     };
@@ -158,8 +159,8 @@ fn assemble(context: &mut Context, topology: Topology, vertices: &[Vertex]) {
     }
 }
 
-/// The first vertex of a primitive, or the last.
-fn chosen(convention: Provoking, first: usize, last: usize) -> usize {
+/// The provoking vertex of a primitive: its first or its last.
+fn provoking_vertex(convention: Provoking, first: usize, last: usize) -> usize {
     match convention {
         Provoking::First => first,
         Provoking::Last => last,
@@ -172,13 +173,13 @@ fn edged(vertex: Vertex) -> Vertex {
 }
 
 fn polygons(context: &mut Context, vertices: &[Vertex], corners: usize) {
-    let provoking = chosen(context.state.raster.provoking, 0, corners - 1);
+    let provoking = provoking_vertex(context.state.raster.provoking, 0, corners - 1);
     for corners in vertices.chunks_exact(corners) {
         polygon(context, corners, &corners[provoking]);
     }
 }
 
-/// Gives vertices the colours of the one that provokes, where shading is flat.
+/// Gives vertices the colours of the provoking one, where shading is flat.
 fn shade_flat<'a>(
     context: &Context,
     vertices: &'a [Vertex],
@@ -194,7 +195,7 @@ fn shade_flat<'a>(
     Cow::Owned(vertices)
 }
 
-/// Which of a vertex's colours count.
+/// Which of a vertex's colours are used.
 #[derive(Clone, Copy)]
 enum Facing {
     Front,
@@ -228,7 +229,7 @@ fn corner(context: &Context, vertex: &Vertex, facing: Facing) -> Corner {
 }
 
 fn point(context: &mut Context, vertex: &Vertex) {
-    if clip::holds(vertex) {
+    if clip::is_inside(vertex) {
         let corner = corner(context, vertex, Facing::Front);
         context.feedback.primitive(PrimitiveToken::Point, &[corner]);
     }
@@ -242,7 +243,7 @@ fn emit_line(context: &mut Context, ends: [Vertex; 2], provoking: &Vertex, kind:
     }
 }
 
-/// Overdraw the area of a polygon in the window, positive where it is counterclockwise (section 3.5.1).
+/// Twice the area of a polygon in the window, positive where it is counterclockwise (section 3.5.1).
 fn doubled_area(corners: &[Corner]) -> f64 {
     let edge = |at: usize| {
         let ([x0, y0, _], [x1, y1, _]) =

@@ -37,7 +37,7 @@ pub(crate) fn update_unit_summary(context: &mut Context) {
     }
 }
 
-/// The vertex stage for the state of now. `base` is its first uniform word.
+/// The vertex stage for the current state. `base` is its first uniform word.
 pub(crate) fn vertex_key(context: &Context, vertices: &[VertexBinding], base: u32) -> VertexKey {
     let state = &context.state;
     let mut matrices = 0;
@@ -127,9 +127,8 @@ fn light_key(light: &Light) -> LightKey {
     }
 }
 
-/// What of a side's material each vertex has for itself: its colour where that is tracked, or what
-/// `glMaterial` said between `glBegin` and `glEnd`. A colour that is constant over the draw is part
-/// of the material's words instead.
+/// The parts of a side's material that vary by vertex: those that track a colour that varies, and those that `glMaterial`
+/// set between `glBegin` and `glEnd`. A colour that is constant over the draw is in the material's words instead.
 fn varying(context: &Context, vertices: &[VertexBinding], side: Side) -> Varying {
     let varies = |location: u8| {
         vertices.iter().any(|binding| {
@@ -155,7 +154,7 @@ fn varying(context: &Context, vertices: &[VertexBinding], side: Side) -> Varying
     }
 }
 
-/// The fragment stage for the state of now. `vertices` are those of the fixed-function vertex
+/// The fragment stage for the current state. `vertices` are those of the fixed-function vertex
 /// stage, where it runs.
 pub(crate) fn fragment_key(
     context: &mut Context,
@@ -187,7 +186,7 @@ pub(crate) fn fragment_key(
     }
 }
 
-/// The units that texture: enabled, with a complete texture (GL 2.1, section 3.8.15).
+/// The active texture units: enabled, with a complete texture (GL 2.1, section 3.8.15).
 fn enabled_units(
     context: &mut Context,
     vertices: Option<&[VertexBinding]>,

@@ -26,7 +26,7 @@ impl FixedWords {
         if let Some(key) = &keys.fragment {
             fragment(&mut self.words, context, key);
         }
-        // Planes are in the coordinates that they are compared with.
+        // Planes are in the space of the positions that they cut.
         clip_planes(&mut self.words, context, keys.clip_planes, keys.clip_space);
         if let Some(key) = &keys.vertex {
             self.transform(context);
@@ -172,8 +172,7 @@ fn put_light(words: &mut [u32], at: u32, light: &Light) {
     put(words, at + 11, light.attenuation.map(f64::from));
 }
 
-/// A material with white in place of what each vertex has for itself: products with it are the
-/// light's colours.
+/// A material with white in place of the parts that vary by vertex: products with it are the light's colours.
 fn constant_parts(mut material: Material, own: Varying) -> Material {
     if own.ambient.is_some() {
         material.ambient = [1.0; 4];
@@ -187,7 +186,7 @@ fn constant_parts(mut material: Material, own: Varying) -> Material {
     material
 }
 
-/// A side's scene colour without what each vertex has for itself, alpha and shininess.
+/// Writes a side's scene colour without the parts that vary by vertex, with alpha, and its shininess.
 fn put_material(
     words: &mut [u32],
     side: Side,
@@ -207,7 +206,7 @@ fn put_material(
     put(words, at + 4, [material.shininess.into()]);
 }
 
-/// The products of a light's colours and a material's.
+/// Writes the products of a light's colours and a material's.
 fn put_products(words: &mut [u32], at: u32, light: &Light, material: &Material) {
     let pairs = [
         (light.ambient, material.ambient),

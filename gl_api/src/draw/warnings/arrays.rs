@@ -10,8 +10,8 @@ use crate::state::enable::CLIENT_ARRAY;
 use rasterizer::driver::{IndexType, Topology, VertexBinding, VertexSource};
 use rasterizer::ir::{Expr, Input};
 
-/// Arrays that a draw reads past their end. `glDrawArrays` refuses where the first one is too short;
-/// others, and all that indices reach, read as zeros. Indices are only looked through for somebody.
+/// Warns of arrays that a draw reads past their end. `glDrawArrays` refuses a draw where array 0 is too short; others, and
+/// all that indices reach, read as zeros. Indices are searched only while messages are wanted.
 pub(crate) fn short(context: &mut Context, vertices: &[VertexBinding], elements: &Elements) {
     let mut last = None;
     let (_, instances) = elements.counts();
@@ -40,7 +40,7 @@ pub(crate) fn short(context: &mut Context, vertices: &[VertexBinding], elements:
     }
 }
 
-/// The last vertex of a draw. Of a draw by index it is known only where somebody listens.
+/// The last vertex of a draw; of a draw by index only while messages are wanted.
 fn last_vertex(context: &Context, elements: &Elements) -> Option<u32> {
     match elements {
         Elements::Range { first, count, .. } => Some(first.saturating_add(count.checked_sub(1)?)),
@@ -54,11 +54,11 @@ fn last_vertex(context: &Context, elements: &Elements) -> Option<u32> {
     }
 }
 
-/// Draws of a program's vertices that are all alike: it has attributes, and none has an array.
+/// Warns of a draw whose vertices are all alike: the program has attributes, and no array is enabled.
 pub(crate) fn none(context: &mut Context, topology: Topology) {
     let name = context.state.bindings.program.name();
     let linked = context.objects.linked_program(name);
-    // A point can be where a constant says.
+    // A point may be drawn with constants.
     if topology != Topology::Points
         && linked.is_some_and(|linked| !linked.program.attributes.is_empty())
         && context.is_first_warning(DrawWarning::NoArray, name)
@@ -75,7 +75,7 @@ fn all_alike(context: &mut Context, name: GLuint) {
     else {
         return;
     };
-    // Its number can be all that a vertex is made of.
+    // The vertices may differ by their numbers.
     let mut values = vertex.module().values.iter();
     if values.any(|value| matches!(value, Expr::Input(Input::VertexId))) {
         return;

@@ -90,7 +90,7 @@ fn no_viewport(context: &mut Context, [width, height]: [i32; 2]) {
     }
 }
 
-/// Lighting without lights is right where materials shine, or the scene has a light of its own.
+/// Warns of lighting without lights, unless materials emit light or the ambient colour of the scene was set.
 #[cold]
 #[inline(never)]
 fn without_light(context: &mut Context) {
@@ -102,8 +102,7 @@ fn without_light(context: &mut Context) {
     }
 }
 
-/// A test without a buffer for it. That is legal, and usual where a picture is worked at: it is said of
-/// one framebuffer.
+/// Warns of a test without a buffer for it, once for all framebuffers: it is legal, and usual in post-processing.
 #[cold]
 #[inline(never)]
 fn missing(context: &mut Context, hint: DrawWarning, [test, buffer, size]: [&str; 3]) {
@@ -120,14 +119,14 @@ fn missing(context: &mut Context, hint: DrawWarning, [test, buffer, size]: [&str
     ));
 }
 
-/// Vertices that make no whole primitive.
+/// Vertices that are left over by whole primitives.
 struct Remainder {
     mode: &'static str,
     each: u32,
     count: u32,
 }
 
-/// What is left over of vertices that make primitives of their own. How long a strip is, data says.
+/// The vertices of a draw that are left over; of topologies whose primitives share no vertices.
 fn remainder(topology: Topology, elements: &Elements) -> Option<Remainder> {
     let (mode, each) = match topology {
         Topology::Lines => ("GL_LINES", 2),
@@ -157,7 +156,7 @@ fn left_out(context: &mut Context, Remainder { mode, each, count }: Remainder) {
     }
 }
 
-/// Whether a draw leaves a colour, if it leaves nothing else.
+/// Warns of a draw that writes neither colours nor anything else.
 fn colors(context: &mut Context, pass: &PassDesc, desc: &PipelineDesc) {
     let writes_depth = desc.depth.as_ref().is_some_and(|depth| depth.write == DepthWrite::On);
     let counts = context.recorder.counter.is_some();

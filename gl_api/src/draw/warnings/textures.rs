@@ -16,12 +16,12 @@ use rasterizer::driver::{DepthWrite, Image};
 use rasterizer::ir::TextureDecl;
 use texunit::sampler::{Mipmap, Sampler};
 
-/// What a target is called.
+/// GL's name of a target.
 fn target_name(target: TextureTarget) -> String {
     enum_name(TARGET.encode(target))
 }
 
-/// A texture that is bound elsewhere than where it is looked for.
+/// Where a texture is bound that a draw looks for at another target or unit.
 enum Elsewhere {
     /// To another target of the unit.
     Target(GLuint, TextureTarget),
@@ -30,7 +30,7 @@ enum Elsewhere {
     Nowhere,
 }
 
-/// Where the texture may be that was meant for a unit's target, if nothing is there.
+/// Where the texture may be bound that was meant for a target of a unit; `None` if something is bound there.
 fn elsewhere(context: &Context, unit: u8, target: TextureTarget) -> Option<Elsewhere> {
     let units = &context.state.units.units;
     let name = |unit: &Unit, target: TextureTarget| unit.bound[target as usize].name();
@@ -49,7 +49,7 @@ fn elsewhere(context: &Context, unit: u8, target: TextureTarget) -> Option<Elsew
     Some(found.map_or(Elsewhere::Nowhere, |(name, other)| Elsewhere::Unit(name, other)))
 }
 
-/// A texture that the fixed function samples but that is incomplete: the unit is as if switched off.
+/// Warns of an incomplete texture that the fixed function would sample: the unit is as if disabled.
 #[cold]
 #[inline(never)]
 pub(crate) fn incomplete(context: &mut Context, unit: u8, target: TextureTarget, reason: &str) {
@@ -79,7 +79,7 @@ pub(crate) fn incomplete(context: &mut Context, unit: u8, target: TextureTarget,
     context.debug.warn(text);
 }
 
-/// A sampler uniform whose unit has nothing for it, or a texture that is not compared.
+/// Warns of a sampler uniform whose unit has no complete texture, or one that is not compared.
 pub(crate) fn sampler(
     context: &mut Context,
     unit: u8,
@@ -145,7 +145,7 @@ fn reads_black(context: &mut Context, unit: u8, target: TextureTarget, word: u32
     context.debug.warn(text);
 }
 
-/// A sampler that compares, of a texture that is not compared.
+/// Warns of a shadow sampler with a texture that is not compared.
 #[cold]
 #[inline(never)]
 fn uncompared(context: &mut Context, name: GLuint, target: TextureTarget, word: u32) {
@@ -166,7 +166,7 @@ fn uniform_name(context: &Context, word: u32) -> String {
     program.map_or_else(String::new, |linked| linked.quoted_name(word))
 }
 
-/// A texture that is sampled by a draw that may draw to it (GL 3.1, section 4.4.3).
+/// Warns of a texture that a draw samples and may draw to (GL 3.1, section 4.4.3).
 pub(crate) fn feedback_loop(
     context: &mut Context,
     place: (u8, TextureTarget),
@@ -180,7 +180,7 @@ pub(crate) fn feedback_loop(
     }
 }
 
-/// It is one if a level that is sampled is drawn to. Who calls `glTextureBarrierNV` means it.
+/// It is a feedback loop if a level that is sampled is drawn to. `glTextureBarrierNV` counts as the warning given.
 #[cold]
 #[inline(never)]
 fn maybe_loop(
@@ -217,8 +217,8 @@ fn maybe_loop(
     }
 }
 
-/// Textures are bound, but no unit is switched on and no program is in use. GivenWarnings once, it is so until
-/// units change.
+/// Warns of textures that are bound while no unit is enabled and no program is in use. It is checked
+/// again only when the units have changed.
 pub(crate) fn nothing_enabled(context: &mut Context) {
     if context.state.bindings.program.name() != 0 || has_fragment_program(context) {
         return;
@@ -232,7 +232,7 @@ pub(crate) fn nothing_enabled(context: &mut Context) {
         return;
     }
     let bound = units.iter().zip(0..MAX_COMBINED_TEXTURE_IMAGE_UNITS).find_map(|(unit, number)| {
-        // Those that cannot be switched on are for shaders alone.
+        // Targets that cannot be enabled are for shaders alone.
         let target = TextureTarget::ALL.into_iter().find(|&target| {
             unit.bound[target as usize].name() != 0
                 && CAPABILITY.get(TARGET.encode(target)).is_some()

@@ -23,7 +23,7 @@ fn nothing_visible(context: &mut Context, reasons: &Reasons) {
             None => counts.push((drawn, reason, 1)),
         }
     }
-    // The most usual first; of equals the order of the enumerations.
+    // The most frequent first; equal counts by the order of the enumerations.
     counts.sort_by_key(|&(drawn, reason, count)| (std::cmp::Reverse(count), drawn, reason));
     let Some(&(_, main, _)) = counts.first() else { return };
     if !context.is_first_warning(DrawWarning::NothingSeen, context.state.bindings.draw_framebuffer)
@@ -57,7 +57,7 @@ fn name(drawn: Drawn, count: u32) -> &'static str {
     }
 }
 
-/// What is said of primitives: a verb, and why they are not seen.
+/// The predicate for primitives that are not visible: a verb and the reason.
 fn verdict(reason: Reason, count: u32) -> String {
     let verb = |one: &'static str, many: &'static str| if count == 1 { one } else { many };
     let (verb, rest) = match reason {
@@ -86,14 +86,14 @@ fn beyond(side: Side) -> &'static str {
     }
 }
 
-/// What helps, and where the rule is.
+/// The advice for a reason, and the section of its rule.
 fn fix(reason: Reason) -> (&'static str, &'static str) {
     match reason {
         Reason::NotFinite => (
             "look for a division by zero in the matrices, or in what gl_Position is made of",
             "2.11",
         ),
-        // Where a matrix is zero, w is.
+        // A matrix of zeros gives w = 0.
         Reason::Outside(Side::Behind) => (
             "check the matrices of GL_MODELVIEW and GL_PROJECTION, or gl_Position (a uniform matrix that was \
              never set is zero)",

@@ -1,11 +1,11 @@
-//! Pictures in which what was drawn does not show: what is said of them, and what is not.
+//! Warnings of pictures in which nothing that was drawn is visible, or depths are those of an earlier picture.
 
 use super::scene::{WHITE, context};
 use super::shading::use_program;
 use super::texts;
 use gl_api::*;
 
-/// What is drawn before a picture is taken, and what is said of it.
+/// Name, what is drawn before a picture is taken, and the warning.
 type Case = (&'static str, fn(&mut Context), &'static str);
 
 /// A triangle with these corners.
@@ -107,7 +107,7 @@ const ROWS: &[Case] = &[
     ),
 ];
 
-/// Takes a picture, and gives what is said of it.
+/// Takes a picture, and gives the messages.
 fn picture(c: &mut Context) -> Vec<String> {
     let mut pixel = [0_u8; 4];
     c.read_pixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, DataOut::Bytes(&mut pixel));
@@ -130,7 +130,7 @@ fn a_picture_of_nothing_says_why() {
     }
 }
 
-/// 40 points out of sight on the left, then 40 on the right.
+/// 40 points beyond the left side of the view volume, then 40 beyond the right.
 fn points(c: &mut Context, between: fn(&mut Context)) {
     for x in [-2.0, 2.0] {
         c.begin(GL_POINTS);
@@ -141,7 +141,7 @@ fn points(c: &mut Context, between: fn(&mut Context)) {
 }
 
 #[test]
-fn what_is_said_does_not_depend_on_when_draws_are_carried_out() {
+fn the_warning_does_not_depend_on_when_draws_are_submitted() {
     let ways: [fn(&mut Context); 3] = [|_| {}, Context::flush, Context::finish];
     for between in ways {
         let mut c = context();
@@ -153,7 +153,7 @@ fn what_is_said_does_not_depend_on_when_draws_are_carried_out() {
 }
 
 #[test]
-fn nothing_is_said_of_a_picture_where_something_is_seen() {
+fn a_picture_where_something_is_visible_gets_no_warning() {
     let mut c = context();
     for before in [false, true] {
         for (name, draw, _) in ROWS {

@@ -1,14 +1,14 @@
-//! Programs that mean what they do, though it looks like one of the mistakes.
+//! The table of programs that look like one of the mistakes, but are intended.
 
 use super::scene::*;
 use super::shading::use_program;
 use gl_api::*;
 
-/// A name, and a program.
+/// Name, and calls.
 type Case = (&'static str, fn(&mut Context));
 
 const EMPTY: &str = "#version 120\nvoid main() {}";
-/// A picture's corners from their numbers.
+/// The corners of a full-screen triangle, computed from the vertex numbers.
 const NUMBERED: &str = "#version 130\nout vec2 uv;\nvoid main() {\n\
     uv = vec2(gl_VertexID & 1, gl_VertexID >> 1);\n\
     gl_Position = vec4(uv * 4.0 - 1.0, 0.0, 1.0); }";
