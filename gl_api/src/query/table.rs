@@ -276,7 +276,7 @@ pub(crate) fn raster(context: &Context, pname: GLenum) -> Answer {
 pub(crate) fn fragment(context: &Context, pname: GLenum) -> Answer {
     let fragment = &context.state.fragment;
     let clear = &context.state.clear;
-    let clamp = crate::draw::clamp::of_fragments(context);
+    let clamp = crate::draw::color_clamp::of_fragments(context);
     Some(match pname {
         GL_SCISSOR_BOX => {
             let area = fragment.scissor;

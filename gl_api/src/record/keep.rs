@@ -2,7 +2,7 @@
 //! call again.
 
 use crate::base::args::{Data, DataOut, Located, Names, Pointers, Strings, TextOut};
-use crate::context::sharing::Turn;
+use crate::context::sharing::SharedObjectsGuard;
 use crate::context::{Context, GLDEBUGPROC};
 use crate::record::pixels;
 use std::convert::Infallible;
@@ -105,7 +105,7 @@ impl Keep for Data<'_> {
 
     fn keep(&self, context: &mut Context, name: &str, integers: &[i64]) -> Option<KeptData> {
         // The pixels may lie in a buffer, which may be the group's.
-        let context = &*Turn::begin(context).context;
+        let context = &*SharedObjectsGuard::lock(context).context;
         Some(match pixels::bytes(context, name, integers, *self) {
             Some(bytes) => KeptData::Bytes(bytes),
             None => match self.locate(0, 0) {

@@ -9,7 +9,7 @@ use crate::base::types::*;
 use crate::base::value::{Value, flag, symbol};
 use crate::calls::framebuffer::buffers::drawn_format;
 use crate::context::Context;
-use crate::draw::complete::drawn_formats;
+use crate::draw::completeness::drawn_formats;
 use crate::pixel::internal::Component;
 use crate::state::clamp::When;
 use texunit::format::{BaseFormat, Encoding, Format};

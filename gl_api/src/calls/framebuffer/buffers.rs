@@ -5,7 +5,7 @@ use crate::base::error::{Result, invalid_enum, invalid_operation, invalid_value,
 use crate::base::limits;
 use crate::base::types::*;
 use crate::context::Context;
-use crate::draw::complete::{attached_format, samples};
+use crate::draw::completeness::{attached_format, samples};
 use crate::objects::color_buffers::{Answer, Selection, attachment_index};
 use crate::pixel::internal::{Component, component_bits};
 use texunit::format::Format;

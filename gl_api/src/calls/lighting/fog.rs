@@ -62,7 +62,7 @@ pub(crate) fn state_value(context: &Context, pname: GLenum) -> Option<Result<Val
         Parameter::Start => float(fog.start),
         Parameter::End => float(fog.end),
         Parameter::Index => float(fog.index),
-        Parameter::Color => unit(&crate::draw::clamp::of_fragments(context).color(fog.color)),
+        Parameter::Color => unit(&crate::draw::color_clamp::of_fragments(context).color(fog.color)),
         Parameter::Source => symbol(FOG_SOURCE.encode(fog.source)),
     })
 }

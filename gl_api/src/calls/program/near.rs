@@ -7,7 +7,7 @@
 
 use crate::base::types::GLuint;
 use crate::context::Context;
-use crate::context::said::Hint;
+use crate::context::warnings::DrawWarning;
 use crate::glsl::spelling::edit_distance;
 use crate::interface::MAX_VERTEX_ATTRIBS;
 use crate::objects::programs::ShaderOrProgram;
@@ -24,14 +24,14 @@ pub(crate) enum Of {
 #[inline(never)]
 pub(crate) fn not_found(context: &mut Context, program: GLuint, of: Of, asked: &str) {
     let (hint, call, what) = match of {
-        Of::Uniform => (Hint::NoUniform, "glGetUniformLocation", "uniform"),
-        Of::Attribute => (Hint::NoAttribute, "glGetAttribLocation", "attribute"),
+        Of::Uniform => (DrawWarning::NoUniform, "glGetUniformLocation", "uniform"),
+        Of::Attribute => (DrawWarning::NoAttribute, "glGetAttribLocation", "attribute"),
     };
     // Asked for in each frame, it is looked at once.
     let subject = asked.bytes().fold(program, |hash, byte| {
         (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193).rotate_left(5)
     });
-    if !context.is_news(hint, subject) || is_declared(context, asked) {
+    if !context.is_first_warning(hint, subject) || is_declared(context, asked) {
         return;
     }
     let Some(near) = nearest(context, program, of, asked) else { return };

@@ -86,7 +86,7 @@ pub(crate) fn compile_shader(context: &mut Context, name: GLuint) -> Result<()> 
     shader.log = compiled.log;
     if shader.compiled.is_none() {
         let text = format!("glCompileShader: shader {name} did not compile:\n{}", shader.log);
-        context.debug.say(text);
+        context.debug.warn_each_time(text);
     }
     Ok(())
 }
