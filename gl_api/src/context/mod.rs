@@ -126,7 +126,7 @@ pub struct Context {
     pub(crate) state_changes: StateChanges,
     /// Whether the lock of the group is held.
     pub(crate) group_lock: GroupLock,
-    pub(crate) repairs: Repairs,
+    pub(crate) fix_its: FixIts,
     /// The client memory that gets the picture.
     pub(crate) mirror: Option<Mirror>,
     /// The pixel that is watched.
@@ -176,7 +176,7 @@ impl Context {
     fn assemble(
         device: Arc<Device>,
         window: Window,
-        repairs: Repairs,
+        fix_its: FixIts,
         group: Option<ShareGroup>,
     ) -> Self {
         Self {
@@ -201,7 +201,7 @@ impl Context {
             share_request: ShareRequest::default(),
             state_changes: StateChanges::default(),
             group_lock: GroupLock::NotHeld,
-            repairs,
+            fix_its,
             mirror: None,
             watched: None,
         }

@@ -64,7 +64,7 @@ pub(crate) fn submit(context: &mut Context) {
     context.recorder.commands = commands;
     match result {
         Ok(report) => {
-            context.recorder.sight.add(report.sight);
+            context.recorder.sight.add(report.visibility);
             if !report.over_budget.is_empty() {
                 context.debug.warn(
                     "a shader ran so long that its draw was left out: look for a loop that does \

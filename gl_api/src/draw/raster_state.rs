@@ -53,7 +53,7 @@ fn antialiasing(context: &Context, flag: Flag) -> Antialiasing {
 
 /// Whether any primitive of the topology has a smooth edge, so that its coverage changes alpha (GL
 /// 2.1, section 3.12).
-pub(crate) fn smoothness(context: &Context, topology: Topology) -> Rim {
+pub(crate) fn smoothness(context: &Context, topology: Topology) -> Antialiasing {
     let RasterizedAs { points, lines, polygons } = rasterized_as(context, topology);
     let enables = &context.state.enables;
     let sprites = enables.has(Flag::PointSprite);

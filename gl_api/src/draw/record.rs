@@ -15,8 +15,8 @@ use crate::draw::{assembly_words, warnings};
 use crate::interface::ATTRIB_EDGE_FLAG;
 use crate::state::enable::Flag;
 use rasterizer::driver::{
-    Cull, FrontFace, PassDesc, PipelineDesc, PolygonState, Provoking, RasterState, Rim, SampleRule,
-    Topology, VertexBinding, VertexSource,
+    Antialiasing, Cull, FrontFace, PassDesc, PipelineDesc, PolygonState, Provoking, RasterState,
+    SampleRule, Topology, VertexBinding, VertexSource,
 };
 use texunit::format::Format;
 
@@ -78,9 +78,10 @@ pub(crate) fn draw(
     if !is_rasterized(context, topology, &vertices, elements)? {
         return Ok(());
     }
-    let rim = smoothness(context, topology);
+    let antialiasing = smoothness(context, topology);
     // This may submit what was recorded, if a texture of this draw was drawn to.
-    let Stages { vertex, fragment, reads } = crate::draw::stages::choose(context, &vertices, rim)?;
+    let Stages { vertex, fragment, reads } =
+        crate::draw::stages::choose(context, &vertices, antialiasing)?;
     let viewport = viewport(context);
     let mut raster = raster_state(context, topology, &vertices);
     raster.multisample = multisample_state(context, SampleRule::Each);
@@ -106,7 +107,7 @@ pub(crate) fn draw_rectangle(
     if context.queries.discards() || !is_rasterized(context, topology, &vertices, elements)? {
         return Ok(());
     }
-    let mut stages = crate::draw::stages::choose(context, &vertices, Rim::Aliased)?;
+    let mut stages = crate::draw::stages::choose(context, &vertices, Antialiasing::Aliased)?;
     rectangle.apply(context, &mut stages).map_err(|error| internal(&error))?;
     let Stages { vertex, fragment, reads } = stages;
     let reads = Reads { keys: None, ..reads };

@@ -26,7 +26,7 @@ use crate::objects::programs::Linked;
 use crate::objects::target::TextureTarget;
 use crate::state::enable::Flag;
 use glam::DMat4;
-use rasterizer::driver::{Rim, ShaderModule, VertexBinding};
+use rasterizer::driver::{Antialiasing, ShaderModule, VertexBinding};
 use rasterizer::ir::{Interpolation, Output, Stage};
 use std::sync::Arc;
 use texunit::sampler::Compare;
@@ -194,7 +194,7 @@ impl FragmentStage {
                     clamp
                 },
                 color_interpolation: programs.color_interpolation,
-                rim,
+                antialiasing,
                 module: module.clone(),
             };
             return Ok(Self {

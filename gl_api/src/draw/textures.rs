@@ -121,7 +121,7 @@ pub(crate) fn plan(
     crate::draw::pass::settle(context, &image);
     let mut sampler = sampler(context, unit, target);
     match result {
-        ComparisonResult::Placed => {}
+        ComparisonResult::DepthTextureMode => {}
         ComparisonResult::Scalar => sampler.depth_mode = DepthMode::Red,
         ComparisonResult::Ignored => sampler.compare = None,
     }

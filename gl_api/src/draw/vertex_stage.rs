@@ -5,7 +5,7 @@ use crate::base::error::Result;
 use crate::context::Context;
 use crate::context::recorder::stages::Stages;
 use crate::context::recorder::vertex_stage::{Outputs, PreparedStage, VertexInstance, Vertices};
-use rasterizer::driver::{Rim, VertexBinding, VertexSource};
+use rasterizer::driver::{Antialiasing, VertexBinding, VertexSource};
 use rasterizer::ir::Input;
 use texunit::lanes::{Isa, LANES, U32s};
 
@@ -84,7 +84,7 @@ pub(crate) fn shade(
     ids: &[VertexInstance],
     outputs: Outputs,
 ) -> Result<Vertices> {
-    let stages = crate::draw::stages::choose(context, vertices, Rim::Aliased)?;
+    let stages = crate::draw::stages::choose(context, vertices, Antialiasing::Aliased)?;
     let ready = PreparedStage::new(context, stages, outputs);
     let isa = context.recorder.isa();
     ready.run((isa, &mut context.feedback.machine), ids.len(), |wanted, of, out| {

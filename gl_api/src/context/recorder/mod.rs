@@ -20,7 +20,7 @@ use crate::generate::fixed::FixedModules;
 use crate::objects::buffers::WaitingDraws;
 use rasterizer::driver::{
     Command, CommandBuffer, Counter, Device, Image, PassDesc, Pipeline, PipelineDesc, ShaderModule,
-    Sight, VertexBinding,
+    VertexBinding, Visibility,
 };
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -65,7 +65,7 @@ pub(crate) struct Recorder {
     /// Relocated stages of assembly programs: the module, its first uniform word, and the relocated module.
     pub moved: Vec<(ShaderModule, u32, ShaderModule)>,
     /// Whether anything is visible of what was submitted since the last picture was taken.
-    pub sight: Sight,
+    pub sight: Visibility,
     /// The counter of the active occlusion query.
     pub counter: Option<Counter>,
     pub rectangles: PixelRectangleModules,

@@ -4,7 +4,7 @@ use crate::base::clamp::Clamp;
 use crate::base::error::{ErrorCode, GlError};
 use crate::context::recorder::fixed_function::StageKeys;
 use crate::context::watched_pixel::DrawNote;
-use rasterizer::driver::{Rim, ShaderModule};
+use rasterizer::driver::{Antialiasing, ShaderModule};
 use rasterizer::ir::{Interpolation, IrError};
 use std::sync::Arc;
 use texunit::plan::SamplePlan;

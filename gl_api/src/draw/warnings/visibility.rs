@@ -2,14 +2,14 @@
 
 use crate::context::Context;
 use crate::context::warnings::DrawWarning;
-use rasterizer::driver::{Drawn, Reason, Reasons, Side, Sight};
+use rasterizer::driver::{Drawn, Reason, Reasons, Side, Visibility};
 
 /// Warns, when a picture is taken, if nothing is visible of what was drawn since the one before.
 pub(crate) fn picture(context: &mut Context) {
     crate::draw::warnings::stale_depth::picture(context);
     match std::mem::take(&mut context.recorder.sight) {
-        Sight::Undrawn | Sight::Some => {}
-        Sight::None(reasons) => nothing_visible(context, &reasons),
+        Visibility::NothingDrawn | Visibility::Visible => {}
+        Visibility::Invisible(reasons) => nothing_visible(context, &reasons),
     }
 }
 
