@@ -59,15 +59,17 @@ fn summarize(graph: &Graph) {
     }
 }
 
-/// The references between layers, from `from` and to `to`: each a layer, a file, or everything.
+/// The references from `from` to `to`, each a layer, a file, or everything; those inside a layer where one is a file.
 fn list(graph: &Graph, from: Option<&str>, to: Option<&str>) {
     let fits = |file: usize, wanted: Option<&str>| {
         wanted.is_none_or(|wanted| {
             graph.files[file].path.starts_with(wanted) || graph.layer(file) == Some(wanted)
         })
     };
+    let names_file = [from, to].iter().flatten().any(|wanted| wanted.contains('/'));
     for ((a, b), references) in &graph.edges {
-        if graph.layer(*a) != graph.layer(*b) && fits(*a, from) && fits(*b, to) {
+        let is_listed = names_file || graph.layer(*a) != graph.layer(*b);
+        if is_listed && fits(*a, from) && fits(*b, to) {
             let names: BTreeSet<&str> =
                 references.iter().map(|reference| reference.name.as_str()).collect();
             let line = references.first().map_or(0, |reference| reference.line);
