@@ -3,8 +3,7 @@
 //! `draw/watched_pixel.rs` makes the notes; [`crate::explain`] finds them by the labels of the driver's events.
 
 use crate::interface::*;
-use rasterizer::driver::Topology;
-use rasterizer::driver::Watch;
+use rasterizer::driver::{Topology, Watch};
 use rasterizer::ir::{Axis, Input};
 
 /// A note of a command.

@@ -3,9 +3,8 @@
 //! EGL's surfaces and OSMesa's memory are default framebuffers that a context takes in place of its own; a context can
 //! also be current without one ([`Presence::Absent`]).
 
-use crate::context::Context;
-use crate::context::SurfaceDesc;
 use crate::context::stale_depth::DepthHistory;
+use crate::context::{Context, SurfaceDesc};
 use crate::objects::accumulation::Accumulation;
 use crate::objects::color_buffers::Selection;
 use crate::objects::framebuffers::Planes;

@@ -7,6 +7,7 @@ use crate::context::recorder::Recorder;
 use crate::context::recorder::batching::{BatchState, LastDraw, is_whole};
 use crate::context::recorder::elements::Elements;
 use crate::context::recorder::emitted_state::EmittedState;
+use crate::draw::draw_reuse::allows_reuse;
 use crate::draw::vertex_range::array_limits;
 use rasterizer::driver::{Buffer, Command, IndexType, Indices, PipelineDesc, Topology};
 use rasterizer::ir::Stmt;
@@ -22,15 +23,6 @@ pub(crate) fn keep(context: &mut Context, topology: Topology, count: u32) {
     let call = context.state_changes.calls;
     let last_draw = LastDraw { call, topology, array_limits: None, batch };
     context.recorder.emitted.last_draw = Some(last_draw);
-}
-
-/// Whether a draw may take over what was decided for the one before: no other context changes objects, and no list, watch
-/// or transform feedback needs each draw by itself.
-pub(crate) fn allows_reuse(context: &Context) -> bool {
-    context.is_unshared()
-        && context.compiling.is_none()
-        && context.watched.is_none()
-        && !context.transform_feedback.is_active()
 }
 
 /// Draws with the state of the draw before, if nothing but draws was called since and there is nothing to warn of; `false`

@@ -6,7 +6,6 @@ use crate::context::recorder::batching::is_whole;
 use crate::context::recorder::elements::Elements;
 use crate::context::recorder::emitted_state::{DrawDecisions, arrays};
 use crate::context::recorder::fixed_function::StageKeys;
-use crate::draw::batching::allows_reuse;
 use rasterizer::driver::{Topology, VertexBinding};
 
 impl DrawDecisions {
@@ -54,4 +53,13 @@ pub(crate) fn words(
     let words = if is_alike { crate::draw::stages::words(context, &decided.keys) } else { None };
     context.recorder.emitted.decisions = Some(decided);
     words
+}
+
+/// Whether a draw may take over what was decided for the one before: no other context changes objects, and no list, watch
+/// or transform feedback needs each draw by itself.
+pub(crate) fn allows_reuse(context: &Context) -> bool {
+    context.is_unshared()
+        && context.compiling.is_none()
+        && context.watched.is_none()
+        && !context.transform_feedback.is_active()
 }

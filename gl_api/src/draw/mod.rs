@@ -18,6 +18,9 @@
 //!
 //! What these keep from one draw to the next is in [`crate::context`], in modules of the same names.
 
+pub(crate) mod alpha_test;
+pub(crate) mod sampler;
+
 pub(crate) mod array_names;
 pub(crate) mod assembly_stage;
 pub(crate) mod assembly_words;

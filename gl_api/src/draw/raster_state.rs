@@ -9,11 +9,9 @@ use crate::interface::{ATTRIB_EDGE_FLAG, VARYING_TEX_COORD};
 use crate::state::enable::Flag;
 use crate::state::multisample::Multisample;
 use rasterizer::driver::{
-    AlphaToCoverage, AlphaToOne, MultisampleState, SampleCoverage, SampleRule,
-};
-use rasterizer::driver::{
-    Antialiasing, LineState, LineStipple, PointSize, PointState, PolygonMode, PolygonOffset,
-    PolygonState, RasterState, Stipple, Topology, VertexBinding, VertexSource,
+    AlphaToCoverage, AlphaToOne, Antialiasing, LineState, LineStipple, MultisampleState, PointSize,
+    PointState, PolygonMode, PolygonOffset, PolygonState, RasterState, SampleCoverage, SampleRule,
+    Stipple, Topology, VertexBinding, VertexSource,
 };
 
 /// What the primitives of a draw are rasterized as.

@@ -11,8 +11,8 @@ use crate::context::recorder::stages::{
     Reads, Sides, Stages, Textures, VariantKey, VertexVariantKey, internal,
 };
 use crate::context::watched_pixel::DrawNote;
+use crate::draw::alpha_test::alpha_test;
 use crate::draw::assembly_stage::assembled;
-use crate::draw::completeness::draws_integers;
 use crate::draw::state_words::put_bindings;
 use crate::draw::textures::{Reader, plan, program_textures};
 use crate::draw::validate::runnable;
@@ -29,15 +29,6 @@ use glam::DMat4;
 use rasterizer::driver::{Antialiasing, ShaderModule, VertexBinding};
 use rasterizer::ir::{Interpolation, Output, Stage};
 use std::sync::Arc;
-use texunit::sampler::Compare;
-
-/// The alpha test, unless it lets everything through; colours of integers are not tested
-/// (`EXT_texture_integer`, section 4.1.4).
-pub(crate) fn alpha_test(context: &Context) -> Option<Compare> {
-    let compare = context.state.fragment.alpha_func;
-    let tests = context.state.enables.has(Flag::AlphaTest) && compare != Compare::Always;
-    (tests && !draws_integers(context)).then_some(compare)
-}
 
 /// The stages of programs, and what they read.
 #[derive(Default)]

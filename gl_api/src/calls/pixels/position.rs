@@ -8,9 +8,10 @@ use crate::base::types::GLenum;
 use crate::context::Context;
 use crate::context::feedback::RenderMode;
 use crate::context::recorder::stages::Stages;
-use crate::context::recorder::vertex_stage::RasterPositionStage;
-use crate::context::recorder::vertex_stage::{Outputs, PreparedStage, Shaded, Vertices};
-use crate::draw::batching::allows_reuse;
+use crate::context::recorder::vertex_stage::{
+    Outputs, PreparedStage, RasterPositionStage, Shaded, Vertices,
+};
+use crate::draw::draw_reuse::allows_reuse;
 use crate::draw::pipeline::depth_clip;
 use crate::interface::*;
 use crate::state::fog::FogSource;

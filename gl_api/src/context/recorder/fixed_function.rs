@@ -4,8 +4,7 @@
 use crate::base::clamp::Clamp;
 use crate::generate::fixed::fragment::FragmentKey;
 use crate::generate::fixed::light::LightingKey;
-use crate::generate::fixed::vertex::Generated;
-use crate::generate::fixed::vertex::VertexKey;
+use crate::generate::fixed::vertex::{Generated, VertexKey};
 use crate::interface::*;
 use glam::DMat4;
 

@@ -3,9 +3,9 @@
 use crate::base::clamp::Clamp;
 use crate::context::Context;
 use crate::context::recorder::fixed_function::UnitSummary;
+use crate::draw::alpha_test::alpha_test;
 use crate::draw::material::material;
-use crate::draw::stages::alpha_test;
-use crate::draw::textures::sampler;
+use crate::draw::sampler::sampler;
 use crate::draw::warnings;
 use crate::generate::fixed::environment::{Environment, environment_base};
 use crate::generate::fixed::fog::FogKey;

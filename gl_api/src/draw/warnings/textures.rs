@@ -88,7 +88,7 @@ pub(crate) fn sampler(
     decl: TextureDecl,
 ) {
     let bound = &context.state.units.units[usize::from(unit)].bound[target as usize];
-    let state = crate::draw::textures::sampler(context, unit, target);
+    let state = crate::draw::sampler::sampler(context, unit, target);
     match context.objects.texture(target, bound).incomplete_reason(&state) {
         Some(reason) => reads_black(context, unit, target, word, &reason),
         None if decl.compare && state.compare.is_none() => {
