@@ -288,7 +288,7 @@ pub fn block_values(context: &mut Context, program: GLuint, index: GLuint, pname
 
 /// How many values `GL_COMPRESSED_TEXTURE_FORMATS` has.
 pub fn compressed_formats() -> usize {
-    crate::pixel::internal::general_purpose_formats().count()
+    crate::pixel::formats::general_purpose_formats().len()
 }
 
 /// The setters of quadrics, which return the error callback for a value that was refused: it may delete the quadric, so the

@@ -141,9 +141,10 @@ impl<T: Copy + PartialEq> Table<T> {
     }
 }
 
+/// The refusal of a value that is none of the choices.
 #[cold]
 #[inline(never)]
-fn not_a_choice(
+pub(crate) fn not_a_choice(
     section: &'static str,
     argument: &str,
     value: GLenum,

@@ -10,7 +10,7 @@ use crate::context::window::whole;
 use crate::objects::color_buffers::attachment_index;
 use crate::objects::framebuffers::{Attached, Framebuffer, Planes, Source};
 use crate::objects::target::TextureTarget;
-use crate::pixel::internal::format_name;
+use crate::pixel::formats::format_name;
 use crate::pixel::texel::is_renderable;
 use rasterizer::driver::{Attachment, LevelInfo, PassDesc};
 use texunit::format::Format;

@@ -10,7 +10,7 @@ use crate::base::types::*;
 use crate::objects::sampler::SamplerState;
 pub(crate) use crate::objects::target::TextureTarget;
 use crate::objects::texture_buffer::DataStore;
-use crate::pixel::internal::format_name;
+use crate::pixel::formats::format_name;
 use rasterizer::driver::{Device, Image};
 use std::sync::Arc;
 use texunit::format::Format;

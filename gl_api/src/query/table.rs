@@ -15,7 +15,8 @@ use crate::glsl::{GATHER_OFFSETS, TEXEL_OFFSETS};
 use crate::interface::*;
 use crate::objects::queries;
 use crate::objects::target::TextureTarget;
-use crate::pixel::internal::{Component, component_bits, general_purpose_formats};
+use crate::pixel::component_bits::{Component, component_bits};
+use crate::pixel::formats::general_purpose_formats;
 use crate::pixel::map::MAX_PIXEL_MAP_TABLE;
 use crate::pixel::store::PixelStore;
 use crate::pixel::transfer;
@@ -168,9 +169,9 @@ fn limit(_: &Context, pname: GLenum) -> Answer {
         GL_POINT_SIZE_RANGE | GL_ALIASED_POINT_SIZE_RANGE => floats(&[1.0, MAX_POINT_SIZE]),
         GL_LINE_WIDTH_RANGE | GL_ALIASED_LINE_WIDTH_RANGE => floats(&[1.0, MAX_LINE_WIDTH]),
         GL_POINT_SIZE_GRANULARITY | GL_LINE_WIDTH_GRANULARITY => float(1.0 / 256.0),
-        GL_NUM_COMPRESSED_TEXTURE_FORMATS => int(general_purpose_formats().count()),
+        GL_NUM_COMPRESSED_TEXTURE_FORMATS => int(general_purpose_formats().len()),
         GL_COMPRESSED_TEXTURE_FORMATS => {
-            Ok(Value::Ints(general_purpose_formats().map(|format| format as i32).collect()))
+            Ok(Value::Ints(general_purpose_formats().iter().map(|&format| format as i32).collect()))
         }
         GL_MAJOR_VERSION => int(limits::VERSION.0),
         GL_MINOR_VERSION => int(limits::VERSION.1),

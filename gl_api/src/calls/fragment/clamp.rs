@@ -10,7 +10,7 @@ use crate::base::value::{Value, flag, symbol};
 use crate::calls::framebuffer::buffers::drawn_format;
 use crate::context::Context;
 use crate::draw::completeness::drawn_formats;
-use crate::pixel::internal::Component;
+use crate::pixel::component_bits::Component;
 use crate::state::clamp::When;
 use texunit::format::{BaseFormat, Encoding, Format};
 

@@ -10,7 +10,7 @@ use crate::draw::completeness::attached_format;
 use crate::objects::attachments::{Point, point};
 use crate::objects::framebuffers::{Attached, FRAMEBUFFER_TARGET, Framebuffer, Source};
 use crate::objects::target::{FACE_TARGET, TextureTarget};
-use crate::pixel::internal::{Component, component_bits};
+use crate::pixel::component_bits::{Component, component_bits};
 use texunit::format::{Encoding, Format};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
