@@ -34,7 +34,7 @@ pub(crate) struct Lowered {
 }
 
 /// Where a vector is kept.
-enum Place {
+enum Storage {
     Temporary(usize),
     Result(usize),
 }
@@ -189,10 +189,10 @@ impl Lowerer<'_> {
                 self.addresses[usize::from(number)] = Some(values[0]);
                 return;
             }
-            Written::Temporary(number) => Place::Temporary(usize::from(number)),
+            Written::Temporary(number) => Storage::Temporary(usize::from(number)),
             Written::Result(result) => {
                 let known = self.results.iter().position(|(other, _)| *other == result);
-                Place::Result(known.unwrap_or_else(|| {
+                Storage::Result(known.unwrap_or_else(|| {
                     let unwritten = self.unwritten();
                     self.results.push((result, unwritten));
                     self.results.len() - 1
@@ -200,14 +200,14 @@ impl Lowerer<'_> {
             }
         };
         let old = match place {
-            Place::Temporary(at) => self.temporaries[at],
-            Place::Result(at) => Some(self.results[at].1),
+            Storage::Temporary(at) => self.temporaries[at],
+            Storage::Result(at) => Some(self.results[at].1),
         };
         let old = old.unwrap_or_else(|| self.unwritten());
         let new = std::array::from_fn(|at| if mask[at] { values[at] } else { old[at] });
         match place {
-            Place::Temporary(at) => self.temporaries[at] = Some(new),
-            Place::Result(at) => self.results[at].1 = new,
+            Storage::Temporary(at) => self.temporaries[at] = Some(new),
+            Storage::Result(at) => self.results[at].1 = new,
         }
     }
 

@@ -6,8 +6,8 @@
 use crate::context::Context;
 use crate::context::SurfaceDesc;
 use crate::context::stale_depth::DepthHistory;
-use crate::objects::accumulation::Accumulation;
 use crate::objects::color_buffers::Selection;
+use crate::objects::framebuffers::Accumulation;
 use crate::objects::framebuffers::Planes;
 use crate::state::State;
 use rasterizer::driver::{Attachment, Image};

@@ -136,3 +136,10 @@ pub(crate) fn no_attribute<T>(index: GLuint) -> Result<T> {
     let rule = format!("index = {index} must be below GL_MAX_VERTEX_ATTRIBS, {MAX_VERTEX_ATTRIBS}");
     invalid_value(SECTION, rule)
 }
+
+/// What a vertex array object holds while it is not bound.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct VertexArray {
+    pub arrays: Arrays,
+    pub element_array_buffer: Bound,
+}

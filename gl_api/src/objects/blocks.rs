@@ -1,7 +1,7 @@
 //! The uniform blocks of a linked program.
 
 use crate::base::types::*;
-use crate::objects::indexed_buffers::BufferRange;
+use crate::objects::buffers::BufferRange;
 use rasterizer::driver::{Buffer, Version};
 
 /// A block of a linked program, and where its words came from.

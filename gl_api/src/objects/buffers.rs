@@ -3,6 +3,7 @@
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation, invalid_value, not_negative};
 use crate::base::types::*;
+use crate::objects::bound::Bound;
 use rasterizer::driver::Buffer;
 
 const SECTION: &str = "GL 2.1, section 2.9";
@@ -185,4 +186,14 @@ pub(crate) fn range(
             format!("offset = {offset} and size = {size} reach past the buffer's {length} bytes"),
         ),
     }
+}
+
+/// A part of a buffer that is bound to a number.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct BufferRange {
+    pub buffer: Bound,
+    /// Its first byte.
+    pub offset: usize,
+    /// Its bytes; all that there are when it is used, if `None`.
+    pub size: Option<usize>,
 }

@@ -1,10 +1,10 @@
 //! Framebuffer objects: names and bindings (`ARB_framebuffer_object`, section 4.4.1).
 
 use crate::base::constants::*;
-use crate::base::error::Table;
+use crate::base::error::{Result, Table, invalid_enum};
 use crate::base::limits;
 use crate::base::types::*;
-use crate::objects::color_buffers::Selection;
+use crate::objects::color_buffers::{Selection, attachment_index};
 use crate::objects::target::FaceTarget;
 use rasterizer::driver::Image;
 
@@ -93,3 +93,39 @@ pub(crate) const FRAMEBUFFER_TARGET: Table<Binding> = Table {
         (GL_READ_FRAMEBUFFER, Binding::Read),
     ],
 };
+
+/// Red, green, blue and alpha of each pixel, row by row; none before the first use.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Accumulation(pub(crate) Vec<[f32; 4]>);
+
+const ATTACHMENT_SECTION: &str = "ARB_framebuffer_object, section 4.4.2";
+
+/// Where an image can be attached.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum AttachmentPoint {
+    Color(usize),
+    Depth,
+    Stencil,
+    /// Both at once.
+    DepthStencil,
+}
+
+pub(crate) fn attachment_point(attachment: GLenum) -> Result<AttachmentPoint> {
+    match attachment {
+        GL_DEPTH_ATTACHMENT => Ok(AttachmentPoint::Depth),
+        GL_STENCIL_ATTACHMENT => Ok(AttachmentPoint::Stencil),
+        GL_DEPTH_STENCIL_ATTACHMENT => Ok(AttachmentPoint::DepthStencil),
+        _ => match attachment_index(attachment) {
+            Some(index) => Ok(AttachmentPoint::Color(index)),
+            None => invalid_enum(
+                ATTACHMENT_SECTION,
+                format!(
+                    "attachment = {} must be GL_COLOR_ATTACHMENT0 to {}, GL_DEPTH_ATTACHMENT, \
+                     GL_STENCIL_ATTACHMENT or GL_DEPTH_STENCIL_ATTACHMENT",
+                    enum_name(attachment),
+                    limits::MAX_COLOR_ATTACHMENTS - 1
+                ),
+            ),
+        },
+    }
+}

@@ -77,8 +77,6 @@ impl ProgramObject {
     }
 }
 
-impl Objects {}
-
 impl Linked {
     /// The name of the uniform that has this word, quoted, after a space.
     pub fn quoted_name(&self, word: u32) -> String {

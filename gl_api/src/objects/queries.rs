@@ -4,7 +4,6 @@
 use crate::base::constants::*;
 use crate::base::error::Table;
 use crate::base::types::*;
-use crate::objects::conditional::Verdict;
 use rasterizer::driver::Counter;
 use std::time::Instant;
 
@@ -52,7 +51,7 @@ pub(crate) struct Query {
 pub(crate) struct ActiveQueries {
     pub names: [GLuint; ACTIVE],
     /// Of conditional rendering, if it has begun.
-    pub(crate) conditional: Option<Verdict>,
+    pub(crate) conditional: Option<ConditionalResult>,
 }
 
 impl Query {
@@ -105,4 +104,18 @@ pub(crate) fn timestamp() -> u64 {
     use std::sync::LazyLock;
     static START: LazyLock<Instant> = LazyLock::new(Instant::now);
     START.elapsed().as_nanos() as u64
+}
+
+/// What becomes of draws between `glBeginConditionalRender` and `glEndConditionalRender`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum ConditionalResult {
+    Draw,
+    Discard,
+}
+
+impl ActiveQueries {
+    /// Whether draws, and clears, have no effect now.
+    pub fn discards(&self) -> bool {
+        self.conditional == Some(ConditionalResult::Discard)
+    }
 }

@@ -8,19 +8,19 @@ pub(crate) const MAX_PIXEL_MAP_TABLE: usize = 256;
 
 /// A table.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Map {
+pub(crate) struct PixelMap {
     pub size: u16,
     pub entries: [f32; MAX_PIXEL_MAP_TABLE],
 }
 
-impl Default for Map {
+impl Default for PixelMap {
     /// One entry, 0.
     fn default() -> Self {
         Self { size: 1, entries: [0.0; MAX_PIXEL_MAP_TABLE] }
     }
 }
 
-impl Map {
+impl PixelMap {
     pub(crate) fn entries(&self) -> &[f32] {
         &self.entries[..usize::from(self.size)]
     }
@@ -37,9 +37,9 @@ impl Map {
     }
 }
 
-/// Which table, as its place in [`Maps`].
+/// Which table, as its place in [`PixelMaps`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Name {
+pub(crate) enum PixelMapName {
     IToI,
     SToS,
     IToR,
@@ -52,7 +52,7 @@ pub(crate) enum Name {
     AToA,
 }
 
-impl Name {
+impl PixelMapName {
     /// Whether it is looked up by an index, so that its size is a power of two.
     pub(crate) fn is_indexed(self) -> bool {
         match self {
@@ -71,27 +71,29 @@ impl Name {
     }
 }
 
-/// All tables, by [`Name`].
+/// All tables, by [`PixelMapName`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct Maps(pub(crate) [Map; 10]);
+pub(crate) struct PixelMaps(pub(crate) [PixelMap; 10]);
 
-impl Maps {
-    pub(crate) fn map(&self, name: Name) -> &Map {
+impl PixelMaps {
+    pub(crate) fn map(&self, name: PixelMapName) -> &PixelMap {
         &self.0[name as usize]
     }
 
     /// The tables from R, G, B, A to themselves.
-    pub fn colors(&self) -> [&Map; 4] {
-        [Name::RToR, Name::GToG, Name::BToB, Name::AToA].map(|name| self.map(name))
+    pub fn colors(&self) -> [&PixelMap; 4] {
+        [PixelMapName::RToR, PixelMapName::GToG, PixelMapName::BToB, PixelMapName::AToA]
+            .map(|name| self.map(name))
     }
 
     /// The tables from indices to R, G, B, A.
-    pub fn of_indices(&self) -> [&Map; 4] {
-        [Name::IToR, Name::IToG, Name::IToB, Name::IToA].map(|name| self.map(name))
+    pub fn of_indices(&self) -> [&PixelMap; 4] {
+        [PixelMapName::IToR, PixelMapName::IToG, PixelMapName::IToB, PixelMapName::IToA]
+            .map(|name| self.map(name))
     }
 
     /// The table from stencils to stencils.
-    pub fn stencil(&self) -> &Map {
-        self.map(Name::SToS)
+    pub fn stencil(&self) -> &PixelMap {
+        self.map(PixelMapName::SToS)
     }
 }

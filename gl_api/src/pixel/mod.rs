@@ -8,7 +8,6 @@ pub mod formats;
 pub(crate) mod layout;
 pub(crate) mod map;
 pub(crate) mod memory;
-pub(crate) mod numbers;
 pub(crate) mod packed;
 pub(crate) mod storage_error;
 pub(crate) mod store;

@@ -14,6 +14,11 @@ pub(crate) fn numbers(format: Format, client: Numbers) -> Numbers {
     }
 }
 
+/// What the numbers of texels are that a copy reads.
+pub(crate) fn numbers_of(format: Format) -> Numbers {
+    if format.is_integer() { Numbers::Integer } else { Numbers::Fixed }
+}
+
 /// The numbers of a texel as R, G, B, A, as queries see them (GL 2.1, table 6.1): luminance and
 /// intensity as R alone, depth as R, stencil as G.
 pub(crate) fn rgba<T: Copy>(format: Format, [a, b, c, d]: [T; 4], zero: T, one: T) -> [T; 4] {

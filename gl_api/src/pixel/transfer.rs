@@ -5,7 +5,7 @@
 use crate::base::constants::*;
 use crate::base::error::Table;
 use crate::pixel::client::format::Numbers;
-use crate::pixel::map::{Map, Maps};
+use crate::pixel::map::{PixelMap, PixelMaps};
 use texunit::lanes::{F64s, Isa};
 use texunit::pixel;
 use texunit::pixel::NumberTransform;
@@ -37,7 +37,7 @@ pub(crate) struct Transfer {
     /// To the left; negative to the right.
     pub index_shift: i32,
     pub index_offset: i32,
-    pub maps: Maps,
+    pub maps: PixelMaps,
 }
 
 impl Default for Transfer {
@@ -48,14 +48,14 @@ impl Default for Transfer {
             map_stencil: false,
             index_shift: 0,
             index_offset: 0,
-            maps: Maps::default(),
+            maps: PixelMaps::default(),
         }
     }
 }
 
 /// What pixels are of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub(crate) enum TransferKind {
     Color,
     /// Indices of colours, as R.
     ColorIndex,
@@ -69,24 +69,30 @@ pub(crate) enum Kind {
 
 impl Transfer {
     /// What is done to pixels of this kind. Integers pass as they are (`EXT_texture_integer`).
-    pub fn of(&self, kind: Kind, numbers: Numbers) -> Steps<'_> {
+    pub fn of(&self, kind: TransferKind, numbers: Numbers) -> Steps<'_> {
         let [r, g, b, a, depth] = self.linear;
         let beside = if self.moves_indices() { Index::Stencil(1, self) } else { Index::None };
         let same = Linear::IDENTITY;
         match (kind, numbers) {
-            (Kind::Color | Kind::Depth | Kind::DepthStencil, Numbers::Integer) => Steps::IDENTITY,
-            (Kind::Color, Numbers::Fixed | Numbers::SignedNormalized) => Steps {
+            (
+                TransferKind::Color | TransferKind::Depth | TransferKind::DepthStencil,
+                Numbers::Integer,
+            ) => Steps::IDENTITY,
+            (TransferKind::Color, Numbers::Fixed | Numbers::SignedNormalized) => Steps {
                 linear: [r, g, b, a],
                 colors: self.map_color.then(|| self.maps.colors()),
                 index: Index::None,
             },
-            (Kind::Depth | Kind::DepthStencil, Numbers::Fixed | Numbers::SignedNormalized) => {
-                Steps { linear: [depth, same, same, same], colors: None, index: beside }
-            }
+            (
+                TransferKind::Depth | TransferKind::DepthStencil,
+                Numbers::Fixed | Numbers::SignedNormalized,
+            ) => Steps { linear: [depth, same, same, same], colors: None, index: beside },
             // Their colours come from the maps, behind the steps of colours (figure 3.7).
-            (Kind::ColorIndex, _) => Steps { index: Index::Color(self), ..Steps::IDENTITY },
+            (TransferKind::ColorIndex, _) => Steps { index: Index::Color(self), ..Steps::IDENTITY },
             // Of an index the bits count that a buffer has.
-            (Kind::Stencil, _) => Steps { index: Index::Stencil(0, self), ..Steps::IDENTITY },
+            (TransferKind::Stencil, _) => {
+                Steps { index: Index::Stencil(0, self), ..Steps::IDENTITY }
+            }
         }
     }
 
@@ -119,7 +125,7 @@ impl Transfer {
 pub(crate) struct Steps<'a> {
     linear: [Linear; 4],
     /// The tables of R, G, B, A.
-    colors: Option<[&'a Map; 4]>,
+    colors: Option<[&'a PixelMap; 4]>,
     index: Index<'a>,
 }
 

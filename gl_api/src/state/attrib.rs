@@ -10,12 +10,12 @@ use crate::objects::color_buffers::Selection;
 use crate::objects::sampler::SamplerState;
 use crate::objects::target::TextureTarget;
 use crate::pixel::transfer::Transfer;
-use crate::state::client_attrib::Client;
+use crate::state::client_attrib::ClientAttribs;
 use crate::state::enable::Enables;
-use crate::state::env::Units;
-use crate::state::evaluate::EvaluatorState;
+use crate::state::evaluators::EvaluatorState;
 use crate::state::matrix::MatrixMode;
 use crate::state::raster_position::RasterPosition;
+use crate::state::texture_units::Units;
 use crate::state::versioned::Versioned;
 use crate::state::{State, clamp, clip, fog, fragment, light, material, raster, viewport};
 
@@ -26,7 +26,7 @@ pub(crate) const MAX_ATTRIB_STACK_DEPTH: usize = 16;
 
 /// What of the context's state a push keeps: the groups of its mask.
 #[derive(Debug, Default)]
-pub(crate) struct Server {
+pub(crate) struct ServerAttribs {
     pub mask: GLbitfield,
     pub enables: Enables,
     pub clamp: clamp::ClampState,
@@ -95,10 +95,10 @@ pub(crate) struct Parameters {
 /// Both stacks.
 #[derive(Debug, Default)]
 pub(crate) struct AttribStacks {
-    pub server: Vec<Box<Server>>,
+    pub server: Vec<Box<ServerAttribs>>,
     /// Memory of those that were popped, which hold nothing any more.
-    pub spare: Vec<Box<Server>>,
-    pub(crate) client: Vec<Client>,
+    pub spare: Vec<Box<ServerAttribs>>,
+    pub(crate) client: Vec<ClientAttribs>,
 }
 
 impl AttribStacks {
@@ -111,5 +111,3 @@ impl AttribStacks {
 pub(crate) fn stack_error<T>(code: ErrorCode, rule: String) -> Result<T> {
     Err(GlError::new(code, SECTION, rule))
 }
-
-impl Server {}

@@ -7,7 +7,7 @@ use crate::pixel::store as pixel_store;
 
 /// What of the client's state a push keeps: the groups of its mask.
 #[derive(Debug)]
-pub(crate) struct Client {
+pub(crate) struct ClientAttribs {
     pub pixels: Option<ClientPixels>,
     pub arrays: Option<Box<ClientArrays>>,
 }

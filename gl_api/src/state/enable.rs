@@ -8,8 +8,8 @@ use crate::interface::{
     ATTRIB_SECONDARY_COLOR, ATTRIB_TEX_COORD, ATTRIB_VERTEX, TexCoord,
 };
 use crate::objects::target::TextureTarget;
-use crate::state::evaluate::Name;
-use crate::state::evaluator_map::MAP;
+use crate::state::evaluators::EvaluatorName;
+use crate::state::evaluators::MAP;
 
 /// A capability of the context as a whole, as its bit in [`Enables`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -70,7 +70,7 @@ pub(crate) enum Capability {
     Light(u8),
     ClipPlane(u8),
     /// A map of evaluators.
-    Map(Name),
+    Map(EvaluatorName),
 }
 
 /// What is implemented; anything else is `GL_INVALID_ENUM`.

@@ -1,7 +1,7 @@
 //! Per-fragment operations: GL 2.1, section 4.1; masks and clear values: section 4.2.
 
 use crate::base::types::*;
-use crate::state::masks::BufferStates;
+use crate::state::draw_buffers::BufferStates;
 use crate::state::stencil::Stencil;
 use rasterizer::driver::{DepthWrite, LogicOp, Rect};
 use texunit::sampler::Compare;
@@ -21,8 +21,6 @@ pub(crate) struct FragmentState {
     /// Of colour index mode; kept, not used.
     pub index_mask: GLuint,
 }
-
-impl FragmentState {}
 
 /// The colour that `glClear` writes.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -33,7 +33,7 @@ impl Default for Material {
 
 /// A part of a material that each vertex can have for itself.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Part {
+pub(crate) enum MaterialParameter {
     Emission,
     Ambient,
     Diffuse,
@@ -41,19 +41,19 @@ pub(crate) enum Part {
     Shininess,
 }
 
-impl Part {
+impl MaterialParameter {
     pub(crate) const ALL: [Self; 5] =
         [Self::Emission, Self::Ambient, Self::Diffuse, Self::Specular, Self::Shininess];
 }
 
 /// How many columns of materials there are.
-pub(crate) const MATERIAL_COLUMNS: usize = 2 * Part::ALL.len();
+pub(crate) const MATERIAL_COLUMNS: usize = 2 * MaterialParameter::ALL.len();
 
 /// The attribute location at which the vertices of a primitive have a part of a side's material.
-pub(crate) fn column(side: Side, part: Part) -> u8 {
+pub(crate) fn column(side: Side, part: MaterialParameter) -> u8 {
     let side = match side {
         Side::Front => 0,
-        Side::Back => Part::ALL.len() as u8,
+        Side::Back => MaterialParameter::ALL.len() as u8,
     };
     ATTRIB_MATERIAL + side + part as u8
 }
@@ -94,13 +94,15 @@ pub(crate) enum Tracked {
 
 impl Tracked {
     /// Whether a part is among them.
-    pub fn has(self, part: Part) -> bool {
+    pub fn has(self, part: MaterialParameter) -> bool {
         match self {
-            Self::Emission => part == Part::Emission,
-            Self::Ambient => part == Part::Ambient,
-            Self::Diffuse => part == Part::Diffuse,
-            Self::Specular => part == Part::Specular,
-            Self::AmbientAndDiffuse => matches!(part, Part::Ambient | Part::Diffuse),
+            Self::Emission => part == MaterialParameter::Emission,
+            Self::Ambient => part == MaterialParameter::Ambient,
+            Self::Diffuse => part == MaterialParameter::Diffuse,
+            Self::Specular => part == MaterialParameter::Specular,
+            Self::AmbientAndDiffuse => {
+                matches!(part, MaterialParameter::Ambient | MaterialParameter::Diffuse)
+            }
         }
     }
 }
@@ -154,10 +156,10 @@ impl Materials {
 }
 
 /// The side and the part that a location stands for.
-fn column_at(location: usize) -> (Side, Part) {
+fn column_at(location: usize) -> (Side, MaterialParameter) {
     let place = (location - usize::from(ATTRIB_MATERIAL)) % MATERIAL_COLUMNS;
-    let side = if place < Part::ALL.len() { Side::Front } else { Side::Back };
-    (side, Part::ALL[place % Part::ALL.len()])
+    let side = if place < MaterialParameter::ALL.len() { Side::Front } else { Side::Back };
+    (side, MaterialParameter::ALL[place % MaterialParameter::ALL.len()])
 }
 
 impl Materials {
@@ -166,11 +168,11 @@ impl Materials {
         let (side, part) = column_at(location);
         let material = self.side(side);
         match part {
-            Part::Emission => material.emission,
-            Part::Ambient => material.ambient,
-            Part::Diffuse => material.diffuse,
-            Part::Specular => material.specular,
-            Part::Shininess => [material.shininess, 0.0, 0.0, 1.0],
+            MaterialParameter::Emission => material.emission,
+            MaterialParameter::Ambient => material.ambient,
+            MaterialParameter::Diffuse => material.diffuse,
+            MaterialParameter::Specular => material.specular,
+            MaterialParameter::Shininess => [material.shininess, 0.0, 0.0, 1.0],
         }
     }
 
@@ -179,11 +181,11 @@ impl Materials {
         let (side, part) = column_at(location);
         let material = self.side_mut(side);
         match part {
-            Part::Emission => material.emission = value,
-            Part::Ambient => material.ambient = value,
-            Part::Diffuse => material.diffuse = value,
-            Part::Specular => material.specular = value,
-            Part::Shininess => material.shininess = value[0],
+            MaterialParameter::Emission => material.emission = value,
+            MaterialParameter::Ambient => material.ambient = value,
+            MaterialParameter::Diffuse => material.diffuse = value,
+            MaterialParameter::Specular => material.specular = value,
+            MaterialParameter::Shininess => material.shininess = value[0],
         }
     }
 }

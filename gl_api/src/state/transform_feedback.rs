@@ -8,20 +8,20 @@ use crate::base::constants::*;
 use crate::base::error::Table;
 use crate::base::limits::MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS;
 use crate::objects::bound::Bound;
-use crate::objects::indexed_buffers::BufferRange;
+use crate::objects::buffers::BufferRange;
 use rasterizer::driver::Topology;
 
 pub(crate) const SECTION: &str = "GL 3.0, section 2.15";
 
 /// What is captured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub(crate) enum CapturedPrimitive {
     Points,
     Lines,
     Triangles,
 }
 
-impl Kind {
+impl CapturedPrimitive {
     pub(crate) const TABLE: Table<Self> = Table {
         section: "GL 3.0, table 2.14",
         rows: &[
@@ -66,7 +66,7 @@ impl Kind {
 /// What is active between `glBeginTransformFeedback` and `glEndTransformFeedback`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Active {
-    pub kind: Kind,
+    pub kind: CapturedPrimitive,
     /// Bytes written to each buffer.
     pub written: [usize; MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS],
 }

@@ -11,7 +11,7 @@ use crate::base::limits::{
 };
 use crate::base::types::*;
 use crate::objects::bound::Bound;
-use crate::objects::indexed_buffers::BufferRange;
+use crate::objects::buffers::BufferRange;
 
 pub(crate) const SECTION: &str = "ARB_uniform_buffer_object, section 2.15.3";
 

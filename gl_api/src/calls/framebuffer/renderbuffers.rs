@@ -1,11 +1,11 @@
 //! Renderbuffers: `ARB_framebuffer_object`, section 4.4.2.
 
-use crate::base::answer::put;
 use crate::base::constants::*;
 use crate::base::error::{
     ErrorCode, GlError, Result, Table, invalid_enum, invalid_operation, invalid_value, not_negative,
 };
 use crate::base::limits;
+use crate::base::query_value::put;
 use crate::base::types::*;
 use crate::calls::framebuffer::attach::detach;
 use crate::context::Context;

@@ -1,8 +1,8 @@
 //! What is known of a level: GL 2.1, section 6.1.3.
 
-use crate::base::answer::put;
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation};
+use crate::base::query_value::put;
 use crate::base::types::*;
 use crate::calls::texture::bound::bound;
 use crate::context::Context;

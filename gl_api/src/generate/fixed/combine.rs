@@ -2,7 +2,9 @@
 
 use crate::base::clamp::Clamp;
 use crate::base::vector::clamped;
-use crate::state::env::combine::{Argument, Arguments, Combiner, Function, Operand, Scale, Source};
+use crate::state::texture_units::combine::{
+    Argument, Arguments, Combiner, Function, Operand, Scale, Source,
+};
 use rasterizer::ir::{Builder, Op, Value};
 
 /// What combiners take their arguments from.

@@ -2,8 +2,8 @@
 
 use crate::base::clamp::Clamp;
 use crate::generate::fixed::combine::{CombineKey, Sources, combine};
-use crate::state::env::combine::Combiner;
-use crate::state::env::{Mode, Standard};
+use crate::state::texture_units::combine::Combiner;
+use crate::state::texture_units::{Mode, Standard};
 use rasterizer::ir::{Builder, Op, Value};
 use texunit::format::BaseFormat;
 use texunit::sampler::DepthMode;

@@ -8,7 +8,7 @@ use rasterizer::ir::{Builder, Op, Ty, Value};
 
 /// How a light's intensity depends on where the vertex is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) enum Place {
+pub(crate) enum LightPosition {
     /// The light is infinitely far.
     Infinite,
     /// It is at a point, and reaches everywhere alike.
@@ -31,7 +31,7 @@ pub(crate) enum Spot {
 /// What of a light changes the code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct LightKey {
-    pub place: Place,
+    pub place: LightPosition,
     pub spot: Spot,
     /// Whether its specular product with any material is not black.
     pub specular: bool,
@@ -106,11 +106,11 @@ fn product(b: &mut Builder, left: Option<Value>, right: Option<Value>) -> Option
 fn ray(b: &mut Builder, key: &LightingKey, light: LightKey, at: u32, vertex: &Vertex) -> Ray {
     let place: [Value; 3] = words(b, at);
     let (toward, attenuation) = match light.place {
-        Place::Infinite => (place, None),
-        Place::Local | Place::Attenuated => {
+        LightPosition::Infinite => (place, None),
+        LightPosition::Local | LightPosition::Attenuated => {
             let difference = each(b, Op::Sub, place, vertex.eye);
             let (toward, distance) = unit(b, difference);
-            let attenuated = light.place == Place::Attenuated;
+            let attenuated = light.place == LightPosition::Attenuated;
             (toward, attenuated.then(|| attenuation(b, at + 11, distance)))
         }
     };
@@ -124,7 +124,7 @@ fn ray(b: &mut Builder, key: &LightingKey, light: LightKey, at: u32, vertex: &Ve
             let (viewer, _) = unit(b, opposite);
             let sum = each(b, Op::Add, toward, viewer);
             unit(b, sum).0
-        } else if light.place == Place::Infinite {
+        } else if light.place == LightPosition::Infinite {
             words(b, at + 3)
         } else {
             let one = b.float(1.0);

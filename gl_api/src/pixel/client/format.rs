@@ -4,7 +4,7 @@
 use crate::base::constants::*;
 use crate::base::error::Table;
 use crate::pixel::client::format::Numbers::{Fixed, Integer};
-use crate::pixel::transfer::Kind;
+use crate::pixel::transfer::TransferKind;
 use ClientFormat::*;
 
 /// The components of a pixel in memory (GL 2.1, table 3.6).
@@ -99,22 +99,22 @@ impl ClientFormat {
     }
 
     /// What its pixels are of.
-    pub fn kind(self) -> Kind {
+    pub fn kind(self) -> TransferKind {
         match self {
-            Depth => Kind::Depth,
-            DepthStencil => Kind::DepthStencil,
-            Stencil => Kind::Stencil,
-            ColorIndex => Kind::ColorIndex,
+            Depth => TransferKind::Depth,
+            DepthStencil => TransferKind::DepthStencil,
+            Stencil => TransferKind::Stencil,
+            ColorIndex => TransferKind::ColorIndex,
             Red | Green | Blue | Alpha | Rg | Rgb | Bgr | Rgba | Bgra | Abgr | Luminance
-            | LuminanceAlpha => Kind::Color,
+            | LuminanceAlpha => TransferKind::Color,
         }
     }
 
     /// Whether it is of depth or stencil, not of colour.
     pub fn is_depth(self) -> bool {
         match self.kind() {
-            Kind::Depth | Kind::DepthStencil | Kind::Stencil => true,
-            Kind::Color | Kind::ColorIndex => false,
+            TransferKind::Depth | TransferKind::DepthStencil | TransferKind::Stencil => true,
+            TransferKind::Color | TransferKind::ColorIndex => false,
         }
     }
 

@@ -10,53 +10,53 @@
 use crate::base::types::GLvoid;
 
 /// What a call answers where it has nothing to say.
-pub trait Fallback {
+pub trait RefusedResult {
     /// The answer.
-    fn fallback() -> Self;
+    fn refused_result() -> Self;
 }
 
-impl Fallback for () {
-    fn fallback() {}
+impl RefusedResult for () {
+    fn refused_result() {}
 }
 
-impl Fallback for bool {
-    fn fallback() -> Self {
+impl RefusedResult for bool {
+    fn refused_result() -> Self {
         false
     }
 }
 
-impl Fallback for u8 {
-    fn fallback() -> Self {
+impl RefusedResult for u8 {
+    fn refused_result() -> Self {
         0
     }
 }
 
-impl Fallback for u32 {
-    fn fallback() -> Self {
+impl RefusedResult for u32 {
+    fn refused_result() -> Self {
         0
     }
 }
 
-impl Fallback for i32 {
-    fn fallback() -> Self {
+impl RefusedResult for i32 {
+    fn refused_result() -> Self {
         -1
     }
 }
 
-impl Fallback for *mut GLvoid {
-    fn fallback() -> Self {
+impl RefusedResult for *mut GLvoid {
+    fn refused_result() -> Self {
         std::ptr::null_mut()
     }
 }
 
-impl Fallback for &'static str {
-    fn fallback() -> Self {
+impl RefusedResult for &'static str {
+    fn refused_result() -> Self {
         ""
     }
 }
 
-impl<T> Fallback for *const T {
-    fn fallback() -> Self {
+impl<T> RefusedResult for *const T {
+    fn refused_result() -> Self {
         std::ptr::null()
     }
 }

@@ -8,8 +8,8 @@ use crate::base::error::{Result, Table, invalid_operation};
 use crate::interface::{MAX_COMBINED_TEXTURE_IMAGE_UNITS, MAX_TEXTURE_UNITS};
 use crate::objects::bound::Bound;
 use crate::objects::target::TextureTarget;
-use crate::state::env::combine::{Arguments, Combiner};
-use crate::state::env::texgen::Generate;
+use crate::state::texture_units::combine::{Arguments, Combiner};
+use crate::state::texture_units::texgen::Generate;
 use crate::state::versioned::Versioned;
 use std::sync::Arc;
 

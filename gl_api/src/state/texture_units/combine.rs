@@ -3,8 +3,8 @@
 
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_value};
+use crate::base::query_value::{QueryValue, float, symbol};
 use crate::base::types::*;
-use crate::base::value::{Value, float, symbol};
 use crate::interface::MAX_TEXTURE_UNITS;
 
 const SECTION: &str = "GL 2.1, section 3.8.13";
@@ -192,7 +192,7 @@ impl Combiner {
 
 /// What `glTexEnv` sets of a combiner.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Part {
+pub(crate) enum CombinerField {
     Function,
     Source(u8),
     Operand(u8),
@@ -203,37 +203,37 @@ pub(crate) enum Part {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct CombinerParameter {
     combiner: usize,
-    part: Part,
+    part: CombinerField,
 }
 
 /// A row's meaning.
-const fn of(combiner: usize, part: Part) -> CombinerParameter {
+const fn of(combiner: usize, part: CombinerField) -> CombinerParameter {
     CombinerParameter { combiner, part }
 }
 
 pub(crate) const COMBINER_PARAMETER: Table<CombinerParameter> = Table {
     section: SECTION,
     rows: &[
-        (GL_COMBINE_RGB, of(0, Part::Function)),
-        (GL_COMBINE_ALPHA, of(1, Part::Function)),
-        (GL_SRC0_RGB, of(0, Part::Source(0))),
-        (GL_SRC1_RGB, of(0, Part::Source(1))),
-        (GL_SRC2_RGB, of(0, Part::Source(2))),
-        (GL_SOURCE3_RGB_NV, of(0, Part::Source(3))),
-        (GL_SRC0_ALPHA, of(1, Part::Source(0))),
-        (GL_SRC1_ALPHA, of(1, Part::Source(1))),
-        (GL_SRC2_ALPHA, of(1, Part::Source(2))),
-        (GL_SOURCE3_ALPHA_NV, of(1, Part::Source(3))),
-        (GL_OPERAND0_RGB, of(0, Part::Operand(0))),
-        (GL_OPERAND1_RGB, of(0, Part::Operand(1))),
-        (GL_OPERAND2_RGB, of(0, Part::Operand(2))),
-        (GL_OPERAND3_RGB_NV, of(0, Part::Operand(3))),
-        (GL_OPERAND0_ALPHA, of(1, Part::Operand(0))),
-        (GL_OPERAND1_ALPHA, of(1, Part::Operand(1))),
-        (GL_OPERAND2_ALPHA, of(1, Part::Operand(2))),
-        (GL_OPERAND3_ALPHA_NV, of(1, Part::Operand(3))),
-        (GL_RGB_SCALE, of(0, Part::Scale)),
-        (GL_ALPHA_SCALE, of(1, Part::Scale)),
+        (GL_COMBINE_RGB, of(0, CombinerField::Function)),
+        (GL_COMBINE_ALPHA, of(1, CombinerField::Function)),
+        (GL_SRC0_RGB, of(0, CombinerField::Source(0))),
+        (GL_SRC1_RGB, of(0, CombinerField::Source(1))),
+        (GL_SRC2_RGB, of(0, CombinerField::Source(2))),
+        (GL_SOURCE3_RGB_NV, of(0, CombinerField::Source(3))),
+        (GL_SRC0_ALPHA, of(1, CombinerField::Source(0))),
+        (GL_SRC1_ALPHA, of(1, CombinerField::Source(1))),
+        (GL_SRC2_ALPHA, of(1, CombinerField::Source(2))),
+        (GL_SOURCE3_ALPHA_NV, of(1, CombinerField::Source(3))),
+        (GL_OPERAND0_RGB, of(0, CombinerField::Operand(0))),
+        (GL_OPERAND1_RGB, of(0, CombinerField::Operand(1))),
+        (GL_OPERAND2_RGB, of(0, CombinerField::Operand(2))),
+        (GL_OPERAND3_RGB_NV, of(0, CombinerField::Operand(3))),
+        (GL_OPERAND0_ALPHA, of(1, CombinerField::Operand(0))),
+        (GL_OPERAND1_ALPHA, of(1, CombinerField::Operand(1))),
+        (GL_OPERAND2_ALPHA, of(1, CombinerField::Operand(2))),
+        (GL_OPERAND3_ALPHA_NV, of(1, CombinerField::Operand(3))),
+        (GL_RGB_SCALE, of(0, CombinerField::Scale)),
+        (GL_ALPHA_SCALE, of(1, CombinerField::Scale)),
     ],
 };
 
@@ -247,14 +247,14 @@ pub(crate) fn set(
     let combiner = &mut combiners[which];
     let symbol = crate::base::convert::symbol(number);
     match part {
-        Part::Function => combiner.function = FUNCTION[which].decode("param", symbol)?,
-        Part::Source(at) => {
+        CombinerField::Function => combiner.function = FUNCTION[which].decode("param", symbol)?,
+        CombinerField::Source(at) => {
             combiner.arguments[usize::from(at)].source = SOURCE.decode("param", symbol)?;
         }
-        Part::Operand(at) => {
+        CombinerField::Operand(at) => {
             combiner.arguments[usize::from(at)].operand = OPERAND[which].decode("param", symbol)?;
         }
-        Part::Scale => {
+        CombinerField::Scale => {
             let scales = [Scale::One, Scale::Two, Scale::Four];
             let Some(scale) = scales.into_iter().find(|scale| scale.factor() == number) else {
                 return invalid_value(SECTION, format!("a scale = {number} must be 1, 2 or 4"));
@@ -266,15 +266,17 @@ pub(crate) fn set(
 }
 
 /// Reads a part.
-pub(crate) fn get(combiners: &[Combiner; 2], parameter: CombinerParameter) -> Result<Value> {
+pub(crate) fn get(combiners: &[Combiner; 2], parameter: CombinerParameter) -> Result<QueryValue> {
     let CombinerParameter { combiner: which, part } = parameter;
     let combiner = &combiners[which];
     match part {
-        Part::Function => symbol(FUNCTION[which].encode(combiner.function)),
-        Part::Source(at) => symbol(SOURCE.encode(combiner.arguments[usize::from(at)].source)),
-        Part::Operand(at) => {
+        CombinerField::Function => symbol(FUNCTION[which].encode(combiner.function)),
+        CombinerField::Source(at) => {
+            symbol(SOURCE.encode(combiner.arguments[usize::from(at)].source))
+        }
+        CombinerField::Operand(at) => {
             symbol(OPERAND[which].encode(combiner.arguments[usize::from(at)].operand))
         }
-        Part::Scale => float(combiner.scale.factor()),
+        CombinerField::Scale => float(combiner.scale.factor()),
     }
 }

@@ -7,7 +7,7 @@ use crate::base::types::*;
 
 /// The first locked vertex and how many there are; none where the arrays are not locked.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Locked {
+pub(crate) struct LockedArrays {
     pub first: GLint,
     pub count: GLsizei,
 }

@@ -27,6 +27,6 @@ pub(crate) fn warning() -> Option<String> {
 mod tests {
     #[test]
     fn threads_begin_as_they_should() {
-        assert_eq!(crate::base::arithmetic::warning(), None);
+        assert_eq!(crate::base::float_environment::warning(), None);
     }
 }
