@@ -4,12 +4,12 @@
 use std::cmp::Ordering;
 use std::fmt;
 
-/// A family of versions, as the registry tells them apart.
+/// An API and profile, as the registry distinguishes them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Api {
     /// OpenGL, with everything that later versions deprecate: 1.0 and later.
     Compatibility,
-    /// The core profile of OpenGL: 3.2 and later. Of what it leaves out, earlier versions are asked as `Compatibility`.
+    /// The core profile of OpenGL: 3.2 and later. Earlier versions are `Compatibility`.
     Core,
     /// OpenGL ES 1.0 and 1.1.
     Es1,
@@ -44,7 +44,7 @@ impl fmt::Display for Version {
 pub struct CoreVersions {
     /// The first.
     pub from: Version,
-    /// The first without it again.
+    /// The first version that no longer has it.
     pub removed_in: Option<Version>,
 }
 

@@ -4,15 +4,15 @@ use crate::base::convert::unit_to_signed;
 use crate::base::error::{Result, invalid_operation};
 use crate::base::types::*;
 
-/// State, before the conversion to the type that was asked for.
+/// State before the conversion to the type that was asked for.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum QueryValue {
     Bools(Vec<bool>),
     Ints(Vec<i32>),
-    /// A symbol, name or mask; as an integer of 32 bits, the same bits.
+    /// A named constant, object name or mask; as an integer of 32 bits, the same bits.
     Word(u32),
     Floats(Vec<f64>),
-    /// Colours, normals and depths: as integers, 1 is the largest one.
+    /// Normalized values (colours, normals, depths): as an integer, 1 is the largest one.
     Unit(Vec<f64>),
 }
 
@@ -40,7 +40,7 @@ pub(crate) fn unit(values: &[f32]) -> Result<QueryValue> {
     Ok(QueryValue::Unit(values.iter().map(|&value| value.into()).collect()))
 }
 
-/// Writes the answer to a query; the slice must have room for all of it.
+/// Copies query results to `params`, which must be long enough for all of them.
 pub(crate) fn put<T: Copy>(params: &mut [T], values: &[T]) -> Result<()> {
     let (needed, has) = (values.len(), params.len());
     match params.get_mut(..needed) {
@@ -55,7 +55,7 @@ pub(crate) fn put<T: Copy>(params: &mut [T], values: &[T]) -> Result<()> {
     }
 }
 
-/// Answers in truth values: whether it is not zero.
+/// Writes booleans: `GL_TRUE` for all but zero.
 pub(crate) fn put_bools(params: &mut [GLboolean], value: QueryValue) -> Result<()> {
     let values: Vec<GLboolean> = match value {
         QueryValue::Bools(values) => values.into_iter().map(u8::from).collect(),
@@ -68,7 +68,7 @@ pub(crate) fn put_bools(params: &mut [GLboolean], value: QueryValue) -> Result<(
     put(params, &values)
 }
 
-/// Answers in integers: floats are rounded, fractions scaled to the whole range.
+/// Writes integers: floats are rounded, normalized values scaled to the whole range.
 pub(crate) fn put_ints(params: &mut [GLint], value: QueryValue) -> Result<()> {
     let values: Vec<GLint> = match value {
         QueryValue::Bools(values) => values.into_iter().map(GLint::from).collect(),
@@ -84,18 +84,18 @@ pub(crate) fn put_ints(params: &mut [GLint], value: QueryValue) -> Result<()> {
     put(params, &values)
 }
 
-/// Answers in integers of 64 bits: floats are rounded.
+/// Writes 64-bit integers: floats are rounded.
 pub(crate) fn put_longs(params: &mut [GLint64], value: QueryValue) -> Result<()> {
     let values = doubles(value).into_iter().map(|value| value.round() as GLint64);
     put(params, &values.collect::<Vec<_>>())
 }
 
-/// Answers in single precision.
+/// Writes single precision.
 pub(crate) fn put_floats(params: &mut [GLfloat], value: QueryValue) -> Result<()> {
     put(params, &doubles(value).into_iter().map(|value| value as GLfloat).collect::<Vec<_>>())
 }
 
-/// Answers in double precision.
+/// Writes double precision.
 pub(crate) fn put_doubles(params: &mut [GLdouble], value: QueryValue) -> Result<()> {
     put(params, &doubles(value))
 }

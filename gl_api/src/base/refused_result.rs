@@ -1,17 +1,10 @@
-//! The thread's current context.
-//!
-//! A call takes the context out of its place for as long as it runs, so that nothing can borrow it
-//! twice; a call from within a call finds no context, and is ignored.
-//!
-//! The place has nothing to destroy, so that it is there to the end of the thread: the main thread's
-//! destructors run before the functions of `atexit`, which may call GL. What a thread that is
-//! ending leaves there is dropped by [`ThreadEnd`], or by the host that the context belongs to.
+//! The results of calls that are not carried out: no context is current, or the call is refused.
 
 use crate::base::types::GLvoid;
 
-/// What a call answers where it has nothing to say.
+/// The result of a call that is not carried out.
 pub trait RefusedResult {
-    /// The answer.
+    /// That result.
     fn refused_result() -> Self;
 }
 

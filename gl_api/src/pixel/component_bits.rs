@@ -29,7 +29,7 @@ pub(crate) fn component_bits(format: Format, component: Component) -> i32 {
     if there { format.channel_bits(channel) as i32 } else { 0 }
 }
 
-/// A component that has a size.
+/// A component whose size can be queried.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Component {
     Red,

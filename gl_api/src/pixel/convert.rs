@@ -34,7 +34,7 @@ impl Final {
     }
 }
 
-/// What the numbers of a record are.
+/// What the components of a record are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Side {
     Client(ClientFormat),
@@ -59,7 +59,7 @@ impl Side {
     }
 }
 
-/// What lies at one end of a conversion, and how.
+/// The source or destination of a conversion: its components and their memory layout.
 struct End {
     side: Side,
     record: PixelLayout,
@@ -101,7 +101,7 @@ impl End {
     }
 }
 
-/// One way from pixels to pixels.
+/// A conversion from one pixel layout to another.
 pub(crate) struct Conversion<'a> {
     isa: Isa,
     from: End,

@@ -1,12 +1,12 @@
-//! The look-up tables of pixel transfer: `glPixelMap` and `glGetPixelMap` (GL 2.1, sections 3.6.3
+//! Pixel maps, the look-up tables of pixel transfer: `glPixelMap` and `glGetPixelMap` (GL 2.1, sections 3.6.3
 //! and 6.1.3, table 3.3).
 
 use crate::base::convert::unit;
 
-/// The most entries of a table (`GL_MAX_PIXEL_MAP_TABLE`).
+/// The largest size of a map (`GL_MAX_PIXEL_MAP_TABLE`).
 pub(crate) const MAX_PIXEL_MAP_TABLE: usize = 256;
 
-/// A table.
+/// A pixel map.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct PixelMap {
     pub size: u16,
@@ -31,13 +31,13 @@ impl PixelMap {
         self.entries[(unit(value) * last).round_ties_even() as usize]
     }
 
-    /// The entry of an index, of which the bits count that the size leaves.
+    /// The entry of an index modulo the size, which is a power of two.
     pub fn at_index(&self, index: i64) -> f32 {
         self.entries[(index & i64::from(self.size - 1)) as usize]
     }
 }
 
-/// Which table, as its place in [`PixelMaps`].
+/// The name of a map, which is its index in [`PixelMaps`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum PixelMapName {
     IToI,
@@ -53,7 +53,7 @@ pub(crate) enum PixelMapName {
 }
 
 impl PixelMapName {
-    /// Whether it is looked up by an index, so that its size is a power of two.
+    /// Whether its input is an index, so that its size is a power of two.
     pub(crate) fn is_indexed(self) -> bool {
         match self {
             Self::IToI | Self::SToS | Self::IToR | Self::IToG | Self::IToB | Self::IToA => true,
@@ -71,7 +71,7 @@ impl PixelMapName {
     }
 }
 
-/// All tables, by [`PixelMapName`].
+/// All maps, by [`PixelMapName`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct PixelMaps(pub(crate) [PixelMap; 10]);
 

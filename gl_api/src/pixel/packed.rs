@@ -14,7 +14,7 @@ pub struct Packed {
     first: FirstComponent,
 }
 
-/// The end of a packed pixel at which its first component is.
+/// The end of the word at which the first component is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum FirstComponent {
     Top,
@@ -47,7 +47,7 @@ pub(crate) const PACKED: [(GLenum, Packed); 12] = [
 ];
 
 impl Packed {
-    /// Where component `index` is; one that there is not has no bits.
+    /// The field of component `index`; a component that the type lacks has no bits.
     pub fn field(self, index: usize) -> Field {
         let bits = self.bits.get(index).copied().unwrap_or(0);
         let below: u8 = match self.first {

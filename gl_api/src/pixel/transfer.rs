@@ -1,6 +1,5 @@
-//! Pixel transfer: what is done to every pixel on its way in and out: scale and bias, and the
-//! look-up tables of [`super::pixel_map`], and the shift and offset of indices (GL 2.1, sections
-//! 3.6.3 and 3.6.5).
+//! Pixel transfer, which applies to every pixel that is read or written: scale and bias, the maps of
+//! [`crate::pixel::map`], and the shift and offset of indices (GL 2.1, sections 3.6.3 and 3.6.5).
 
 use crate::base::constants::*;
 use crate::base::error::Table;
@@ -53,7 +52,7 @@ impl Default for Transfer {
     }
 }
 
-/// What pixels are of.
+/// The kinds of pixels to which different steps of pixel transfer apply.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum TransferKind {
     Color,
@@ -68,7 +67,7 @@ pub(crate) enum TransferKind {
 }
 
 impl Transfer {
-    /// What is done to pixels of this kind. Integers pass as they are (`EXT_texture_integer`).
+    /// The steps for pixels of this kind. Integers are not changed (`EXT_texture_integer`).
     pub fn of(&self, kind: TransferKind, numbers: Numbers) -> Steps<'_> {
         let [r, g, b, a, depth] = self.linear;
         let beside = if self.moves_indices() { Index::Stencil(1, self) } else { Index::None };
@@ -120,7 +119,7 @@ impl Transfer {
     }
 }
 
-/// What is done to pixels of one kind.
+/// The steps of pixel transfer for one kind of pixels.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Steps<'a> {
     linear: [Linear; 4],
@@ -129,7 +128,7 @@ pub(crate) struct Steps<'a> {
     index: Index<'a>,
 }
 
-/// What becomes of an index.
+/// What an index is mapped to.
 #[derive(Clone, Copy, Debug)]
 enum Index<'a> {
     /// There is none, or it stays.
@@ -144,7 +143,7 @@ impl Steps<'_> {
     pub const IDENTITY: Self =
         Self { linear: [Linear::IDENTITY; 4], colors: None, index: Index::None };
 
-    /// Whether pixels pass as they are.
+    /// Whether pixels are not changed.
     pub fn is_identity(&self) -> bool {
         self.linear.iter().all(|&linear| linear == Linear::IDENTITY)
             && self.colors.is_none()
@@ -187,7 +186,7 @@ impl Steps<'_> {
     }
 }
 
-/// A parameter: which number, and which part of it.
+/// A parameter of `glPixelTransfer`; scale and bias by component.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Parameter {
     Scale(u8),

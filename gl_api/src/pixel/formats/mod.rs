@@ -34,7 +34,7 @@ pub enum ComponentType {
     Uint,
 }
 
-/// What a format's name leaves open.
+/// How much of the storage a format's name determines.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FormatClass {
     /// The sizes of components, which the implementation chooses.
