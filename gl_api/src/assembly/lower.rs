@@ -1,4 +1,4 @@
-//! A program to IR. There are no jumps, so a temporary is the values that were last written to it.
+//! A parsed program to IR. Without jumps, a temporary is the values last written to it.
 
 use super::arithmetic::Math;
 use super::layout::Layout;
@@ -33,7 +33,7 @@ pub(crate) struct Lowered {
     pub samplers: Vec<SamplerSlot>,
 }
 
-/// Where a vector is kept.
+/// The register that an instruction writes.
 enum Storage {
     Temporary(usize),
     Result(usize),
@@ -43,7 +43,7 @@ struct Lowerer<'a> {
     program: &'a Program,
     math: Math,
     layout: Layout,
-    /// What was last written, by number.
+    /// The last written values, by number.
     temporaries: Vec<Option<[Value; 4]>>,
     addresses: [Option<Value>; MAX_ADDRESS_REGISTERS as usize],
     results: Vec<(Output, [Value; 4])>,
@@ -82,7 +82,7 @@ pub(crate) fn lower(program: &Program) -> Lowered {
 }
 
 impl Lowerer<'_> {
-    /// What was never written: 0, 0, 0, 1.
+    /// The value of a register that was never written: 0, 0, 0, 1.
     fn unwritten(&mut self) -> [Value; 4] {
         [0.0, 0.0, 0.0, 1.0].map(|value| self.math.b.float(value))
     }

@@ -1,27 +1,26 @@
-//! What binding points, arrays and containers hold of an object: a share of its life.
+//! References to objects, which binding points, vertex arrays and container objects hold.
 //!
-//! Deletion takes an object's name away at once, and its bindings in the context that deletes it; other
-//! contexts and containers that are not bound go on with the object (GL 3.1, section 2.9 and appendix
-//! D.1). It leaves the names for the deleted of [`Names`](super::Names), and is freed once nothing is
-//! [`Bound`] to it.
+//! Deletion frees the name at once, and unbinds the object in the context that deletes it; other contexts and unbound
+//! containers keep using the object (GL 3.1, section 2.9 and appendix D.1). It moves to the deleted objects of
+//! [`NameTable`](super::NameTable), and is freed with its last reference ([`Bound`]).
 
 use crate::base::types::GLuint;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
 
-/// An object's name, and what became of it; only its group's turns change it.
+/// An object's name and whether it was deleted; changed only while the share group is locked.
 #[derive(Debug)]
 struct Identity {
     name: GLuint,
-    /// Its number among the deleted; 0 while it has its name.
+    /// Its number among the deleted objects; 0 while it has its name.
     deleted: AtomicU32,
 }
 
-/// What is bound: an object, deleted or not, or nothing.
+/// A reference to an object, deleted or not, or to none.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Bound(Option<Arc<Identity>>);
 
-/// The same object, or nothing both.
+/// Whether both refer to the same object, or both to none.
 impl PartialEq for Bound {
     fn eq(&self, other: &Self) -> bool {
         let at = |bound: &Self| bound.0.as_ref().map(Arc::as_ptr);
@@ -31,7 +30,7 @@ impl PartialEq for Bound {
 
 impl Eq for Bound {}
 
-/// Where an object is.
+/// How an object is looked up: by name, or by its number among the deleted ones.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum ObjectId {
     Named(GLuint),
@@ -39,7 +38,7 @@ pub(crate) enum ObjectId {
 }
 
 impl Bound {
-    /// A new object's.
+    /// The first reference to a new object.
     pub(crate) fn new(name: GLuint) -> Self {
         Self(Some(Arc::new(Identity { name, deleted: AtomicU32::new(0) })))
     }
@@ -57,19 +56,19 @@ impl Bound {
         })
     }
 
-    /// Notes that the object has lost its name.
+    /// The object was deleted.
     pub(crate) fn mark_deleted(&self, number: GLuint) {
         if let Some(identity) = &self.0 {
             identity.deleted.store(number, Ordering::Relaxed);
         }
     }
 
-    /// Whether anything else is bound to the object.
+    /// Whether there are other references to the object.
     pub(crate) fn is_shared(&self) -> bool {
         self.0.as_ref().is_some_and(|identity| Arc::strong_count(identity) > 1)
     }
 
-    /// Binds nothing where this was bound, which is deleted.
+    /// Becomes a reference to none if it is to `gone`, which is deleted.
     pub fn forget(&mut self, gone: &Self) {
         if self == gone {
             *self = Self::default();
@@ -147,7 +146,7 @@ mod tests {
         assert_eq!(deleted(&mut c), [0; 3]);
     }
 
-    /// They are looked through now and then, and where a frame ends.
+    /// Deleted objects are swept now and then, and at the end of a frame.
     #[test]
     fn many_are_freed_too() {
         let mut c = Context::new(desc()).expect("a device");

@@ -1,4 +1,5 @@
-//! Framebuffer objects: names and bindings (`ARB_framebuffer_object`, section 4.4.1).
+//! Framebuffer objects and their attachments (`ARB_framebuffer_object`, sections 4.4.1 and 4.4.2), and the accumulation
+//! buffer of the default framebuffer (GL 2.1, section 4.2.4).
 
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_enum};
@@ -10,7 +11,7 @@ use rasterizer::driver::Image;
 
 const SECTION: &str = "ARB_framebuffer_object, section 4.4.1";
 
-/// What is attached to a point.
+/// The texture level or renderbuffer that is attached to an attachment point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Source {
     /// A slice of a level of a texture.
@@ -29,7 +30,7 @@ pub(crate) enum Source {
 pub(crate) struct Attached {
     pub source: Source,
     pub image: Image,
-    /// Which planes of it can be drawn to.
+    /// Which of its planes can be drawn to.
     pub planes: Planes,
 }
 
@@ -40,7 +41,7 @@ impl Attached {
     }
 }
 
-/// What of depth and stencil there is.
+/// Which of depth and stencil an image has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Planes {
     pub depth: bool,
@@ -77,7 +78,7 @@ impl Framebuffer {
     }
 }
 
-/// Which binding a call works on.
+/// The framebuffer bindings that a target names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Binding {
     Draw,
@@ -94,13 +95,13 @@ pub(crate) const FRAMEBUFFER_TARGET: Table<Binding> = Table {
     ],
 };
 
-/// Red, green, blue and alpha of each pixel, row by row; none before the first use.
+/// The accumulation buffer: red, green, blue and alpha of each pixel, row by row; empty before its first use.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Accumulation(pub(crate) Vec<[f32; 4]>);
 
 const ATTACHMENT_SECTION: &str = "ARB_framebuffer_object, section 4.4.2";
 
-/// Where an image can be attached.
+/// An attachment point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum AttachmentPoint {
     Color(usize),

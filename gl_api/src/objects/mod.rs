@@ -1,4 +1,4 @@
-//! Objects and their names: GL 2.1, sections 2.9, 2.15 and 3.8.12; framebuffer objects.
+//! Objects of a share group, and the names of each kind of object: GL 2.1, sections 2.9, 2.15 and 3.8.12.
 
 pub(crate) mod arrays;
 pub(crate) mod assemblies;
@@ -31,39 +31,39 @@ use rasterizer::driver::Image;
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BinaryHeap};
 
-/// The names of one kind of object.
+/// The names of one kind of object, and its objects.
 #[derive(Debug)]
 pub(crate) struct NameTable<T> {
-    /// `None` is a name that was made but never bound.
+    /// `None` is a name that `glGen…` returned and that was never bound.
     objects: BTreeMap<GLuint, Option<Named<T>>>,
-    /// All names up to this one are used, or among the freed ones.
+    /// Every name up to this one is used or in `freed`.
     used: GLuint,
-    /// What was deleted of those, the least first; binding may have used it again.
+    /// Names of those that were deleted, the smallest first; binding may have used one again.
     freed: BinaryHeap<Reverse<GLuint>>,
-    /// Objects that were deleted while something was bound to them, by number: sorted.
+    /// Objects that were deleted while referenced, sorted by number.
     deleted: Vec<(GLuint, Named<T>)>,
     /// The last of these numbers.
     last_deleted: GLuint,
-    /// How many of them were left when they were looked through.
+    /// How many of them the last sweep left.
     left: usize,
 }
 
-/// Fewer of the deleted than these are looked through after each deletion.
+/// Fewer deleted objects than these are swept after each deletion.
 const FEW: usize = 64;
 
-/// When what was deleted is looked through for what nothing is bound to any more.
+/// When deleted objects without references are freed.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Sweep {
-    /// After deletions: where there are few, or twice as many as were left the last time.
+    /// After deletions: if there are few, or twice as many as the last sweep left.
     Deleted,
-    /// Where somebody flushes.
+    /// After a flush.
     Flushed,
 }
 
 #[derive(Debug)]
 struct Named<T> {
     object: T,
-    /// What is bound to it is a copy of this; nothing before the first is.
+    /// References are copies of this one, which is made with the first.
     bound: Bound,
 }
 
@@ -87,7 +87,7 @@ impl<T> Default for NameTable<T> {
 }
 
 impl<T> NameTable<T> {
-    /// Takes the smallest unused name.
+    /// Allocates the smallest unused name.
     fn allocate(&mut self, object: Option<Named<T>>) -> GLuint {
         let name = loop {
             let name = match self.freed.pop() {
@@ -124,14 +124,14 @@ impl<T> NameTable<T> {
         self.allocate(Some(Named::new(object)))
     }
 
-    /// Makes sure that a name other than 0 has an object: binding creates it.
+    /// Creates the object of a name other than 0, if it has none: the first binding does.
     pub(crate) fn create(&mut self, name: GLuint, new: impl FnOnce() -> T) {
         if name != 0 {
             self.objects.entry(name).or_insert(None).get_or_insert_with(|| Named::new(new()));
         }
     }
 
-    /// What holds the object of a name; nothing if there is none.
+    /// A reference to the object of a name; to none if there is none.
     pub fn hold(&mut self, name: GLuint) -> Bound {
         let Some(Some(named)) = self.objects.get_mut(&name) else { return Bound::default() };
         if named.bound.id().is_none() {
@@ -140,12 +140,12 @@ impl<T> NameTable<T> {
         named.bound.clone()
     }
 
-    /// Whether anything is bound to the object of a name.
+    /// Whether there are references to the object of a name.
     pub(crate) fn is_held(&self, name: GLuint) -> bool {
         matches!(self.objects.get(&name), Some(Some(named)) if named.bound.is_shared())
     }
 
-    /// Whether a name was made, with an object or without.
+    /// Whether a name is used, with an object or without.
     pub(crate) fn is_reserved(&self, name: GLuint) -> bool {
         self.objects.contains_key(&name)
     }
@@ -160,7 +160,7 @@ impl<T> NameTable<T> {
         Some(&mut self.objects.get_mut(&name)?.as_mut()?.object)
     }
 
-    /// The object that is bound, deleted or not.
+    /// The referenced object, deleted or not.
     pub fn bound(&self, bound: &Bound) -> Option<&T> {
         match bound.id()? {
             ObjectId::Named(name) => self.get(name),
@@ -171,7 +171,7 @@ impl<T> NameTable<T> {
         }
     }
 
-    /// The object that is bound, to be changed.
+    /// The referenced object, to be changed.
     pub fn bound_mut(&mut self, bound: &Bound) -> Option<&mut T> {
         match bound.id()? {
             ObjectId::Named(name) => self.get_mut(name),
@@ -193,7 +193,7 @@ impl<T> NameTable<T> {
         self.objects.values_mut().flatten().chain(deleted).map(|named| &mut named.object)
     }
 
-    /// Who binds and deletes one name again and again frees it as often.
+    /// A program that binds and deletes one name repeatedly frees it as often: removes duplicates.
     fn forget_copies(&mut self) {
         if self.freed.len() / 4 > self.used as usize {
             let mut names = std::mem::take(&mut self.freed).into_vec();
@@ -203,7 +203,7 @@ impl<T> NameTable<T> {
         }
     }
 
-    /// Forgets a name, and its object unless something is bound to it.
+    /// Frees a name, and its object unless it is referenced.
     pub(crate) fn remove(&mut self, name: GLuint) {
         let Some(named) = self.objects.remove(&name) else { return };
         if name <= self.used {
@@ -218,11 +218,11 @@ impl<T> NameTable<T> {
         }
     }
 
-    /// Frees what nothing is bound to any more.
+    /// Frees deleted objects without references.
     fn sweep(&mut self, when: Sweep) {
         let is_due = match when {
             Sweep::Flushed => true,
-            // So that deletions cost what each by itself does.
+            // So that the cost of a deletion is constant on average.
             Sweep::Deleted => self.deleted.len() < FEW || self.deleted.len() >= 2 * self.left,
         };
         if is_due {
@@ -248,7 +248,7 @@ pub(crate) fn listed<'a>(
     }
 }
 
-/// All objects of a context.
+/// All objects of a share group, and those that a context does not share.
 #[derive(Debug)]
 pub(crate) struct Objects {
     pub textures: NameTable<Texture>,
@@ -265,7 +265,7 @@ pub(crate) struct Objects {
     /// Assembly programs, and those of name 0 by target.
     pub assemblies: NameTable<Assembly>,
     pub default_assemblies: [Assembly; 2],
-    /// Vertex array objects; that of name 0 has a place of its own while another is bound.
+    /// Vertex array objects; the state of name 0 is kept apart while another is bound.
     pub vertex_arrays: NameTable<arrays::VertexArray>,
     pub default_vertex_array: arrays::VertexArray,
     pub queries: NameTable<queries::Query>,
@@ -297,7 +297,7 @@ impl Default for Objects {
 }
 
 impl Objects {
-    /// Frees what was deleted and is not bound any more; textures hold buffers.
+    /// Frees deleted objects without references; textures before buffers, which they reference.
     pub fn sweep(&mut self, when: Sweep) {
         self.textures.sweep(when);
         self.samplers.sweep(when);
@@ -307,17 +307,17 @@ impl Objects {
         programs::sweep(self);
     }
 
-    /// The texture that is bound; if none is, the default texture of the target.
+    /// The referenced texture; if none is, the default texture of the target.
     pub fn texture(&self, target: TextureTarget, bound: &Bound) -> &Texture {
         self.textures.bound(bound).unwrap_or(&self.default_textures[target as usize])
     }
 
-    /// The texture that is bound, to be changed.
+    /// The referenced texture, to be changed.
     pub fn texture_mut(&mut self, target: TextureTarget, bound: &Bound) -> &mut Texture {
         self.textures.bound_mut(bound).unwrap_or(&mut self.default_textures[target as usize])
     }
 
-    /// Lets the textures know whose images the driver has drawn to.
+    /// Notes the textures to whose images the driver has drawn.
     pub fn images_changed(&mut self, changed: impl Fn(&Image) -> bool) {
         for texture in self.textures.values_mut().chain(&mut self.default_textures) {
             if changed(&texture.image) {

@@ -1,4 +1,4 @@
-//! Renderbuffers: `ARB_framebuffer_object`, section 4.4.2.
+//! Renderbuffer objects: `ARB_framebuffer_object`, section 4.4.2.
 
 use crate::base::constants::*;
 use crate::objects::framebuffers::Planes;
@@ -26,7 +26,7 @@ impl Renderbuffer {
         self.image.level(0, 0)
     }
 
-    /// Which of depth and stencil it shows.
+    /// Which of depth and stencil can be used: stencil formats are stored beside a depth.
     pub fn planes(&self) -> Planes {
         Planes { depth: self.format.renderable != Renderable::Stencil, stencil: true }
     }

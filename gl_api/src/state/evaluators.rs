@@ -1,10 +1,9 @@
-//! Evaluators: GL 2.1, section 5.1. Polynomial maps from one or two parameters to attributes of
-//! vertices ([`map`]), their value at a point ([`basis`]), and grids of points ([`grid`]).
+//! Evaluators: GL 2.1, section 5.1. Polynomial maps from one or two parameters to vertex attributes, and grids.
 
 use crate::base::constants::*;
 use crate::base::error::Table;
 
-/// What a map gives (GL 2.1, table 5.1), in the order of GL's constants.
+/// The attribute that a map computes (GL 2.1, table 5.1), in the order of GL's constants.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum EvaluatorKind {
     Color,
@@ -31,7 +30,7 @@ impl EvaluatorKind {
         Self::Vertex4,
     ];
 
-    /// Numbers of a control point.
+    /// Components of a control point.
     pub fn components(self) -> usize {
         match self {
             Self::Index | Self::TexCoord1 => 1,
@@ -54,14 +53,14 @@ impl EvaluatorKind {
     }
 }
 
-/// How many parameters a map has.
+/// The number of parameters of a map.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Dimension {
     One,
     Two,
 }
 
-/// Which map.
+/// The name of a map.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct EvaluatorName {
     pub dimension: Dimension,
@@ -81,7 +80,7 @@ impl Default for GridSteps {
     }
 }
 
-/// The maps that are on, and the grids: what `glPushAttrib(GL_EVAL_BIT)` keeps.
+/// The enabled maps and the grids: the state of `GL_EVAL_BIT`.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct EvaluatorState {
     /// Bit by [`EvaluatorKind`], of maps with one and two parameters.
@@ -91,18 +90,18 @@ pub(crate) struct EvaluatorState {
 }
 
 impl EvaluatorState {
-    /// Whether a map is on.
+    /// Whether a map is enabled.
     pub fn has(&self, name: EvaluatorName) -> bool {
         self.enabled[name.dimension as usize] >> name.kind as u16 & 1 == 1
     }
 
-    /// Switches a map on or off.
+    /// Enables or disables a map.
     pub fn set(&mut self, name: EvaluatorName, on: bool) {
         let bits = &mut self.enabled[name.dimension as usize];
         *bits = *bits & !(1 << name.kind as u16) | u16::from(on) << name.kind as u16;
     }
 
-    /// Puts the switches back that another state has.
+    /// Enables the maps that `other` has enabled, and disables the others.
     pub fn take_enabled(&mut self, other: &Self) {
         self.enabled = other.enabled;
     }

@@ -6,7 +6,7 @@ use crate::interface::{ATTRIB_MATERIAL, Side};
 
 const SECTION: &str = "GL 2.1, section 2.14.2";
 
-/// How a side of polygons takes light.
+/// The material of one side of polygons.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Material {
     pub emission: [f32; 4],
@@ -31,7 +31,7 @@ impl Default for Material {
     }
 }
 
-/// A part of a material that each vertex can have for itself.
+/// A material parameter that can change per vertex.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum MaterialParameter {
     Emission,
@@ -46,10 +46,10 @@ impl MaterialParameter {
         [Self::Emission, Self::Ambient, Self::Diffuse, Self::Specular, Self::Shininess];
 }
 
-/// How many columns of materials there are.
+/// The number of per-vertex material parameters of both sides.
 pub(crate) const MATERIAL_COLUMNS: usize = 2 * MaterialParameter::ALL.len();
 
-/// The attribute location at which the vertices of a primitive have a part of a side's material.
+/// The attribute location of a per-vertex material parameter of a side.
 pub(crate) fn column(side: Side, part: MaterialParameter) -> u8 {
     let side = match side {
         Side::Front => 0,
@@ -58,7 +58,7 @@ pub(crate) fn column(side: Side, part: MaterialParameter) -> u8 {
     ATTRIB_MATERIAL + side + part as u8
 }
 
-/// Which sides a call is about.
+/// The sides that a call names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Sides {
     Front,
@@ -82,7 +82,7 @@ pub(crate) const FACES: Table<Sides> = Table {
     rows: &[(GL_FRONT, Sides::Front), (GL_BACK, Sides::Back), (GL_FRONT_AND_BACK, Sides::Both)],
 };
 
-/// The colours of a material that the current colour can stand for.
+/// The material parameters that `glColorMaterial` can track.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Tracked {
     Emission,
@@ -93,7 +93,7 @@ pub(crate) enum Tracked {
 }
 
 impl Tracked {
-    /// Whether a part is among them.
+    /// Whether a parameter is among them.
     pub fn has(self, part: MaterialParameter) -> bool {
         match self {
             Self::Emission => part == MaterialParameter::Emission,
@@ -118,8 +118,7 @@ pub(crate) const TRACKED: Table<Tracked> = Table {
     ],
 };
 
-/// The materials of both sides, and what of them follows the current colour while
-/// `GL_COLOR_MATERIAL` is on.
+/// The materials of both sides, and the parameters that track the current colour while `GL_COLOR_MATERIAL` is enabled.
 #[derive(Clone, Debug)]
 pub(crate) struct Materials {
     front: Material,
@@ -155,7 +154,7 @@ impl Materials {
     }
 }
 
-/// The side and the part that a location stands for.
+/// The side and parameter of a location.
 fn column_at(location: usize) -> (Side, MaterialParameter) {
     let place = (location - usize::from(ATTRIB_MATERIAL)) % MATERIAL_COLUMNS;
     let side = if place < MaterialParameter::ALL.len() { Side::Front } else { Side::Back };
@@ -163,7 +162,7 @@ fn column_at(location: usize) -> (Side, MaterialParameter) {
 }
 
 impl Materials {
-    /// What the column at a location is now, whatever is tracked.
+    /// The value at a location, whether tracked or not.
     pub fn column(&self, location: usize) -> [f32; 4] {
         let (side, part) = column_at(location);
         let material = self.side(side);
@@ -176,7 +175,7 @@ impl Materials {
         }
     }
 
-    /// Gives what the column at a location stands for another value.
+    /// Sets the value at a location.
     pub fn set_column(&mut self, location: usize, value: [f32; 4]) {
         let (side, part) = column_at(location);
         let material = self.side_mut(side);

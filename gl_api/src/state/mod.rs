@@ -1,5 +1,4 @@
-//! The state of a context, by chapter of the specification: plain values and the calls that set
-//! them. Objects are in [`crate::object`], texture environments in [`crate::env`].
+//! The state of a context, by chapter of the specification, as plain values. Objects are in [`crate::objects`].
 
 pub(crate) mod assembly;
 pub(crate) mod attrib;
@@ -51,7 +50,7 @@ use crate::state::texture_units::Units;
 use crate::state::versioned::Versioned;
 use crate::state::viewport::ViewportState;
 
-/// What is bound, or its name; 0 where nothing is.
+/// The bound objects, as references or names; 0 where none is bound.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Bindings {
     pub array_buffer: Bound,
@@ -70,7 +69,7 @@ pub(crate) struct Bindings {
     pub program: Bound,
 }
 
-/// Everything that is no object.
+/// All state other than objects.
 #[derive(Debug)]
 pub(crate) struct State {
     pub matrices: Matrices,

@@ -1,8 +1,4 @@
-//! Transform feedback: GL 3.0, section 2.15 (`EXT_transform_feedback`).
-//!
-//! While it is active, the vertices of a draw run through the vertex stage once more, here; they
-//! are assembled to points, lines or triangles of their own, and what the program captures of them is
-//! written to the bound buffers ([`capture`]), before the draw goes on.
+//! State of transform feedback: GL 3.0, section 2.15 (`EXT_transform_feedback`).
 
 use crate::base::constants::*;
 use crate::base::error::Table;
@@ -13,7 +9,7 @@ use rasterizer::driver::Topology;
 
 pub(crate) const SECTION: &str = "GL 3.0, section 2.15";
 
-/// What is captured.
+/// The type of the captured primitives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum CapturedPrimitive {
     Points,
@@ -31,7 +27,7 @@ impl CapturedPrimitive {
         ],
     };
 
-    /// What the primitives of a topology are captured as.
+    /// The primitives that a topology is captured as.
     pub(crate) fn of(topology: Topology) -> Self {
         match topology {
             Topology::Points => Self::Points,
@@ -53,7 +49,7 @@ impl CapturedPrimitive {
         }
     }
 
-    /// How many vertices one has.
+    /// The number of vertices of a primitive.
     pub(crate) fn corners(self) -> usize {
         match self {
             Self::Points => 1,
@@ -63,7 +59,7 @@ impl CapturedPrimitive {
     }
 }
 
-/// What is active between `glBeginTransformFeedback` and `glEndTransformFeedback`.
+/// Transform feedback between `glBeginTransformFeedback` and `glEndTransformFeedback`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Active {
     pub kind: CapturedPrimitive,
@@ -71,10 +67,10 @@ pub(crate) struct Active {
     pub written: [usize; MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS],
 }
 
-/// The bound buffers, and what is active.
+/// The bound buffers, and active transform feedback.
 #[derive(Debug, Default)]
 pub(crate) struct TransformFeedback {
-    /// All of whose numbers are multiples of 4.
+    /// Their offsets and sizes are multiples of 4.
     pub buffers: [BufferRange; MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS],
     pub active: Option<Active>,
 }
@@ -85,7 +81,7 @@ impl TransformFeedback {
         self.active.is_some()
     }
 
-    /// A buffer is no more.
+    /// Unbinds a deleted buffer.
     pub fn forget_buffer(&mut self, gone: &Bound) {
         for range in self.buffers.iter_mut().filter(|range| range.buffer == *gone) {
             *range = BufferRange::default();

@@ -1,4 +1,4 @@
-//! The state of combiners: GL 2.1, section 3.8.13, tables 3.24 and 3.25, with the sources of
+//! State of texture combiners: GL 2.1, section 3.8.13, tables 3.24 and 3.25, with the sources of
 //! `ARB_texture_env_crossbar` and the four arguments of `NV_texture_env_combine4`.
 
 use crate::base::constants::*;
@@ -9,7 +9,7 @@ use crate::interface::MAX_TEXTURE_UNITS;
 
 const SECTION: &str = "GL 2.1, section 3.8.13";
 
-/// How many arguments `GL_ADD` and `GL_ADD_SIGNED` have.
+/// The number of arguments of `GL_ADD` and `GL_ADD_SIGNED`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Arguments {
     /// `a + b`.
@@ -18,7 +18,7 @@ pub(crate) enum Arguments {
     Four,
 }
 
-/// What arguments are combined by.
+/// A combiner function of arguments `a` to `d`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Function {
     /// `a`.
@@ -77,7 +77,7 @@ const FUNCTION: [Table<Function>; 2] = [
     Table { section: SECTION, rows: FUNCTIONS.split_at(6).0 },
 ];
 
-/// Where an argument comes from.
+/// The source of an argument.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Source {
     /// The unit's own texture.
@@ -115,7 +115,7 @@ const SOURCE: Table<Source> = Table {
 
 const _: () = assert!(MAX_TEXTURE_UNITS == 8, "a row for each unit");
 
-/// What of a source is the argument.
+/// How an argument is taken from its source.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Operand {
     Color,
@@ -144,7 +144,7 @@ pub(crate) struct Argument {
     pub operand: Operand,
 }
 
-/// What a combined value is multiplied by.
+/// The scale of a combiner's result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Scale {
     One,
@@ -190,7 +190,7 @@ impl Combiner {
     }
 }
 
-/// What `glTexEnv` sets of a combiner.
+/// A field of a combiner that `glTexEnv` sets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum CombinerField {
     Function,
@@ -199,14 +199,14 @@ pub(crate) enum CombinerField {
     Scale,
 }
 
-/// A part of the combiner of colour (0) or of alpha (1).
+/// A field of the combiner of colour (0) or of alpha (1).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct CombinerParameter {
     combiner: usize,
     part: CombinerField,
 }
 
-/// A row's meaning.
+/// Shorthand for a row.
 const fn of(combiner: usize, part: CombinerField) -> CombinerParameter {
     CombinerParameter { combiner, part }
 }
@@ -237,7 +237,7 @@ pub(crate) const COMBINER_PARAMETER: Table<CombinerParameter> = Table {
     ],
 };
 
-/// Sets a part from a number, which is a named constant or a scale.
+/// Sets a field from a number, which is a named constant or a scale.
 pub(crate) fn set(
     combiners: &mut [Combiner; 2],
     parameter: CombinerParameter,
@@ -265,7 +265,7 @@ pub(crate) fn set(
     Ok(())
 }
 
-/// Reads a part.
+/// Reads a field.
 pub(crate) fn get(combiners: &[Combiner; 2], parameter: CombinerParameter) -> Result<QueryValue> {
     let CombinerParameter { combiner: which, part } = parameter;
     let combiner = &combiners[which];
