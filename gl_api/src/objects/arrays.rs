@@ -1,7 +1,7 @@
 //! Vertex arrays (GL 2.1, section 2.8) and vertex array objects (`ARB_vertex_array_object`).
 //!
-//! A Rust slice cannot be kept, so it is copied by the pointer call: later writes to it are not seen. Buffer objects, and
-//! pointers of C programs, are read when the draw is made.
+//! A Rust slice cannot be kept, so it is copied by the pointer call: later writes to it are not seen. Buffer objects,
+//! and pointers of C programs, are read when the draw is made.
 
 use crate::base::client_memory::ClientPointer;
 use crate::base::constants::*;

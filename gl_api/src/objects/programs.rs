@@ -30,8 +30,8 @@ pub(crate) struct ProgramObject {
     /// The names of the attached shaders.
     pub attached: Vec<GLuint>,
     pub bindings: glsl::Bindings,
-    /// The executable that draws run: the result of the last link, or of the one before if that failed while the program
-    /// is in use (GL 2.1, section 2.15.2).
+    /// The executable that draws run: the result of the last link, or of the one before if that failed while the
+    /// program is in use (GL 2.1, section 2.15.2).
     pub executable: Option<Linked>,
     /// How the last link went.
     pub link: LinkStatus,

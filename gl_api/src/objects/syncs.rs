@@ -1,5 +1,5 @@
-//! Fence sync objects: `ARB_sync`, GL 3.2, section 5.3. Submitting executes recorded draws, so a fence is signalled by the
-//! next flush.
+//! Fence sync objects: `ARB_sync`, GL 3.2, section 5.3. Submitting executes recorded draws, so a fence is signalled by
+//! the next flush.
 
 /// Whether the commands before a fence have completed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,4 +1,5 @@
-//! Locked arrays: `EXT_compiled_vertex_array`. Locking allows a driver to reuse transformed vertices; this one does not.
+//! Locked arrays: `EXT_compiled_vertex_array`. Locking allows a driver to reuse transformed vertices; this one does
+//! not.
 
 use crate::base::types::*;
 

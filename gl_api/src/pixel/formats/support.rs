@@ -1,6 +1,6 @@
 //! Columns of the table of internal formats that several rows share: versions and extensions.
 
-use super::{ComponentType, FormatClass, InternalFormat, Renderable};
+use super::row::{ComponentType, FormatClass, InternalFormat, Renderable};
 use crate::base::availability::{Api, Availability, CoreVersions, Extension, Version};
 use crate::base::types::GLenum;
 use texunit::format::Format;

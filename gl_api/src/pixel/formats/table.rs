@@ -1,12 +1,15 @@
 //! The rows of the table of internal formats.
 //!
 //! Versions are written without the point. `es(t, r, f)` has the versions of OpenGL ES from which textures may have the
-//! format, renderbuffers may have it, and it is filtered; 0 is never. Messages suggest formats in the order of the rows.
+//! format, renderbuffers may have it, and it is filtered; 0 is never. Messages suggest formats in the order of the
+//! rows.
 
-use super::ComponentType::{Float, Sint, Snorm, Uint, Unorm};
-use super::FormatClass::{GeneralCompressed, GenericCompressed, Sized, SpecialCompressed, Unsized};
-use super::InternalFormat;
-use super::Renderable::{Color, Depth, DepthStencil, No, Stencil};
+use super::row::ComponentType::{Float, Sint, Snorm, Uint, Unorm};
+use super::row::FormatClass::{
+    GeneralCompressed, GenericCompressed, Sized, SpecialCompressed, Unsized,
+};
+use super::row::InternalFormat;
+use super::row::Renderable::{Color, Depth, DepthStencil, No, Stencil};
 use super::support::*;
 use crate::base::constants::*;
 use texunit::format::Format::*;
