@@ -21,7 +21,7 @@ use crate::pixel::transfer::Transfer;
 use rasterizer::driver::{Image, Put};
 use std::time::Duration;
 
-pub use crate::base::fallback::Fallback;
+pub use crate::base::refused_result::RefusedResult;
 pub use crate::context::mirror::SurfaceMirror;
 pub use crate::entry::current::{call, expect_thread_end, swap_current};
 
@@ -38,7 +38,7 @@ pub mod limits {
     /// Bytes of a message with its final zero.
     pub const MAX_LENGTH: usize = context::log::MAX_LENGTH;
     /// The order of an evaluator's map.
-    pub const MAX_EVAL_ORDER: usize = crate::state::evaluator_map::MAX_EVAL_ORDER;
+    pub const MAX_EVAL_ORDER: usize = crate::state::evaluators::MAX_EVAL_ORDER;
 }
 
 /// A default framebuffer that is not, or not yet, a context's.
@@ -288,7 +288,7 @@ pub fn block_values(context: &mut Context, program: GLuint, index: GLuint, pname
 
 /// How many values `GL_COMPRESSED_TEXTURE_FORMATS` has.
 pub fn compressed_formats() -> usize {
-    crate::pixel::internal::general_purpose_formats().count()
+    crate::pixel::formats::general_purpose_formats().len()
 }
 
 /// The setters of quadrics, which return the error callback for a value that was refused: it may delete the quadric, so the

@@ -68,3 +68,4 @@ pub use context::{
 };
 pub use entry::*;
 pub use glsl::interface;
+pub use pixel::formats;

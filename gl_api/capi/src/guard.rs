@@ -1,6 +1,6 @@
 //! The door: every call from C goes through [`enter`].
 
-use gl_api::host::{self, Fallback};
+use gl_api::host::{self, RefusedResult};
 use gl_api::with_current;
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -15,10 +15,10 @@ pub(crate) fn enter<R>(body: impl FnOnce() -> R) -> Result<R, Box<dyn Any + Send
 }
 
 /// Runs a call; a panic becomes a GL error with a message.
-pub(crate) fn guard<R: Fallback>(name: &'static str, body: impl FnOnce() -> R) -> R {
+pub(crate) fn guard<R: RefusedResult>(name: &'static str, body: impl FnOnce() -> R) -> R {
     enter(body).unwrap_or_else(|panic| {
         failed(name, &*panic);
-        R::fallback()
+        R::refused_result()
     })
 }
 

@@ -1,4 +1,4 @@
-//! What each instruction computes (ARB_vertex_program, section 2.14.5; ARB_fragment_program,
+//! Code of each instruction (ARB_vertex_program, section 2.14.5; ARB_fragment_program,
 //! section 3.11.5).
 
 use super::program::Opcode;
@@ -7,7 +7,7 @@ use rasterizer::ir::{Builder, Op, Value};
 /// The largest exponent of `LIT`: a little less than 128.
 const LIT_EXPONENT: f32 = 127.996_09;
 
-/// Builds the values of a stage.
+/// A builder of IR values with the operations of instructions.
 pub(crate) struct Math {
     pub b: Builder,
 }
@@ -40,8 +40,7 @@ impl Math {
         self.map(Op::BoolToFloat, holds)
     }
 
-    /// The result of an instruction; what it lacks of operands is not looked at. Scalars are the
-    /// first components.
+    /// The result of an instruction; operands that it lacks are ignored. Scalars are first components.
     pub fn compute(&mut self, opcode: Opcode, [a, b, c]: [[Value; 4]; 3]) -> [Value; 4] {
         let [x, other] = [a[0], b[0]];
         match opcode {

@@ -1,4 +1,4 @@
-//! How much a program takes, and whether that is within the limits.
+//! Counts of a program's resources, checked against the limits.
 
 use super::parser::Parser;
 use super::program::{Instruction, Opcode, Register, Written};
@@ -38,7 +38,7 @@ impl Parser<'_> {
         }
     }
 
-    /// Whether what is counted stays within the limits.
+    /// Checks the counts against the limits.
     pub fn check_counts(&mut self, position: usize) -> Parsed<()> {
         self.counts.attributes = self.attributes.len() as u32;
         for (what, has, limit) in [

@@ -4,7 +4,7 @@ use super::program::{Parameter, Word};
 use crate::interface::{StateBinding, StateVar};
 use rasterizer::ir::{Builder, Ty, Value};
 
-/// Where the words of a row come from when it draws.
+/// The source of the words of a row at a draw.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Row {
     /// `program.env[n]`.

@@ -16,7 +16,7 @@ pub(crate) enum Token<'a> {
     Mark(char),
     /// `..`.
     Range,
-    /// The text is over.
+    /// The end of the text.
     End,
 }
 

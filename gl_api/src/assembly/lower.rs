@@ -1,4 +1,4 @@
-//! A program to IR. There are no jumps, so a temporary is the values that were last written to it.
+//! A parsed program to IR. Without jumps, a temporary is the values last written to it.
 
 use super::arithmetic::Math;
 use super::layout::Layout;
@@ -33,8 +33,8 @@ pub(crate) struct Lowered {
     pub samplers: Vec<SamplerSlot>,
 }
 
-/// Where a vector is kept.
-enum Place {
+/// The register that an instruction writes.
+enum Storage {
     Temporary(usize),
     Result(usize),
 }
@@ -43,7 +43,7 @@ struct Lowerer<'a> {
     program: &'a Program,
     math: Math,
     layout: Layout,
-    /// What was last written, by number.
+    /// The last written values, by number.
     temporaries: Vec<Option<[Value; 4]>>,
     addresses: [Option<Value>; MAX_ADDRESS_REGISTERS as usize],
     results: Vec<(Output, [Value; 4])>,
@@ -82,7 +82,7 @@ pub(crate) fn lower(program: &Program) -> Lowered {
 }
 
 impl Lowerer<'_> {
-    /// What was never written: 0, 0, 0, 1.
+    /// The value of a register that was never written: 0, 0, 0, 1.
     fn unwritten(&mut self) -> [Value; 4] {
         [0.0, 0.0, 0.0, 1.0].map(|value| self.math.b.float(value))
     }
@@ -189,10 +189,10 @@ impl Lowerer<'_> {
                 self.addresses[usize::from(number)] = Some(values[0]);
                 return;
             }
-            Written::Temporary(number) => Place::Temporary(usize::from(number)),
+            Written::Temporary(number) => Storage::Temporary(usize::from(number)),
             Written::Result(result) => {
                 let known = self.results.iter().position(|(other, _)| *other == result);
-                Place::Result(known.unwrap_or_else(|| {
+                Storage::Result(known.unwrap_or_else(|| {
                     let unwritten = self.unwritten();
                     self.results.push((result, unwritten));
                     self.results.len() - 1
@@ -200,14 +200,14 @@ impl Lowerer<'_> {
             }
         };
         let old = match place {
-            Place::Temporary(at) => self.temporaries[at],
-            Place::Result(at) => Some(self.results[at].1),
+            Storage::Temporary(at) => self.temporaries[at],
+            Storage::Result(at) => Some(self.results[at].1),
         };
         let old = old.unwrap_or_else(|| self.unwritten());
         let new = std::array::from_fn(|at| if mask[at] { values[at] } else { old[at] });
         match place {
-            Place::Temporary(at) => self.temporaries[at] = Some(new),
-            Place::Result(at) => self.results[at].1 = new,
+            Storage::Temporary(at) => self.temporaries[at] = Some(new),
+            Storage::Result(at) => self.results[at].1 = new,
         }
     }
 

@@ -3,8 +3,8 @@
 //! The modules in the order in which a program passes through them: `lexer`, `parser` (with
 //! `operand`, `state` and `counts`) to the instructions of `program`, then `lower`, which makes IR
 //! of them with `arithmetic` and puts their parameters into the uniform words of `layout`. What
-//! comes out is what the GLSL linker gives, a stage with its words; `running` fills these in for a
-//! draw, where the program in use lacks the stage.
+//! comes out is what the GLSL linker gives, a stage with its words; the draw layer fills these in, where
+//! the program in use lacks the stage.
 
 mod arithmetic;
 mod counts;
@@ -36,7 +36,7 @@ impl Failure {
         Err(Self { position, message: message.into() })
     }
 
-    /// A name that means nothing, with what was probably meant among what there is.
+    /// The failure for an unknown name, which suggests similar known ones.
     #[cold]
     fn unknown(position: usize, message: String, name: &str, known: &[&str]) -> Self {
         let message = match closest(name, known.iter().copied()) {
@@ -46,7 +46,7 @@ impl Failure {
         Self { position, message }
     }
 
-    /// The message with its place and what stands there.
+    /// The message with its position and the text there.
     pub(crate) fn in_text(&self, text: &str) -> String {
         /// How much of a line is shown to either side.
         const SHOWN: usize = 40;
@@ -94,10 +94,10 @@ pub(crate) fn too_large(text: &str, error: &IrError) -> Failure {
     Failure { position: text.len(), message: format!("the program is too large: {error}") }
 }
 
-/// Loads a program. Any text is fine; it never panics.
+/// Loads a program. It never panics, whatever the text.
 ///
 /// # Errors
-/// The first thing that is wrong.
+/// The first error in the text.
 pub(crate) fn load(text: &str, target: Target) -> Parsed<Loaded> {
     let program = parser::parse(text, target)?;
     let lower::Lowered { module, layout, samplers } = lower::lower(&program);

@@ -1,4 +1,4 @@
-//! The operands of instructions: sources with their swizzles, destinations with their masks.
+//! Parsing of operands: sources with swizzles, destinations with masks.
 
 use super::lexer::Token;
 use super::parser::{Parser, Symbol};

@@ -1,4 +1,4 @@
-//! Tokens to a program: the statements, and what they declare (ARB_vertex_program, section 2.14.2;
+//! Parsing of statements and declarations (ARB_vertex_program, section 2.14.2;
 //! ARB_fragment_program, section 3.11.2).
 
 use super::lexer::{Placed, Token, tokens};
@@ -10,7 +10,7 @@ use super::{Failure, Parsed};
 use crate::base::assembly_limits as limits;
 use crate::interface::MAX_TEXTURE_IMAGE_UNITS;
 
-/// What a name stands for.
+/// What a declared name refers to.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Symbol {
     Temporary(u16),
@@ -22,7 +22,7 @@ pub(crate) enum Symbol {
     Result(Output),
 }
 
-/// A program on its way from tokens.
+/// The parser: the rest of the tokens, and the program so far.
 pub(crate) struct Parser<'a> {
     tokens: Vec<Placed<'a>>,
     at: usize,
@@ -40,7 +40,7 @@ pub(crate) struct Parser<'a> {
     pub named: [u32; 2],
     /// The parameters that stand in instructions.
     pub inline: Vec<Parameter>,
-    /// What each texture unit is read as.
+    /// The texture target that each unit is read as.
     units: [Option<Lookup>; MAX_TEXTURE_IMAGE_UNITS as usize],
     /// Of each temporary the texture indirection in which an instruction last wrote it, and in
     /// which arithmetic last read or wrote it.
@@ -58,7 +58,7 @@ pub(crate) fn header(target: Target) -> &'static str {
 /// Parses a program of a target.
 ///
 /// # Errors
-/// The first thing that is wrong.
+/// The first error in the text.
 pub(crate) fn parse(text: &str, target: Target) -> Parsed<Program> {
     let header = header(target);
     if !text.starts_with(header) {
@@ -200,7 +200,7 @@ impl<'a> Parser<'a> {
         self.names.binary_search_by(|(known, _)| (*known).cmp(name))
     }
 
-    /// What a declared name stands for.
+    /// What a declared name refers to.
     pub fn symbol(&mut self) -> Parsed<Symbol> {
         let position = self.position();
         let name = self.word("a variable")?;
@@ -322,7 +322,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// Whether a name means something by itself.
+    /// Whether a name is reserved.
     fn is_reserved(&self, name: &str) -> bool {
         let words: &[&str] = match self.target {
             Target::Vertex => &["ADDRESS", "vertex"],

@@ -3,7 +3,7 @@
 use crate::interface::StateVar;
 use texunit::image::Shape;
 
-/// Which kind of program.
+/// The target of a program: its stage.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Target {
     /// `GL_VERTEX_PROGRAM_ARB`.
@@ -22,7 +22,7 @@ impl Target {
     }
 }
 
-/// What an instruction does (ARB_vertex_program, table X.5; ARB_fragment_program, table X.5).
+/// The operation of an instruction (ARB_vertex_program, table X.5; ARB_fragment_program, table X.5).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Opcode {
     Abs,
@@ -80,7 +80,7 @@ pub(crate) enum Operands {
     Condition,
 }
 
-/// Who has an instruction.
+/// The targets that have an instruction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Of {
     Both,
@@ -136,7 +136,7 @@ const INSTRUCTIONS: &[(&str, Opcode, Operands, Of)] = &[
     ("XPD", Opcode::Xpd, Operands::Vectors(2), Of::Both),
 ];
 
-/// Whether results are held in [0, 1].
+/// Whether results are clamped to [0, 1].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Saturation {
     Off,
@@ -156,7 +156,7 @@ pub(crate) fn opcode(name: &str, target: Target) -> Option<(Opcode, Operands, Sa
     let place = INSTRUCTIONS.binary_search_by_key(&plain, |row| row.0).ok()?;
     let (_, opcode, operands, of) = INSTRUCTIONS[place];
     let exists = of.has(target);
-    // What has no result has none to be held.
+    // Without a result there is nothing to clamp.
     let saturates = saturation == Saturation::Off || operands != Operands::Condition;
     (exists && saturates).then_some((opcode, operands, saturation))
 }
@@ -174,7 +174,7 @@ pub(crate) enum Attribute {
     Position,
 }
 
-/// Where a component of a state parameter comes from.
+/// The source of a component of a state parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Word {
     /// A word of a piece of state.
@@ -211,7 +211,7 @@ pub(crate) enum Register {
     },
 }
 
-/// Where a component of an operand comes from.
+/// The source of a component of an operand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Pick {
     Component(u8),
@@ -227,7 +227,7 @@ pub(crate) struct Source {
     pub negated: [bool; 4],
 }
 
-/// What a program computes.
+/// An output of a stage.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Result {
     Position,
@@ -240,7 +240,7 @@ pub(crate) enum Result {
     Depth,
 }
 
-/// Where an instruction writes.
+/// The register that an instruction writes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Written {
     Temporary(u16),
@@ -284,7 +284,7 @@ pub(crate) enum Fog {
     Linear,
 }
 
-/// What the options at the top of a program say.
+/// The `OPTION` statements of a program.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Options {
     /// `ARB_position_invariant`.
@@ -303,7 +303,7 @@ pub(crate) struct Options {
     pub pixel_center_integer: bool,
 }
 
-/// How much a program takes of what `glGetProgramivARB` tells the limits of.
+/// Counts of the resources whose limits `glGetProgramivARB` reports.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Counts {
     pub instructions: u32,

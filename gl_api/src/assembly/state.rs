@@ -1,4 +1,4 @@
-//! What parameters are bound to: constants, `program.env`, `program.local`, and `state`
+//! Parsing of parameter bindings: constants, `program.env`, `program.local`, and `state`
 //! (ARB_vertex_program, tables X.2.1 to X.2.8; ARB_fragment_program, tables X.3.1 to X.3.8).
 
 use super::lexer::Token;
@@ -8,22 +8,22 @@ use super::{Failure, Parsed};
 use crate::base::assembly_limits as limits;
 use crate::interface::*;
 
-/// What a binding stands for.
-enum Bound {
+/// The parameters of a binding.
+enum Binding {
     One(Parameter),
-    /// For arrays alone.
+    /// Allowed for arrays only.
     Several(Vec<Parameter>),
 }
 
 /// Four words of a piece of state.
-fn four(var: StateVar, first: u8) -> Bound {
-    Bound::One(Parameter::State([0, 1, 2, 3].map(|at| Word::Of(var, first + at))))
+fn four(var: StateVar, first: u8) -> Binding {
+    Binding::One(Parameter::State([0, 1, 2, 3].map(|at| Word::Of(var, first + at))))
 }
 
 /// Three words of a piece of state and a number.
-fn three(var: StateVar, first: u8, last: f32) -> Bound {
+fn three(var: StateVar, first: u8, last: f32) -> Binding {
     let [x, y, z] = [0, 1, 2].map(|at| Word::Of(var, first + at));
-    Bound::One(Parameter::State([x, y, z, Word::Is(last)]))
+    Binding::One(Parameter::State([x, y, z, Word::Is(last)]))
 }
 
 impl Parser<'_> {
@@ -37,8 +37,8 @@ impl Parser<'_> {
             }
             Token::Mark('{') => self.constant(),
             _ => match self.bound()? {
-                Bound::One(parameter) => Ok(parameter),
-                Bound::Several(_) => {
+                Binding::One(parameter) => Ok(parameter),
+                Binding::Several(_) => {
                     Failure::at(position, "several parameters stand where there is one")
                 }
             },
@@ -57,8 +57,8 @@ impl Parser<'_> {
     pub fn elements(&mut self, array: &mut Vec<Parameter>) -> Parsed<()> {
         match self.peek() {
             Token::Word(_) => match self.bound()? {
-                Bound::One(parameter) => array.push(parameter),
-                Bound::Several(parameters) => array.extend(parameters),
+                Binding::One(parameter) => array.push(parameter),
+                Binding::Several(parameters) => array.extend(parameters),
             },
             _ => array.push(self.declared_parameter()?),
         }
@@ -98,7 +98,7 @@ impl Parser<'_> {
         Ok(Parameter::Constant(values))
     }
 
-    fn bound(&mut self) -> Parsed<Bound> {
+    fn bound(&mut self) -> Parsed<Binding> {
         if self.eat(Token::Word("program")) {
             return self.program_parameters();
         }
@@ -109,7 +109,7 @@ impl Parser<'_> {
     }
 
     /// `program.env[n]`, `program.local[n..m]`.
-    fn program_parameters(&mut self) -> Parsed<Bound> {
+    fn program_parameters(&mut self) -> Parsed<Binding> {
         let position = self.position();
         let (limit, make): (_, fn(u16) -> Parameter) = match self.member()? {
             "env" => (limits::MAX_ENV_PARAMETERS, Parameter::Env),
@@ -118,13 +118,13 @@ impl Parser<'_> {
         };
         let (first, last) = self.indices(limit, "parameters")?;
         Ok(match first == last {
-            true => Bound::One(make(first)),
-            false => Bound::Several((first..=last).map(make).collect()),
+            true => Binding::One(make(first)),
+            false => Binding::Several((first..=last).map(make).collect()),
         })
     }
 
     /// What follows `state`.
-    fn state(&mut self) -> Parsed<Bound> {
+    fn state(&mut self) -> Parsed<Binding> {
         let position = self.position();
         let group = self.member()?;
         let bound = match (group, self.target) {
@@ -139,7 +139,7 @@ impl Parser<'_> {
                     "shininess" => {
                         let rest = [0.0, 0.0, 1.0].map(Word::Is);
                         let words = [Word::Of(var, 16), rest[0], rest[1], rest[2]];
-                        Some(Bound::One(Parameter::State(words)))
+                        Some(Binding::One(Parameter::State(words)))
                     }
                     _ => None,
                 }
@@ -158,7 +158,7 @@ impl Parser<'_> {
                 let of = |place: u8, alpha: u8| {
                     let [red, green, blue] = [0, 1, 2].map(|at| Word::Of(product, place + at));
                     let alpha = Word::Of(StateVar::Material(side), alpha);
-                    Some(Bound::One(Parameter::State([red, green, blue, alpha])))
+                    Some(Binding::One(Parameter::State([red, green, blue, alpha])))
                 };
                 match part {
                     "ambient" => of(0, 7),
@@ -207,10 +207,10 @@ impl Parser<'_> {
         })
     }
 
-    fn light(&mut self) -> Parsed<Option<Bound>> {
+    fn light(&mut self) -> Parsed<Option<Binding>> {
         let var = StateVar::Light(self.index(MAX_LIGHTS.into(), "lights")? as u8);
         let of = |words: [u8; 4]| {
-            Some(Bound::One(Parameter::State(words.map(|word| Word::Of(var, word)))))
+            Some(Binding::One(Parameter::State(words.map(|word| Word::Of(var, word)))))
         };
         Ok(match self.member()? {
             "ambient" => Some(four(var, 0)),
@@ -225,7 +225,7 @@ impl Parser<'_> {
         })
     }
 
-    fn texgen(&mut self) -> Parsed<Option<Bound>> {
+    fn texgen(&mut self) -> Parsed<Option<Binding>> {
         let unit = self.optional_index(MAX_TEXTURE_UNITS.into(), "texture units")? as u8;
         let plane = match self.member()? {
             "eye" => TexGenPlane::Eye,
@@ -243,7 +243,7 @@ impl Parser<'_> {
     }
 
     /// Rows of a matrix, whose words go column by column.
-    fn matrix(&mut self) -> Parsed<Bound> {
+    fn matrix(&mut self) -> Parsed<Binding> {
         let position = self.position();
         let matrix = match self.member()? {
             "modelview" => {
@@ -276,13 +276,13 @@ impl Parser<'_> {
             Parameter::State([0, 4, 8, 12].map(|column| Word::Of(var, column + row as u8)))
         };
         if self.coming_member() != Some("row") {
-            return Ok(Bound::Several((0..4).map(row).collect()));
+            return Ok(Binding::Several((0..4).map(row).collect()));
         }
         self.member()?;
         let (first, last) = self.indices(4, "rows")?;
         Ok(match first == last {
-            true => Bound::One(row(first)),
-            false => Bound::Several((first..=last).map(row).collect()),
+            true => Binding::One(row(first)),
+            false => Binding::Several((first..=last).map(row).collect()),
         })
     }
 }

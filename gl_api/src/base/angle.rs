@@ -29,7 +29,7 @@ pub fn cotangent_degrees(degrees: f64) -> f64 {
     cos / sin
 }
 
-/// Both Taylor series by Horner's rule, for radians within a quarter of pi.
+/// Sine and cosine by Taylor series (Horner's rule), for radians within a quarter of pi.
 fn first_octant(x: f64) -> (f64, f64) {
     let square = x * x;
     let (mut sin, mut cos) = (1.0, 1.0);

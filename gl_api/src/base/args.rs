@@ -1,5 +1,4 @@
-//! What a parameter of an entry point accepts: what C would convert implicitly, and slices where C
-//! has pointers.
+//! Types of the parameters for which C has pointers: memory of the client, an offset into a buffer object, or null.
 
 use crate::base::client_memory::ClientPointer;
 use crate::base::types::GLuint;
@@ -13,11 +12,11 @@ pub enum Data<'a> {
     Offset(usize),
     /// Nothing; with a buffer object bound, offset 0.
     Null,
-    /// A pointer of C's: any of these, as the call finds.
+    /// A C pointer, which is any of these: the call decides.
     Client(ClientPointer<'a>),
 }
 
-/// [`Data`], as a call sees it that knows whether a buffer object is bound.
+/// [`Data`] once it is known whether a buffer object is bound.
 pub(crate) enum Located<'a> {
     /// The client's memory.
     Bytes(&'a [u8]),
@@ -55,11 +54,11 @@ pub enum DataOut<'a> {
     Offset(usize),
     /// Nowhere.
     Null,
-    /// A pointer of C's: any of these, as the call finds.
+    /// A C pointer, which is any of these: the call decides.
     Client(ClientPointer<'a>),
 }
 
-/// [`DataOut`], as a call sees it that knows whether a buffer object is bound.
+/// [`DataOut`] once it is known whether a buffer object is bound.
 pub(crate) enum LocatedOut<'a> {
     /// The client's memory.
     Bytes(&'a mut [u8]),

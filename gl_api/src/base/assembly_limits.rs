@@ -1,4 +1,4 @@
-//! What programs may take: the values of `glGetProgramivARB`.
+//! Limits of assembly programs, which `glGetProgramivARB` reports.
 
 /// `GL_MAX_PROGRAM_INSTRUCTIONS_ARB`, of arithmetic and of texture lookups too.
 pub(crate) const MAX_INSTRUCTIONS: u32 = 4096;

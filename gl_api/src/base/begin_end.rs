@@ -3,7 +3,7 @@
 /// Whether a call is allowed between `glBegin` and `glEnd` (GL 2.1, section 2.6.3).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BeginEnd {
-    /// It is.
+    /// The call is allowed there.
     Allowed,
     /// It is refused there with `GL_INVALID_OPERATION`.
     Refused,

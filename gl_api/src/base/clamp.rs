@@ -10,7 +10,7 @@ pub(crate) enum Clamp {
 }
 
 impl Clamp {
-    /// A component of a colour.
+    /// A component of a colour, clamped if this says so.
     pub fn component(self, value: f32) -> f32 {
         match self {
             Self::On => unit(value.into()) as f32,
@@ -18,7 +18,7 @@ impl Clamp {
         }
     }
 
-    /// A colour.
+    /// A colour, clamped if this says so.
     pub fn color(self, color: [f32; 4]) -> [f32; 4] {
         color.map(|c| self.component(c))
     }

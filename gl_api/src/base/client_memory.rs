@@ -1,17 +1,17 @@
-//! A pointer of a C program: only the call that takes it knows how much memory it stands for, and whether it is a
-//! pointer at all or an offset into a buffer object.
+//! Pointers of C programs. Only the call that takes one knows how many bytes it points to, and whether it is a pointer
+//! or an offset into a buffer object.
 
 use std::fmt::Debug;
 use std::marker::PhantomData;
 
-/// What reads and writes the memory of a program.
+/// Access to the memory of a C program.
 ///
-/// Who implements it vouches for the pointers that are made with it: this crate never makes one, and has no `unsafe`.
+/// The implementation vouches for the pointers that are made with it: this crate never makes one, and has no `unsafe`.
 pub trait ClientMemory: Debug + Sync {
     /// `length` bytes from `address` on, which is not null.
     fn bytes<'a>(&self, address: usize, length: usize) -> &'a [u8];
 
-    /// The same to write to. None of them is borrowed otherwise.
+    /// The same bytes for writing; nothing else borrows them.
     fn bytes_mut<'a>(&self, address: usize, length: usize) -> &'a mut [u8];
 }
 
@@ -66,7 +66,7 @@ impl<'a> ClientPointer<'a> {
         Self { address: self.address.wrapping_add(bytes), ..self }
     }
 
-    /// The same pointer until it is replaced: GL reads arrays when it draws.
+    /// The same pointer with no end of its lifetime: GL reads vertex arrays when it draws.
     pub(crate) fn kept(self) -> ClientPointer<'static> {
         ClientPointer { address: self.address, memory: self.memory, _bytes: PhantomData }
     }

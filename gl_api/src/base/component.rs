@@ -1,4 +1,4 @@
-//! What the components of an attribute become: GL 2.1, section 2.7.
+//! Conversion of the components of current vertex attributes to floats: GL 2.1, section 2.7.
 
 /// A component of an attribute.
 pub(crate) trait Component: Copy {

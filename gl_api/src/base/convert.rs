@@ -3,7 +3,7 @@
 use crate::base::limits;
 use crate::base::types::*;
 
-/// A number as a named constant; what cannot be one gives a constant that no table has.
+/// A number as a named constant; a number that is none gives a value that no table has.
 pub(crate) fn symbol(value: f32) -> GLenum {
     if value >= 0.0 && value.trunc() == value { value as GLenum } else { GLenum::MAX }
 }

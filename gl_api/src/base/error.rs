@@ -1,5 +1,4 @@
-//! What an entry point answers when it refuses a call, and the tables that convert enums at the
-//! door.
+//! GL errors with the rule that was broken, and tables that convert GL's enums to internal types.
 
 use crate::base::constants::*;
 use crate::base::types::GLenum;
@@ -26,7 +25,7 @@ pub enum ErrorCode {
 }
 
 impl ErrorCode {
-    /// What `glGetError` answers.
+    /// The value that `glGetError` returns.
     pub fn to_gl(self) -> GLenum {
         match self {
             Self::InvalidEnum => GL_INVALID_ENUM,
@@ -40,8 +39,8 @@ impl ErrorCode {
     }
 }
 
-/// A refused call: the flag, the rule that was broken, and where the rule stands. No larger than a pointer, as
-/// whatever may refuse answers one.
+/// A GL error: the flag, the rule that was broken, and its section. It is no larger than a pointer, as nearly every
+/// function returns one.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct GlError(Box<Refusal>);
 
@@ -53,8 +52,7 @@ struct Refusal {
 }
 
 impl GlError {
-    /// A refusal: `rule` says which argument or state it is about, and what that must be; `section` is that of the
-    /// specification.
+    /// An error: `rule` names the argument or state and what it must be; `section` is that of the specification.
     #[cold]
     #[inline(never)]
     pub fn new(code: ErrorCode, section: &'static str, rule: impl Into<String>) -> Self {
@@ -74,20 +72,20 @@ impl fmt::Display for GlError {
     }
 }
 
-/// What the implementation of an entry point answers.
+/// The result of the implementation of an entry point.
 pub type Result<T, E = GlError> = std::result::Result<T, E>;
 
-/// A refusal with `GL_INVALID_ENUM`.
+/// `GL_INVALID_ENUM`.
 pub fn invalid_enum<T>(section: &'static str, rule: impl Into<String>) -> Result<T> {
     Err(GlError::new(ErrorCode::InvalidEnum, section, rule))
 }
 
-/// A refusal with `GL_INVALID_VALUE`.
+/// `GL_INVALID_VALUE`.
 pub fn invalid_value<T>(section: &'static str, rule: impl Into<String>) -> Result<T> {
     Err(GlError::new(ErrorCode::InvalidValue, section, rule))
 }
 
-/// A refusal with `GL_INVALID_OPERATION`.
+/// `GL_INVALID_OPERATION`.
 pub fn invalid_operation<T>(section: &'static str, rule: impl Into<String>) -> Result<T> {
     Err(GlError::new(ErrorCode::InvalidOperation, section, rule))
 }
@@ -100,16 +98,16 @@ pub fn not_negative(section: &'static str, argument: &str, value: i64) -> Result
     }
 }
 
-/// The values that a parameter takes, and what they mean inside.
+/// The GL values that a parameter takes, and the internal value of each.
 pub struct Table<T: 'static> {
     /// Where the specification lists them.
     pub section: &'static str,
-    /// GL's value and ours.
+    /// GL's value and the internal value.
     pub rows: &'static [(GLenum, T)],
 }
 
 impl<T: Copy + PartialEq> Table<T> {
-    /// What `value` means; `argument` names it in the message.
+    /// The internal value of `value`; `argument` names it in the message.
     ///
     /// # Errors
     /// `GL_INVALID_ENUM`, listing what is possible.
@@ -120,12 +118,12 @@ impl<T: Copy + PartialEq> Table<T> {
         }
     }
 
-    /// What `value` means, if it is in the table.
+    /// The internal value of `value`, if it is in the table.
     pub fn get(&self, value: GLenum) -> Option<T> {
         self.rows.iter().find(|row| row.0 == value).map(|row| row.1)
     }
 
-    /// GL's value for what `get` and `decode` answer; the first row where several mean the same.
+    /// GL's value of an internal value: that of the first such row.
     pub fn encode(&self, meaning: T) -> GLenum {
         self.rows.iter().find(|row| row.1 == meaning).map_or(GL_NONE, |row| row.0)
     }
@@ -141,9 +139,10 @@ impl<T: Copy + PartialEq> Table<T> {
     }
 }
 
+/// The error for a value that is none of the choices.
 #[cold]
 #[inline(never)]
-fn not_a_choice(
+pub(crate) fn not_a_choice(
     section: &'static str,
     argument: &str,
     value: GLenum,
@@ -163,8 +162,7 @@ pub fn list(choices: &[GLenum]) -> String {
     }
 }
 
-/// The name of one of several values: those that are too small for names of their own
-/// ([`enum_name`]) have them by what they stand among.
+/// The name of one of several values. Small values have several names ([`enum_name`]); the other choices tell which.
 fn choice_name(value: GLenum, choices: &[GLenum]) -> String {
     let among = |other| choices.contains(&other);
     let name = match value {
@@ -181,10 +179,9 @@ fn choice_name(value: GLenum, choices: &[GLenum]) -> String {
     name.to_owned()
 }
 
-/// What `value`, which is none of the choices, must be: `must be A, B or C`; of many, those whose
-/// names are most like its own.
+/// `must be A, B or C`, for a `value` that is none of the choices; of many choices, those with the most similar names.
 pub fn must_be(value: GLenum, choices: &[GLenum]) -> String {
-    /// Nobody reads more than these.
+    /// Longer lists are cut: nobody reads them.
     const LISTED: usize = 20;
     const SHOWN: usize = 5;
     if choices.len() <= LISTED {

@@ -1,4 +1,4 @@
-//! The numbers of calls such as `glLightfv`, in whatever type they come: as they are, as colour
+//! Parameter values of calls such as `glLightfv` and `glLighti`, independent of the C type: as numbers, as colour
 //! components (GL 2.1, table 2.9), or as named constants.
 
 use crate::base::constants::enum_name;
@@ -6,14 +6,14 @@ use crate::base::convert::{signed_to_unit, symbol};
 use crate::base::error::{Result, invalid_enum, invalid_operation, invalid_value};
 use crate::base::types::*;
 
-/// Whether a call gives one number or points at several.
+/// Whether a call passes one value, or points to several (its name ends in `v`).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Form {
     Scalar,
     Vector,
 }
 
-/// Up to four numbers of a call.
+/// Up to four parameter values of a call.
 #[derive(Clone, Debug)]
 pub(crate) struct Params {
     form: Form,
@@ -23,7 +23,7 @@ pub(crate) struct Params {
     color: [f32; 4],
 }
 
-/// A number that a parameter can come as.
+/// A C type that parameter values have.
 pub(crate) trait Number: Copy {
     /// As it is.
     fn plain(self) -> f64;
@@ -62,12 +62,12 @@ impl Number for GLdouble {
 }
 
 impl Params {
-    /// Of a call without `v`.
+    /// The value of a call without `v`.
     pub fn scalar<T: Number>(value: T) -> Self {
         Self { form: Form::Scalar, ..Self::vector(&[value]) }
     }
 
-    /// Of a call with `v`; what is beyond four numbers is not looked at.
+    /// The values of a call with `v`; only the first four count.
     pub fn vector<T: Number>(values: &[T]) -> Self {
         let mut params =
             Self { form: Form::Vector, len: values.len().min(4), plain: [0.0; 4], color: [0.0; 4] };
@@ -78,7 +78,7 @@ impl Params {
         params
     }
 
-    /// Checks that there are as many numbers as a parameter has.
+    /// Checks that there are `count` values.
     ///
     /// # Errors
     /// `GL_INVALID_ENUM` for a call without `v`, `GL_INVALID_OPERATION` for a slice too short.
@@ -112,12 +112,12 @@ impl Params {
         self.plain[0] as f32
     }
 
-    /// The first number as a named constant; what cannot be one gives what no table has.
+    /// The first number as a named constant; a number that is none gives a value that no table has.
     pub fn symbol(&self) -> GLenum {
         symbol(self.number())
     }
 
-    /// The first number as a truth value.
+    /// The first number as a boolean.
     pub fn truth(&self) -> bool {
         self.plain[0] != 0.0
     }

@@ -1,11 +1,11 @@
-//! The texture units that `GL_TEXTUREi` names.
+//! Numbers of texture units from `GL_TEXTUREi`.
 
 use crate::base::constants::*;
 use crate::base::error::{Result, invalid_enum};
 use crate::base::types::*;
 use crate::interface::MAX_TEXTURE_UNITS;
 
-/// The unit that `GL_TEXTUREi` names, of so many.
+/// The number of the unit that `GL_TEXTUREi` names, which must be below `count`.
 pub(crate) fn unit_below(section: &'static str, texture: GLenum, count: u8) -> Result<u8> {
     let refuse = |rule: String| invalid_enum(section, format!("texture = {rule}"));
     match texture.checked_sub(GL_TEXTURE0) {

@@ -21,7 +21,7 @@ const TOPOLOGY: Table<Topology> = Table {
     ],
 };
 
-/// What `mode` means. The values are so small that their names need saying here.
+/// The topology of `mode`. The values are too small for [`enum_name`], so the message lists their names.
 ///
 /// # Errors
 /// `GL_INVALID_ENUM`.

@@ -1,4 +1,4 @@
-//! Vectors of values, for the generators.
+//! Vector arithmetic on IR values, for the shader generators.
 
 use crate::base::clamp::Clamp;
 use rasterizer::ir::{Builder, Op, Ty, Value};

@@ -2,7 +2,7 @@
 
 use crate::base::begin_end::BeginEnd;
 use crate::base::error::{ErrorCode, GlError, Result};
-use crate::base::fallback::Fallback;
+use crate::base::refused_result::RefusedResult;
 use crate::calls::flush::flush;
 use crate::context::sharing::{ShareHandle, SharedObjectsGuard};
 use crate::context::{Context, ContextDesc, ContextError};
@@ -35,7 +35,7 @@ impl Context {
     }
 
     /// Runs the entry point `name`: an error sets the flag and says why.
-    pub(crate) fn call<R: Fallback>(
+    pub(crate) fn call<R: RefusedResult>(
         &mut self,
         name: &'static str,
         begin_end: BeginEnd,
@@ -43,13 +43,13 @@ impl Context {
     ) -> R {
         let guard = SharedObjectsGuard::lock(self);
         let result = match begin_end {
-            BeginEnd::Refused if !guard.context.leave_vertices(name) => Ok(R::fallback()),
+            BeginEnd::Refused if !guard.context.leave_vertices(name) => Ok(R::refused_result()),
             BeginEnd::Refused | BeginEnd::Allowed => f(guard.context),
         };
         drop(guard);
         let result = result.unwrap_or_else(|error: GlError| {
             self.refuse(name, error);
-            R::fallback()
+            R::refused_result()
         });
         self.debug.deliver();
         result

@@ -9,7 +9,7 @@ use crate::context::debug::Output;
 use crate::interface::ATTRIB_TEX_COORD;
 use crate::objects::target::TARGET;
 use crate::state::enable::{CAPABILITY, CLIENT_ARRAY, Capability, Flag, Switch};
-use crate::state::evaluator_map::MAP;
+use crate::state::evaluators::MAP;
 
 /// A capability of any kind.
 fn capability(cap: GLenum) -> Result<Capability> {

@@ -3,8 +3,8 @@
 
 use crate::base::constants::*;
 use crate::base::error::Result;
+use crate::base::query_value::{QueryValue, flag, float, int, symbol};
 use crate::base::types::*;
-use crate::base::value::{Value, flag, float, int, symbol};
 use crate::context::Context;
 use crate::interface::ATTRIB_INDEX;
 
@@ -19,7 +19,7 @@ pub(crate) fn clear_index(context: &mut Context, c: GLfloat) -> Result<()> {
 }
 
 /// What `glGet` reads.
-pub(crate) fn state_value(context: &Context, pname: GLenum) -> Option<Result<Value>> {
+pub(crate) fn state_value(context: &Context, pname: GLenum) -> Option<Result<QueryValue>> {
     Some(match pname {
         GL_CURRENT_INDEX => float(context.state.current[usize::from(ATTRIB_INDEX)][0]),
         // Raster positions take it along (GL 2.1, table 6.5).

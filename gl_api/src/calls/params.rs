@@ -35,14 +35,14 @@ macro_rules! parameter_queries {
             $($lead: GLenum,)+
             params: &mut [GLfloat],
         ) -> Result<()> {
-            $crate::base::answer::put_floats(params, $get(context, $($lead),+)?)
+            $crate::base::query_value::put_floats(params, $get(context, $($lead),+)?)
         }
         pub(crate) fn $iv(
             context: &mut Context,
             $($lead: GLenum,)+
             params: &mut [GLint],
         ) -> Result<()> {
-            $crate::base::answer::put_ints(params, $get(context, $($lead),+)?)
+            $crate::base::query_value::put_ints(params, $get(context, $($lead),+)?)
         }
     };
 }

@@ -5,10 +5,10 @@ use crate::base::limits::MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS;
 use crate::base::types::*;
 use crate::context::Context;
 use crate::glsl::BufferMode;
-use crate::state::transform_feedback::{Active, Kind, SECTION};
+use crate::state::transform_feedback::{Active, CapturedPrimitive, SECTION};
 
 pub(crate) fn begin_transform_feedback(context: &mut Context, mode: GLenum) -> Result<()> {
-    let kind = Kind::TABLE.decode("primitiveMode", mode)?;
+    let kind = CapturedPrimitive::TABLE.decode("primitiveMode", mode)?;
     if context.transform_feedback.is_active() {
         return invalid_operation(
             SECTION,

@@ -6,7 +6,7 @@ use super::log::{GLDEBUGPROC, Log, LogMessage, MAX_LENGTH, MessageClass};
 use crate::base::constants::*;
 use crate::base::error::{ErrorCode, GlError};
 use crate::base::types::*;
-use crate::base::{arithmetic, limits};
+use crate::base::{float_environment, limits};
 use rasterizer::driver::DeviceDesc;
 use std::collections::{BTreeSet, VecDeque};
 use std::ffi::CString;
@@ -94,7 +94,7 @@ impl Debug {
             at_first: Output::Off,
             echo: if on { Echo::Stderr } else { Echo::Off },
         };
-        arithmetic::warning().into_iter().for_each(|text| debug.warn(text));
+        float_environment::warning().into_iter().for_each(|text| debug.warn(text));
         debug
     }
 

@@ -31,7 +31,7 @@ use crate::objects::Objects;
 use crate::objects::queries::ActiveQueries;
 use crate::state::State;
 use crate::state::attrib::AttribStacks;
-use crate::state::evaluate::Maps;
+use crate::state::evaluators::EvaluatorMaps;
 use crate::state::transform_feedback::TransformFeedback;
 use crate::state::uniform_buffers::UniformBuffers;
 pub use debug::{Message, Severity};
@@ -114,7 +114,7 @@ pub struct Context {
     pub(crate) attribs: AttribStacks,
     pub(crate) queries: ActiveQueries,
     /// The control points of evaluators.
-    pub(crate) evaluators: Maps,
+    pub(crate) evaluators: EvaluatorMaps,
     /// Selection and feedback.
     pub(crate) feedback: Feedback,
     pub(crate) transform_feedback: TransformFeedback,
@@ -193,7 +193,7 @@ impl Context {
             compiling: None,
             attribs: AttribStacks::default(),
             queries: ActiveQueries::default(),
-            evaluators: Maps::default(),
+            evaluators: EvaluatorMaps::default(),
             feedback: Feedback::default(),
             transform_feedback: TransformFeedback::default(),
             uniform_buffers: UniformBuffers::default(),

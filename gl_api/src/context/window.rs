@@ -5,8 +5,8 @@
 
 use crate::context::stale_depth::DepthHistory;
 use crate::context::{Context, SurfaceDesc};
-use crate::objects::accumulation::Accumulation;
 use crate::objects::color_buffers::Selection;
+use crate::objects::framebuffers::Accumulation;
 use crate::objects::framebuffers::Planes;
 use crate::state::State;
 use rasterizer::driver::{Attachment, Image};

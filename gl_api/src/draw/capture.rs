@@ -8,7 +8,7 @@ use crate::context::recorder::vertex_stage::{Outputs, VertexInstance, Vertices};
 use crate::draw::vertex_stage::shade;
 use crate::glsl::{BufferMode, Captured, CapturedScalar};
 use crate::objects::queries::{GENERATED, WRITTEN};
-use crate::state::transform_feedback::{Active, Kind, SECTION};
+use crate::state::transform_feedback::{Active, CapturedPrimitive, SECTION};
 use rasterizer::driver::{Primitive, Topology, VertexBinding, primitives};
 use texunit::lanes::math;
 
@@ -32,12 +32,12 @@ pub(crate) fn draw(
         context.count_primitives(made, 0);
         return Ok(());
     };
-    if Kind::of(topology) != active.kind {
+    if CapturedPrimitive::of(topology) != active.kind {
         return invalid_operation(
             SECTION,
             format!(
                 "mode draws {}, but glBeginTransformFeedback was called for {}",
-                Kind::of(topology).noun(),
+                CapturedPrimitive::of(topology).noun(),
                 active.kind.noun()
             ),
         );

@@ -9,7 +9,7 @@ use crate::context::window::{Presence, whole};
 use crate::objects::color_buffers::attachment_index;
 use crate::objects::framebuffers::{Attached, Framebuffer, Planes, Source};
 use crate::objects::target::TextureTarget;
-use crate::pixel::internal::format_name;
+use crate::pixel::formats::format_name;
 use crate::pixel::texel::is_renderable;
 use rasterizer::driver::{Attachment, LevelInfo, PassDesc};
 use texunit::format::Format;

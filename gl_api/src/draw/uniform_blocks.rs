@@ -5,7 +5,7 @@ use crate::base::types::*;
 use crate::context::Context;
 use crate::glsl::{DataType, MatrixOrder, Member, Scalar, UniformBlock};
 use crate::objects::buffers::BufferObject;
-use crate::objects::indexed_buffers::BufferRange;
+use crate::objects::buffers::BufferRange;
 use crate::objects::programs::{Linked, ShaderOrProgram};
 use crate::state::uniform_buffers::SECTION;
 use rasterizer::driver::Buffer;

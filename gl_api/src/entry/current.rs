@@ -7,7 +7,7 @@
 //! destructors run before the functions of `atexit`, which may call GL. What a thread that is
 //! ending leaves there is dropped by [`ThreadEnd`], or by the host that the context belongs to.
 
-use crate::base::fallback::Fallback;
+use crate::base::refused_result::RefusedResult;
 use crate::context::Context;
 use std::cell::Cell;
 use std::fmt;
@@ -66,11 +66,11 @@ pub fn with_current<R>(f: impl FnOnce(&mut Context) -> R) -> Option<R> {
 /// Runs the entry point `name`. As a part of each entry point: as functions of their own, a thousand of them,
 /// these few instructions are 70 KB more.
 #[inline(always)]
-pub fn call<R: Fallback>(name: &str, f: impl FnOnce(&mut Context) -> R) -> R {
-    let Some(mut taken) = take_for(name) else { return R::fallback() };
+pub fn call<R: RefusedResult>(name: &str, f: impl FnOnce(&mut Context) -> R) -> R {
+    let Some(mut taken) = take_for(name) else { return R::refused_result() };
     let result = taken.0.as_deref_mut().map(f);
     drop(taken);
-    result.unwrap_or_else(R::fallback)
+    result.unwrap_or_else(R::refused_result)
 }
 
 /// Says once a thread that it has no current context.

@@ -1,8 +1,8 @@
 //! What the table says of an entry point.
 
+use crate::base::availability;
+use crate::base::availability::{Api, Availability, Version};
 pub use crate::base::begin_end::BeginEnd;
-use crate::entry::availability;
-use crate::entry::availability::{Api, Availability, Version};
 
 /// An entry point, under all of its names.
 #[derive(Clone, Copy, Debug)]

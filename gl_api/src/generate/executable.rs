@@ -1,4 +1,4 @@
-//! A linker's result as modules of the driver, ready to draw with.
+//! Linked programs and assembly programs to the driver's shader modules.
 
 use crate::assembly::Loaded;
 use crate::generate::fixed::clamp::clamp_vertex_colors;
@@ -20,7 +20,7 @@ fn read_attributes(module: &Module) -> u64 {
     read
 }
 
-/// A linker's result, ready to draw with.
+/// The executable of a linked program.
 pub(crate) fn executable(mut program: glsl::Program) -> Result<Linked, IrError> {
     let module = |module: &Option<Module>| module.clone().map(ShaderModule::new).transpose();
     let unclamped = program.vertex.clone();
@@ -39,7 +39,7 @@ pub(crate) fn executable(mut program: glsl::Program) -> Result<Linked, IrError> 
     Ok(Linked { program, vertex, unclamped_vertex, fragment, attributes, words, blocks })
 }
 
-/// An assembly program, ready to draw with.
+/// The executable of an assembly program.
 ///
 /// # Errors
 /// When its module has more values than the IR can name.

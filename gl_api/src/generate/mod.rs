@@ -1,4 +1,4 @@
-//! The fixed function as a generator of shaders.
+//! Shader modules: generated for the fixed function, and made of linked programs.
 
 pub(crate) mod executable;
 pub(crate) mod fixed;

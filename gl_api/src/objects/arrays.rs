@@ -1,7 +1,7 @@
-//! Vertex arrays: GL 2.1, section 2.8.
+//! Vertex arrays (GL 2.1, section 2.8) and vertex array objects (`ARB_vertex_array_object`).
 //!
-//! A slice is copied when the pointer call is made, since it cannot be kept: later writes to it are
-//! not seen. Buffer objects, and pointers of C programs, are read when the draw is made.
+//! A Rust slice cannot be kept, so it is copied by the pointer call: later writes to it are not seen. Buffer objects,
+//! and pointers of C programs, are read when the draw is made.
 
 use crate::base::client_memory::ClientPointer;
 use crate::base::constants::*;
@@ -13,7 +13,7 @@ use crate::interface::*;
 use crate::objects::bound::Bound;
 use rasterizer::driver::{Buffer, VertexFormat, VertexType};
 
-/// Where an array's bytes are.
+/// The memory of an array.
 #[derive(Clone, Debug)]
 pub(crate) enum Source {
     /// A copy of the client's memory.
@@ -36,7 +36,7 @@ pub(crate) struct Array {
     pub source: Source,
     /// 0 for an element a vertex, else one for so many instances.
     pub divisor: u32,
-    /// How many elements `EXT_vertex_array` was told of; kept, not used.
+    /// The count of `EXT_vertex_array`; kept, not used.
     pub count: usize,
 }
 
@@ -64,7 +64,7 @@ impl Default for Arrays {
 }
 
 impl Arrays {
-    /// Arrays of a deleted buffer object become empty.
+    /// Empties arrays in a deleted buffer object.
     pub fn forget_buffer(&mut self, gone: &Bound) {
         for array in &mut self.by_location {
             if matches!(&array.source, Source::Object { buffer, .. } if buffer == gone) {
@@ -80,7 +80,7 @@ impl Array {
         if self.format == VertexFormat::NormalizedBgra { GL_BGRA } else { self.components.into() }
     }
 
-    /// Bytes from a vertex to the next.
+    /// Bytes from one vertex to the next.
     pub(crate) fn step(&self) -> usize {
         if self.stride > 0 { self.stride } else { self.size() }
     }
@@ -109,7 +109,7 @@ pub(crate) const ALL_TYPES: &[(GLenum, VertexType)] = &[
     (GL_UNSIGNED_INT, VertexType::U32),
     (GL_FIXED, VertexType::Fixed),
 ];
-/// Of generic attributes.
+/// Types of generic attributes.
 pub(crate) const ANY_TYPE: Table<VertexType> =
     Table { section: "GL 3.0, table 2.5, and ARB_ES2_compatibility", rows: ALL_TYPES };
 
@@ -121,7 +121,7 @@ pub(crate) fn generic(index: GLuint) -> Result<u8> {
     }
 }
 
-/// Refuses a generic attribute that there is not.
+/// The error for a generic attribute that does not exist.
 #[cold]
 #[inline(never)]
 pub(crate) fn no_attribute<T>(index: GLuint) -> Result<T> {
@@ -135,4 +135,11 @@ pub(crate) fn no_attribute<T>(index: GLuint) -> Result<T> {
     }
     let rule = format!("index = {index} must be below GL_MAX_VERTEX_ATTRIBS, {MAX_VERTEX_ATTRIBS}");
     invalid_value(SECTION, rule)
+}
+
+/// What a vertex array object holds while it is not bound.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct VertexArray {
+    pub arrays: Arrays,
+    pub element_array_buffer: Bound,
 }

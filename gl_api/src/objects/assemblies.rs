@@ -1,4 +1,4 @@
-//! Assembly programs and their names: ARB_vertex_program, section 2.14.1.
+//! Assembly program objects: ARB_vertex_program, section 2.14.1.
 
 use crate::assembly::layout::Row;
 use crate::assembly::{Counts, Position, Target};
@@ -46,12 +46,12 @@ impl Assembly {
 }
 
 impl Objects {
-    /// The assembly program that is bound; if none is, the target's own.
+    /// The referenced assembly program; if none is, the target's default one.
     pub fn assembly(&self, target: Target, bound: &Bound) -> &Assembly {
         self.assemblies.bound(bound).unwrap_or(&self.default_assemblies[target as usize])
     }
 
-    /// The assembly program that is bound, to be changed.
+    /// The referenced assembly program, to be changed.
     pub fn assembly_mut(&mut self, target: Target, bound: &Bound) -> &mut Assembly {
         self.assemblies.bound_mut(bound).unwrap_or(&mut self.default_assemblies[target as usize])
     }

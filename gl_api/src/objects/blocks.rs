@@ -1,10 +1,10 @@
-//! The uniform blocks of a linked program.
+//! State of the uniform blocks of a linked program: ARB_uniform_buffer_object, section 2.15.3.
 
 use crate::base::types::*;
-use crate::objects::indexed_buffers::BufferRange;
+use crate::objects::buffers::BufferRange;
 use rasterizer::driver::{Buffer, Version};
 
-/// A block of a linked program, and where its words came from.
+/// A uniform block, and the buffer range from which its words were last filled.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct BlockState {
     /// `GL_UNIFORM_BLOCK_BINDING`.
@@ -19,7 +19,7 @@ impl BlockState {
         vec![Self::default(); program.blocks.len()]
     }
 
-    /// Whether the words are those of this range of a buffer as it is now.
+    /// Whether the words were filled from this range, and the buffer has not changed since.
     pub(crate) fn is_of(&self, range: &BufferRange, buffer: Option<&Buffer>) -> bool {
         self.source.as_ref().is_some_and(|(offset, size, version)| {
             let same = match (version, buffer) {

@@ -1,27 +1,26 @@
-//! What binding points, arrays and containers hold of an object: a share of its life.
+//! References to objects, which binding points, vertex arrays and container objects hold.
 //!
-//! Deletion takes an object's name away at once, and its bindings in the context that deletes it; other
-//! contexts and containers that are not bound go on with the object (GL 3.1, section 2.9 and appendix
-//! D.1). It leaves the names for the departed of [`Names`](super::Names), and is freed once nothing is
-//! [`Bound`] to it.
+//! Deletion frees the name at once, and unbinds the object in the context that deletes it; other contexts and unbound
+//! containers keep using the object (GL 3.1, section 2.9 and appendix D.1). It moves to the deleted objects of
+//! [`NameTable`](super::NameTable), and is freed with its last reference ([`Bound`]).
 
 use crate::base::types::GLuint;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
 
-/// An object's name, and what became of it; only its group's turns change it.
+/// An object's name and whether it was deleted; changed only while the share group is locked.
 #[derive(Debug)]
 struct Identity {
     name: GLuint,
-    /// Its number among the departed; 0 while it has its name.
-    departed: AtomicU32,
+    /// Its number among the deleted objects; 0 while it has its name.
+    deleted: AtomicU32,
 }
 
-/// What is bound: an object, deleted or not, or nothing.
+/// A reference to an object, deleted or not, or to none.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Bound(Option<Arc<Identity>>);
 
-/// The same object, or nothing both.
+/// Whether both refer to the same object, or both to none.
 impl PartialEq for Bound {
     fn eq(&self, other: &Self) -> bool {
         let at = |bound: &Self| bound.0.as_ref().map(Arc::as_ptr);
@@ -31,17 +30,17 @@ impl PartialEq for Bound {
 
 impl Eq for Bound {}
 
-/// Where an object is.
+/// How an object is looked up: by name, or by its number among the deleted ones.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Place {
+pub(crate) enum ObjectId {
     Named(GLuint),
-    Departed(GLuint),
+    Deleted(GLuint),
 }
 
 impl Bound {
-    /// A new object's.
+    /// The first reference to a new object.
     pub(crate) fn new(name: GLuint) -> Self {
-        Self(Some(Arc::new(Identity { name, departed: AtomicU32::new(0) })))
+        Self(Some(Arc::new(Identity { name, deleted: AtomicU32::new(0) })))
     }
 
     /// The object's name, which another may have by now; 0 for nothing.
@@ -49,27 +48,27 @@ impl Bound {
         self.0.as_ref().map_or(0, |identity| identity.name)
     }
 
-    pub(crate) fn place(&self) -> Option<Place> {
+    pub(crate) fn id(&self) -> Option<ObjectId> {
         let identity = self.0.as_ref()?;
-        Some(match identity.departed.load(Ordering::Relaxed) {
-            0 => Place::Named(identity.name),
-            number => Place::Departed(number),
+        Some(match identity.deleted.load(Ordering::Relaxed) {
+            0 => ObjectId::Named(identity.name),
+            number => ObjectId::Deleted(number),
         })
     }
 
-    /// Notes that the object has lost its name.
-    pub(crate) fn depart(&self, number: GLuint) {
+    /// The object was deleted.
+    pub(crate) fn mark_deleted(&self, number: GLuint) {
         if let Some(identity) = &self.0 {
-            identity.departed.store(number, Ordering::Relaxed);
+            identity.deleted.store(number, Ordering::Relaxed);
         }
     }
 
-    /// Whether anything else is bound to the object.
+    /// Whether there are other references to the object.
     pub(crate) fn is_shared(&self) -> bool {
         self.0.as_ref().is_some_and(|identity| Arc::strong_count(identity) > 1)
     }
 
-    /// Binds nothing where this was bound, which is deleted.
+    /// Becomes a reference to none if it is to `gone`, which is deleted.
     pub fn forget(&mut self, gone: &Self) {
         if self == gone {
             *self = Self::default();
@@ -83,8 +82,8 @@ impl Bound {
 
     /// What `glPop…` binds: what was pushed, unless it was deleted and unbound meanwhile.
     pub fn restored(self, current: &Self) -> Self {
-        match self.place() {
-            Some(Place::Departed(_)) if self != *current => Self::default(),
+        match self.id() {
+            Some(ObjectId::Deleted(_)) if self != *current => Self::default(),
             Some(_) | None => self,
         }
     }
@@ -99,9 +98,9 @@ mod tests {
     use crate::context::{Context, ContextDesc};
 
     /// How many deleted buffers, textures and programs there are in a context's group.
-    fn departed(c: &mut Context) -> [usize; 3] {
+    fn deleted(c: &mut Context) -> [usize; 3] {
         let objects = &SharedObjectsGuard::lock(c).context.objects;
-        let (buffers, textures) = (&objects.buffers.departed, &objects.textures.departed);
+        let (buffers, textures) = (&objects.buffers.deleted, &objects.textures.deleted);
         [buffers.len(), textures.len(), objects.doomed_programs.len()]
     }
 
@@ -136,18 +135,18 @@ mod tests {
         let mut c = Context::new(desc()).expect("a device");
         let program = bind(&mut c);
         delete(&mut c, program);
-        assert_eq!(departed(&mut c), [0, 0, 1]);
+        assert_eq!(deleted(&mut c), [0, 0, 1]);
         c.use_program(0);
-        assert_eq!(departed(&mut c), [0; 3]);
+        assert_eq!(deleted(&mut c), [0; 3]);
         // An idle context that binds nothing keeps nothing.
         let _idle = c.new_shared(desc()).expect("a context");
         let program = bind(&mut c);
         c.use_program(0);
         delete(&mut c, program);
-        assert_eq!(departed(&mut c), [0; 3]);
+        assert_eq!(deleted(&mut c), [0; 3]);
     }
 
-    /// They are looked through now and then, and where a frame ends.
+    /// Deleted objects are swept now and then, and at the end of a frame.
     #[test]
     fn many_are_freed_too() {
         let mut c = Context::new(desc()).expect("a device");
@@ -163,10 +162,10 @@ mod tests {
             c.bind_vertex_array(0);
             c.delete_buffers(1, &buffer);
         }
-        assert_eq!(departed(&mut c), [500, 0, 0]);
+        assert_eq!(deleted(&mut c), [500, 0, 0]);
         c.delete_vertex_arrays(500, &arrays);
         c.flush();
-        assert_eq!(departed(&mut c), [0; 3]);
+        assert_eq!(deleted(&mut c), [0; 3]);
     }
 
     #[test]
@@ -179,11 +178,11 @@ mod tests {
         c.vertex_pointer(2, GL_FLOAT, 0, Data::Offset(0));
         c.bind_vertex_array(0);
         c.delete_buffers(1, &[1]);
-        assert_eq!(departed(&mut c), [1, 0, 0]);
+        assert_eq!(deleted(&mut c), [1, 0, 0]);
         c.delete_textures(1, &[1]);
-        assert_eq!(departed(&mut c), [1, 0, 0]);
+        assert_eq!(deleted(&mut c), [1, 0, 0]);
         c.delete_vertex_arrays(1, &array);
-        assert_eq!(departed(&mut c), [0; 3]);
+        assert_eq!(deleted(&mut c), [0; 3]);
     }
 
     #[test]
@@ -192,17 +191,17 @@ mod tests {
         let mut other = c.new_shared(desc()).expect("a context");
         let program = bind(&mut other);
         delete(&mut c, program);
-        assert_eq!(departed(&mut c), [1, 1, 1]);
+        assert_eq!(deleted(&mut c), [1, 1, 1]);
         other.bind_buffer(GL_ARRAY_BUFFER, 0);
         other.bind_texture(GL_TEXTURE_BUFFER, 0);
         other.use_program(0);
         other.flush();
-        assert_eq!(departed(&mut c), [0; 3]);
+        assert_eq!(deleted(&mut c), [0; 3]);
         // So does one that is destroyed.
         let program = bind(&mut other);
         delete(&mut c, program);
         drop(other);
         c.flush();
-        assert_eq!(departed(&mut c), [0; 3]);
+        assert_eq!(deleted(&mut c), [0; 3]);
     }
 }

@@ -1,17 +1,19 @@
-//! Buffer objects: GL 2.1, section 2.9.
+//! Buffer objects (GL 2.1, section 2.9), their mapped ranges (`ARB_map_buffer_range`), and ranges at indexed binding
+//! points (GL 3.0, section 2.15; ARB_uniform_buffer_object, section 2.15.3.2).
 
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation, invalid_value, not_negative};
 use crate::base::types::*;
+use crate::objects::bound::Bound;
 use rasterizer::driver::Buffer;
 
 const SECTION: &str = "GL 2.1, section 2.9";
 
-/// The draws that are recorded and not carried out, as buffers see them.
+/// Recorded draws that are not yet submitted, which may use a buffer's bytes.
 pub(crate) trait WaitingDraws {
-    /// Notes that what is recorded holds so many bytes that nothing recorded before it does.
+    /// Counts bytes that only the recorded draws still use.
     fn hold(&mut self, bytes: usize);
-    /// How many draws were ever recorded.
+    /// The number of draws recorded so far.
     fn draws(&self) -> u64;
 }
 
@@ -24,13 +26,13 @@ pub(crate) struct BufferObject {
     pub map: Option<Map>,
     /// `GL_BUFFER_ACCESS`, of the last mapping.
     pub access: GLenum,
-    /// How many draws there had been when it was last written, if it was ever copied for that.
+    /// The number of draws at its last write, if it ever had to be copied for a write.
     rewritten: Option<u64>,
 }
 
-/// Fewer bytes are copied as fast as the vertices of a draw are.
+/// Copying fewer bytes costs no more than copying the vertices of a draw.
 const COPIED: usize = 1 << 12;
-/// After so many draws a buffer is no longer taken for one that is written between draws.
+/// After so many draws without a write, a buffer no longer counts as written between draws.
 const FORGOTTEN: u64 = 1 << 10;
 
 impl BufferObject {
@@ -54,7 +56,7 @@ impl BufferObject {
         &self.buffer
     }
 
-    /// Its bytes for writing. Draws that wait keep those that they saw, of which the recorder is told.
+    /// Its bytes for writing. Recorded draws keep the old bytes, which are counted.
     pub fn bytes_mut(&mut self, recorder: &mut impl WaitingDraws) -> &mut [u8] {
         self.all_bytes_mut(recorder)
     }
@@ -71,7 +73,7 @@ impl BufferObject {
         self.buffer.bytes_mut()
     }
 
-    /// Whether it is written between draws, so that these had better have copies of what they read.
+    /// Whether it is often written between draws: draws should copy the vertices that they read.
     pub fn is_rewritten(&self, recorder: &impl WaitingDraws) -> bool {
         self.rewritten.is_some_and(|draws| recorder.draws() - draws < FORGOTTEN)
     }
@@ -83,7 +85,7 @@ impl BufferObject {
         bytes
     }
 
-    /// Takes the bytes out if there are so many, and nobody else has them: their memory is there already.
+    /// Takes the bytes if there are so many and nothing else uses them, to reuse their memory.
     pub(crate) fn take_as_many(&mut self, size: usize) -> Option<Vec<u8>> {
         let is_free = !self.buffer.is_shared() && self.buffer.bytes().len() == size;
         is_free.then(|| std::mem::take(self.buffer.bytes_mut()))
@@ -104,21 +106,21 @@ impl BufferObject {
 #[derive(Clone, Debug)]
 pub(crate) struct Map {
     pub bytes: Vec<u8>,
-    /// Which of them.
+    /// The mapped range.
     pub range: std::ops::Range<usize>,
-    /// What the client said it would do (`GL_MAP_…_BIT`).
+    /// The access flags of the mapping (`GL_MAP_…_BIT`).
     pub access: GLbitfield,
 }
 
 impl Map {
-    /// Where the range is; the same pointer each time, good until the bytes are taken back. (One that is made of a
-    /// slice would end those before.)
+    /// The start of the range. The pointer is valid until the buffer is unmapped. (A pointer derived from a slice would
+    /// invalidate earlier ones.)
     pub fn pointer(&mut self) -> *mut u8 {
         self.bytes.as_mut_ptr().wrapping_add(self.range.start)
     }
 }
 
-/// What a buffer can be bound to.
+/// The targets to which a buffer can be bound.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum BufferTarget {
     Array,
@@ -161,7 +163,7 @@ pub(crate) const BUFFER_TARGET: Table<BufferTarget> = Table {
     ],
 };
 
-/// A buffer that the client does not have mapped.
+/// The buffer, if it is not mapped.
 pub(crate) fn unmapped(object: &mut BufferObject) -> Result<&mut BufferObject> {
     match object.map {
         None => Ok(object),
@@ -185,4 +187,14 @@ pub(crate) fn range(
             format!("offset = {offset} and size = {size} reach past the buffer's {length} bytes"),
         ),
     }
+}
+
+/// The range of a buffer that is bound to an indexed binding point.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct BufferRange {
+    pub buffer: Bound,
+    /// Its first byte.
+    pub offset: usize,
+    /// Its size in bytes; `None` is up to the buffer's end at the time of use.
+    pub size: Option<usize>,
 }

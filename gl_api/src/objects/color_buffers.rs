@@ -1,4 +1,4 @@
-//! Which buffers are drawn to and read from: GL 2.1, sections 4.2.1 and 4.3.2.
+//! The draw buffers and the read buffer of a framebuffer: GL 2.1, sections 4.2.1 and 4.3.2.
 
 use crate::base::constants::*;
 use crate::base::limits;
@@ -7,7 +7,7 @@ use crate::base::types::*;
 /// The draw and read buffers of a framebuffer, as GL names them.
 #[derive(Clone, Debug)]
 pub(crate) struct Selection {
-    /// By fragment colour.
+    /// By the number of the fragment colour.
     pub draw: [GLenum; limits::MAX_COLOR_ATTACHMENTS],
     pub read: GLenum,
 }
@@ -19,24 +19,24 @@ impl Selection {
         Self { draw, read: buffer }
     }
 
-    /// Of a new default framebuffer.
+    /// The initial selection of the default framebuffer.
     pub fn window() -> Self {
         Self::first(GL_FRONT)
     }
 
-    /// Of a new framebuffer object.
+    /// The initial selection of a framebuffer object.
     pub fn object() -> Self {
         Self::first(GL_COLOR_ATTACHMENT0)
     }
 }
 
-/// The attachment that a name stands for in a framebuffer object.
+/// The index of a colour attachment.
 pub(crate) fn attachment_index(buffer: GLenum) -> Option<usize> {
     let index = buffer.checked_sub(GL_COLOR_ATTACHMENT0)? as usize;
     (index < limits::MAX_COLOR_ATTACHMENTS).then_some(index)
 }
 
-/// State of framebuffers that `glGet` reads.
+/// Framebuffer state, as `glGet` reads it.
 pub(crate) enum Answer {
     Symbol(GLenum),
     Number(i32),

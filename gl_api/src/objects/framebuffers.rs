@@ -1,16 +1,17 @@
-//! Framebuffer objects: names and bindings (`ARB_framebuffer_object`, section 4.4.1).
+//! Framebuffer objects and their attachments (`ARB_framebuffer_object`, sections 4.4.1 and 4.4.2), and the accumulation
+//! buffer of the default framebuffer (GL 2.1, section 4.2.4).
 
 use crate::base::constants::*;
-use crate::base::error::Table;
+use crate::base::error::{Result, Table, invalid_enum};
 use crate::base::limits;
 use crate::base::types::*;
-use crate::objects::color_buffers::Selection;
+use crate::objects::color_buffers::{Selection, attachment_index};
 use crate::objects::target::FaceTarget;
 use rasterizer::driver::Image;
 
 const SECTION: &str = "ARB_framebuffer_object, section 4.4.1";
 
-/// What is attached to a point.
+/// The texture level or renderbuffer that is attached to an attachment point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Source {
     /// A slice of a level of a texture.
@@ -29,7 +30,7 @@ pub(crate) enum Source {
 pub(crate) struct Attached {
     pub source: Source,
     pub image: Image,
-    /// Which planes of it can be drawn to.
+    /// Which of its planes can be drawn to.
     pub planes: Planes,
 }
 
@@ -40,7 +41,7 @@ impl Attached {
     }
 }
 
-/// What of depth and stencil there is.
+/// Which of depth and stencil an image has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Planes {
     pub depth: bool,
@@ -77,7 +78,7 @@ impl Framebuffer {
     }
 }
 
-/// Which binding a call works on.
+/// The framebuffer bindings that a target names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Binding {
     Draw,
@@ -93,3 +94,39 @@ pub(crate) const FRAMEBUFFER_TARGET: Table<Binding> = Table {
         (GL_READ_FRAMEBUFFER, Binding::Read),
     ],
 };
+
+/// The accumulation buffer: red, green, blue and alpha of each pixel, row by row; empty before its first use.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Accumulation(pub(crate) Vec<[f32; 4]>);
+
+const ATTACHMENT_SECTION: &str = "ARB_framebuffer_object, section 4.4.2";
+
+/// An attachment point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum AttachmentPoint {
+    Color(usize),
+    Depth,
+    Stencil,
+    /// Both at once.
+    DepthStencil,
+}
+
+pub(crate) fn attachment_point(attachment: GLenum) -> Result<AttachmentPoint> {
+    match attachment {
+        GL_DEPTH_ATTACHMENT => Ok(AttachmentPoint::Depth),
+        GL_STENCIL_ATTACHMENT => Ok(AttachmentPoint::Stencil),
+        GL_DEPTH_STENCIL_ATTACHMENT => Ok(AttachmentPoint::DepthStencil),
+        _ => match attachment_index(attachment) {
+            Some(index) => Ok(AttachmentPoint::Color(index)),
+            None => invalid_enum(
+                ATTACHMENT_SECTION,
+                format!(
+                    "attachment = {} must be GL_COLOR_ATTACHMENT0 to {}, GL_DEPTH_ATTACHMENT, \
+                     GL_STENCIL_ATTACHMENT or GL_DEPTH_STENCIL_ATTACHMENT",
+                    enum_name(attachment),
+                    limits::MAX_COLOR_ATTACHMENTS - 1
+                ),
+            ),
+        },
+    }
+}

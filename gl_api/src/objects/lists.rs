@@ -1,4 +1,4 @@
-//! The names of lists: those that `glGenLists` gives are lists, too, if empty ones (GL 2.1, section 5.4).
+//! Names of display lists. Names that `glGenLists` returns are those of empty lists (GL 2.1, section 5.4).
 
 use crate::base::types::*;
 use std::any::Any;
@@ -8,7 +8,7 @@ use std::sync::Arc;
 /// One more than the largest name.
 const END: u64 = 1 << 32;
 
-/// What a list does, known to the layer that compiles it.
+/// The compiled commands of a list; their type is known to the layer that compiles them.
 pub(crate) type CompiledList = Arc<dyn Any + Send + Sync>;
 
 /// The lists by name.
@@ -36,7 +36,7 @@ impl ListNames {
         self.add(name.into(), u64::from(name) + 1);
     }
 
-    /// So many names in a row that nothing is called, from now on those of empty lists; the first of them.
+    /// Allocates so many consecutive unused names for empty lists; gives the first one.
     pub(crate) fn take(&mut self, count: u64) -> Option<GLuint> {
         let mut first = 1;
         for (&used, &end) in &self.runs {
@@ -53,7 +53,7 @@ impl ListNames {
         Some(first as GLuint)
     }
 
-    /// Adds a run, which joins those that it touches.
+    /// Adds a run of names and merges it with adjacent ones.
     fn add(&mut self, mut first: u64, mut end: u64) {
         while let Some((&at, &until)) = self.runs.range(..=end).next_back()
             && until >= first
@@ -64,7 +64,7 @@ impl ListNames {
         self.runs.insert(first, end);
     }
 
-    /// Deletes the lists of so many names in a row.
+    /// Deletes the lists of so many consecutive names.
     pub(crate) fn remove(&mut self, first: GLuint, count: u64) {
         let (first, end) = (u64::from(first), u64::from(first) + count);
         while let Some((&at, &until)) = self.runs.range(..end).next_back()

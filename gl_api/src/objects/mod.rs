@@ -1,18 +1,12 @@
-//! Objects and their names: GL 2.1, sections 2.9, 2.15 and 3.8.12; framebuffer objects.
+//! Objects of a share group, and the names of each kind of object: GL 2.1, sections 2.9, 2.15 and 3.8.12.
 
-pub(crate) mod blocks;
-
-pub(crate) mod accumulation;
 pub(crate) mod arrays;
 pub(crate) mod assemblies;
-pub(crate) mod attachments;
+pub(crate) mod blocks;
 pub(crate) mod bound;
-pub(crate) mod buffer_map;
 pub(crate) mod buffers;
 pub(crate) mod color_buffers;
-pub(crate) mod conditional;
 pub(crate) mod framebuffers;
-pub(crate) mod indexed_buffers;
 pub(crate) mod lists;
 pub(crate) mod programs;
 pub(crate) mod queries;
@@ -23,13 +17,12 @@ pub(crate) mod syncs;
 pub(crate) mod target;
 pub(crate) mod texture;
 pub(crate) mod texture_buffer;
-pub(crate) mod vertex_arrays;
 
 use crate::assembly::Target;
 use crate::base::error::{Result, invalid_operation, not_negative};
 use crate::base::types::*;
 use crate::objects::assemblies::Assembly;
-use crate::objects::bound::{Bound, Place};
+use crate::objects::bound::{Bound, ObjectId};
 use crate::objects::lists::ListNames;
 use crate::objects::sampler::SamplerState;
 use crate::objects::target::TextureTarget;
@@ -38,39 +31,39 @@ use rasterizer::driver::Image;
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BinaryHeap};
 
-/// The names of one kind of object.
+/// The names of one kind of object, and its objects.
 #[derive(Debug)]
-pub(crate) struct Names<T> {
-    /// `None` is a name that was made but never bound.
+pub(crate) struct NameTable<T> {
+    /// `None` is a name that `glGen…` returned and that was never bound.
     objects: BTreeMap<GLuint, Option<Named<T>>>,
-    /// All names up to this one are used, or among the freed ones.
+    /// Every name up to this one is used or in `freed`.
     used: GLuint,
-    /// What was deleted of those, the least first; binding may have used it again.
+    /// Names of those that were deleted, the smallest first; binding may have used one again.
     freed: BinaryHeap<Reverse<GLuint>>,
-    /// Objects that were deleted while something was bound to them, by number: sorted.
-    departed: Vec<(GLuint, Named<T>)>,
+    /// Objects that were deleted while referenced, sorted by number.
+    deleted: Vec<(GLuint, Named<T>)>,
     /// The last of these numbers.
-    departures: GLuint,
-    /// How many of them were left when they were looked through.
+    last_deleted: GLuint,
+    /// How many of them the last sweep left.
     left: usize,
 }
 
-/// Fewer of the departed than these are looked through after each deletion.
+/// Fewer deleted objects than these are swept after each deletion.
 const FEW: usize = 64;
 
-/// When what was deleted is looked through for what nothing is bound to any more.
+/// When deleted objects without references are freed.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Sweep {
-    /// After deletions: where there are few, or twice as many as were left the last time.
+    /// After deletions: if there are few, or twice as many as the last sweep left.
     Deleted,
-    /// Where somebody flushes.
+    /// After a flush.
     Flushed,
 }
 
 #[derive(Debug)]
 struct Named<T> {
     object: T,
-    /// What is bound to it is a copy of this; nothing before the first is.
+    /// References are copies of this one, which is made with the first.
     bound: Bound,
 }
 
@@ -80,22 +73,22 @@ impl<T> Named<T> {
     }
 }
 
-impl<T> Default for Names<T> {
+impl<T> Default for NameTable<T> {
     fn default() -> Self {
         Self {
             objects: BTreeMap::new(),
             used: 0,
             freed: BinaryHeap::new(),
-            departed: Vec::new(),
-            departures: 0,
+            deleted: Vec::new(),
+            last_deleted: 0,
             left: 0,
         }
     }
 }
 
-impl<T> Names<T> {
-    /// Takes the smallest unused name.
-    fn take(&mut self, object: Option<Named<T>>) -> GLuint {
+impl<T> NameTable<T> {
+    /// Allocates the smallest unused name.
+    fn allocate(&mut self, object: Option<Named<T>>) -> GLuint {
         let name = loop {
             let name = match self.freed.pop() {
                 Some(Reverse(name)) => name,
@@ -121,38 +114,38 @@ impl<T> Names<T> {
     ) -> Result<()> {
         let n = listed(section, n, names)?.len();
         for name in &mut names[..n] {
-            *name = self.take(None);
+            *name = self.allocate(None);
         }
         Ok(())
     }
 
     /// Adds an object under an unused name.
     pub(crate) fn add(&mut self, object: T) -> GLuint {
-        self.take(Some(Named::new(object)))
+        self.allocate(Some(Named::new(object)))
     }
 
-    /// Makes sure that a name other than 0 has an object: binding creates it.
+    /// Creates the object of a name other than 0, if it has none: the first binding does.
     pub(crate) fn create(&mut self, name: GLuint, new: impl FnOnce() -> T) {
         if name != 0 {
             self.objects.entry(name).or_insert(None).get_or_insert_with(|| Named::new(new()));
         }
     }
 
-    /// What holds the object of a name; nothing if there is none.
+    /// A reference to the object of a name; to none if there is none.
     pub fn hold(&mut self, name: GLuint) -> Bound {
         let Some(Some(named)) = self.objects.get_mut(&name) else { return Bound::default() };
-        if named.bound.place().is_none() {
+        if named.bound.id().is_none() {
             named.bound = Bound::new(name);
         }
         named.bound.clone()
     }
 
-    /// Whether anything is bound to the object of a name.
+    /// Whether there are references to the object of a name.
     pub(crate) fn is_held(&self, name: GLuint) -> bool {
         matches!(self.objects.get(&name), Some(Some(named)) if named.bound.is_shared())
     }
 
-    /// Whether a name was made, with an object or without.
+    /// Whether a name is used, with an object or without.
     pub(crate) fn is_reserved(&self, name: GLuint) -> bool {
         self.objects.contains_key(&name)
     }
@@ -167,24 +160,24 @@ impl<T> Names<T> {
         Some(&mut self.objects.get_mut(&name)?.as_mut()?.object)
     }
 
-    /// The object that is bound, deleted or not.
+    /// The referenced object, deleted or not.
     pub fn bound(&self, bound: &Bound) -> Option<&T> {
-        match bound.place()? {
-            Place::Named(name) => self.get(name),
-            Place::Departed(number) => {
-                let at = self.departed.binary_search_by_key(&number, |(number, _)| *number).ok()?;
-                Some(&self.departed[at].1.object)
+        match bound.id()? {
+            ObjectId::Named(name) => self.get(name),
+            ObjectId::Deleted(number) => {
+                let at = self.deleted.binary_search_by_key(&number, |(number, _)| *number).ok()?;
+                Some(&self.deleted[at].1.object)
             }
         }
     }
 
-    /// The object that is bound, to be changed.
+    /// The referenced object, to be changed.
     pub fn bound_mut(&mut self, bound: &Bound) -> Option<&mut T> {
-        match bound.place()? {
-            Place::Named(name) => self.get_mut(name),
-            Place::Departed(number) => {
-                let at = self.departed.binary_search_by_key(&number, |(number, _)| *number).ok()?;
-                Some(&mut self.departed[at].1.object)
+        match bound.id()? {
+            ObjectId::Named(name) => self.get_mut(name),
+            ObjectId::Deleted(number) => {
+                let at = self.deleted.binary_search_by_key(&number, |(number, _)| *number).ok()?;
+                Some(&mut self.deleted[at].1.object)
             }
         }
     }
@@ -196,11 +189,11 @@ impl<T> Names<T> {
 
     /// Every object, deleted ones too, to be changed.
     pub fn values_mut(&mut self) -> impl Iterator<Item = &mut T> {
-        let departed = self.departed.iter_mut().map(|(_, named)| named);
-        self.objects.values_mut().flatten().chain(departed).map(|named| &mut named.object)
+        let deleted = self.deleted.iter_mut().map(|(_, named)| named);
+        self.objects.values_mut().flatten().chain(deleted).map(|named| &mut named.object)
     }
 
-    /// Who binds and deletes one name again and again frees it as often.
+    /// A program that binds and deletes one name repeatedly frees it as often: removes duplicates.
     fn forget_copies(&mut self) {
         if self.freed.len() / 4 > self.used as usize {
             let mut names = std::mem::take(&mut self.freed).into_vec();
@@ -210,7 +203,7 @@ impl<T> Names<T> {
         }
     }
 
-    /// Forgets a name, and its object unless something is bound to it.
+    /// Frees a name, and its object unless it is referenced.
     pub(crate) fn remove(&mut self, name: GLuint) {
         let Some(named) = self.objects.remove(&name) else { return };
         if name <= self.used {
@@ -219,22 +212,22 @@ impl<T> Names<T> {
         }
         let Some(named) = named else { return };
         if named.bound.is_shared() {
-            self.departures = self.departures.wrapping_add(1).max(1);
-            named.bound.depart(self.departures);
-            self.departed.push((self.departures, named));
+            self.last_deleted = self.last_deleted.wrapping_add(1).max(1);
+            named.bound.mark_deleted(self.last_deleted);
+            self.deleted.push((self.last_deleted, named));
         }
     }
 
-    /// Frees what nothing is bound to any more.
+    /// Frees deleted objects without references.
     fn sweep(&mut self, when: Sweep) {
         let is_due = match when {
             Sweep::Flushed => true,
-            // So that deletions cost what each by itself does.
-            Sweep::Deleted => self.departed.len() < FEW || self.departed.len() >= 2 * self.left,
+            // So that the cost of a deletion is constant on average.
+            Sweep::Deleted => self.deleted.len() < FEW || self.deleted.len() >= 2 * self.left,
         };
         if is_due {
-            self.departed.retain(|(_, named)| named.bound.is_shared());
-            self.left = self.departed.len();
+            self.deleted.retain(|(_, named)| named.bound.is_shared());
+            self.left = self.deleted.len();
         }
     }
 }
@@ -255,27 +248,27 @@ pub(crate) fn listed<'a>(
     }
 }
 
-/// All objects of a context.
+/// All objects of a share group, and those that a context does not share.
 #[derive(Debug)]
 pub(crate) struct Objects {
-    pub textures: Names<Texture>,
+    pub textures: NameTable<Texture>,
     /// The textures named 0, by target.
     pub default_textures: [Texture; TextureTarget::COUNT],
-    pub samplers: Names<SamplerState>,
-    pub buffers: Names<buffers::BufferObject>,
-    pub framebuffers: Names<framebuffers::Framebuffer>,
-    pub renderbuffers: Names<renderbuffers::Renderbuffer>,
+    pub samplers: NameTable<SamplerState>,
+    pub buffers: NameTable<buffers::BufferObject>,
+    pub framebuffers: NameTable<framebuffers::Framebuffer>,
+    pub renderbuffers: NameTable<renderbuffers::Renderbuffer>,
     /// Shaders and programs share one space of names.
-    pub programs: Names<programs::ShaderOrProgram>,
+    pub programs: NameTable<programs::ShaderOrProgram>,
     /// Programs that were deleted while a context used them: they keep their names.
     pub doomed_programs: Vec<GLuint>,
     /// Assembly programs, and those of name 0 by target.
-    pub assemblies: Names<Assembly>,
+    pub assemblies: NameTable<Assembly>,
     pub default_assemblies: [Assembly; 2],
-    /// Vertex array objects; that of name 0 has a place of its own while another is bound.
-    pub vertex_arrays: Names<vertex_arrays::VertexArray>,
-    pub default_vertex_array: vertex_arrays::VertexArray,
-    pub queries: Names<queries::Query>,
+    /// Vertex array objects; the state of name 0 is kept apart while another is bound.
+    pub vertex_arrays: NameTable<arrays::VertexArray>,
+    pub default_vertex_array: arrays::VertexArray,
+    pub queries: NameTable<queries::Query>,
     pub syncs: syncs::Syncs,
     /// Display lists.
     pub lists: ListNames,
@@ -284,19 +277,19 @@ pub(crate) struct Objects {
 impl Default for Objects {
     fn default() -> Self {
         Self {
-            textures: Names::default(),
+            textures: NameTable::default(),
             default_textures: TextureTarget::ALL.map(Texture::new),
-            samplers: Names::default(),
-            buffers: Names::default(),
-            framebuffers: Names::default(),
-            renderbuffers: Names::default(),
-            programs: Names::default(),
+            samplers: NameTable::default(),
+            buffers: NameTable::default(),
+            framebuffers: NameTable::default(),
+            renderbuffers: NameTable::default(),
+            programs: NameTable::default(),
             doomed_programs: Vec::new(),
-            assemblies: Names::default(),
+            assemblies: NameTable::default(),
             default_assemblies: [Target::Vertex, Target::Fragment].map(Assembly::new),
-            vertex_arrays: Names::default(),
-            default_vertex_array: vertex_arrays::VertexArray::default(),
-            queries: Names::default(),
+            vertex_arrays: NameTable::default(),
+            default_vertex_array: arrays::VertexArray::default(),
+            queries: NameTable::default(),
             syncs: syncs::Syncs::default(),
             lists: ListNames::default(),
         }
@@ -304,7 +297,7 @@ impl Default for Objects {
 }
 
 impl Objects {
-    /// Frees what was deleted and is not bound any more; textures hold buffers.
+    /// Frees deleted objects without references; textures before buffers, which they reference.
     pub fn sweep(&mut self, when: Sweep) {
         self.textures.sweep(when);
         self.samplers.sweep(when);
@@ -314,17 +307,17 @@ impl Objects {
         programs::sweep(self);
     }
 
-    /// The texture that is bound; if none is, the default texture of the target.
+    /// The referenced texture; if none is, the default texture of the target.
     pub fn texture(&self, target: TextureTarget, bound: &Bound) -> &Texture {
         self.textures.bound(bound).unwrap_or(&self.default_textures[target as usize])
     }
 
-    /// The texture that is bound, to be changed.
+    /// The referenced texture, to be changed.
     pub fn texture_mut(&mut self, target: TextureTarget, bound: &Bound) -> &mut Texture {
         self.textures.bound_mut(bound).unwrap_or(&mut self.default_textures[target as usize])
     }
 
-    /// Lets the textures know whose images the driver has drawn to.
+    /// Notes the textures to whose images the driver has drawn.
     pub fn images_changed(&mut self, changed: impl Fn(&Image) -> bool) {
         for texture in self.textures.values_mut().chain(&mut self.default_textures) {
             if changed(&texture.image) {

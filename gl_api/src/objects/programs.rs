@@ -27,11 +27,11 @@ pub(crate) enum LinkStatus {
 /// A program object.
 #[derive(Debug, Default)]
 pub(crate) struct ProgramObject {
-    /// Names of the attached shaders.
+    /// The names of the attached shaders.
     pub attached: Vec<GLuint>,
     pub bindings: glsl::Bindings,
-    /// What draws run: the last link's result, or, while the program is in use and a link of it
-    /// failed, the one before (GL 2.1, section 2.15.2).
+    /// The executable that draws run: the result of the last link, or of the one before if that failed while the
+    /// program is in use (GL 2.1, section 2.15.2).
     pub executable: Option<Linked>,
     /// How the last link went.
     pub link: LinkStatus,
@@ -58,7 +58,7 @@ pub(crate) struct Linked {
 }
 
 impl Linked {
-    /// The vertex stage, whose colours are clamped or not.
+    /// The vertex stage with clamped or unclamped colours.
     pub fn vertex_of(&self, clamp: Clamp) -> &Option<ShaderModule> {
         match clamp {
             Clamp::On => &self.vertex,
@@ -77,8 +77,6 @@ impl ProgramObject {
     }
 }
 
-impl Objects {}
-
 impl Linked {
     /// The name of the uniform that has this word, quoted, after a space.
     pub fn quoted_name(&self, word: u32) -> String {
@@ -88,7 +86,7 @@ impl Linked {
 }
 
 impl Objects {
-    /// What a program draws with.
+    /// The executable of a program.
     pub fn linked_program(&self, name: GLuint) -> Option<&Linked> {
         match self.programs.get(name)? {
             ShaderOrProgram::Program(program) => program.executable.as_ref(),
@@ -97,7 +95,7 @@ impl Objects {
     }
 }
 
-/// Removes deleted programs that no context uses any more, and lets go of their shaders.
+/// Removes programs that are deleted and that no context uses any more, and detaches their shaders.
 pub(crate) fn sweep(objects: &mut Objects) {
     for name in std::mem::take(&mut objects.doomed_programs) {
         if objects.programs.is_held(name) {
@@ -115,7 +113,7 @@ pub(crate) fn sweep(objects: &mut Objects) {
     }
 }
 
-/// One program less holds a shader.
+/// Detaches a shader from one program.
 pub(crate) fn release(objects: &mut Objects, name: GLuint) {
     if let Some(ShaderOrProgram::Shader(shader)) = objects.programs.get_mut(name) {
         shader.attachments -= 1;

@@ -1,10 +1,10 @@
-//! Queries: GL 2.1, section 4.1.7 (samples), GL 3.0, section 2.16 (primitives),
-//! `ARB_occlusion_query2`, `ARB_timer_query`.
+//! Query objects (GL 2.1, section 4.1.7; GL 3.0, section 2.16; `ARB_occlusion_query2`, `ARB_timer_query`) and
+//! conditional rendering (GL 3.0, section 2.14), which waits for the result in every mode so that the picture never
+//! depends on timing.
 
 use crate::base::constants::*;
 use crate::base::error::Table;
 use crate::base::types::*;
-use crate::objects::conditional::Verdict;
 use rasterizer::driver::Counter;
 use std::time::Instant;
 
@@ -21,7 +21,7 @@ pub(crate) enum QueryTarget {
     Timestamp,
 }
 
-/// How many queries can be active at once: of samples, of either kind of primitives, of time.
+/// The number of queries that can be active at once: of samples, of time, of primitives generated and written.
 const ACTIVE: usize = 4;
 
 pub(crate) const TARGET: Table<QueryTarget> = Table {
@@ -46,13 +46,12 @@ pub(crate) struct Query {
     pub nanoseconds: u64,
 }
 
-/// The names of the queries that have begun, by target (0 where none has), and what they let
-/// through.
+/// The names of the active queries (0 where none is), and the result of conditional rendering.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct ActiveQueries {
     pub names: [GLuint; ACTIVE],
-    /// Of conditional rendering, if it has begun.
-    pub(crate) conditional: Option<Verdict>,
+    /// Set between `glBeginConditionalRender` and `glEndConditionalRender`.
+    pub(crate) conditional: Option<ConditionalResult>,
 }
 
 impl Query {
@@ -73,7 +72,7 @@ impl Query {
         })
     }
 
-    /// Samples, as far as draws were carried out.
+    /// Samples that passed, of the draws that were submitted.
     pub fn samples(&self) -> u64 {
         self.counter.samples()
     }
@@ -96,13 +95,27 @@ impl ActiveQueries {
     }
 }
 
-/// Where the queries of primitives are among the active ones.
+/// The indices of primitive queries among the active ones.
 pub(crate) const GENERATED: usize = 2;
 pub(crate) const WRITTEN: usize = 3;
 
-/// Nanoseconds since the first question for the time.
+/// Nanoseconds since the first call.
 pub(crate) fn timestamp() -> u64 {
     use std::sync::LazyLock;
     static START: LazyLock<Instant> = LazyLock::new(Instant::now);
     START.elapsed().as_nanos() as u64
+}
+
+/// Whether conditional rendering lets draws through.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum ConditionalResult {
+    Draw,
+    Discard,
+}
+
+impl ActiveQueries {
+    /// Whether draws, and clears, have no effect now.
+    pub fn discards(&self) -> bool {
+        self.conditional == Some(ConditionalResult::Discard)
+    }
 }

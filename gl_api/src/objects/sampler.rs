@@ -1,4 +1,4 @@
-//! The parameters that textures and sampler objects share: GL 2.1, table 3.18;
+//! Sampler state, which textures and sampler objects have: GL 2.1, table 3.18;
 //! `ARB_sampler_objects`, `EXT_texture_filter_anisotropic`, `EXT_texture_mirror_clamp`,
 //! `EXT_texture_sRGB_decode`.
 
@@ -68,7 +68,7 @@ const SRGB_DECODE: Table<SrgbRead> = Table {
     rows: &[(GL_DECODE_EXT, SrgbRead::Decode), (GL_SKIP_DECODE_EXT, SrgbRead::AsIs)],
 };
 
-/// A parameter of one number.
+/// A parameter with one value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum SamplerParameter {
     /// Of s, t or r.
@@ -102,7 +102,7 @@ pub(crate) const SAMPLER_PARAMETER: Table<SamplerParameter> = Table {
     ],
 };
 
-/// How a texture or sampler object is read.
+/// The sampler state of a texture or sampler object.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct SamplerState {
     pub sampler: Sampler,
@@ -199,7 +199,7 @@ impl SamplerState {
     }
 }
 
-/// The numbers of a call, as its type has them.
+/// The values of a call, by its type.
 #[derive(Clone, Debug)]
 pub(crate) struct Values {
     /// As they are.
@@ -262,7 +262,7 @@ impl Values {
     }
 }
 
-/// What a query of a parameter reads.
+/// The result of a query of a parameter.
 #[derive(Clone, Debug)]
 pub(crate) enum Answer {
     Numbers(Vec<f32>),
@@ -310,7 +310,7 @@ impl Answer {
     }
 }
 
-/// A parameter of several numbers given to a call of one.
+/// The error for a parameter with several values in a call that has one.
 pub(crate) fn needs_vector<T>(section: &'static str, pname: GLenum, call: &str) -> Result<T> {
     invalid_enum(section, format!("pname = {} has four components: use {call}fv", enum_name(pname)))
 }

@@ -20,7 +20,7 @@ pub(crate) struct ShaderObject {
     pub log: String,
     /// How many programs it is attached to.
     pub attachments: usize,
-    /// Whether it goes when the last program lets go of it.
+    /// Whether it was deleted: it is removed once it is attached to no program.
     pub doomed: bool,
 }
 
@@ -49,7 +49,7 @@ pub(crate) fn put_text(
     Ok(())
 }
 
-/// Removes a shader that was deleted, once no program holds it.
+/// Removes a shader that was deleted, once it is attached to no program.
 pub(crate) fn forget_if_doomed(objects: &mut Objects, name: GLuint) {
     if let Some(ShaderOrProgram::Shader(shader)) = objects.programs.get(name)
         && shader.doomed

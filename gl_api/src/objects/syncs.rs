@@ -1,14 +1,14 @@
-//! Fences: `ARB_sync`, GL 3.2, section 5.3. A fence is signalled once what was recorded before it is
-//! carried out; as submitting carries it out, that is when somebody flushes.
+//! Fence sync objects: `ARB_sync`, GL 3.2, section 5.3. Submitting executes recorded draws, so a fence is signalled by
+//! the next flush.
 
-/// Whether what came before a fence is done.
+/// Whether the commands before a fence have completed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Status {
     Unsignaled,
     Signaled,
 }
 
-/// The fences, by the number that is their handle and in its order.
+/// The fences, sorted by handle.
 #[derive(Debug, Default)]
 pub(crate) struct Syncs {
     pub fences: Vec<(usize, Status)>,
@@ -18,15 +18,15 @@ pub(crate) struct Syncs {
 impl Syncs {
     /// Whether a handle is a fence.
     pub fn contains(&self, handle: usize) -> bool {
-        self.place(handle).is_some()
+        self.position(handle).is_some()
     }
 
-    /// Where a fence is.
-    pub(crate) fn place(&self, handle: usize) -> Option<usize> {
+    /// The index of a fence.
+    pub(crate) fn position(&self, handle: usize) -> Option<usize> {
         self.fences.binary_search_by_key(&handle, |(handle, _)| *handle).ok()
     }
 
-    /// Everything before the fences has been carried out.
+    /// Signals all fences.
     pub fn signal(&mut self) {
         for (_, status) in &mut self.fences {
             *status = Status::Signaled;

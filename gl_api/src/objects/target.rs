@@ -1,4 +1,4 @@
-//! What textures are bound to, and which images calls name.
+//! Texture targets, and the images that `target` parameters name.
 
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_enum, invalid_value, must_be};
@@ -7,7 +7,7 @@ use crate::base::types::*;
 use crate::glsl::Dim;
 use texunit::image::Shape;
 
-/// What a texture can be bound to; also its place in per-target arrays.
+/// The target of a texture, also its index in per-target arrays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum TextureTarget {
     D1Array,
@@ -24,8 +24,8 @@ pub(crate) enum TextureTarget {
 }
 
 impl TextureTarget {
-    /// The targets, the one that wins where several are enabled after the others (section 3.8.15;
-    /// `ARB_texture_rectangle`). Arrays, several samples and buffers are for shaders alone.
+    /// All targets. Of several that are enabled, the last one applies (section 3.8.15; `ARB_texture_rectangle`). Array,
+    /// multisample and buffer textures are for shaders only.
     pub const ALL: [Self; 11] = [
         Self::D1Array,
         Self::D2Array,
@@ -56,7 +56,7 @@ impl TextureTarget {
         }
     }
 
-    /// What textures of this shape with one sample a texel are bound to.
+    /// The target of textures of this shape with one sample per texel.
     pub fn of(shape: Shape) -> Self {
         match shape {
             Shape::D1 => Self::D1,
@@ -70,7 +70,7 @@ impl TextureTarget {
         }
     }
 
-    /// What a sampler of a program takes.
+    /// The target that a sampler uniform reads.
     pub fn of_sampler(dim: Dim) -> Self {
         match dim {
             Dim::D1 => Self::D1,
@@ -149,7 +149,7 @@ impl TextureTarget {
     }
 }
 
-/// What `glBindTexture` takes.
+/// The targets of `glBindTexture`.
 pub(crate) const TARGET: Table<TextureTarget> = Table {
     section: "GL 2.1, section 3.8.12",
     rows: &[
@@ -174,12 +174,12 @@ pub(crate) struct FaceTarget {
     pub face: u8,
 }
 
-/// What an image's target names.
+/// The image or proxy that a `target` names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum ImageTarget {
     /// An image of the bound texture.
     Bound(FaceTarget),
-    /// The answer to whether such an image could be stored (section 3.8.11).
+    /// A proxy, which tells whether such an image could be stored (section 3.8.11).
     Proxy(TextureTarget),
 }
 

@@ -1,8 +1,4 @@
-//! Texture images: GL 2.1, section 3.8.
-//!
-//! The modules in the order in which pixels pass through them: how they lie in the client's memory,
-//! scale and bias, which images and internal formats there are, the conversion between both, the
-//! calls that specify images, parameters, mipmaps, and reading back.
+//! Texture objects: their images, sampler state and sample plan (GL 2.1, section 3.8).
 
 use crate::base::constants::*;
 use crate::base::limits;
@@ -10,7 +6,7 @@ use crate::base::types::*;
 use crate::objects::sampler::SamplerState;
 pub(crate) use crate::objects::target::TextureTarget;
 use crate::objects::texture_buffer::DataStore;
-use crate::pixel::internal::format_name;
+use crate::pixel::formats::format_name;
 use rasterizer::driver::{Device, Image};
 use std::sync::Arc;
 use texunit::format::Format;
@@ -24,24 +20,24 @@ pub(crate) struct Texture {
     pub target: TextureTarget,
     pub image: Image,
     pub state: SamplerState,
-    /// Whether a change of the base level makes the others anew.
+    /// `GL_GENERATE_MIPMAP`: whether a change of the base level generates the others.
     pub generate_mipmap: bool,
     pub priority: f32,
-    /// How many levels it was given for good (`ARB_texture_storage`).
+    /// The number of levels of immutable storage (`ARB_texture_storage`).
     pub immutable: Option<u32>,
-    /// What was asked for of its samples, if it has several.
+    /// The requested samples of a multisample texture.
     pub samples: Option<Samples>,
-    /// Where its texels come from, if it is a buffer texture.
+    /// The buffer range of a buffer texture.
     pub store: DataStore,
     /// The internal format that was asked for, by face and level.
     pub requested: Vec<[GLenum; limits::MAX_TEXTURE_LEVELS]>,
-    /// How it was sampled last, until something changes.
+    /// The sample plan of the last draw, until something changes.
     plan: Option<Planned>,
-    /// Whether no draw has its texels yet.
+    /// Whether no draw has used its texels yet.
     is_new: bool,
 }
 
-/// How a texture is sampled with some sampler state.
+/// The sample plan for one sampler state.
 #[derive(Debug)]
 struct Planned {
     sampler: Sampler,
@@ -57,7 +53,8 @@ enum Draws {
 }
 
 impl Planned {
-    /// The plan for one more draw. Texels that stay are looked through, once: draws are quicker then.
+    /// The plan for one more draw. With the second draw, texels are searched for alpha other than 1, once, as opaque
+    /// textures are drawn faster.
     fn again(&mut self) -> Arc<SamplePlan> {
         if std::mem::replace(&mut self.draws, Draws::Several) == Draws::One
             && let Some(opaque) = self.plan.without_alpha()
@@ -77,7 +74,7 @@ fn default_sampler(target: TextureTarget) -> Sampler {
             mipmap: Mipmap::None,
             ..Sampler::default()
         },
-        // Its texels are fetched, never filtered: integers are as good as others.
+        // Texels are fetched, never filtered, so integers need no other defaults.
         TextureTarget::D2Multisample
         | TextureTarget::D2MultisampleArray
         | TextureTarget::Buffer => Sampler {
@@ -102,11 +99,11 @@ fn default_sampler(target: TextureTarget) -> Sampler {
 pub(crate) struct Samples {
     /// How many there are.
     pub count: u8,
-    /// Whether they were asked to lie alike in all texels, which they always do.
+    /// Whether fixed sample locations were requested; they always are fixed.
     pub fixed_locations: bool,
 }
 
-/// An image that a proxy was asked about and that could be stored (GL 2.1, section 3.8.11).
+/// The image of a successful proxy request (GL 2.1, section 3.8.11).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Proxy {
     /// Width, height and depth of the level, without border.
@@ -117,7 +114,7 @@ pub(crate) struct Proxy {
     pub samples: Option<Samples>,
 }
 
-/// The levels that each target's proxy was last asked about.
+/// The last request of each target's proxy, by level.
 pub(crate) type Proxies = [[Option<Proxy>; limits::MAX_TEXTURE_LEVELS]; TextureTarget::COUNT];
 
 impl Texture {
@@ -138,7 +135,7 @@ impl Texture {
         }
     }
 
-    /// The sampler state with base and largest level held in the levels that it has for good.
+    /// The sampler state, with base and maximum level clamped to the levels of immutable storage.
     pub fn sampler(&self) -> Sampler {
         let mut sampler = self.state.sampler.clone();
         if let Some(levels) = self.immutable {
@@ -148,7 +145,7 @@ impl Texture {
         sampler
     }
 
-    /// To be called after every change but that of parameters, which a plan is asked for with.
+    /// To be called after every change except of parameters, which the plan is compared with.
     pub fn changed(&mut self) {
         self.plan = None;
     }
@@ -159,7 +156,7 @@ impl Texture {
         self.is_new = true;
     }
 
-    /// The bytes of its texels if no draw had them before, and none if one had.
+    /// The number of bytes of its texels if no draw has used them before, else 0.
     pub fn new_bytes(&mut self) -> usize {
         if !std::mem::take(&mut self.is_new) {
             return 0;
@@ -171,7 +168,7 @@ impl Texture {
         all.map(|level| level.texels.len()).sum()
     }
 
-    /// How it is sampled with this state. The device's threads bring its texels up to date.
+    /// The sample plan with this state. The device's threads update its texels first.
     pub fn plan(&mut self, device: &Device, sampler: &Sampler) -> Arc<SamplePlan> {
         if let Some(planned) = self.plan.as_mut().filter(|planned| planned.sampler == *sampler) {
             return planned.again();
@@ -181,7 +178,7 @@ impl Texture {
         Arc::clone(&self.plan.insert(first).plan)
     }
 
-    /// Whether the base level's texels are floats or integers, not fractions.
+    /// Whether the base level's texels are floats or integers, not normalized.
     pub fn has_wide_texels(&self) -> bool {
         let base = self.sampler().base_level as usize;
         self.image.level(0, base).is_some_and(|level| crate::pixel::texel::is_wide(level.format))

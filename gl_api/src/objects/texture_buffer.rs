@@ -1,9 +1,5 @@
-//! Textures whose texels are the bytes of a buffer object: `glTexBuffer`, `glTexBufferRange`
-//! (`ARB_texture_buffer_object`, `ARB_texture_buffer_object_rgb32`, `ARB_texture_buffer_range`; GL
-//! 3.1, section 3.8.4).
-//!
-//! A draw makes a row of texels of the bytes that the buffer has then, and keeps it until somebody
-//! asks to write to the buffer.
+//! The buffer range and format of a buffer texture (GL 3.1, section 3.8.4). A draw makes a sample plan of the buffer's
+//! bytes, which is kept until the buffer is written.
 
 use crate::base::constants::*;
 use crate::base::limits;
@@ -15,22 +11,22 @@ use std::sync::Arc;
 use texunit::format::Format;
 use texunit::plan::SamplePlan;
 
-/// Where the texels of a buffer texture come from.
+/// The data store of a buffer texture.
 #[derive(Debug)]
 pub(crate) struct DataStore {
     /// The internal format that was asked for.
     pub internal: GLenum,
     pub format: Format,
-    /// The buffer, if there is one: the texture keeps it when it is deleted.
+    /// The buffer, if there is one; the texture keeps a deleted one alive.
     pub buffer: Bound,
-    /// The bytes of the buffer that are texels, unless all are.
+    /// The range in bytes; `None` is the whole buffer.
     pub range: Option<Range<usize>>,
-    /// How the texels of these bytes are fetched.
+    /// The sample plan of these bytes, and their version.
     pub plan: Option<(Version, Arc<SamplePlan>)>,
 }
 
 impl DataStore {
-    /// Why there are no texels, if so.
+    /// The reason why there are no texels, if so.
     pub fn incomplete_reason(&self) -> Option<String> {
         (self.buffer.name() == 0).then(|| "it has no buffer: give it one with glTexBuffer".into())
     }
@@ -43,7 +39,7 @@ impl DataStore {
 }
 
 impl Default for DataStore {
-    /// As a new texture has it (`ARB_texture_buffer_object`, section 6.2).
+    /// The initial state (`ARB_texture_buffer_object`, section 6.2).
     fn default() -> Self {
         let (internal, format) = (GL_LUMINANCE8, Format::L8);
         Self { internal, format, buffer: Bound::default(), range: None, plan: None }

@@ -1,6 +1,6 @@
 //! Compressed texels (`EXT_texture_compression_s3tc`, `ARB_texture_compression_rgtc`): pixels to
-//! blocks and back, by way of `f32` colours. What the client gives for sRGB is encoded already, so
-//! blocks are made and read as those of the format without sRGB.
+//! blocks and back, through `f32` colours. The client's sRGB values are encoded already, so blocks are
+//! compressed and decompressed as those of the format without sRGB.
 
 use crate::base::error::Result;
 use crate::pixel::texel;
@@ -10,7 +10,7 @@ use texunit::image::Level;
 use texunit::lanes::{F32s, Isa, LANES};
 use texunit::pixel;
 
-/// How colours are on their way to and from blocks.
+/// The intermediate format of colours on both ways.
 pub(crate) const COLORS: Format = Format::Rgba32F;
 
 /// Compresses tightly packed [`COLORS`] into a level of this size.

@@ -1,5 +1,4 @@
-//! Pixels in the client's memory: formats and types, and which of them go together (GL 2.1, tables
-//! 3.5, 3.6 and 3.8).
+//! Pixels in client memory: `format` and `type`, and their valid combinations (GL 2.1, tables 3.5, 3.6 and 3.8).
 //!
 //! Every component is an `f64`, which holds each of GL's types exactly.
 
@@ -15,7 +14,7 @@ use crate::base::types::*;
 use crate::pixel::client::format::ClientFormat::{ColorIndex, DepthStencil, Rgb, Stencil};
 use crate::pixel::client::format::Numbers::{Fixed, Integer};
 
-/// Format and type of a call, which go together.
+/// A valid combination of `format` and `type`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Pixel {
     pub format: ClientFormat,
@@ -27,7 +26,7 @@ impl Pixel {
     /// The pixels of `glBitmap`.
     pub const BIT: Self = Self { format: ColorIndex, numbers: Fixed, ty: ClientType::Bit };
 
-    /// What a call's `format` and `type` name.
+    /// The combination of a call's `format` and `type`.
     ///
     /// # Errors
     /// `GL_INVALID_ENUM` for unknown ones, for integers written as floats, and for bits that are no
@@ -89,12 +88,12 @@ impl Pixel {
         }
     }
 
-    /// What its integers mean: an index is itself, whatever becomes of it.
+    /// How its integers are interpreted, given how those of the texel are: colour indices are always integers.
     pub fn elements(self, stored: Numbers) -> Numbers {
         if self.format == ColorIndex { Integer } else { stored }
     }
 
-    /// Bytes of a pixel; of a bit, those of the index that it is taken apart to.
+    /// Bytes of a pixel; of a bit, those of the index that it is expanded to.
     pub fn bytes(self) -> usize {
         self.ty.size() * self.ty.elements(self.format.components())
     }

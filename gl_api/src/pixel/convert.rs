@@ -9,7 +9,7 @@ use crate::pixel::client::element::ClientType;
 use crate::pixel::client::format::{ClientFormat, LuminanceOf, Numbers};
 use crate::pixel::layout::Layout;
 use crate::pixel::texel;
-use crate::pixel::transfer::{Kind, Steps, Transfer};
+use crate::pixel::transfer::{Steps, Transfer, TransferKind};
 use rasterizer::driver::SrgbWrite;
 use texunit::format::{Encoding, Field, Format};
 use texunit::image::Level;
@@ -34,7 +34,7 @@ impl Final {
     }
 }
 
-/// What the numbers of a record are.
+/// What the components of a record are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Side {
     Client(ClientFormat),
@@ -59,7 +59,7 @@ impl Side {
     }
 }
 
-/// What lies at one end of a conversion, and how.
+/// The source or destination of a conversion: its components and their memory layout.
 struct End {
     side: Side,
     record: PixelLayout,
@@ -101,7 +101,7 @@ impl End {
     }
 }
 
-/// One way from pixels to pixels.
+/// A conversion from one pixel layout to another.
 pub(crate) struct Conversion<'a> {
     isa: Isa,
     from: End,
@@ -170,8 +170,11 @@ impl<'a> Conversion<'a> {
         let numbers = texel::numbers(format, pixel.numbers);
         let steps = transfer.of(pixel.format.kind(), numbers);
         let from = match pixel.format.kind() {
-            Kind::Stencil => End::stencil(format),
-            Kind::Color | Kind::ColorIndex | Kind::Depth | Kind::DepthStencil => End::texel(format),
+            TransferKind::Stencil => End::stencil(format),
+            TransferKind::Color
+            | TransferKind::ColorIndex
+            | TransferKind::Depth
+            | TransferKind::DepthStencil => End::texel(format),
         };
         let ends = [from, End::client(layout, numbers)];
         let ending = match (pixel.format, pixel.ty, last.clamp) {
@@ -186,8 +189,8 @@ impl<'a> Conversion<'a> {
     /// Texels of one format as texels of another, as a copy from a framebuffer makes them: luminance
     /// and intensity take R (GL 2.1, table 3.15).
     pub fn between(isa: Isa, from: Format, to: Format, transfer: &'a Transfer) -> Self {
-        let kind = if from.is_depth() { Kind::Depth } else { Kind::Color };
-        let steps = transfer.of(kind, crate::pixel::numbers::numbers_of(from));
+        let kind = if from.is_depth() { TransferKind::Depth } else { TransferKind::Color };
+        let steps = transfer.of(kind, texel::numbers_of(from));
         Self::to_texels(isa, End::texel(from), to, steps)
     }
 
@@ -199,7 +202,7 @@ impl<'a> Conversion<'a> {
 
     /// The stencils of texels as bytes.
     pub fn stencils(isa: Isa, from: Format, transfer: &'a Transfer) -> Self {
-        let steps = transfer.of(Kind::Stencil, Numbers::Integer);
+        let steps = transfer.of(TransferKind::Stencil, Numbers::Integer);
         Self::to_texels(isa, End::stencil(from), Format::R8UI, steps)
     }
 

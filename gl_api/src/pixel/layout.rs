@@ -1,4 +1,4 @@
-//! Where pixels lie in the client's memory (GL 2.1, section 3.6.4).
+//! Layout of pixel rectangles in client memory (GL 2.1, section 3.6.4).
 
 use crate::base::error::{Result, invalid_operation};
 use crate::pixel::client::Pixel;
@@ -6,12 +6,12 @@ use crate::pixel::client::element::ClientType;
 use crate::pixel::store::PixelStore;
 use texunit::pixel;
 
-/// Which of the skips and heights of the pixel store count.
+/// Which parameters of the pixel store apply.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Extent {
-    /// One row, or rows.
+    /// One row or one image.
     Flat,
-    /// Rows of images: `IMAGE_HEIGHT` and `SKIP_IMAGES` count too (section 3.6.1).
+    /// Several images: `IMAGE_HEIGHT` and `SKIP_IMAGES` count too (section 3.6.1).
     Volume,
 }
 
@@ -34,7 +34,7 @@ impl ByteOrder {
     }
 }
 
-/// Where a box of pixels lies in the client's memory.
+/// The layout of a box of pixels in client memory.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Layout {
     pub pixel: Pixel,
@@ -50,11 +50,11 @@ pub(crate) struct Layout {
     pub needed: usize,
     /// The order of an element's bytes; of one byte the processor's.
     pub order: ByteOrder,
-    /// Where the pixels are bits: how they lie in their bytes.
+    /// The bit layout, if the pixels are bits.
     pub bits: Option<Bits>,
 }
 
-/// How the bits of a row lie in their bytes (GL 2.1, section 3.6.4, bitmaps).
+/// The layout of the bits of a row (GL 2.1, section 3.6.4, bitmaps).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Bits {
     /// The row's first bit in its first byte.
@@ -148,7 +148,7 @@ impl Layout {
                 + (height as u128 - 1) * stride
                 + span((bits.map_or(0, |bits| bits.first) + width) as u128)
         };
-        // What reaches further is the way to a second row or image, and there is none.
+        // A stride beyond that is never used: there is only one row or image.
         let byte = |value: u128| isize::try_from(value.min(needed)).ok().map(isize::cast_unsigned);
         let is_swapped = store.swap_bytes && pixel.ty.size() > 1;
         match (byte(start), byte(stride), byte(image_stride), byte(needed)) {

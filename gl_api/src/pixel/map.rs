@@ -1,26 +1,26 @@
-//! The look-up tables of pixel transfer: `glPixelMap` and `glGetPixelMap` (GL 2.1, sections 3.6.3
+//! Pixel maps, the look-up tables of pixel transfer: `glPixelMap` and `glGetPixelMap` (GL 2.1, sections 3.6.3
 //! and 6.1.3, table 3.3).
 
 use crate::base::convert::unit;
 
-/// The most entries of a table (`GL_MAX_PIXEL_MAP_TABLE`).
+/// The largest size of a map (`GL_MAX_PIXEL_MAP_TABLE`).
 pub(crate) const MAX_PIXEL_MAP_TABLE: usize = 256;
 
-/// A table.
+/// A pixel map.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Map {
+pub(crate) struct PixelMap {
     pub size: u16,
     pub entries: [f32; MAX_PIXEL_MAP_TABLE],
 }
 
-impl Default for Map {
+impl Default for PixelMap {
     /// One entry, 0.
     fn default() -> Self {
         Self { size: 1, entries: [0.0; MAX_PIXEL_MAP_TABLE] }
     }
 }
 
-impl Map {
+impl PixelMap {
     pub(crate) fn entries(&self) -> &[f32] {
         &self.entries[..usize::from(self.size)]
     }
@@ -31,15 +31,15 @@ impl Map {
         self.entries[(unit(value) * last).round_ties_even() as usize]
     }
 
-    /// The entry of an index, of which the bits count that the size leaves.
+    /// The entry of an index modulo the size, which is a power of two.
     pub fn at_index(&self, index: i64) -> f32 {
         self.entries[(index & i64::from(self.size - 1)) as usize]
     }
 }
 
-/// Which table, as its place in [`Maps`].
+/// The name of a map, which is its index in [`PixelMaps`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Name {
+pub(crate) enum PixelMapName {
     IToI,
     SToS,
     IToR,
@@ -52,8 +52,8 @@ pub(crate) enum Name {
     AToA,
 }
 
-impl Name {
-    /// Whether it is looked up by an index, so that its size is a power of two.
+impl PixelMapName {
+    /// Whether its input is an index, so that its size is a power of two.
     pub(crate) fn is_indexed(self) -> bool {
         match self {
             Self::IToI | Self::SToS | Self::IToR | Self::IToG | Self::IToB | Self::IToA => true,
@@ -71,27 +71,29 @@ impl Name {
     }
 }
 
-/// All tables, by [`Name`].
+/// All maps, by [`PixelMapName`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct Maps(pub(crate) [Map; 10]);
+pub(crate) struct PixelMaps(pub(crate) [PixelMap; 10]);
 
-impl Maps {
-    pub(crate) fn map(&self, name: Name) -> &Map {
+impl PixelMaps {
+    pub(crate) fn map(&self, name: PixelMapName) -> &PixelMap {
         &self.0[name as usize]
     }
 
     /// The tables from R, G, B, A to themselves.
-    pub fn colors(&self) -> [&Map; 4] {
-        [Name::RToR, Name::GToG, Name::BToB, Name::AToA].map(|name| self.map(name))
+    pub fn colors(&self) -> [&PixelMap; 4] {
+        [PixelMapName::RToR, PixelMapName::GToG, PixelMapName::BToB, PixelMapName::AToA]
+            .map(|name| self.map(name))
     }
 
     /// The tables from indices to R, G, B, A.
-    pub fn of_indices(&self) -> [&Map; 4] {
-        [Name::IToR, Name::IToG, Name::IToB, Name::IToA].map(|name| self.map(name))
+    pub fn of_indices(&self) -> [&PixelMap; 4] {
+        [PixelMapName::IToR, PixelMapName::IToG, PixelMapName::IToB, PixelMapName::IToA]
+            .map(|name| self.map(name))
     }
 
     /// The table from stencils to stencils.
-    pub fn stencil(&self) -> &Map {
-        self.map(Name::SToS)
+    pub fn stencil(&self) -> &PixelMap {
+        self.map(PixelMapName::SToS)
     }
 }

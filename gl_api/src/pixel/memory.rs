@@ -1,9 +1,9 @@
-//! The memory that pixels come from and go to: the client's, or a pixel buffer object
-//! (`ARB_pixel_buffer_object`, section 3.6.1).
+//! The memory that pixels are read from: the client's, or a pixel buffer object (`ARB_pixel_buffer_object`, section
+//! 3.6.1).
 
 use rasterizer::driver::Buffer;
 
-/// Memory that is read from.
+/// Memory that pixels are read from.
 pub(crate) enum Source<'a> {
     Client(&'a [u8]),
     /// A buffer object from an offset on.

@@ -11,23 +11,23 @@ pub struct Packed {
     pub bytes: u8,
     /// Bits of each component, the first component first.
     pub bits: &'static [u8],
-    first: First,
+    first: FirstComponent,
 }
 
-/// The end of a packed pixel at which its first component is.
+/// The end of the word at which the first component is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum First {
+enum FirstComponent {
     Top,
     /// The `_REV` types.
     Bottom,
 }
 
 const fn top(bytes: u8, bits: &'static [u8]) -> Packed {
-    Packed { bytes, bits, first: First::Top }
+    Packed { bytes, bits, first: FirstComponent::Top }
 }
 
 const fn bottom(bytes: u8, bits: &'static [u8]) -> Packed {
-    Packed { bytes, bits, first: First::Bottom }
+    Packed { bytes, bits, first: FirstComponent::Bottom }
 }
 
 /// The packed types of GL 2.1, table 3.8.
@@ -47,12 +47,12 @@ pub(crate) const PACKED: [(GLenum, Packed); 12] = [
 ];
 
 impl Packed {
-    /// Where component `index` is; one that there is not has no bits.
+    /// The field of component `index`; a component that the type lacks has no bits.
     pub fn field(self, index: usize) -> Field {
         let bits = self.bits.get(index).copied().unwrap_or(0);
         let below: u8 = match self.first {
-            First::Top => self.bits.iter().skip(index + 1).sum(),
-            First::Bottom => self.bits.iter().take(index).sum(),
+            FirstComponent::Top => self.bits.iter().skip(index + 1).sum(),
+            FirstComponent::Bottom => self.bits.iter().take(index).sum(),
         };
         Field { word: 0, shift: below.into(), bits: bits.into() }
     }

@@ -1,9 +1,9 @@
-//! What an image that cannot be stored means to the client.
+//! GL errors for images that cannot be stored.
 
 use crate::base::error::{ErrorCode, GlError};
 use texunit::image::ImageError;
 
-/// What an image that cannot be stored means to the client.
+/// The GL error for an image that cannot be stored.
 pub(crate) fn storage_error(section: &'static str, error: &ImageError) -> GlError {
     let code = match error {
         ImageError::NoMean { .. } | ImageError::CutsBlocks { .. } => ErrorCode::InvalidOperation,

@@ -1,6 +1,6 @@
-//! How pixels lie in the client's memory: GL 2.1, section 3.6.1 and table 3.1.
+//! Pixel storage modes: `glPixelStore`, GL 2.1, section 3.6.1 and table 3.1.
 
-/// The parameters of one direction.
+/// The modes of packing or of unpacking.
 #[derive(Clone, Debug)]
 pub(crate) struct PixelStore {
     pub swap_bytes: bool,

@@ -1,17 +1,21 @@
-//! Stored texels as the numbers that uploads and queries see.
-//!
-//! sRGB formats hold what the client gave: it is encoded already (`EXT_texture_sRGB`).
+//! Components of stored texels as uploads and queries see them. sRGB values are not decoded: the client's are encoded
+//! already (`EXT_texture_sRGB`).
 
 use crate::pixel::client::format::Numbers;
 use rasterizer::driver::DepthWrite;
 use texunit::format::{BaseFormat, Encoding, Format};
 
-/// What integers of the client's mean for a texel of this format.
+/// How the client's integers are interpreted for a texel of this format.
 pub(crate) fn numbers(format: Format, client: Numbers) -> Numbers {
     match (client, format.info().encoding) {
         (Numbers::Fixed, Encoding::Snorm) => Numbers::SignedNormalized,
         (Numbers::Fixed | Numbers::SignedNormalized | Numbers::Integer, _) => client,
     }
+}
+
+/// How the components of texels are interpreted by a copy.
+pub(crate) fn numbers_of(format: Format) -> Numbers {
+    if format.is_integer() { Numbers::Integer } else { Numbers::Fixed }
 }
 
 /// The numbers of a texel as R, G, B, A, as queries see them (GL 2.1, table 6.1): luminance and

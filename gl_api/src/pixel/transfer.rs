@@ -1,11 +1,10 @@
-//! Pixel transfer: what is done to every pixel on its way in and out: scale and bias, and the
-//! look-up tables of [`super::pixel_map`], and the shift and offset of indices (GL 2.1, sections
-//! 3.6.3 and 3.6.5).
+//! Pixel transfer, which applies to every pixel that is read or written: scale and bias, the maps of
+//! [`crate::pixel::map`], and the shift and offset of indices (GL 2.1, sections 3.6.3 and 3.6.5).
 
 use crate::base::constants::*;
 use crate::base::error::Table;
 use crate::pixel::client::format::Numbers;
-use crate::pixel::map::{Map, Maps};
+use crate::pixel::map::{PixelMap, PixelMaps};
 use texunit::lanes::{F64s, Isa};
 use texunit::pixel;
 use texunit::pixel::NumberTransform;
@@ -37,7 +36,7 @@ pub(crate) struct Transfer {
     /// To the left; negative to the right.
     pub index_shift: i32,
     pub index_offset: i32,
-    pub maps: Maps,
+    pub maps: PixelMaps,
 }
 
 impl Default for Transfer {
@@ -48,14 +47,14 @@ impl Default for Transfer {
             map_stencil: false,
             index_shift: 0,
             index_offset: 0,
-            maps: Maps::default(),
+            maps: PixelMaps::default(),
         }
     }
 }
 
-/// What pixels are of.
+/// The kinds of pixels to which different steps of pixel transfer apply.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub(crate) enum TransferKind {
     Color,
     /// Indices of colours, as R.
     ColorIndex,
@@ -68,25 +67,31 @@ pub(crate) enum Kind {
 }
 
 impl Transfer {
-    /// What is done to pixels of this kind. Integers pass as they are (`EXT_texture_integer`).
-    pub fn of(&self, kind: Kind, numbers: Numbers) -> Steps<'_> {
+    /// The steps for pixels of this kind. Integers are not changed (`EXT_texture_integer`).
+    pub fn of(&self, kind: TransferKind, numbers: Numbers) -> Steps<'_> {
         let [r, g, b, a, depth] = self.linear;
         let beside = if self.moves_indices() { Index::Stencil(1, self) } else { Index::None };
         let same = Linear::IDENTITY;
         match (kind, numbers) {
-            (Kind::Color | Kind::Depth | Kind::DepthStencil, Numbers::Integer) => Steps::IDENTITY,
-            (Kind::Color, Numbers::Fixed | Numbers::SignedNormalized) => Steps {
+            (
+                TransferKind::Color | TransferKind::Depth | TransferKind::DepthStencil,
+                Numbers::Integer,
+            ) => Steps::IDENTITY,
+            (TransferKind::Color, Numbers::Fixed | Numbers::SignedNormalized) => Steps {
                 linear: [r, g, b, a],
                 colors: self.map_color.then(|| self.maps.colors()),
                 index: Index::None,
             },
-            (Kind::Depth | Kind::DepthStencil, Numbers::Fixed | Numbers::SignedNormalized) => {
-                Steps { linear: [depth, same, same, same], colors: None, index: beside }
-            }
+            (
+                TransferKind::Depth | TransferKind::DepthStencil,
+                Numbers::Fixed | Numbers::SignedNormalized,
+            ) => Steps { linear: [depth, same, same, same], colors: None, index: beside },
             // Their colours come from the maps, behind the steps of colours (figure 3.7).
-            (Kind::ColorIndex, _) => Steps { index: Index::Color(self), ..Steps::IDENTITY },
+            (TransferKind::ColorIndex, _) => Steps { index: Index::Color(self), ..Steps::IDENTITY },
             // Of an index the bits count that a buffer has.
-            (Kind::Stencil, _) => Steps { index: Index::Stencil(0, self), ..Steps::IDENTITY },
+            (TransferKind::Stencil, _) => {
+                Steps { index: Index::Stencil(0, self), ..Steps::IDENTITY }
+            }
         }
     }
 
@@ -114,16 +119,16 @@ impl Transfer {
     }
 }
 
-/// What is done to pixels of one kind.
+/// The steps of pixel transfer for one kind of pixels.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Steps<'a> {
     linear: [Linear; 4],
     /// The tables of R, G, B, A.
-    colors: Option<[&'a Map; 4]>,
+    colors: Option<[&'a PixelMap; 4]>,
     index: Index<'a>,
 }
 
-/// What becomes of an index.
+/// What an index is mapped to.
 #[derive(Clone, Copy, Debug)]
 enum Index<'a> {
     /// There is none, or it stays.
@@ -138,7 +143,7 @@ impl Steps<'_> {
     pub const IDENTITY: Self =
         Self { linear: [Linear::IDENTITY; 4], colors: None, index: Index::None };
 
-    /// Whether pixels pass as they are.
+    /// Whether pixels are not changed.
     pub fn is_identity(&self) -> bool {
         self.linear.iter().all(|&linear| linear == Linear::IDENTITY)
             && self.colors.is_none()
@@ -181,7 +186,7 @@ impl Steps<'_> {
     }
 }
 
-/// A parameter: which number, and which part of it.
+/// A parameter of `glPixelTransfer`; scale and bias by component.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Parameter {
     Scale(u8),

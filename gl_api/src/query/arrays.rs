@@ -1,10 +1,10 @@
 //! What is known of vertex arrays: GL 2.1, tables 6.6 to 6.9, and sections 6.1.11 and 6.1.14.
 
-use crate::base::answer::put;
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation};
+use crate::base::query_value::put;
+use crate::base::query_value::{QueryValue, int, symbol};
 use crate::base::types::*;
-use crate::base::value::{Value, int, symbol};
 use crate::context::Context;
 use crate::interface::*;
 use crate::objects::arrays::{ANY_TYPE, Array, Source, generic};
@@ -70,7 +70,7 @@ fn buffer(array: &Array) -> GLuint {
 
 /// State of a conventional array by its name; of texture coordinates, the client's active unit's;
 /// and of no array, the index that restarts a primitive (GL 3.1, table 6.4).
-pub(crate) fn state_value(context: &Context, pname: GLenum) -> Option<Result<Value>> {
+pub(crate) fn state_value(context: &Context, pname: GLenum) -> Option<Result<QueryValue>> {
     if let GL_PRIMITIVE_RESTART_INDEX | GL_PRIMITIVE_RESTART_INDEX_NV = pname {
         return Some(symbol(context.state.restart_index));
     }

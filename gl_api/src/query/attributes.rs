@@ -1,8 +1,8 @@
 //! What is asked of generic attributes (GL 2.1, section 6.1.14).
 
-use crate::base::answer::put;
 use crate::base::constants::GL_CURRENT_VERTEX_ATTRIB;
 use crate::base::error::Result;
+use crate::base::query_value::put;
 use crate::base::types::*;
 use crate::context::Context;
 use crate::query::arrays::property;

@@ -1,8 +1,8 @@
 //! `glGetError` and the conversions of `glGet`: GL 2.1, section 6.1.2.
 
-use crate::base::answer::{put_bools, put_doubles, put_floats, put_ints, put_longs};
 use crate::base::constants::*;
 use crate::base::error::Result;
+use crate::base::query_value::{put_bools, put_doubles, put_floats, put_ints, put_longs};
 use crate::base::types::*;
 use crate::context::Context;
 use crate::query::table::state_value;

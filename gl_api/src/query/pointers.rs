@@ -1,8 +1,8 @@
 //! `glGetPointerv`.
 
-use crate::base::answer::put;
 use crate::base::constants::*;
 use crate::base::error::{Result, invalid_enum};
+use crate::base::query_value::put;
 use crate::base::types::*;
 use crate::context::Context;
 use crate::query::arrays;

@@ -4,8 +4,8 @@ use crate::base::compare::COMPARE;
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_enum};
 use crate::base::limits;
+use crate::base::query_value::{QueryValue, flag, float, floats, int, symbol, unit};
 use crate::base::types::*;
-use crate::base::value::{Value, flag, float, floats, int, symbol, unit};
 use crate::calls::evaluate::grid;
 use crate::calls::framebuffer::buffers::drawn_format;
 use crate::calls::index;
@@ -15,7 +15,8 @@ use crate::glsl::{GATHER_OFFSETS, TEXEL_OFFSETS};
 use crate::interface::*;
 use crate::objects::queries;
 use crate::objects::target::TextureTarget;
-use crate::pixel::internal::{Component, component_bits, general_purpose_formats};
+use crate::pixel::component_bits::{Component, component_bits};
+use crate::pixel::formats::general_purpose_formats;
 use crate::pixel::map::MAX_PIXEL_MAP_TABLE;
 use crate::pixel::store::PixelStore;
 use crate::pixel::transfer;
@@ -23,9 +24,8 @@ use crate::query::arrays;
 use crate::record::lists::{MAX_LIST_NESTING, MODE};
 use crate::record::render_mode as modes;
 use crate::state::attrib::MAX_ATTRIB_STACK_DEPTH;
+use crate::state::draw_buffers::LOGIC_OP;
 use crate::state::enable::is_capability;
-use crate::state::env::Unit;
-use crate::state::masks::LOGIC_OP;
 use crate::state::material::{FACES, TRACKED};
 use crate::state::matrix::{MATRIX_MODE, MAX_MODELVIEW_STACK_DEPTH, MAX_STACK_DEPTH};
 use crate::state::multisample::MAX_SAMPLE_MASK_WORDS;
@@ -33,23 +33,24 @@ use crate::state::points::ORIGIN;
 use crate::state::polygon::POLYGON_MODE;
 use crate::state::raster::{FACE, FRONT_FACE, HINTS, PROVOKING, SHADE_MODEL};
 use crate::state::stencil::{ACTIVE_FACE, Face, STENCIL_OP, Side};
+use crate::state::texture_units::Unit;
 use crate::state::uniform_buffers as uniform_buffer;
 use glam::DMat4;
 use rasterizer::driver::{DepthWrite, MAX_LINE_WIDTH, MAX_POINT_SIZE};
 
-fn ints(values: &[i32]) -> Result<Value> {
-    Ok(Value::Ints(values.to_vec()))
+fn ints(values: &[i32]) -> Result<QueryValue> {
+    Ok(QueryValue::Ints(values.to_vec()))
 }
 
-pub(crate) fn matrix(matrix: DMat4) -> Result<Value> {
-    Ok(Value::Floats(matrix.to_cols_array().to_vec()))
+pub(crate) fn matrix(matrix: DMat4) -> Result<QueryValue> {
+    Ok(QueryValue::Floats(matrix.to_cols_array().to_vec()))
 }
 
 pub(crate) fn pixel_store(
     store: &PixelStore,
     [swap, lsb, length, rows, pixels, height, images, _]: [GLenum; 8],
     pname: GLenum,
-) -> Result<Value> {
+) -> Result<QueryValue> {
     match pname {
         _ if pname == swap => flag(store.swap_bytes),
         _ if pname == lsb => flag(store.lsb_first),
@@ -66,7 +67,7 @@ pub(crate) fn pixel_store(
 ///
 /// # Errors
 /// `GL_INVALID_ENUM` where there is none of that name.
-pub(crate) fn state_value(context: &Context, pname: GLenum) -> Result<Value> {
+pub(crate) fn state_value(context: &Context, pname: GLenum) -> Result<QueryValue> {
     if is_capability(pname) {
         return flag(crate::calls::enable::is_on(context, pname)?);
     }
@@ -109,7 +110,7 @@ pub(crate) fn state_value(context: &Context, pname: GLenum) -> Result<Value> {
     )
 }
 
-type Answer = Option<Result<Value>>;
+type Answer = Option<Result<QueryValue>>;
 
 fn limit(_: &Context, pname: GLenum) -> Answer {
     let attachments = limits::MAX_COLOR_ATTACHMENTS as i32;
@@ -168,10 +169,10 @@ fn limit(_: &Context, pname: GLenum) -> Answer {
         GL_POINT_SIZE_RANGE | GL_ALIASED_POINT_SIZE_RANGE => floats(&[1.0, MAX_POINT_SIZE]),
         GL_LINE_WIDTH_RANGE | GL_ALIASED_LINE_WIDTH_RANGE => floats(&[1.0, MAX_LINE_WIDTH]),
         GL_POINT_SIZE_GRANULARITY | GL_LINE_WIDTH_GRANULARITY => float(1.0 / 256.0),
-        GL_NUM_COMPRESSED_TEXTURE_FORMATS => int(general_purpose_formats().count()),
-        GL_COMPRESSED_TEXTURE_FORMATS => {
-            Ok(Value::Ints(general_purpose_formats().map(|format| format as i32).collect()))
-        }
+        GL_NUM_COMPRESSED_TEXTURE_FORMATS => int(general_purpose_formats().len()),
+        GL_COMPRESSED_TEXTURE_FORMATS => Ok(QueryValue::Ints(
+            general_purpose_formats().iter().map(|&format| format as i32).collect(),
+        )),
         GL_MAJOR_VERSION => int(limits::VERSION.0),
         GL_MINOR_VERSION => int(limits::VERSION.1),
         GL_NUM_EXTENSIONS => int(crate::query::extensions::EXTENSIONS.len()),
@@ -212,7 +213,7 @@ fn transform(context: &Context, pname: GLenum) -> Answer {
             let viewport = &state.viewport;
             ints(&[viewport.x, viewport.y, viewport.width, viewport.height])
         }
-        GL_DEPTH_RANGE => Ok(Value::Unit(state.viewport.depth.to_vec())),
+        GL_DEPTH_RANGE => Ok(QueryValue::Unit(state.viewport.depth.to_vec())),
         _ => return None,
     })
 }
@@ -286,11 +287,11 @@ pub(crate) fn fragment(context: &Context, pname: GLenum) -> Answer {
         GL_ALPHA_TEST_REF => unit(&[clamp.component(fragment.alpha_ref)]),
         GL_DEPTH_FUNC => symbol(COMPARE.encode(fragment.depth_func)),
         GL_DEPTH_WRITEMASK => flag(fragment.depth_write == DepthWrite::On),
-        GL_COLOR_WRITEMASK => Ok(Value::Bools(fragment.buffers[0].mask.to_vec())),
+        GL_COLOR_WRITEMASK => Ok(QueryValue::Bools(fragment.buffers[0].mask.to_vec())),
         GL_LOGIC_OP_MODE => symbol(LOGIC_OP.encode(fragment.logic_op)),
         GL_BLEND_COLOR => unit(&clamp.color(fragment.blend_color)),
         GL_COLOR_CLEAR_VALUE => unit(&clamp.color(clear.color.floats())),
-        GL_DEPTH_CLEAR_VALUE => Ok(Value::Unit(vec![clear.depth])),
+        GL_DEPTH_CLEAR_VALUE => Ok(QueryValue::Unit(vec![clear.depth])),
         GL_STENCIL_CLEAR_VALUE => int(clear.stencil),
         _ => symbol(fragment.buffers[0].formula.get(pname)?),
     })
@@ -300,7 +301,7 @@ fn raster_position(context: &Context, pname: GLenum) -> Answer {
     use crate::calls::pixels::position::state_value;
     use crate::state::raster_position::Answer;
     state_value(context, pname).map(|value| match value {
-        Answer::Floats(values) => Ok(Value::Floats(values)),
+        Answer::Floats(values) => Ok(QueryValue::Floats(values)),
         Answer::Color(color) => unit(&color),
         Answer::Flag(value) => flag(value),
     })
@@ -429,7 +430,7 @@ fn debug(context: &Context, pname: GLenum) -> Answer {
         GL_CONTEXT_FLAGS => symbol(context.debug.context_flags()),
         GL_MAX_SERVER_WAIT_TIMEOUT => int(0),
         // Exact for a hundred days.
-        GL_TIMESTAMP => Ok(Value::Floats(vec![queries::timestamp() as f64])),
+        GL_TIMESTAMP => Ok(QueryValue::Floats(vec![queries::timestamp() as f64])),
         _ => return None,
     })
 }

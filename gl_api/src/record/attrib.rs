@@ -8,9 +8,11 @@ use crate::context::Context;
 use crate::draw::pending_primitives::draw_pending;
 use crate::objects::target::TextureTarget;
 use crate::pixel::transfer::Transfer;
-use crate::state::attrib::{MAX_ATTRIB_STACK_DEPTH, Parameters, Server, Switches, stack_error};
+use crate::state::attrib::{
+    MAX_ATTRIB_STACK_DEPTH, Parameters, ServerAttribs, Switches, stack_error,
+};
 use crate::state::enable::Flag;
-use crate::state::env::Units;
+use crate::state::texture_units::Units;
 use crate::state::{State, fragment, raster};
 use std::sync::Arc;
 
@@ -107,7 +109,7 @@ pub(crate) fn push_attrib(context: &mut Context, mask: GLbitfield) -> Result<()>
     Ok(())
 }
 
-impl Server {
+impl ServerAttribs {
     /// Keeps the groups of a mask; there are none in it yet.
     fn keep(&mut self, context: &Context, mask: GLbitfield) {
         let has = |bits| mask & bits != 0;
@@ -193,7 +195,7 @@ pub(crate) fn pop_attrib(context: &mut Context) -> Result<()> {
 }
 
 /// Puts the groups of plain state back.
-fn restore(state: &mut State, saved: &mut Server) {
+fn restore(state: &mut State, saved: &mut ServerAttribs) {
     let mask = saved.mask;
     let has = |bit| mask & bit != 0;
     if let Some(switches) = saved.switches.take() {
@@ -265,7 +267,7 @@ fn restore_switches(state: &mut State, saved: &Switches, units_version: u64) {
 
 /// The groups of texture units: the sprites' coordinates are of the points' group, the units' other
 /// state of the textures'.
-fn restore_units(now: &mut Units, saved: &mut Server) {
+fn restore_units(now: &mut Units, saved: &mut ServerAttribs) {
     let units = saved.units.take();
     if now.units.version() == saved.units_version {
         now.active = units.map_or(now.active, |units| units.active);

@@ -5,7 +5,7 @@ use crate::base::error::{ErrorCode, Result};
 use crate::base::types::*;
 use crate::context::Context;
 use crate::state::attrib::{MAX_ATTRIB_STACK_DEPTH, stack_error};
-use crate::state::client_attrib::{Client, ClientArrays, ClientPixels};
+use crate::state::client_attrib::{ClientArrays, ClientAttribs, ClientPixels};
 use crate::state::enable::Flag;
 
 pub(crate) fn push_client_attrib(context: &mut Context, mask: GLbitfield) -> Result<()> {
@@ -31,7 +31,7 @@ pub(crate) fn push_client_attrib(context: &mut Context, mask: GLbitfield) -> Res
         restart: (state.enables.has(Flag::PrimitiveRestart), state.restart_index),
         client_active: state.units.client_active,
     };
-    let saved = Client {
+    let saved = ClientAttribs {
         pixels: (mask & GL_CLIENT_PIXEL_STORE_BIT != 0).then(pixels),
         arrays: (mask & GL_CLIENT_VERTEX_ARRAY_BIT != 0).then(|| Box::new(arrays())),
     };

@@ -3,8 +3,8 @@
 use crate::base::args::DataOut;
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation, not_negative};
+use crate::base::query_value::{QueryValue, int, symbol};
 use crate::base::types::*;
-use crate::base::value::{Value, int, symbol};
 use crate::context::Context;
 use crate::context::feedback::record::{FeedbackType, Record};
 use crate::context::feedback::{RenderMode, Target};
@@ -171,7 +171,7 @@ impl Context {
 }
 
 /// What `glGet` reads.
-pub(crate) fn state_value(context: &Context, pname: GLenum) -> Option<Result<Value>> {
+pub(crate) fn state_value(context: &Context, pname: GLenum) -> Option<Result<QueryValue>> {
     let feedback = &context.feedback;
     Some(match pname {
         GL_RENDER_MODE => symbol(MODE.encode(feedback.mode)),

@@ -1,5 +1,4 @@
-//! The text and the parameters of programs: ARB_vertex_program, section 2.14.1;
-//! EXT_gpu_program_parameters.
+//! State of assembly programs: bindings and environment parameters (ARB_vertex_program, section 2.14.1).
 
 use crate::base::assembly_limits as limits;
 use crate::base::error::{Result, invalid_value};
@@ -13,22 +12,22 @@ pub(crate) const SECTION: &str = "ARB_vertex_program, section 2.14.1";
 pub(crate) struct AssemblyState {
     /// The programs that are bound, by target.
     pub bound: [Bound; 2],
-    /// `program.env` by target, as far as it was set; the others are zeros.
+    /// `program.env` by target, up to the last one that was set; the others are zeros.
     pub env: [Vec<[f32; 4]>; 2],
-    /// What was wrong with the last text, and where.
+    /// The error in the last program text, and its position.
     pub error: Option<(GLint, &'static str)>,
 }
 
-/// Whose parameters.
+/// The program parameters that a call names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Scope {
-    /// All programs' of the target.
+    /// Environment parameters, of all programs of a target.
     Env,
-    /// The bound program's.
+    /// Local parameters, of the bound program.
     Local,
 }
 
-/// The place of `count` parameters from `index` on.
+/// The index of the first of `count` parameters, which must be within the limit.
 pub(crate) fn checked(scope: Scope, index: GLuint, count: usize) -> Result<usize> {
     let (limit, name) = match scope {
         Scope::Env => (limits::MAX_ENV_PARAMETERS, "GL_MAX_PROGRAM_ENV_PARAMETERS_ARB"),

@@ -1,5 +1,5 @@
-//! The attribute stack: `glPushAttrib`, GL 2.1, section 6.1.17 and the attribute groups of tables 6.5
-//! to 6.37. The client's is [`super::client_attrib`].
+//! The attribute stacks: `glPushAttrib`, GL 2.1, section 6.1.17 and the attribute groups of tables 6.5 to 6.37. Groups
+//! of client state are in [`super::client_attrib`].
 
 use crate::base::error::{ErrorCode, GlError, Result};
 use crate::base::limits;
@@ -10,23 +10,23 @@ use crate::objects::color_buffers::Selection;
 use crate::objects::sampler::SamplerState;
 use crate::objects::target::TextureTarget;
 use crate::pixel::transfer::Transfer;
-use crate::state::client_attrib::Client;
+use crate::state::client_attrib::ClientAttribs;
 use crate::state::enable::Enables;
-use crate::state::env::Units;
-use crate::state::evaluate::EvaluatorState;
+use crate::state::evaluators::EvaluatorState;
 use crate::state::matrix::MatrixMode;
 use crate::state::raster_position::RasterPosition;
+use crate::state::texture_units::Units;
 use crate::state::versioned::Versioned;
 use crate::state::{State, clamp, clip, fog, fragment, light, material, raster, viewport};
 
 const SECTION: &str = "GL 2.1, section 6.1.17";
 
-/// Each of the stacks holds so many groups (table 6.35).
+/// The depth of each stack (table 6.35).
 pub(crate) const MAX_ATTRIB_STACK_DEPTH: usize = 16;
 
-/// What of the context's state a push keeps: the groups of its mask.
+/// The state that `glPushAttrib` saves: the groups of its mask.
 #[derive(Debug, Default)]
-pub(crate) struct Server {
+pub(crate) struct ServerAttribs {
     pub mask: GLbitfield,
     pub enables: Enables,
     pub clamp: clamp::ClampState,
@@ -37,35 +37,35 @@ pub(crate) struct Server {
     pub lighting: Option<(Versioned<light::Lights>, Versioned<material::Materials>)>,
     pub fog: Option<fog::FogState>,
     pub clip: Option<clip::ClipPlanes>,
-    /// Of the groups of rasterization.
+    /// Of `GL_POINT_BIT`, `GL_LINE_BIT`, `GL_POLYGON_BIT` and others of rasterization.
     pub raster: Option<raster::RasterState>,
-    /// Of the groups of what is done to fragments.
+    /// Of the groups of per-fragment operations.
     pub fragment: Option<fragment::FragmentState>,
     pub clear: Option<fragment::ClearState>,
     pub transfer: Option<Transfer>,
     pub viewport: Option<viewport::ViewportState>,
     pub evaluators: Option<EvaluatorState>,
     pub selection: Option<Selection>,
-    /// Of `GL_ENABLE_BIT`, what is not among the flags.
+    /// Of `GL_ENABLE_BIT`, the capabilities outside `enables`.
     pub switches: Option<Switches>,
     /// Of `GL_POINT_BIT`: bit by unit.
     pub coord_replace: Option<u32>,
     /// Of `GL_TEXTURE_BIT`.
     pub units: Option<Units>,
-    /// As `units`; the memory stays.
+    /// As `units`; the vector is reused.
     pub textures: Vec<Parameters>,
     /// The version of the units.
     pub units_version: u64,
 }
 
-/// What is switched on besides the flags.
+/// Capabilities outside [`Enables`].
 #[derive(Debug)]
 pub(crate) struct Switches {
     pub lights: u8,
     pub clip: u8,
     pub evaluators: EvaluatorState,
     pub blend: [bool; limits::MAX_COLOR_ATTACHMENTS],
-    /// Of each unit the targets and the coordinates that are generated.
+    /// Of each unit: enabled targets and generated coordinates.
     pub units:
         [([bool; TextureTarget::COUNT], [bool; 4]); MAX_COMBINED_TEXTURE_IMAGE_UNITS as usize],
 }
@@ -82,7 +82,7 @@ impl Switches {
     }
 }
 
-/// The parameters of a texture that is bound.
+/// The saved parameters of a bound texture.
 #[derive(Clone, Debug)]
 pub(crate) struct Parameters {
     pub target: TextureTarget,
@@ -95,14 +95,14 @@ pub(crate) struct Parameters {
 /// Both stacks.
 #[derive(Debug, Default)]
 pub(crate) struct AttribStacks {
-    pub server: Vec<Box<Server>>,
-    /// Memory of those that were popped, which hold nothing any more.
-    pub spare: Vec<Box<Server>>,
-    pub(crate) client: Vec<Client>,
+    pub server: Vec<Box<ServerAttribs>>,
+    /// Popped entries, emptied, whose memory is reused.
+    pub spare: Vec<Box<ServerAttribs>>,
+    pub(crate) client: Vec<ClientAttribs>,
 }
 
 impl AttribStacks {
-    /// How many groups are on the stack of the context's state, and of the client's.
+    /// The number of entries on the stack of server and of client state.
     pub fn depths(&self) -> [usize; 2] {
         [self.server.len(), self.client.len()]
     }
@@ -111,5 +111,3 @@ impl AttribStacks {
 pub(crate) fn stack_error<T>(code: ErrorCode, rule: String) -> Result<T> {
     Err(GlError::new(code, SECTION, rule))
 }
-
-impl Server {}

@@ -6,7 +6,7 @@ use crate::base::error::Table;
 use crate::base::types::*;
 use rasterizer::driver::{Blend, BlendEquation, BlendFactor};
 
-/// What is made of a fragment's colour and a stored one; each for colour, then for alpha.
+/// Blend equation and factors; each for colour, then for alpha.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Formula {
     pub equation: [BlendEquation; 2],
@@ -15,7 +15,7 @@ pub(crate) struct Formula {
 }
 
 impl Formula {
-    /// The initial one: what is stored is replaced.
+    /// The initial one, which replaces the stored colour.
     pub const REPLACE: Self = Self {
         equation: [BlendEquation::Add; 2],
         src: [BlendFactor::One; 2],
@@ -28,7 +28,7 @@ impl Formula {
         Blend { equation, src, dst, constant }
     }
 
-    /// A part of it by the name that queries have for it.
+    /// The value that a query of `pname` reads.
     pub fn get(&self, pname: GLenum) -> Option<GLenum> {
         Some(match pname {
             GL_BLEND_SRC | GL_BLEND_SRC_RGB => SRC_FACTOR.encode(self.src[0]),
@@ -73,9 +73,9 @@ const DESTINATION: &[(GLenum, BlendFactor)] = &[
 
 const FACTORS: &str = "GL 2.1, table 4.2";
 
-/// What a source is weighted with.
+/// Source factors.
 pub(crate) const SRC_FACTOR: Table<BlendFactor> = Table { section: FACTORS, rows: DESTINATION };
 
-/// What a destination is weighted with: everything but `GL_SRC_ALPHA_SATURATE`.
+/// Destination factors: all but `GL_SRC_ALPHA_SATURATE`.
 pub(crate) const DST_FACTOR: Table<BlendFactor> =
     Table { section: FACTORS, rows: DESTINATION.split_at(14).0 };

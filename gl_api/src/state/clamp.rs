@@ -1,7 +1,7 @@
-//! Which colours are clamped to [0, 1]: `glClampColor` (`ARB_color_buffer_float`).
+//! Colour clamping: `glClampColor` (`ARB_color_buffer_float`).
 //!
-//! Colours of the state (fog, environments, the alpha reference, blending, clearing, borders) are kept
-//! as they are given, and clamped where they are used or asked for.
+//! Colours of the state (fog, environments, the alpha reference, blending, clearing, borders) are stored unclamped, and
+//! clamped where they are used or queried.
 
 use crate::base::clamp::Clamp;
 use texunit::format::Format;
@@ -11,7 +11,7 @@ use texunit::format::Format;
 pub(crate) enum When {
     Always,
     Never,
-    /// Where the colour buffers are of fixed-point numbers, all of them.
+    /// If all colour buffers are fixed-point (`GL_FIXED_ONLY`).
     Fixed,
 }
 
@@ -29,7 +29,7 @@ impl When {
 /// What `glClampColor` sets.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ClampState {
-    /// Colours that vertices have, lit or not.
+    /// Colours of vertices, lit or not.
     pub vertex: When,
     /// Colours of fragments, from their first to what is written.
     pub fragment: When,
@@ -43,7 +43,7 @@ impl Default for ClampState {
     }
 }
 
-/// Whether a buffer of this format is of fixed-point numbers.
+/// Whether a buffer of this format is fixed-point.
 fn is_fixed(format: Format) -> bool {
     format.info().encoding.range().is_some()
 }

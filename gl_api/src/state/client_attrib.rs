@@ -1,13 +1,13 @@
-//! The attribute stack of the client's state: `glPushClientAttrib`, GL 2.1, section 6.1.17.
+//! Groups of client state on the attribute stack: `glPushClientAttrib`, GL 2.1, section 6.1.17.
 
 use crate::base::types::*;
 use crate::objects::arrays::Arrays;
 use crate::objects::bound::Bound;
 use crate::pixel::store as pixel_store;
 
-/// What of the client's state a push keeps: the groups of its mask.
+/// The state that `glPushClientAttrib` saves: the groups of its mask.
 #[derive(Debug)]
-pub(crate) struct Client {
+pub(crate) struct ClientAttribs {
     pub pixels: Option<ClientPixels>,
     pub arrays: Option<Box<ClientArrays>>,
 }

@@ -3,7 +3,7 @@
 use crate::interface::MAX_CLIP_PLANES;
 use glam::DVec4;
 
-/// The planes, in eye coordinates: what has a negative distance is cut away.
+/// The planes, in eye coordinates; points with a negative distance are clipped.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct ClipPlanes {
     pub planes: [DVec4; MAX_CLIP_PLANES as usize],

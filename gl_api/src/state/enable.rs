@@ -1,4 +1,4 @@
-//! What can be switched on and off: `glEnable` and `glEnableClientState`.
+//! Capabilities: `glEnable` and `glEnableClientState`.
 
 use crate::base::constants::*;
 use crate::base::error::Table;
@@ -8,10 +8,10 @@ use crate::interface::{
     ATTRIB_SECONDARY_COLOR, ATTRIB_TEX_COORD, ATTRIB_VERTEX, TexCoord,
 };
 use crate::objects::target::TextureTarget;
-use crate::state::evaluate::Name;
-use crate::state::evaluator_map::MAP;
+use crate::state::evaluators::EvaluatorName;
+use crate::state::evaluators::MAP;
 
-/// A capability of the context as a whole, as its bit in [`Enables`].
+/// A capability that is one flag; its bit in [`Enables`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Flag {
     AlphaTest,
@@ -57,7 +57,7 @@ pub(crate) enum Flag {
     VertexProgramTwoSide,
 }
 
-/// What `glEnable` takes.
+/// A capability of `glEnable`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Capability {
     Flag(Flag),
@@ -70,10 +70,10 @@ pub(crate) enum Capability {
     Light(u8),
     ClipPlane(u8),
     /// A map of evaluators.
-    Map(Name),
+    Map(EvaluatorName),
 }
 
-/// What is implemented; anything else is `GL_INVALID_ENUM`.
+/// The implemented capabilities; anything else is `GL_INVALID_ENUM`.
 /// `GL_DITHER` changes nothing, and messages are always synchronous.
 pub(crate) const CAPABILITY: Table<Capability> = Table {
     section: "GL 2.1, table 6.22 and others; what DetGL implements",
@@ -156,7 +156,7 @@ pub(crate) fn is_capability(cap: GLenum) -> bool {
         || cap == GL_PRIMITIVE_RESTART_NV
 }
 
-/// Which flags are on.
+/// The flags that are enabled.
 #[derive(Clone, Debug)]
 pub(crate) struct Enables(u64);
 
@@ -176,7 +176,7 @@ impl Enables {
     }
 }
 
-/// What a call does to a capability.
+/// Whether a call enables or disables a capability.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Switch {
     On,

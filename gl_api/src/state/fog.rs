@@ -5,7 +5,7 @@ use crate::base::error::Table;
 
 const SECTION: &str = "GL 2.1, section 3.10";
 
-/// How the factor falls with the distance.
+/// The fog equation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum FogMode {
     Linear,
@@ -18,7 +18,7 @@ pub(crate) const FOG_MODE: Table<FogMode> = Table {
     rows: &[(GL_EXP, FogMode::Exp), (GL_EXP2, FogMode::Exp2), (GL_LINEAR, FogMode::Linear)],
 };
 
-/// Where the distance comes from.
+/// The source of the fog coordinate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum FogSource {
     /// The distance from the eye's plane, `|z|` in eye coordinates.

@@ -1,12 +1,12 @@
-//! Per-fragment operations: GL 2.1, section 4.1; masks and clear values: section 4.2.
+//! State of per-fragment operations (GL 2.1, section 4.1) and clear values (section 4.2).
 
 use crate::base::types::*;
-use crate::state::masks::BufferStates;
+use crate::state::draw_buffers::BufferStates;
 use crate::state::stencil::Stencil;
 use rasterizer::driver::{DepthWrite, LogicOp, Rect};
 use texunit::sampler::Compare;
 
-/// What happens to fragments.
+/// State of per-fragment operations.
 #[derive(Clone, Debug)]
 pub(crate) struct FragmentState {
     pub scissor: Rect,
@@ -22,9 +22,7 @@ pub(crate) struct FragmentState {
     pub index_mask: GLuint,
 }
 
-impl FragmentState {}
-
-/// The colour that `glClear` writes.
+/// The clear colour.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum ClearColor {
     Floats([f32; 4]),
@@ -53,7 +51,7 @@ impl ClearColor {
     }
 }
 
-/// What `glClear` writes.
+/// Clear values.
 #[derive(Clone, Debug)]
 pub(crate) struct ClearState {
     pub color: ClearColor,

@@ -25,10 +25,10 @@ pub(crate) struct Light {
     pub derived: Derived,
 }
 
-/// What a draw needs of a light and no draw changes.
+/// Values that draws derive from a light's state.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Derived {
-    /// Where the light is, or the unit vector toward it if it is infinitely far.
+    /// The position, or the unit vector toward a light at infinity.
     pub place: DVec3,
     /// The unit vector between that toward the light and (0, 0, 1).
     pub half: DVec3,
@@ -74,7 +74,7 @@ impl Derived {
     }
 }
 
-/// Where the specular term goes.
+/// The colour to which the specular term is added.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum ColorControl {
     /// Into the primary colour.

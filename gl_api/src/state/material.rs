@@ -6,7 +6,7 @@ use crate::interface::{ATTRIB_MATERIAL, Side};
 
 const SECTION: &str = "GL 2.1, section 2.14.2";
 
-/// How a side of polygons takes light.
+/// The material of one side of polygons.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Material {
     pub emission: [f32; 4],
@@ -31,9 +31,9 @@ impl Default for Material {
     }
 }
 
-/// A part of a material that each vertex can have for itself.
+/// A material parameter that can change per vertex.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Part {
+pub(crate) enum MaterialParameter {
     Emission,
     Ambient,
     Diffuse,
@@ -41,24 +41,24 @@ pub(crate) enum Part {
     Shininess,
 }
 
-impl Part {
+impl MaterialParameter {
     pub(crate) const ALL: [Self; 5] =
         [Self::Emission, Self::Ambient, Self::Diffuse, Self::Specular, Self::Shininess];
 }
 
-/// How many columns of materials there are.
-pub(crate) const MATERIAL_COLUMNS: usize = 2 * Part::ALL.len();
+/// The number of per-vertex material parameters of both sides.
+pub(crate) const MATERIAL_COLUMNS: usize = 2 * MaterialParameter::ALL.len();
 
-/// The attribute location at which the vertices of a primitive have a part of a side's material.
-pub(crate) fn column(side: Side, part: Part) -> u8 {
+/// The attribute location of a per-vertex material parameter of a side.
+pub(crate) fn column(side: Side, part: MaterialParameter) -> u8 {
     let side = match side {
         Side::Front => 0,
-        Side::Back => Part::ALL.len() as u8,
+        Side::Back => MaterialParameter::ALL.len() as u8,
     };
     ATTRIB_MATERIAL + side + part as u8
 }
 
-/// Which sides a call is about.
+/// The sides that a call names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Sides {
     Front,
@@ -82,7 +82,7 @@ pub(crate) const FACES: Table<Sides> = Table {
     rows: &[(GL_FRONT, Sides::Front), (GL_BACK, Sides::Back), (GL_FRONT_AND_BACK, Sides::Both)],
 };
 
-/// The colours of a material that the current colour can stand for.
+/// The material parameters that `glColorMaterial` can track.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Tracked {
     Emission,
@@ -93,14 +93,16 @@ pub(crate) enum Tracked {
 }
 
 impl Tracked {
-    /// Whether a part is among them.
-    pub fn has(self, part: Part) -> bool {
+    /// Whether a parameter is among them.
+    pub fn has(self, part: MaterialParameter) -> bool {
         match self {
-            Self::Emission => part == Part::Emission,
-            Self::Ambient => part == Part::Ambient,
-            Self::Diffuse => part == Part::Diffuse,
-            Self::Specular => part == Part::Specular,
-            Self::AmbientAndDiffuse => matches!(part, Part::Ambient | Part::Diffuse),
+            Self::Emission => part == MaterialParameter::Emission,
+            Self::Ambient => part == MaterialParameter::Ambient,
+            Self::Diffuse => part == MaterialParameter::Diffuse,
+            Self::Specular => part == MaterialParameter::Specular,
+            Self::AmbientAndDiffuse => {
+                matches!(part, MaterialParameter::Ambient | MaterialParameter::Diffuse)
+            }
         }
     }
 }
@@ -116,8 +118,7 @@ pub(crate) const TRACKED: Table<Tracked> = Table {
     ],
 };
 
-/// The materials of both sides, and what of them follows the current colour while
-/// `GL_COLOR_MATERIAL` is on.
+/// The materials of both sides, and the parameters that track the current colour while `GL_COLOR_MATERIAL` is enabled.
 #[derive(Clone, Debug)]
 pub(crate) struct Materials {
     front: Material,
@@ -153,37 +154,37 @@ impl Materials {
     }
 }
 
-/// The side and the part that a location stands for.
-fn column_at(location: usize) -> (Side, Part) {
+/// The side and parameter of a location.
+fn column_at(location: usize) -> (Side, MaterialParameter) {
     let place = (location - usize::from(ATTRIB_MATERIAL)) % MATERIAL_COLUMNS;
-    let side = if place < Part::ALL.len() { Side::Front } else { Side::Back };
-    (side, Part::ALL[place % Part::ALL.len()])
+    let side = if place < MaterialParameter::ALL.len() { Side::Front } else { Side::Back };
+    (side, MaterialParameter::ALL[place % MaterialParameter::ALL.len()])
 }
 
 impl Materials {
-    /// What the column at a location is now, whatever is tracked.
+    /// The value at a location, whether tracked or not.
     pub fn column(&self, location: usize) -> [f32; 4] {
         let (side, part) = column_at(location);
         let material = self.side(side);
         match part {
-            Part::Emission => material.emission,
-            Part::Ambient => material.ambient,
-            Part::Diffuse => material.diffuse,
-            Part::Specular => material.specular,
-            Part::Shininess => [material.shininess, 0.0, 0.0, 1.0],
+            MaterialParameter::Emission => material.emission,
+            MaterialParameter::Ambient => material.ambient,
+            MaterialParameter::Diffuse => material.diffuse,
+            MaterialParameter::Specular => material.specular,
+            MaterialParameter::Shininess => [material.shininess, 0.0, 0.0, 1.0],
         }
     }
 
-    /// Gives what the column at a location stands for another value.
+    /// Sets the value at a location.
     pub fn set_column(&mut self, location: usize, value: [f32; 4]) {
         let (side, part) = column_at(location);
         let material = self.side_mut(side);
         match part {
-            Part::Emission => material.emission = value,
-            Part::Ambient => material.ambient = value,
-            Part::Diffuse => material.diffuse = value,
-            Part::Specular => material.specular = value,
-            Part::Shininess => material.shininess = value[0],
+            MaterialParameter::Emission => material.emission = value,
+            MaterialParameter::Ambient => material.ambient = value,
+            MaterialParameter::Diffuse => material.diffuse = value,
+            MaterialParameter::Specular => material.specular = value,
+            MaterialParameter::Shininess => material.shininess = value[0],
         }
     }
 }

@@ -1,5 +1,4 @@
-//! The state of a context, by chapter of the specification: plain values and the calls that set
-//! them. Objects are in [`crate::object`], texture environments in [`crate::env`].
+//! The state of a context, by chapter of the specification, as plain values. Objects are in [`crate::objects`].
 
 pub(crate) mod assembly;
 pub(crate) mod attrib;
@@ -7,15 +6,13 @@ pub(crate) mod blend;
 pub(crate) mod clamp;
 pub(crate) mod client_attrib;
 pub(crate) mod clip;
+pub(crate) mod draw_buffers;
 pub(crate) mod enable;
-pub(crate) mod env;
-pub(crate) mod evaluate;
-pub(crate) mod evaluator_map;
+pub(crate) mod evaluators;
 pub(crate) mod fog;
 pub(crate) mod fragment;
 pub(crate) mod light;
-pub(crate) mod locked;
-pub(crate) mod masks;
+pub(crate) mod locked_arrays;
 pub(crate) mod material;
 pub(crate) mod matrix;
 pub(crate) mod multisample;
@@ -24,6 +21,7 @@ pub(crate) mod polygon;
 pub(crate) mod raster;
 pub(crate) mod raster_position;
 pub(crate) mod stencil;
+pub(crate) mod texture_units;
 pub(crate) mod transform_feedback;
 pub(crate) mod uniform_buffers;
 pub(crate) mod versioned;
@@ -40,8 +38,7 @@ use crate::state::assembly::AssemblyState;
 use crate::state::clamp::ClampState;
 use crate::state::clip::ClipPlanes;
 use crate::state::enable::Enables;
-use crate::state::env::Units;
-use crate::state::evaluate::EvaluatorState;
+use crate::state::evaluators::EvaluatorState;
 use crate::state::fog::FogState;
 use crate::state::fragment::{ClearState, FragmentState};
 use crate::state::light::Lights;
@@ -49,10 +46,11 @@ use crate::state::material::Materials;
 use crate::state::matrix::Matrices;
 use crate::state::raster::RasterState;
 use crate::state::raster_position::RasterPosition;
+use crate::state::texture_units::Units;
 use crate::state::versioned::Versioned;
 use crate::state::viewport::ViewportState;
 
-/// What is bound, or its name; 0 where nothing is.
+/// The bound objects, as references or names; 0 where none is bound.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Bindings {
     pub array_buffer: Bound,
@@ -71,7 +69,7 @@ pub(crate) struct Bindings {
     pub program: Bound,
 }
 
-/// Everything that is no object.
+/// All state other than objects.
 #[derive(Debug)]
 pub(crate) struct State {
     pub matrices: Matrices,
@@ -81,7 +79,7 @@ pub(crate) struct State {
     pub arrays: crate::objects::arrays::Arrays,
     /// The index that restarts a primitive; of no vertex array object.
     pub restart_index: GLuint,
-    pub locked: locked::Locked,
+    pub locked: locked_arrays::LockedArrays,
     pub enables: Enables,
     pub lights: Versioned<Lights>,
     pub materials: Versioned<Materials>,
@@ -117,7 +115,7 @@ impl State {
             current,
             arrays: crate::objects::arrays::Arrays::default(),
             restart_index: 0,
-            locked: locked::Locked::default(),
+            locked: locked_arrays::LockedArrays::default(),
             enables: Enables::default(),
             lights: Versioned::new(Lights::default()),
             materials: Versioned::new(Materials::default()),

@@ -6,7 +6,7 @@ use rasterizer::driver::{MAX_POINT_SIZE, SpriteOrigin};
 
 const SECTION: &str = "GL 2.1, section 3.3";
 
-/// What points are drawn with.
+/// Point parameters.
 #[derive(Clone, Debug)]
 pub(crate) struct Points {
     pub size: f32,

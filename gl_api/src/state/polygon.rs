@@ -1,10 +1,10 @@
-//! Polygons: their modes, stipple and edge flags: GL 2.1, sections 2.6.2 and 3.5.
+//! Polygon mode, offset and stipple: GL 2.1, section 3.5.
 
 use crate::base::constants::*;
 use crate::base::error::Table;
 use rasterizer::driver::PolygonMode;
 
-/// How polygons become fragments.
+/// State of polygon rasterization.
 #[derive(Clone, Debug)]
 pub(crate) struct Polygons {
     /// Front and back.

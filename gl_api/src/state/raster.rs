@@ -1,4 +1,4 @@
-//! How primitives become fragments: GL 2.1, sections 3.4 and 3.5, and 2.14.7.
+//! State of rasterization: GL 2.1, sections 3.4 and 3.5, and 2.14.7; hints.
 
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_value};
@@ -9,13 +9,13 @@ use crate::state::polygon::Polygons;
 use rasterizer::driver::{Cull, FrontFace, Provoking};
 use rasterizer::ir::Interpolation;
 
-/// What primitives are drawn how.
+/// State of rasterization.
 #[derive(Clone, Debug)]
 pub(crate) struct RasterState {
     pub cull: Cull,
     pub front_face: FrontFace,
     pub shade_model: Interpolation,
-    /// Which vertex flat colours are of (`ARB_provoking_vertex`).
+    /// The provoking vertex (`ARB_provoking_vertex`).
     pub provoking: Provoking,
     pub line_width: f32,
     /// 1 to 256.
@@ -51,7 +51,7 @@ pub(crate) const PROVOKING: Table<Provoking> = Table {
     ],
 };
 
-/// The hints that are kept, by their place.
+/// The hints, and the index of each in the state.
 pub(crate) const HINTS: Table<usize> = Table {
     section: "GL 2.1, section 5.6",
     rows: &[

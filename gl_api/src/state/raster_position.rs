@@ -2,7 +2,7 @@
 
 use crate::interface::*;
 
-/// The current raster position, and what goes with it.
+/// The current raster position and its associated data.
 #[derive(Clone, Debug)]
 pub(crate) struct RasterPosition {
     /// Window x, y and z, and clip w.
@@ -16,7 +16,7 @@ pub(crate) struct RasterPosition {
     pub tex_coords: [[f32; 4]; MAX_TEXTURE_UNITS as usize],
 }
 
-/// State that `glGet` reads.
+/// Raster position state, as `glGet` reads it.
 pub(crate) enum Answer {
     Floats(Vec<f64>),
     Color([f32; 4]),

@@ -21,7 +21,7 @@ pub(crate) struct Face {
 }
 
 impl Face {
-    /// As the driver takes it, for 8 bits of stencil.
+    /// The driver's form, for 8 bits of stencil.
     fn to_driver(self) -> StencilFace {
         StencilFace {
             test: self.func,
@@ -35,7 +35,7 @@ impl Face {
     }
 }
 
-/// The faces that state is kept for.
+/// A face with stencil state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Side {
     Front,
@@ -69,7 +69,7 @@ impl Default for Stencil {
 }
 
 impl Stencil {
-    /// As the driver takes it; `back` says whose state back faces have.
+    /// The driver's form; back faces have the state of `back`.
     pub fn to_driver(&self, back: Side) -> StencilState {
         StencilState {
             front: self.faces[Side::Front as usize].to_driver(),
@@ -77,12 +77,12 @@ impl Stencil {
         }
     }
 
-    /// The state of the face that is asked about.
+    /// The state of the active face, which queries read.
     pub fn active(&self) -> &Face {
         &self.faces[self.active as usize]
     }
 
-    /// The faces that a call without a face sets.
+    /// The faces that a call without a face parameter sets.
     pub(crate) fn unnamed(&mut self) -> &mut [Face] {
         match self.active {
             Side::Front | Side::Back => &mut self.faces[..2],

@@ -1,27 +1,23 @@
-//! Transform feedback: GL 3.0, section 2.15 (`EXT_transform_feedback`).
-//!
-//! While it is active, the vertices of a draw run through the vertex stage once more, here; they
-//! are assembled to points, lines or triangles of their own, and what the program captures of them is
-//! written to the bound buffers ([`capture`]), before the draw goes on.
+//! State of transform feedback: GL 3.0, section 2.15 (`EXT_transform_feedback`).
 
 use crate::base::constants::*;
 use crate::base::error::Table;
 use crate::base::limits::MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS;
 use crate::objects::bound::Bound;
-use crate::objects::indexed_buffers::BufferRange;
+use crate::objects::buffers::BufferRange;
 use rasterizer::driver::Topology;
 
 pub(crate) const SECTION: &str = "GL 3.0, section 2.15";
 
-/// What is captured.
+/// The type of the captured primitives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub(crate) enum CapturedPrimitive {
     Points,
     Lines,
     Triangles,
 }
 
-impl Kind {
+impl CapturedPrimitive {
     pub(crate) const TABLE: Table<Self> = Table {
         section: "GL 3.0, table 2.14",
         rows: &[
@@ -31,7 +27,7 @@ impl Kind {
         ],
     };
 
-    /// What the primitives of a topology are captured as.
+    /// The primitives that a topology is captured as.
     pub(crate) fn of(topology: Topology) -> Self {
         match topology {
             Topology::Points => Self::Points,
@@ -53,7 +49,7 @@ impl Kind {
         }
     }
 
-    /// How many vertices one has.
+    /// The number of vertices of a primitive.
     pub(crate) fn corners(self) -> usize {
         match self {
             Self::Points => 1,
@@ -63,18 +59,18 @@ impl Kind {
     }
 }
 
-/// What is active between `glBeginTransformFeedback` and `glEndTransformFeedback`.
+/// Transform feedback between `glBeginTransformFeedback` and `glEndTransformFeedback`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Active {
-    pub kind: Kind,
+    pub kind: CapturedPrimitive,
     /// Bytes written to each buffer.
     pub written: [usize; MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS],
 }
 
-/// The bound buffers, and what is active.
+/// The bound buffers, and active transform feedback.
 #[derive(Debug, Default)]
 pub(crate) struct TransformFeedback {
-    /// All of whose numbers are multiples of 4.
+    /// Their offsets and sizes are multiples of 4.
     pub buffers: [BufferRange; MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS],
     pub active: Option<Active>,
 }
@@ -85,7 +81,7 @@ impl TransformFeedback {
         self.active.is_some()
     }
 
-    /// A buffer is no more.
+    /// Unbinds a deleted buffer.
     pub fn forget_buffer(&mut self, gone: &Bound) {
         for range in self.buffers.iter_mut().filter(|range| range.buffer == *gone) {
             *range = BufferRange::default();

@@ -1,8 +1,4 @@
-//! Uniform blocks and the buffers that they are read from: ARB_uniform_buffer_object.
-//!
-//! A block's members have words among those of the program's uniforms, so shaders read them as any
-//! uniform. Before a draw [`unpack`] writes the words of those blocks whose buffer, or what is in
-//! it, is another than before.
+//! Indexed binding points of uniform buffers, and their limits: ARB_uniform_buffer_object.
 
 use crate::base::constants::*;
 use crate::base::limits::{
@@ -11,11 +7,11 @@ use crate::base::limits::{
 };
 use crate::base::types::*;
 use crate::objects::bound::Bound;
-use crate::objects::indexed_buffers::BufferRange;
+use crate::objects::buffers::BufferRange;
 
 pub(crate) const SECTION: &str = "ARB_uniform_buffer_object, section 2.15.3";
 
-/// What is bound to the numbers that blocks name.
+/// The buffer ranges at the indexed binding points.
 #[derive(Debug)]
 pub(crate) struct UniformBuffers {
     pub buffers: [BufferRange; MAX_UNIFORM_BUFFER_BINDINGS],
@@ -28,7 +24,7 @@ impl Default for UniformBuffers {
 }
 
 impl UniformBuffers {
-    /// A buffer is no more.
+    /// Unbinds a deleted buffer.
     pub fn forget_buffer(&mut self, gone: &Bound) {
         for range in self.buffers.iter_mut().filter(|range| range.buffer == *gone) {
             *range = BufferRange::default();

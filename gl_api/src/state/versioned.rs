@@ -1,9 +1,9 @@
-//! State that says whether it may have changed. What draws make of it is made anew only then.
+//! State with a version, so that values derived from it are recomputed only after changes.
 
 use std::ops::{Deref, DerefMut};
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// A value with a number that no other has that may differ from it, of whatever context.
+/// A value with a version number. Values with equal versions are equal, across all contexts.
 #[derive(Clone, Debug)]
 pub(crate) struct Versioned<T> {
     value: T,

@@ -1,6 +1,6 @@
 //! The viewport transformation: GL 2.1, section 2.11.1.
 
-/// Where in the window normalized device coordinates lie.
+/// The viewport and the depth range.
 #[derive(Clone, Debug)]
 pub(crate) struct ViewportState {
     pub x: i32,

@@ -7,7 +7,7 @@ use crate::base::limits::UNIFORM_BUFFER_OFFSET_ALIGNMENT;
 use crate::base::types::*;
 use crate::calls::transform_feedback::not_while_active;
 use crate::context::Context;
-use crate::objects::indexed_buffers::BufferRange;
+use crate::objects::buffers::BufferRange;
 
 const SECTION: &str = "GL 3.1, section 2.9.1";
 

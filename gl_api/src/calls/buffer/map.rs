@@ -4,9 +4,9 @@
 //! A mapped buffer's bytes are taken out of it, so that a draw that was recorded earlier keeps what
 //! it saw and nothing else can read them; calls that would are refused.
 
-use crate::base::answer::put;
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation, invalid_value};
+use crate::base::query_value::put;
 use crate::base::types::*;
 use crate::calls::buffer::data::{binding, bound, with_recorder, writable};
 use crate::context::Context;

@@ -1,6 +1,6 @@
 //! The Bernstein polynomials of evaluators (GL 2.1, equations 5.1 to 5.4), in `f64`.
 
-use crate::state::evaluator_map::{MAX_EVAL_ORDER, Map};
+use crate::state::evaluators::{EvaluatorMap, MAX_EVAL_ORDER};
 
 /// A number for each polynomial of an order; zeros behind them.
 type Weights = [f64; MAX_EVAL_ORDER];
@@ -46,7 +46,7 @@ pub(crate) enum Wanted {
 }
 
 /// A map at a point of its parameters; of a map with one, the second does not matter.
-pub(crate) fn evaluate(map: &Map, at: [f64; 2], wanted: Wanted) -> [f64; 4] {
+pub(crate) fn evaluate(map: &EvaluatorMap, at: [f64; 2], wanted: Wanted) -> [f64; 4] {
     let weights = [0, 1].map(|axis| {
         let [start, end] = map.domain[axis];
         let t = (at[axis] - start) / (end - start);

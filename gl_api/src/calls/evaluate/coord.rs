@@ -9,7 +9,7 @@ use crate::context::Context;
 use crate::context::immediate::Slot;
 use crate::interface::*;
 use crate::state::enable::Flag;
-use crate::state::evaluate::{Dimension, Kind, Name};
+use crate::state::evaluators::{Dimension, EvaluatorKind, EvaluatorName};
 
 /// A value as the attribute calls take it: what is missing is 0, 0, 0, 1.
 fn filled(value: [f64; 4], components: usize) -> [f32; 4] {
@@ -21,19 +21,23 @@ fn filled(value: [f64; 4], components: usize) -> [f32; 4] {
 }
 
 /// The map of the first of these kinds that is on.
-fn first_on(context: &Context, dimension: Dimension, kinds: &[Kind]) -> Option<Name> {
-    let names = kinds.iter().map(|&kind| Name { dimension, kind });
+fn first_on(
+    context: &Context,
+    dimension: Dimension,
+    kinds: &[EvaluatorKind],
+) -> Option<EvaluatorName> {
+    let names = kinds.iter().map(|&kind| EvaluatorName { dimension, kind });
     names.into_iter().find(|&name| context.state.evaluators.has(name))
 }
 
 /// `m / |m|`, `m` the cross product of how the point moves along both parameters.
-fn normal(context: &Context, vertex: Name, at: [f64; 2]) -> [f64; 4] {
+fn normal(context: &Context, vertex: EvaluatorName, at: [f64; 2]) -> [f64; 4] {
     let map = context.evaluators.get(vertex);
     let [u, v] = [0, 1].map(|axis| {
         let [dx, dy, dz, dw] = evaluate(map, at, Wanted::Slope(axis));
         match vertex.kind {
             // The point is (x/w, y/w, z/w); a positive factor changes no direction.
-            Kind::Vertex4 => {
+            EvaluatorKind::Vertex4 => {
                 let [x, y, z, w] = evaluate(map, at, Wanted::Value);
                 [dx * w - x * dw, dy * w - y * dw, dz * w - z * dw]
             }
@@ -51,17 +55,17 @@ fn normal(context: &Context, vertex: Name, at: [f64; 2]) -> [f64; 4] {
 
 /// The attributes of a point, and its position last.
 pub(crate) fn point(context: &mut Context, dimension: Dimension, at: [f64; 2]) -> Result<()> {
-    use crate::state::evaluate::Kind::*;
+    use crate::state::evaluators::EvaluatorKind::*;
     let before = context.state.current;
     let vertex = first_on(context, dimension, &[Vertex4, Vertex3]);
     let automatic = dimension == Dimension::Two && context.state.enables.has(Flag::AutoNormal);
-    let attributes: [(u8, &[Kind]); 4] = [
+    let attributes: [(u8, &[EvaluatorKind]); 4] = [
         (ATTRIB_COLOR, &[Color]),
         (ATTRIB_INDEX, &[Index]),
         (ATTRIB_NORMAL, &[Normal]),
         (ATTRIB_TEX_COORD, &[TexCoord4, TexCoord3, TexCoord2, TexCoord1]),
     ];
-    let value = |context: &Context, name: Name| {
+    let value = |context: &Context, name: EvaluatorName| {
         filled(evaluate(context.evaluators.get(name), at, Wanted::Value), name.kind.components())
     };
     for (location, kinds) in attributes {

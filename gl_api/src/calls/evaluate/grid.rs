@@ -2,19 +2,19 @@
 
 use crate::base::constants::*;
 use crate::base::error::{ErrorCode, GlError, Result, Table, invalid_value};
+use crate::base::query_value::{QueryValue, int};
 use crate::base::types::*;
-use crate::base::value::{Value, int};
 use crate::calls::evaluate::coord::point;
 use crate::calls::vertex::immediate::{begin, end};
 use crate::context::Context;
-use crate::state::evaluate::{Dimension, Steps};
+use crate::state::evaluators::{Dimension, GridSteps};
 
 const SECTION: &str = "GL 2.1, section 5.1";
 
 /// A mesh of more points is refused.
 const MAX_POINTS: u64 = 1 << 24;
 
-impl Steps {
+impl GridSteps {
     /// The parameter of a grid line; the last one is the end of the domain to the bit.
     fn at(self, line: i32) -> f64 {
         let [start, end] = self.domain;
@@ -25,11 +25,11 @@ impl Steps {
     }
 }
 
-fn steps(argument: &str, segments: GLint, domain: [f64; 2]) -> Result<Steps> {
+fn steps(argument: &str, segments: GLint, domain: [f64; 2]) -> Result<GridSteps> {
     if segments < 1 {
         return invalid_value(SECTION, format!("{argument} = {segments} must be positive"));
     }
-    Ok(Steps { segments, domain })
+    Ok(GridSteps { segments, domain })
 }
 
 pub(crate) fn map_grid1d(
@@ -176,15 +176,15 @@ pub(crate) fn eval_mesh2(
 }
 
 /// What `glGet` reads.
-pub(crate) fn state_value(context: &Context, pname: GLenum) -> Option<Result<Value>> {
+pub(crate) fn state_value(context: &Context, pname: GLenum) -> Option<Result<QueryValue>> {
     let evaluators = &context.state.evaluators;
     let [u, v] = evaluators.grid_2;
     Some(match pname {
-        GL_MAX_EVAL_ORDER => int(crate::state::evaluator_map::MAX_EVAL_ORDER),
-        GL_MAP1_GRID_DOMAIN => Ok(Value::Floats(evaluators.grid_1.domain.to_vec())),
+        GL_MAX_EVAL_ORDER => int(crate::state::evaluators::MAX_EVAL_ORDER),
+        GL_MAP1_GRID_DOMAIN => Ok(QueryValue::Floats(evaluators.grid_1.domain.to_vec())),
         GL_MAP1_GRID_SEGMENTS => int(evaluators.grid_1.segments),
-        GL_MAP2_GRID_DOMAIN => Ok(Value::Floats([u.domain, v.domain].concat())),
-        GL_MAP2_GRID_SEGMENTS => Ok(Value::Ints(vec![u.segments, v.segments])),
+        GL_MAP2_GRID_DOMAIN => Ok(QueryValue::Floats([u.domain, v.domain].concat())),
+        GL_MAP2_GRID_SEGMENTS => Ok(QueryValue::Ints(vec![u.segments, v.segments])),
         _ => return None,
     })
 }

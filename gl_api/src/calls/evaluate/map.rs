@@ -5,15 +5,15 @@ use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation, invalid_value};
 use crate::base::types::*;
 use crate::context::Context;
-use crate::state::evaluate::{Dimension, Name};
-use crate::state::evaluator_map::{MAP, MAX_EVAL_ORDER, Map};
+use crate::state::evaluators::{Dimension, EvaluatorName};
+use crate::state::evaluators::{EvaluatorMap, MAP, MAX_EVAL_ORDER};
 
 const SECTION: &str = "GL 2.1, section 5.1";
 
 /// What `glMap1` takes.
-const MAP_1: Table<Name> = Table { section: MAP.section, rows: MAP.rows.split_at(9).0 };
+const MAP_1: Table<EvaluatorName> = Table { section: MAP.section, rows: MAP.rows.split_at(9).0 };
 /// What `glMap2` takes.
-const MAP_2: Table<Name> = Table { section: MAP.section, rows: MAP.rows.split_at(9).1 };
+const MAP_2: Table<EvaluatorName> = Table { section: MAP.section, rows: MAP.rows.split_at(9).1 };
 
 /// One parameter of a map, as a call gives it.
 struct Axis {
@@ -55,7 +55,7 @@ impl Axis {
 }
 
 /// Takes a map's control points.
-fn set(context: &mut Context, name: Name, axes: [Axis; 2], points: &[f64]) -> Result<()> {
+fn set(context: &mut Context, name: EvaluatorName, axes: [Axis; 2], points: &[f64]) -> Result<()> {
     let components = name.kind.components();
     let [u, v] = [axes[0].checked(components)?, axes[1].checked(components)?];
     if context.state.units.active != 0 {
@@ -74,7 +74,7 @@ fn set(context: &mut Context, name: Name, axes: [Axis; 2], points: &[f64]) -> Re
     }
     let of = |(i, j): (usize, usize)| &points[i * u[0] + j * v[0]..][..components];
     let grid = (0..u[1]).flat_map(|i| (0..v[1]).map(move |j| (i, j)));
-    *context.evaluators.get_mut(name) = Map {
+    *context.evaluators.get_mut(name) = EvaluatorMap {
         order: [u[1], v[1]],
         domain: axes.map(|axis| axis.domain),
         components,

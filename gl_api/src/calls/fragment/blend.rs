@@ -5,7 +5,7 @@ use crate::base::error::Result;
 use crate::base::types::*;
 use crate::context::Context;
 use crate::state::blend::{BLEND_EQUATION, DST_FACTOR, Formula, SRC_FACTOR};
-use crate::state::masks::{BufferStates, buffer_index};
+use crate::state::draw_buffers::{BufferStates, buffer_index};
 
 /// The draw buffers that a call is about.
 #[derive(Clone, Copy, Debug)]
@@ -16,7 +16,10 @@ enum Buffers {
 
 impl Buffers {
     /// Their states.
-    fn of(self, states: &mut BufferStates) -> Result<&mut [crate::state::masks::BufferState]> {
+    fn of(
+        self,
+        states: &mut BufferStates,
+    ) -> Result<&mut [crate::state::draw_buffers::BufferState]> {
         Ok(match self {
             Self::All => states,
             Self::One(buf) => std::slice::from_mut(&mut states[buffer_index("buf", buf)?]),

@@ -5,12 +5,12 @@
 
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_enum};
+use crate::base::query_value::{QueryValue, flag, symbol};
 use crate::base::types::*;
-use crate::base::value::{Value, flag, symbol};
 use crate::calls::framebuffer::buffers::drawn_format;
 use crate::context::Context;
 use crate::draw::completeness::drawn_formats;
-use crate::pixel::internal::Component;
+use crate::pixel::component_bits::Component;
 use crate::state::clamp::When;
 use texunit::format::{BaseFormat, Encoding, Format};
 
@@ -80,7 +80,7 @@ fn signed_components(format: Format) -> [bool; 4] {
 }
 
 /// What `glGet` answers.
-pub(crate) fn state_value(context: &Context, pname: GLenum) -> Option<Result<Value>> {
+pub(crate) fn state_value(context: &Context, pname: GLenum) -> Option<Result<QueryValue>> {
     let state = &context.state.clamp;
     Some(match pname {
         GL_RGBA_FLOAT_MODE_ARB => {
@@ -89,7 +89,7 @@ pub(crate) fn state_value(context: &Context, pname: GLenum) -> Option<Result<Val
         }
         GL_RGBA_SIGNED_COMPONENTS_EXT => {
             let format = drawn_format(context, Component::Red);
-            Ok(Value::Bools(format.map_or([false; 4], signed_components).to_vec()))
+            Ok(QueryValue::Bools(format.map_or([false; 4], signed_components).to_vec()))
         }
         _ => match TARGET.get(pname)? {
             Target::Vertex => symbol(WHEN.encode(state.vertex)),

@@ -1,15 +1,15 @@
 //! Which components are written, which buffers are blended, and the logical operation: GL 2.1,
 //! sections 4.1.10 and 4.2.2; `EXT_draw_buffers2`.
 
-use crate::base::answer::{put_bools, put_ints, put_longs};
 use crate::base::constants::*;
 use crate::base::error::{Result, invalid_enum};
+use crate::base::query_value::{QueryValue, flag, int, symbol};
+use crate::base::query_value::{put_bools, put_ints, put_longs};
 use crate::base::types::*;
-use crate::base::value::{Value, flag, int, symbol};
 use crate::context::Context;
 use crate::state::blend::Formula;
+use crate::state::draw_buffers::{LOGIC_OP, buffer_index};
 use crate::state::enable::{Flag, Switch};
-use crate::state::masks::{LOGIC_OP, buffer_index};
 
 const SECTION: &str = "EXT_draw_buffers2, section 4.2.2";
 
@@ -75,14 +75,14 @@ pub(crate) fn is_enabledi(context: &mut Context, target: GLenum, index: GLuint) 
 }
 
 /// State that has an index: of one draw buffer, of an indexed buffer, or a word of the sample mask.
-fn indexed_state(context: &Context, target: GLenum, index: GLuint) -> Result<Value> {
+fn indexed_state(context: &Context, target: GLenum, index: GLuint) -> Result<QueryValue> {
     if let Some(value) = number(context, target, index) {
         return int(value?);
     }
     let buffers = &context.state.fragment.buffers;
     let at = || Ok(&buffers[buffer_index("index", index)?]);
     match target {
-        GL_COLOR_WRITEMASK => at().map(|state| Value::Bools(state.mask.to_vec())),
+        GL_COLOR_WRITEMASK => at().map(|state| QueryValue::Bools(state.mask.to_vec())),
         GL_BLEND => at().and_then(|state| flag(state.blend)),
         _ if Formula::REPLACE.get(target).is_some() => {
             symbol(at()?.formula.get(target).unwrap_or_default())
@@ -123,7 +123,7 @@ pub(crate) fn get_integer64i_v(
     data: &mut [GLint64],
 ) -> Result<()> {
     if let Some(value) = number(context, target, index) {
-        return crate::base::answer::put(data, &[value?]);
+        return crate::base::query_value::put(data, &[value?]);
     }
     put_longs(data, indexed_state(context, target, index)?)
 }

@@ -3,8 +3,8 @@
 
 use crate::base::constants::*;
 use crate::base::error::{ErrorCode, GlError, Result, Table, invalid_operation};
+use crate::base::query_value::{QueryValue, int, unit};
 use crate::base::types::*;
-use crate::base::value::{Value, int, unit};
 use crate::calls::framebuffer::blit::edit;
 use crate::calls::framebuffer::read;
 use crate::context::Context;
@@ -173,7 +173,7 @@ fn give_back(context: &mut Context, area: Rect, factor: f32) -> Result<()> {
 }
 
 /// What `glGet` reads.
-pub(crate) fn state_value(context: &Context, pname: GLenum) -> Option<Result<Value>> {
+pub(crate) fn state_value(context: &Context, pname: GLenum) -> Option<Result<QueryValue>> {
     Some(match pname {
         GL_ACCUM_RED_BITS | GL_ACCUM_GREEN_BITS | GL_ACCUM_BLUE_BITS | GL_ACCUM_ALPHA_BITS => {
             int(if context.state.bindings.draw_framebuffer == 0 { BITS } else { 0 })

@@ -7,8 +7,8 @@ use crate::base::types::*;
 use crate::calls::framebuffer::names::bound;
 use crate::context::Context;
 use crate::draw::completeness::{completeness, selects_nothing};
-use crate::objects::attachments::{Point, point};
 use crate::objects::framebuffers::{Attached, FRAMEBUFFER_TARGET, Framebuffer, Planes, Source};
+use crate::objects::framebuffers::{AttachmentPoint, attachment_point};
 use crate::objects::target::{FaceTarget, TARGET, TextureTarget, attachable_target};
 use rasterizer::driver::Image;
 
@@ -29,15 +29,15 @@ pub(crate) fn object(context: &mut Context, target: GLenum) -> Result<&mut Frame
 fn attach(
     context: &mut Context,
     target: GLenum,
-    point: Point,
+    point: AttachmentPoint,
     attached: Option<Attached>,
 ) -> Result<()> {
     let object = object(context, target)?;
     match point {
-        Point::Color(index) => object.colors[index] = attached,
-        Point::Depth => object.depth = attached,
-        Point::Stencil => object.stencil = attached,
-        Point::DepthStencil => {
+        AttachmentPoint::Color(index) => object.colors[index] = attached,
+        AttachmentPoint::Depth => object.depth = attached,
+        AttachmentPoint::Stencil => object.stencil = attached,
+        AttachmentPoint::DepthStencil => {
             object.depth.clone_from(&attached);
             object.stencil = attached;
         }
@@ -57,7 +57,7 @@ struct Slice {
 fn attach_texture(
     context: &mut Context,
     target: GLenum,
-    point: Point,
+    point: AttachmentPoint,
     of: FaceTarget,
     slice: &Slice,
 ) -> Result<()> {
@@ -106,7 +106,7 @@ fn framebuffer_texture(
     slice: &Slice,
 ) -> Result<()> {
     FRAMEBUFFER_TARGET.decode("target", target)?;
-    let point = point(attachment)?;
+    let point = attachment_point(attachment)?;
     if slice.texture == 0 {
         return attach(context, target, point, None);
     }
@@ -174,7 +174,7 @@ pub(crate) fn framebuffer_texture_layer(
     layer: GLint,
 ) -> Result<()> {
     FRAMEBUFFER_TARGET.decode("target", target)?;
-    let point = point(attachment)?;
+    let point = attachment_point(attachment)?;
     if texture == 0 {
         return attach(context, target, point, None);
     }
@@ -214,7 +214,7 @@ pub(crate) fn framebuffer_renderbuffer(
 ) -> Result<()> {
     const KIND: Table<()> = Table { section: SECTION, rows: &[(GL_RENDERBUFFER, ())] };
     FRAMEBUFFER_TARGET.decode("target", target)?;
-    let point = point(attachment)?;
+    let point = attachment_point(attachment)?;
     KIND.decode("renderbuffertarget", renderbuffertarget)?;
     if renderbuffer == 0 {
         return attach(context, target, point, None);

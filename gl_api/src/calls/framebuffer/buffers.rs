@@ -7,7 +7,7 @@ use crate::base::types::*;
 use crate::context::Context;
 use crate::draw::completeness::{attached_format, samples};
 use crate::objects::color_buffers::{Answer, Selection, attachment_index};
-use crate::pixel::internal::{Component, component_bits};
+use crate::pixel::component_bits::{Component, component_bits};
 use texunit::format::Format;
 
 const DRAW: &str = "GL 2.1, section 4.2.1";

@@ -1,16 +1,16 @@
 //! What is known of an attachment: `ARB_framebuffer_object`, section 6.1.13.
 
-use crate::base::answer::put;
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_enum, invalid_operation};
+use crate::base::query_value::put;
 use crate::base::types::*;
 use crate::calls::framebuffer::names::bound;
 use crate::context::Context;
 use crate::draw::completeness::attached_format;
-use crate::objects::attachments::{Point, point};
 use crate::objects::framebuffers::{Attached, FRAMEBUFFER_TARGET, Framebuffer, Source};
+use crate::objects::framebuffers::{AttachmentPoint, attachment_point};
 use crate::objects::target::{FACE_TARGET, TextureTarget};
-use crate::pixel::internal::{Component, component_bits};
+use crate::pixel::component_bits::{Component, component_bits};
 use texunit::format::{Encoding, Format};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,12 +48,12 @@ const SECTION: &str = PROPERTY.section;
 
 /// What is at a point of a framebuffer object; both points of depth and stencil must have the
 /// same.
-fn at(object: &Framebuffer, point: Point) -> Result<Option<&Attached>> {
+fn at(object: &Framebuffer, point: AttachmentPoint) -> Result<Option<&Attached>> {
     Ok(match point {
-        Point::Color(index) => object.colors[index].as_ref(),
-        Point::Depth => object.depth.as_ref(),
-        Point::Stencil => object.stencil.as_ref(),
-        Point::DepthStencil => match (&object.depth, &object.stencil) {
+        AttachmentPoint::Color(index) => object.colors[index].as_ref(),
+        AttachmentPoint::Depth => object.depth.as_ref(),
+        AttachmentPoint::Stencil => object.stencil.as_ref(),
+        AttachmentPoint::DepthStencil => match (&object.depth, &object.stencil) {
             (Some(depth), Some(stencil)) if depth.same(stencil) => Some(depth),
             (None, None) => None,
             (_, _) => {
@@ -68,8 +68,8 @@ fn at(object: &Framebuffer, point: Point) -> Result<Option<&Attached>> {
 }
 
 /// The component type of a format, as far as a point shows it.
-fn component_type(format: Format, point: Point) -> GLenum {
-    if point == Point::Stencil {
+fn component_type(format: Format, point: AttachmentPoint) -> GLenum {
+    if point == AttachmentPoint::Stencil {
         // Which the stencil of a depth format is, too.
         return GL_INDEX;
     }
@@ -85,7 +85,7 @@ fn component_type(format: Format, point: Point) -> GLenum {
 }
 
 /// What every kind of attachment answers.
-fn of_format(format: Format, point: Point, property: Property) -> Option<GLint> {
+fn of_format(format: Format, point: AttachmentPoint, property: Property) -> Option<GLint> {
     match property {
         Property::Bits(component) => Some(component_bits(format, component)),
         Property::ComponentType => Some(component_type(format, point) as GLint),
@@ -99,7 +99,7 @@ fn of_format(format: Format, point: Point, property: Property) -> Option<GLint> 
     }
 }
 
-fn of_attached(attached: &Attached, point: Point, property: Property) -> Option<GLint> {
+fn of_attached(attached: &Attached, point: AttachmentPoint, property: Property) -> Option<GLint> {
     match (property, attached.source) {
         (Property::ObjectType, Source::Texture { .. }) => Some(GL_TEXTURE as GLint),
         (Property::ObjectType, Source::Renderbuffer(_)) => Some(GL_RENDERBUFFER as GLint),
@@ -151,11 +151,11 @@ fn of_window(context: &Context, attachment: GLenum, property: Property) -> Resul
     let planes = window.planes;
     let (there, format, point) = match attachment {
         GL_FRONT | GL_BACK | GL_LEFT | GL_FRONT_LEFT | GL_BACK_LEFT => {
-            (true, Some(window.format), Point::Color(0))
+            (true, Some(window.format), AttachmentPoint::Color(0))
         }
-        GL_FRONT_RIGHT | GL_BACK_RIGHT | GL_RIGHT => (false, None, Point::Color(0)),
-        GL_DEPTH => (planes.depth, window.depth_format(), Point::Depth),
-        GL_STENCIL => (planes.stencil, window.depth_format(), Point::Stencil),
+        GL_FRONT_RIGHT | GL_BACK_RIGHT | GL_RIGHT => (false, None, AttachmentPoint::Color(0)),
+        GL_DEPTH => (planes.depth, window.depth_format(), AttachmentPoint::Depth),
+        GL_STENCIL => (planes.stencil, window.depth_format(), AttachmentPoint::Stencil),
         _ => {
             return invalid_enum(
                 SECTION,
@@ -188,8 +188,8 @@ pub(crate) fn get_framebuffer_attachment_parameteriv(
     let value = match context.objects.framebuffers.get(name) {
         None => of_window(context, attachment, property)?,
         Some(object) => {
-            let point = point(attachment)?;
-            if point == Point::DepthStencil && property == Property::ComponentType {
+            let point = attachment_point(attachment)?;
+            if point == AttachmentPoint::DepthStencil && property == Property::ComponentType {
                 return invalid_operation(
                     SECTION,
                     "depth and stencil have no component type in common: ask for them one by one",

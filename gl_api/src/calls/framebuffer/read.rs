@@ -13,7 +13,7 @@ use crate::pixel::client::Pixel;
 use crate::pixel::client::format::{ClientFormat, LuminanceOf};
 use crate::pixel::convert::{Conversion, Final};
 use crate::pixel::layout::{Extent, Layout};
-use crate::pixel::transfer::Kind;
+use crate::pixel::transfer::TransferKind;
 use rasterizer::driver::{Attachment, Device, Part, Put};
 use std::sync::Arc;
 use texunit::format::Format;
@@ -138,13 +138,13 @@ fn check_samples(context: &Context) -> Result<()> {
 /// What a pixel of the client's is read from.
 fn chosen(context: &Context, format: ClientFormat) -> Result<(Attachment, Format)> {
     match format.kind() {
-        Kind::Depth => readable(context, Readable::Depth),
-        Kind::Stencil => readable(context, Readable::Stencil),
-        Kind::DepthStencil => {
+        TransferKind::Depth => readable(context, Readable::Depth),
+        TransferKind::Stencil => readable(context, Readable::Stencil),
+        TransferKind::DepthStencil => {
             readable(context, Readable::Stencil)?;
             readable(context, Readable::Depth)
         }
-        Kind::Color | Kind::ColorIndex => readable(context, Readable::Color),
+        TransferKind::Color | TransferKind::ColorIndex => readable(context, Readable::Color),
     }
 }
 

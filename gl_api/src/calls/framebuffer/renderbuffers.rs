@@ -1,23 +1,21 @@
 //! Renderbuffers: `ARB_framebuffer_object`, section 4.4.2.
 
-use crate::base::answer::put;
 use crate::base::constants::*;
 use crate::base::error::{
     ErrorCode, GlError, Result, Table, invalid_enum, invalid_operation, invalid_value, not_negative,
 };
 use crate::base::limits;
+use crate::base::query_value::put;
 use crate::base::types::*;
 use crate::calls::framebuffer::attach::detach;
 use crate::context::Context;
 use crate::context::window::texels;
 use crate::objects::renderbuffers::Renderbuffer;
 use crate::objects::{Sweep, listed};
-use crate::pixel::internal::{
-    Component, INTERNAL_FORMAT, STENCIL_FORMAT, component_bits, is_generic_compressed,
-};
-use crate::pixel::texel::is_renderable;
+use crate::pixel::component_bits::{Component, component_bits};
+use crate::pixel::formats;
+use crate::pixel::formats::{InternalFormat, UNCOMPRESSED};
 use rasterizer::driver::{LevelInfo, Rows};
-use texunit::format::Format;
 use texunit::image::{Image as Texels, Shape};
 
 const SECTION: &str = "ARB_framebuffer_object, section 4.4.2";
@@ -74,17 +72,13 @@ fn bound(context: &mut Context) -> Result<&mut Renderbuffer> {
     }
 }
 
-/// What a renderbuffer of an internal format stores.
-fn storage_format(internal: GLenum) -> Result<Format> {
-    let named = INTERNAL_FORMAT.get(internal).or_else(|| STENCIL_FORMAT.get(internal));
-    let format = match named {
-        Some(format) => format,
-        None => INTERNAL_FORMAT.decode("internalformat", internal)?,
+/// The row of an internal format that renderbuffers may have.
+fn checked_format(internal: GLenum) -> Result<&'static InternalFormat> {
+    let format = match formats::find(internal) {
+        Some(format) if !format.is_compressed() => format,
+        Some(_) | None => UNCOMPRESSED.decode("internalformat", internal)?,
     };
-    // Its base format is that of colours which are drawn to, so it has storage (GL 3.0, section
-    // 4.4.4); that nothing can be drawn to it is the framebuffer's to say.
-    let is_stored = is_renderable(format) || format == Format::Rgb9E5;
-    if is_generic_compressed(internal) || !is_stored {
+    if !format.is_for_renderbuffers() {
         return invalid_enum(
             SECTION,
             format!(
@@ -116,7 +110,8 @@ pub(crate) fn renderbuffer_storage_multisample(
     height: GLsizei,
 ) -> Result<()> {
     RENDERBUFFER_TARGET.decode("target", target)?;
-    let format = storage_format(internalformat)?;
+    let internal = checked_format(internalformat)?;
+    let format = internal.stored;
     for (argument, size) in [("width", width), ("height", height)] {
         if not_negative(SECTION, argument, size.into())? > limits::MAX_TEXTURE_SIZE as usize {
             return invalid_value(
@@ -152,7 +147,7 @@ pub(crate) fn renderbuffer_storage_multisample(
     crate::draw::pass::settle(context, &image);
     let samples = if samples > 0 { limits::MAX_SAMPLES } else { 1 };
     image.replace(texels, samples, Rows::Resolved);
-    bound(context)?.requested = internalformat;
+    bound(context)?.format = internal;
     Ok(())
 }
 
@@ -195,7 +190,7 @@ pub(crate) fn get_renderbuffer_parameteriv(
     let value = match property {
         Property::Width => of_level(&|level| level.size[0] as GLint),
         Property::Height => of_level(&|level| level.size[1] as GLint),
-        Property::InternalFormat => renderbuffer.requested as GLint,
+        Property::InternalFormat => renderbuffer.format.name as GLint,
         Property::Samples => {
             of_level(&|level| if level.samples > 1 { level.samples.into() } else { 0 })
         }

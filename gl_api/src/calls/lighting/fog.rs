@@ -3,8 +3,8 @@
 use crate::base::constants::*;
 use crate::base::error::{Result, Table};
 use crate::base::params::{Params, at_least_zero};
+use crate::base::query_value::{QueryValue, float, symbol, unit};
 use crate::base::types::*;
-use crate::base::value::{Value, float, symbol, unit};
 use crate::calls::params::parameter_calls;
 use crate::context::Context;
 use crate::state::fog::{FOG_MODE, FOG_SOURCE};
@@ -54,7 +54,7 @@ fn set_fog(context: &mut Context, pname: GLenum, params: &Params) -> Result<()> 
 parameter_calls!(set_fog(pname): fogf, fogi, fogfv, fogiv);
 
 /// What `glGet` answers.
-pub(crate) fn state_value(context: &Context, pname: GLenum) -> Option<Result<Value>> {
+pub(crate) fn state_value(context: &Context, pname: GLenum) -> Option<Result<QueryValue>> {
     let fog = &context.state.fog;
     Some(match PARAMETER.get(pname)? {
         Parameter::Mode => symbol(FOG_MODE.encode(fog.mode)),

@@ -3,8 +3,8 @@
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_value};
 use crate::base::params::{Params, at_least_zero};
+use crate::base::query_value::{QueryValue, flag, float, symbol, unit};
 use crate::base::types::*;
-use crate::base::value::{Value, flag, float, symbol, unit};
 use crate::calls::params::{parameter_calls, parameter_queries};
 use crate::context::Context;
 use crate::state::light::{COLOR_CONTROL, Derived, index};
@@ -94,14 +94,16 @@ fn set_light(context: &mut Context, light: GLenum, pname: GLenum, params: &Param
 
 parameter_calls!(set_light(light, pname): lightf, lighti, lightfv, lightiv);
 
-fn get_light(context: &Context, light: GLenum, pname: GLenum) -> Result<Value> {
+fn get_light(context: &Context, light: GLenum, pname: GLenum) -> Result<QueryValue> {
     let light = &context.state.lights.lights[index(light)?];
     match PARAMETER.decode("pname", pname)? {
         Parameter::Ambient => unit(&light.ambient),
         Parameter::Diffuse => unit(&light.diffuse),
         Parameter::Specular => unit(&light.specular),
-        Parameter::Position => Ok(Value::Floats(light.position.to_array().to_vec())),
-        Parameter::SpotDirection => Ok(Value::Floats(light.spot_direction.to_array().to_vec())),
+        Parameter::Position => Ok(QueryValue::Floats(light.position.to_array().to_vec())),
+        Parameter::SpotDirection => {
+            Ok(QueryValue::Floats(light.spot_direction.to_array().to_vec()))
+        }
         Parameter::SpotExponent => float(light.spot_exponent),
         Parameter::SpotCutoff => float(light.spot_cutoff),
         Parameter::Attenuation(term) => float(light.attenuation[term]),
@@ -146,7 +148,7 @@ fn set_model(context: &mut Context, pname: GLenum, params: &Params) -> Result<()
 parameter_calls!(set_model(pname): light_modelf, light_modeli, light_modelfv, light_modeliv);
 
 /// What `glGet` answers.
-pub(crate) fn state_value(context: &Context, pname: GLenum) -> Option<Result<Value>> {
+pub(crate) fn state_value(context: &Context, pname: GLenum) -> Option<Result<QueryValue>> {
     let model = &context.state.lights.model;
     Some(match MODEL_PARAMETER.get(pname)? {
         ModelParameter::Ambient => unit(&model.ambient),

@@ -3,15 +3,15 @@
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_value};
 use crate::base::params::Params;
+use crate::base::query_value::{QueryValue, float, floats, unit};
 use crate::base::types::*;
-use crate::base::value::{Value, float, floats, unit};
 use crate::calls::params::{parameter_calls, parameter_queries};
 use crate::calls::vertex::immediate::attribute;
 use crate::context::Context;
 use crate::context::immediate::Slot;
 use crate::draw::material::material;
 use crate::interface::Side;
-use crate::state::material::{FACES, Part, Sides, TRACKED, column};
+use crate::state::material::{FACES, MaterialParameter, Sides, TRACKED, column};
 
 const SECTION: &str = "GL 2.1, section 2.14.2";
 
@@ -33,29 +33,32 @@ pub(crate) fn color_material(context: &mut Context, face: GLenum, mode: GLenum) 
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Parameter {
-    Parts(&'static [Part]),
+    Parts(&'static [MaterialParameter]),
     Indexes,
 }
 
-const SHININESS: &[Part] = &[Part::Shininess];
+const SHININESS: &[MaterialParameter] = &[MaterialParameter::Shininess];
 
 const PARAMETER: Table<Parameter> = Table {
     section: SECTION,
     rows: &[
-        (GL_AMBIENT, Parameter::Parts(&[Part::Ambient])),
-        (GL_DIFFUSE, Parameter::Parts(&[Part::Diffuse])),
-        (GL_SPECULAR, Parameter::Parts(&[Part::Specular])),
-        (GL_EMISSION, Parameter::Parts(&[Part::Emission])),
+        (GL_AMBIENT, Parameter::Parts(&[MaterialParameter::Ambient])),
+        (GL_DIFFUSE, Parameter::Parts(&[MaterialParameter::Diffuse])),
+        (GL_SPECULAR, Parameter::Parts(&[MaterialParameter::Specular])),
+        (GL_EMISSION, Parameter::Parts(&[MaterialParameter::Emission])),
         (GL_SHININESS, Parameter::Parts(SHININESS)),
         (GL_COLOR_INDEXES, Parameter::Indexes),
-        (GL_AMBIENT_AND_DIFFUSE, Parameter::Parts(&[Part::Ambient, Part::Diffuse])),
+        (
+            GL_AMBIENT_AND_DIFFUSE,
+            Parameter::Parts(&[MaterialParameter::Ambient, MaterialParameter::Diffuse]),
+        ),
     ],
 };
 
 /// A checked change of a material.
 enum Change {
     /// A part of one or both sides, and its value: columns of the primitive that is begun.
-    Parts(&'static [Part], [f32; 4]),
+    Parts(&'static [MaterialParameter], [f32; 4]),
     Indexes([f32; 3]),
 }
 
@@ -120,7 +123,7 @@ fn set_material(context: &mut Context, face: GLenum, pname: GLenum, params: &Par
 
 parameter_calls!(set_material(face, pname): materialf, materiali, materialfv, materialiv);
 
-fn get_material(context: &Context, face: GLenum, pname: GLenum) -> Result<Value> {
+fn get_material(context: &Context, face: GLenum, pname: GLenum) -> Result<QueryValue> {
     const SIDE: Table<Side> =
         Table { section: SECTION, rows: &[(GL_FRONT, Side::Front), (GL_BACK, Side::Back)] };
     const QUERIED: Table<Parameter> =
@@ -130,11 +133,11 @@ fn get_material(context: &Context, face: GLenum, pname: GLenum) -> Result<Value>
     let material = material(context, side);
     match parameter {
         Parameter::Indexes => floats(&material.indexes),
-        Parameter::Parts([Part::Emission, ..]) => unit(&material.emission),
-        Parameter::Parts([Part::Ambient, ..]) => unit(&material.ambient),
-        Parameter::Parts([Part::Diffuse, ..]) => unit(&material.diffuse),
-        Parameter::Parts([Part::Specular, ..]) => unit(&material.specular),
-        Parameter::Parts([Part::Shininess, ..] | []) => float(material.shininess),
+        Parameter::Parts([MaterialParameter::Emission, ..]) => unit(&material.emission),
+        Parameter::Parts([MaterialParameter::Ambient, ..]) => unit(&material.ambient),
+        Parameter::Parts([MaterialParameter::Diffuse, ..]) => unit(&material.diffuse),
+        Parameter::Parts([MaterialParameter::Specular, ..]) => unit(&material.specular),
+        Parameter::Parts([MaterialParameter::Shininess, ..] | []) => float(material.shininess),
     }
 }
 

@@ -14,7 +14,7 @@ use crate::pixel::client::format::{ClientFormat, FORMAT, Numbers};
 use crate::pixel::convert;
 use crate::pixel::convert::Conversion;
 use crate::pixel::layout::{Extent, Layout};
-use crate::pixel::transfer::Kind;
+use crate::pixel::transfer::TransferKind;
 use std::borrow::Cow;
 use texunit::format::Format;
 
@@ -37,10 +37,10 @@ pub(crate) fn room(format: Format, width: usize, height: usize) -> Result<Vec<u8
 fn check_target(context: &Context, pixel: Pixel) -> Result<()> {
     let planes = draw_planes(context);
     let missing = match pixel.format.kind() {
-        Kind::Depth => !planes.depth,
-        Kind::Stencil => !planes.stencil,
-        Kind::DepthStencil => !planes.depth || !planes.stencil,
-        Kind::Color | Kind::ColorIndex => false,
+        TransferKind::Depth => !planes.depth,
+        TransferKind::Stencil => !planes.stencil,
+        TransferKind::DepthStencil => !planes.depth || !planes.stencil,
+        TransferKind::Color | TransferKind::ColorIndex => false,
     };
     if missing {
         return invalid_operation(
@@ -94,14 +94,14 @@ pub(crate) fn draw_pixels(
     let (isa, transfer) = (context.recorder.isa(), context.state.transfer);
     let to = |format: Format| Conversion::unpack(isa, &layout, format, &transfer);
     let format = match kind {
-        Kind::Depth => Format::D32F,
-        Kind::Stencil => Format::R8UI,
-        Kind::DepthStencil => match stencil::target(context)? {
+        TransferKind::Depth => Format::D32F,
+        TransferKind::Stencil => Format::R8UI,
+        TransferKind::DepthStencil => match stencil::target(context)? {
             Some(format) => format,
             None => return Ok(()),
         },
         // Bytes stay bytes, where nothing is done to them.
-        Kind::Color | Kind::ColorIndex => {
+        TransferKind::Color | TransferKind::ColorIndex => {
             if to(Format::Rgba8).is_moved() {
                 Format::Rgba8
             } else {
@@ -127,13 +127,13 @@ pub(crate) fn draw_pixels(
         Cow::Owned(texels)
     };
     match kind {
-        Kind::Stencil => stencil::draw_stencils(context, size, &all()?),
-        Kind::DepthStencil => {
+        TransferKind::Stencil => stencil::draw_stencils(context, size, &all()?),
+        TransferKind::DepthStencil => {
             let depth = context.state.fragment.depth_write;
             stencil::draw(context, size, &all()?, depth)
         }
-        Kind::Depth => crate::draw::pixel_rectangle::draw(context, size, DEPTHS, &rows),
-        Kind::Color | Kind::ColorIndex => {
+        TransferKind::Depth => crate::draw::pixel_rectangle::draw(context, size, DEPTHS, &rows),
+        TransferKind::Color | TransferKind::ColorIndex => {
             crate::draw::pixel_rectangle::draw(context, size, (ReplacedValue::Color, format), &rows)
         }
     }

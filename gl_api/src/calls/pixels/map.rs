@@ -8,44 +8,44 @@ use crate::base::error::{Result, Table, invalid_operation, invalid_value};
 use crate::base::types::*;
 use crate::calls::pixels::memory::{source, write_bytes};
 use crate::context::Context;
-use crate::pixel::map::{MAX_PIXEL_MAP_TABLE, Map, Maps, Name};
+use crate::pixel::map::{MAX_PIXEL_MAP_TABLE, PixelMap, PixelMapName, PixelMaps};
 
 const SECTION: &str = "GL 2.1, section 3.6.3";
 
-const NAME: Table<Name> = Table {
+const NAME: Table<PixelMapName> = Table {
     section: "GL 2.1, table 3.3",
     rows: &[
-        (GL_PIXEL_MAP_I_TO_I, Name::IToI),
-        (GL_PIXEL_MAP_S_TO_S, Name::SToS),
-        (GL_PIXEL_MAP_I_TO_R, Name::IToR),
-        (GL_PIXEL_MAP_I_TO_G, Name::IToG),
-        (GL_PIXEL_MAP_I_TO_B, Name::IToB),
-        (GL_PIXEL_MAP_I_TO_A, Name::IToA),
-        (GL_PIXEL_MAP_R_TO_R, Name::RToR),
-        (GL_PIXEL_MAP_G_TO_G, Name::GToG),
-        (GL_PIXEL_MAP_B_TO_B, Name::BToB),
-        (GL_PIXEL_MAP_A_TO_A, Name::AToA),
+        (GL_PIXEL_MAP_I_TO_I, PixelMapName::IToI),
+        (GL_PIXEL_MAP_S_TO_S, PixelMapName::SToS),
+        (GL_PIXEL_MAP_I_TO_R, PixelMapName::IToR),
+        (GL_PIXEL_MAP_I_TO_G, PixelMapName::IToG),
+        (GL_PIXEL_MAP_I_TO_B, PixelMapName::IToB),
+        (GL_PIXEL_MAP_I_TO_A, PixelMapName::IToA),
+        (GL_PIXEL_MAP_R_TO_R, PixelMapName::RToR),
+        (GL_PIXEL_MAP_G_TO_G, PixelMapName::GToG),
+        (GL_PIXEL_MAP_B_TO_B, PixelMapName::BToB),
+        (GL_PIXEL_MAP_A_TO_A, PixelMapName::AToA),
     ],
 };
 
 /// What `glGet` is asked for the size of each table.
-const SIZE: Table<Name> = Table {
+const SIZE: Table<PixelMapName> = Table {
     section: "GL 2.1, table 6.22",
     rows: &[
-        (GL_PIXEL_MAP_I_TO_I_SIZE, Name::IToI),
-        (GL_PIXEL_MAP_S_TO_S_SIZE, Name::SToS),
-        (GL_PIXEL_MAP_I_TO_R_SIZE, Name::IToR),
-        (GL_PIXEL_MAP_I_TO_G_SIZE, Name::IToG),
-        (GL_PIXEL_MAP_I_TO_B_SIZE, Name::IToB),
-        (GL_PIXEL_MAP_I_TO_A_SIZE, Name::IToA),
-        (GL_PIXEL_MAP_R_TO_R_SIZE, Name::RToR),
-        (GL_PIXEL_MAP_G_TO_G_SIZE, Name::GToG),
-        (GL_PIXEL_MAP_B_TO_B_SIZE, Name::BToB),
-        (GL_PIXEL_MAP_A_TO_A_SIZE, Name::AToA),
+        (GL_PIXEL_MAP_I_TO_I_SIZE, PixelMapName::IToI),
+        (GL_PIXEL_MAP_S_TO_S_SIZE, PixelMapName::SToS),
+        (GL_PIXEL_MAP_I_TO_R_SIZE, PixelMapName::IToR),
+        (GL_PIXEL_MAP_I_TO_G_SIZE, PixelMapName::IToG),
+        (GL_PIXEL_MAP_I_TO_B_SIZE, PixelMapName::IToB),
+        (GL_PIXEL_MAP_I_TO_A_SIZE, PixelMapName::IToA),
+        (GL_PIXEL_MAP_R_TO_R_SIZE, PixelMapName::RToR),
+        (GL_PIXEL_MAP_G_TO_G_SIZE, PixelMapName::GToG),
+        (GL_PIXEL_MAP_B_TO_B_SIZE, PixelMapName::BToB),
+        (GL_PIXEL_MAP_A_TO_A_SIZE, PixelMapName::AToA),
     ],
 };
 
-impl Maps {
+impl PixelMaps {
     /// The size of the table that a query names.
     pub fn size(&self, pname: GLenum) -> Option<usize> {
         SIZE.get(pname).map(|name| self.map(name).entries().len())
@@ -111,7 +111,7 @@ fn set(
             format!("mapsize = {size} entries take {needed} bytes: values has fewer"),
         );
     };
-    let mut table = Map { size: size as u16, ..Map::default() };
+    let mut table = PixelMap { size: size as u16, ..PixelMap::default() };
     for (to, bytes) in table.entries.iter_mut().zip(bytes.chunks_exact(entry.bytes)) {
         let value = (entry.read)(bytes);
         *to = if name.has_indices() { value } else { unit(value / entry.one) } as f32;

@@ -1,10 +1,10 @@
 //! `ARB_shader_objects`: one kind of handle for shaders and programs. The calls that GL 2.0 has
 //! under other names are rows of the table of entry points; these it has not.
 
-use crate::base::answer::put;
 use crate::base::args::TextOut;
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation, invalid_value};
+use crate::base::query_value::put;
 use crate::base::types::*;
 use crate::calls::program::inspect::{get_program_info_log, get_programiv};
 use crate::calls::program::programs::delete_program;

@@ -1,13 +1,13 @@
 //! What can be asked of assembly programs: ARB_vertex_program, section 6.1.12.
 
 use crate::assembly::program::{Counts, Target};
-use crate::base::answer::put;
 use crate::base::args::{DataOut, LocatedOut};
 use crate::base::assembly_limits as limits;
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_enum, invalid_operation};
+use crate::base::query_value::put;
+use crate::base::query_value::{QueryValue, int};
 use crate::base::types::*;
-use crate::base::value::{Value, int};
 use crate::calls::program::assembly::parameters;
 use crate::context::Context;
 use crate::interface::MAX_VERTEX_ATTRIBS;
@@ -190,11 +190,11 @@ pub(crate) fn kept(text: &str) -> &'static str {
 }
 
 /// What `glGet` answers of assembly programs.
-pub(crate) fn state_value(context: &Context, pname: GLenum) -> Option<Result<Value>> {
+pub(crate) fn state_value(context: &Context, pname: GLenum) -> Option<Result<QueryValue>> {
     let elements = |transposed: bool| {
         let top = crate::calls::transform::matrix::current(context)?.top;
         let matrix = if transposed { top.transpose() } else { top };
-        Ok(Value::Floats(matrix.to_cols_array().to_vec()))
+        Ok(QueryValue::Floats(matrix.to_cols_array().to_vec()))
     };
     Some(match pname {
         GL_PROGRAM_ERROR_POSITION_ARB => {

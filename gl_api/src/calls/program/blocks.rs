@@ -1,11 +1,11 @@
 //! What is known of uniform blocks, and of uniforms in them: ARB_uniform_buffer_object, section
 //! 2.15.3.
 
-use crate::base::answer::put;
 use crate::base::args::{Names, TextOut};
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation, invalid_value, not_negative};
 use crate::base::limits::MAX_UNIFORM_BUFFER_BINDINGS;
+use crate::base::query_value::put;
 use crate::base::types::*;
 use crate::calls::program::data_type::gl_type;
 use crate::calls::program::inspect::{Active, active_uniforms, first_member};

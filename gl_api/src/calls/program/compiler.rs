@@ -1,10 +1,10 @@
 //! The compiler as OpenGL ES asks about it (ARB_ES2_compatibility): it is always there, takes no
 //! binaries, and calculates with 32 bits whatever precision is written.
 
-use crate::base::answer::put;
 use crate::base::args::Data;
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_enum, not_negative};
+use crate::base::query_value::put;
 use crate::base::types::*;
 use crate::context::Context;
 use crate::objects::shaders::STAGE;

@@ -1,9 +1,9 @@
 //! What is known of a program: GL 2.1, sections 2.15.3 and 6.1.14.
 
-use crate::base::answer::put;
 use crate::base::args::TextOut;
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation, invalid_value, not_negative};
+use crate::base::query_value::put;
 use crate::base::types::*;
 use crate::calls::program::data_type::gl_type;
 use crate::calls::program::near;

@@ -1,9 +1,9 @@
 //! Shader objects: GL 2.1, sections 2.15.1 and 6.1.14.
 
-use crate::base::answer::put;
 use crate::base::args::{Strings, TextOut};
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation, invalid_value, not_negative};
+use crate::base::query_value::put;
 use crate::base::types::*;
 use crate::context::Context;
 use crate::glsl;

@@ -1,10 +1,10 @@
 //! What a program captures: `glTransformFeedbackVaryings` and what the last link made of it.
 
-use crate::base::answer::put;
 use crate::base::args::{Names, TextOut};
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation, invalid_value, not_negative};
 use crate::base::limits::MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS;
+use crate::base::query_value::put;
 use crate::base::types::*;
 use crate::calls::program::data_type::gl_type;
 use crate::calls::program::inspect::indexed;

@@ -1,9 +1,9 @@
 //! Several samples a pixel: GL 2.1, sections 3.2.1 and 4.1.3; `ARB_texture_multisample`, sections
 //! 3.3.1 and 4.1.3.
 
-use crate::base::answer::put;
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_value};
+use crate::base::query_value::put;
 use crate::base::types::*;
 use crate::context::Context;
 use crate::draw::completeness::samples;

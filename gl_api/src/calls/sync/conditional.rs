@@ -7,7 +7,7 @@ use crate::base::error::{Result, Table, invalid_operation, invalid_value};
 use crate::base::types::*;
 use crate::context::Context;
 use crate::draw::pass::submit;
-use crate::objects::conditional::Verdict;
+use crate::objects::queries::ConditionalResult;
 use crate::objects::queries::QueryTarget;
 
 const SECTION: &str = "NV_conditional_render, section 2.X";
@@ -50,7 +50,8 @@ pub(crate) fn begin_conditional_render(
     }
     submit(context);
     let passed = context.objects.queries.get(id).is_some_and(|query| query.samples() > 0);
-    context.queries.conditional = Some(if passed { Verdict::Draw } else { Verdict::Discard });
+    context.queries.conditional =
+        Some(if passed { ConditionalResult::Draw } else { ConditionalResult::Discard });
     Ok(())
 }
 

@@ -12,7 +12,7 @@ const SECTION: &str = "ARB_sync, section 5.3";
 
 /// Where a fence is.
 fn known(context: &Context, sync: GLsync) -> Result<usize> {
-    match context.objects.syncs.place(sync as usize) {
+    match context.objects.syncs.position(sync as usize) {
         Some(at) => Ok(at),
         None => invalid_value(SECTION, "sync is no handle that glFenceSync gave"),
     }

@@ -1,9 +1,9 @@
 //! Queries: GL 2.1, section 4.1.7 (samples), GL 3.0, section 2.16 (primitives),
 //! `ARB_occlusion_query2`, `ARB_timer_query`.
 
-use crate::base::answer::put;
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation};
+use crate::base::query_value::put;
 use crate::base::types::*;
 use crate::context::Context;
 use crate::draw::pass::submit;

@@ -13,39 +13,13 @@ use crate::calls::texture::bound::bound_mut;
 use crate::context::Context;
 use crate::objects::target::TextureTarget;
 use crate::objects::texture_buffer::DataStore;
-use crate::pixel::internal::INTERNAL_FORMAT;
+use crate::pixel::formats;
 use std::ops::Range;
 
 const SECTION: &str = "GL 3.1, section 3.8.4";
 const RANGE: &str = "ARB_texture_buffer_range, section 3.8.4";
 
 const TARGET: Table<()> = Table { section: SECTION, rows: &[(GL_TEXTURE_BUFFER, ())] };
-
-/// The formats of the table in `ARB_texture_buffer_object`, those of GL 3.1 (table 3.15), and those
-/// of `ARB_texture_buffer_object_rgb32`.
-#[rustfmt::skip]
-const FORMATS: [GLenum; 73] = [
-    GL_ALPHA8, GL_ALPHA16, GL_ALPHA16F_ARB, GL_ALPHA32F_ARB,
-    GL_ALPHA8I_EXT, GL_ALPHA16I_EXT, GL_ALPHA32I_EXT,
-    GL_ALPHA8UI_EXT, GL_ALPHA16UI_EXT, GL_ALPHA32UI_EXT,
-    GL_LUMINANCE8, GL_LUMINANCE16, GL_LUMINANCE16F_ARB, GL_LUMINANCE32F_ARB,
-    GL_LUMINANCE8I_EXT, GL_LUMINANCE16I_EXT, GL_LUMINANCE32I_EXT,
-    GL_LUMINANCE8UI_EXT, GL_LUMINANCE16UI_EXT, GL_LUMINANCE32UI_EXT,
-    GL_LUMINANCE8_ALPHA8, GL_LUMINANCE16_ALPHA16,
-    GL_LUMINANCE_ALPHA16F_ARB, GL_LUMINANCE_ALPHA32F_ARB,
-    GL_LUMINANCE_ALPHA8I_EXT, GL_LUMINANCE_ALPHA16I_EXT, GL_LUMINANCE_ALPHA32I_EXT,
-    GL_LUMINANCE_ALPHA8UI_EXT, GL_LUMINANCE_ALPHA16UI_EXT, GL_LUMINANCE_ALPHA32UI_EXT,
-    GL_INTENSITY8, GL_INTENSITY16, GL_INTENSITY16F_ARB, GL_INTENSITY32F_ARB,
-    GL_INTENSITY8I_EXT, GL_INTENSITY16I_EXT, GL_INTENSITY32I_EXT,
-    GL_INTENSITY8UI_EXT, GL_INTENSITY16UI_EXT, GL_INTENSITY32UI_EXT,
-    GL_R8, GL_R16, GL_R16F, GL_R32F,
-    GL_R8I, GL_R16I, GL_R32I, GL_R8UI, GL_R16UI, GL_R32UI,
-    GL_RG8, GL_RG16, GL_RG16F, GL_RG32F,
-    GL_RG8I, GL_RG16I, GL_RG32I, GL_RG8UI, GL_RG16UI, GL_RG32UI,
-    GL_RGB32F, GL_RGB32I, GL_RGB32UI,
-    GL_RGBA8, GL_RGBA16, GL_RGBA16F, GL_RGBA32F,
-    GL_RGBA8I, GL_RGBA16I, GL_RGBA32I, GL_RGBA8UI, GL_RGBA16UI, GL_RGBA32UI,
-];
 
 /// Gives the bound texture its texels, if the arguments are right.
 fn attach(
@@ -56,8 +30,8 @@ fn attach(
     range: impl FnOnce(usize) -> Result<Option<Range<usize>>>,
 ) -> Result<()> {
     TARGET.decode("target", target)?;
-    let format = INTERNAL_FORMAT.get(internal).filter(|_| FORMATS.contains(&internal));
-    let Some(format) = format else {
+    let format = formats::find(internal).filter(|format| format.is_for_texel_buffers());
+    let Some(format) = format.map(|format| format.stored) else {
         return invalid_enum(
             SECTION,
             format!(

@@ -11,7 +11,7 @@ use crate::calls::texture::sub::{checked_area, write_area};
 use crate::context::Context;
 use crate::objects::target::{Dimensions, any_bound, checked_level};
 use crate::pixel::convert;
-use crate::pixel::internal::COMPRESSED_FORMAT;
+use crate::pixel::formats::COMPRESSED;
 use texunit::format::Format;
 use texunit::image::Level;
 
@@ -40,7 +40,7 @@ fn compressed_tex_image(
     (image_size, data): (GLsizei, Data<'_>),
 ) -> Result<()> {
     let image = dimensions.image(target)?;
-    let format = COMPRESSED_FORMAT.decode("internalformat", internal)?;
+    let format = COMPRESSED.decode("internalformat", internal)?.stored;
     if border != 0 {
         return invalid_value(SECTION, format!("border = {border} of compressed images must be 0"));
     }
@@ -75,7 +75,7 @@ fn compressed_tex_sub_image(
     (image_size, data): (GLsizei, Data<'_>),
 ) -> Result<()> {
     let target = dimensions.bound(target)?;
-    let format = COMPRESSED_FORMAT.decode("format", format)?;
+    let format = COMPRESSED.decode("format", format)?.stored;
     let area = checked_area(context, target, level, offset, size)?;
     if area.format != format {
         return invalid_operation(SECTION, "format must be the level's internalformat");

@@ -9,7 +9,7 @@ use crate::context::Context;
 use crate::context::window::Region;
 use crate::draw::completeness::Readable;
 use crate::objects::target::{Dimensions, ImageTarget};
-use crate::pixel::internal::{COMPRESSED_FORMAT, INTERNAL_FORMAT, format_name};
+use crate::pixel::formats::{COMPRESSED, UNCOMPRESSED, format_name};
 use crate::pixel::storage_error::storage_error;
 use crate::pixel::{blocks, convert};
 use texunit::format::Format;
@@ -61,9 +61,9 @@ fn copy_tex_image(
     border: GLint,
 ) -> Result<()> {
     let image = ImageTarget::Bound(dimensions.bound(target)?);
-    let format = match COMPRESSED_FORMAT.get(internal) {
-        Some(format) => format,
-        None => INTERNAL_FORMAT.decode("internalformat", internal)?,
+    let format = match COMPRESSED.get(internal) {
+        Some(format) => format.stored,
+        None => UNCOMPRESSED.decode("internalformat", internal)?.stored,
     };
     let request = Request::new(image, level, internal, format, size, border)?;
     let Some(target) = request.bound(context)? else { return Ok(()) };

@@ -4,13 +4,13 @@ use crate::base::constants::*;
 use crate::base::convert::lod_bias;
 use crate::base::error::{Result, Table, invalid_enum, must_be};
 use crate::base::params::Params;
+use crate::base::query_value as table;
+use crate::base::query_value::QueryValue;
 use crate::base::types::*;
-use crate::base::value as table;
-use crate::base::value::Value;
 use crate::calls::params::{parameter_calls, parameter_queries};
 use crate::context::Context;
-use crate::state::env::MODE;
-use crate::state::env::combine::{COMBINER_PARAMETER, CombinerParameter};
+use crate::state::texture_units::MODE;
+use crate::state::texture_units::combine::{COMBINER_PARAMETER, CombinerParameter};
 
 const SECTION: &str = "GL 2.1, section 3.8.13";
 
@@ -79,7 +79,7 @@ fn set_env(context: &mut Context, target: GLenum, pname: GLenum, params: &Params
         Parameter::Mode => *mode = MODE.decode("param", params.symbol())?,
         Parameter::Color => *color = params.color(),
         Parameter::Combiner(parameter) => {
-            crate::state::env::combine::set(combiners, parameter, params.number())?
+            crate::state::texture_units::combine::set(combiners, parameter, params.number())?
         }
         Parameter::LodBias => *bias = lod_bias(params.number()),
         Parameter::CoordReplace => *coord_replace = params.truth(),
@@ -95,7 +95,7 @@ fn set_env(context: &mut Context, target: GLenum, pname: GLenum, params: &Params
 
 parameter_calls!(set_env(target, pname): tex_envf, tex_envi, tex_envfv, tex_enviv);
 
-fn get_env(context: &Context, target: GLenum, pname: GLenum) -> Result<Value> {
+fn get_env(context: &Context, target: GLenum, pname: GLenum) -> Result<QueryValue> {
     let unit = context.state.units.active();
     match parameter(target, pname)? {
         Parameter::Mode => table::symbol(MODE.encode(unit.mode)),
@@ -103,7 +103,7 @@ fn get_env(context: &Context, target: GLenum, pname: GLenum) -> Result<Value> {
             table::unit(&crate::draw::color_clamp::of_fragments(context).color(unit.color))
         }
         Parameter::Combiner(parameter) => {
-            crate::state::env::combine::get(&unit.combiners, parameter)
+            crate::state::texture_units::combine::get(&unit.combiners, parameter)
         }
         Parameter::LodBias => table::float(unit.lod_bias),
         Parameter::CoordReplace => table::flag(unit.coord_replace),

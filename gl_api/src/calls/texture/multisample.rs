@@ -13,9 +13,8 @@ use crate::calls::texture::specify::Request;
 use crate::context::Context;
 use crate::objects::target::{IMAGE_2D_MULTISAMPLE, IMAGE_3D_MULTISAMPLE, ImageTarget};
 use crate::objects::texture::Samples;
-use crate::pixel::internal::{INTERNAL_FORMAT, is_generic_compressed, sized_format};
+use crate::pixel::formats::{UNCOMPRESSED, sized_format};
 use crate::pixel::storage_error::storage_error;
-use crate::pixel::texel::is_renderable;
 use rasterizer::driver::Rows;
 use texunit::format::Format;
 use texunit::image::Image as Texels;
@@ -41,11 +40,11 @@ struct Asked {
 /// A format that is drawn to, as nothing else fills such an image.
 fn checked_format(internal: GLenum, lifetime: Lifetime) -> Result<Format> {
     let (format, how, section) = match lifetime {
-        Lifetime::Replaceable => (INTERNAL_FORMAT.get(internal), "drawn to", SECTION),
+        Lifetime::Replaceable => (UNCOMPRESSED.get(internal), "drawn to", SECTION),
         Lifetime::Immutable => (sized_format(internal), "sized and drawn to", STORAGE),
     };
     match format {
-        Some(format) if is_renderable(format) && !is_generic_compressed(internal) => Ok(format),
+        Some(format) if format.is_for_multisampling() => Ok(format.stored),
         Some(_) | None => invalid_enum(
             section,
             format!(

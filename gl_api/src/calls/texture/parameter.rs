@@ -1,9 +1,9 @@
 //! Texture parameters: GL 2.1, section 3.8.4 and tables 3.18, 6.17.
 
-use crate::base::answer::put;
 use crate::base::constants::*;
 use crate::base::convert::{symbol, unit};
 use crate::base::error::{Result, Table, invalid_enum, invalid_operation, invalid_value, must_be};
+use crate::base::query_value::put;
 use crate::base::types::*;
 use crate::calls::texture::bound::{bound, bound_mut};
 use crate::context::Context;

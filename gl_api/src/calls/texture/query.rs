@@ -1,15 +1,16 @@
 //! What is known of a level: GL 2.1, section 6.1.3.
 
-use crate::base::answer::put;
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation};
+use crate::base::query_value::put;
 use crate::base::types::*;
 use crate::calls::texture::bound::bound;
 use crate::context::Context;
 use crate::draw::texture_buffer::length;
 use crate::objects::target::{ImageTarget, TextureTarget, any_known, checked_level};
 use crate::objects::texture::Samples;
-use crate::pixel::internal::{Component, component_bits, specific};
+use crate::pixel::component_bits::{Component, component_bits};
+use crate::pixel::formats;
 use std::ops::Range;
 use texunit::format::{Block, Encoding, Format};
 use texunit::image::Level;
@@ -154,7 +155,7 @@ fn property(context: &Context, target: GLenum, level: GLint, pname: GLenum) -> R
     };
     let [width, height, depth] = known.given.map(|side| side as GLint);
     Ok(match property {
-        Property::InternalFormat => specific(known.internal) as GLint,
+        Property::InternalFormat => formats::reported(known.internal) as GLint,
         Property::Width => width,
         Property::Height => height,
         Property::DepthOfVolume => depth,

@@ -1,8 +1,8 @@
 //! Sampler objects: `ARB_sampler_objects`, section 3.8.2.
 
-use crate::base::answer::put;
 use crate::base::constants::*;
 use crate::base::error::{Result, invalid_enum, invalid_operation, invalid_value};
+use crate::base::query_value::put;
 use crate::base::types::*;
 use crate::calls::texture::parameter::clamped;
 use crate::context::Context;

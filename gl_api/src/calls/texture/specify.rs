@@ -12,7 +12,7 @@ use crate::objects::target::{Dimensions, FaceTarget, ImageTarget, TextureTarget,
 use crate::objects::texture::{Proxy, Samples};
 use crate::pixel::client::Pixel;
 use crate::pixel::client::format::{ClientFormat, Numbers};
-use crate::pixel::internal::{INTERNAL_FORMAT, texture_format};
+use crate::pixel::formats::{UNCOMPRESSED, texture_format};
 use crate::pixel::layout::{Extent, Layout};
 use crate::pixel::{blocks, convert};
 use texunit::format::Format;
@@ -31,7 +31,7 @@ pub(crate) fn checked_internal(internal: GLenum) -> Result<Format> {
                 _ => format!(
                     "internalformat = {} {}",
                     enum_name(internal),
-                    must_be(internal, &INTERNAL_FORMAT.values())
+                    must_be(internal, &UNCOMPRESSED.values())
                 ),
             },
         ),

@@ -7,7 +7,7 @@ use crate::calls::texture::bound::{bound, bound_mut};
 use crate::calls::texture::specify::Request;
 use crate::context::Context;
 use crate::objects::target::{FaceTarget, ImageTarget, TextureTarget};
-use crate::pixel::internal::sized_format;
+use crate::pixel::formats::sized_format;
 use texunit::image::{Image as Texels, Level};
 
 const SECTION: &str = "ARB_texture_storage, section 3.8.X";
@@ -81,7 +81,7 @@ fn tex_storage(
 ) -> Result<()> {
     let image = table.decode("target", target)?;
     let target = image.target();
-    let Some(format) = sized_format(internal) else {
+    let Some(format) = sized_format(internal).map(|format| format.stored) else {
         return invalid_enum(
             SECTION,
             format!(

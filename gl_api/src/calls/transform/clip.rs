@@ -1,9 +1,9 @@
 //! User clip planes: GL 2.1, section 2.12.
 
-use crate::base::answer::put;
 use crate::base::constants::*;
 use crate::base::error::{Result, invalid_enum, invalid_operation};
 use crate::base::inverse::inverse;
+use crate::base::query_value::put;
 use crate::base::types::*;
 use crate::context::Context;
 use crate::interface::MAX_CLIP_PLANES;

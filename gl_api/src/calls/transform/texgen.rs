@@ -1,16 +1,16 @@
 //! Generation of texture coordinates: GL 2.1, section 2.11.4.
 
-use crate::base::answer::put_doubles;
 use crate::base::constants::*;
 use crate::base::error::{Result, Table};
 use crate::base::params::Params;
+use crate::base::query_value::put_doubles;
+use crate::base::query_value::{QueryValue, symbol};
 use crate::base::types::*;
-use crate::base::value::{Value, symbol};
 use crate::calls::params::{parameter_calls, parameter_queries};
 use crate::calls::transform::clip::eye_plane;
 use crate::context::Context;
 use crate::interface::TexCoord;
-use crate::state::env::texgen::GenMode;
+use crate::state::texture_units::texgen::GenMode;
 use glam::DVec4;
 
 const SECTION: &str = "GL 2.1, section 2.11.4";
@@ -90,14 +90,14 @@ pub(crate) fn tex_gendv(
     set_tex_gen(context, coord, pname, &Params::vector(params))
 }
 
-fn get_tex_gen(context: &Context, coord: GLenum, pname: GLenum) -> Result<Value> {
+fn get_tex_gen(context: &Context, coord: GLenum, pname: GLenum) -> Result<QueryValue> {
     context.state.units.active_coordinates(SECTION)?;
     let coord = COORD.decode("coord", coord)?;
     let generate = &context.state.units.active().generate[coord as usize];
     match PARAMETER.decode("pname", pname)? {
         Parameter::Mode => symbol(modes(coord).encode(generate.mode)),
-        Parameter::ObjectPlane => Ok(Value::Floats(generate.object_plane.to_array().to_vec())),
-        Parameter::EyePlane => Ok(Value::Floats(generate.eye_plane.to_array().to_vec())),
+        Parameter::ObjectPlane => Ok(QueryValue::Floats(generate.object_plane.to_array().to_vec())),
+        Parameter::EyePlane => Ok(QueryValue::Floats(generate.eye_plane.to_array().to_vec())),
     }
 }
 

@@ -4,7 +4,7 @@
 use crate::base::error::{Result, invalid_operation};
 use crate::base::types::*;
 use crate::context::Context;
-use crate::objects::vertex_arrays::VertexArray;
+use crate::objects::arrays::VertexArray;
 use crate::objects::{Sweep, listed};
 
 const SECTION: &str = "ARB_vertex_array_object, section 2.10";

@@ -6,7 +6,7 @@
 use crate::base::error::{Result, invalid_operation, invalid_value};
 use crate::base::types::*;
 use crate::context::Context;
-use crate::state::locked::Locked;
+use crate::state::locked_arrays::LockedArrays;
 
 const SECTION: &str = "EXT_compiled_vertex_array";
 
@@ -15,17 +15,17 @@ pub(crate) fn lock_arrays(context: &mut Context, first: GLint, count: GLsizei) -
         let rule = format!("first = {first} must be 0 or more, count = {count} 1 or more");
         return invalid_value(SECTION, rule);
     }
-    if context.state.locked != Locked::default() {
+    if context.state.locked != LockedArrays::default() {
         return invalid_operation(SECTION, "arrays are locked already: call glUnlockArraysEXT");
     }
-    context.state.locked = Locked { first, count };
+    context.state.locked = LockedArrays { first, count };
     Ok(())
 }
 
 pub(crate) fn unlock_arrays(context: &mut Context) -> Result<()> {
-    if context.state.locked == Locked::default() {
+    if context.state.locked == LockedArrays::default() {
         return invalid_operation(SECTION, "no arrays are locked: call glLockArraysEXT first");
     }
-    context.state.locked = Locked::default();
+    context.state.locked = LockedArrays::default();
     Ok(())
 }

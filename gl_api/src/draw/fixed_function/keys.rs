@@ -10,17 +10,17 @@ use crate::draw::warnings;
 use crate::generate::fixed::environment::{Environment, environment_base};
 use crate::generate::fixed::fog::FogKey;
 use crate::generate::fixed::fragment::{Coordinates, FragmentKey, UnitKey};
-use crate::generate::fixed::light::{LightKey, LightingKey, Place, Spot, Varying};
+use crate::generate::fixed::light::{LightKey, LightPosition, LightingKey, Spot, Varying};
 use crate::generate::fixed::vertex::{Generated, Normals, PointSize, VertexKey};
 use crate::interface::*;
 use crate::objects::target::TextureTarget;
 use crate::pixel::texel::is_wide;
 use crate::state::enable::Flag;
-use crate::state::env::Unit;
-use crate::state::env::texgen::GenMode;
 use crate::state::fog::FogSource;
 use crate::state::light::{ColorControl, Light};
-use crate::state::material::{Part, column};
+use crate::state::material::{MaterialParameter, column};
+use crate::state::texture_units::Unit;
+use crate::state::texture_units::texgen::GenMode;
 use glam::{DMat4, DVec4};
 use rasterizer::driver::{Antialiasing, LevelInfo, VertexBinding, VertexSource};
 use std::sync::Arc;
@@ -114,9 +114,9 @@ fn is_colored(color: [f32; 4]) -> bool {
 fn light_key(light: &Light) -> LightKey {
     LightKey {
         place: match light.is_local() {
-            false => Place::Infinite,
-            true if light.attenuation == [1.0, 0.0, 0.0] => Place::Local,
-            true => Place::Attenuated,
+            false => LightPosition::Infinite,
+            true if light.attenuation == [1.0, 0.0, 0.0] => LightPosition::Local,
+            true => LightPosition::Attenuated,
         },
         spot: match (light.spot_cutoff, light.spot_exponent) {
             (180.0, _) => Spot::Off,
@@ -141,16 +141,16 @@ fn varying(context: &Context, vertices: &[VertexBinding], side: Side) -> Varying
     let of_color = varies(ATTRIB_COLOR).then_some(ATTRIB_COLOR);
     // Columns of materials come behind all others.
     let any = vertices.last().is_some_and(|binding| binding.location >= ATTRIB_MATERIAL);
-    let own = |part: Part| match tracked {
+    let own = |part: MaterialParameter| match tracked {
         Some(tracked) if tracked.has(part) => of_color,
         Some(_) | None => any.then(|| column(side, part)).filter(|&location| varies(location)),
     };
     Varying {
-        emission: own(Part::Emission),
-        ambient: own(Part::Ambient),
-        diffuse: own(Part::Diffuse),
-        specular: own(Part::Specular),
-        shininess: own(Part::Shininess),
+        emission: own(MaterialParameter::Emission),
+        ambient: own(MaterialParameter::Ambient),
+        diffuse: own(MaterialParameter::Diffuse),
+        specular: own(MaterialParameter::Specular),
+        shininess: own(MaterialParameter::Shininess),
     }
 }
 

@@ -12,9 +12,9 @@ use crate::generate::fixed::vertex::{Generated, PointSize, VertexKey};
 use crate::generate::fixed::word;
 use crate::interface::*;
 use crate::state::enable::Flag;
-use crate::state::env::texgen::GenMode;
 use crate::state::light::Light;
 use crate::state::material::Material;
+use crate::state::texture_units::texgen::GenMode;
 use glam::{DMat3, DMat4, DVec4};
 
 impl FixedWords {

@@ -11,7 +11,7 @@ use crate::objects::color_buffers::attachment_index;
 use crate::objects::framebuffers::{Attached, Source};
 use crate::objects::target::{TARGET, TextureTarget};
 use crate::state::enable::{CAPABILITY, Flag};
-use crate::state::env::Unit;
+use crate::state::texture_units::Unit;
 use rasterizer::driver::{DepthWrite, Image};
 use rasterizer::ir::TextureDecl;
 use texunit::sampler::{Mipmap, Sampler};

@@ -1,31 +1,33 @@
-//! Combiners as code: GL 2.1, section 3.8.13, tables 3.24 and 3.25; `NV_texture_env_combine4`.
+//! Code of texture combiners: GL 2.1, section 3.8.13, tables 3.24 and 3.25; `NV_texture_env_combine4`.
 
 use crate::base::clamp::Clamp;
 use crate::base::vector::clamped;
-use crate::state::env::combine::{Argument, Arguments, Combiner, Function, Operand, Scale, Source};
+use crate::state::texture_units::combine::{
+    Argument, Arguments, Combiner, Function, Operand, Scale, Source,
+};
 use rasterizer::ir::{Builder, Op, Value};
 
-/// What combiners take their arguments from.
+/// The sources of combiner arguments.
 pub(crate) struct Sources<'a> {
-    /// By unit, as the textures give them.
+    /// Texels by unit.
     pub texels: &'a [Option<[Value; 4]>],
     /// The unit that combines.
     pub unit: u8,
     pub constant: [Value; 4],
     pub primary: [Value; 4],
     pub previous: [Value; 4],
-    /// Whether what a unit passes on is clamped.
+    /// Whether a unit's result is clamped.
     pub clamp: Clamp,
 }
 
 impl Sources<'_> {
-    /// What a unit's texture gives, if it has one.
+    /// The texel of a unit's texture, if it has one.
     pub fn texel(&self, unit: u8) -> Option<[Value; 4]> {
         self.texels.get(usize::from(unit)).copied().flatten()
     }
 }
 
-/// What combiners do, with nothing in it that has no effect: a part of a module's key.
+/// The combiners of a unit, without fields that have no effect: part of a module's key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct CombineKey {
     /// Of red, green and blue.
@@ -55,7 +57,7 @@ fn count(function: Function, arguments: Arguments) -> usize {
 }
 
 impl CombineKey {
-    /// What the combiners of a unit do.
+    /// The key of a unit's combiners.
     pub fn new(arguments: Arguments, combiners: &[Combiner; 2]) -> Self {
         let [color, alpha] = combiners.map(|mut combiner| {
             let unread = &mut combiner.arguments[count(combiner.function, arguments)..];
@@ -130,7 +132,7 @@ fn scaled(b: &mut Builder, clamp: Clamp, value: Value, scale: Scale) -> Value {
     clamped(b, clamp, value)
 }
 
-/// A component that a combiner gives; a dot product is that of all three.
+/// A component of a combiner's result; a dot product is the same for all three.
 fn component(
     b: &mut Builder,
     arguments: Arguments,
@@ -189,7 +191,7 @@ fn component(
     scaled(b, from.clamp, value, combiner.scale)
 }
 
-/// The colour that the combiners pass on.
+/// The result of the combiners.
 pub(crate) fn combine(b: &mut Builder, key: &CombineKey, from: &Sources<'_>) -> [Value; 4] {
     let CombineKey { color, alpha, arguments } = key;
     let dot = color.function.is_dot_product();

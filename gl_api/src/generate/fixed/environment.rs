@@ -1,14 +1,14 @@
-//! Texture environments: GL 2.1, tables 3.21 to 3.23.
+//! Code of texture environments: GL 2.1, tables 3.21 to 3.23.
 
 use crate::base::clamp::Clamp;
 use crate::generate::fixed::combine::{CombineKey, Sources, combine};
-use crate::state::env::combine::Combiner;
-use crate::state::env::{Mode, Standard};
+use crate::state::texture_units::combine::Combiner;
+use crate::state::texture_units::{Mode, Standard};
 use rasterizer::ir::{Builder, Op, Value};
 use texunit::format::BaseFormat;
 use texunit::sampler::DepthMode;
 
-/// How a texture's alpha takes part, by its base format.
+/// The alpha of a texture, by its base format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Alpha {
     /// There is none.
@@ -19,7 +19,7 @@ enum Alpha {
     Intensity,
 }
 
-/// A base format as the tables see it; `None` where the texture has no colour.
+/// Whether a base format has colour, and its alpha, as the tables distinguish them.
 fn columns(base: BaseFormat) -> (bool, Alpha) {
     match base {
         BaseFormat::Alpha => (false, Alpha::Present),
@@ -33,7 +33,7 @@ fn columns(base: BaseFormat) -> (bool, Alpha) {
     }
 }
 
-/// The base format that an environment sees: depth acts as its mode says (section 3.8.14).
+/// The base format for an environment: depth is treated as `GL_DEPTH_TEXTURE_MODE` says (section 3.8.14).
 pub(crate) fn environment_base(base: BaseFormat, mode: DepthMode) -> BaseFormat {
     match (base, mode) {
         (BaseFormat::Depth, DepthMode::Luminance) => BaseFormat::Luminance,
@@ -54,7 +54,7 @@ pub(crate) fn environment_base(base: BaseFormat, mode: DepthMode) -> BaseFormat 
     }
 }
 
-/// What a unit's environment does: a part of a module's key.
+/// A unit's environment: part of a module's key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Environment {
     Standard(Standard),
@@ -62,7 +62,7 @@ pub(crate) enum Environment {
 }
 
 impl Environment {
-    /// What a unit's state means.
+    /// The key of a unit's state.
     pub fn new(mode: Mode, combiners: &[Combiner; 2]) -> Self {
         match mode {
             Mode::Standard(mode) => Self::Standard(mode),
@@ -71,7 +71,7 @@ impl Environment {
     }
 }
 
-/// The colour that a unit passes on; without a texture, that which came.
+/// The colour after a unit; without a texture, the colour before it.
 pub(crate) fn apply(
     b: &mut Builder,
     environment: &Environment,
@@ -141,7 +141,7 @@ fn blend(b: &mut Builder, from: Value, to: Value, weight: Value) -> Value {
     b.op(Op::Add, &[from, to])
 }
 
-/// `min(a + b, 1)` where what a unit passes on is clamped.
+/// `min(a + b, 1)` if the unit's result is clamped, else `a + b`.
 fn add(b: &mut Builder, clamp: Clamp, left: Value, right: Value) -> Value {
     let sum = b.op(Op::Add, &[left, right]);
     match clamp {

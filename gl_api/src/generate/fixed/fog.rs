@@ -1,11 +1,11 @@
-//! Fog: GL 2.1, section 3.10.
+//! Code of fog: GL 2.1, section 3.10.
 
 use crate::base::vector::{clamp, words};
 use crate::generate::fixed::word;
 use crate::state::fog::{FogMode, FogSource};
 use rasterizer::ir::{Builder, Op, Value};
 
-/// What of fog changes the code.
+/// The state of fog that the code depends on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct FogKey {
     pub mode: FogMode,
@@ -24,7 +24,7 @@ pub(crate) fn constants(mode: FogMode, density: f64, start: f64, end: f64) -> [f
     }
 }
 
-/// The colour in fog, at a distance.
+/// A colour with fog, given the fog coordinate.
 pub(crate) fn fog(
     b: &mut Builder,
     key: FogKey,

@@ -6,9 +6,11 @@ use crate::generate::fixed::combine::CombineKey;
 use crate::generate::fixed::environment::Environment;
 use crate::generate::fixed::fog::FogKey;
 use crate::generate::fixed::fragment::{FragmentKey, UnitKey};
-use crate::state::env::Standard;
-use crate::state::env::combine::{Argument, Arguments, Combiner, Function, Operand, Scale, Source};
 use crate::state::fog::FogMode;
+use crate::state::texture_units::Standard;
+use crate::state::texture_units::combine::{
+    Argument, Arguments, Combiner, Function, Operand, Scale, Source,
+};
 use texunit::format::BaseFormat;
 
 /// A formula and its section.

@@ -27,12 +27,12 @@ pub(crate) struct UnitKey {
     pub base: BaseFormat,
     pub shape: Shape,
     pub compare: bool,
-    /// Whether texels may be outside of [0, 1], so that what the unit passes on is clamped.
+    /// Whether texels may be outside of [0, 1], so that the unit's result is clamped.
     pub clamp: Clamp,
     pub coordinates: Coordinates,
 }
 
-/// Where a unit's coordinates come from.
+/// How a unit's coordinates are read from the vertex stage.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Coordinates {
     /// From the vertex stage; q is 1.
@@ -41,7 +41,7 @@ pub(crate) enum Coordinates {
     Projective,
 }
 
-/// The state that changes the code.
+/// The state that the code depends on.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct FragmentKey {
     /// First uniform word of the fixed function.
@@ -54,7 +54,7 @@ pub(crate) struct FragmentKey {
     /// Whether the secondary colour is added.
     pub color_sum: bool,
     pub fog: Option<FogKey>,
-    /// The alpha test, unless it lets everything through.
+    /// The alpha test, unless it always passes.
     pub alpha: Option<Compare>,
     /// Whether coverage changes alpha.
     pub antialiasing: Antialiasing,
@@ -94,7 +94,7 @@ pub(crate) fn module(key: &FragmentKey) -> Module {
     module
 }
 
-/// What the module does without, and why.
+/// Notes of a module: what was left out, and why.
 fn left_out(key: &FragmentKey) -> Vec<String> {
     let mut notes = Vec::new();
     if key.alpha.is_none() {

@@ -1,4 +1,4 @@
-//! The lighting equation: GL 2.1, section 2.14.1.
+//! Code of the lighting equation: GL 2.1, section 2.14.1.
 
 use crate::base::vector::{at_least_zero, dot, each, scale, unit, words};
 use crate::generate::fixed::vertex::attribute;
@@ -6,39 +6,38 @@ use crate::generate::fixed::word;
 use crate::interface::{MAX_LIGHTS, Side};
 use rasterizer::ir::{Builder, Op, Ty, Value};
 
-/// How a light's intensity depends on where the vertex is.
+/// The position of a light, and whether it is attenuated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) enum Place {
-    /// The light is infinitely far.
+pub(crate) enum LightPosition {
+    /// At infinity.
     Infinite,
-    /// It is at a point, and reaches everywhere alike.
+    /// At a point, without attenuation.
     Local,
-    /// It is at a point, and grows weaker with the distance.
+    /// At a point, attenuated with the distance.
     Attenuated,
 }
 
 /// Whether a light is a spotlight.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Spot {
-    /// It is none.
+    /// No spotlight.
     Off,
-    /// Its cone is lit evenly.
+    /// Constant intensity within the cone.
     Even,
-    /// The cone is darker toward its edge.
+    /// Intensity falls toward the edge of the cone.
     Focused,
 }
 
-/// What of a light changes the code.
+/// The state of a light that the code depends on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct LightKey {
-    pub place: Place,
+    pub place: LightPosition,
     pub spot: Spot,
     /// Whether its specular product with any material is not black.
     pub specular: bool,
 }
 
-/// Where each part of a side's material comes from: an attribute of the vertex by its location, or
-/// uniform words.
+/// The source of each parameter of a side's material: a vertex attribute by location, or uniform words.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub(crate) struct Varying {
     pub emission: Option<u8>,
@@ -48,7 +47,7 @@ pub(crate) struct Varying {
     pub shininess: Option<u8>,
 }
 
-/// What of lighting changes the code.
+/// The state of lighting that the code depends on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct LightingKey {
     /// The lights that are on.
@@ -78,14 +77,14 @@ pub(crate) struct Lit {
     pub secondary: [Value; 4],
 }
 
-/// A vertex that is lit.
+/// The vertex for which lighting is computed.
 pub(crate) struct Vertex {
     /// In eye coordinates.
     pub eye: [Value; 3],
     pub normal: [Value; 3],
 }
 
-/// What a light does to a vertex, whatever the side and its material.
+/// Terms of a light at a vertex that are independent of side and material.
 struct Ray {
     /// `n · VP`, of the front.
     diffuse: Value,
@@ -95,7 +94,7 @@ struct Ray {
     intensity: Option<Value>,
 }
 
-/// The product that is there, if any is.
+/// The product of the factors that there are.
 fn product(b: &mut Builder, left: Option<Value>, right: Option<Value>) -> Option<Value> {
     match (left, right) {
         (Some(left), Some(right)) => Some(b.op(Op::Mul, &[left, right])),
@@ -106,11 +105,11 @@ fn product(b: &mut Builder, left: Option<Value>, right: Option<Value>) -> Option
 fn ray(b: &mut Builder, key: &LightingKey, light: LightKey, at: u32, vertex: &Vertex) -> Ray {
     let place: [Value; 3] = words(b, at);
     let (toward, attenuation) = match light.place {
-        Place::Infinite => (place, None),
-        Place::Local | Place::Attenuated => {
+        LightPosition::Infinite => (place, None),
+        LightPosition::Local | LightPosition::Attenuated => {
             let difference = each(b, Op::Sub, place, vertex.eye);
             let (toward, distance) = unit(b, difference);
-            let attenuated = light.place == Place::Attenuated;
+            let attenuated = light.place == LightPosition::Attenuated;
             (toward, attenuated.then(|| attenuation(b, at + 11, distance)))
         }
     };
@@ -124,7 +123,7 @@ fn ray(b: &mut Builder, key: &LightingKey, light: LightKey, at: u32, vertex: &Ve
             let (viewer, _) = unit(b, opposite);
             let sum = each(b, Op::Add, toward, viewer);
             unit(b, sum).0
-        } else if light.place == Place::Infinite {
+        } else if light.place == LightPosition::Infinite {
             words(b, at + 3)
         } else {
             let one = b.float(1.0);

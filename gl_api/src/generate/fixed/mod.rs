@@ -1,8 +1,8 @@
 //! The fixed function as a shader generator: state in, modules of the rasterizer's IR out.
 //!
-//! A module is keyed by the state that changes its code and by nothing else; what changes from draw
+//! A module's key is the state that its code depends on, and nothing else; values that change from draw
 //! to draw (matrices, products of lights and materials, environment colours, the alpha reference)
-//! comes in uniform words ([`word`]).
+//! are uniform words ([`word`]).
 
 pub(crate) mod clamp;
 pub(crate) mod combine;
@@ -22,17 +22,17 @@ use rasterizer::driver::ShaderModule;
 use rasterizer::ir::{IrError, Module};
 use std::collections::HashMap;
 
-/// More modules than this are forgotten and generated again.
+/// With more modules than this, the cache is emptied.
 const KEPT: usize = 1024;
 
-/// The modules that were generated.
+/// The cache of generated modules.
 #[derive(Debug, Default)]
 pub(crate) struct FixedModules {
     vertex: Modules<VertexKey>,
     fragment: Modules<FragmentKey>,
 }
 
-/// The modules of a stage, and the one that was last asked for: draws mostly come in runs.
+/// The modules of a stage, and the last one used: consecutive draws mostly use the same.
 #[derive(Debug)]
 struct Modules<K> {
     all: HashMap<K, ShaderModule>,
@@ -70,7 +70,7 @@ impl FixedModules {
     }
 }
 
-/// What a cache holds for a key, made if need be.
+/// The cached value of a key, made if there is none.
 pub(crate) fn cached<K: Clone + Eq + std::hash::Hash>(
     modules: &mut HashMap<K, ShaderModule>,
     key: &K,

@@ -1,5 +1,5 @@
-//! What the state of a draw changes in a stage, whoever wrote it: coverage becomes alpha, the back of
-//! a polygon has colours of its own, and user clip planes cut.
+//! Changes to a stage, generated or a program's, for the state of a draw: coverage as alpha, two-sided colours, and
+//! user clip planes.
 
 use crate::base::vector::{dot, words};
 use crate::interface::*;
@@ -29,8 +29,8 @@ pub(crate) fn add_coverage(module: &mut Module) {
     }
 }
 
-/// Lets the colours of a back face be those that the vertex stage wrote for it (GL 2.1, section
-/// 2.14.1): `gl_Color` is `gl_FrontColor` or `gl_BackColor`.
+/// Selects the back colours of the vertex stage for back faces (GL 2.1, section 2.14.1): `gl_Color` is `gl_FrontColor`
+/// or `gl_BackColor`.
 pub(crate) fn add_two_sides(module: &mut Module) {
     let mut evaluated = Vec::new();
     for at in 0..module.values.len() {

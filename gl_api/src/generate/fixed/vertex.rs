@@ -8,8 +8,8 @@ use crate::interface::*;
 use crate::state::fog::FogSource;
 use rasterizer::ir::{Builder, Input, Module, Op, Output, Stage, Value};
 
-/// How a texture coordinate is generated. Planes of eye coordinates are brought to object
-/// coordinates once a draw, so that both linear modes are one.
+/// The generation of a texture coordinate. Eye planes are transformed to object coordinates once per draw, so that both
+/// linear modes are the same code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Generated {
     Linear,
@@ -18,23 +18,23 @@ pub(crate) enum Generated {
     NormalMap,
 }
 
-/// What becomes of normals in eye coordinates. Rescaling is part of their matrix.
+/// The treatment of normals in eye coordinates. Rescaling is part of their matrix.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Normals {
     AsTheyAre,
     Normalized,
 }
 
-/// Where the size of points comes from.
+/// The source of the point size.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum PointSize {
-    /// From the pipeline.
+    /// Pipeline state.
     Constant,
-    /// It falls with the distance from the eye.
+    /// Attenuated with the distance from the eye.
     Attenuated,
 }
 
-/// The state that changes the code.
+/// The state that the code depends on.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct VertexKey {
     /// First uniform word of the fixed function.

@@ -1,8 +1,8 @@
 //! The uniform words of the fixed function, counted from its first one. They follow those of the
 //! program where one stage is a program's.
 //!
-//! What nearly every draw reads comes first: a draw brings the words up to the last one that its
-//! stages read, and of those only the groups that they read are kept up to date.
+//! Words that nearly every draw reads come first: a draw has the words up to the last one that its stages read, and
+//! only the groups that they read are updated.
 
 use crate::interface::{MAX_CLIP_PLANES, MAX_LIGHTS, MAX_TEXTURE_UNITS, Side};
 

@@ -1,5 +1,4 @@
-//! How the components of a pixel are written in the client's memory (GL 2.1, table 3.5; GL 3.0 for
-//! floats).
+//! `type` of pixels in client memory: the encoding of components (GL 2.1, table 3.5; GL 3.0 for floats).
 
 use crate::base::constants::*;
 use crate::base::error::Table;
@@ -9,10 +8,10 @@ use crate::pixel::packed::{PACKED, Packed};
 use texunit::format::Field;
 use texunit::pixel::{ByteOrder, NumberEncoding, PixelLayout};
 
-/// How the components of a pixel are written (GL 2.1, table 3.5).
+/// The encoding of the components of a pixel (GL 2.1, table 3.5).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum ClientType {
-    /// A bit, eight to a byte; it is taken apart to a byte before it is read.
+    /// A bit, eight to a byte; it is expanded to a byte before it is read.
     Bit,
     U8,
     I8,
@@ -65,12 +64,11 @@ const TYPES: [(GLenum, ClientType); PLAIN.len() + PACKED.len()] = {
     rows
 };
 
-/// What `type` can be.
+/// The values of `type`.
 pub(crate) const TYPE: Table<ClientType> = Table { section: "GL 2.1, table 3.5", rows: &TYPES };
 
 impl ClientType {
-    /// Bytes of an element, a component or a whole packed pixel: what alignment and byte order
-    /// are about.
+    /// Bytes of an element (a component, or a whole packed pixel), to which alignment and byte order apply.
     pub fn size(self) -> usize {
         match self {
             Self::Bit | Self::U8 | Self::I8 => 1,
@@ -101,8 +99,8 @@ impl ClientType {
         }
     }
 
-    /// How a pixel of so many components lies in memory, whose integers mean `numbers`. Bits are taken apart to bytes
-    /// before.
+    /// The memory layout of a pixel with so many components, whose integers are interpreted as `numbers`. Bits are
+    /// expanded to bytes before.
     pub fn record(self, components: usize, numbers: Numbers, order: ByteOrder) -> PixelLayout {
         let (unsigned, signed) = match numbers {
             Numbers::Fixed => (NumberEncoding::Unorm, NumberEncoding::Fixed),

@@ -1,10 +1,10 @@
-//! Which components the pixels of the client's memory have (GL 2.1, table 3.6; GL 3.0 for integers),
-//! and what their integers mean.
+//! `format` of pixels in client memory: their components (GL 2.1, table 3.6; GL 3.0 for integers), and how integers
+//! are interpreted.
 
 use crate::base::constants::*;
 use crate::base::error::Table;
 use crate::pixel::client::format::Numbers::{Fixed, Integer};
-use crate::pixel::transfer::Kind;
+use crate::pixel::transfer::TransferKind;
 use ClientFormat::*;
 
 /// The components of a pixel in memory (GL 2.1, table 3.6).
@@ -32,7 +32,7 @@ pub(crate) enum ClientFormat {
     ColorIndex,
 }
 
-/// What the integers of a pixel mean.
+/// How the integers of a pixel are interpreted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Numbers {
     /// Fractions: unsigned `c / (2^b - 1)`, signed `(2c + 1) / (2^b - 1)` (GL 2.1, table 2.9).
@@ -44,7 +44,7 @@ pub(crate) enum Numbers {
     Integer,
 }
 
-/// What the luminance of a colour is on its way to the client.
+/// How luminance is computed from a colour that goes to the client.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum LuminanceOf {
     /// R + G + B, of pixels of a framebuffer (GL 2.1, section 4.3.2).
@@ -53,7 +53,7 @@ pub(crate) enum LuminanceOf {
     Red,
 }
 
-/// What `format` can be.
+/// The values of `format`.
 pub(crate) const FORMAT: Table<(ClientFormat, Numbers)> = Table {
     section: "GL 2.1, table 3.6",
     rows: &[
@@ -98,23 +98,23 @@ impl ClientFormat {
         }
     }
 
-    /// What its pixels are of.
-    pub fn kind(self) -> Kind {
+    /// Which steps of pixel transfer apply.
+    pub fn kind(self) -> TransferKind {
         match self {
-            Depth => Kind::Depth,
-            DepthStencil => Kind::DepthStencil,
-            Stencil => Kind::Stencil,
-            ColorIndex => Kind::ColorIndex,
+            Depth => TransferKind::Depth,
+            DepthStencil => TransferKind::DepthStencil,
+            Stencil => TransferKind::Stencil,
+            ColorIndex => TransferKind::ColorIndex,
             Red | Green | Blue | Alpha | Rg | Rgb | Bgr | Rgba | Bgra | Abgr | Luminance
-            | LuminanceAlpha => Kind::Color,
+            | LuminanceAlpha => TransferKind::Color,
         }
     }
 
     /// Whether it is of depth or stencil, not of colour.
     pub fn is_depth(self) -> bool {
         match self.kind() {
-            Kind::Depth | Kind::DepthStencil | Kind::Stencil => true,
-            Kind::Color | Kind::ColorIndex => false,
+            TransferKind::Depth | TransferKind::DepthStencil | TransferKind::Stencil => true,
+            TransferKind::Color | TransferKind::ColorIndex => false,
         }
     }
 

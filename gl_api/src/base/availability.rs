@@ -1,14 +1,15 @@
-//! Which versions and extensions of which API have a command, by the Khronos registry.
+//! Which versions and extensions of which API have a command or an internal format; of commands, by the Khronos
+//! registry.
 
 use std::cmp::Ordering;
 use std::fmt;
 
-/// A family of versions, as the registry tells them apart.
+/// An API and profile, as the registry distinguishes them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Api {
     /// OpenGL, with everything that later versions deprecate: 1.0 and later.
     Compatibility,
-    /// The core profile of OpenGL: 3.2 and later. Of what it leaves out, earlier versions are asked as `Compatibility`.
+    /// The core profile of OpenGL: 3.2 and later. Earlier versions are `Compatibility`.
     Core,
     /// OpenGL ES 1.0 and 1.1.
     Es1,
@@ -38,16 +39,16 @@ impl fmt::Display for Version {
     }
 }
 
-/// The versions of the core profile that have a command.
+/// The versions of the core profile that have a command or a format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct CoreVersions {
     /// The first.
     pub from: Version,
-    /// The first without it again.
+    /// The first version that no longer has it.
     pub removed_in: Option<Version>,
 }
 
-/// An extension that brings a command, and the APIs to which it does.
+/// An extension that adds a command or a format, and the APIs to which it adds it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Extension {
     /// With `GL_`.
@@ -56,7 +57,7 @@ pub struct Extension {
     pub apis: &'static [Api],
 }
 
-/// Where there is a command.
+/// Which versions and extensions of each API have a command or a format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Availability {
     /// The first version of OpenGL that has it.
@@ -72,7 +73,7 @@ pub struct Availability {
 }
 
 impl Availability {
-    /// Whether a version of an API has the command without an extension.
+    /// Whether a version of an API has it without an extension.
     pub fn is_in(&self, api: Api, version: Version) -> bool {
         let from = match api {
             Api::Compatibility => self.compatibility,
@@ -87,7 +88,7 @@ impl Availability {
         from.is_some_and(|from| version >= from)
     }
 
-    /// The extensions that bring the command to an API.
+    /// The extensions that add it to an API.
     pub fn extensions_of(&self, api: Api) -> impl Iterator<Item = &'static str> {
         let of_api = self.extensions.iter().filter(move |extension| extension.apis.contains(&api));
         of_api.map(|extension| extension.name)
@@ -101,7 +102,7 @@ pub fn registry() -> impl Iterator<Item = (&'static str, &'static Availability)>
     REGISTRY.iter().map(|(name, availability)| (*name, availability))
 }
 
-/// Where there is a command of that name; `None` if the registry has none.
+/// The availability of the command of that name; `None` if the registry has none.
 pub const fn of(name: &str) -> Option<Availability> {
     let (mut low, mut high) = (0, REGISTRY.len());
     while low < high {

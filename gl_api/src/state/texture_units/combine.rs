@@ -1,15 +1,15 @@
-//! The state of combiners: GL 2.1, section 3.8.13, tables 3.24 and 3.25, with the sources of
+//! State of texture combiners: GL 2.1, section 3.8.13, tables 3.24 and 3.25, with the sources of
 //! `ARB_texture_env_crossbar` and the four arguments of `NV_texture_env_combine4`.
 
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_value};
+use crate::base::query_value::{QueryValue, float, symbol};
 use crate::base::types::*;
-use crate::base::value::{Value, float, symbol};
 use crate::interface::MAX_TEXTURE_UNITS;
 
 const SECTION: &str = "GL 2.1, section 3.8.13";
 
-/// How many arguments `GL_ADD` and `GL_ADD_SIGNED` have.
+/// The number of arguments of `GL_ADD` and `GL_ADD_SIGNED`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Arguments {
     /// `a + b`.
@@ -18,7 +18,7 @@ pub(crate) enum Arguments {
     Four,
 }
 
-/// What arguments are combined by.
+/// A combiner function of arguments `a` to `d`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Function {
     /// `a`.
@@ -77,7 +77,7 @@ const FUNCTION: [Table<Function>; 2] = [
     Table { section: SECTION, rows: FUNCTIONS.split_at(6).0 },
 ];
 
-/// Where an argument comes from.
+/// The source of an argument.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Source {
     /// The unit's own texture.
@@ -115,7 +115,7 @@ const SOURCE: Table<Source> = Table {
 
 const _: () = assert!(MAX_TEXTURE_UNITS == 8, "a row for each unit");
 
-/// What of a source is the argument.
+/// How an argument is taken from its source.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Operand {
     Color,
@@ -144,7 +144,7 @@ pub(crate) struct Argument {
     pub operand: Operand,
 }
 
-/// What a combined value is multiplied by.
+/// The scale of a combiner's result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Scale {
     One,
@@ -190,54 +190,54 @@ impl Combiner {
     }
 }
 
-/// What `glTexEnv` sets of a combiner.
+/// A field of a combiner that `glTexEnv` sets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Part {
+pub(crate) enum CombinerField {
     Function,
     Source(u8),
     Operand(u8),
     Scale,
 }
 
-/// A part of the combiner of colour (0) or of alpha (1).
+/// A field of the combiner of colour (0) or of alpha (1).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct CombinerParameter {
     combiner: usize,
-    part: Part,
+    part: CombinerField,
 }
 
-/// A row's meaning.
-const fn of(combiner: usize, part: Part) -> CombinerParameter {
+/// Shorthand for a row.
+const fn of(combiner: usize, part: CombinerField) -> CombinerParameter {
     CombinerParameter { combiner, part }
 }
 
 pub(crate) const COMBINER_PARAMETER: Table<CombinerParameter> = Table {
     section: SECTION,
     rows: &[
-        (GL_COMBINE_RGB, of(0, Part::Function)),
-        (GL_COMBINE_ALPHA, of(1, Part::Function)),
-        (GL_SRC0_RGB, of(0, Part::Source(0))),
-        (GL_SRC1_RGB, of(0, Part::Source(1))),
-        (GL_SRC2_RGB, of(0, Part::Source(2))),
-        (GL_SOURCE3_RGB_NV, of(0, Part::Source(3))),
-        (GL_SRC0_ALPHA, of(1, Part::Source(0))),
-        (GL_SRC1_ALPHA, of(1, Part::Source(1))),
-        (GL_SRC2_ALPHA, of(1, Part::Source(2))),
-        (GL_SOURCE3_ALPHA_NV, of(1, Part::Source(3))),
-        (GL_OPERAND0_RGB, of(0, Part::Operand(0))),
-        (GL_OPERAND1_RGB, of(0, Part::Operand(1))),
-        (GL_OPERAND2_RGB, of(0, Part::Operand(2))),
-        (GL_OPERAND3_RGB_NV, of(0, Part::Operand(3))),
-        (GL_OPERAND0_ALPHA, of(1, Part::Operand(0))),
-        (GL_OPERAND1_ALPHA, of(1, Part::Operand(1))),
-        (GL_OPERAND2_ALPHA, of(1, Part::Operand(2))),
-        (GL_OPERAND3_ALPHA_NV, of(1, Part::Operand(3))),
-        (GL_RGB_SCALE, of(0, Part::Scale)),
-        (GL_ALPHA_SCALE, of(1, Part::Scale)),
+        (GL_COMBINE_RGB, of(0, CombinerField::Function)),
+        (GL_COMBINE_ALPHA, of(1, CombinerField::Function)),
+        (GL_SRC0_RGB, of(0, CombinerField::Source(0))),
+        (GL_SRC1_RGB, of(0, CombinerField::Source(1))),
+        (GL_SRC2_RGB, of(0, CombinerField::Source(2))),
+        (GL_SOURCE3_RGB_NV, of(0, CombinerField::Source(3))),
+        (GL_SRC0_ALPHA, of(1, CombinerField::Source(0))),
+        (GL_SRC1_ALPHA, of(1, CombinerField::Source(1))),
+        (GL_SRC2_ALPHA, of(1, CombinerField::Source(2))),
+        (GL_SOURCE3_ALPHA_NV, of(1, CombinerField::Source(3))),
+        (GL_OPERAND0_RGB, of(0, CombinerField::Operand(0))),
+        (GL_OPERAND1_RGB, of(0, CombinerField::Operand(1))),
+        (GL_OPERAND2_RGB, of(0, CombinerField::Operand(2))),
+        (GL_OPERAND3_RGB_NV, of(0, CombinerField::Operand(3))),
+        (GL_OPERAND0_ALPHA, of(1, CombinerField::Operand(0))),
+        (GL_OPERAND1_ALPHA, of(1, CombinerField::Operand(1))),
+        (GL_OPERAND2_ALPHA, of(1, CombinerField::Operand(2))),
+        (GL_OPERAND3_ALPHA_NV, of(1, CombinerField::Operand(3))),
+        (GL_RGB_SCALE, of(0, CombinerField::Scale)),
+        (GL_ALPHA_SCALE, of(1, CombinerField::Scale)),
     ],
 };
 
-/// Sets a part from a number, which is a named constant or a scale.
+/// Sets a field from a number, which is a named constant or a scale.
 pub(crate) fn set(
     combiners: &mut [Combiner; 2],
     parameter: CombinerParameter,
@@ -247,14 +247,14 @@ pub(crate) fn set(
     let combiner = &mut combiners[which];
     let symbol = crate::base::convert::symbol(number);
     match part {
-        Part::Function => combiner.function = FUNCTION[which].decode("param", symbol)?,
-        Part::Source(at) => {
+        CombinerField::Function => combiner.function = FUNCTION[which].decode("param", symbol)?,
+        CombinerField::Source(at) => {
             combiner.arguments[usize::from(at)].source = SOURCE.decode("param", symbol)?;
         }
-        Part::Operand(at) => {
+        CombinerField::Operand(at) => {
             combiner.arguments[usize::from(at)].operand = OPERAND[which].decode("param", symbol)?;
         }
-        Part::Scale => {
+        CombinerField::Scale => {
             let scales = [Scale::One, Scale::Two, Scale::Four];
             let Some(scale) = scales.into_iter().find(|scale| scale.factor() == number) else {
                 return invalid_value(SECTION, format!("a scale = {number} must be 1, 2 or 4"));
@@ -265,16 +265,18 @@ pub(crate) fn set(
     Ok(())
 }
 
-/// Reads a part.
-pub(crate) fn get(combiners: &[Combiner; 2], parameter: CombinerParameter) -> Result<Value> {
+/// Reads a field.
+pub(crate) fn get(combiners: &[Combiner; 2], parameter: CombinerParameter) -> Result<QueryValue> {
     let CombinerParameter { combiner: which, part } = parameter;
     let combiner = &combiners[which];
     match part {
-        Part::Function => symbol(FUNCTION[which].encode(combiner.function)),
-        Part::Source(at) => symbol(SOURCE.encode(combiner.arguments[usize::from(at)].source)),
-        Part::Operand(at) => {
+        CombinerField::Function => symbol(FUNCTION[which].encode(combiner.function)),
+        CombinerField::Source(at) => {
+            symbol(SOURCE.encode(combiner.arguments[usize::from(at)].source))
+        }
+        CombinerField::Operand(at) => {
             symbol(OPERAND[which].encode(combiner.arguments[usize::from(at)].operand))
         }
-        Part::Scale => float(combiner.scale.factor()),
+        CombinerField::Scale => float(combiner.scale.factor()),
     }
 }

@@ -2,7 +2,7 @@
 
 use glam::DVec4;
 
-/// How a coordinate comes to be.
+/// The generation function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum GenMode {
     ObjectLinear,

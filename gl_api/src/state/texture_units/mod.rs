@@ -1,4 +1,4 @@
-//! Texture units and their environments: GL 2.1, sections 2.7, 3.8.12 and 3.8.13.
+//! Texture units: bindings, environments, and generation of coordinates (GL 2.1, sections 2.7, 3.8.12 and 3.8.13).
 
 pub(crate) mod combine;
 pub(crate) mod texgen;
@@ -8,14 +8,14 @@ use crate::base::error::{Result, Table, invalid_operation};
 use crate::interface::{MAX_COMBINED_TEXTURE_IMAGE_UNITS, MAX_TEXTURE_UNITS};
 use crate::objects::bound::Bound;
 use crate::objects::target::TextureTarget;
-use crate::state::env::combine::{Arguments, Combiner};
-use crate::state::env::texgen::Generate;
+use crate::state::texture_units::combine::{Arguments, Combiner};
+use crate::state::texture_units::texgen::Generate;
 use crate::state::versioned::Versioned;
 use std::sync::Arc;
 
 const SECTION: &str = "GL 2.1, section 3.8.13";
 
-/// What a unit without combiners does with the colour that comes from the unit before.
+/// A texture environment function other than `GL_COMBINE`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Standard {
     Replace,
@@ -25,7 +25,7 @@ pub(crate) enum Standard {
     Add,
 }
 
-/// What a unit does with the colour that comes from the unit before.
+/// The texture environment mode.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Mode {
     Standard(Standard),
@@ -53,21 +53,21 @@ pub(crate) struct Unit {
     pub enabled: [bool; TextureTarget::COUNT],
     /// Textures, by target.
     pub bound: [Bound; TextureTarget::COUNT],
-    /// The sampler object, if any, whose state stands for the textures'.
+    /// The sampler object, if any, whose state replaces that of the textures.
     pub sampler: Bound,
     pub mode: Mode,
     pub color: [f32; 4],
     pub lod_bias: f32,
     /// Of colour and of alpha.
     pub combiners: [Combiner; 2],
-    /// How s, t, r and q are generated.
+    /// Generation of s, t, r and q.
     pub generate: [Generate; 4],
     /// Whether point sprites replace the coordinates (section 3.3).
     pub coord_replace: bool,
 }
 
 impl Unit {
-    /// What is switched on: targets, and coordinates that are generated.
+    /// The enabled targets and generated coordinates.
     pub fn switches(&self) -> ([bool; TextureTarget::COUNT], [bool; 4]) {
         (self.enabled, self.generate.each_ref().map(|generate| generate.enabled))
     }
@@ -81,11 +81,11 @@ impl Unit {
     }
 }
 
-/// All units, and which one calls work on.
+/// All units, and the active one.
 #[derive(Clone, Debug)]
 pub(crate) struct Units {
-    /// What `glPushAttrib` keeps shares them until one is changed ([`Self::unit_mut`]). Draws look at
-    /// all of it only where it has changed.
+    /// Shared with the attribute stack until one is changed ([`Self::unit_mut`]). Draws examine them only after a
+    /// change of version.
     pub units: Versioned<Box<[Arc<Unit>; MAX_COMBINED_TEXTURE_IMAGE_UNITS as usize]>>,
     pub active: u8,
     pub client_active: u8,
@@ -124,13 +124,13 @@ impl Units {
         Arc::make_mut(&mut self.units[unit])
     }
 
-    /// Where point sprites replace the coordinates: bit by unit.
+    /// The units whose coordinates point sprites replace, bit by unit.
     pub fn coord_replace(&self) -> u32 {
         let bits = (0..).zip(self.units.iter());
         bits.fold(0, |bits, (at, unit)| bits | u32::from(unit.coord_replace) << at)
     }
 
-    /// The active unit as the number of a set of texture coordinates.
+    /// The active unit as the index of a set of texture coordinates.
     ///
     /// # Errors
     /// `GL_INVALID_OPERATION` where the unit is for images alone (GL 2.1, section 2.11.2).

@@ -1,5 +1,5 @@
-//! Which components are written, which buffers are blended, and the logical operation: GL 2.1,
-//! sections 4.1.10 and 4.2.2; `EXT_draw_buffers2`.
+//! State of each draw buffer (colour mask, blending; `EXT_draw_buffers2`), and logical operations: GL 2.1, sections
+//! 4.1.10 and 4.2.2.
 
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_value};
@@ -32,14 +32,14 @@ pub(crate) const LOGIC_OP: Table<LogicOp> = Table {
     ],
 };
 
-/// What differs from draw buffer to draw buffer.
+/// The state of one draw buffer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct BufferState {
     /// Which of red, green, blue, alpha are written.
     pub mask: [bool; 4],
     /// Whether it is blended.
     pub blend: bool,
-    /// How it is blended (`ARB_draw_buffers_blend`).
+    /// The blend equation and factors (`ARB_draw_buffers_blend`).
     pub formula: Formula,
 }
 

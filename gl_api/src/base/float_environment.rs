@@ -1,13 +1,13 @@
-//! How the calling thread computes. It draws too, and what it computes has to be what other threads do, and other
-//! machines: IEEE 754 with rounding to nearest and denormals, as every thread begins.
+//! The floating-point environment of the calling thread, which draws too: results are the same on all threads and
+//! machines only with IEEE 754 rounding to nearest and with denormals, which is how every thread starts.
 
 use std::hint::black_box;
 
-/// What to say of a thread that computes otherwise.
+/// The warning about a thread with another floating-point environment.
 pub(crate) fn warning() -> Option<String> {
     let denormal = black_box(f32::MIN_POSITIVE) * black_box(0.5);
     let one = black_box(1.0_f32);
-    // A quarter and three quarters of the way to the next number.
+    // A quarter and three quarters of a unit in the last place.
     let [quarter, most] = [0.25, 0.75].map(|part| one + black_box(part * f32::EPSILON));
     let what = if denormal == 0.0 {
         "has its processor flush denormals to zero"
@@ -27,6 +27,6 @@ pub(crate) fn warning() -> Option<String> {
 mod tests {
     #[test]
     fn threads_begin_as_they_should() {
-        assert_eq!(crate::base::arithmetic::warning(), None);
+        assert_eq!(crate::base::float_environment::warning(), None);
     }
 }
