@@ -1,4 +1,5 @@
-//! The interface for the crate of the C ABI alone: what EGL, OSMesa and the C functions of the entry points do with contexts.
+//! The interface for the crate of the C ABI alone: what EGL, OSMesa and the C functions of the entry points do with
+//! contexts.
 //!
 //! Its types are opaque, so that nothing else of this crate has to be public for it.
 
@@ -291,8 +292,8 @@ pub fn compressed_formats() -> usize {
     crate::pixel::formats::general_purpose_formats().len()
 }
 
-/// The setters of quadrics, which return the error callback for a value that was refused: it may delete the quadric, so the
-/// caller calls it afterwards.
+/// The setters of quadrics, which return the error callback for a value that was refused: it may delete the quadric, so
+/// the caller calls it afterwards.
 pub mod quadric {
     use super::{GLUquadric, GLUquadricCallback};
     use crate::base::types::GLenum;

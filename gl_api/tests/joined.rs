@@ -1,5 +1,5 @@
-//! Primitives that are batched into one draw though each has a `glBegin` and `glEnd` of its own: picture, current values,
-//! samples passed, feedback, selection and errors are those of one draw for each.
+//! Primitives that are batched into one draw though each has a `glBegin` and `glEnd` of its own: picture, current
+//! values, samples passed, feedback, selection and errors are those of one draw for each.
 
 #[path = "common/random.rs"]
 mod random;

@@ -1,5 +1,6 @@
-//! Batched draws, and draws that reuse the state of the draw before, with writes to what they read in between: picture, pixels
-//! that are read on the way, samples passed, errors and messages are those of draws that are each finished before the next call.
+//! Batched draws, and draws that reuse the state of the draw before, with writes to what they read in between: picture,
+//! pixels that are read on the way, samples passed, errors and messages are those of draws that are each finished
+//! before the next call.
 
 #[path = "common/random.rs"]
 mod random;

@@ -123,7 +123,8 @@ impl Debug {
         self.push(Message { severity: Severity::Warning, text });
     }
 
-    /// Adds a message to the log, if that is on, cut to the length that its readers have room for (`KHR_debug`, section 5.5.1).
+    /// Adds a message to the log, if that is on, cut to the length that its readers have room for (`KHR_debug`, section
+    /// 5.5.1).
     fn log(&mut self, ty: GLenum, id: GLuint, severity: GLenum, text: &str) {
         if self.output == Output::On {
             let kind = MessageClass { source: GL_DEBUG_SOURCE_API, ty, severity };

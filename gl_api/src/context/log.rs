@@ -1,7 +1,7 @@
 //! `KHR_debug`: the message log, its filters, groups and labels, and the callback.
 //!
-//! The log has the messages of [`super::debug`], and those that the application inserts. The callback is called when the
-//! call that caused a message is over, never in its middle.
+//! The log has the messages of [`super::debug`], and those that the application inserts. The callback is called when
+//! the call that caused a message is over, never in its middle.
 
 use crate::base::constants::*;
 use crate::base::types::*;

@@ -1,21 +1,21 @@
 //! Share groups: objects that several contexts share (GL 2.1, appendix D).
 //!
-//! **What a group owns.** A [`ShareGroup`] owns the names and the objects of textures, samplers, buffers, renderbuffers,
-//! shaders and programs, assembly programs, sync objects and display lists. Framebuffer objects, vertex array objects,
-//! queries, the objects named 0 and all state are each context's own. A context that shares with nobody has no group:
-//! its objects are in [`Context::objects`] for good, and there is no lock.
+//! **What a group owns.** A [`ShareGroup`] owns the names and the objects of textures, samplers, buffers,
+//! renderbuffers, shaders and programs, assembly programs, sync objects and display lists. Framebuffer objects, vertex
+//! array objects, queries, the objects named 0 and all state are each context's own. A context that shares with nobody
+//! has no group: its objects are in [`Context::objects`] for good, and there is no lock.
 //!
-//! **When the lock is taken.** Every entry point of a context with a group takes the group's lock for as long as it runs
-//! ([`SharedObjectsGuard`]), so calls of different contexts never overlap. A call within a call, as those of a display
-//! list, finds the lock held ([`GroupLock::Held`]) and does not take it again.
+//! **When the lock is taken.** Every entry point of a context with a group takes the group's lock for as long as it
+//! runs ([`SharedObjectsGuard`]), so calls of different contexts never overlap. A call within a call, as those of a
+//! display list, finds the lock held ([`GroupLock::Held`]) and does not take it again.
 //!
 //! **What a call sees.** Under the lock, the group's objects are exchanged with those in [`Context::objects`], and
 //! exchanged back when the call returns or panics. So the code of a call finds objects in one place, whether they are
 //! shared or not. Names and parameters that another context has changed are seen by the next call. What another context
 //! has drawn is seen after its `glFlush` or `glFinish`, as draws are recorded until then.
 //!
-//! **How a context joins.** [`Context::shared`] gives a [`ShareHandle`], from which a context is made. Where the context
-//! to share with is current on another thread, a [`ShareRequest`] asks for the handle.
+//! **How a context joins.** [`Context::shared`] gives a [`ShareHandle`], from which a context is made. Where the
+//! context to share with is current on another thread, a [`ShareRequest`] asks for the handle.
 
 use crate::context::Context;
 use crate::objects::Objects;
@@ -111,8 +111,8 @@ pub(crate) fn exchange(a: &mut Objects, b: &mut Objects) {
     std::mem::swap(&mut a.lists, &mut b.lists);
 }
 
-/// A running call. While it exists, the context holds the lock of its group, if it has one, and has the group's objects;
-/// dropped, also by a panic, it gives them back.
+/// A running call. While it exists, the context holds the lock of its group, if it has one, and has the group's
+/// objects; dropped, also by a panic, it gives them back.
 pub(crate) struct SharedObjectsGuard<'a> {
     pub context: &'a mut Context,
     shared: Option<ArcMutexGuard<RawMutex, Objects>>,

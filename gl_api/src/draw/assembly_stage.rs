@@ -1,5 +1,5 @@
-//! Assembly programs (`ARB_vertex_program`, `ARB_fragment_program`) as stages of a draw, for which the program in use has no
-//! stage of its own. Their uniform words lie behind those of the program.
+//! Assembly programs (`ARB_vertex_program`, `ARB_fragment_program`) as stages of a draw, for which the program in use
+//! has no stage of its own. Their uniform words lie behind those of the program.
 
 use crate::assembly::{Position, Target};
 use crate::base::error::Result;

@@ -25,8 +25,8 @@ pub(crate) fn keep(context: &mut Context, topology: Topology, count: u32) {
     context.recorder.emitted.last_draw = Some(last_draw);
 }
 
-/// Draws with the state of the draw before, if nothing but draws was called since and there is nothing to warn of; `false`
-/// if the draw has to be recorded anew.
+/// Draws with the state of the draw before, if nothing but draws was called since and there is nothing to warn of;
+/// `false` if the draw has to be recorded anew.
 pub(crate) fn batch(context: &mut Context, topology: Topology, elements: &Elements) -> bool {
     context.state_changes.no_change();
     let Some(last) = &context.recorder.emitted.last_draw else { return false };

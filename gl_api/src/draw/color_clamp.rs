@@ -1,4 +1,5 @@
-//! Whether colours are clamped to [0, 1]: those of vertices, of fragments, and those that are read (`ARB_color_buffer_float`).
+//! Whether colours are clamped to [0, 1]: those of vertices, of fragments, and those that are read
+//! (`ARB_color_buffer_float`).
 
 use crate::base::clamp::Clamp;
 use crate::context::Context;

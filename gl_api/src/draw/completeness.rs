@@ -1,5 +1,5 @@
-//! Framebuffer completeness (`ARB_framebuffer_object`, section 4.4.4): whether a framebuffer can be used, the pass that a
-//! draw framebuffer is drawn in, and what is read from a read framebuffer.
+//! Framebuffer completeness (`ARB_framebuffer_object`, section 4.4.4): whether a framebuffer can be used, the pass that
+//! a draw framebuffer is drawn in, and what is read from a read framebuffer.
 
 use crate::base::constants::*;
 use crate::base::error::{ErrorCode, GlError, Result};
@@ -232,7 +232,8 @@ pub(crate) fn completeness(context: &Context, name: GLuint) -> std::result::Resu
 }
 
 /// The draw or read buffer that is selected but has no attachment, if there is one. Such a framebuffer is complete by
-/// OpenGL 4.1, and in drivers of all versions; what is drawn there is dropped. `ARB_framebuffer_object` calls it incomplete.
+/// OpenGL 4.1, and in drivers of all versions; what is drawn there is dropped. `ARB_framebuffer_object` calls it
+/// incomplete.
 pub(crate) fn selects_nothing(object: &Framebuffer) -> Option<String> {
     let absent = |buffer: GLenum| {
         attachment_index(buffer).is_some_and(|index| object.colors[index].is_none())

@@ -55,8 +55,8 @@ pub(crate) fn words(
     words
 }
 
-/// Whether a draw may take over what was decided for the one before: no other context changes objects, and no list, watch
-/// or transform feedback needs each draw by itself.
+/// Whether a draw may take over what was decided for the one before: no other context changes objects, and no list,
+/// watch or transform feedback needs each draw by itself.
 pub(crate) fn allows_reuse(context: &Context) -> bool {
     context.is_unshared()
         && context.compiling.is_none()

@@ -1,5 +1,5 @@
-//! The pass that draws are recorded into: when another one begins, when what is recorded is submitted, and which pixels of
-//! its attachments draws reach.
+//! The pass that draws are recorded into: when another one begins, when what is recorded is submitted, and which pixels
+//! of its attachments draws reach.
 
 use crate::context::Context;
 use crate::context::window::Region;

@@ -11,8 +11,8 @@ use crate::state::enable::Flag;
 /// Pending vertices are drawn when there are this many.
 const MAX_PENDING: usize = 1 << 16;
 
-/// Whether primitives give the same picture in one draw as in several, without an error. Programs can read the number of
-/// a primitive in its draw, and while a pixel is watched each draw has a note.
+/// Whether primitives give the same picture in one draw as in several, without an error. Programs can read the number
+/// of a primitive in its draw, and while a pixel is watched each draw has a note.
 pub(crate) fn can_batch(context: &Context) -> bool {
     let enables = &context.state.enables;
     context.immediate.is_none()

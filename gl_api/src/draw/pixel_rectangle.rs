@@ -1,8 +1,8 @@
-//! Draws rectangles of pixels: fragments whose colour or depth comes from an image, and everything else from the current
-//! raster position; and the pixels of bitmaps, which take everything from it.
+//! Draws rectangles of pixels: fragments whose colour or depth comes from an image, and everything else from the
+//! current raster position; and the pixels of bitmaps, which take everything from it.
 //!
-//! The fragment stage is that of any other draw (GL 2.1, section 3.6.4: fragments are textured, fogged and tested), with
-//! the value that the image replaces read from it.
+//! The fragment stage is that of any other draw (GL 2.1, section 3.6.4: fragments are textured, fogged and tested),
+//! with the value that the image replaces read from it.
 
 use crate::base::error::{ErrorCode, GlError, Result};
 use crate::context::Context;

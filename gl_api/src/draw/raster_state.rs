@@ -1,5 +1,5 @@
-//! The rasterizer's state of a draw: points, lines, polygons, and samples. What has no effect on the primitives is left at
-//! its default, so that draws that are equal but for that emit it once.
+//! The rasterizer's state of a draw: points, lines, polygons, and samples. What has no effect on the primitives is left
+//! at its default, so that draws that are equal but for that emit it once.
 
 use crate::base::types::*;
 use crate::context::Context;

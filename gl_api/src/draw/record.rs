@@ -20,8 +20,8 @@ use rasterizer::driver::{
 };
 use texunit::format::Format;
 
-/// The attributes whose current values a draw may read, bit by location. While a list is compiled that is all of them, as
-/// it is drawn with whatever program is in use when it is called.
+/// The attributes whose current values a draw may read, bit by location. While a list is compiled that is all of them,
+/// as it is drawn with whatever program is in use when it is called.
 fn constants_read(context: &Context) -> u64 {
     let linked = context.objects.linked_program(context.state.bindings.program.name());
     match linked.filter(|linked| linked.vertex.is_some() && context.compiling.is_none()) {

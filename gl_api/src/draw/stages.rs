@@ -158,7 +158,8 @@ struct FragmentStage {
 }
 
 impl FragmentStage {
-    /// The stage of a program, or the fixed function's. `vertices` are the fixed-function vertex stage's, where it runs.
+    /// The stage of a program, or the fixed function's. `vertices` are the fixed-function vertex stage's, where it
+    /// runs.
     fn new(
         context: &mut Context,
         programs: &Programs,

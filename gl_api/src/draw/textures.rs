@@ -94,8 +94,8 @@ pub(crate) fn plan(
         ComparisonResult::Scalar => sampler.depth_mode = DepthMode::Red,
         ComparisonResult::Ignored => sampler.compare = None,
     }
-    // A fetch decodes sRGB whatever the sampler has (EXT_texture_sRGB_decode; where a stage filters the texture as well, that
-    // is undefined).
+    // A fetch decodes sRGB whatever the sampler has (EXT_texture_sRGB_decode; where a stage filters the texture as
+    // well, that is undefined).
     if sampler.srgb == SrgbRead::AsIs && reader.fetches() {
         sampler.srgb = SrgbRead::Decode;
     }

@@ -1,8 +1,9 @@
-//! The range of vertices that a draw reads, and what it takes of its arrays: a buffer object whole, or a copy of the range.
+//! The range of vertices that a draw reads, and what it takes of its arrays: a buffer object whole, or a copy of the
+//! range.
 //!
-//! Copies are taken of a C program's memory, which is valid only during the call, and of buffer objects that are written
-//! between draws: a recorded draw that held such a buffer whole would make each write copy all of it. Where indices lie far
-//! apart, vertices are copied one by one.
+//! Copies are taken of a C program's memory, which is valid only during the call, and of buffer objects that are
+//! written between draws: a recorded draw that held such a buffer whole would make each write copy all of it. Where
+//! indices lie far apart, vertices are copied one by one.
 
 use crate::base::client_memory::ClientPointer;
 use crate::base::error::{ErrorCode, GlError, Result};
@@ -87,8 +88,8 @@ pub(crate) fn array_limits(context: &Context) -> [u32; 2] {
     all
 }
 
-/// A copy of a C program's vertices from the first to the last of a draw, and the number of the first. Memory before them is
-/// not read, as it may not be there.
+/// A copy of a C program's vertices from the first to the last of a draw, and the number of the first. Memory before
+/// them is not read, as it may not be there.
 fn snapshot(
     array: &Array,
     pointer: ClientPointer<'_>,
@@ -114,8 +115,8 @@ pub(crate) fn small_range(buffer: &Buffer, range: Range<usize>) -> Option<Buffer
     Some(Buffer::new(part.to_vec()))
 }
 
-/// The vertices of a draw by index, in the order of the indices, where they lie so far apart that they are copied one by
-/// one; not where something reads their numbers.
+/// The vertices of a draw by index, in the order of the indices, where they lie so far apart that they are copied one
+/// by one; not where something reads their numbers.
 pub(crate) fn scattered_vertices(
     context: &Context,
     bytes: &[u8],

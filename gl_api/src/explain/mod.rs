@@ -1,9 +1,10 @@
-//! The explanation of a pixel: every clear and fragment that reached it, with the numbers it was drawn with and the formula
-//! that each follows.
+//! The explanation of a pixel: every clear and fragment that reached it, with the numbers it was drawn with and the
+//! formula that each follows.
 //!
 //! [`Context::watch_pixel`] makes the driver write down what it does to one pixel of the default framebuffer
 //! ([`rasterizer::trace`]); [`Context::explain_pixel`] puts GL's names to it, by the notes of the recorded draws
-//! ([`crate::context::watched_pixel`]). What is written down is what ran: the last line is the picture's pixel, bit for bit.
+//! ([`crate::context::watched_pixel`]). What is written down is what ran: the last line is the picture's pixel, bit for
+//! bit.
 //!
 //! The modules in the order of the text:
 //!

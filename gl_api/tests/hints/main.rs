@@ -1,5 +1,5 @@
-//! Warnings of draws whose picture may not be what was meant: a table of mistakes, each with words of its warning, and a
-//! table of programs that look like mistakes but are intended, which get no warning.
+//! Warnings of draws whose picture may not be what was meant: a table of mistakes, each with words of its warning, and
+//! a table of programs that look like mistakes but are intended, which get no warning.
 
 #[path = "../common/shading.rs"]
 mod shading;

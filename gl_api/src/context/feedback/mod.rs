@@ -1,8 +1,8 @@
 //! Selection and feedback: GL 2.1, sections 5.2 and 5.3.
 //!
 //! In these modes a draw makes no fragments. `draw/feedback` runs its vertices through the same vertex stage, clips and
-//! culls the primitives, and gives them to [`Feedback`]: they are hits of the names on the stack ([`select`]) or numbers
-//! in the client's buffer ([`record`]).
+//! culls the primitives, and gives them to [`Feedback`]: they are hits of the names on the stack ([`select`]) or
+//! numbers in the client's buffer ([`record`]).
 
 use crate::base::client_memory::ClientPointer;
 use crate::context::Context;

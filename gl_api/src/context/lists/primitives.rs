@@ -1,5 +1,6 @@
-//! `glBegin` to `glEnd` in a display list: one buffer, filled when the list is compiled. Where several follow one another
-//! whose primitives share no vertices, they are joined in one buffer and one draw: it costs what many vertices do.
+//! `glBegin` to `glEnd` in a display list: one buffer, filled when the list is compiled. Where several follow one
+//! another whose primitives share no vertices, they are joined in one buffer and one draw: it costs what many vertices
+//! do.
 
 use crate::base::limits::LOCATIONS;
 use crate::base::topology::topology;
@@ -107,8 +108,8 @@ impl ListPrimitives {
         Buffer::new(bytes)
     }
 
-    /// Whether `next` can be joined, without `glEnd` and `glBegin` in between: primitives share no vertices, and the same
-    /// attributes vary.
+    /// Whether `next` can be joined, without `glEnd` and `glBegin` in between: primitives share no vertices, and the
+    /// same attributes vary.
     fn can_join(&self, next: &Self) -> bool {
         let has = |location: usize| next.columns.iter().any(|column| column.location == location);
         vertices_of_primitive(self.topology).is_some_and(|each| {

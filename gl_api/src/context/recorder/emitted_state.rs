@@ -36,8 +36,8 @@ impl EmittedState {
     }
 }
 
-/// What the shaders, the pipeline and the textures of the draw before were chosen by. A draw that differs in nothing but
-/// values (uniform words, and where vertices are read from) uses them again: see `draw/draw_reuse.rs`.
+/// What the shaders, the pipeline and the textures of the draw before were chosen by. A draw that differs in nothing
+/// but values (uniform words, and where vertices are read from) uses them again: see `draw/draw_reuse.rs`.
 #[derive(Debug)]
 pub(crate) struct DrawDecisions {
     /// [`crate::context::state_changes::StateChanges::calls`] at its call.

@@ -53,8 +53,8 @@ pub(crate) struct Recorder {
     /// The textures of a stage that samples none.
     pub no_textures: Textures,
     pub unit_summary: UnitSummary,
-    /// The version of the units, and whether messages were logged, at the last check for textures that are bound while no
-    /// unit is enabled.
+    /// The version of the units, and whether messages were logged, at the last check for textures that are bound while
+    /// no unit is enabled.
     pub nothing_enabled: Option<(u64, Output)>,
     /// The uniform words of the last draw, whose memory is used again.
     pub words: Vec<u32>,

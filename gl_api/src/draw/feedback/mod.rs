@@ -1,5 +1,5 @@
-//! A draw in selection and feedback: primitives are assembled (GL 2.1, section 2.6.1), clipped, culled, and drawn as the
-//! polygon mode says (section 3.5); what becomes of them is in [`crate::context::feedback`].
+//! A draw in selection and feedback: primitives are assembled (GL 2.1, section 2.6.1), clipped, culled, and drawn as
+//! the polygon mode says (section 3.5); what becomes of them is in [`crate::context::feedback`].
 
 pub(crate) mod clip;
 

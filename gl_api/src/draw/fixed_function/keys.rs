@@ -127,8 +127,9 @@ fn light_key(light: &Light) -> LightKey {
     }
 }
 
-/// The parts of a side's material that vary by vertex: those that track a colour that varies, and those that `glMaterial`
-/// set between `glBegin` and `glEnd`. A colour that is constant over the draw is in the material's words instead.
+/// The parts of a side's material that vary by vertex: those that track a colour that varies, and those that
+/// `glMaterial` set between `glBegin` and `glEnd`. A colour that is constant over the draw is in the material's words
+/// instead.
 fn varying(context: &Context, vertices: &[VertexBinding], side: Side) -> Varying {
     let varies = |location: u8| {
         vertices.iter().any(|binding| {

@@ -10,8 +10,8 @@ use crate::state::enable::CLIENT_ARRAY;
 use rasterizer::driver::{IndexType, Topology, VertexBinding, VertexSource};
 use rasterizer::ir::{Expr, Input};
 
-/// Warns of arrays that a draw reads past their end. `glDrawArrays` refuses a draw where array 0 is too short; others, and
-/// all that indices reach, read as zeros. Indices are searched only while messages are wanted.
+/// Warns of arrays that a draw reads past their end. `glDrawArrays` refuses a draw where array 0 is too short; others,
+/// and all that indices reach, read as zeros. Indices are searched only while messages are wanted.
 pub(crate) fn short(context: &mut Context, vertices: &[VertexBinding], elements: &Elements) {
     let mut last = None;
     let (_, instances) = elements.counts();

@@ -1,4 +1,5 @@
-//! The warning of depths that an earlier picture left, where only colours were cleared ([`crate::context::stale_depth`]).
+//! The warning of depths that an earlier picture left, where only colours were cleared
+//! ([`crate::context::stale_depth`]).
 
 use crate::context::Context;
 use crate::context::stale_depth::{ColorClear, DepthHistory, DepthSource};
