@@ -19,10 +19,6 @@ pub(crate) fn flag(value: bool) -> Result<Value> {
     Ok(Value::Bools(vec![value]))
 }
 
-pub(crate) fn int(value: impl TryInto<i32>) -> Result<Value> {
-    Ok(Value::Ints(vec![value.try_into().unwrap_or(i32::MAX)]))
-}
-
 pub(crate) fn symbol(value: GLenum) -> Result<Value> {
     Ok(Value::Word(value))
 }

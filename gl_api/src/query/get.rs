@@ -5,7 +5,7 @@ use crate::base::constants::*;
 use crate::base::error::Result;
 use crate::base::types::*;
 use crate::context::Context;
-use crate::query::table::state_value;
+use crate::query::state::state_value;
 
 /// Between `glBegin` and `glEnd` this is refused like any other call, which sets the flag.
 pub(crate) fn get_error(context: &mut Context) -> Result<GLenum> {

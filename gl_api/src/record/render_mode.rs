@@ -4,7 +4,6 @@ use crate::base::args::DataOut;
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation, not_negative};
 use crate::base::types::*;
-use crate::base::value::{Value, int, symbol};
 use crate::context::Context;
 use crate::context::feedback::record::{FeedbackType, Record};
 use crate::context::feedback::{Mode, Target};
@@ -12,7 +11,7 @@ use crate::context::feedback::{Mode, Target};
 const SELECTION: &str = "GL 2.1, section 5.2";
 const FEEDBACK: &str = "GL 2.1, section 5.3";
 
-const MODE: Table<Mode> = Table {
+pub(crate) const MODE: Table<Mode> = Table {
     section: SELECTION,
     rows: &[(GL_RENDER, Mode::Render), (GL_SELECT, Mode::Select), (GL_FEEDBACK, Mode::Feedback)],
 };
@@ -164,20 +163,6 @@ impl Context {
     pub fn feedback(&self) -> &[GLfloat] {
         self.feedback.record.values()
     }
-}
-
-/// What `glGet` reads.
-pub(crate) fn state_value(context: &Context, pname: GLenum) -> Option<Result<Value>> {
-    let feedback = &context.feedback;
-    Some(match pname {
-        GL_RENDER_MODE => symbol(MODE.encode(feedback.mode)),
-        GL_NAME_STACK_DEPTH => int(feedback.select.depth()),
-        GL_MAX_NAME_STACK_DEPTH => int(crate::context::feedback::select::MAX_NAME_STACK_DEPTH),
-        GL_SELECTION_BUFFER_SIZE => int(feedback.select.size()),
-        GL_FEEDBACK_BUFFER_SIZE => int(feedback.record.size()),
-        GL_FEEDBACK_BUFFER_TYPE => symbol(FeedbackType::TABLE.encode(feedback.record.ty())),
-        _ => return None,
-    })
 }
 
 /// Where a buffer begins, by the name that `glGetPointerv` has for it.

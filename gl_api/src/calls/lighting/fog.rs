@@ -4,7 +4,6 @@ use crate::base::constants::*;
 use crate::base::error::{Result, Table};
 use crate::base::params::{Params, at_least_zero};
 use crate::base::types::*;
-use crate::base::value::{Value, float, symbol, unit};
 use crate::calls::params::parameter_calls;
 use crate::context::Context;
 use crate::state::fog::{FOG_MODE, FOG_SOURCE};
@@ -52,17 +51,3 @@ fn set_fog(context: &mut Context, pname: GLenum, params: &Params) -> Result<()> 
 }
 
 parameter_calls!(set_fog(pname): fogf, fogi, fogfv, fogiv);
-
-/// What `glGet` answers.
-pub(crate) fn state_value(context: &Context, pname: GLenum) -> Option<Result<Value>> {
-    let fog = &context.state.fog;
-    Some(match PARAMETER.get(pname)? {
-        Parameter::Mode => symbol(FOG_MODE.encode(fog.mode)),
-        Parameter::Density => float(fog.density),
-        Parameter::Start => float(fog.start),
-        Parameter::End => float(fog.end),
-        Parameter::Index => float(fog.index),
-        Parameter::Color => unit(&crate::draw::clamp::of_fragments(context).color(fog.color)),
-        Parameter::Source => symbol(FOG_SOURCE.encode(fog.source)),
-    })
-}

@@ -4,7 +4,7 @@ use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_value};
 use crate::base::params::{Params, at_least_zero};
 use crate::base::types::*;
-use crate::base::value::{Value, flag, float, symbol, unit};
+use crate::base::value::{Value, float, unit};
 use crate::calls::params::{parameter_calls, parameter_queries};
 use crate::context::Context;
 use crate::state::light::{COLOR_CONTROL, Derived, index};
@@ -144,14 +144,3 @@ fn set_model(context: &mut Context, pname: GLenum, params: &Params) -> Result<()
 }
 
 parameter_calls!(set_model(pname): light_modelf, light_modeli, light_modelfv, light_modeliv);
-
-/// What `glGet` answers.
-pub(crate) fn state_value(context: &Context, pname: GLenum) -> Option<Result<Value>> {
-    let model = &context.state.lights.model;
-    Some(match MODEL_PARAMETER.get(pname)? {
-        ModelParameter::Ambient => unit(&model.ambient),
-        ModelParameter::LocalViewer => flag(model.local_viewer),
-        ModelParameter::TwoSide => flag(model.two_side),
-        ModelParameter::ColorControl => symbol(COLOR_CONTROL.encode(model.color_control)),
-    })
-}

@@ -8,7 +8,7 @@ use crate::base::error::{Result, Table, invalid_operation, invalid_value};
 use crate::base::types::*;
 use crate::calls::pixels::memory::{source, write_bytes};
 use crate::context::Context;
-use crate::pixel::map::{MAX_PIXEL_MAP_TABLE, Map, Maps, Name};
+use crate::pixel::map::{MAX_PIXEL_MAP_TABLE, Map, Name};
 
 const SECTION: &str = "GL 2.1, section 3.6.3";
 
@@ -27,30 +27,6 @@ const NAME: Table<Name> = Table {
         (GL_PIXEL_MAP_A_TO_A, Name::AToA),
     ],
 };
-
-/// What `glGet` is asked for the size of each table.
-const SIZE: Table<Name> = Table {
-    section: "GL 2.1, table 6.22",
-    rows: &[
-        (GL_PIXEL_MAP_I_TO_I_SIZE, Name::IToI),
-        (GL_PIXEL_MAP_S_TO_S_SIZE, Name::SToS),
-        (GL_PIXEL_MAP_I_TO_R_SIZE, Name::IToR),
-        (GL_PIXEL_MAP_I_TO_G_SIZE, Name::IToG),
-        (GL_PIXEL_MAP_I_TO_B_SIZE, Name::IToB),
-        (GL_PIXEL_MAP_I_TO_A_SIZE, Name::IToA),
-        (GL_PIXEL_MAP_R_TO_R_SIZE, Name::RToR),
-        (GL_PIXEL_MAP_G_TO_G_SIZE, Name::GToG),
-        (GL_PIXEL_MAP_B_TO_B_SIZE, Name::BToB),
-        (GL_PIXEL_MAP_A_TO_A_SIZE, Name::AToA),
-    ],
-};
-
-impl Maps {
-    /// The size of the table that a query names.
-    pub fn size(&self, pname: GLenum) -> Option<usize> {
-        SIZE.get(pname).map(|name| self.map(name).entries().len())
-    }
-}
 
 /// How a call has the entries: bytes of each, from bytes to a number, and back.
 struct Entry {

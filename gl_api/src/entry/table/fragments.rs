@@ -4,6 +4,7 @@ use crate::base::types::*;
 use crate::calls::fragment::{blend, clamp, masks, stencil, tests as fragment};
 use crate::calls::framebuffer::{accumulate, clear};
 use crate::calls::index;
+use crate::query::indexed;
 
 #[doc(hidden)]
 #[macro_export]
@@ -79,6 +80,8 @@ macro_rules! entry_points_fragments {
         enablei: glEnablei | glEnableIndexedEXT (target: GLenum, index: GLuint);
         /// Switches a capability of one draw buffer off.
         disablei: glDisablei | glDisableIndexedEXT (target: GLenum, index: GLuint);
+    }
+    Refused in indexed {
         /// Whether a capability of one draw buffer is on.
         is_enabledi: glIsEnabledi | glIsEnabledIndexedEXT (target: GLenum, index: GLuint) -> bool;
         /// Reads state of one draw buffer as truth values.
