@@ -13,6 +13,7 @@ pub mod angle;
 pub(crate) mod args;
 pub(crate) mod arithmetic;
 pub(crate) mod assembly_limits;
+pub mod availability;
 pub(crate) mod begin_end;
 pub(crate) mod client_memory;
 pub mod constants;

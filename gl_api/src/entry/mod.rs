@@ -19,7 +19,6 @@
 mod implement;
 
 pub(crate) mod args;
-pub mod availability;
 pub(crate) mod current;
 pub mod description;
 #[cfg(any(test, feature = "exercise"))]
@@ -27,6 +26,7 @@ pub mod exercise;
 mod table;
 
 pub use crate::base::args::{Data, DataOut, Names, Pointers, Strings, TextOut};
+pub use crate::base::availability;
 pub use args::{Arg, BUFFER_OFFSET, NULL, Null, Offset};
 pub use current::{Current, set_current, with_current};
 pub use table::*;

@@ -20,7 +20,7 @@ use crate::base::error::{Result, invalid_enum};
 use crate::base::types::*;
 use crate::base::value::Value;
 use crate::context::Context;
-use crate::entry::availability::{Availability, Version};
+use crate::base::availability::{Availability, Version};
 use crate::query::enabled::is_on;
 
 /// Where a value is in the context. The variant is the type of the value, which says how it becomes the type that
@@ -63,7 +63,7 @@ impl StateAvailability {
     }
 
     const fn of(spelling: &str) -> Self {
-        match crate::entry::availability::of_enum(spelling) {
+        match crate::base::availability::of_enum(spelling) {
             Some(availability) => Self::Registry(availability),
             None => {
                 panic!("the registry has no enum of that name: state its availability in the row")

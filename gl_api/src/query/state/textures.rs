@@ -6,7 +6,7 @@ use crate::base::constants::*;
 use crate::base::types::*;
 use crate::calls::texture::bound::bound;
 use crate::context::Context;
-use crate::entry::availability::{Availability, Version};
+use crate::base::availability::{Availability, Version};
 use crate::objects::target::TextureTarget;
 
 /// The name of the texture that is bound to a target of the active unit.

@@ -1,4 +1,5 @@
-//! Which versions and extensions of which API have a command or an enum, by the Khronos registry.
+//! Which versions and extensions of which API have a command, an enum or an internal format; of commands and enums,
+//! by the Khronos registry.
 
 use std::cmp::Ordering;
 use std::fmt;
@@ -38,7 +39,7 @@ impl fmt::Display for Version {
     }
 }
 
-/// The versions of the core profile that have a command.
+/// The versions of the core profile that have a command or a format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct CoreVersions {
     /// The first.
@@ -47,7 +48,7 @@ pub struct CoreVersions {
     pub removed_in: Option<Version>,
 }
 
-/// An extension that brings a command, and the APIs to which it does.
+/// An extension that adds a command or a format, and the APIs to which it adds it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Extension {
     /// With `GL_`.
@@ -56,7 +57,7 @@ pub struct Extension {
     pub apis: &'static [Api],
 }
 
-/// Where there is a command.
+/// Which versions and extensions of each API have a command or a format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Availability {
     /// The first version of OpenGL that has it.
@@ -72,7 +73,7 @@ pub struct Availability {
 }
 
 impl Availability {
-    /// Whether a version of an API has the command without an extension.
+    /// Whether a version of an API has it without an extension.
     pub fn is_in(&self, api: Api, version: Version) -> bool {
         let from = match api {
             Api::Compatibility => self.compatibility,
@@ -87,7 +88,7 @@ impl Availability {
         from.is_some_and(|from| version >= from)
     }
 
-    /// The extensions that bring the command to an API.
+    /// The extensions that add it to an API.
     pub fn extensions_of(&self, api: Api) -> impl Iterator<Item = &'static str> {
         let of_api = self.extensions.iter().filter(move |extension| extension.apis.contains(&api));
         of_api.map(|extension| extension.name)
@@ -101,7 +102,7 @@ pub fn registry() -> impl Iterator<Item = (&'static str, &'static Availability)>
     COMMANDS.iter().map(|(name, availability)| (*name, availability))
 }
 
-/// Where there is a command of that name; `None` if the registry has none.
+/// The availability of the command of that name; `None` if the registry has none.
 pub const fn of(name: &str) -> Option<Availability> {
     find(&COMMANDS, name)
 }
