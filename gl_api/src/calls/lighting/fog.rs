@@ -4,7 +4,7 @@ use crate::base::constants::*;
 use crate::base::error::{Result, Table};
 use crate::base::params::{Params, at_least_zero};
 use crate::base::types::*;
-use crate::calls::params::parameter_calls;
+use crate::calls::parameter_forms::parameter_calls;
 use crate::context::Context;
 use crate::state::fog::{FOG_MODE, FOG_SOURCE};
 

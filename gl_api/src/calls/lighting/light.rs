@@ -5,7 +5,7 @@ use crate::base::error::{Result, Table, invalid_value};
 use crate::base::params::{Params, at_least_zero};
 use crate::base::types::*;
 use crate::base::value::{Value, float, unit};
-use crate::calls::params::{parameter_calls, parameter_queries};
+use crate::calls::parameter_forms::{parameter_calls, parameter_queries};
 use crate::context::Context;
 use crate::state::light::{COLOR_CONTROL, Derived, index};
 use glam::{DMat3, DVec4};

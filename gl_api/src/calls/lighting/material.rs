@@ -5,7 +5,7 @@ use crate::base::error::{Result, Table, invalid_value};
 use crate::base::params::Params;
 use crate::base::types::*;
 use crate::base::value::{Value, float, floats, unit};
-use crate::calls::params::{parameter_calls, parameter_queries};
+use crate::calls::parameter_forms::{parameter_calls, parameter_queries};
 use crate::calls::vertex::immediate::attribute;
 use crate::context::Context;
 use crate::context::immediate::Slot;

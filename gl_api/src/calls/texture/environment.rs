@@ -7,7 +7,7 @@ use crate::base::params::Params;
 use crate::base::types::*;
 use crate::base::value as table;
 use crate::base::value::Value;
-use crate::calls::params::{parameter_calls, parameter_queries};
+use crate::calls::parameter_forms::{parameter_calls, parameter_queries};
 use crate::context::Context;
 use crate::state::env::MODE;
 use crate::state::env::combine::{COMBINER_PARAMETER, CombinerParameter};

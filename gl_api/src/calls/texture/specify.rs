@@ -6,7 +6,7 @@ use crate::base::error::{Result, invalid_operation, invalid_value, must_be, not_
 use crate::base::types::*;
 use crate::calls::pixels::memory::pixel_source;
 use crate::calls::texture::bound::{bound, bound_mut};
-use crate::calls::texture::sub::room;
+use crate::calls::texture::sub::scratch;
 use crate::context::Context;
 use crate::objects::target::{Dimensions, FaceTarget, ImageTarget, TextureTarget, checked_level};
 use crate::objects::texture::{Proxy, Samples};
@@ -291,7 +291,7 @@ fn tex_image(
             texels
         }
         (Some(source), Some(_)) => {
-            let mut colors = room(blocks::COLORS, size)?;
+            let mut colors = scratch(blocks::COLORS, size)?;
             convert::unpack(isa, &layout, source.bytes(), blocks::COLORS, transfer, &mut colors);
             blocks::compress(format, request.size, &colors)?
         }

@@ -6,7 +6,7 @@ use crate::base::error::{Result, Table};
 use crate::base::params::Params;
 use crate::base::types::*;
 use crate::base::value::{Value, symbol};
-use crate::calls::params::{parameter_calls, parameter_queries};
+use crate::calls::parameter_forms::{parameter_calls, parameter_queries};
 use crate::calls::transform::clip::eye_plane;
 use crate::context::Context;
 use crate::interface::TexCoord;

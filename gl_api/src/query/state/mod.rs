@@ -15,12 +15,12 @@ mod textures;
 mod transform;
 mod vertex_arrays;
 
+use crate::base::availability::{Availability, Version};
 use crate::base::constants::*;
 use crate::base::error::{Result, invalid_enum};
 use crate::base::types::*;
 use crate::base::value::Value;
 use crate::context::Context;
-use crate::base::availability::{Availability, Version};
 use crate::query::enabled::is_on;
 
 /// Where a value is in the context. The variant is the type of the value, which says how it becomes the type that

@@ -2,11 +2,11 @@
 
 use super::Read::*;
 use super::{Row, fixed_function, rows};
+use crate::base::availability::{Availability, Version};
 use crate::base::constants::*;
 use crate::base::types::*;
 use crate::calls::texture::bound::bound;
 use crate::context::Context;
-use crate::base::availability::{Availability, Version};
 use crate::objects::target::TextureTarget;
 
 /// The name of the texture that is bound to a target of the active unit.

@@ -2,9 +2,9 @@
 
 use super::Read::*;
 use super::{Row, fixed_function, rows, saturated};
+use crate::base::availability::{Availability, Version};
 use crate::base::constants::*;
 use crate::context::Context;
-use crate::base::availability::{Availability, Version};
 use crate::interface::*;
 use crate::objects::arrays::{ANY_TYPE, Array};
 use crate::query::arrays::buffer;
