@@ -1,4 +1,4 @@
-//! Colour index mode's state: kept and answered, without effect, as every framebuffer here has
+//! `glIndexMask` and `glClearIndex`: kept and answered, without effect, as every framebuffer here has
 //! colours of red, green, blue and alpha (GL 2.1, section 4.2.2).
 
 use crate::base::error::Result;

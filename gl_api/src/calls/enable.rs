@@ -1,4 +1,4 @@
-//! What can be switched on and off: `glEnable` and `glEnableClientState`.
+//! `glEnable`, `glDisable`, `glEnableClientState` and `glDisableClientState`.
 
 use crate::base::constants::*;
 use crate::base::error::{Result, invalid_enum};

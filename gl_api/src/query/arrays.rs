@@ -1,4 +1,5 @@
-//! What is known of vertex arrays: GL 2.1, tables 6.6 to 6.9, and sections 6.1.11 and 6.1.14.
+//! `glGetVertexAttrib` and the pointers of vertex arrays: GL 2.1, sections 6.1.11 and 6.1.14. Other state of arrays is in
+//! [`crate::query::state`].
 
 use crate::base::answer::put;
 use crate::base::constants::*;

@@ -1,4 +1,4 @@
-//! `glGetError` and the conversions of `glGet`: GL 2.1, section 6.1.2.
+//! `glGetError`, and `glGet` in each type: GL 2.1, sections 2.5 and 6.1.2.
 
 use crate::base::answer::{put_bools, put_doubles, put_floats, put_ints, put_longs};
 use crate::base::constants::*;

@@ -1,4 +1,4 @@
-//! `glRenderMode`, and where the buffers of its modes are.
+//! `glRenderMode`, `glSelectBuffer` and `glFeedbackBuffer`, and the stack of names: GL 2.1, sections 5.2 and 5.3.
 
 use crate::base::args::DataOut;
 use crate::base::constants::*;

@@ -1,5 +1,4 @@
-//! Buffers that are bound to numbers: `glBindBufferRange`, `glBindBufferBase` (GL 3.0, section
-//! 2.15; ARB_uniform_buffer_object, section 2.15.3.2).
+//! `glBindBufferRange` and `glBindBufferBase`: GL 3.0, section 2.15; `ARB_uniform_buffer_object`, section 2.15.3.2.
 
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_value};

@@ -1,7 +1,7 @@
-//! Which colours are clamped to [0, 1]: `glClampColor` (`ARB_color_buffer_float`).
+//! `glClampColor` (`ARB_color_buffer_float`).
 //!
-//! Colours of the state (fog, environments, the alpha reference, blending, clearing, borders) are kept
-//! as they are given, and clamped where they are used or asked for.
+//! Colours of the state (fog, environments, the alpha reference, blending, clearing, borders) are kept as they are given,
+//! and clamped where they are used or queried.
 
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_enum};

@@ -1,5 +1,5 @@
-//! Which components are written, which buffers are blended, and the logical operation: GL 2.1,
-//! sections 4.1.10 and 4.2.2; `EXT_draw_buffers2`.
+//! `glColorMask`, `glLogicOp`, and blending by draw buffer (`glEnablei`): GL 2.1, sections 4.1.10 and 4.2.2;
+//! `EXT_draw_buffers2`.
 
 use crate::base::constants::*;
 use crate::base::error::{Result, invalid_enum};

@@ -1,5 +1,5 @@
-//! The accumulation buffer of the default framebuffer: GL 2.1, section 4.2.4. Its components are
-//! `f32`; it has memory from when it is first used.
+//! `glAccum`: the accumulation buffer of the default framebuffer (GL 2.1, section 4.2.4). Its components are
+//! `f32`; its memory is allocated when it is first used.
 
 use crate::base::constants::*;
 use crate::base::error::{ErrorCode, GlError, Result, Table, invalid_operation};

@@ -1,4 +1,4 @@
-//! Which buffers are drawn to and read from: GL 2.1, sections 4.2.1 and 4.3.2.
+//! `glDrawBuffers` and `glReadBuffer`, and the formats of the buffers that they select: GL 2.1, sections 4.2.1 and 4.3.2.
 
 use crate::base::constants::*;
 use crate::base::error::{Result, invalid_enum, invalid_operation, invalid_value, not_negative};

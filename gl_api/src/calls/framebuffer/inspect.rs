@@ -1,4 +1,4 @@
-//! What is known of an attachment: `ARB_framebuffer_object`, section 6.1.13.
+//! `glGetFramebufferAttachmentParameteriv`: `ARB_framebuffer_object`, section 6.1.13.
 
 use crate::base::answer::put;
 use crate::base::constants::*;

@@ -1,4 +1,4 @@
-//! Fog: GL 2.1, section 3.10.
+//! `glFog`: GL 2.1, section 3.10.
 
 use crate::base::constants::*;
 use crate::base::error::{Result, Table};

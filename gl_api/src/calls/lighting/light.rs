@@ -1,4 +1,4 @@
-//! Lights and the lighting model: GL 2.1, section 2.14.1, table 2.10.
+//! `glLight` and `glLightModel`: GL 2.1, section 2.14.1, table 2.10.
 
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_value};

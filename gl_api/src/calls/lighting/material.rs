@@ -1,4 +1,4 @@
-//! Materials and colour material: GL 2.1, sections 2.14.2 and 2.14.3.
+//! `glMaterial` and `glColorMaterial`: GL 2.1, sections 2.14.2 and 2.14.3.
 
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_value};

@@ -1,5 +1,4 @@
-//! The look-up tables of pixel transfer: `glPixelMap` and `glGetPixelMap` (GL 2.1, sections 3.6.3
-//! and 6.1.3, table 3.3).
+//! `glPixelMap` and `glGetPixelMap`: GL 2.1, sections 3.6.3 and 6.1.3, table 3.3.
 
 use crate::base::args::{Data, DataOut};
 use crate::base::constants::*;

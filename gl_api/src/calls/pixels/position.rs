@@ -1,4 +1,4 @@
-//! The current raster position: GL 2.1, section 2.13, and `glWindowPos`.
+//! `glRasterPos` and `glWindowPos`: GL 2.1, section 2.13.
 
 use crate::base::convert::unit;
 use crate::base::error::{Result, invalid_operation};

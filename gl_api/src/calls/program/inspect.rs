@@ -1,4 +1,4 @@
-//! What is known of a program: GL 2.1, sections 2.15.3 and 6.1.14.
+//! Queries of programs: active uniforms and attributes, locations, parameters, logs (GL 2.1, sections 2.15.3 and 6.1.14).
 
 use crate::base::answer::put;
 use crate::base::args::TextOut;

@@ -1,5 +1,5 @@
-//! `ARB_shader_objects`: one kind of handle for shaders and programs. The calls that GL 2.0 has
-//! under other names are rows of the table of entry points; these it has not.
+//! The calls of `ARB_shader_objects`, whose handles are of shaders or programs, that GL 2.0 does not have. Those that
+//! GL 2.0 has under other names are rows of the table of entry points.
 
 use crate::base::answer::put;
 use crate::base::args::TextOut;

@@ -1,9 +1,8 @@
-//! Names that a program does not have, though it nearly has: `glGetUniformLocation` answers -1 for
-//! them, and a program that goes on sets nothing.
+//! Warnings for names that a program does not have but are similar to one that it has: `glGetUniformLocation` answers -1
+//! for them, and a program that goes on sets nothing.
 //!
-//! Programs also ask for what nothing uses, and ask all their programs for the same names, and rightly:
-//! only a name that no shader at all declares, and that is a slip away from one that there is, is worth a
-//! word.
+//! Programs also ask for uniforms that nothing uses, and ask all their programs for the same names, with good reason. So
+//! only a name that no shader declares at all, at a small edit distance from one that is declared, gets a warning.
 
 use crate::base::types::GLuint;
 use crate::context::Context;

@@ -1,5 +1,5 @@
-//! Several samples a pixel: GL 2.1, sections 3.2.1 and 4.1.3; `ARB_texture_multisample`, sections
-//! 3.3.1 and 4.1.3.
+//! `glSampleCoverage`, `glSampleMaski` and `glGetMultisamplefv`: GL 2.1, sections 3.2.1 and 4.1.3;
+//! `ARB_texture_multisample`, sections 3.3.1 and 4.1.3.
 
 use crate::base::answer::put;
 use crate::base::constants::*;

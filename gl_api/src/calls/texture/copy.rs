@@ -3,7 +3,7 @@
 use crate::base::error::{Result, invalid_operation};
 use crate::base::types::*;
 use crate::calls::framebuffer::read;
-use crate::calls::texture::specify::{Request, store_level};
+use crate::calls::texture::specify::{ImageRequest, store_level};
 use crate::calls::texture::sub::{checked_area, scratch, write_area};
 use crate::context::Context;
 use crate::context::window::Region;
@@ -65,7 +65,7 @@ fn copy_tex_image(
         Some(format) => format,
         None => INTERNAL_FORMAT.decode("internalformat", internal)?,
     };
-    let request = Request::new(image, level, internal, format, size, border)?;
+    let request = ImageRequest::new(image, level, internal, format, size, border)?;
     let Some(target) = request.bound(context)? else { return Ok(()) };
     let [width, height, _] = request.given;
     let texels = copied(context, Region::new(x, y, width as usize, height as usize), format)?;

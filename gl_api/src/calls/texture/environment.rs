@@ -1,4 +1,4 @@
-//! Texture units and their environments: GL 2.1, sections 2.7, 3.8.12 and 3.8.13.
+//! The calls of texture environments: `glTexEnv` and its queries (GL 2.1, section 3.8.13).
 
 use crate::base::constants::*;
 use crate::base::convert::lod_bias;

@@ -1,4 +1,4 @@
-//! How a row of texels becomes a row of what is drawn to.
+//! The conversion of a row of texels of a blit to the format of the destination.
 
 use crate::calls::framebuffer::blit::Aspect;
 use crate::calls::framebuffer::read::Pixels;
