@@ -1,5 +1,5 @@
-//! `glEvalCoord`: evaluates the enabled maps at a point and emits its vertex (GL 2.1, section 5.1). The current values are
-//! restored afterwards.
+//! `glEvalCoord`: evaluates the enabled maps at a point and emits its vertex (GL 2.1, section 5.1). The current values
+//! are restored afterwards.
 
 use crate::base::error::{Result, invalid_operation};
 use crate::base::types::*;

@@ -8,7 +8,7 @@ pub(crate) mod rows;
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation, invalid_value};
 use crate::base::types::*;
-use crate::calls::framebuffer::blit::rows::RowConversion;
+use crate::calls::framebuffer::blit::rows::{Aspect, RowConversion};
 use crate::calls::framebuffer::read::{Pixels, same_kind, settled, settled_samples};
 use crate::context::Context;
 use crate::draw::area::drawn_area;
@@ -99,14 +99,6 @@ struct Blit {
     /// The pixels of the destination that are written.
     area: Rect,
     srgb: SrgbWrite,
-}
-
-/// What of a texel is copied.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Aspect {
-    Color,
-    Depth,
-    Stencil,
 }
 
 impl Blit {

@@ -1,5 +1,5 @@
-//! The generic attributes of integer types that have a vector form only (GL 2.1, section 2.7). The other forms are rows of
-//! `entry/table/attributes.rs`.
+//! The generic attributes of integer types that have a vector form only (GL 2.1, section 2.7). The other forms are rows
+//! of `entry/table/attributes.rs`.
 
 use crate::base::component::{Component, filled};
 use crate::base::error::{Result, invalid_operation};

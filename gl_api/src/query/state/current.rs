@@ -1,7 +1,7 @@
 //! Current values and associated data: GL 2.1, table 6.5.
 
-use super::Read::*;
-use super::{Row, doubles, rows};
+use super::row::Read::*;
+use super::row::{Row, doubles, rows};
 use crate::base::constants::*;
 use crate::context::Context;
 use crate::interface::*;

@@ -1,7 +1,7 @@
 //! Evaluators: GL 2.1, table 6.31. Maps have a query of their own.
 
-use super::Read::*;
-use super::{Row, rows, saturated};
+use super::row::Read::*;
+use super::row::{Row, rows, saturated};
 use crate::base::constants::*;
 use crate::state::evaluator_map::MAX_EVAL_ORDER;
 

@@ -1,7 +1,7 @@
 //! Per-fragment operations: GL 2.1, table 6.21.
 
-use super::Read::*;
-use super::{Row, doubles, rows};
+use super::row::Read::*;
+use super::row::{Row, doubles, rows};
 use crate::base::compare::COMPARE;
 use crate::base::constants::*;
 use crate::base::types::*;

@@ -1,8 +1,8 @@
 //! Framebuffer control and the properties of the framebuffer: GL 2.1, tables 6.22 and 6.40;
 //! `ARB_framebuffer_object`.
 
-use super::Read::*;
-use super::{Row, doubles, rows};
+use super::row::Read::*;
+use super::row::{Row, doubles, rows};
 use crate::base::constants::*;
 use crate::calls::fragment::clamp::signed_components;
 use crate::calls::framebuffer::accumulate::BITS;

@@ -1,7 +1,7 @@
 //! Colouring and lighting: GL 2.1, tables 6.12 to 6.14, and the clamping of colours (`ARB_color_buffer_float`).
 
-use super::Read::*;
-use super::{Row, doubles, rows};
+use super::row::Read::*;
+use super::row::{Row, doubles, rows};
 use crate::base::constants::*;
 use crate::calls::fragment::clamp::WHEN;
 use crate::state::fog::{FOG_MODE, FOG_SOURCE};

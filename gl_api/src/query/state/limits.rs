@@ -1,7 +1,7 @@
 //! Limits of the implementation and its version: GL 2.1, tables 6.34 to 6.37, and those of extensions.
 
-use super::Read::*;
-use super::{Row, doubles, rows, saturated};
+use super::row::Read::*;
+use super::row::{Row, doubles, rows, saturated};
 use crate::base::assembly_limits::{MAX_PROGRAM_MATRICES, MAX_PROGRAM_MATRIX_STACK_DEPTH};
 use crate::base::constants::*;
 use crate::base::limits;

@@ -1,8 +1,8 @@
 //! Hints, display lists, attribute stacks, selection and feedback (GL 2.1, tables 6.33 and 6.41), debugging
 //! (`KHR_debug`), and what no table of GL 2.1 has.
 
-use super::Read::*;
-use super::{Row, rows, saturated};
+use super::row::Read::*;
+use super::row::{Row, rows, saturated};
 use crate::base::constants::*;
 use crate::base::types::*;
 use crate::context::Context;

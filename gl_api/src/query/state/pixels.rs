@@ -1,7 +1,7 @@
 //! Pixels: GL 2.1, tables 6.23 to 6.30.
 
-use super::Read::*;
-use super::{Row, rows, saturated};
+use super::row::Read::*;
+use super::row::{Row, rows, saturated};
 use crate::base::constants::*;
 use crate::context::Context;
 use crate::pixel::map::{MAX_PIXEL_MAP_TABLE, Name};

@@ -1,8 +1,8 @@
 //! Programs: GL 2.1, tables 6.32 to 6.35, assembly programs, and the buffers of uniform blocks and of transform
 //! feedback.
 
-use super::Read::*;
-use super::{Row, rows, saturated};
+use super::row::Read::*;
+use super::row::{Row, rows, saturated};
 use crate::base::constants::*;
 
 pub(super) const ROWS: &[Row] = rows! {

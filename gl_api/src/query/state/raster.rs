@@ -1,7 +1,7 @@
 //! Rasterization and multisampling: GL 2.1, tables 6.15 and 6.16.
 
-use super::Read::*;
-use super::{Row, doubles, rows, saturated};
+use super::row::Read::*;
+use super::row::{Row, doubles, rows, saturated};
 use crate::base::constants::*;
 use crate::state::points::ORIGIN;
 use crate::state::polygon::POLYGON_MODE;

@@ -1,7 +1,7 @@
 //! Texture units: GL 2.1, tables 6.17 to 6.20. Parameters of textures and of their images have queries of their own.
 
-use super::Read::*;
-use super::{Row, fixed_function, rows};
+use super::row::Read::*;
+use super::row::{Row, fixed_function, rows};
 use crate::base::availability::{Availability, Version};
 use crate::base::constants::*;
 use crate::base::types::*;

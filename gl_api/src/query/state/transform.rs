@@ -1,7 +1,7 @@
 //! Transformation: GL 2.1, table 6.11, and the current matrix of `ARB_vertex_program`.
 
-use super::Read::*;
-use super::{Row, rows, saturated};
+use super::row::Read::*;
+use super::row::{Row, rows, saturated};
 use crate::base::constants::*;
 use crate::base::error::Result;
 use crate::calls::transform::matrix::current;

@@ -1,7 +1,7 @@
 //! Vertex arrays and what is bound for them: GL 2.1, tables 6.6 to 6.9, and GL 3.1, table 6.4.
 
-use super::Read::*;
-use super::{Row, fixed_function, rows, saturated};
+use super::row::Read::*;
+use super::row::{Row, fixed_function, rows, saturated};
 use crate::base::availability::{Availability, Version};
 use crate::base::constants::*;
 use crate::context::Context;
