@@ -1,8 +1,8 @@
-//! Plain GL 2 clients draw into one picture: `speedy2d` the drawing, `egui` a window over it; the
-//! functions of the crate `gl` read it.
+//! Plain GL 2 clients draw into one picture: `speedy2d` a drawing, `egui` a window over it. The
+//! functions of the crate `gl` read the picture.
 //!
-//! `cargo run --release --manifest-path clients/Cargo.toml -- picture.png`; `cargo test` holds the
-//! picture against `picture.png`, to the bit.
+//! `cargo run --release --manifest-path clients/Cargo.toml -- picture.png`; `cargo test` compares
+//! the picture with `picture.png`, bit by bit.
 
 mod panel;
 mod sketch;
@@ -10,7 +10,7 @@ mod sketch;
 use gl_api::{Context, ContextDesc};
 use std::error::Error;
 
-/// Pixels across and up.
+/// Width and height in pixels.
 const SIZE: [u32; 2] = [480, 320];
 
 /// Draws the picture: rows of RGBA bytes, the highest first.

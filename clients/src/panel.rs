@@ -1,10 +1,10 @@
-//! What `egui` draws: a window with text and controls, through `egui_glow`'s painter.
+//! A window with text and controls by `egui`, drawn by `egui_glow`'s painter.
 
 use egui::{Pos2, RawInput, Rect, Vec2};
 use egui_glow::{Painter, glow};
 use std::sync::Arc;
 
-/// Draws over what is there.
+/// Draws over the picture.
 pub fn draw(size: [u32; 2]) -> Result<(), Box<dyn std::error::Error>> {
     let screen = Rect::from_min_size(Pos2::ZERO, Vec2::new(size[0] as f32, size[1] as f32));
     let ui = egui::Context::default();

@@ -1,4 +1,4 @@
-//! What `speedy2d` draws: shapes and a picture, by GLSL 1.10 and vertex buffers.
+//! A drawing by `speedy2d`: shapes and a picture, with GLSL 1.10 and vertex buffers.
 
 use speedy2d::GLRenderer;
 use speedy2d::color::Color;
@@ -12,7 +12,7 @@ fn texels() -> Vec<u8> {
     (0..64).flat_map(texel).collect()
 }
 
-/// Draws over everything.
+/// Draws over the whole picture.
 pub fn draw([width, height]: [u32; 2]) -> Result<(), Box<dyn std::error::Error>> {
     // SAFETY: the addresses are those of the functions of these names, and the context that they
     // work on is current until after the renderer is dropped.

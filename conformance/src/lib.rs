@@ -1,36 +1,39 @@
 //! # conformance: every formula of the texture pipeline, checked
 //!
-//! Each formula stands here a second time, in `f64`, written from the specification, and DetGL is
-//! held against it. The modules in the order in which a number passes through them:
+//! Each formula is implemented here a second time, in `f64`, from the text of the specification, and
+//! DetGL's results are compared with it. The layers, from below:
 //!
 //! | module | is |
 //! |---|---|
-//! | [`oracle`] | the formulas, one file a chapter; the only truth, and none of the driver's code |
-//! | [`mutation`] | the list of mistakes that can be built into them, to prove that a check can fail |
-//! | [`drive`] | the other side: GL contexts, draws of many cases at once, exact read-back |
-//! | [`check`] | what is compared with what: cases, tolerance and its reason |
-//! | [`comparison`] | whole pictures of driver and formula side by side |
-//! | [`selftest`] | each mistake built in, one at a time |
-//! | [`reference`] | slow reference samplers: the exact area integral, supersampling, ꟻLIP |
-//! | [`tradeoff`] | error against run time |
-//! | [`sweep`] | stiff and extreme cases, each a sweep over a parameter |
+//! | [`rng`] | random numbers for cases, the same in every run |
+//! | [`plot`] | plots as SVG |
+//! | [`mutation`] | known mistakes that can be built into a formula, to prove that its check can fail |
+//! | [`oracle`] | the formulas, one file a chapter; no code of the driver |
+//! | [`probe`] | GL contexts, and draws that compute many values at once and read them back exactly |
+//! | [`check`] | what a check is: cases, tolerance and its reason, harness, outcome |
+//! | [`chapters`] | the checks, one file a chapter |
+//! | [`self_test`] | every mistake, built into its formula, must make its check fail |
+//! | [`sweep`] | extreme cases: the error over the whole range of a parameter |
+//! | [`mod@reference`] | slow reference samplers: exact area integral, supersampling, ꟻLIP |
+//! | [`tradeoff`] | error and run time of each way to sample a texture |
+//! | [`filter_pictures`] | pictures by driver and formula, one for each minification filter |
+//! | [`report`] | tables, JSON and pages |
 //! | [`peers`] | the same scenes on DetGL's shared library and on the machine's other GL drivers |
-//! | [`plot`], [`report`] | tables, JSON, plots and pages |
-//! | [`rng`] | the numbers that cases are made of |
 //!
 //! **Invariant: the oracles are independent.** Nothing here calls `texunit` or `rasterizer`; the
 //! driver is reached through GL's own functions only.
 
+pub mod chapters;
 pub mod check;
-pub mod comparison;
-pub mod drive;
+pub mod filter_pictures;
 pub mod mutation;
 pub mod oracle;
 pub mod peers;
 pub mod plot;
+pub mod probe;
 pub mod reference;
 pub mod report;
 pub mod rng;
-pub mod selftest;
+pub mod self_test;
 pub mod sweep;
 pub mod tradeoff;

@@ -2,14 +2,15 @@
 //! shows that the checks can fail, and measures error against run time and at the extremes.
 
 use clap::{Parser, Subcommand};
-use conformance::check::{Bench, Check, Effort, Outcome, Subject, Verdict, checks};
+use conformance::chapters::checks;
+use conformance::check::{Check, Effort, Harness, Outcome, Subject, Verdict};
 use conformance::mutation::Variant;
-use conformance::peers::child::Task;
+use conformance::peers::process::Task;
 use conformance::peers::{self, PeersError};
 use conformance::report::page::PageError;
-use conformance::sweep::{SWEEPS, Sweep, Swept};
+use conformance::sweep::{SWEEPS, Sweep, SweepOutcome};
 use conformance::tradeoff::{self, functions};
-use conformance::{comparison, report, selftest};
+use conformance::{filter_pictures, report, self_test};
 use serde::Serialize;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -55,13 +56,13 @@ enum Command {
     Peer(Task),
 }
 
-/// What ends the program.
+/// Why the program fails.
 #[derive(Debug, thiserror::Error)]
 enum Failure {
     #[error("nothing has {0:?} in its name or citation; the names are {1}")]
-    Nothing(String, String),
+    NoMatch(String, String),
     #[error(transparent)]
-    Drive(#[from] conformance::drive::DriveError),
+    Drive(#[from] conformance::probe::ProbeError),
     #[error(transparent)]
     Page(#[from] PageError),
     #[error(transparent)]
@@ -88,7 +89,7 @@ fn main() -> ExitCode {
         Err(failure) => {
             eprintln!("{failure}");
             match failure {
-                Failure::Nothing(..) => ExitCode::from(2),
+                Failure::NoMatch(..) => ExitCode::from(2),
                 Failure::Drive(_)
                 | Failure::Page(_)
                 | Failure::Peers(_)
@@ -99,7 +100,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// What a table shows as JSON.
+/// The JSON of `error-vs-time`.
 #[derive(Serialize)]
 struct Tradeoff<'a> {
     scenes: &'a [tradeoff::Row],
@@ -115,20 +116,20 @@ impl Args {
         }
     }
 
-    /// Those of `all` whose texts contain what `--only` says.
-    fn wanted<'a, T>(
+    /// The items of `all` one of whose texts contains the argument of `--only`.
+    fn selected<'a, T>(
         &self,
         all: impl Iterator<Item = &'a T> + Clone,
         texts: impl Fn(&T) -> [&'static str; 2],
     ) -> Result<Vec<&'a T>, Failure> {
         let text = self.only.as_deref().unwrap_or_default();
-        let wanted: Vec<&T> =
+        let selected: Vec<&T> =
             all.clone().filter(|item| texts(item).iter().any(|t| t.contains(text))).collect();
-        if wanted.is_empty() {
+        if selected.is_empty() {
             let names: Vec<&str> = all.map(|item| texts(item)[0]).collect();
-            return Err(Failure::Nothing(text.to_owned(), names.join(", ")));
+            return Err(Failure::NoMatch(text.to_owned(), names.join(", ")));
         }
-        Ok(wanted)
+        Ok(selected)
     }
 
     /// Prints a table, or JSON.
@@ -138,27 +139,28 @@ impl Args {
         Ok(())
     }
 
-    /// Says where a page is.
-    fn point_to(&self, page: &str) {
+    /// Prints the path of a page.
+    fn print_path(&self, page: &str) {
         println!("\n{}", self.out.join(page).display());
     }
 
     fn formulas(&self) -> Result<bool, Failure> {
-        let wanted = self.wanted(checks(), |check: &Check| [check.name, check.citation])?;
-        let bench =
-            Bench { subject: Subject::Driver, effort: self.effort(), variant: Variant::TRUE };
-        let outcomes: Vec<Outcome> = wanted.iter().map(|check| check.run(&bench)).collect();
+        let selected = self.selected(checks(), |check: &Check| [check.name, check.citation])?;
+        let harness =
+            Harness { subject: Subject::Driver, effort: self.effort(), variant: Variant::CORRECT };
+        let outcomes: Vec<Outcome> = selected.iter().map(|check| check.run(&harness)).collect();
         self.print(|| report::table(&outcomes), &outcomes)?;
         if !self.json {
-            let pictures = if self.only.is_none() { comparison::pictures()? } else { Vec::new() };
+            let pictures =
+                if self.only.is_none() { filter_pictures::pictures()? } else { Vec::new() };
             report::checks_page(&self.out, &outcomes, &pictures)?;
-            self.point_to("index.html");
+            self.print_path("index.html");
         }
         Ok(outcomes.iter().all(|outcome| outcome.verdict == Verdict::Pass))
     }
 
     fn self_test(&self) -> Result<bool, Failure> {
-        let trials = selftest::run(Subject::Driver);
+        let trials = self_test::run(Subject::Driver);
         self.print(|| report::trials_table(&trials), &trials)?;
         Ok(trials.iter().all(|trial| trial.noticed))
     }
@@ -184,38 +186,39 @@ impl Args {
         self.print(table, &Tradeoff { scenes: &measured.rows, functions: &functions })?;
         if !self.json {
             report::tradeoff_page(&self.out, &measured, &functions)?;
-            self.point_to("error-vs-time.html");
+            self.print_path("error-vs-time.html");
         }
         Ok(true)
     }
 
     fn extremes(&self) -> Result<bool, Failure> {
-        let wanted = self.wanted(SWEEPS.iter(), |sweep: &Sweep| [sweep.name, sweep.parameter])?;
-        let swept: Vec<Swept> = wanted.iter().map(|sweep| sweep.run()).collect();
+        let selected =
+            self.selected(SWEEPS.iter(), |sweep: &Sweep| [sweep.name, sweep.parameter])?;
+        let swept: Vec<SweepOutcome> = selected.iter().map(|sweep| sweep.run()).collect();
         self.print(|| report::sweeps_table(&swept), &swept)?;
         if !self.json {
             report::sweeps_page(&self.out, &swept)?;
-            self.point_to("extremes.html");
+            self.print_path("extremes.html");
         }
-        Ok(swept.iter().all(Swept::passes))
+        Ok(swept.iter().all(SweepOutcome::passes))
     }
 
     fn peers(&self, options: &peers::Options) -> Result<bool, Failure> {
         let only = self.only.as_deref().unwrap_or_default();
-        let scenes = peers::wanted(only);
+        let scenes = peers::selected(only);
         if scenes.is_empty() {
-            return Err(Failure::Nothing(only.to_owned(), peers::names().join(", ")));
+            return Err(Failure::NoMatch(only.to_owned(), peers::names().join(", ")));
         }
         let bar = indicatif::ProgressBar::new_spinner();
-        let compared = peers::compare(options, &scenes, |what| {
+        let comparison = peers::compare(options, &scenes, |what| {
             bar.set_message(what.to_owned());
             bar.tick();
         })?;
         bar.finish_and_clear();
-        self.print(|| peers::table(&compared), &compared)?;
+        self.print(|| peers::table(&comparison), &comparison)?;
         if !self.json {
-            peers::write(&self.out, &compared)?;
-            self.point_to("peers.md");
+            peers::write(&self.out, &comparison)?;
+            self.print_path("peers.md");
         }
         Ok(true)
     }

@@ -2,27 +2,27 @@
 
 use plotters::prelude::*;
 
-/// A named row of points.
+/// A named series of points.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Line {
-    /// For the legend.
+    /// The name in the legend.
     pub name: String,
     /// (x, y); those that are not positive are left out of a logarithmic plot.
     pub points: Vec<(f64, f64)>,
 }
 
-/// What a plot says about itself.
+/// The title of a plot and the labels of its axes.
 #[derive(Clone, Copy, Debug)]
 pub struct Caption<'a> {
-    /// Above it.
+    /// The title.
     pub title: &'a str,
-    /// Along the x axis.
+    /// Label of the x axis.
     pub x: &'a str,
-    /// Along the y axis.
+    /// Label of the y axis.
     pub y: &'a str,
 }
 
-/// A plot that could not be drawn.
+/// Why a plot could not be drawn.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("the plot {title:?} cannot be drawn: {reason}")]
 pub struct PlotError {
@@ -30,19 +30,19 @@ pub struct PlotError {
     reason: String,
 }
 
-/// How the points of a row are shown.
+/// How the points of a series are drawn.
 #[derive(Clone, Copy, Debug)]
 enum Style<'a> {
-    /// With a line through them.
+    /// Joined by a line.
     Joined,
-    /// Each by itself; the k-th of every row has the k-th name.
+    /// As single points; the k-th point of every series is labelled with the k-th name.
     Named(&'a [&'a str]),
 }
 
-/// Pixels across and up.
+/// Width and height in pixels.
 const SIZE: (u32, u32) = (760, 460);
 
-/// Both axes logarithmic. `bound` is a level that is marked.
+/// A line plot with logarithmic axes. A horizontal line marks `bound`.
 ///
 /// # Errors
 /// When plotters cannot draw it.
@@ -54,7 +54,7 @@ pub fn log_log(
     svg(caption, lines, bound, Style::Joined)
 }
 
-/// Both axes logarithmic, points without lines; the k-th point of every row is called `names[k]`.
+/// A scatter plot with logarithmic axes. The k-th point of every series is labelled `names[k]`.
 ///
 /// # Errors
 /// When plotters cannot draw it.
@@ -76,7 +76,7 @@ fn svg(
     Ok(svg)
 }
 
-/// From the smallest to the largest, with some room; 1 to 10 of none.
+/// The range from the smallest to the largest value, with a margin; 1 to 10 if there are no values.
 fn range(values: impl Iterator<Item = f64>) -> std::ops::Range<f64> {
     let mut range = values.fold(f64::INFINITY..0.0, |r, v| r.start.min(v)..r.end.max(v));
     if range.start > range.end {

@@ -1,11 +1,11 @@
-//! The numbers that cases are made of: the same ones on every run.
+//! Random numbers for the cases of checks: the same in every run.
 
 /// SplitMix64 (Steele, Lea, Flood 2014).
 #[derive(Clone, Debug)]
 pub struct Rng(u64);
 
 impl Rng {
-    /// A sequence of its own for each name.
+    /// The generator that is seeded with a name.
     pub fn named(name: &str) -> Self {
         let fnv = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3);
         Self(name.bytes().fold(0xcbf2_9ce4_8422_2325, fnv))
@@ -35,12 +35,12 @@ impl Rng {
         (low + (high - low) * unit) as f32
     }
 
-    /// A byte.
+    /// A byte, uniformly distributed.
     pub fn byte(&mut self) -> u8 {
         self.next() as u8
     }
 
-    /// One of them.
+    /// One of the elements of `of`.
     pub fn pick<T: Copy>(&mut self, of: &[T]) -> T {
         of[self.integer(0, of.len() as i64 - 1) as usize]
     }

@@ -1,16 +1,17 @@
 //! The suite can fail: each wrong variant of a formula is noticed by the check that is about it,
 //! and the formula itself by none.
 
-use conformance::check::{Bench, Effort, Subject, Verdict, checks};
+use conformance::chapters::checks;
+use conformance::check::{Effort, Harness, Subject, Verdict};
 use conformance::mutation::{MUTATIONS, Variant};
-use conformance::selftest;
+use conformance::self_test;
 
 #[test]
 fn the_true_formulas_agree_with_themselves() {
-    let variant = Variant::TRUE;
-    let bench = Bench { subject: Subject::Oracle, effort: Effort::Quick, variant };
+    let variant = Variant::CORRECT;
+    let harness = Harness { subject: Subject::Oracle, effort: Effort::Quick, variant };
     for check in checks() {
-        let outcome = check.run(&bench);
+        let outcome = check.run(&harness);
         assert_eq!(outcome.verdict, Verdict::Pass, "{}", check.name);
         assert_eq!(outcome.largest_error, 0.0, "{}", check.name);
         assert!(outcome.cases > 0, "{}", check.name);
@@ -19,7 +20,7 @@ fn the_true_formulas_agree_with_themselves() {
 
 #[test]
 fn every_mistake_is_noticed() {
-    let trials = selftest::run(Subject::Oracle);
+    let trials = self_test::run(Subject::Oracle);
     let missed: Vec<_> = trials.iter().filter(|trial| !trial.noticed).collect();
     assert!(missed.is_empty(), "{missed:#?}");
 }

@@ -1,5 +1,5 @@
-//! The room of the lightmap picture: surfaces with a decal each, and the light that falls on them,
-//! baked as Quake 2's `qrad` did it before the game ran.
+//! The room of the lightmap picture: surfaces with a decal each, and their light,
+//! precomputed as by Quake 2's `qrad`.
 
 use crate::matrix::{DVec3, dvec3};
 use crate::picture::{Color, Picture, add, dim};
@@ -18,7 +18,7 @@ pub struct Surface {
     pub t_edge: DVec3,
     /// The decal's file.
     pub decal: &'static str,
-    /// How often a decal fits into a unit of length.
+    /// Repetitions of the decal per unit of length.
     pub density: f64,
 }
 
@@ -27,7 +27,7 @@ struct Lamp {
     color: Color,
 }
 
-/// A crate or pillar, and what it is made of.
+/// A crate or pillar, and its decal.
 struct Block {
     low: DVec3,
     high: DVec3,
@@ -78,9 +78,9 @@ const BLOCKS: [Block; 5] = [
 /// Width, height and length of the corridor; it begins at z = 0 and goes toward -z.
 const SIZE: DVec3 = dvec3(4.0, 3.0, 16.0);
 
-/// Light from everywhere.
+/// Ambient light.
 const AMBIENT: Color = [0.07, 0.07, 0.09];
-/// Lightmap texels in a unit of length.
+/// Lightmap texels per unit of length.
 const LUXELS: f64 = 8.0;
 /// The lamps' size, for soft shadows.
 const LAMP_RADIUS: f64 = 0.09;
@@ -125,12 +125,12 @@ impl Block {
         ]
     }
 
-    /// Whether the way from `from` to `to` passes through.
+    /// Whether the segment from `from` to `to` intersects the box.
     fn blocks(&self, from: DVec3, to: DVec3) -> bool {
         let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
         for axis in 0..3 {
             let way = to[axis] - from[axis];
-            // A way along the slab divides by zero: infinities of the right sign.
+            // A segment parallel to the slab divides by zero, which gives infinities of the right sign.
             let (a, b) =
                 ((self.low[axis] - from[axis]) / way, (self.high[axis] - from[axis]) / way);
             enter = enter.max(a.min(b));
@@ -141,12 +141,12 @@ impl Block {
 }
 
 impl Surface {
-    /// The direction it faces, of length 1.
+    /// The unit normal.
     pub fn normal(&self) -> DVec3 {
         self.s_edge.cross(self.t_edge).normalize()
     }
 
-    /// The light on it, the row at t = 0 first.
+    /// The lightmap, the row at t = 0 first.
     pub fn lightmap(&self) -> Picture {
         let texels = |edge: DVec3| (edge.length() * LUXELS).ceil();
         let (width, height) = (texels(self.s_edge), texels(self.t_edge));
@@ -159,7 +159,7 @@ impl Surface {
 }
 
 impl Lamp {
-    /// What falls on a point: by distance, by angle, and by how much of the lamp can be seen.
+    /// The irradiance at a point, from distance, angle and the visible fraction of each lamp.
     fn light(&self, point: DVec3, normal: DVec3) -> Color {
         let way = self.at - point;
         let distance = way.length();

@@ -6,14 +6,14 @@
 //!
 //! | module | is |
 //! |---|---|
-//! | [`window`] | the context, the picture it shows, the command line of a program |
+//! | [`window`] | the context, its picture, the command line of a program |
 //! | [`shader`] | compiling and uniforms, under the names of the CS380 lecture |
-//! | [`texture`] | texture objects, where how they are made is not the point |
+//! | [`texture`] | texture and framebuffer objects |
 //! | [`mesh`] | planes, boxes, spheres, tori |
 //! | [`matrix`] | matrices in `f64` |
-//! | [`mod@picture`] | picture files, and the drawn pictures that stand in for them |
+//! | [`mod@picture`] | picture files, and procedural pictures that replace them |
 //! | [`corridor`] | the room of the lightmap picture, and its baked light |
-//! | [`scene`] | what several programs show |
+//! | [`scene`] | scenes that several programs share |
 //! | [`programs`] | the list of programs |
 //! | [`gallery`] | all pictures, and the page that shows them |
 
@@ -32,7 +32,7 @@ pub mod shader;
 pub mod texture;
 pub mod window;
 
-/// What a program file needs: GL, GLU, and the helpers.
+/// The imports of a program file: GL, GLU, and the helpers.
 pub mod lecture {
     pub use crate::matrix::*;
     pub use crate::mesh::*;

@@ -1,4 +1,4 @@
-//! Matrices in `f64`, handed to shaders as 16 floats column by column.
+//! Matrices in `f64`; shaders get them as 16 floats column by column.
 
 use gl_api::glu::angle::{cotangent_degrees, sin_cos_degrees};
 pub use glam::{DMat4, DVec3, dvec3};

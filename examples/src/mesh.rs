@@ -1,4 +1,4 @@
-//! Things to draw: planes, boxes, spheres and tori, in one buffer of triangles.
+//! Meshes: planes, boxes, spheres, tori and others.
 
 use crate::matrix::{DMat4, DVec3, dvec3, rotate};
 use bytemuck::{Pod, Zeroable};
@@ -8,7 +8,7 @@ use gl_api::glu::angle::sin_cos_degrees;
 use gl_api::types::{GLint, GLuint};
 use std::mem::{offset_of, size_of};
 
-/// What a vertex brings, under the attribute names of [`Model::draw`].
+/// A vertex; the attribute names are those of [`Model::draw`].
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 #[repr(C)]
 pub struct Vertex {
@@ -25,9 +25,9 @@ pub struct Vertex {
 /// Triangles, counterclockwise from outside.
 #[derive(Clone, Debug, Default)]
 pub struct Mesh {
-    /// The corners.
+    /// The vertices.
     pub vertices: Vec<Vertex>,
-    /// Three a triangle.
+    /// Indices of vertices, three a triangle.
     pub indices: Vec<GLuint>,
 }
 
@@ -117,7 +117,7 @@ impl Mesh {
         let mut mesh = Self::default();
         for axis in [DVec3::X, DVec3::Y, DVec3::Z] {
             for out in [axis, -axis] {
-                // Any two directions that make a right-handed frame with the face's.
+                // Any two directions that form a right-handed frame with the normal.
                 let side = if axis == DVec3::Y { DVec3::X } else { DVec3::Y.cross(out) };
                 let up = out.cross(side);
                 mesh.append(Self::surface(1, 1, |s, t| {
@@ -128,14 +128,14 @@ impl Mesh {
         mesh
     }
 
-    /// Adds another mesh.
+    /// Appends another mesh.
     pub fn append(&mut self, other: Self) {
         let base = self.vertices.len() as GLuint;
         self.vertices.extend(other.vertices);
         self.indices.extend(other.indices.into_iter().map(|index| base + index));
     }
 
-    /// Moved by a matrix that keeps angles.
+    /// The mesh transformed by a matrix that preserves angles.
     #[must_use]
     pub fn moved(mut self, by: DMat4) -> Self {
         for vertex in &mut self.vertices {
@@ -147,14 +147,14 @@ impl Mesh {
         self
     }
 
-    /// In one colour.
+    /// The mesh in one colour.
     #[must_use]
     pub fn colored(mut self, color: [f32; 3]) -> Self {
         self.vertices.iter_mut().for_each(|vertex| vertex.color = color);
         self
     }
 
-    /// With texture coordinates that many times as large.
+    /// The mesh with its texture coordinates multiplied by a factor.
     #[must_use]
     pub fn tiled(mut self, s: f32, t: f32) -> Self {
         for vertex in &mut self.vertices {
@@ -163,7 +163,7 @@ impl Mesh {
         self
     }
 
-    /// In buffer objects of the current context.
+    /// Copies the mesh to buffer objects of the current context.
     pub fn upload(&self) -> Model {
         let mut buffers: [GLuint; 2] = [0; 2];
         glGenBuffers(2, &mut buffers);
@@ -187,8 +187,8 @@ pub struct Model {
 }
 
 impl Model {
-    /// Draws it with a program that is in use, through those of the attributes `aVertex`,
-    /// `aNormal`, `aTexCoord` and `aColor` that the program reads.
+    /// Draws the mesh with the program in use, which reads any of the attributes `aVertex`, `aNormal`,
+    /// `aTexCoord` and `aColor`.
     pub fn draw(&self, program: GLuint) {
         glBindBuffer(GL_ARRAY_BUFFER, self.vertices);
         glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, self.indices);
@@ -208,7 +208,7 @@ impl Model {
         glDrawElements(GL_TRIANGLES, self.count, GL_UNSIGNED_INT, BUFFER_OFFSET(0));
     }
 
-    /// Draws it with fixed functions; texture coordinates go to unit 0.
+    /// Draws the mesh with the fixed function; its texture coordinates are those of unit 0.
     pub fn draw_fixed(&self) {
         glBindBuffer(GL_ARRAY_BUFFER, self.vertices);
         glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, self.indices);

@@ -1,4 +1,4 @@
-//! The program files, each of which also runs alone.
+//! The program files. Each is an example of cargo as well.
 
 #[path = "../examples/anisotropic.rs"]
 pub mod anisotropic;

@@ -1,4 +1,4 @@
-//! What several programs put before the eye.
+//! Scenes that several programs share.
 
 use crate::matrix::{DMat4, DVec3, rotate, translate};
 use crate::mesh::Mesh;
@@ -54,7 +54,7 @@ pub fn room_corner() -> Mesh {
 }
 
 /// The room in dim light. Its positions are computed as the lecture's projector computes them, so
-/// that what is added afterwards has the same depths.
+/// that a second pass has the same depths.
 const ROOM_VERTEX_SHADER: &str = "\
 #version 130
 uniform mat4 uModelViewMatrix;

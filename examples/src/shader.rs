@@ -1,4 +1,4 @@
-//! Compiling and setting uniforms, in the words of the CS380 lecture's own helpers.
+//! Compiling programs and setting uniforms, under the names of the CS380 lecture's helpers.
 
 use crate::matrix::DMat4;
 use crate::window::Window;
@@ -6,10 +6,10 @@ use gl_api::constants::*;
 use gl_api::entry::*;
 use gl_api::types::{GLenum, GLfloat, GLint, GLuint};
 
-/// Longest info log that is shown.
+/// The largest size of an info log.
 const LOG: usize = 1 << 16;
 
-/// Compiles one shader, and notes what the compiler says; 0 when it was rejected.
+/// Compiles a shader and records its info log; 0 if the compiler rejects it.
 pub fn readAndCompileShader(window: &mut Window, kind: GLenum, source: &str) -> GLuint {
     let shader = glCreateShader(kind);
     glShaderSource(shader, 1, source, NULL);
@@ -26,7 +26,7 @@ pub fn readAndCompileShader(window: &mut Window, kind: GLenum, source: &str) -> 
     shader
 }
 
-/// Compiles and links a program, and notes what the compiler and linker say; 0 when rejected.
+/// Compiles and links a program and records the info logs; 0 if it is rejected.
 pub fn initShaders(window: &mut Window, vertex: &str, fragment: &str) -> GLuint {
     let vs = readAndCompileShader(window, GL_VERTEX_SHADER, vertex);
     let fs = readAndCompileShader(window, GL_FRAGMENT_SHADER, fragment);
@@ -45,7 +45,7 @@ pub fn initShaders(window: &mut Window, vertex: &str, fragment: &str) -> GLuint 
     if status == 0 { 0 } else { program }
 }
 
-/// Position, normal and texture coordinates for the fragment: in the eye's frame (`vPosition`,
+/// Vertex shader that outputs position, normal and texture coordinates: in the eye's frame (`vPosition`,
 /// `vNormal`) and the object's (`vObject`, `vObjectNormal`).
 pub const EYE_VERTEX_SHADER: &str = "\
 #version 130
@@ -73,7 +73,7 @@ void main() {
 }
 ";
 
-/// Puts a program in use with its matrices; `uTexUnit0`, `uTexUnit1` and `uTexUnit2` are the units.
+/// Uses a program and sets its matrices; `uTexUnit0`, `uTexUnit1` and `uTexUnit2` are the units.
 pub fn use_program(program: GLuint, projection: &DMat4, model_view: &DMat4) {
     glUseProgram(program);
     safe_glUniformMatrix4fv(safe_glGetUniformLocation(program, "uProjMatrix"), projection);
@@ -93,17 +93,17 @@ pub fn safe_glGetAttribLocation(program: GLuint, name: &str) -> GLint {
     glGetAttribLocation(program, name)
 }
 
-/// Sets an `int` or a sampler; -1 is nothing to set.
+/// Sets an `int` or a sampler; location -1 is ignored.
 pub fn safe_glUniform1i(location: GLint, value: GLint) {
     glUniform1i(location, value);
 }
 
-/// Sets a `float`; -1 is nothing to set.
+/// Sets a `float`; location -1 is ignored.
 pub fn safe_glUniform1f(location: GLint, value: impl Arg<GLfloat>) {
     glUniform1f(location, value);
 }
 
-/// Sets a `vec3`; -1 is nothing to set.
+/// Sets a `vec3`; location -1 is ignored.
 pub fn safe_glUniform3f(
     location: GLint,
     x: impl Arg<GLfloat>,
@@ -113,12 +113,12 @@ pub fn safe_glUniform3f(
     glUniform3f(location, x, y, z);
 }
 
-/// Sets a `mat4`; -1 is nothing to set.
+/// Sets a `mat4`; location -1 is ignored.
 pub fn safe_glUniformMatrix4fv(location: GLint, matrix: &DMat4) {
     glUniformMatrix4fv(location, 1, GL_FALSE, &matrix.as_mat4().to_cols_array());
 }
 
-/// Gives an attribute the data of the bound buffer from its start, and enables it; -1 is none.
+/// Enables an attribute array that starts at the begin of the bound buffer; location -1 is ignored.
 pub fn safe_glVertexAttribPointer(location: GLint, size: GLint) {
     if location >= 0 {
         glVertexAttribPointer(location, size, GL_FLOAT, GL_FALSE, 0, 0);

@@ -1,4 +1,4 @@
-//! Texture objects, where how they are made is not the program's point.
+//! Texture and framebuffer objects for programs whose subject is something else.
 
 use crate::picture::Picture;
 use crate::picture::sky::FACES;
@@ -8,8 +8,8 @@ use gl_api::entry::*;
 use gl_api::glu::gluBuild2DMipmaps;
 use gl_api::types::{GLenum, GLint, GLsizei, GLuint};
 
-/// A new texture of a picture on a unit, with mipmaps and trilinear filter, its bottom row at
-/// t = 0; `wrap` goes for both directions.
+/// Binds a new texture of a picture to a unit, with mipmaps and a trilinear filter, its bottom row at
+/// t = 0; `wrap` is the wrap mode of both axes.
 pub fn load_texture(unit: u32, picture: Picture, wrap: GLenum) -> GLuint {
     let picture = picture.flipped();
     let mut texture: GLuint = 0;
@@ -27,7 +27,7 @@ pub fn load_texture(unit: u32, picture: Picture, wrap: GLenum) -> GLuint {
     texture
 }
 
-/// A new cube map of the environment on unit 0, with a linear filter.
+/// Binds a new cube map of the environment to unit 0, with a linear filter.
 pub fn load_cube_map(window: &Window) -> GLuint {
     let mut texture: GLuint = 0;
     glGenTextures(1, &mut texture);
@@ -52,7 +52,7 @@ pub fn set_filter(target: GLenum, minify: GLenum, magnify: GLenum) {
     glTexParameteri(target, GL_TEXTURE_MAG_FILTER, magnify);
 }
 
-/// A new 3D texture on unit 0 that repeats, `side`³ texels of RGB or luminance.
+/// Binds a new repeating 3D texture to unit 0, `side`³ texels of RGB or luminance.
 pub fn load_volume(side: usize, format: GLenum, texels: &[u8]) -> GLuint {
     let mut texture: GLuint = 0;
     glGenTextures(1, &mut texture);
@@ -87,7 +87,7 @@ pub fn cube_framebuffer(side: GLsizei) -> (GLuint, GLuint) {
     (fbo, map)
 }
 
-/// A new texture of a picture's texels as they are, clamped to its edge, with its pyramid. (Not by
+/// A new texture of a picture, unscaled, clamped to its edge, with mipmaps. (Not by
 /// `gluBuild2DMipmaps`, which would make 4 × 4 texels of 3 × 3.)
 pub fn load_texels(picture: &Picture) -> GLuint {
     let mut texture: GLuint = 0;
@@ -101,7 +101,7 @@ pub fn load_texels(picture: &Picture) -> GLuint {
     texture
 }
 
-/// The window's lower left corner as a new texture that shows its texels.
+/// Copies the window's lower left corner to a new texture with nearest filters.
 pub fn copy_window(side: GLsizei) -> GLuint {
     let mut picture: GLuint = 0;
     glGenTextures(1, &mut picture);

@@ -1,4 +1,4 @@
-//! What stands in for a window: a context, the picture it shows, and the files it reads.
+//! Replaces a window: a context, the picture that it draws, and the files that programs read.
 
 use crate::picture::{self, Picture, packed_pixel_t};
 use clap::Parser;
@@ -6,29 +6,29 @@ use gl_api::constants::*;
 use gl_api::context::{Context, ContextDesc};
 use gl_api::entry::*;
 use gl_api::explain::Explanation;
-use gl_api::glsl::Repairs;
+use gl_api::glsl::FixIts;
 use gl_api::types::GLint;
 use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
-/// A lecture's program.
+/// A program of a lecture.
 #[derive(Clone, Copy, Debug)]
 pub struct Program {
-    /// Its file's name.
+    /// The name of its file.
     pub name: &'static str,
-    /// Which lecture, and which of its slides.
+    /// The lecture and its slides.
     pub lecture: &'static str,
-    /// Its text.
+    /// The source text.
     pub source: &'static str,
-    /// Width and height of its window, in halves of the size asked for.
+    /// Width and height of its window, in halves of the requested size.
     pub halves: [usize; 2],
     /// Draws into the window; the context is current.
     pub draw: fn(&mut Window),
 }
 
-/// Where a program draws.
+/// The window of a program.
 #[derive(Debug)]
 pub struct Window {
     /// Pixels across.
@@ -43,25 +43,24 @@ pub struct Window {
     watched: Option<[usize; 2]>,
 }
 
-/// What a program drew.
+/// The result of a program.
 #[derive(Clone, Debug)]
 pub struct Rendered {
     /// The picture.
     pub picture: Picture,
-    /// Info logs, and other things the program has to say.
+    /// Info logs and other messages of the program.
     pub notes: String,
-    /// What GL complained about.
+    /// Errors of GL.
     pub errors: Vec<String>,
-    /// From the new context to the picture in memory, without the pictures that the program paints
-    /// by formula.
+    /// Time from the new context to the picture in memory, without the time of procedural pictures.
     pub time: Duration,
-    /// What those took.
+    /// Time of procedural pictures.
     pub painting: Duration,
 }
 
 impl Window {
     /// The file's pixels from the bottom row up, as texture coordinate (0, 0) is the lower left.
-    /// The picture given on the command line stands in for every file; without one, a drawn one.
+    /// The picture of the command line replaces every file; without one, a procedural picture does.
     pub fn ppmread(
         &mut self,
         name: &str,
@@ -78,7 +77,7 @@ impl Window {
         self.image.clone().unwrap_or_else(|| picture::stand_in(name))
     }
 
-    /// Says something that belongs to the picture, such as an info log.
+    /// Records a message about the picture, such as an info log.
     pub fn note(&mut self, text: &str) {
         if !text.is_empty() {
             self.notes.push_str(text);
@@ -86,27 +85,27 @@ impl Window {
         }
     }
 
-    /// Draws from here on into one of `columns` × `rows` equal panels, counted from the upper left;
-    /// answers how many times as wide as high it is.
+    /// Sets the viewport to one of `columns` × `rows` equal panels, counted from the upper left.
+    /// Returns its width divided by its height.
     pub fn panel(&self, columns: i32, rows: i32, at: i32) -> f64 {
         let (width, height) = (self.width / columns, self.height / rows);
         glViewport(at % columns * width, (rows - 1 - at / columns) * height, width, height);
         f64::from(width) / f64::from(height)
     }
 
-    /// Goes on in a new context, one that repairs shaders.
+    /// Continues in a new context, which applies the fix-its of shaders.
     ///
     /// # Panics
-    /// When there is no memory for another context of the same size.
+    /// When there is not enough memory for another context of the same size.
     pub fn switch_repairs_on(&mut self) {
-        let desc = ContextDesc { repairs: Repairs::On, ..self.desc.clone() };
+        let desc = ContextDesc { fix_its: FixIts::Apply, ..self.desc.clone() };
         self.current = None;
         let mut context = Context::new(desc).expect("a context of this size was made before");
         watch(&mut context, self.watched);
         self.current = Some(context.make_current());
     }
 
-    /// What the window shows.
+    /// The picture in the window.
     fn read(&self) -> Picture {
         let (width, height) = (self.width as usize, self.height as usize);
         let mut pixels = vec![packed_pixel_t::default(); width * height];
@@ -126,8 +125,8 @@ fn watch(context: &mut Context, pixel: Option<[usize; 2]>) {
     }
 }
 
-/// Runs a program in a context of its own. Of `desc`, the size is the program's: `size` is that of
-/// a square window.
+/// Runs a program in a new context. The program decides the size in `desc`; `size` is that of a square
+/// window.
 ///
 /// # Errors
 /// When the context cannot be made.
@@ -140,8 +139,8 @@ pub fn render(
     run_program(program, size, image, desc, None).map(|(rendered, _)| rendered)
 }
 
-/// [`render`], and how the pixel at a column and row from the upper left came to be. Of a program
-/// that goes on in a second context, what happened in that one.
+/// [`render`], with an explanation of the pixel at a column and row from the upper left. If the program
+/// makes a second context, the explanation is of that one.
 ///
 /// # Errors
 /// When the context cannot be made, or has no such pixel.
@@ -213,7 +212,7 @@ struct Arguments {
     size: u32,
 }
 
-/// Runs one program from the command line: writes `NAME.png` and prints what there is to say.
+/// Runs one program from the command line: writes `NAME.png` and prints messages and errors.
 pub fn main(program: &Program) -> ExitCode {
     let arguments = Arguments::parse();
     match run(program, &arguments) {

@@ -1,5 +1,4 @@
-//! Random calls with random arguments: what the fuzz target `calls` and the tests of hostile calls
-//! share.
+//! Random calls with random arguments, for the fuzz target `calls` and the tests of hostile calls.
 
 use super::random::Random;
 use gl_api::*;
@@ -193,7 +192,7 @@ pub const BYTES: [u8; 3000] = {
     bytes
 };
 
-/// The calls. Sizes stay such that a run is quick; the extremes have a test of their own.
+/// The calls. Sizes are small, so that a run is quick; a test of its own covers extreme sizes.
 const CALLS: &[Call] = &[
     |c, r| c.bind_texture(r.enumerant(), r.name()),
     |c, r| c.active_texture(r.enumerant()),
@@ -330,7 +329,7 @@ const CALLS: &[Call] = &[
     |c, _| c.flush(),
 ];
 
-/// Makes so many random calls.
+/// Makes `count` random calls.
 pub fn make_calls(c: &mut Context, random: &mut Random<'_>, count: usize) {
     for _ in 0..count {
         let call = random.pick(CALLS);

@@ -1,12 +1,12 @@
-//! Any text as a shader: what the fuzz target `compile` and the tests of hostile shaders share.
+//! Compiles any text as a shader, for the fuzz target `compile` and the tests of hostile shaders.
 
-use gl_api::glsl::{Bindings, Options, Repairs, Stage, compile, link};
+use gl_api::glsl::{Bindings, FixIts, Options, Stage, compile, link};
 
-/// Compiles a text as either stage, with repairs and without, and links what comes out.
+/// Compiles a text as either stage, with fix-its applied and without, and links the result.
 pub fn compile_and_link(source: &str) {
-    for repairs in [Repairs::Off, Repairs::On] {
+    for fix_its in [FixIts::Suggest, FixIts::Apply] {
         for stage in [Stage::Vertex, Stage::Fragment] {
-            let result = compile(stage, source, &Options { repairs });
+            let result = compile(stage, source, &Options { fix_its });
             if let Some(shader) = result.shader {
                 link(&[&shader], &Bindings::default());
             }

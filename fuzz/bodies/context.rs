@@ -1,11 +1,11 @@
-//! A small context for random calls, and that it goes on working after them.
+//! A small context for random calls, and the check that it works after them.
 
 use gl_api::*;
 use rasterizer::driver::{Device, DeviceDesc, Explain};
 use std::sync::Arc;
 use texunit::lanes::Isa;
 
-/// A small context, whose shaders are stopped soon.
+/// A small context with a short time limit for shaders.
 pub fn context() -> Context {
     let desc = DeviceDesc { isa: Isa::best(), threads: 2, budget: 20_000, explain: Explain::Off };
     let device = Some(Arc::new(Device::new(desc).expect("threads start")));

@@ -1,5 +1,4 @@
-//! Any text as a shader that runs: what the fuzz target `draw` and the tests of hostile shaders
-//! share.
+//! Runs any text as a shader, for the fuzz target `draw` and the tests of hostile shaders.
 
 use gl_api::glsl::{Bindings, Options, Stage, compile, link};
 use rasterizer::ir::Module;
@@ -16,7 +15,7 @@ pub fn link_and_run(source: &str) {
     }
 }
 
-/// Runs a stage over 64 lanes, on inputs of all kinds; how it ends does not matter, that it does.
+/// Runs a stage over 64 lanes, on inputs of all types. The result does not matter, only that it terminates.
 fn run(module: &Module, words: u32) {
     module.validate().expect("what the linker gives is valid");
     let program = Program::new(module, |_| true);

@@ -1,6 +1,6 @@
-//! Random calls of EGL and OSMesa with handles of what is, of what was and of nothing, and GL between them: what the
-//! fuzz target `handles` and its bounded test share. A client has memory for as long as it may be written to: what is
-//! written later, the address sanitizer finds.
+//! Random calls of EGL and OSMesa with live, destroyed and invalid handles, and calls of GL between them, for the
+//! fuzz target `handles` and its bounded test. The client frees memory as soon as the driver may not write to it any
+//! more; the address sanitizer finds later writes.
 #![allow(unsafe_code, reason = "calls C functions")]
 
 use super::random::Random;
@@ -9,7 +9,7 @@ use std::ffi::c_void;
 use std::ptr::{null_mut, without_provenance_mut};
 
 type Handle = *mut c_void;
-/// Attributes of EGL, with what ends them.
+/// Lists of EGL attributes, with their terminator.
 type List<'a> = Option<&'a [i32; 5]>;
 
 // SAFETY: the prototypes of EGL, GL and OSMesa. Handles are only looked up, and what is safe to call keeps no pointer.
@@ -91,9 +91,9 @@ type Pixels = [u8; SIDE * SIDE * 4];
 /// A client of one thread.
 pub struct Client {
     display: Handle,
-    /// Of anything, alive or gone.
+    /// Handles of all objects, live and destroyed.
     handles: [Handle; 24],
-    /// What OSMesa draws into.
+    /// The memory that OSMesa draws to.
     memory: Vec<u8>,
 }
 
@@ -165,7 +165,7 @@ const CALLS: &[Call] = &[
         let context = if r.often() { OSMesaGetCurrentContext() } else { c.handle(r) };
         let (mut width, mut height, mut bytes, mut depths) = (0, 0, 0, std::ptr::null());
         if OSMesaGetDepthBuffer(context, &mut width, &mut height, &mut bytes, &mut depths) == 1 {
-            // SAFETY: all of it is there until the context is drawn to again.
+            // SAFETY: the memory stays allocated until the context is drawn to again.
             unsafe { depths.add((width * height * bytes) as usize - 1).read() };
         }
     },
@@ -213,7 +213,7 @@ impl Random<'_> {
         (self.next() % (SIDE as u64 + 1)) as i32
     }
 
-    /// Of a surface, a config or a context; none that ends a list.
+    /// A random attribute of a surface, a config or a context; not the terminator of a list.
     fn attribute(&mut self) -> i32 {
         let name = 0x3020 + (self.next() % 0x80) as i32;
         if name == EGL_NONE { name + 1 } else { name }
@@ -225,14 +225,14 @@ impl Random<'_> {
 }
 
 impl Client {
-    /// Of a display that is ready.
+    /// A handle of an initialized display.
     pub fn new() -> Self {
         let display = eglGetDisplay(null_mut());
         assert_eq!(eglInitialize(display, None, None), 1);
         Self { display, handles: [null_mut(); 24], memory: Vec::new() }
     }
 
-    /// Makes so many random calls.
+    /// Makes `count` random calls.
     pub fn make_calls(&mut self, random: &mut Random<'_>, count: usize) {
         for _ in 0..count {
             let call = random.pick(CALLS);
@@ -240,7 +240,7 @@ impl Client {
         }
     }
 
-    /// Lets go of everything, and draws with what is new.
+    /// Destroys all objects and draws with new ones.
     pub fn still_works(&mut self) {
         eglMakeCurrent(self.display, null_mut(), null_mut(), null_mut());
         self.handles.into_iter().for_each(|handle| OSMesaDestroyContext(handle));
@@ -278,19 +278,19 @@ impl Client {
     fn keep(&mut self, handle: Handle, random: &mut Random<'_>) {
         let at = random.next() as usize % self.handles.len();
         if !handle.is_null() {
-            // Else nobody could any more.
+            // Without this, no thread could use them any more.
             OSMesaDestroyContext(self.handles[at]);
             self.handles[at] = handle;
         }
     }
 
-    /// Draws to new memory, where this works. What was drawn to before has its picture then, and is freed.
+    /// Binds new memory and draws to it, if possible. The picture in the old memory is complete then, and it is freed.
     fn draw_to_memory(&mut self, random: &mut Random<'_>) {
         let ty = random.pick(&[GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT, GL_FLOAT, GL_INT]);
         let (width, height) = (random.side(), random.side());
-        // Rows may lie as far apart as the longest.
+        // The stride of rows may be the largest.
         let mut memory = vec![0_u8; SIDE * height as usize * 16];
-        // SAFETY: the memory has as many pixels, and stays until other memory is in its place.
+        // SAFETY: the memory has that many pixels and stays allocated until other memory is bound.
         let made = unsafe {
             let context = self.handle(random);
             OSMesaMakeCurrent(context, memory.as_mut_ptr().cast(), ty, width, height)
@@ -300,7 +300,7 @@ impl Client {
         }
     }
 
-    /// Draws from memory that is freed then.
+    /// Draws from client memory that is freed afterwards.
     fn draw_vertices(&mut self, random: &mut Random<'_>) {
         let vertices: Vec<f32> = (0..16).map(|_| random.small() as f32 / 4.0).collect();
         let first = (random.next() % 4) as i32;
@@ -315,7 +315,7 @@ impl Client {
 }
 
 impl Drop for Client {
-    /// What is drawn goes to its memory as long as that is there.
+    /// Flushes the picture to its memory while that is allocated.
     fn drop(&mut self) {
         eglReleaseThread();
     }

@@ -1,13 +1,13 @@
-//! Random numbers, of which an input decides as many as it has bytes: what bodies draw their arguments from.
+//! Random numbers for the arguments of calls. Each byte of an input determines one of them.
 
-/// splitmix64, with a byte of an input mixed into each number as long as there are any.
+/// SplitMix64; a byte of the input is mixed into each number until the input ends.
 pub struct Random<'a> {
     state: u64,
     bytes: &'a [u8],
 }
 
 impl<'a> Random<'a> {
-    /// The numbers of a seed, and what an input decides of them.
+    /// The generator of a seed and an input.
     pub fn new(seed: u64, bytes: &'a [u8]) -> Self {
         Self { state: seed, bytes }
     }
@@ -24,7 +24,7 @@ impl<'a> Random<'a> {
         z ^ z >> 31
     }
 
-    /// One of these.
+    /// One of the elements of `from`.
     pub fn pick<T: Copy>(&mut self, from: &[T]) -> T {
         from[(self.next() % from.len() as u64) as usize]
     }

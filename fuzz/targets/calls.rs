@@ -1,4 +1,4 @@
-//! Any bytes as a sequence of GL calls: none panics, and the context goes on working.
+//! Any bytes as a sequence of GL calls: none panics, and the context works afterwards.
 #![no_main]
 
 #[path = "../bodies/calls.rs"]

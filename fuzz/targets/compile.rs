@@ -1,4 +1,4 @@
-//! Any text as the source of a shader: it compiles and links, or a log says why not.
+//! Any text as the source of a shader: it compiles and links, or the info log has the reason.
 #![no_main]
 
 #[path = "../bodies/compile.rs"]

@@ -1,4 +1,4 @@
-//! Any text as the source of a fragment shader that draws: it ends.
+//! Any text as the source of a fragment shader that is drawn with: the draw terminates.
 #![no_main]
 
 #[path = "../bodies/draw.rs"]

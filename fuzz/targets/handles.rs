@@ -1,5 +1,5 @@
-//! Any bytes as a sequence of calls of EGL and OSMesa, with handles and memory that come and go: no harm is done, and
-//! what is made afterwards works.
+//! Any bytes as a sequence of calls of EGL and OSMesa, with valid and invalid handles and with memory that is freed: no memory
+//! error occurs, and new contexts work afterwards.
 #![no_main]
 
 #[path = "../bodies/handles.rs"]
@@ -7,6 +7,8 @@ mod handles;
 #[path = "../bodies/random.rs"]
 mod random;
 
+// Linked for its C names.
+use detgl as _;
 use handles::Client;
 use libfuzzer_sys::fuzz_target;
 use random::Random;

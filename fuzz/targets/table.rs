@@ -1,5 +1,5 @@
 //! Any bytes as a sequence of calls, drawn from the whole table of entry points with arguments by
-//! type: none panics, and the context goes on working.
+//! type: none panics, and the context works afterwards.
 #![no_main]
 
 #[path = "../bodies/context.rs"]

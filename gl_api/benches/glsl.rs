@@ -1,10 +1,10 @@
 //! How long compile and link take: the lecture's shaders, each well under a millisecond.
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use gl_api::glsl::{Bindings, Options, Repairs, Shader, Stage, compile, link};
+use gl_api::glsl::{Bindings, FixIts, Options, Shader, Stage, compile, link};
 use std::hint::black_box;
 
-/// The lecture's shaders as printed; repairs make valid ones of them.
+/// The lecture's shaders as printed; the fix-its make them valid.
 const SHADERS: [(&str, Stage, &str); 5] = [
     ("textured.vert", Stage::Vertex, include_str!("../tests/lecture/textured.vert")),
     ("textured.frag", Stage::Fragment, include_str!("../tests/lecture/textured.frag")),
@@ -33,7 +33,7 @@ void main() {
 }";
 
 fn shader(stage: Stage, source: &str) -> Shader {
-    let compiled = compile(stage, source, &Options { repairs: Repairs::On });
+    let compiled = compile(stage, source, &Options { fix_its: FixIts::Apply });
     compiled.shader.expect("it is a fine shader")
 }
 

@@ -1,17 +1,16 @@
-//! What a host of contexts may do with them: EGL and OSMesa, and the C functions of the entry points.
+//! The interface for the crate of the C ABI alone: what EGL, OSMesa and the C functions of the entry points do with contexts.
 //!
-//! It is for the crate of the C ABI alone. What it gives out is opaque, so that nothing else of this crate is public for
-//! a host's sake.
+//! Its types are opaque, so that nothing else of this crate has to be public for it.
 
 use crate::base::constants::*;
 use crate::base::error::{ErrorCode, GlError};
 use crate::base::types::{GLenum, GLint, GLuint};
 use crate::calls::framebuffer::read::{ClientRows, Up, read_rows};
 use crate::context::debug::Output;
-use crate::context::sharing::Turn;
+use crate::context::sharing::SharedObjectsGuard;
 use crate::context::window::{Visible, Window, format_of, whole};
 use crate::context::{Context, ContextDesc, ContextError, SurfaceDesc, sharing};
-use crate::draw::hints::sight;
+use crate::draw::warnings::visibility;
 use crate::glu::{GLUquadric, GLUquadricCallback};
 use crate::pixel::client::Pixel;
 use crate::pixel::client::format::LuminanceOf;
@@ -60,27 +59,27 @@ impl Surface {
 
 /// What a new context needs to share the objects of another.
 #[derive(Clone, Debug)]
-pub struct Shared(sharing::Shared);
+pub struct ShareHandle(sharing::ShareHandle);
 
-/// How a thread asks a context that is current on another to share its objects: at its next call, or when it is
-/// released.
+/// A request to share the objects of a context that is current on another thread. The context answers at its next call,
+/// or when it is released.
 #[derive(Clone, Debug)]
-pub struct Invitation(sharing::Invitation);
+pub struct ShareRequest(sharing::ShareRequest);
 
-impl Invitation {
-    /// Where a context is asked.
+impl ShareRequest {
+    /// The request to a context.
     pub fn of(context: &Context) -> Self {
-        Self(context.invitation.clone())
+        Self(context.share_request.clone())
     }
 
-    /// Asks: [`Self::wait`] waits for the answer.
+    /// Makes the request; [`Self::wait`] waits for the answer.
     pub fn open(&self) {
         self.0.open();
     }
 
-    /// Waits until the context has answered; `None` if it makes no call for so long.
-    pub fn wait(&self, patience: Duration) -> Option<Shared> {
-        self.0.wait(patience).map(Shared)
+    /// Waits for the answer; `None` if there is none within `patience`.
+    pub fn wait(&self, patience: Duration) -> Option<ShareHandle> {
+        self.0.wait(patience).map(ShareHandle)
     }
 }
 
@@ -99,7 +98,7 @@ pub enum DebugOutput {
 /// As [`Context::new`].
 pub fn new_context(
     desc: ContextDesc,
-    shared: Option<Shared>,
+    shared: Option<ShareHandle>,
     output: DebugOutput,
 ) -> Result<Box<Context>, ContextError> {
     let mut context = Context::boxed(desc, shared.map(|shared| shared.0))?;
@@ -111,44 +110,44 @@ pub fn new_context(
 }
 
 /// What a new context needs to share this one's objects. Draws what was recorded.
-pub fn share(context: &mut Context) -> Shared {
-    Shared(context.share())
+pub fn share(context: &mut Context) -> ShareHandle {
+    ShareHandle(context.share())
 }
 
-/// As [`share`], where nothing is recorded; no call of another context is waited for.
-pub fn share_drawn(context: &mut Context) -> Shared {
-    Shared(context.shared())
+/// As [`share`], where nothing is recorded. Does not wait for calls of other contexts.
+pub fn share_drawn(context: &mut Context) -> ShareHandle {
+    ShareHandle(context.shared())
 }
 
-/// Answers who has asked to share the objects of a context to which everything was drawn.
-pub fn answer_invitation(context: &mut Context) {
-    if context.invitation.is_open() {
+/// Answers the share request of a context, if there is one. Nothing may be recorded.
+pub fn answer_share_request(context: &mut Context) {
+    if context.share_request.is_open() {
         let shared = context.shared();
-        context.invitation.answer(shared);
+        context.share_request.answer(shared);
     }
 }
 
-/// Puts another default framebuffer in place of one to which everything was drawn.
+/// Replaces the default framebuffer. Nothing may be recorded.
 pub fn swap_surface(context: &mut Context, surface: Surface) -> Surface {
     Surface(context.swap_window(surface.0))
 }
 
-/// Puts another default framebuffer in place to be read from, or that which is drawn to.
+/// Replaces the default framebuffer that is read from; with `None` it is the one that is drawn to.
 pub fn swap_read_surface(context: &mut Context, surface: Option<Surface>) -> Option<Surface> {
     context.swap_read_window(surface.map(|surface| surface.0)).map(Surface)
 }
 
-/// Viewport and scissor take the size of the first default framebuffer.
+/// Sets viewport and scissor to the size of the first default framebuffer.
 pub fn first_surface(context: &mut Context, width: u32, height: u32) {
     context.first_window(width, height);
 }
 
-/// Warns, if `DETGL_DEBUG` asks for it, of a picture in which nothing may be seen: it is about to be shown.
+/// Notes that the picture is about to be shown, and warns if nothing that was drawn is visible in it.
 pub fn shows_picture(context: &mut Context) {
-    sight::picture(context);
+    visibility::picture(context);
 }
 
-/// Takes note of a GL error of the call `name`.
+/// Reports a GL error of the call `name`.
 pub fn refuse(
     context: &mut Context,
     name: &'static str,
@@ -158,17 +157,17 @@ pub fn refuse(
     context.refuse(name, GlError::new(ErrorCode::InvalidOperation, section, text));
 }
 
-/// Shows the default framebuffer in a client's memory from the next picture on, or no longer.
+/// Sets the mirror, which gets the next picture, or removes it.
 pub fn set_mirror(context: &mut Context, mirror: Option<Box<dyn SurfaceMirror>>) {
     context.set_mirror(mirror);
 }
 
-/// Has the mirror of a context, if it has one, take the next copy in another way.
+/// Replaces how the mirror of a context copies, if there is one.
 pub fn replace_mirror(context: &mut Context, mirror: Box<dyn SurfaceMirror>) {
     context.replace_mirror(mirror);
 }
 
-/// Draws everything and forgets the mirror of a context.
+/// Submits everything and removes the mirror of a context.
 pub fn end_mirror(context: &mut Context) {
     context.end_mirror();
 }
@@ -187,7 +186,7 @@ pub struct Pixels {
 pub enum Alpha {
     /// Where the format says.
     AsFormat,
-    /// First: all components are moved on by one.
+    /// First; the other components follow.
     First,
 }
 
@@ -271,8 +270,8 @@ fn copy(
 
 /// How many values the uniform at a location of a program has; 0 if there is none.
 pub fn uniform_values(context: &mut Context, program: GLuint, location: GLint) -> usize {
-    let turn = Turn::begin(context);
-    match crate::calls::program::inspect::words(turn.context, program, location) {
+    let guard = SharedObjectsGuard::lock(context);
+    match crate::calls::program::inspect::words(guard.context, program, location) {
         Ok((_, words)) => words.len(),
         Err(_) => 0,
     }
@@ -280,8 +279,8 @@ pub fn uniform_values(context: &mut Context, program: GLuint, location: GLint) -
 
 /// How many values `pname` of a uniform block has; 0 if there are none.
 pub fn block_values(context: &mut Context, program: GLuint, index: GLuint, pname: GLenum) -> usize {
-    let turn = Turn::begin(context);
-    match crate::calls::program::blocks::block_values(turn.context, program, index, pname) {
+    let guard = SharedObjectsGuard::lock(context);
+    match crate::calls::program::blocks::block_values(guard.context, program, index, pname) {
         Ok(values) => values.len(),
         Err(_) => 0,
     }
@@ -292,7 +291,8 @@ pub fn compressed_formats() -> usize {
     crate::pixel::internal::general_purpose_formats().count()
 }
 
-/// What sets a quadric up to the callback that a wrong value is told to, which may delete the quadric.
+/// The setters of quadrics, which return the error callback for a value that was refused: it may delete the quadric, so the
+/// caller calls it afterwards.
 pub mod quadric {
     use super::{GLUquadric, GLUquadricCallback};
     use crate::base::types::GLenum;
@@ -321,7 +321,7 @@ pub mod quadric {
         quad.set_callback(which, callback)
     }
 
-    /// Tells of a value that was refused.
+    /// Calls the error callback of a value that was refused.
     pub fn tell(refused: GLUquadricCallback) {
         crate::glu::tell(refused);
     }

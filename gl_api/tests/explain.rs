@@ -1,4 +1,4 @@
-//! What a draw's plan says it left out.
+//! The plan of a draw (`DETGL_EXPLAIN`): what it leaves out because this draw does not need it.
 
 use gl_api::*;
 use rasterizer::driver::{Device, DeviceDesc, Explain};

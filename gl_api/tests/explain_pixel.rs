@@ -1,4 +1,4 @@
-//! The page that says how a pixel came to be, for each kind of thing it can say.
+//! Explanations of a pixel: the page for primitives, texture accesses, environments, programs, blending and cube maps.
 
 use gl_api::context::{Context, ContextDesc};
 use gl_api::*;

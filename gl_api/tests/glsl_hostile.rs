@@ -1,4 +1,4 @@
-//! Sources that want to hang, overflow or exhaust the compiler: each ends soon, with a message.
+//! Hostile sources, which could hang, overflow or exhaust the compiler: each ends soon, with a message.
 
 #[path = "../../fuzz/bodies/draw.rs"]
 mod any_shader;
@@ -108,8 +108,7 @@ fn long_but_fine() {
     assert!(linked.program.is_some(), "{}", linked.log);
 }
 
-/// What is asked about a line, or compared with what was declared before, is not looked for again
-/// each time.
+/// Neither positions in a long line nor many declarations of one name take quadratic time.
 #[test]
 fn in_one_line_and_by_one_name() {
     let lines = format!("void main() {{ int x; {} }}", "x = __LINE__; ".repeat(50_000));
@@ -177,7 +176,7 @@ fn deep_but_bounded() {
     }
 }
 
-/// Bits of shaders, to be put together at random.
+/// Fragments of shaders, to be combined at random.
 const PIECES: &[&str] = &[
     "void main() {",
     "}",
@@ -303,7 +302,7 @@ void main() {
 }",
 ];
 
-/// What may stand in the place of a token, besides tokens of other shaders.
+/// Replacements of a token, besides tokens of other shaders.
 const STRANGE: [&str; 16] = [
     "",
     "0",
@@ -323,7 +322,7 @@ const STRANGE: [&str; 16] = [
     "[99999999]",
 ];
 
-/// The words, numbers and other characters of a source, and the blanks between.
+/// The words, numbers and other characters of a source, and the blanks between them.
 fn pieces(source: &str) -> Vec<&str> {
     let mut all = Vec::new();
     let mut rest = source;

@@ -1,4 +1,4 @@
-//! Integers reach shaders with all their bits: attributes of vertices, uniforms and back.
+//! Integer attributes and uniforms reach shaders with all their bits, and read back unchanged.
 
 use gl_api::*;
 

@@ -1,7 +1,7 @@
-//! The shaders of the CS380 lecture, as printed: which are rejected and why, and what repairs do.
+//! The shaders of the CS380 lecture, as printed: which are rejected and why, and what applying the fix-its does.
 
 use gl_api::glsl::{
-    Bindings, Comparison, Compiled, DataType, Dim, Options, Repairs, Sampler, Scalar, Stage,
+    Bindings, Comparison, Compiled, DataType, Dim, FixIts, Options, Sampler, Scalar, Stage,
     compile, link,
 };
 
@@ -17,7 +17,7 @@ const ENVIRONMENT_FRAG: &str = include_str!("lecture/environment.frag");
 const PROJECTOR_VERT: &str = include_str!("lecture/projector.vert");
 const PROJECTOR_FRAG: &str = include_str!("lecture/projector.frag");
 
-/// What the lecture leaves out: the vertex stage of the environment map.
+/// The vertex stage of the environment map, which the lecture does not print.
 const ENVIRONMENT_VERT: &str = "#version 130
 uniform mat4 uProjMatrix, uModelViewMatrix;
 uniform mat3 uNormalMatrix;
@@ -32,13 +32,13 @@ void main() {
 }
 ";
 
-fn compiled(stage: Stage, source: &str, repairs: Repairs) -> Compiled {
-    compile(stage, source, &Options { repairs })
+fn compiled(stage: Stage, source: &str, fix_its: FixIts) -> Compiled {
+    compile(stage, source, &Options { fix_its })
 }
 
 fn linked(vertex: &str, fragment: &str) -> glsl::Program {
-    let vertex = compiled(Stage::Vertex, vertex, Repairs::On);
-    let fragment = compiled(Stage::Fragment, fragment, Repairs::On);
+    let vertex = compiled(Stage::Vertex, vertex, FixIts::Apply);
+    let fragment = compiled(Stage::Fragment, fragment, FixIts::Apply);
     let shaders = [
         vertex.shader.as_ref().unwrap_or_else(|| panic!("{}", vertex.log)),
         fragment.shader.as_ref().unwrap_or_else(|| panic!("{}", fragment.log)),
@@ -62,8 +62,8 @@ fn as_printed() {
     ];
     let mut report = String::new();
     for (name, stage, source) in table {
-        let off = compiled(stage, source, Repairs::Off);
-        let on = compiled(stage, source, Repairs::On);
+        let off = compiled(stage, source, FixIts::Suggest);
+        let on = compiled(stage, source, FixIts::Apply);
         let verdict = if off.shader.is_some() { "accepted" } else { "rejected" };
         report.push_str(&format!("== {name}: {verdict}\n{}", off.log));
         assert!(on.shader.is_some(), "{name}: {}", on.log);

@@ -1,4 +1,4 @@
-//! Links: several shaders a stage, and what is asked for before the link.
+//! Links: several shaders per stage, and bindings that the application sets before the link.
 
 use gl_api::glsl::{Bindings, Linked, Options, Program, Shader, Stage, compile, link};
 use gl_api::interface::VARYING_USER;

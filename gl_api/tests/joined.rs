@@ -1,6 +1,5 @@
-//! Primitives that are drawn together though each has a `glBegin` and `glEnd` of its own: the picture,
-//! the current values, the samples that passed, what feedback and selection gather and the errors are
-//! those of one draw for each.
+//! Primitives that are batched into one draw though each has a `glBegin` and `glEnd` of its own: picture, current values,
+//! samples passed, feedback, selection and errors are those of one draw for each.
 
 #[path = "common/random.rs"]
 mod random;
@@ -16,10 +15,10 @@ use switches::enable_some;
 
 const SIZE: u32 = 32;
 
-/// How primitives follow one another.
+/// How primitives are drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Way {
-    /// A call in between that changes nothing.
+enum DrawMethod {
+    /// Each is finished before the next.
     Apart,
     Immediate,
     List,
@@ -79,7 +78,7 @@ fn shape(c: &mut Context, random: &mut Random, modes: &[GLenum], set: &[u64]) {
     c.end();
 }
 
-fn shapes(c: &mut Context, random: &mut Random, way: Way) {
+fn shapes(c: &mut Context, random: &mut Random, method: DrawMethod) {
     let modes: &[GLenum] = random.pick(&[
         &[GL_QUADS][..],
         &[GL_TRIANGLES, GL_TRIANGLES, GL_TRIANGLE_FAN],
@@ -95,32 +94,32 @@ fn shapes(c: &mut Context, random: &mut Random, way: Way) {
             2 => c.eval_coord1f(0.5),
             _ => {}
         }
-        if way == Way::Apart {
+        if method == DrawMethod::Apart {
             c.finish();
         }
     }
 }
 
-/// Draws shapes one way or another.
-fn play(c: &mut Context, random: &mut Random, way: Way) {
-    match way {
-        Way::Apart | Way::Immediate => shapes(c, random, way),
-        Way::List | Way::Watched => {
+/// Draws shapes by a method.
+fn draw_shapes(c: &mut Context, random: &mut Random, method: DrawMethod) {
+    match method {
+        DrawMethod::Apart | DrawMethod::Immediate => shapes(c, random, method),
+        DrawMethod::List | DrawMethod::Watched => {
             c.new_list(1, GL_COMPILE);
-            shapes(c, random, way);
+            shapes(c, random, method);
             c.end_list();
             c.call_list(1);
         }
-        Way::ListAtOnce => {
+        DrawMethod::ListAtOnce => {
             c.new_list(1, GL_COMPILE_AND_EXECUTE);
-            shapes(c, random, way);
+            shapes(c, random, method);
             c.end_list();
         }
     }
 }
 
 /// The numbers of feedback, and the hits of a name.
-fn gathered(seed: u64, way: Way) -> (Vec<f32>, Vec<GLuint>) {
+fn gathered(seed: u64, method: DrawMethod) -> (Vec<f32>, Vec<GLuint>) {
     let gather = |mode| {
         let mut random = Random(seed);
         let mut c = context(&mut random);
@@ -129,7 +128,7 @@ fn gathered(seed: u64, way: Way) -> (Vec<f32>, Vec<GLuint>) {
         c.render_mode(mode);
         c.init_names();
         c.push_name(7);
-        play(&mut c, &mut random, way);
+        draw_shapes(&mut c, &mut random, method);
         assert!(c.render_mode(GL_RENDER) >= 0);
         assert_eq!(c.get_error(), GL_NO_ERROR, "{:?}", c.messages());
         (c.feedback().to_vec(), c.selection().to_vec())
@@ -140,14 +139,14 @@ fn gathered(seed: u64, way: Way) -> (Vec<f32>, Vec<GLuint>) {
 /// The picture, the current colour, normal and edge flag, the samples that passed, and the error.
 type Outcome = (Vec<u8>, [[f32; 4]; 3], GLuint, GLenum);
 
-fn outcome(seed: u64, way: Way) -> Outcome {
+fn outcome(seed: u64, method: DrawMethod) -> Outcome {
     let mut random = Random(seed);
     let c = &mut context(&mut random);
-    if way == Way::Watched {
+    if method == DrawMethod::Watched {
         c.watch_pixel(SIZE / 2, SIZE / 2).expect("a pixel of the window");
     }
     c.begin_query(GL_SAMPLES_PASSED, 1);
-    play(c, &mut random, way);
+    draw_shapes(c, &mut random, method);
     c.end_query(GL_SAMPLES_PASSED);
     let mut passed = [0];
     c.get_query_objectuiv(1, GL_QUERY_RESULT, &mut passed);
@@ -166,14 +165,14 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(300))]
 
     #[test]
-    fn however_they_follow_each_other_the_picture_is_the_same(seed: u64) {
-        let apart = outcome(seed, Way::Apart);
+    fn every_method_gives_the_same_picture(seed: u64) {
+        let apart = outcome(seed, DrawMethod::Apart);
         prop_assert_eq!(apart.3, GL_NO_ERROR);
-        for way in [Way::Immediate, Way::List, Way::ListAtOnce, Way::Watched] {
-            let other = outcome(seed, way);
-            prop_assert_eq!(&other.1, &apart.1, "{:?}", way);
-            prop_assert_eq!((other.2, other.3), (apart.2, apart.3), "{:?}", way);
-            prop_assert!(other.0 == apart.0, "{:?}: the picture differs", way);
+        for method in [DrawMethod::Immediate, DrawMethod::List, DrawMethod::ListAtOnce, DrawMethod::Watched] {
+            let other = outcome(seed, method);
+            prop_assert_eq!(&other.1, &apart.1, "{:?}", method);
+            prop_assert_eq!((other.2, other.3), (apart.2, apart.3), "{:?}", method);
+            prop_assert!(other.0 == apart.0, "{:?}: the picture differs", method);
         }
     }
 }
@@ -182,10 +181,10 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(100))]
 
     #[test]
-    fn what_feedback_and_selection_gather_is_the_same(seed: u64) {
-        let apart = gathered(seed, Way::Apart);
-        for way in [Way::Immediate, Way::List, Way::ListAtOnce] {
-            prop_assert!(gathered(seed, way) == apart, "{:?}", way);
+    fn every_method_gives_the_same_feedback_and_selection(seed: u64) {
+        let apart = gathered(seed, DrawMethod::Apart);
+        for method in [DrawMethod::Immediate, DrawMethod::List, DrawMethod::ListAtOnce] {
+            prop_assert!(gathered(seed, method) == apart, "{:?}", method);
         }
     }
 }
@@ -200,7 +199,7 @@ fn quad(c: &mut Context, x: f32) {
 }
 
 #[test]
-fn each_is_told_apart_where_it_is_an_error_or_counted() {
+fn primitives_are_not_batched_where_errors_or_numbers_tell() {
     let random = &mut Random(0);
     let c = &mut context(random);
     c.new_list(1, GL_COMPILE);

@@ -1,6 +1,5 @@
-//! Draws that follow one another, with writes to what they read in between: the picture, the pixels that
-//! are read on the way, the samples that passed, the errors and the messages are those of draws that are
-//! each carried out before the next call.
+//! Batched draws, and draws that reuse the state of the draw before, with writes to what they read in between: picture, pixels
+//! that are read on the way, samples passed, errors and messages are those of draws that are each finished before the next call.
 
 #[path = "common/random.rs"]
 mod random;
@@ -30,7 +29,7 @@ impl Random {
         bytes
     }
 
-    /// Near one another, or as far apart as can be.
+    /// Indices near one another, or as far apart as possible.
     fn index(&mut self) -> u16 {
         match self.below(40) {
             0 => RESTART,
@@ -209,7 +208,7 @@ fn change(c: &mut Context, random: &mut Random, pixels: &mut Vec<u8>) {
     }
 }
 
-/// Sets what may be so already.
+/// Sets state to values that it may have already.
 fn set_maybe(c: &mut Context, random: &mut Random) {
     let first = random.below(2) == 0;
     let cap = random.pick(&[GL_DEPTH_TEST, GL_CULL_FACE, GL_SCISSOR_TEST, GL_CLIP_PLANE0]);
@@ -267,7 +266,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(300))]
 
     #[test]
-    fn what_follows_at_once_is_what_follows_later(seed: u64) {
+    fn batched_draws_are_as_draws_that_are_finished_one_by_one(seed: u64) {
         let (apart, together) = (outcome(seed, Way::Apart), outcome(seed, Way::Together));
         prop_assert_eq!((&together.1, &together.2), (&apart.1, &apart.2));
         prop_assert_eq!(&together.3, &apart.3);

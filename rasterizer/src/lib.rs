@@ -3,33 +3,37 @@
 //! Takes immutable pipelines and command buffers, gives pictures. It knows nothing of GL state,
 //! GLenums or GLSL text.
 //!
-//! The modules in the order in which a draw passes through them:
+//! The layers from below; each uses only those above it in this table:
 //!
-//! | module | is |
+//! | layer | is |
 //! |---|---|
-//! | [`driver`] | device, images, buffers, pipelines, command buffers, queue |
-//! | `plan` | every decision of a draw, taken once before its loops |
-//! | `vertex` | attributes to lanes, the vertex program, the viewport |
-//! | `primitive` | assembly, clipping, snapping, culling |
-//! | `raster` | tiles, coverage, interpolation, batches of fragments |
-//! | [`ir`], [`shader`] | what a shader is; optimizer, register program, 64-lane interpreter |
-//! | `output` | depth test, blending, masks, packing |
-//! | `target` | attachments as tiles of words in lane order |
-//! | [`trace`] | what happened to a pixel that is watched |
-//! | [`stack`] | room for what recurses as deep as shaders nest |
-//! | `pool` | what threads work with, kept, and how they share the work |
+//! | `sizes` | sizes that every stage agrees on: tile, subpixel, guard band, samples, clip distances |
+//! | `threads` | the thread pool, pools of reusable objects, stacks for deep recursion |
+//! | [`ir`] | what a shader is: modules of typed expressions and structured statements |
+//! | `desc` | what a client describes: plain data without anything that runs |
+//! | [`trace`] | what happened to a watched pixel, as records |
+//! | [`shader`] | optimizer, register program, interpreter of 64 lanes |
+//! | `attachment` | attachments as tiles of words in lane order, and how texels are encoded in them |
+//! | `output` | per-fragment operations: stencil and depth test, blending, logic operations, masks |
+//! | `vertex` | input assembly, attribute fetch, the vertex program, the viewport transform |
+//! | `primitive` | clipping, snapping, culling, outlines, plane equations |
+//! | `plan` | pipelines, and every decision of a draw, taken once before its loops |
+//! | `raster` | coverage, interpolation, batches of fragments, the work of a tile |
+//! | [`driver`] | device, images, command buffers, queue, passes: what a client calls |
 #![forbid(unsafe_code)]
 
-mod crew;
+mod attachment;
+mod desc;
 pub mod driver;
 pub mod ir;
 mod output;
 mod plan;
-mod pool;
 mod primitive;
 mod raster;
 pub mod shader;
-pub mod stack;
-mod target;
+mod sizes;
+mod threads;
 pub mod trace;
 mod vertex;
+
+pub use threads::stack;

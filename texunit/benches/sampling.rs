@@ -10,7 +10,8 @@ use std::time::Instant;
 use texunit::format::Format;
 use texunit::image::{Image, Level, Shape};
 use texunit::lanes::{F32s, Isa, LANES, QUADS, lane_x, lane_y};
-use texunit::plan::{Lod, Places, Points, Room, SamplePlan};
+use texunit::plan::SamplePlan;
+use texunit::sample::{Addresses, Lod, LookupScratch, Points};
 use texunit::sampler::{Filter, Mipmap, Sampler, Wrap};
 
 /// Texels of a side.
@@ -124,13 +125,13 @@ struct Cell {
 
 impl Cell {
     fn measure(&mut self, isa: Isa) {
-        let mut room = Room::default();
+        let mut room = LookupScratch::default();
         let start = Instant::now();
         for _ in 0..PICTURES {
             for [s, t] in &self.blocks {
                 let lod = Lod::Implicit { bias: None };
                 let points = Points { coords: [s, t, &F32s::ZERO], layer: None, reference: None };
-                self.plan.sample_offset(isa, points, [0; 3], lod, Places::Own, &mut room);
+                self.plan.sample_offset(isa, points, [0; 3], lod, Addresses::Compute, &mut room);
                 black_box(&mut room);
             }
         }

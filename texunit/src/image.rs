@@ -5,19 +5,18 @@ mod complete;
 mod error;
 mod fetch;
 mod level;
+mod limits;
 mod memory;
 mod shape;
 
 pub use complete::{Incomplete, Levels};
 pub use error::ImageError;
-pub use level::{Level, MAX_LEVEL_BYTES, PADDING};
+pub use level::Level;
+pub use limits::{FACES, MAX_LAYERS, MAX_LEVEL_BYTES, MAX_LEVELS, MAX_SIZE, MAX_SIZE_3D, PADDING};
 pub use memory::{Memory, zeroed};
-pub use shape::{FACES, MAX_LAYERS, MAX_SIZE, MAX_SIZE_3D, Shape};
+pub use shape::Shape;
 
 use std::sync::Arc;
-
-/// How many levels an image of [`MAX_SIZE`] has: 16384 to 1.
-pub const MAX_LEVELS: usize = MAX_SIZE.ilog2() as usize + 1;
 
 /// Faces × levels, each of which may be missing, as GL lets them be specified one by one.
 /// Cloning shares the levels.

@@ -50,7 +50,7 @@ impl Level {
         Ok(smaller)
     }
 
-    /// By way of the colours, in linear light.
+    /// Decodes, halves in linear light, and compresses.
     fn halved_blocks(&self, shape: Shape, isa: Isa) -> Result<Self, ImageError> {
         self.as_format(Format::Rgba32F)?.halved(shape, isa)?.as_format(self.format)
     }

@@ -1,117 +1,24 @@
 //! Pixels in memory, a client's or a texture's, as numbers: 64 at a time.
 //!
-//! A [`Record`] says how a pixel lies in memory: as one to four words, whose [`Field`]s are numbers in a
-//! [`Code`]. [`read`] and [`write`] are the way through `f64`, which holds every number of GL's types;
-//! where two records have the same bits in whatever places, [`Moves`] takes them over.
+//! A [`PixelLayout`] describes a pixel in memory: one to four words, whose [`Field`](crate::format::Field)s are numbers in
+//! a [`NumberEncoding`]. [`read()`] and [`write()`] convert through `f64`, which holds every number of GL's types. Where two
+//! layouts have the same bits at different positions, [`BitMoves`] moves them without conversion.
 
 pub mod boxes;
-mod change;
-mod code;
+mod layout;
 mod mean;
 mod moves;
-mod record;
+mod number;
+mod numbers;
+mod transform;
 
-pub use change::{Change, add, change};
-pub use code::Code;
+pub use layout::{ByteOrder, PixelLayout};
 pub use mean::{Tap, interleave, means};
-pub use moves::{Moves, Source};
-pub use record::{ByteOrder, Record};
-use record::{Load, Store};
-
-use crate::lanes::{F32s, F64s, Isa, Kernel, LANES, Simd, U32s};
-
-/// The numbers of 64 pixels: a batch for each of a record's fields.
-pub type Numbers = [F64s; 4];
-
-struct Read<'a> {
-    record: &'a Record,
-    words: &'a [U32s; 4],
-    out: &'a mut Numbers,
-}
-
-impl Kernel for Read<'_> {
-    type Output = ();
-    #[inline(always)]
-    fn run<S: Simd>(self) {
-        for (&(field, code), out) in self.record.fields().iter().zip(self.out) {
-            code.read(field, &self.words[field.word], out);
-        }
-    }
-}
-
-struct Write<'a> {
-    record: &'a Record,
-    numbers: [&'a F64s; 4],
-    out: &'a mut [U32s; 4],
-}
-
-impl Kernel for Write<'_> {
-    type Output = ();
-    #[inline(always)]
-    fn run<S: Simd>(self) {
-        for (&(field, code), numbers) in self.record.fields().iter().zip(self.numbers) {
-            code.write(field, numbers, &mut self.out[field.word]);
-        }
-        if let Some((field, _)) = self.record.shared_exponent() {
-            code::write_shared_exponent(self.numbers, &mut self.out[field.word]);
-        }
-    }
-}
-
-/// The numbers of up to 64 pixels, tightly packed in `bytes`. Those of fields that the record lacks, and of
-/// pixels that are not there, mean nothing.
-pub fn read(isa: Isa, record: &Record, bytes: &[u8], out: &mut Numbers) {
-    let mut words = [U32s::ZERO; 4];
-    record.load(isa, bytes, &mut words);
-    isa.run(Read { record, words: &words, out });
-}
-
-/// [`read`] within a kernel.
-#[inline(always)]
-pub(crate) fn read_by<S: Simd>(record: &Record, bytes: &[u8], out: &mut Numbers) {
-    let mut words = [U32s::ZERO; 4];
-    S::apart(Load { record, bytes, words: &mut words });
-    S::apart(Read { record, words: &words, out });
-}
-
-/// [`write`] within a kernel.
-#[inline(always)]
-pub(crate) fn write_by<S: Simd>(record: &Record, numbers: [&F64s; 4], bytes: &mut [u8]) {
-    let mut words = [U32s::ZERO; 4];
-    S::apart(Write { record, numbers, out: &mut words });
-    S::apart(Store { record, words: &mut words, bytes });
-}
-
-/// Up to 64 pixels with these numbers into `bytes`, tightly packed: clamped to what the record holds, and
-/// rounded to nearest, halves to even.
-pub fn write(isa: Isa, record: &Record, numbers: [&F64s; 4], bytes: &mut [u8]) {
-    let mut words = [U32s::ZERO; 4];
-    isa.run(Write { record, numbers, out: &mut words });
-    record.store(isa, &mut words, bytes);
-}
-
-/// Up to 64 pixels of four `f32` each into `bytes`, tightly packed.
-pub fn write_floats(isa: Isa, channels: [&F32s; 4], bytes: &mut [u8]) {
-    let record = Record::uniform(4, 4, Code::Float, ByteOrder::Little);
-    let mut words = channels.map(|channel| *channel.as_u32());
-    record.store(isa, &mut words, bytes);
-}
-
-/// Pixels of one record as those of another: as many as `from` has, in `to`.
-pub fn move_all(isa: Isa, moves: &Moves, from: (&Record, &[u8]), to: (&Record, &mut [u8])) {
-    let ((from_record, from), (to_record, to)) = (from, to);
-    if moves.is_copy() {
-        to.copy_from_slice(from);
-        return;
-    }
-    let (mut words, mut moved) = ([U32s::ZERO; 4], [U32s::ZERO; 4]);
-    let runs = from.chunks(LANES * from_record.bytes());
-    for (from, to) in runs.zip(to.chunks_mut(LANES * to_record.bytes())) {
-        from_record.load(isa, from, &mut words);
-        moves.run(isa, &words, &mut moved);
-        to_record.store(isa, &mut moved, to);
-    }
-}
+pub use moves::{BitMoves, Source, move_all};
+pub use number::NumberEncoding;
+pub use numbers::{Numbers, read, write, write_floats};
+pub(crate) use numbers::{read_by, write_by};
+pub use transform::{NumberTransform, add, transform};
 
 #[cfg(test)]
 mod tests;

@@ -1,13 +1,9 @@
-//! How one lane of a batch is sampled, step by step, with the numbers of the sample itself.
+//! The record of how one lane was sampled: plain data.
 //!
-//! [`SamplePlan::trace`] runs the general kernels with a recorder in them; a sample runs the same
-//! code without one. So a trace cannot differ from what was drawn.
+//! [`SamplePlan::trace`](crate::plan::SamplePlan::trace) runs the general kernel with a recorder. Sampling runs the same
+//! code without one, so a trace cannot differ from what was drawn.
 
-use crate::lanes::{F32s, LANES};
-use crate::plan::{Lod, Points, SamplePlan};
-use crate::sample::{Any, Lane, Sample};
 use crate::sampler::{Compare, Filter};
-use std::marker::PhantomData;
 
 /// A step of a sample, in the order of GL 2.1, section 3.8. Levels count from the base level.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,7 +17,7 @@ pub enum SampleStep {
     },
     /// The layer of an array texture: the nearest, held in range.
     Layer(u32),
-    /// λ decides nothing.
+    /// λ has no effect.
     Fixed {
         /// The filter of every sample.
         filter: Filter,
@@ -191,34 +187,4 @@ pub struct SampleTrace {
     /// Red, green, blue, alpha as the sample gives them: expanded from the stored channels
     /// (section 3.8.13), swizzled. Of integer textures bits.
     pub result: [f32; 4],
-}
-
-impl SamplePlan {
-    /// Samples as [`SamplePlan::sample_offset`] does, and notes how the result of `lane` (below 64)
-    /// came about. No steps for an incomplete texture.
-    pub fn trace(
-        &self,
-        lane: usize,
-        points: Points<'_>,
-        offset: [i32; 3],
-        lod: Lod<'_>,
-    ) -> SampleTrace {
-        let lane = lane % LANES;
-        let mut out = [F32s::ZERO, F32s::ZERO, F32s::ZERO, F32s::splat(1.0)];
-        let mut recorder = Lane::new(lane);
-        if let Some(texture) = self.general().texture() {
-            let (out, recorder) = (&mut out, &mut recorder);
-            let reads = PhantomData::<Any>;
-            let Points { coords, layer, reference } = points;
-            let (coords, lod) = (&coords, &lod);
-            let sample =
-                Sample { texture, coords, layer, reference, offset, lod, out, recorder, reads };
-            sample.run_in_baseline();
-        }
-        SampleTrace {
-            coords: points.coords.map(|coord| coord[lane]),
-            steps: recorder.steps,
-            result: out.map(|channel| channel[lane]),
-        }
-    }
 }

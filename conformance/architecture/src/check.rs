@@ -1,23 +1,25 @@
 //! Whether a crate's files keep to the order of its layers.
 
-use crate::graph::{Graph, layer_of};
+use crate::graph::Graph;
 use std::collections::BTreeSet;
 use std::fmt;
 
-/// The largest circle of files inside a layer.
+/// The largest circle of files that is allowed.
 pub const LARGEST_CIRCLE: usize = 12;
 
-/// A rule that the sources break.
+/// A rule that the sources break. Files are relative to the workspace's root.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Violation {
     /// A file names something of a layer above its own.
     Upward {
-        /// The crate, the file under its `src`, and the line.
-        at: String,
-        /// The file under `src` that is above.
+        /// The file.
+        from: String,
+        /// The line of the first reference, from 1.
+        line: usize,
+        /// The file above.
         to: String,
         /// What is named.
-        names: Vec<String>,
+        names: BTreeSet<String>,
     },
     /// A circle of too many files.
     Circle(Vec<String>),
@@ -30,16 +32,14 @@ pub enum Violation {
 impl fmt::Display for Violation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Upward { at, to, names } => {
-                write!(f, "{at} → {to}: {}", names.join(", "))
+            Self::Upward { from, line, to, names } => {
+                let names: Vec<&str> = names.iter().map(String::as_str).collect();
+                write!(f, "{from}:{line} → {to}: {}", names.join(", "))
             }
             Self::Circle(files) => {
-                write!(
-                    f,
-                    "a circle of {} files (at most {LARGEST_CIRCLE}): {}",
-                    files.len(),
-                    files.join(", ")
-                )
+                let count = files.len();
+                write!(f, "a circle of {count} files (at most {LARGEST_CIRCLE}): ")?;
+                write!(f, "{}", files.join(", "))
             }
             Self::Unlisted(layer) => {
                 write!(f, "{layer}: no row of ARCHITECTURE.md's table has this layer")
@@ -54,30 +54,47 @@ impl fmt::Display for Violation {
 
 /// Compares a crate with the order of its layers, from below.
 pub fn check(graph: &Graph, order: &[String]) -> Vec<Violation> {
-    let mut violations = Vec::new();
-    let layers: BTreeSet<&str> =
-        graph.files.iter().filter(|file| *file != "lib.rs").map(|file| layer_of(file)).collect();
-    let named = |layer: &str| format!("{}/src/{layer}", graph.name);
-    let unlisted = layers.iter().filter(|layer| !order.iter().any(|known| known == *layer));
-    violations.extend(unlisted.map(|layer| Violation::Unlisted(named(layer))));
-    let absent = order.iter().filter(|layer| !layers.contains(layer.as_str()));
-    violations.extend(absent.map(|layer| Violation::Absent(named(layer))));
-    let rank = |file: usize| order.iter().position(|layer| layer == layer_of(&graph.files[file]));
+    let mut violations = rows(graph, order);
+    let rank = |file: usize| {
+        graph.layer(file).and_then(|layer| order.iter().position(|listed| listed == layer))
+    };
     for ((from, to), references) in &graph.edges {
         if let (Some(below), Some(above)) = (rank(*from), rank(*to))
             && below < above
         {
-            let line = references.first().map_or(0, |reference| reference.line);
-            let names: BTreeSet<_> =
-                references.iter().map(|reference| reference.name.clone()).collect();
             violations.push(Violation::Upward {
-                at: format!("{}/src/{}:{line}", graph.name, graph.files[*from]),
-                to: graph.files[*to].clone(),
-                names: names.into_iter().collect(),
+                from: located(graph, &graph.files[*from].path),
+                line: references.first().map_or(0, |reference| reference.line),
+                to: located(graph, &graph.files[*to].path),
+                names: references.iter().map(|reference| reference.name.clone()).collect(),
             });
         }
     }
-    let circles = graph.file_circles().into_iter().filter(|circle| circle.len() > LARGEST_CIRCLE);
-    violations.extend(circles.map(Violation::Circle));
+    violations.extend(large_circles(graph));
     violations
+}
+
+/// The circles of more than [`LARGEST_CIRCLE`] files.
+pub fn large_circles(graph: &Graph) -> Vec<Violation> {
+    graph
+        .file_circles()
+        .into_iter()
+        .filter(|circle| circle.len() > LARGEST_CIRCLE)
+        .map(|circle| circle.into_iter().map(|file| located(graph, file)).collect())
+        .map(Violation::Circle)
+        .collect()
+}
+
+/// The layers without a row, and the rows without a layer.
+fn rows(graph: &Graph, order: &[String]) -> Vec<Violation> {
+    let layers = graph.layers();
+    let listed: BTreeSet<&str> = order.iter().map(String::as_str).collect();
+    let unlisted = layers.difference(&listed).map(|layer| located(graph, layer));
+    let absent = listed.difference(&layers).map(|layer| located(graph, layer));
+    unlisted.map(Violation::Unlisted).chain(absent.map(Violation::Absent)).collect()
+}
+
+/// A file or layer, from the workspace's root.
+fn located(graph: &Graph, path: &str) -> String {
+    format!("{}/src/{path}", graph.folder)
 }

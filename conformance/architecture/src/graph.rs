@@ -1,7 +1,9 @@
 //! The references between the files of a crate.
 
+use crate::circles::circles;
+use crate::methods::{self, extensions};
 use crate::resolve::{Target, resolve};
-use crate::sources::Sources;
+use crate::sources::{File, Sources, Written};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Where a file names something of another.
@@ -16,153 +18,145 @@ pub struct Reference {
 /// The references between files: `(from, to)` by index in [`Graph::files`].
 #[derive(Debug)]
 pub struct Graph {
-    /// The crate's name.
-    pub name: String,
-    /// Files relative to `src`.
-    pub files: Vec<String>,
+    /// The crate's folder, relative to the workspace's root.
+    pub folder: String,
+    /// The files. Those without a layer have no references.
+    pub files: Vec<File>,
     /// Why a file needs another.
     pub edges: BTreeMap<(usize, usize), BTreeSet<Reference>>,
 }
 
-/// The layer of a file: its first folder, or its own name without `.rs`.
-pub fn layer_of(file: &str) -> &str {
-    file.split('/').next().map_or(file, |first| first.strip_suffix(".rs").unwrap_or(first))
-}
-
 impl Graph {
-    /// The graph of a crate. The crate's root (`lib.rs`) only lists and re-exports, and is left out.
+    /// The graph of a crate.
     pub fn of(sources: &Sources) -> Self {
-        let mut edges: BTreeMap<(usize, usize), BTreeSet<Reference>> = BTreeMap::new();
-        let mut add = |from: usize, to: usize, line: usize, name: String| {
-            let is_root = |file: usize| sources.files[file] == "lib.rs";
-            if from != to && !is_root(from) && !is_root(to) {
-                edges.entry((from, to)).or_default().insert(Reference { line, name });
-            }
-        };
-        for (index, module) in sources.modules.iter().enumerate() {
-            let imported = module.imports.iter().map(|import| &import.path);
-            for path in imported.chain(&module.paths) {
-                let target = resolve(sources, index, &path.segments);
-                if let Some(Target::Item(to, _)) = target {
-                    let to = sources.modules[to].file;
-                    add(module.file, to, path.line, path.segments.join("::"));
-                }
-            }
-            for (name, line) in &module.macro_calls {
-                if let Some(to) = sources.macros.get(name) {
-                    add(module.file, *to, *line, format!("{name}!"));
-                }
-            }
+        let mut edges = Edges { files: &sources.files, found: BTreeMap::new() };
+        for scope in 0..sources.modules.len() {
+            paths(sources, scope, &mut edges);
+            macros(sources, scope, &mut edges);
         }
-        let extensions = extensions(sources);
-        for module in &sources.modules {
-            for (name, line) in &module.calls {
-                if let Some(to) = extensions.get(name.as_str()) {
-                    add(module.file, *to, *line, format!(".{name}()"));
-                }
-            }
-        }
-        Self { name: sources.name.clone(), files: sources.files.clone(), edges }
+        calls(sources, &mut edges);
+        let edges = edges.found;
+        Self { folder: sources.folder.clone(), files: sources.files.clone(), edges }
     }
 
-    /// The circles of more than one node among `nodes`, largest first: strongly connected components (Tarjan 1972).
-    pub fn circles<N: Ord + Clone>(edges: &BTreeSet<(N, N)>) -> Vec<Vec<N>> {
-        let mut targets: BTreeMap<&N, Vec<&N>> = BTreeMap::new();
-        for (from, to) in edges {
-            targets.entry(from).or_default().push(to);
-            targets.entry(to).or_default();
-        }
-        let mut search = Search {
-            targets: &targets,
-            index: BTreeMap::new(),
-            low: BTreeMap::new(),
-            stack: Vec::new(),
-            found: Vec::new(),
-        };
-        for node in targets.keys() {
-            search.visit(node);
-        }
-        let mut circles = search.found;
-        circles.sort_by_key(|circle| std::cmp::Reverse(circle.len()));
-        circles
+    /// The layers, by name.
+    pub fn layers(&self) -> BTreeSet<&str> {
+        self.files.iter().filter_map(|file| file.layer.as_deref()).collect()
     }
 
     /// The references between layers.
-    pub fn layer_edges(&self) -> BTreeSet<(String, String)> {
+    pub fn layer_edges(&self) -> BTreeSet<(&str, &str)> {
         self.edges
             .keys()
-            .map(|(from, to)| (layer_of(&self.files[*from]), layer_of(&self.files[*to])))
+            .filter_map(|(from, to)| Some((self.layer(*from)?, self.layer(*to)?)))
             .filter(|(from, to)| from != to)
-            .map(|(from, to)| (from.to_owned(), to.to_owned()))
             .collect()
     }
 
-    /// The circles of files, within layers or across them.
-    pub fn file_circles(&self) -> Vec<Vec<String>> {
-        let name = |index: usize| self.files[index].clone();
-        Self::circles(&self.edges.keys().map(|(from, to)| (name(*from), name(*to))).collect())
+    /// The circles of layers, largest first.
+    pub fn layer_circles(&self) -> Vec<Vec<&str>> {
+        circles(&self.layer_edges())
+    }
+
+    /// The circles of files, within layers or across them, largest first.
+    pub fn file_circles(&self) -> Vec<Vec<&str>> {
+        let path = |file: usize| self.files[file].path.as_str();
+        circles(&self.edges.keys().map(|(from, to)| (path(*from), path(*to))).collect())
+    }
+
+    /// The layer of a file.
+    pub fn layer(&self, file: usize) -> Option<&str> {
+        self.files[file].layer.as_deref()
     }
 }
 
-/// Methods that one file alone defines, outside of the layer of their type, under a name that no other type and no
-/// trait of the crate has.
-fn extensions(sources: &Sources) -> BTreeMap<&str, usize> {
-    let mut definitions: BTreeMap<&str, Vec<Option<usize>>> = BTreeMap::new();
-    for (index, module) in sources.modules.iter().enumerate() {
-        for (of, method) in &module.methods {
-            let home = match resolve(sources, index, &of.segments) {
-                Some(Target::Item(to, _)) => Some(sources.modules[to].file),
-                _ => None,
-            };
-            let is_outside = home.is_some_and(|home| {
-                layer_of(&sources.files[home]) != layer_of(&sources.files[module.file])
-            });
-            definitions.entry(method).or_default().push(is_outside.then_some(module.file));
-        }
-        for method in &module.trait_methods {
-            definitions.entry(method).or_default().push(None);
+struct Edges<'a> {
+    files: &'a [File],
+    found: BTreeMap<(usize, usize), BTreeSet<Reference>>,
+}
+
+impl Edges<'_> {
+    fn add(&mut self, from: usize, to: usize, line: usize, name: String) {
+        let has_layer = |file: usize| self.files[file].layer.is_some();
+        if from != to && has_layer(from) && has_layer(to) {
+            self.found.entry((from, to)).or_default().insert(Reference { line, name });
         }
     }
-    definitions
-        .into_iter()
-        .filter_map(|(name, files)| match files.as_slice() {
-            [Some(file)] => Some((name, *file)),
-            _ => None,
-        })
-        .collect()
 }
 
-/// The state of Tarjan's search.
-struct Search<'a, N> {
-    targets: &'a BTreeMap<&'a N, Vec<&'a N>>,
-    index: BTreeMap<&'a N, usize>,
-    low: BTreeMap<&'a N, usize>,
-    stack: Vec<&'a N>,
-    found: Vec<Vec<N>>,
-}
-
-impl<'a, N: Ord + Clone> Search<'a, N> {
-    fn visit(&mut self, node: &'a N) {
-        if self.index.contains_key(node) {
-            return;
-        }
-        let number = self.index.len();
-        self.index.insert(node, number);
-        self.low.insert(node, number);
-        self.stack.push(node);
-        for next in &self.targets[node] {
-            if !self.index.contains_key(next) {
-                self.visit(next);
-                self.low.insert(node, self.low[node].min(self.low[next]));
-            } else if self.stack.contains(next) {
-                self.low.insert(node, self.low[node].min(self.index[next]));
+fn paths(sources: &Sources, scope: usize, edges: &mut Edges<'_>) {
+    let module = &sources.modules[scope];
+    let mut add = |path: &Written, target: &Target| {
+        let (Target::Item(to, _) | Target::Module(to)) = target;
+        edges.add(module.file, sources.modules[*to].file, path.line, path.segments.join("::"));
+    };
+    for path in &module.paths {
+        resolve(sources, scope, &path.segments)
+            .iter()
+            .filter(|target| matches!(target, Target::Item(..)))
+            .for_each(|target| add(path, target));
+    }
+    for import in &module.imports {
+        for target in resolve(sources, scope, &import.path.segments) {
+            match target {
+                Target::Item(..) => add(&import.path, &target),
+                // A module that is only named by its name stands in other paths, which count; a glob of it
+                // may be what gives the tokens of a macro their names.
+                Target::Module(_) if import.name == "*" => add(&import.path, &target),
+                Target::Module(_) => {}
             }
         }
-        if self.low[node] == self.index[node] {
-            let at = self.stack.iter().position(|other| *other == node).unwrap_or(0);
-            let circle: Vec<N> = self.stack.split_off(at).into_iter().cloned().collect();
-            if circle.len() > 1 {
-                self.found.push(circle);
+    }
+}
+
+/// `name!(…)`: the definition of this file or of the nearest module around, otherwise what an import names, otherwise
+/// the only one of that name.
+fn macros(sources: &Sources, scope: usize, edges: &mut Edges<'_>) {
+    let module = &sources.modules[scope];
+    for (name, line) in &module.macro_calls {
+        let Some(definitions) = sources.macros.get(name) else { continue };
+        let file_of = |module: usize| sources.modules[module].file;
+        let is_own = definitions.iter().any(|macro_| file_of(macro_.module) == module.file);
+        if is_own {
+            continue;
+        }
+        let mut around = sources.modules[scope].parent;
+        let mut nearest = None;
+        while let Some(outer) = around
+            && nearest.is_none()
+        {
+            nearest = definitions.iter().find(|macro_| macro_.module == outer).map(|_| outer);
+            around = sources.modules[outer].parent;
+        }
+        let imported = || match methods::item(resolve(sources, scope, std::slice::from_ref(name))) {
+            Some(Target::Item(to, _)) => Some(to),
+            Some(Target::Module(_)) | None => None,
+        };
+        let only = || match definitions.as_slice() {
+            [only] => Some(only.module),
+            _ => None,
+        };
+        if let Some(to) = nearest.or_else(imported).or_else(only) {
+            edges.add(module.file, file_of(to), *line, format!("{name}!"));
+        }
+    }
+}
+
+/// Methods that another layer adds to a type: `value.method()`, `Type::method(value)`, `Self::method(value)`.
+fn calls(sources: &Sources, edges: &mut Edges<'_>) {
+    let extensions = extensions(sources);
+    for (scope, module) in sources.modules.iter().enumerate() {
+        for (name, line) in &module.calls {
+            if let Some(extension) = extensions.get(name.as_str()) {
+                edges.add(module.file, extension.file, *line, format!(".{name}()"));
+            }
+        }
+        for path in &module.paths {
+            if let [of @ .., name] = path.segments.as_slice()
+                && let Some(extension) = extensions.get(name.as_str())
+                && (*of == ["Self"] || resolve(sources, scope, of).contains(&extension.of))
+            {
+                edges.add(module.file, extension.file, path.line, path.segments.join("::"));
             }
         }
     }

@@ -1,93 +1,156 @@
-//! From a path as it is written to the file that defines what it names.
+//! From a path as it is written to the items that it names.
 
 use crate::sources::Sources;
 use std::collections::BTreeSet;
 
 /// What a path names.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Target {
-    /// A module of the crate.
+    /// A module of the crate, an index in [`Sources::modules`].
     Module(usize),
     /// An item: the module that defines it, and its name.
     Item(usize, String),
 }
 
-/// Follows `segments`, written in module `from`, through imports and re-exports. `None` for what another crate
-/// defines, or a local name.
-pub fn resolve(sources: &Sources, from: usize, segments: &[String]) -> Option<Target> {
-    let mut visited = BTreeSet::new();
-    follow(sources, from, segments, &mut visited)
+/// Follows `segments`, written in the scope `from`, through imports and re-exports. What stands behind an item (a
+/// variant, a method) is not looked at. Nothing is found of what another crate defines, nor of local names; a function
+/// and a module of one name are both found.
+pub fn resolve(sources: &Sources, from: usize, segments: &[String]) -> BTreeSet<Target> {
+    let find = |names| Resolver { sources, names, visited: BTreeSet::new() }.follow(from, segments);
+    let found = find(Names::Written);
+    if found.is_empty() { find(Names::Generated) } else { found }
 }
 
-type Visited = BTreeSet<(usize, String)>;
+/// The names of items that are looked at.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Names {
+    /// Those that the sources define.
+    Written,
+    /// Those that a macro call may define, too.
+    Generated,
+}
 
-fn follow(
-    sources: &Sources,
-    from: usize,
-    segments: &[String],
-    visited: &mut Visited,
-) -> Option<Target> {
-    let mut module = from;
-    let mut rest = segments;
-    let mut is_rooted = false;
-    while let Some((first, tail)) = rest.split_first() {
-        match first.as_str() {
-            "crate" | "$crate" => module = 0,
-            "self" => {}
-            "super" => module = parent(sources, module)?,
-            name if name == sources.name
-                && !is_rooted
-                && !sources.modules[module].children.contains_key(name) =>
-            {
-                module = 0;
+/// Where in a path a name is.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Position {
+    /// Before a `::`: what it names is a module or a type.
+    Before,
+    /// At the end.
+    Last,
+}
+
+struct Resolver<'a> {
+    sources: &'a Sources,
+    names: Names,
+    /// The names that are being looked up: two modules may import everything of each other.
+    visited: BTreeSet<(usize, String, Position)>,
+}
+
+impl Resolver<'_> {
+    fn follow(&mut self, from: usize, segments: &[String]) -> BTreeSet<Target> {
+        let Some((mut module, rest)) = self.root(from, segments) else { return BTreeSet::new() };
+        let Some((last, before)) = rest.split_last() else {
+            return BTreeSet::from([Target::Module(module)]);
+        };
+        for name in before {
+            let found = self.lookup(module, name, Position::Before);
+            let inner = found.iter().find_map(|target| match target {
+                Target::Module(inner) => Some(*inner),
+                Target::Item(..) => None,
+            });
+            match inner {
+                Some(inner) => module = inner,
+                None => return found,
             }
-            _ => break,
         }
-        is_rooted = true;
-        rest = tail;
+        self.lookup(module, last, Position::Last)
     }
-    while let Some((first, tail)) = rest.split_first() {
-        match lookup(sources, module, first, visited)? {
-            Target::Module(inner) => module = inner,
-            item @ Target::Item(..) => return Some(item),
+
+    /// The module where a path begins, and the segments that are not `crate`, `self` or `super`. `None` for a `super`
+    /// of the crate's root.
+    fn root<'s>(&self, from: usize, segments: &'s [String]) -> Option<(usize, &'s [String])> {
+        let (first, tail) = segments.split_first()?;
+        let mut rest = tail;
+        let mut module = match first.as_str() {
+            "crate" => 0,
+            "self" => self.around(from),
+            "super" => self.sources.modules[self.around(from)].parent?,
+            // `extern crate self as name`.
+            name if *name == self.sources.name && !self.has_child(from, name) => 0,
+            _ => return Some((from, segments)),
+        };
+        while let Some((first, tail)) = rest.split_first()
+            && first == "super"
+        {
+            module = self.sources.modules[module].parent?;
+            rest = tail;
         }
-        rest = tail;
+        Some((module, rest))
     }
-    Some(Target::Module(module))
-}
 
-fn parent(sources: &Sources, module: usize) -> Option<usize> {
-    let path = &sources.modules[module].path;
-    let (_, above) = path.split_last()?;
-    sources.modules.iter().position(|candidate| candidate.path == above)
-}
-
-/// A name in the scope of a module: its items, its children, its imports.
-fn lookup(sources: &Sources, module: usize, name: &str, visited: &mut Visited) -> Option<Target> {
-    if !visited.insert((module, name.to_owned())) {
-        return None;
+    /// The module of a scope: a block's is the one around its function.
+    fn around(&self, mut scope: usize) -> usize {
+        while let Some(enclosing) = self.sources.modules[scope].enclosing {
+            scope = enclosing;
+        }
+        scope
     }
-    let scope = &sources.modules[module];
-    let found = if scope.items.contains(name) {
-        Some(Target::Item(module, name.to_owned()))
-    } else if let Some(child) = scope.children.get(name) {
-        Some(Target::Module(*child))
-    } else {
-        let named = scope.imports.iter().filter(|import| import.name == name);
-        let globs = scope.imports.iter().filter(|import| import.name == "*");
-        named
-            .filter_map(|import| follow(sources, module, &import.path.segments, visited))
-            .next()
-            .or_else(|| {
-                globs.into_iter().find_map(|import| {
-                    match follow(sources, module, &import.path.segments, visited)? {
-                        Target::Module(inner) => lookup(sources, inner, name, visited),
-                        // An enum's variants.
-                        Target::Item(..) => None,
-                    }
-                })
-            })
-    };
-    visited.remove(&(module, name.to_owned()));
-    found
+
+    fn has_child(&self, scope: usize, name: &str) -> bool {
+        self.sources.modules[self.around(scope)].children.contains_key(name)
+    }
+
+    /// What `name` is in a scope: its items, its children, its imports by name, and only then what globs bring in
+    /// and what macro calls may have made.
+    fn lookup(&mut self, scope: usize, name: &str, position: Position) -> BTreeSet<Target> {
+        let key = (scope, name.to_owned(), position);
+        if !self.visited.insert(key.clone()) {
+            return BTreeSet::new();
+        }
+        let mut found = self.named(scope, name, position);
+        if found.is_empty() {
+            found = self.globbed(scope, name, position);
+        }
+        let module = &self.sources.modules[scope];
+        if found.is_empty() && self.names == Names::Generated && module.generated.contains(name) {
+            found.insert(Target::Item(scope, name.to_owned()));
+        }
+        if found.is_empty()
+            && let Some(enclosing) = module.enclosing
+        {
+            found = self.lookup(enclosing, name, position);
+        }
+        self.visited.remove(&key);
+        found
+    }
+
+    fn named(&mut self, scope: usize, name: &str, position: Position) -> BTreeSet<Target> {
+        let module = &self.sources.modules[scope];
+        let mut found: BTreeSet<Target> =
+            module.children.get(name).map(|child| Target::Module(*child)).into_iter().collect();
+        if position == Position::Before && !found.is_empty() {
+            return found;
+        }
+        if module.items.contains(name) {
+            found.insert(Target::Item(scope, name.to_owned()));
+        }
+        for import in module.imports.iter().filter(|import| import.name == name) {
+            found.extend(self.follow(scope, &import.path.segments));
+        }
+        found
+    }
+
+    fn globbed(&mut self, scope: usize, name: &str, position: Position) -> BTreeSet<Target> {
+        let mut found = BTreeSet::new();
+        for import in self.sources.modules[scope].imports.iter().filter(|import| import.name == "*")
+        {
+            for target in self.follow(scope, &import.path.segments) {
+                // A glob of an enum (an item) has only variants, and naming the enum is reference enough.
+                if let Target::Module(inner) = target {
+                    found.extend(self.lookup(inner, name, position));
+                }
+            }
+        }
+        found
+    }
 }

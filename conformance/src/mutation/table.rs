@@ -1,15 +1,15 @@
-//! The list: each mistake, in words, and the check that must notice it.
+//! The list of mistakes, each with a description and the check that must fail.
 
-use super::Mutation;
+use super::variant::Mutation;
 
-/// What a mutation does, and which check must notice.
+/// A mistake, and the check that must fail.
 #[derive(Clone, Copy, Debug)]
 pub struct MutationRow {
     /// The mistake.
     pub mutation: Mutation,
-    /// Name of the check that is about it.
+    /// The name of the check.
     pub check: &'static str,
-    /// The mistake in words.
+    /// A description of the mistake.
     pub what: &'static str,
 }
 
@@ -17,7 +17,7 @@ const fn row(mutation: Mutation, check: &'static str, what: &'static str) -> Mut
     MutationRow { mutation, check, what }
 }
 
-/// Every wrong variant.
+/// All mistakes.
 pub const MUTATIONS: &[MutationRow] = {
     use Mutation::*;
     &[

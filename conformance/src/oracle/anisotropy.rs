@@ -102,8 +102,9 @@ pub fn nearest_step(
     footprint: &Footprint,
 ) -> f64 {
     let base = &image[sampler.range.base];
-    let near = |level: usize| rows(base, &image[level], st, footprint, Variant::TRUE).1;
-    let near = match lod::levels(footprint.lambda, sampler.filters, sampler.range, Variant::TRUE) {
+    let near = |level: usize| rows(base, &image[level], st, footprint, Variant::CORRECT).1;
+    let near = match lod::levels(footprint.lambda, sampler.filters, sampler.range, Variant::CORRECT)
+    {
         Levels::One(level, _) => near(level),
         Levels::Two([a, b], ..) => near(a).min(near(b)),
     };
@@ -157,21 +158,22 @@ mod tests {
     #[test]
     fn four_texels_along_s_are_columns_without_slope() {
         let d = Derivatives { dx: [4.0 / 64.0, 0.0], dy: [0.0, 1.0 / 64.0] };
-        let got = footprint(&d, [64, 64], 16.0, Variant::TRUE);
+        let got = footprint(&d, [64, 64], 16.0, Variant::CORRECT);
         assert_eq!((got.along, got.excess, got.slope, got.even), (0, 15.0, 0.0, 0.0));
         let image = [Level::from_fn(64, 64, |i, _| [if i < 3 { 255 } else { 0 }; 4])];
         // Four columns about the middle of texel 1: half of texel -1, three, and half of texel 3.
-        let (mean, _) = rows(&image[0], &image[0], [1.5 / 64.0; 2], &got, Variant::TRUE);
+        let (mean, _) = rows(&image[0], &image[0], [1.5 / 64.0; 2], &got, Variant::CORRECT);
         assert!((mean[0] - 0.75).abs() < 1e-12, "{mean:?}");
     }
 
     #[test]
     fn a_round_footprint_has_the_weights_of_a_bilinear_filter() {
         let d = Derivatives { dx: [2.0 / 64.0, 0.0], dy: [0.0, 2.0 / 64.0] };
-        let got = footprint(&d, [64, 64], 16.0, Variant::TRUE);
+        let got = footprint(&d, [64, 64], 16.0, Variant::CORRECT);
         assert_eq!((got.excess, got.slope, got.even, got.lambda), (0.0, 0.0, 0.0, 1.0));
         let image = [Level::from_fn(64, 64, |i, j| [(i * 3 + j) as u8; 4])];
-        let (mean, _) = rows(&image[0], &image[0], [10.7 / 64.0, 9.1 / 64.0], &got, Variant::TRUE);
+        let (mean, _) =
+            rows(&image[0], &image[0], [10.7 / 64.0, 9.1 / 64.0], &got, Variant::CORRECT);
         assert!((mean[0] * 255.0 - (10.2 * 3.0 + 8.6)).abs() < 1e-9, "{mean:?}");
     }
 }

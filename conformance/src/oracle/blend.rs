@@ -174,7 +174,7 @@ mod tests {
             (Equation::Add, [Factor::ConstantColor, Factor::ConstantAlpha], [0.25, 0.75, 1.0, 1.0]),
         ];
         for (equation, factors, expected) in table {
-            let got = blend(equation, factors, &colors, Variant::TRUE);
+            let got = blend(equation, factors, &colors, Variant::CORRECT);
             assert_eq!(got, expected, "{equation:?} {factors:?}");
         }
     }

@@ -7,7 +7,7 @@ use crate::mutation::{Mutation, Variant};
 /// A block format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[expect(missing_docs, reason = "GL's names")]
-pub enum Kind {
+pub enum BlockFormat {
     Dxt1Rgb,
     Dxt1Rgba,
     Dxt3,
@@ -22,7 +22,7 @@ pub enum Kind {
     Latc2Signed,
 }
 
-impl Kind {
+impl BlockFormat {
     /// Bytes of a block.
     pub fn bytes(self) -> usize {
         match self {
@@ -35,36 +35,36 @@ impl Kind {
 }
 
 /// R, G, B, A of texel `at` (`4·row + column`) of a block.
-pub fn decode(kind: Kind, block: &[u8], at: usize, variant: Variant) -> [f64; 4] {
+pub fn decode(kind: BlockFormat, block: &[u8], at: usize, variant: Variant) -> [f64; 4] {
     let at = if variant.has(Mutation::BlockColumnsFirst) { at % 4 * 4 + at / 4 } else { at };
     let unsigned = |bytes: &[u8]| line(bytes, at, [0.0, 255.0], variant);
     let signed = |bytes: &[u8]| line(bytes, at, [-127.0, 127.0], variant);
     match kind {
-        Kind::Dxt1Rgb => {
+        BlockFormat::Dxt1Rgb => {
             let (rgb, _) = color(block, at, true, variant);
             [rgb[0], rgb[1], rgb[2], 1.0]
         }
-        Kind::Dxt1Rgba => {
+        BlockFormat::Dxt1Rgba => {
             let (rgb, alpha) = color(block, at, true, variant);
             [rgb[0], rgb[1], rgb[2], alpha]
         }
-        Kind::Dxt3 => {
+        BlockFormat::Dxt3 => {
             let (rgb, _) = color(&block[8..], at, false, variant);
             let nibble = block[at / 2] >> (at % 2 * 4) & 15;
             [rgb[0], rgb[1], rgb[2], f64::from(nibble) / 15.0]
         }
-        Kind::Dxt5 => {
+        BlockFormat::Dxt5 => {
             let (rgb, _) = color(&block[8..], at, false, variant);
             [rgb[0], rgb[1], rgb[2], unsigned(block)]
         }
-        Kind::Rgtc1 => [unsigned(block), 0.0, 0.0, 1.0],
-        Kind::Rgtc1Signed => [signed(block), 0.0, 0.0, 1.0],
-        Kind::Rgtc2 => [unsigned(block), unsigned(&block[8..]), 0.0, 1.0],
-        Kind::Rgtc2Signed => [signed(block), signed(&block[8..]), 0.0, 1.0],
-        Kind::Latc1 => luminance(unsigned(block), 1.0, variant),
-        Kind::Latc1Signed => luminance(signed(block), 1.0, variant),
-        Kind::Latc2 => luminance(unsigned(block), unsigned(&block[8..]), variant),
-        Kind::Latc2Signed => luminance(signed(block), signed(&block[8..]), variant),
+        BlockFormat::Rgtc1 => [unsigned(block), 0.0, 0.0, 1.0],
+        BlockFormat::Rgtc1Signed => [signed(block), 0.0, 0.0, 1.0],
+        BlockFormat::Rgtc2 => [unsigned(block), unsigned(&block[8..]), 0.0, 1.0],
+        BlockFormat::Rgtc2Signed => [signed(block), signed(&block[8..]), 0.0, 1.0],
+        BlockFormat::Latc1 => luminance(unsigned(block), 1.0, variant),
+        BlockFormat::Latc1Signed => luminance(signed(block), 1.0, variant),
+        BlockFormat::Latc2 => luminance(unsigned(block), unsigned(&block[8..]), variant),
+        BlockFormat::Latc2Signed => luminance(signed(block), signed(&block[8..]), variant),
     }
 }
 
@@ -74,7 +74,7 @@ fn luminance(l: f64, a: f64, variant: Variant) -> [f64; 4] {
 }
 
 /// The colour with sRGB-encoded R, G, B made linear.
-pub fn decode_srgb(kind: Kind, block: &[u8], at: usize, variant: Variant) -> [f64; 4] {
+pub fn decode_srgb(kind: BlockFormat, block: &[u8], at: usize, variant: Variant) -> [f64; 4] {
     srgb::decode_texel(decode(kind, block, at, variant), variant)
 }
 
@@ -127,16 +127,16 @@ fn line(block: &[u8], at: usize, [low, high]: [f64; 2], variant: Variant) -> f64
 mod tests {
     use super::*;
 
-    const TRUE: Variant = Variant::TRUE;
+    const TRUE: Variant = Variant::CORRECT;
 
     #[test]
     fn colors_by_hand() {
         // White and black; codes 0 1 2 3 in the first row.
         let four = [0xff, 0xff, 0, 0, 0b11_10_01_00, 0, 0, 0];
-        let reds = [0, 1, 2, 3].map(|at| decode(Kind::Dxt1Rgb, &four, at, TRUE)[0]);
+        let reds = [0, 1, 2, 3].map(|at| decode(BlockFormat::Dxt1Rgb, &four, at, TRUE)[0]);
         assert_eq!(reds, [1.0, 0.0, 2.0 / 3.0, 1.0 / 3.0]);
         let three = [0, 0, 0xff, 0xff, 0b11_10_01_00, 0, 0, 0];
-        let values = [0, 1, 2, 3].map(|at| decode(Kind::Dxt1Rgba, &three, at, TRUE));
+        let values = [0, 1, 2, 3].map(|at| decode(BlockFormat::Dxt1Rgba, &three, at, TRUE));
         assert_eq!(values.map(|v| v[0]), [0.0, 1.0, 0.5, 0.0]);
         assert_eq!(values.map(|v| v[3]), [1.0, 1.0, 1.0, 0.0]);
     }
@@ -145,11 +145,11 @@ mod tests {
     fn lines_by_hand() {
         let block = [255, 0, 0b1000_1000, 0b1100_0110, 0xff, 0, 0, 0];
         // Codes from the lowest bit: 0, 1, 2 (010), …
-        assert_eq!(decode(Kind::Rgtc1, &block, 0, TRUE)[0], 1.0);
-        assert_eq!(decode(Kind::Rgtc1, &block, 1, TRUE)[0], 0.0);
-        assert!((decode(Kind::Rgtc1, &block, 2, TRUE)[0] - 6.0 / 7.0).abs() < 1e-15);
+        assert_eq!(decode(BlockFormat::Rgtc1, &block, 0, TRUE)[0], 1.0);
+        assert_eq!(decode(BlockFormat::Rgtc1, &block, 1, TRUE)[0], 0.0);
+        assert!((decode(BlockFormat::Rgtc1, &block, 2, TRUE)[0] - 6.0 / 7.0).abs() < 1e-15);
         let signed = [0x80, 0x7f, 6 | 7 << 3, 0, 0, 0, 0, 0];
-        assert_eq!(decode(Kind::Rgtc1Signed, &signed, 0, TRUE)[0], -1.0);
-        assert_eq!(decode(Kind::Rgtc1Signed, &signed, 1, TRUE)[0], 1.0);
+        assert_eq!(decode(BlockFormat::Rgtc1Signed, &signed, 0, TRUE)[0], -1.0);
+        assert_eq!(decode(BlockFormat::Rgtc1Signed, &signed, 1, TRUE)[0], 1.0);
     }
 }

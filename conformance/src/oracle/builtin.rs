@@ -1,7 +1,7 @@
-//! GLSL's built-in functions in `f64` (GLSL 1.30, chapter 8): the formula, the domain it is tried
-//! on, and the size in whose units in the last place an error is measured where terms cancel.
+//! GLSL's built-in functions in `f64` (GLSL 1.30, chapter 8): the formula, the domain of the
+//! cases, and, where terms cancel, the magnitude whose unit in the last place is the unit of errors.
 //!
-//! A bound is the specification's where it gives one; GLSL 1.30 gives none, so that 4 ULP hold.
+//! A bound is the specification's where it gives one; GLSL 1.30 gives none, so the bound is 4 ULP.
 
 use crate::rng::Rng;
 
@@ -21,7 +21,7 @@ pub struct Builtin {
     pub case: fn(&mut Rng) -> [[f32; 4]; 3],
     /// The value.
     pub value: fn(&Inputs) -> f64,
-    /// The size of the largest term; 0 where nothing cancels.
+    /// The magnitude of the largest term; 0 if no terms cancel.
     pub size: fn(&Inputs) -> f64,
     /// Largest error that passes, in ULP.
     pub bound: f64,
@@ -151,7 +151,7 @@ fn refraction([i, n, c]: &Inputs) -> f64 {
     eta * cosine + (1.0 - eta * eta * (1.0 - cosine * cosine)).sqrt()
 }
 
-/// Those of one argument, over their whole domain.
+/// The functions of one argument, over their whole domain.
 macro_rules! unary {
     ($name:literal, $glsl:literal, $what:literal, $case:ident, $bound:literal, $value:expr) => {
         Builtin {
@@ -169,7 +169,7 @@ macro_rules! unary {
     };
 }
 
-/// Every function that is computed, not looked up.
+/// All functions that are computed and not looked up in a table.
 pub const BUILTINS: &[Builtin] = &[
     unary!("ulp-radians", "radians(a.x)", "any float", any, 4.0, |x| x.to_radians()),
     unary!("ulp-degrees", "degrees(a.x)", "any float", any, 4.0, |x| x.to_degrees()),

@@ -2,7 +2,7 @@
 
 use crate::mutation::{Mutation, Variant};
 
-/// What a combiner computes of its arguments.
+/// The function of a combiner.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[expect(missing_docs, reason = "GL's names")]
 pub enum Function {
@@ -29,7 +29,7 @@ impl Function {
         Self::Dot3Rgba,
     ];
 
-    /// Those that are of one component at a time.
+    /// The functions that work component by component.
     fn of_component(self, [a, b, c]: [f64; 3], variant: Variant) -> f64 {
         match self {
             Self::Replace => a,
@@ -59,11 +59,11 @@ pub enum Source {
     Constant,
     /// The interpolated colour.
     Primary,
-    /// What the unit before gave.
+    /// The result of the unit before.
     Previous,
 }
 
-/// What is taken of it.
+/// The operand of an argument.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[expect(missing_docs, reason = "GL's names")]
 pub enum Operand {
@@ -76,9 +76,9 @@ pub enum Operand {
 /// One combiner of a unit, of colour or of alpha.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Combiner {
-    /// What is computed.
+    /// The function.
     pub function: Function,
-    /// Of what.
+    /// The arguments.
     pub arguments: [(Source, Operand); 3],
     /// 1, 2 or 4.
     pub scale: f64,
@@ -87,15 +87,15 @@ pub struct Combiner {
 /// A unit: colour, alpha and the environment colour.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Unit {
-    /// Of red, green, blue.
+    /// The combiner of red, green, blue.
     pub color: Combiner,
-    /// Of alpha.
+    /// The combiner of alpha.
     pub alpha: Combiner,
     /// `GL_TEXTURE_ENV_COLOR`.
     pub constant: [f64; 4],
 }
 
-/// The colour after all units: `texels` are those of each, `primary` what is interpolated.
+/// The colour after all units: `texels` are those of each, `primary` is the interpolated colour.
 pub fn combine(
     units: &[Unit],
     texels: &[[f64; 4]],
@@ -203,7 +203,7 @@ mod tests {
             alpha: combiner(Function::Replace),
             constant: [0.0; 4],
         };
-        let got = combine(&[unit], &[[1.0, 0.5, 0.5, 0.3]], [0.0; 4], Variant::TRUE);
+        let got = combine(&[unit], &[[1.0, 0.5, 0.5, 0.3]], [0.0; 4], Variant::CORRECT);
         assert_eq!(got, [1.0; 4]);
     }
 
@@ -217,14 +217,14 @@ mod tests {
             alpha: combiner(Function::Replace, 4.0),
             constant: [0.0; 4],
         };
-        let got = combine(&[unit], &[[0.0; 4]], [0.75, 0.5, 0.5, 0.3], Variant::TRUE);
+        let got = combine(&[unit], &[[0.0; 4]], [0.75, 0.5, 0.5, 0.3], Variant::CORRECT);
         assert_eq!(got, [0.25, 0.25, 0.25, 1.0]);
     }
 
     #[test]
     fn linear_fog_by_hand() {
         let fog = Fog::Linear([2.0, 6.0]);
-        let got = fog.apply(3.0, [1.0; 4], [0.0; 4], Variant::TRUE);
+        let got = fog.apply(3.0, [1.0; 4], [0.0; 4], Variant::CORRECT);
         assert_eq!(got, [0.75, 0.75, 0.75, 1.0]);
     }
 }

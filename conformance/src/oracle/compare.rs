@@ -73,7 +73,7 @@ mod tests {
         let same = [false, false, true, true, false, false, true, true];
         let higher = [false, false, false, false, true, true, true, true];
         for (incoming, row) in [(0.25, lower), (0.5, same), (0.75, higher)] {
-            let got = Compare::ALL.map(|f| f.holds(incoming, 0.5, Variant::TRUE));
+            let got = Compare::ALL.map(|f| f.holds(incoming, 0.5, Variant::CORRECT));
             assert_eq!(got, row, "{incoming}");
         }
     }

@@ -54,7 +54,7 @@ mod tests {
 
     fn covered(triangle: [Point; 3]) -> Vec<[usize; 2]> {
         let all = (0..4).flat_map(|y| (0..4).map(move |x| [x, y]));
-        all.filter(|&pixel| covers(triangle, pixel, Variant::TRUE)).collect()
+        all.filter(|&pixel| covers(triangle, pixel, Variant::CORRECT)).collect()
     }
 
     #[test]

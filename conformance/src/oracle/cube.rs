@@ -93,9 +93,9 @@ mod tests {
     #[test]
     fn derivatives_are_those_of_the_coordinates() {
         let (r, d) = ([0.3, -2.0, 0.7], [0.2, 0.5, -0.4]);
-        let moved = |h: f64| select([0, 1, 2].map(|i| r[i] + h * d[i]), Variant::TRUE).1;
+        let moved = |h: f64| select([0, 1, 2].map(|i| r[i] + h * d[i]), Variant::CORRECT).1;
         let (before, after) = (moved(-1e-6), moved(1e-6));
-        let got = derivative(r, d, Variant::TRUE);
+        let got = derivative(r, d, Variant::CORRECT);
         for i in 0..2 {
             assert!((got[i] - (after[i] - before[i]) / 2e-6).abs() < 1e-8, "{got:?}");
         }
@@ -113,7 +113,7 @@ mod tests {
             ([1.0, 1.0, -2.0], Face::NegativeZ, [0.25, 0.25]),
         ];
         for (r, face, st) in table {
-            assert_eq!(select(r, Variant::TRUE), (face, st), "{r:?}");
+            assert_eq!(select(r, Variant::CORRECT), (face, st), "{r:?}");
         }
     }
 }

@@ -81,7 +81,7 @@ pub fn source(base: Base, texel: [f64; 4]) -> (Option<[f64; 3]>, Option<f64>) {
     }
 }
 
-/// What a texture environment reads.
+/// The inputs of a texture environment.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Inputs {
     /// The incoming colour: `Cp`, `Ap`.
@@ -171,7 +171,7 @@ mod tests {
             (Mode::Add, Base::Intensity, [1.0, 0.75, 1.0, 1.0]),
         ];
         for (mode, base, expected) in table {
-            assert_eq!(apply(mode, base, &inputs, Variant::TRUE), expected, "{mode:?} {base:?}");
+            assert_eq!(apply(mode, base, &inputs, Variant::CORRECT), expected, "{mode:?} {base:?}");
         }
     }
 }

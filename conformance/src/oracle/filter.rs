@@ -4,7 +4,7 @@ use super::texture::Level;
 use super::wrap::{self, Index, Wrap};
 use crate::mutation::{Mutation, Variant};
 
-/// What a filter reads beside the texels.
+/// Wrap modes and border colour.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Addressing {
     /// Wrap of s and of t.
@@ -98,21 +98,21 @@ mod tests {
             ([0.375, 0.75], [0.25, 1.0, 0.0, 1.0]),
         ];
         for (st, expected) in table {
-            assert_eq!(linear(&level(), &edge, st, Variant::TRUE), expected, "{st:?}");
+            assert_eq!(linear(&level(), &edge, st, Variant::CORRECT), expected, "{st:?}");
         }
     }
 
     #[test]
     fn clamp_mixes_half_of_the_border_at_the_edge() {
-        let value = linear(&level(), &at(Wrap::Clamp), [-9.0, 0.25], Variant::TRUE);
+        let value = linear(&level(), &at(Wrap::Clamp), [-9.0, 0.25], Variant::CORRECT);
         assert_eq!(value, [0.125, 0.25, 0.5, 0.5]);
     }
 
     #[test]
     fn nearest_by_hand() {
         let repeat = at(Wrap::Repeat);
-        assert_eq!(nearest(&level(), &repeat, [-0.3, 0.2], Variant::TRUE), [1.0, 0.0, 0.0, 1.0]);
+        assert_eq!(nearest(&level(), &repeat, [-0.3, 0.2], Variant::CORRECT), [1.0, 0.0, 0.0, 1.0]);
         let border = at(Wrap::ClampToBorder);
-        assert_eq!(nearest(&level(), &border, [0.1, 1.5], Variant::TRUE), border.border);
+        assert_eq!(nearest(&level(), &border, [0.1, 1.5], Variant::CORRECT), border.border);
     }
 }

@@ -1,4 +1,4 @@
-//! Texel formats: what is stored of a colour, and what comes back (sections 2.14.9, 3.8.1 and 6.1.4;
+//! Texel formats: how a colour is stored and read (sections 2.14.9, 3.8.1 and 6.1.4;
 //! EXT_texture_sRGB, ARB_texture_float, EXT_packed_float, EXT_texture_shared_exponent,
 //! EXT_texture_snorm, EXT_texture_integer).
 
@@ -98,8 +98,7 @@ pub enum Sign {
     Unsigned,
 }
 
-/// What the channels of R, G, B, A are after they have been stored. Colours of sRGB formats are
-/// taken for encoded ones, and left so.
+/// The channels of R, G, B, A after they are stored. Colours of sRGB formats are encoded before and after.
 pub fn stored(base: Base, encoding: Encoding, rgba: [f64; 4], variant: Variant) -> [f64; 4] {
     let mut c = [0.0; 4];
     for (channel, &source) in c.iter_mut().zip(base.sources()) {
@@ -165,7 +164,7 @@ fn unorm(c: f64, bits: u32, variant: Variant) -> f64 {
 }
 
 /// The nearest float with so many bits of mantissa and exponent, ties to even, denormals too.
-/// What lies beyond the largest becomes infinite.
+/// Larger values than the largest float become infinite.
 fn small_float(x: f64, mantissa: i32, exponent: u32, variant: Variant) -> f64 {
     if x == 0.0 || !x.is_finite() {
         return x;
@@ -207,7 +206,7 @@ fn shared_exponent([r, g, b, _]: [f64; 4], variant: Variant) -> [f64; 4] {
 mod tests {
     use super::*;
 
-    const TRUE: Variant = Variant::TRUE;
+    const TRUE: Variant = Variant::CORRECT;
 
     #[test]
     fn small_floats_by_hand() {

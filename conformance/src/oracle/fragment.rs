@@ -48,7 +48,7 @@ impl StencilOp {
     }
 }
 
-/// The stencil state, and a fragment that meets it.
+/// The stencil state and a fragment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Stencil {
     /// `(ref & mask) OP (stored & mask)`.
@@ -61,14 +61,14 @@ pub struct Stencil {
     pub operations: [StencilOp; 3],
     /// `glStencilMask`.
     pub write_mask: u8,
-    /// What is stored.
+    /// The stored value.
     pub stored: u8,
     /// Whether the fragment passes the depth test.
     pub depth_passes: bool,
 }
 
 impl Stencil {
-    /// What is stored after the fragment, and whether it is drawn.
+    /// The stored value after the fragment, and whether the fragment is drawn.
     pub fn apply(&self, variant: Variant) -> (u8, bool) {
         let mask = if variant.has(Mutation::StencilMaskIgnored) { 0xff } else { self.mask };
         let (r, s) = (f64::from(self.reference & mask), f64::from(self.stored & mask));
@@ -140,12 +140,12 @@ mod tests {
             stored: 255,
             depth_passes: true,
         };
-        assert_eq!(stencil.apply(Variant::TRUE), (255, true));
+        assert_eq!(stencil.apply(Variant::CORRECT), (255, true));
         assert_eq!(
             Stencil { write_mask: 0x0f, operations: [StencilOp::Zero; 3], ..stencil }
-                .apply(Variant::TRUE),
+                .apply(Variant::CORRECT),
             (0xf0, true)
         );
-        assert_eq!(logic(6, 0b1100, 0b1010, Variant::TRUE), 0b0110);
+        assert_eq!(logic(6, 0b1100, 0b1010, Variant::CORRECT), 0b0110);
     }
 }

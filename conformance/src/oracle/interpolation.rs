@@ -11,7 +11,7 @@ pub struct Vertex {
     pub z: f64,
     /// Clip w.
     pub w: f64,
-    /// The datum that is interpolated.
+    /// The interpolated datum.
     pub datum: f64,
 }
 
@@ -73,12 +73,12 @@ mod tests {
     #[test]
     fn halfway_to_the_far_vertex_the_near_one_weighs_more() {
         // 1/2 · 1/3 over 1/2 · 1 + 1/2 · 1/3.
-        assert!((datum(&triangle(), [2, 0], Variant::TRUE) - 0.25).abs() < 1e-15);
+        assert!((datum(&triangle(), [2, 0], Variant::CORRECT) - 0.25).abs() < 1e-15);
     }
 
     #[test]
     fn depth_is_affine() {
-        assert!((depth(&triangle(), [2, 0], [0.0, 1.0], Variant::TRUE) - 0.5).abs() < 1e-15);
-        assert!((depth(&triangle(), [2, 0], [0.5, 0.0], Variant::TRUE) - 0.25).abs() < 1e-15);
+        assert!((depth(&triangle(), [2, 0], [0.0, 1.0], Variant::CORRECT) - 0.5).abs() < 1e-15);
+        assert!((depth(&triangle(), [2, 0], [0.5, 0.0], Variant::CORRECT) - 0.25).abs() < 1e-15);
     }
 }

@@ -1,4 +1,4 @@
-//! What the lectures print, as they print it: map shapes, bump mapping, the bounce vector, the
+//! The formulas of the lectures: map shapes, bump mapping, the bounce vector, the
 //! checker, perspective along an edge, multitexturing.
 
 use super::builtin::Inputs;
@@ -9,11 +9,11 @@ use std::f64::consts::PI;
 /// A formula of a lecture, and the same as GLSL.
 #[derive(Clone, Copy, Debug)]
 pub struct Formula {
-    /// What it is.
+    /// The name of the formula.
     pub what: &'static str,
     /// The lecture.
     pub lecture: &'static str,
-    /// The GLSL that answers `value()`.
+    /// The GLSL that defines `value()`.
     pub glsl: &'static str,
     /// A random case.
     pub case: fn(&mut Rng) -> [[f32; 4]; 3],
@@ -220,7 +220,7 @@ mod tests {
     #[test]
     fn halfway_on_the_screen_is_nearer_the_near_end() {
         let edge = FORMULAS.iter().find(|f| f.what.starts_with("place")).map(|f| f.value);
-        let s = edge.map(|f| f(&[[0.5, 1.0, 3.0, 0.0], [0.0; 4], [0.0; 4]], Variant::TRUE)[0]);
+        let s = edge.map(|f| f(&[[0.5, 1.0, 3.0, 0.0], [0.0; 4], [0.0; 4]], Variant::CORRECT)[0]);
         assert_eq!(s, Some(0.25));
     }
 }

@@ -36,7 +36,7 @@ pub fn rho(d: &Derivatives, size: [usize; 2], variant: Variant) -> f64 {
     }
 }
 
-/// What is added to λ, and between what it is clamped.
+/// The biases and the clamp of λ.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LodState {
     /// `GL_TEXTURE_LOD_BIAS` of the texture object.
@@ -158,7 +158,7 @@ pub struct LevelRange {
     pub last: usize,
 }
 
-/// The levels that a sample reads, as λ says.
+/// The levels that a sample reads for a λ.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Levels {
     /// This level, with this filter.
@@ -208,7 +208,7 @@ pub fn levels(lambda: f64, filters: Filters, range: LevelRange, variant: Variant
 mod tests {
     use super::*;
 
-    const TRUE: Variant = Variant::TRUE;
+    const TRUE: Variant = Variant::CORRECT;
     const TRILINEAR: Filters =
         Filters { min: Filter::Linear, mipmap: Mipmap::Linear, mag: Filter::Linear };
     const RANGE: LevelRange = LevelRange { base: 0, last: 4 };

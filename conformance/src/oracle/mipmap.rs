@@ -13,7 +13,7 @@ pub struct Volume {
     pub texels: Vec<[f64; 4]>,
 }
 
-/// How means are taken and kept.
+/// How means are computed and stored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Storage {
     /// Bytes, rounded half up.
@@ -24,7 +24,7 @@ pub enum Storage {
     Floats,
 }
 
-/// What texel `index` of a row of `new` covers of one of `old`, and how much of each.
+/// The texels of a row of `old` that texel `index` of a row of `new` covers, and the weight of each.
 fn covered(index: usize, old: usize, new: usize, variant: Variant) -> Vec<(usize, f64)> {
     if variant.has(Mutation::OddTexelDropped) && old > new {
         // Two texels a side, whatever is left over.
@@ -68,7 +68,7 @@ impl Volume {
                     let at = (z * self.size[1] + y) * self.size[0] + x;
                     let texel = self.texels[at];
                     let texel =
-                        if is_light { srgb::decode_texel(texel, Variant::TRUE) } else { texel };
+                        if is_light { srgb::decode_texel(texel, Variant::CORRECT) } else { texel };
                     area += weight;
                     for c in 0..4 {
                         sum[c] += weight * texel[c];
@@ -120,7 +120,7 @@ pub fn closest_power(n: usize, variant: Variant) -> usize {
 mod tests {
     use super::*;
 
-    const TRUE: Variant = Variant::TRUE;
+    const TRUE: Variant = Variant::CORRECT;
 
     #[test]
     fn three_texels_become_one_and_five_two() {

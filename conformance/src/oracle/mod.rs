@@ -1,7 +1,7 @@
 //! The formulas in `f64`, written from the specification, one file a chapter.
 //!
-//! Each takes a [`Variant`](crate::mutation::Variant), so that a mistake can be built in where it
-//! would be made. Sections are those of the OpenGL 2.1 specification (December 2006).
+//! Each takes a [`Variant`](crate::mutation::Variant), which may have a mistake that the formula
+//! then makes. Sections are those of the OpenGL 2.1 specification (December 2006).
 
 pub mod anisotropy;
 pub mod blend;

@@ -171,7 +171,7 @@ impl Element {
     /// The integers of a pixel as they are, signs too.
     pub fn codes(self, pixel: &[u8], swapped: bool) -> [f64; 4] {
         let mut c = [0.0; 4];
-        for (i, word) in self.words(pixel, swapped, Variant::TRUE).into_iter().enumerate() {
+        for (i, word) in self.words(pixel, swapped, Variant::CORRECT).into_iter().enumerate() {
             c[i] = match self {
                 Self::Signed(bits) => f64::from((word << (32 - bits)) as i32 >> (32 - bits)),
                 _ => f64::from(word),
@@ -258,7 +258,7 @@ impl Store {
 mod tests {
     use super::*;
 
-    const TRUE: Variant = Variant::TRUE;
+    const TRUE: Variant = Variant::CORRECT;
 
     #[test]
     fn packed_pixels_by_hand() {

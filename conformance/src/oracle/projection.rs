@@ -22,6 +22,6 @@ mod tests {
 
     #[test]
     fn by_hand() {
-        assert_eq!(divide([1.0, 3.0, 9.0, -2.0], Variant::TRUE), [-0.5, -1.5]);
+        assert_eq!(divide([1.0, 3.0, 9.0, -2.0], Variant::CORRECT), [-0.5, -1.5]);
     }
 }

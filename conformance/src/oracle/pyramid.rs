@@ -95,7 +95,7 @@ pub fn lambda(
 mod tests {
     use super::*;
 
-    const TRUE: Variant = Variant::TRUE;
+    const TRUE: Variant = Variant::CORRECT;
 
     #[test]
     fn sizes_by_hand() {

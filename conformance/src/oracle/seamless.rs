@@ -36,7 +36,7 @@ fn texel(faces: &[Level], face: Face, [i, j]: [i64; 2], variant: Variant) -> Opt
         n if n >= size => 1.0 + 1e-9,
         n => (n as f64 + 0.5) / size as f64,
     };
-    let (face, st) = cube::select(direction(face, [centre(i), centre(j)]), Variant::TRUE);
+    let (face, st) = cube::select(direction(face, [centre(i), centre(j)]), Variant::CORRECT);
     let [i, j] = st.map(|c| ((c * size as f64).floor().clamp(0.0, (size - 1) as f64)) as usize);
     Some(faces[face as usize].texel(i, j))
 }
@@ -68,7 +68,7 @@ mod tests {
     #[test]
     fn a_direction_comes_back_to_its_face_and_place() {
         for face in Face::ALL {
-            let (found, st) = cube::select(direction(face, [0.25, 0.75]), Variant::TRUE);
+            let (found, st) = cube::select(direction(face, [0.25, 0.75]), Variant::CORRECT);
             assert_eq!((found, st), (face, [0.25, 0.75]));
         }
     }
@@ -78,9 +78,9 @@ mod tests {
         let faces: Vec<Level> =
             (0..6).map(|face| Level::from_fn(4, 4, |_, _| [face * 50; 4])).collect();
         // The edge of +X (0) and +Z (4 · 50), and the corner with +Y (2 · 50).
-        let edge = linear(&faces, [1.0, 0.1, 1.0 - 1e-9], Variant::TRUE)[0] * 255.0;
+        let edge = linear(&faces, [1.0, 0.1, 1.0 - 1e-9], Variant::CORRECT)[0] * 255.0;
         assert!((edge - 100.0).abs() < 1e-3, "{edge}");
-        let corner = linear(&faces, [1.0, 1.0, 1.0], Variant::TRUE)[0] * 255.0;
+        let corner = linear(&faces, [1.0, 1.0, 1.0], Variant::CORRECT)[0] * 255.0;
         assert!((corner - 100.0).abs() < 1e-3, "{corner}");
     }
 }

@@ -37,13 +37,13 @@ mod tests {
         for (c, expected) in
             [(0.0, 0.0), (1.0, 1.0), (0.5, 0.214_041_140_482_232_6), (0.02, 0.02 / 12.92)]
         {
-            assert!((decode(c, Variant::TRUE) - expected).abs() < 1e-12, "{c}");
+            assert!((decode(c, Variant::CORRECT) - expected).abs() < 1e-12, "{c}");
         }
     }
 
     #[test]
     fn the_two_parts_meet() {
-        let step = decode(0.040_450_1, Variant::TRUE) - decode(0.04045, Variant::TRUE);
+        let step = decode(0.040_450_1, Variant::CORRECT) - decode(0.04045, Variant::CORRECT);
         assert!(step.abs() < 1e-7);
     }
 }

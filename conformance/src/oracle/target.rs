@@ -45,7 +45,7 @@ impl Target {
 /// A texture of one level.
 #[derive(Clone, Debug)]
 pub struct Texture {
-    /// What it is.
+    /// The target.
     pub target: Target,
     /// Width, height, depth without the border; layers after the filtered axes.
     pub size: [usize; 3],
@@ -57,7 +57,7 @@ pub struct Texture {
     pub wrap: [Wrap; 3],
     /// `GL_TEXTURE_BORDER_COLOR`.
     pub border_color: [f64; 4],
-    /// Within the level.
+    /// The filter within the level.
     pub filter: Filter,
 }
 
@@ -183,7 +183,7 @@ mod tests {
             border_color: [9.0; 4],
             filter: Filter::Linear,
         };
-        let at = |s: f64| texture.sample([s, 0.0, 0.0], [0; 3], Variant::TRUE)[0];
+        let at = |s: f64| texture.sample([s, 0.0, 0.0], [0; 3], Variant::CORRECT)[0];
         assert_eq!([at(0.0), at(0.5), at(7.0)], [4.0, 2.0, 3.0]);
     }
 
@@ -198,7 +198,7 @@ mod tests {
             border_color: [0.0; 4],
             filter: Filter::Linear,
         };
-        let at = |layer: f64| layers.sample([0.5, layer, 0.0], [0; 3], Variant::TRUE)[0];
+        let at = |layer: f64| layers.sample([0.5, layer, 0.0], [0; 3], Variant::CORRECT)[0];
         assert_eq!([at(-3.0), at(0.6), at(1.4), at(9.0)], [0.0, 1.0, 1.0, 2.0]);
     }
 }

@@ -1,4 +1,4 @@
-//! The texels that oracle and driver both read: RGBA bytes, whatever the driver stores.
+//! Images of RGBA bytes, which both oracle and driver read.
 
 /// One level of an image.
 #[derive(Clone, Debug, PartialEq)]

@@ -188,14 +188,14 @@ mod tests {
     fn a_mirror_that_faces_the_eye_reflects_it() {
         let identity: Matrix =
             std::array::from_fn(|i| std::array::from_fn(|j| f64::from(u8::from(i == j))));
-        let vertex = eye(&identity, [0.0, 0.0, -4.0, 1.0], [0.0, 0.0, 2.0], Variant::TRUE);
+        let vertex = eye(&identity, [0.0, 0.0, -4.0, 1.0], [0.0, 0.0, 2.0], Variant::CORRECT);
         let given = [0.0, 0.0, 0.25, 1.0];
         assert_eq!(
-            TexGen::ReflectionMap.coordinates(&vertex, given, Variant::TRUE)[..3],
+            TexGen::ReflectionMap.coordinates(&vertex, given, Variant::CORRECT)[..3],
             [0.0, 0.0, 1.0]
         );
         assert_eq!(
-            TexGen::SphereMap.coordinates(&vertex, given, Variant::TRUE),
+            TexGen::SphereMap.coordinates(&vertex, given, Variant::CORRECT),
             [0.5, 0.5, 0.25, 1.0]
         );
     }

@@ -135,7 +135,7 @@ mod tests {
     use super::*;
     use Index::{Border, Texel};
 
-    const TRUE: Variant = Variant::TRUE;
+    const TRUE: Variant = Variant::CORRECT;
 
     #[test]
     fn nearest_by_hand() {

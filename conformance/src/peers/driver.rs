@@ -1,16 +1,17 @@
-//! The drivers of the machine, and the processes they run in.
+//! The drivers of the machine, and the processes that run them.
 
-use super::child::{self, Measured};
+use super::error::PeersError;
+use super::options::Options;
+use super::process::{self, Measurement};
 use super::scene::Scene;
-use super::{Options, PeersError};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// A driver that answered.
+/// A driver of the machine.
 #[derive(Clone, Debug, Serialize)]
 pub struct Driver {
-    /// For tables.
+    /// The name in tables.
     pub name: &'static str,
     /// `GL_RENDERER`.
     pub renderer: String,
@@ -23,22 +24,21 @@ pub struct Driver {
     environment: &'static [(&'static str, &'static str)],
 }
 
-/// What the system's libEGL is called.
+/// The file name of the system's libEGL.
 const SYSTEM: &str = "libEGL.so.1";
 
-/// How the system's drivers are chosen: all draw without a window system, and none may take a
-/// shader from the disk that an earlier run compiled.
+/// Environment variables that select the system's drivers, without a window system and without a shader cache on disk.
 const CHOICES: [(&str, &[(&str, &str)]); 3] = [
     ("llvmpipe", &[("LIBGL_ALWAYS_SOFTWARE", "1"), ("GALLIUM_DRIVER", "llvmpipe")]),
     ("softpipe", &[("LIBGL_ALWAYS_SOFTWARE", "1"), ("GALLIUM_DRIVER", "softpipe")]),
     ("hardware", &[]),
 ];
 
-/// For every process.
+/// Environment variables of every process.
 const ALWAYS: [(&str, &str); 2] =
     [("EGL_PLATFORM", "surfaceless"), ("MESA_SHADER_CACHE_DISABLE", "true")];
 
-/// DetGL's library: what the options say, or what cargo built beside this program.
+/// The path of DetGL's library: that of the options, or the one that cargo built beside this program.
 fn detgl(options: &Options) -> Result<PathBuf, PeersError> {
     if let Some(path) = &options.lib {
         return Ok(path.clone());
@@ -46,14 +46,14 @@ fn detgl(options: &Options) -> Result<PathBuf, PeersError> {
     const BUILT: &str = "libdetgl.so";
     let program = std::env::current_exe().map_err(PeersError::Process)?;
     let folder = program.parent().unwrap_or(Path::new("."));
-    // What is built along with this program is in deps/; a folder above may have an older one.
+    // The library that is built with this program is in deps/; the folder above may have an older one.
     [folder.join("deps").join(BUILT), folder.join(BUILT)]
         .into_iter()
         .find(|path| path.is_file())
         .ok_or_else(|| PeersError::NoLibrary(folder.to_owned()))
 }
 
-/// DetGL first, then whatever else the machine has.
+/// DetGL, then the other drivers of the machine.
 ///
 /// # Errors
 /// When DetGL's library is not there or does not answer.
@@ -62,7 +62,7 @@ pub fn find(options: &Options) -> Result<Vec<Driver>, PeersError> {
     let mut drivers = vec![ours];
     for (name, environment) in CHOICES {
         let Ok(driver) = Driver::new(name, SYSTEM.into(), environment).probed() else { continue };
-        // Without hardware Mesa answers with one of those that are there already.
+        // Without hardware, Mesa selects one of the drivers that are in the list already.
         if drivers.iter().all(|other| other.renderer != driver.renderer) {
             drivers.push(driver);
         }
@@ -80,24 +80,28 @@ impl Driver {
     }
 
     fn probed(mut self) -> Result<Self, PeersError> {
-        let answer = child::ask(&mut self.command(&["--probe"]))?;
-        let strings: child::Strings = serde_json::from_slice(&answer)?;
+        let answer = process::run_and_read(&mut self.command(&["--probe"]))?;
+        let strings: process::Strings = serde_json::from_slice(&answer)?;
         (self.renderer, self.version) = (strings.renderer, strings.version);
         Ok(self)
     }
 
-    /// Draws a scene in a process of its own.
+    /// Measures a scene in a new process.
     ///
     /// # Errors
     /// When the process fails.
-    pub fn measure(&self, scene: &Scene, size: usize) -> Result<Measured, PeersError> {
+    pub fn measure(&self, scene: &Scene, size: usize) -> Result<Measurement, PeersError> {
         let size = size.to_string();
-        let answer =
-            child::ask(&mut self.command(&["--scene", scene.name, "--size", size.as_str()]))?;
-        Measured::from_bytes(&answer)
+        let answer = process::run_and_read(&mut self.command(&[
+            "--scene",
+            scene.name,
+            "--size",
+            size.as_str(),
+        ]))?;
+        Measurement::from_bytes(&answer)
     }
 
-    /// This program once more, as the driver's client.
+    /// The command that runs this program as the driver's client.
     fn command(&self, arguments: &[&str]) -> Command {
         let program = std::env::current_exe().unwrap_or_else(|_| "conformance".into());
         let mut command = Command::new(program);

@@ -1,52 +1,25 @@
-//! How far a driver's picture is from the formulas'.
+//! Why drivers cannot be compared.
 
-use super::render::Truth;
-use serde::Serialize;
+use super::client::ClientError;
+use std::path::PathBuf;
 
-/// A distance in steps of a byte, over R, G and B of the pixels that count.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Distance {
-    /// Root of the mean square.
-    pub rms: f64,
-    /// The largest.
-    pub max: u8,
-    /// The part of the pixels that differ at all.
-    pub differing: f64,
-}
-
-impl Distance {
-    /// Between the formulas' picture and RGBA bytes.
-    pub fn between(truth: &Truth, picture: &[u8], side: usize) -> Self {
-        let (mut sum, mut max, mut differing, mut count) = (0.0, 0, 0u32, 0u32);
-        for y in (0..side).step_by(truth.every) {
-            for x in (0..side).step_by(truth.every) {
-                let k = y * side + x;
-                let got = &picture[4 * k..4 * k + 3];
-                let steps = |c: usize| truth.pixels[k][c].abs_diff(got[c]);
-                let largest = steps(0).max(steps(1)).max(steps(2));
-                sum += (0..3).map(|c| f64::from(steps(c)).powi(2)).sum::<f64>();
-                max = max.max(largest);
-                differing += u32::from(largest > 0);
-                count += 1;
-            }
-        }
-        let count = f64::from(count);
-        Self { rms: (sum / (3.0 * count)).sqrt(), max, differing: f64::from(differing) / count }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn one_channel_of_one_pixel() {
-        let truth = Truth { pixels: vec![[10, 20, 30, 255]; 4], every: 1 };
-        let mut picture = [10, 20, 30, 255].repeat(4);
-        picture[5] = 26;
-        picture[7] = 0;
-        let distance = Distance::between(&truth, &picture, 2);
-        assert_eq!((distance.max, distance.differing), (6, 0.25));
-        assert!((distance.rms - 3f64.sqrt()).abs() < 1e-12);
-    }
+/// Why drivers cannot be compared.
+#[derive(Debug, thiserror::Error)]
+#[expect(missing_docs, reason = "the messages say it")]
+pub enum PeersError {
+    #[error(
+        "there is no libdetgl.so in {0} or its deps/: build it with `cargo build --release -p \
+         capi`, or name it with --lib"
+    )]
+    NoLibrary(PathBuf),
+    #[error("there is no scene {0:?}")]
+    NoScene(String),
+    #[error(transparent)]
+    Client(#[from] ClientError),
+    #[error("a measuring process failed: {0}")]
+    Child(String),
+    #[error("a measuring process cannot be run: {0}")]
+    Process(std::io::Error),
+    #[error("a measuring process did not say what it measured: {0}")]
+    Answer(#[from] serde_json::Error),
 }

@@ -1,9 +1,9 @@
-//! What the comparison found, as tables and a plot.
+//! The results of the comparison as tables and a plot.
 
-use super::{Comparison, Row};
+use super::comparison::{Comparison, Row};
 use crate::plot::{Caption, Line, PlotError, scatter};
 use crate::report::page::{self, PageError};
-use crate::report::{headed, right};
+use crate::report::tables::{headed, right};
 use comfy_table::{Cell, Table, presets};
 use std::path::Path;
 
@@ -40,7 +40,7 @@ fn measured(comparison: &Comparison) -> Table {
     table
 }
 
-/// DetGL against llvmpipe, scene by scene, and what it means to reach; `None` without llvmpipe.
+/// DetGL's speed relative to llvmpipe, scene by scene, and its goal; `None` without llvmpipe.
 fn goals(comparison: &Comparison) -> Option<Table> {
     let mut table = headed([
         "scene",
@@ -77,7 +77,7 @@ fn goals(comparison: &Comparison) -> Option<Table> {
     (!pairs.is_empty()).then_some(table)
 }
 
-/// Both tables, and who the drivers are.
+/// Both tables, and the drivers' name strings.
 pub fn table(comparison: &Comparison) -> String {
     text(comparison, presets::UTF8_BORDERS_ONLY)
 }
@@ -93,7 +93,7 @@ pub fn write(folder: &Path, comparison: &Comparison) -> Result<(), WriteError> {
     Ok(())
 }
 
-/// A file of the comparison that cannot be written.
+/// Why a file of the comparison cannot be written.
 #[derive(Debug, thiserror::Error)]
 pub enum WriteError {
     /// A file, or the plot in it.
@@ -131,12 +131,12 @@ fn text(comparison: &Comparison, preset: &str) -> String {
     text
 }
 
-/// Error over frame time: each driver is a colour, and each scene a point of it.
+/// Error over frame time: a colour for each driver, a point for each scene.
 ///
 /// # Errors
 /// When it cannot be drawn.
 fn plot(comparison: &Comparison) -> Result<String, PlotError> {
-    // A logarithm has no place for 0: one step in one channel of one pixel.
+    // 0 has no logarithm: it becomes one step in one channel of one pixel.
     let least = (1.0 / (3.0 * f64::from(comparison.size).powi(2))).sqrt();
     let of = |driver: &'static str| comparison.rows.iter().filter(move |row| row.driver == driver);
     let lines: Vec<Line> = comparison

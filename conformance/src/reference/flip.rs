@@ -102,8 +102,8 @@ impl Opponent {
             .pixels
             .iter()
             .map(|pixel| {
-                let linear =
-                    pixel.map(|c| crate::oracle::srgb::decode(c, crate::mutation::Variant::TRUE));
+                let linear = pixel
+                    .map(|c| crate::oracle::srgb::decode(c, crate::mutation::Variant::CORRECT));
                 let c = xyz(linear);
                 let [x, y, z] = [0, 1, 2].map(|i: usize| c[i] / WHITE[i]);
                 [116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)]

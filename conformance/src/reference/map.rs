@@ -10,7 +10,7 @@ impl Homography {
         self.0.map(|row| row[0] * x + row[1] * y + row[2])
     }
 
-    /// Where a point goes.
+    /// The image of a point.
     pub fn apply(&self, p: [f64; 2]) -> [f64; 2] {
         let [s, t, q] = self.homogeneous(p);
         [s / q, t / q]
@@ -22,7 +22,7 @@ impl Homography {
         Self([0, 1, 2].map(|i| [0, 1, 2].map(|j| cell(i, j))))
     }
 
-    /// The way back, up to a factor: the adjugate.
+    /// The inverse up to a factor: the adjugate.
     pub fn inverse(&self) -> Self {
         let m = &self.0;
         let minor = |i: usize, j: usize| {

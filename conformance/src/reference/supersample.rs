@@ -24,8 +24,8 @@ pub fn mean(
         let [u, v] = map.apply([place(k % n, x0, x1), place(k / n, y0, y1)]);
         let st = [u / level.width as f64, v / level.height as f64];
         let sample = match of {
-            Reconstruction::Box => filter::nearest(level, &at, st, Variant::TRUE),
-            Reconstruction::Bilinear => filter::linear(level, &at, st, Variant::TRUE),
+            Reconstruction::Box => filter::nearest(level, &at, st, Variant::CORRECT),
+            Reconstruction::Bilinear => filter::linear(level, &at, st, Variant::CORRECT),
         };
         for (sum, c) in sum.iter_mut().zip(sample) {
             *sum += c / (n * n) as f64;

@@ -3,7 +3,7 @@
 use crate::tradeoff::Picture;
 use std::path::{Path, PathBuf};
 
-/// A page or picture that could not be written.
+/// Why a page or picture could not be written.
 #[derive(Debug, thiserror::Error)]
 pub enum PageError {
     /// A file.
@@ -27,7 +27,7 @@ pub enum PageError {
     Plot(#[from] crate::plot::PlotError),
 }
 
-/// Text as HTML has it.
+/// Text with HTML's special characters escaped.
 pub fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
@@ -50,7 +50,7 @@ pub fn page(title: &str, body: &str) -> String {
     )
 }
 
-/// Writes a file into the report's folder, which is made if need be.
+/// Writes a file into the report's folder, which is created if it does not exist.
 ///
 /// # Errors
 /// When it cannot be written.

@@ -1,10 +1,10 @@
 //! Many layers of blending.
 
-use super::Sweep;
-use crate::drive::{BlendState, DriveError, Session};
+use super::definition::Sweep;
 use crate::mutation::Variant;
 use crate::oracle::blend::{Colors, Equation, Factor, blend};
 use crate::plot::Line;
+use crate::probe::{BlendState, ProbeError, Session};
 
 /// Ten thousand layers.
 pub const LAYERS: Sweep = Sweep {
@@ -20,7 +20,7 @@ pub const LAYERS: Sweep = Sweep {
     run: layers,
 };
 
-fn layers() -> Result<Vec<Line>, DriveError> {
+fn layers() -> Result<Vec<Line>, ProbeError> {
     let over = BlendState {
         equation: Equation::Add,
         factors: [Factor::SrcAlpha, Factor::OneMinusSrcAlpha],
@@ -47,7 +47,7 @@ fn layers() -> Result<Vec<Line>, DriveError> {
                     destination: state,
                     constant: [0.0; 4],
                 };
-                let exact = blend(over.equation, over.factors, &colors, Variant::TRUE);
+                let exact = blend(over.equation, over.factors, &colors, Variant::CORRECT);
                 state = exact.map(|c| (c * 255.0).round() / 255.0);
             }
             done = count;

@@ -1,8 +1,8 @@
-//! Coverage: sizes, slivers, angles, and corners that are no numbers.
+//! Coverage: sizes, slivers, angles, and corners with infinite or NaN coordinates.
 
-use super::{Sweep, decades};
-use crate::drive::{DriveError, SIZE, Session};
+use super::definition::{Sweep, decades};
 use crate::plot::Line;
+use crate::probe::{ProbeError, SIZE, Session};
 use crate::rng::Rng;
 
 const WHY: &str = "exact integers: a pixel is drawn once, or a rule is broken";
@@ -58,8 +58,8 @@ pub const NO_NUMBERS: Sweep = Sweep {
 
 type Point = [f64; 2];
 
-/// How often each pixel is drawn by triangles in pixels.
-fn overdraw(session: &Session, corners: &[Point]) -> Result<Vec<f64>, DriveError> {
+/// How often each pixel is drawn by triangles whose corners are in pixels.
+fn overdraw(session: &Session, corners: &[Point]) -> Result<Vec<f64>, ProbeError> {
     let ndc: Vec<[f32; 2]> =
         corners.iter().map(|p| p.map(|c| (2.0 * c / SIZE as f64 - 1.0) as f32)).collect();
     Ok(session.overdraw(&ndc)?.into_iter().map(|p| p[0]).collect())
@@ -75,7 +75,7 @@ fn not_once(counts: &[f64], inside: impl Fn(Point) -> bool) -> f64 {
     counts.iter().enumerate().map(error).fold(0.0, f64::max)
 }
 
-fn sizes() -> Result<Vec<Line>, DriveError> {
+fn sizes() -> Result<Vec<Line>, ProbeError> {
     let session = Session::open()?;
     let mut rng = Rng::named("triangle-size");
     let line = decades("largest miscount", -6..=6, |size| {
@@ -95,7 +95,7 @@ fn sizes() -> Result<Vec<Line>, DriveError> {
     Ok(vec![line])
 }
 
-fn slivers() -> Result<Vec<Line>, DriveError> {
+fn slivers() -> Result<Vec<Line>, ProbeError> {
     let session = Session::open()?;
     let line = decades("largest miscount", 0..=9, |aspect| {
         let (low, high) = (5.3, 120.6);
@@ -110,7 +110,7 @@ fn slivers() -> Result<Vec<Line>, DriveError> {
     Ok(vec![line])
 }
 
-fn angles() -> Result<Vec<Line>, DriveError> {
+fn angles() -> Result<Vec<Line>, ProbeError> {
     let session = Session::open()?;
     let middle = [SIZE as f64 / 2.0 + 0.25, SIZE as f64 / 2.0 + 0.5];
     let mut points = Vec::new();
@@ -136,7 +136,7 @@ fn angles() -> Result<Vec<Line>, DriveError> {
     Ok(vec![Line { name: "largest miscount".to_owned(), points }])
 }
 
-fn no_numbers() -> Result<Vec<Line>, DriveError> {
+fn no_numbers() -> Result<Vec<Line>, ProbeError> {
     let session = Session::open()?;
     let bad = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY];
     let mut points = Vec::new();

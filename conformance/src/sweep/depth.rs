@@ -1,8 +1,8 @@
-//! Depth buffers: how exactly a depth is kept.
+//! Depth buffers: the precision of stored depths.
 
-use super::{Sweep, decades};
-use crate::drive::{DepthBuffer, DriveError, Session};
+use super::definition::{Sweep, decades};
 use crate::plot::Line;
+use crate::probe::{DepthBuffer, ProbeError, Session};
 
 /// Near and far planes.
 pub const PRECISION: Sweep = Sweep {
@@ -17,7 +17,7 @@ pub const PRECISION: Sweep = Sweep {
     run: precision,
 };
 
-fn precision() -> Result<Vec<Line>, DriveError> {
+fn precision() -> Result<Vec<Line>, ProbeError> {
     let mut lines = Vec::new();
     let buffers = [
         (DepthBuffer::Bits16, 65535.0),

@@ -1,12 +1,12 @@
 //! Interpolation: w ratios, planes seen edge on, the near plane, vertices far away.
 
-use super::{Sweep, decades};
-use crate::drive::{self, DriveError, Precision, SIZE, Session, shader};
+use super::definition::{Sweep, decades};
 use crate::mutation::Variant;
 use crate::oracle::interpolation::{Vertex, barycentric, datum};
 use crate::plot::Line;
+use crate::probe::{self, Precision, ProbeError, SIZE, Session, shader};
 
-/// w ratios in one triangle.
+/// Ratios of w within a triangle.
 pub const W_RATIO: Sweep = Sweep {
     name: "w-ratio",
     what: "a varying at every pixel of a triangle whose corners have w = 1, √r and r",
@@ -30,7 +30,7 @@ pub const TILT: Sweep = Sweep {
     run: tilt,
 };
 
-/// The near plane.
+/// Triangles cut by the near plane.
 pub const NEAR_PLANE: Sweep = Sweep {
     name: "near-plane",
     what: "a varying on a floor that passes below the eye and through the near plane",
@@ -42,7 +42,7 @@ pub const NEAR_PLANE: Sweep = Sweep {
     run: near_plane,
 };
 
-/// Vertices far away.
+/// Vertices far outside of the view volume.
 pub const FAR_VERTICES: Sweep = Sweep {
     name: "far-vertices",
     what: "a varying on a triangle whose corners lie this many pictures away; missing pixels count 1",
@@ -55,15 +55,15 @@ pub const FAR_VERTICES: Sweep = Sweep {
     run: far_vertices,
 };
 
-fn clip(v: &Vertex) -> drive::Vertex {
+fn clip(v: &Vertex) -> probe::Vertex {
     let ndc = v.xy.map(|c| 2.0 * c / SIZE as f64 - 1.0);
     let position = [ndc[0] * v.w, ndc[1] * v.w, v.z * v.w, v.w].map(|c| c as f32);
-    drive::Vertex { position, inputs: [[v.datum as f32, 1.0, 0.0, 0.0], [0.0; 4], [0.0; 4]] }
+    probe::Vertex { position, inputs: [[v.datum as f32, 1.0, 0.0, 0.0], [0.0; 4], [0.0; 4]] }
 }
 
 /// The vertex that the driver is given, rounded as it is.
 fn rounded(v: &Vertex) -> Vertex {
-    let drive::Vertex { position, inputs } = clip(v);
+    let probe::Vertex { position, inputs } = clip(v);
     let [x, y, z, w] = position.map(f64::from);
     let window = [x / w, y / w].map(|c| (c + 1.0) * SIZE as f64 / 2.0);
     Vertex { xy: window, z: z / w, w, datum: f64::from(inputs[0][0]) }
@@ -73,7 +73,7 @@ fn rounded(v: &Vertex) -> Vertex {
 fn largest_error(
     triangle: &[Vertex; 3],
     counts: impl Fn(&[Vertex; 3], [f64; 2]) -> bool,
-) -> Result<f64, DriveError> {
+) -> Result<f64, ProbeError> {
     let session = Session::open()?;
     let program = session.program(shader::INPUT, Precision::Exact { components: 2 })?;
     let vertices = triangle.each_ref().map(clip);
@@ -83,7 +83,7 @@ fn largest_error(
     for (p, value) in picture.iter().enumerate() {
         let pixel = [p % SIZE, p / SIZE];
         if counts(&exact, pixel.map(|c| c as f64 + 0.5)) {
-            let error = (value[0] - datum(&exact, pixel, Variant::TRUE)).abs();
+            let error = (value[0] - datum(&exact, pixel, Variant::CORRECT)).abs();
             // A pixel that was not drawn has no 1 beside the datum.
             largest = largest.max(if value[1] > 0.5 { error } else { 1.0 });
         }
@@ -95,7 +95,7 @@ fn inside(triangle: &[Vertex; 3], p: [f64; 2]) -> bool {
     barycentric(triangle, p).iter().all(|&b| b > 1e-3)
 }
 
-fn w_ratio() -> Result<Vec<Line>, DriveError> {
+fn w_ratio() -> Result<Vec<Line>, ProbeError> {
     let side = SIZE as f64;
     let line = decades("largest error", 0..=12, |ratio| {
         let vertex = |xy, w, datum| Vertex { xy, z: 0.0, w, datum };
@@ -109,7 +109,7 @@ fn w_ratio() -> Result<Vec<Line>, DriveError> {
     Ok(vec![line])
 }
 
-fn tilt() -> Result<Vec<Line>, DriveError> {
+fn tilt() -> Result<Vec<Line>, ProbeError> {
     let side = SIZE as f64;
     let line = decades("largest error", -4..=1, |degrees| {
         let (cos, sin) = degrees.to_radians().sin_cos();
@@ -129,7 +129,7 @@ fn tilt() -> Result<Vec<Line>, DriveError> {
     Ok(vec![line])
 }
 
-fn near_plane() -> Result<Vec<Line>, DriveError> {
+fn near_plane() -> Result<Vec<Line>, ProbeError> {
     let line = decades("largest error", -9..=0, |near| {
         let far = 100.0;
         // Of eye coordinates: the floor y = -1, from 50 ahead to 50 behind.
@@ -153,7 +153,7 @@ fn near_plane() -> Result<Vec<Line>, DriveError> {
     Ok(vec![line])
 }
 
-fn far_vertices() -> Result<Vec<Line>, DriveError> {
+fn far_vertices() -> Result<Vec<Line>, ProbeError> {
     let line = decades("largest error", 0..=30, |reach| {
         let side = SIZE as f64;
         let vertex = |x: f64, y: f64, datum| {

@@ -1,10 +1,10 @@
 //! Matrix stacks with a large condition number.
 
-use super::{Sweep, decades};
-use crate::drive::{DriveError, MatrixStep, Session};
+use super::definition::{Sweep, decades};
 use crate::plot::Line;
+use crate::probe::{MatrixStep, ProbeError, Session};
 
-/// There and back again.
+/// A product of transformations and their inverses.
 pub const CONDITION: Sweep = Sweep {
     name: "matrix-condition",
     what: "product of a scale by (√k, 1/√k, 1), a rotation, and their inverses: its largest \
@@ -17,7 +17,7 @@ pub const CONDITION: Sweep = Sweep {
     run: condition,
 };
 
-fn condition() -> Result<Vec<Line>, DriveError> {
+fn condition() -> Result<Vec<Line>, ProbeError> {
     let line = decades("largest error", 0..=12, |k| {
         let session = Session::open()?;
         let axis = [0.3, -0.5, 0.8];

@@ -1,8 +1,7 @@
 //! Texture coordinates, footprints and levels at their extremes.
 
-use super::{Sweep, decades};
+use super::definition::{Sweep, decades};
 use crate::check::Unit;
-use crate::drive::{DriveError, Precision, Session, TexelRow, shader};
 use crate::mutation::Variant;
 use crate::oracle::anisotropy;
 use crate::oracle::filter::Addressing;
@@ -12,10 +11,11 @@ use crate::oracle::seamless;
 use crate::oracle::texture::{Level, level_count, level_size};
 use crate::oracle::wrap::Wrap;
 use crate::plot::Line;
+use crate::probe::{Precision, ProbeError, Session, TexelRow, shader};
 use crate::rng::Rng;
 use gl_api::constants::*;
 
-/// Coordinates far outside.
+/// Coordinates far outside of [0, 1].
 pub const REPEAT: Sweep = Sweep {
     name: "far-coordinates",
     what: "place that GL_REPEAT reads of 256 texels, of coordinates up to this size, either sign",
@@ -99,8 +99,8 @@ fn sampler(filters: Filters, last: usize) -> Sampler {
 const TRILINEAR: Filters =
     Filters { min: Filter::Linear, mipmap: Mipmap::Linear, mag: Filter::Linear };
 
-/// A row whose texel `i` is `i`: a sample says where it was taken.
-fn ruler(session: &Session) -> Result<(), DriveError> {
+/// A row whose texel `i` has the value `i`, so that a sample's value is its coordinate.
+fn ruler(session: &Session) -> Result<(), ProbeError> {
     let texels: Vec<[f32; 4]> = (0..256).map(|i| [i as f32, 0.0, 0.0, 1.0]).collect();
     session.texel_row(&TexelRow { internal: GL_RGBA32F, is_depth: false, texels: &texels })?;
     session.parameters(&[
@@ -110,8 +110,8 @@ fn ruler(session: &Session) -> Result<(), DriveError> {
     ])
 }
 
-/// The largest distance from where `cases` say that they are taken, in texels; not where the
-/// ruler's ends meet.
+/// The largest distance in texels of a sample from its expected coordinate, without samples at the seam of the
+/// repeated row.
 fn misplaced(places: &[[f64; 4]], expected: impl Iterator<Item = f64>) -> f64 {
     places
         .iter()
@@ -124,7 +124,7 @@ fn misplaced(places: &[[f64; 4]], expected: impl Iterator<Item = f64>) -> f64 {
         .fold(0.0, f64::max)
 }
 
-fn repeat() -> Result<Vec<Line>, DriveError> {
+fn repeat() -> Result<Vec<Line>, ProbeError> {
     let mut rng = Rng::named("far-coordinates");
     let line = decades("largest misplacement", 0..=9, |size| {
         let cases: Vec<f32> = (0..4096).map(|_| rng.real(-size, size)).collect();
@@ -139,7 +139,7 @@ fn repeat() -> Result<Vec<Line>, DriveError> {
     Ok(vec![line])
 }
 
-fn q_through_zero() -> Result<Vec<Line>, DriveError> {
+fn q_through_zero() -> Result<Vec<Line>, ProbeError> {
     let mut rng = Rng::named("q-through-zero");
     let mut lines = Vec::new();
     for (name, sign) in [("q > 0", 1.0), ("q < 0", -1.0)] {
@@ -173,7 +173,7 @@ fn image(rng: &mut Rng, size: [usize; 2]) -> Vec<Level> {
         .collect()
 }
 
-fn stretched() -> Result<Vec<Line>, DriveError> {
+fn stretched() -> Result<Vec<Line>, ProbeError> {
     let mut rng = Rng::named("anisotropy-sweep");
     let size = [256, 256];
     let image = image(&mut rng, size);
@@ -182,7 +182,7 @@ fn stretched() -> Result<Vec<Line>, DriveError> {
         // 3.3 texels wide at first; the length then stays within a few repeats.
         let long = (3.3 * ratio).min(1000.0);
         let exactly = |(st, d): &([f32; 2], Derivatives)| {
-            let footprint = anisotropy::footprint(d, size, 16.0, Variant::TRUE);
+            let footprint = anisotropy::footprint(d, size, 16.0, Variant::CORRECT);
             (st.map(f64::from), footprint)
         };
         let cases: Vec<([f32; 2], Derivatives)> = (0..1024)
@@ -207,7 +207,7 @@ fn stretched() -> Result<Vec<Line>, DriveError> {
         let values = graded(&session, &cases)?;
         let exact = cases.iter().map(|case| {
             let (st, footprint) = exactly(case);
-            anisotropy::sample(&image, &sampler, st, &footprint, Variant::TRUE)
+            anisotropy::sample(&image, &sampler, st, &footprint, Variant::CORRECT)
         });
         Ok(largest(&values, exact))
     })?;
@@ -218,7 +218,7 @@ fn stretched() -> Result<Vec<Line>, DriveError> {
 fn graded(
     session: &Session,
     cases: &[([f32; 2], Derivatives)],
-) -> Result<Vec<[f64; 4]>, DriveError> {
+) -> Result<Vec<[f64; 4]>, ProbeError> {
     let inputs: Vec<_> = cases
         .iter()
         .map(|([s, t], d)| {
@@ -239,7 +239,7 @@ fn largest(values: &[[f64; 4]], exact: impl Iterator<Item = [f64; 4]>) -> f64 {
     errors.fold(0.0, f64::max)
 }
 
-fn lambda() -> Result<Vec<Line>, DriveError> {
+fn lambda() -> Result<Vec<Line>, ProbeError> {
     let mut rng = Rng::named("lambda");
     let size = [64, 64];
     let image = image(&mut rng, size);
@@ -256,15 +256,15 @@ fn lambda() -> Result<Vec<Line>, DriveError> {
         let session = Session::open()?;
         session.texture_2d(&image, &sampler)?;
         let values = graded(&session, &cases)?;
-        let exact = cases
-            .iter()
-            .map(|(st, d)| sample::sample(&image, &sampler, st.map(f64::from), d, Variant::TRUE));
+        let exact = cases.iter().map(|(st, d)| {
+            sample::sample(&image, &sampler, st.map(f64::from), d, Variant::CORRECT)
+        });
         Ok(largest(&values, exact))
     })?;
     Ok(vec![line])
 }
 
-fn cube_edge() -> Result<Vec<Line>, DriveError> {
+fn cube_edge() -> Result<Vec<Line>, ProbeError> {
     let mut rng = Rng::named("cube-edge");
     let faces: Vec<Level> =
         (0..6).map(|_| Level::from_fn(16, 16, |_, _| [0; 4].map(|_: u8| rng.byte()))).collect();
@@ -285,13 +285,14 @@ fn cube_edge() -> Result<Vec<Line>, DriveError> {
         let inputs: Vec<_> =
             cases.iter().map(|&[x, y, z]| [[x, y, z, 0.0], [0.0; 4], [0.0; 4]]).collect();
         let values = session.field(shader::TEXTURE_CUBE, 4, &inputs)?;
-        let exact = cases.iter().map(|r| seamless::linear(&faces, r.map(f64::from), Variant::TRUE));
+        let exact =
+            cases.iter().map(|r| seamless::linear(&faces, r.map(f64::from), Variant::CORRECT));
         Ok(largest(&values, exact))
     })?;
     Ok(vec![line])
 }
 
-fn denormals() -> Result<Vec<Line>, DriveError> {
+fn denormals() -> Result<Vec<Line>, ProbeError> {
     let texels: Vec<[f32; 4]> =
         (0..150).map(|k| [2f64.powi(-k) as f32, -(2f64.powi(-k)) as f32, 0.0, 0.0]).collect();
     let session = Session::open()?;

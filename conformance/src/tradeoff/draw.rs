@@ -1,30 +1,30 @@
-//! Draws a scene in a mode, and takes the time.
+//! Draws a scene in a mode and measures the time.
 
 use super::mode::Mode;
 use super::scene::{Scene, Surface};
-use crate::drive::DriveError;
+use crate::probe::ProbeError;
 use gl_api::constants::*;
 use gl_api::context::{Context, ContextDesc};
 use gl_api::entry::*;
 use std::time::Instant;
 
-/// A picture and what it took.
+/// A picture and its time.
 #[derive(Clone, Debug)]
 pub struct Drawn {
     /// R, G, B, A in [0, 1], rows from the lowest.
     pub pixels: Vec<[f64; 4]>,
-    /// Nanoseconds for a pixel of the picture, the fastest of several draws.
+    /// Nanoseconds a pixel: the minimum of several draws.
     pub nanoseconds: f64,
 }
 
-/// How long draws are repeated for the sake of their time, in seconds.
+/// Seconds for which a draw is repeated to find its minimum time.
 const PATIENCE: f64 = 0.08;
 
 /// The scene as the driver draws it, `side` × `side` pixels.
 ///
 /// # Errors
 /// When there is no context, or a call sets the error flag.
-pub fn draw(scene: &Scene, mode: Mode, side: usize) -> Result<Drawn, DriveError> {
+pub fn draw(scene: &Scene, mode: Mode, side: usize) -> Result<Drawn, ProbeError> {
     match mode {
         Mode::Filter(_, filter, anisotropy) => gl(scene, filter, anisotropy, side, 1),
         Mode::Supersampled(n) => gl(scene, GL_LINEAR, 1, side, n),
@@ -48,10 +48,10 @@ fn gl(
     anisotropy: u32,
     side: usize,
     samples: usize,
-) -> Result<Drawn, DriveError> {
+) -> Result<Drawn, ProbeError> {
     let large = side * samples;
     let desc = ContextDesc { width: large as u32, height: large as u32, ..ContextDesc::default() };
-    let context = Context::new(desc).map_err(|error| DriveError::Context(error.to_string()))?;
+    let context = Context::new(desc).map_err(|error| ProbeError::Context(error.to_string()))?;
     let _current = context.make_current();
     set_texture(scene, filter, anisotropy);
     match scene.surface {
@@ -83,7 +83,7 @@ fn gl(
         GL_NO_ERROR => {}
         code => {
             let message = "while drawing a scene".to_owned();
-            return Err(DriveError::Gl { after: "drawing a scene", code, message });
+            return Err(ProbeError::Gl { after: "drawing a scene", code, message });
         }
     }
     let nanoseconds = fastest * 1e9 / (side * side) as f64;

@@ -1,9 +1,10 @@
 //! Shader built-ins and interpolation: largest error in ULP against nanoseconds a call.
 
-use crate::check::{Bench, Effort, Subject, checks};
-use crate::drive::{DriveError, Precision, Session};
+use crate::chapters::checks;
+use crate::check::{Effort, Harness, Subject};
 use crate::mutation::Variant;
 use crate::oracle::builtin::BUILTINS;
+use crate::probe::{Precision, ProbeError, Session};
 use serde::Serialize;
 
 /// A function's error and time.
@@ -13,33 +14,34 @@ pub struct FunctionRow {
     pub function: &'static str,
     /// Largest error in ULP.
     pub ulp: f64,
-    /// Nanoseconds a call, over what a shader without it takes.
+    /// Nanoseconds a call, without the time of the rest of the shader.
     pub nanoseconds: f64,
 }
 
-/// Calls in a shader: enough that what surrounds them does not count.
+/// Calls in a shader, enough that the rest of the shader is negligible.
 const CALLS: usize = 16;
 
 /// Every built-in.
 ///
 /// # Errors
 /// When a shader is rejected or a call sets the error flag.
-pub fn measure() -> Result<Vec<FunctionRow>, DriveError> {
-    let bench = Bench { subject: Subject::Driver, effort: Effort::Quick, variant: Variant::TRUE };
+pub fn measure() -> Result<Vec<FunctionRow>, ProbeError> {
+    let harness =
+        Harness { subject: Subject::Driver, effort: Effort::Quick, variant: Variant::CORRECT };
     let session = Session::open()?;
-    // What a shader takes that adds the arguments only, and what one of an interpolated value.
+    // The times of a shader that only adds the arguments, and of one that reads an interpolated value.
     let empty = time(&session, "a.x + a.y")?;
     let mut rows = vec![FunctionRow {
         function: "an interpolated varying",
         ulp: checks()
             .find(|check| check.name == "perspective")
-            .map_or(f64::NAN, |check| check.run(&bench).largest_error * 2f64.powi(23)),
+            .map_or(f64::NAN, |check| check.run(&harness).largest_error * 2f64.powi(23)),
         nanoseconds: session
             .nanoseconds(&session.program("vec4 value() { return a; }", Precision::Bytes)?)?,
     }];
     for builtin in BUILTINS {
         let check = checks().find(|check| check.name == builtin.name);
-        let ulp = check.map_or(f64::NAN, |check| check.run(&bench).largest_error);
+        let ulp = check.map_or(f64::NAN, |check| check.run(&harness).largest_error);
         let all = time(&session, builtin.glsl)?;
         let nanoseconds = ((all - empty) / CALLS as f64).max(0.0);
         rows.push(FunctionRow { function: builtin.glsl, ulp, nanoseconds });
@@ -47,8 +49,8 @@ pub fn measure() -> Result<Vec<FunctionRow>, DriveError> {
     Ok(rows)
 }
 
-/// The time of a pixel whose shader adds up calls whose arguments differ.
-fn time(session: &Session, call: &str) -> Result<f64, DriveError> {
+/// The time of a pixel of a shader that sums calls with different arguments.
+fn time(session: &Session, call: &str) -> Result<f64, ProbeError> {
     let body = format!(
         "float once(vec4 a, vec4 b, vec4 c) {{ return {call}; }}
          vec4 value() {{

@@ -1,8 +1,8 @@
-//! Error against run time: every way to sample a texture on every scene, held against the exact
-//! area integral.
+//! Error and run time of every way to sample a texture on every scene, compared with the exact area
+//! integral.
 //!
-//! Errors are those of R, G and B in [0, 1]. The driver writes bytes, whose rounding alone is an
-//! RMS error of 0.0011: below that no mode can come.
+//! Errors are those of R, G and B in [0, 1]. The driver writes bytes, whose rounding alone causes an
+//! RMS error of 0.0011, which is the lower limit of every mode.
 
 mod draw;
 pub mod functions;
@@ -13,8 +13,8 @@ mod texture;
 pub use mode::Mode;
 pub use scene::{Scene, scenes};
 
-use crate::drive::DriveError;
 use crate::plot::Line;
+use crate::probe::ProbeError;
 use crate::reference::flip;
 use serde::Serialize;
 
@@ -25,7 +25,7 @@ pub struct Row {
     pub scene: &'static str,
     /// The mode.
     pub mode: String,
-    /// The line of the plot.
+    /// The line of the plot that this row is a point of.
     #[serde(skip)]
     pub family: &'static str,
     /// Mean error of a channel.
@@ -40,7 +40,7 @@ pub struct Row {
     pub nanoseconds: f64,
 }
 
-/// The picture of a row, for the report's pages.
+/// A picture of the report's pages.
 #[derive(Clone, Debug)]
 pub struct Picture {
     /// File name without its ending.
@@ -51,7 +51,7 @@ pub struct Picture {
     pub side: usize,
 }
 
-/// Everything that was measured.
+/// All results.
 #[derive(Clone, Debug)]
 pub struct Measured {
     /// Scene after scene, mode after mode.
@@ -60,11 +60,11 @@ pub struct Measured {
     pub pictures: Vec<Picture>,
 }
 
-/// Draws everything at `side` × `side` pixels; `progress` hears of each scene.
+/// Draws all scenes in all modes at `side` × `side` pixels; `progress` is called with each scene.
 ///
 /// # Errors
 /// When a call sets the error flag.
-pub fn measure(side: usize, mut progress: impl FnMut(&Scene)) -> Result<Measured, DriveError> {
+pub fn measure(side: usize, mut progress: impl FnMut(&Scene)) -> Result<Measured, ProbeError> {
     let mut measured = Measured { rows: Vec::new(), pictures: Vec::new() };
     for scene in scenes(side) {
         progress(&scene);

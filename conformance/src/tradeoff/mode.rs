@@ -1,13 +1,13 @@
-//! The ways to sample a texture that are compared.
+//! The ways to sample a texture.
 
 use gl_api::constants::*;
 
-/// How pixels come to their colour.
+/// How the colour of a pixel is computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mode {
     /// A filter of GL's: the name, the minification filter and the largest anisotropy.
     Filter(&'static str, u32, u32),
-    /// Bilinear samples at this many places across and up a pixel.
+    /// The mean of N×N bilinear samples in a pixel.
     Supersampled(usize),
     /// The integral itself, in `f64`, rounded to bytes.
     ExactArea,
@@ -32,7 +32,7 @@ impl Mode {
         Self::ExactArea,
     ];
 
-    /// For tables and file names.
+    /// The name in tables and file names.
     pub fn name(self) -> String {
         match self {
             Self::Filter(name, ..) => name.to_owned(),
@@ -41,7 +41,7 @@ impl Mode {
         }
     }
 
-    /// The line of the plot that it is a point of.
+    /// The line of the plot that this mode is a point of.
     pub fn family(self) -> &'static str {
         match self {
             Self::Filter("nearest", ..) => "nearest",

@@ -8,7 +8,7 @@ use crate::reference::area;
 use crate::reference::map::Homography;
 use std::f64::consts::PI;
 
-/// What a texture lies on.
+/// The surface that a texture is mapped to.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Surface {
     /// From normalized device coordinates to texels.
@@ -21,13 +21,13 @@ pub enum Surface {
 /// A scene.
 #[derive(Clone, Debug)]
 pub struct Scene {
-    /// For file names and tables.
+    /// The name in file names and tables.
     pub name: &'static str,
-    /// In words.
+    /// A description.
     pub what: &'static str,
     /// The texture, repeated.
     pub image: Level,
-    /// What it lies on.
+    /// The surface.
     pub surface: Surface,
 }
 
@@ -92,7 +92,7 @@ impl Scene {
         }
     }
 
-    /// Whether a pixel counts.
+    /// Whether the error of a pixel is counted.
     pub fn counts(&self, [x, y]: [usize; 2], side: usize) -> bool {
         match self.surface {
             Surface::Plane(_) => true,

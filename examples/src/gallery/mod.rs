@@ -1,11 +1,14 @@
 //! The gallery: every program's picture, a page that shows them, and a table.
 
+mod entry;
 mod page;
 mod table;
 
+use entry::Entry;
+
 use crate::picture::{self, Picture};
 use crate::programs;
-use crate::window::{Program, Rendered, explain, render};
+use crate::window::{Program, explain, render};
 use clap::Parser;
 use gl_api::context::ContextDesc;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -48,15 +51,7 @@ fn pixel(text: &str) -> Result<[usize; 2], String> {
         .ok_or_else(|| "must be two whole numbers and a comma, such as 100,60".into())
 }
 
-/// A program, what it drew, and how.
-struct Entry {
-    program: Program,
-    rendered: Rendered,
-    /// What the driver planned for its draws, each different plan once.
-    plans: Vec<String>,
-}
-
-/// Draws what is asked for, writes it, and prints the table.
+/// Draws the selected programs, writes their pictures, and prints the table.
 ///
 /// # Errors
 /// When a file cannot be read or written, or a context cannot be made.
@@ -83,22 +78,22 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The programs that are asked for.
-fn asked(arguments: &Arguments) -> Vec<Program> {
-    let asked = |program: &Program| {
+/// The selected programs.
+fn selected(arguments: &Arguments) -> Vec<Program> {
+    let is_selected = |program: &Program| {
         arguments.only.is_empty() || arguments.only.iter().any(|name| name == program.name)
     };
-    programs::ALL.into_iter().filter(asked).collect()
+    programs::ALL.into_iter().filter(is_selected).collect()
 }
 
-/// Prints how a pixel of each picture came to be.
+/// Prints the explanation of a pixel of each picture.
 fn explain_pixels(
     arguments: &Arguments,
     image: Option<&Picture>,
     pixel: [usize; 2],
 ) -> Result<(), Box<dyn Error>> {
     let mut explained = Vec::new();
-    for program in asked(arguments) {
+    for program in selected(arguments) {
         let (size, desc) = (arguments.size as usize, ContextDesc::default());
         let (_, explanation) = explain(&program, size, image.cloned(), &desc, pixel)?;
         if arguments.json {
@@ -114,7 +109,7 @@ fn explain_pixels(
 }
 
 fn draw(arguments: &Arguments, image: Option<&Picture>) -> Result<Vec<Entry>, Box<dyn Error>> {
-    let programs = asked(arguments);
+    let programs = selected(arguments);
     // On anything but a terminal the bar draws nothing.
     let bar = ProgressBar::new(programs.len() as u64);
     bar.set_style(ProgressStyle::with_template("{bar:30} {pos}/{len} {msg}")?);
@@ -133,7 +128,7 @@ fn draw(arguments: &Arguments, image: Option<&Picture>) -> Result<Vec<Entry>, Bo
     Ok(entries)
 }
 
-/// A device that keeps the plans of its draws, unless `DETGL_EXPLAIN` wants them printed.
+/// A device that keeps the plans of its draws; if `DETGL_EXPLAIN` is set, it prints them.
 fn device() -> Result<Arc<Device>, DeviceError> {
     let mut desc = DeviceDesc::from_env()?;
     if desc.explain == Explain::Off {

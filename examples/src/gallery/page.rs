@@ -1,6 +1,6 @@
 //! `index.html`: the pictures with their programs.
 
-use super::Entry;
+use super::entry::Entry;
 
 const HEAD: &str = r#"<!DOCTYPE html>
 <html lang="en">
@@ -25,7 +25,7 @@ summary { cursor: pointer; margin: .5rem 0; }
 <h1>DetGL: the lecture gallery</h1>
 "#;
 
-/// The whole page; pictures are beside it.
+/// The page; pictures are in the same folder.
 pub fn page(entries: &[Entry]) -> String {
     let mut page = String::from(HEAD);
     page.push_str("<nav>\n");
@@ -69,7 +69,7 @@ fn section(page: &mut String, Entry { program, rendered, plans }: &Entry) {
     page.push_str("</section>\n");
 }
 
-/// Text that can be folded away.
+/// A `details` element.
 fn details(page: &mut String, summary: &str, state: &str, text: &str) {
     let text = escape(text);
     page.push_str(&format!(
@@ -77,7 +77,7 @@ fn details(page: &mut String, summary: &str, state: &str, text: &str) {
     ));
 }
 
-/// Text that HTML shows as it is.
+/// Text with HTML's special characters escaped.
 fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }

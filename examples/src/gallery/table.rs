@@ -1,13 +1,13 @@
-//! The table at the end, and the same for programs.
+//! The results as a table and as JSON.
 
-use super::Entry;
+use super::entry::Entry;
 use crate::window::Program;
 use comfy_table::presets::UTF8_FULL_CONDENSED;
 use comfy_table::{Cell, CellAlignment, Table};
 use gl_api::explain::Explanation;
 use serde_json::{Value, json};
 
-/// One row a picture.
+/// A table with a row for each picture.
 pub fn table(entries: &[Entry]) -> Table {
     let mut table = Table::new();
     table.load_preset(UTF8_FULL_CONDENSED);
@@ -27,7 +27,7 @@ pub fn table(entries: &[Entry]) -> Table {
     table
 }
 
-/// One object a picture; times in milliseconds.
+/// An object for each picture; times in milliseconds.
 pub fn json(entries: &[Entry]) -> Value {
     let object = |Entry { program, rendered, plans }: &Entry| {
         json!({
@@ -45,7 +45,7 @@ pub fn json(entries: &[Entry]) -> Value {
     entries.iter().map(object).collect()
 }
 
-/// How a pixel came to be: its value, and the lines of the explanation.
+/// The explanation of a pixel: its value and the lines of text.
 pub fn explanation(program: &Program, [x, y]: [usize; 2], explanation: &Explanation) -> Value {
     json!({
         "name": program.name,

@@ -1,7 +1,7 @@
 //! The demon of the first lecture: a face that fits the triangle it is pasted on.
 
+use super::image::{Color, Picture, add, dim, disc, mix, stroke};
 use super::noise::turbulence;
-use super::{Color, Picture, add, dim, disc, mix, stroke};
 
 /// 128×128, as `demon_image.h`; the chin points down to the triangle's tip.
 pub fn demon() -> Picture {

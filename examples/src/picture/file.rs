@@ -1,6 +1,7 @@
-//! Picture files, and what stands in for those of the lectures.
+//! Picture files, and the procedural pictures that replace those of the lectures.
 
-use super::{Picture, demon, night, packed_pixel_t, sky, wall, window_glass};
+use super::image::{Picture, packed_pixel_t};
+use super::{demon, night, sky, wall, window_glass};
 use image::{ColorType, ImageError, ImageReader};
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -27,7 +28,7 @@ pub fn save(picture: &Picture, path: &Path) -> Result<(), ImageError> {
     image::save_buffer(path, bytes, width, height, ColorType::Rgb8)
 }
 
-/// The drawn picture for a file name; grey for an unknown one. Each is drawn once a process.
+/// The procedural picture for a file name; grey for an unknown name. Each is computed once a process.
 pub fn stand_in(name: &str) -> Picture {
     static DRAWN: Mutex<BTreeMap<String, Picture>> = Mutex::new(BTreeMap::new());
     let mut drawn = DRAWN.lock().unwrap_or_else(PoisonError::into_inner);

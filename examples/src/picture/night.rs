@@ -1,7 +1,7 @@
 //! `reachup.ppm`: somebody on a hill reaches up for the moon.
 
+use super::image::{Color, Picture, add, dim, disc, mix, smooth, stroke};
 use super::noise::{hash, turbulence};
-use super::{Color, Picture, add, dim, disc, mix, smooth, stroke};
 
 const INK: Color = [0.03, 0.03, 0.07];
 const MOON: [f64; 2] = [0.60, 0.25];

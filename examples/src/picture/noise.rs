@@ -1,6 +1,6 @@
 //! Smooth noise that repeats, from a hash of whole numbers.
 
-/// A number in [0, 1) for each whole place (Bob Jenkins's and Thomas Wang's integer mixing).
+/// A number in [0, 1) for each pair of integers (Bob Jenkins's and Thomas Wang's integer mixing).
 pub fn hash(x: i64, y: i64, seed: u32) -> f64 {
     let mut h = (x as u32).wrapping_mul(0x9e37_79b1) ^ (y as u32).wrapping_mul(0x85eb_ca77) ^ seed;
     h = (h ^ (h >> 15)).wrapping_mul(0x2c1b_3c6d);
@@ -9,7 +9,7 @@ pub fn hash(x: i64, y: i64, seed: u32) -> f64 {
     f64::from(h >> 8) / 16_777_216.0
 }
 
-/// Value noise in [0, 1], smooth between whole places, the same every `period`, a power of two.
+/// Value noise in [0, 1], interpolated between integers; it repeats with `period`, a power of two.
 pub fn noise(x: f64, y: f64, period: i64, seed: u32) -> f64 {
     let (cell_x, cell_y) = (x.floor(), y.floor());
     let ease = |t: f64| t * t * (3.0 - 2.0 * t);

@@ -1,6 +1,6 @@
 //! From a height field to a normal map.
 
-use super::{Picture, byte, packed_pixel_t};
+use super::image::{Picture, byte, packed_pixel_t};
 
 /// The normals of a height field that repeats, as the lecture stores them:
 /// `R = normal_x / 2 + 0.5`, and so for green (upward in the picture) and blue (toward the viewer).

@@ -1,9 +1,9 @@
 //! The surroundings of the environment map: sun, clouds, mountains and a tiled square.
 
+use super::image::{Color, Picture, add, dim, mix, smooth};
 use super::noise::turbulence;
-use super::{Color, Picture, add, dim, mix, smooth};
 
-/// Toward the sun, of length 1.
+/// Unit vector towards the sun.
 const SUN: [f64; 3] = [0.48, 0.36, -0.8];
 
 /// The files of the cube map's faces, in GL's order.
@@ -13,7 +13,7 @@ pub const FACES: [&str; 6] =
 /// Side of a face.
 const SIZE: usize = 512;
 
-/// A face of the cube map, by its place in [`FACES`]; its first row is at t = 0, as GL wants it.
+/// A face of the cube map, by its index in [`FACES`]; its first row is at t = 0, as GL wants it.
 pub fn sky_face(face: usize) -> Picture {
     Picture::paint(SIZE, SIZE, |s, t| sky(direction(face, 2.0 * s - 1.0, 2.0 * t - 1.0)))
 }
@@ -28,7 +28,7 @@ pub fn sphere_map() -> Picture {
     })
 }
 
-/// Where a place of a face is seen: GL 2.1 table 3.19, the other way round.
+/// The direction of a point of a face: the inverse of GL 2.1 table 3.19.
 fn direction(face: usize, s: f64, t: f64) -> [f64; 3] {
     match face {
         0 => [1.0, -t, -s],
@@ -67,7 +67,7 @@ fn sky(direction: [f64; 3]) -> Color {
     mix(add(clouded, dim([0.55, 0.38, 0.16], halo * halo)), [1.0, 0.98, 0.90], disc)
 }
 
-/// The mountains' height over a place on the horizon.
+/// The height of the mountains over a point of the horizon.
 fn ridge(x: f64, z: f64, scale: f64, seed: u32) -> f64 {
     0.30 * turbulence(x * scale + 32.0, z * scale + 32.0, 256, seed) - 0.05
 }

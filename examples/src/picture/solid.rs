@@ -1,9 +1,9 @@
 //! Solid textures: noise and marble in three dimensions, in volumes that repeat.
 
+use super::image::{byte, mix};
 use super::noise::hash;
-use super::{byte, mix};
 
-/// Value noise in [0, 1] at a place of the unit cube, `period` cells a side, a power of two.
+/// Value noise in [0, 1] at a point of the unit cube, `period` cells a side, a power of two.
 fn noise([x, y, z]: [f64; 3], period: i64, seed: u32) -> f64 {
     let place = [x, y, z].map(|at| at * period as f64);
     let cell = place.map(f64::floor);
@@ -27,7 +27,7 @@ fn turbulence(place: [f64; 3], period: i64, seed: u32) -> f64 {
     (0..4).map(octave).sum::<f64>() / 0.9375
 }
 
-/// The middles of a volume's texels, x fastest.
+/// The centres of a volume's texels, x fastest.
 fn texels(side: usize) -> impl Iterator<Item = [f64; 3]> {
     let middle = move |at: usize| ((at % side) as f64 + 0.5) / side as f64;
     (0..side * side * side).map(move |at| [middle(at), middle(at / side), middle(at / side / side)])

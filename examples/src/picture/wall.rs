@@ -1,7 +1,7 @@
 //! Bricks, flagstones and planks that repeat without a seam.
 
+use super::image::{Color, Picture, dim, mix, smooth};
 use super::noise::{hash, turbulence};
-use super::{Color, Picture, dim, mix, smooth};
 
 const SIZE: usize = 256;
 
@@ -9,7 +9,7 @@ const SIZE: usize = 256;
 struct Courses {
     rows: i64,
     per_row: i64,
-    /// Width of the joint, in parts of a row's height.
+    /// Width of the joint, as a fraction of a row's height.
     joint: f64,
     shift: f64,
 }
@@ -18,8 +18,8 @@ const BRICKS: Courses = Courses { rows: 8, per_row: 4, joint: 0.085, shift: 0.5 
 const FLAGSTONES: Courses = Courses { rows: 4, per_row: 4, joint: 0.04, shift: 0.35 };
 const PLANKS: Courses = Courses { rows: 6, per_row: 1, joint: 0.05, shift: 0.37 };
 
-/// Where a point of the unit square is in its block.
-struct Place {
+/// The block of a point of the unit square, and the point's position in it.
+struct BlockPosition {
     /// A number in [0, 1) for the block, by seed.
     block: (i64, i64),
     /// 0 in the joint, rising to 1 within the block.
@@ -27,7 +27,7 @@ struct Place {
 }
 
 impl Courses {
-    fn place(&self, x: f64, y: f64) -> Place {
+    fn place(&self, x: f64, y: f64) -> BlockPosition {
         let row = (y * self.rows as f64).floor();
         let shifted = x * self.per_row as f64 + self.shift * (row as i64 % 2) as f64;
         let column = shifted.floor();
@@ -36,7 +36,7 @@ impl Courses {
         let ragged = 0.5 * self.joint * turbulence(x * 16.0, y * 16.0, 16, 41);
         let edge = (u.min(1.0 - u) * aspect).min(v.min(1.0 - v)) - ragged;
         let block = ((column as i64).rem_euclid(self.per_row), row as i64);
-        Place { block, height: smooth(self.joint * 0.5, self.joint * 1.6, edge) }
+        BlockPosition { block, height: smooth(self.joint * 0.5, self.joint * 1.6, edge) }
     }
 }
 

@@ -1,7 +1,7 @@
 //! The slide for the projector: a rose window.
 
+use super::image::{Color, Picture, dim, disc, mix};
 use super::noise::turbulence;
-use super::{Color, Picture, dim, disc, mix};
 use gl_api::glu::angle::sin_cos_degrees;
 
 const LEAD: Color = [0.05, 0.05, 0.06];

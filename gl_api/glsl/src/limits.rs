@@ -1,5 +1,5 @@
-//! Every limit of the front end. What shaders can ask for (`gl_Max…`) is what `glGet` reports;
-//! the others keep a hostile source from costing more time or memory than it is long.
+//! Every limit of the front end. The limits that shaders can read (`gl_Max…`) are those that
+//! `glGet` reports; the others bound the time and memory that a hostile source costs.
 
 /// How many generic vertex attributes there are (`GL_MAX_VERTEX_ATTRIBS`); locations 0 to 15.
 pub const MAX_VERTEX_ATTRIBS: u8 = 16;
@@ -20,7 +20,7 @@ pub const MAX_COMBINED_TEXTURE_IMAGE_UNITS: u8 = 32;
 pub const MAX_CLIP_DISTANCES: u8 = MAX_CLIP_PLANES;
 /// `gl_MaxDrawBuffers`: how many elements `gl_FragData` has.
 pub const MAX_DRAW_BUFFERS: u8 = 8;
-/// `gl_MaxVaryingFloats`: how many scalars may be handed from stage to stage.
+/// `gl_MaxVaryingFloats`: how many scalars may pass from stage to stage.
 pub const MAX_VARYING_FLOATS: u16 = 64;
 /// `gl_MaxVertexUniformComponents` and `gl_MaxFragmentUniformComponents`.
 pub const MAX_UNIFORM_COMPONENTS: i32 = 16384;
@@ -34,44 +34,45 @@ pub const MAX_TRANSFORM_FEEDBACK_SEPARATE_COMPONENTS: usize = 128;
 pub const MAX_TRANSFORM_FEEDBACK_INTERLEAVED_COMPONENTS: usize = 128;
 /// The offsets that `textureOffset` takes.
 pub const TEXEL_OFFSETS: std::ops::RangeInclusive<i32> = -8..=7;
-/// The same of `textureGatherOffset`.
+/// The offsets that `textureGatherOffset` takes.
 pub const GATHER_OFFSETS: std::ops::RangeInclusive<i32> = -32..=31;
 
-/// The longest source that is taken, in bytes.
+/// The longest source that is accepted, in bytes.
 pub const MAX_SOURCE: usize = 1 << 24;
 /// How many errors are reported before the compiler gives up.
 pub const MAX_ERRORS: usize = 20;
 
 /// How many tokens the macros of a shader may produce together.
 pub const MAX_EXPANDED_TOKENS: usize = 1 << 20;
-/// How deep calls of macros may stand in arguments of one another.
+/// How deep calls of macros may nest in their arguments.
 pub const MAX_MACRO_DEPTH: usize = 64;
 /// How many conditionals can be open at once.
 pub const MAX_CONDITIONALS: usize = 256;
 /// How deep parentheses and signs may nest in a condition of `#if`.
 pub const MAX_CONDITION_DEPTH: usize = 64;
 
-/// How many statements and expressions may stand inside one another.
+/// How deep statements and expressions may nest.
 pub const MAX_NESTING: u32 = 256;
 /// How deep the tree of an expression may be, chains such as `a + b + c` included.
 pub const MAX_TREE: u32 = 3 * MAX_NESTING;
 
 /// How many scalars a variable may have.
 pub const MAX_SCALARS: u32 = 1 << 16;
-/// How long an array may grow that has no size but its largest index.
+/// The largest size of an array that gets its size from its largest index.
 pub const MAX_IMPLICIT_SIZE: u32 = MAX_SCALARS / 16;
 /// How many dimensions an array may have.
 pub const MAX_DIMENSIONS: u32 = 32;
-/// How deep structures may stand inside one another.
+/// How deep structures may nest.
 pub const MAX_STRUCT_DEPTH: u32 = 32;
 
-/// How deep statements, expressions and calls may stand inside one another, calls inlined.
+/// How deep statements, expressions and inlined calls may nest.
 pub const MAX_INLINED_DEPTH: u32 = 1024;
 /// How many values a stage may have.
 pub const MAX_VALUES: usize = 200_000;
 /// How many uniform words a program may have.
 pub const MAX_UNIFORM_WORDS: u32 = 1 << 20;
-/// How many samplers an array may have that is indexed by what is not constant.
+/// The largest array of samplers with an index that is not constant.
 pub const MAX_DYNAMIC_SAMPLERS: u32 = 32;
-/// Up to how many scalars a variable without initializer is set to zero in each turn of a loop.
+/// A variable without initializer is set to zero in each iteration of a loop if it has at most so
+/// many scalars.
 pub const MAX_CLEARED: usize = 64;

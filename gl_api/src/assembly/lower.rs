@@ -264,7 +264,11 @@ impl Lowerer<'_> {
             word: self.layout.constant(u32::from(unit)),
             dim,
             // Without the option, the mode of comparison does not count.
-            result: if compare { ComparisonResult::Placed } else { ComparisonResult::Ignored },
+            result: if compare {
+                ComparisonResult::DepthTextureMode
+            } else {
+                ComparisonResult::Ignored
+            },
         });
         texture
     }

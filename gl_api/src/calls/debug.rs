@@ -8,7 +8,9 @@ use crate::base::error::{
 use crate::base::types::*;
 use crate::context::Context;
 use crate::context::debug::Output;
-use crate::context::log::{Filter, GLDEBUGPROC, Kind, Logged, MAX_GROUPS, MAX_LABEL, MAX_LENGTH};
+use crate::context::log::{
+    Filter, GLDEBUGPROC, LogMessage, MAX_GROUPS, MAX_LABEL, MAX_LENGTH, MessageClass,
+};
 
 const SECTION: &str = "KHR_debug, section 5.5";
 
@@ -101,7 +103,7 @@ pub(crate) fn debug_message_control(
             "with ids, source and type must not be GL_DONT_CARE, and severity must be it",
         );
     }
-    let kind = Kind { source, ty, severity };
+    let kind = MessageClass { source, ty, severity };
     context.debug.log.add_filter(Filter { kind, ids: ids.to_vec(), on: enabled });
     Ok(())
 }
@@ -120,7 +122,11 @@ pub(crate) fn debug_message_insert(
     SEVERITY.decode("severity", severity)?;
     let text = text("message", length, message, MAX_LENGTH)?;
     if context.debug.output == Output::On {
-        context.debug.log.push(Logged { kind: Kind { source, ty, severity }, id, text });
+        context.debug.log.push(LogMessage {
+            kind: MessageClass { source, ty, severity },
+            id,
+            text,
+        });
     }
     Ok(())
 }
@@ -160,7 +166,7 @@ pub(crate) fn get_debug_message_log(
     let mut all = String::new();
     let mut taken = 0;
     while taken < count as usize {
-        let fits = |first: &Logged| first.text.len() < room;
+        let fits = |first: &LogMessage| first.text.len() < room;
         if !context.debug.log.first().is_some_and(fits) {
             break;
         }
@@ -200,7 +206,11 @@ pub(crate) fn push_debug_group(
         ));
     }
     let (ty, severity) = (GL_DEBUG_TYPE_PUSH_GROUP, GL_DEBUG_SEVERITY_NOTIFICATION);
-    context.debug.log.push_group(Logged { kind: Kind { source, ty, severity }, id, text });
+    context.debug.log.push_group(LogMessage {
+        kind: MessageClass { source, ty, severity },
+        id,
+        text,
+    });
     Ok(())
 }
 

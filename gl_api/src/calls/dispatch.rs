@@ -4,9 +4,9 @@ use crate::base::begin_end::BeginEnd;
 use crate::base::error::{ErrorCode, GlError, Result};
 use crate::base::fallback::Fallback;
 use crate::calls::flush::flush;
-use crate::context::sharing::{Shared, Turn};
+use crate::context::sharing::{ShareHandle, SharedObjectsGuard};
 use crate::context::{Context, ContextDesc, ContextError};
-use crate::draw::ended::draw_ended;
+use crate::draw::pending_primitives::draw_pending;
 
 impl Context {
     /// A context that shares textures, samplers, buffers, renderbuffers, shaders, programs and
@@ -20,17 +20,17 @@ impl Context {
     }
 
     /// What a new context needs to share this one's objects.
-    pub(crate) fn share(&mut self) -> Shared {
+    pub(crate) fn share(&mut self) -> ShareHandle {
         // What was recorded is drawn before another thread can change what it reads.
         self.call("glFlush", BeginEnd::Refused, flush);
         self.shared()
     }
 
     /// Gives another thread what it waits for. Not within a call, whose objects are in use.
-    pub(crate) fn answer_invitation(&mut self) {
-        if self.invitation.is_open() {
+    pub(crate) fn answer_share_request(&mut self) {
+        if self.share_request.is_open() {
             let shared = self.share();
-            self.invitation.answer(shared);
+            self.share_request.answer(shared);
         }
     }
 
@@ -41,12 +41,12 @@ impl Context {
         begin_end: BeginEnd,
         f: impl FnOnce(&mut Self) -> Result<R>,
     ) -> R {
-        let turn = Turn::begin(self);
+        let guard = SharedObjectsGuard::lock(self);
         let result = match begin_end {
-            BeginEnd::Refused if !turn.context.leave_vertices(name) => Ok(R::fallback()),
-            BeginEnd::Refused | BeginEnd::Allowed => f(turn.context),
+            BeginEnd::Refused if !guard.context.leave_vertices(name) => Ok(R::fallback()),
+            BeginEnd::Refused | BeginEnd::Allowed => f(guard.context),
         };
-        drop(turn);
+        drop(guard);
         let result = result.unwrap_or_else(|error: GlError| {
             self.refuse(name, error);
             R::fallback()
@@ -63,10 +63,10 @@ impl Context {
             self.refuse(name, between_begin_and_end());
             return false;
         }
-        if self.ended.as_ref().is_some_and(|ended| !ended.outlasts(name)) {
-            draw_ended(self);
+        if self.pending.as_ref().is_some_and(|ended| !ended.survives(name)) {
+            draw_pending(self);
         }
-        self.changes.count();
+        self.state_changes.count_call();
         true
     }
 }

@@ -52,7 +52,7 @@ fn switch(context: &mut Context, cap: GLenum, to: Switch) -> Result<()> {
     let on = to == Switch::On;
     let capability = capability(cap)?;
     if is_already(context, capability, to) {
-        context.changes.nothing();
+        context.state_changes.no_change();
         return Ok(());
     }
     match capability {
@@ -115,7 +115,7 @@ fn switch_client(context: &mut Context, array: GLenum, to: Switch) -> Result<()>
     }
     let location = client_location(context, CLIENT_ARRAY.decode("array", array)?);
     context.state.arrays.by_location[location].enabled = on;
-    context.changes.only_numbers();
+    context.state_changes.values_only();
     Ok(())
 }
 

@@ -2,11 +2,11 @@
 
 use crate::base::error::Result;
 use crate::context::Context;
-use crate::context::said::Hint;
+use crate::context::warnings::DrawWarning;
 use crate::objects::Sweep;
 
 pub(crate) fn flush(context: &mut Context) -> Result<()> {
-    crate::draw::submit(context);
+    crate::draw::pass::submit(context);
     // Another context may have been the last that held something.
     context.objects.sweep(Sweep::Flushed);
     context.show_mirror();
@@ -15,9 +15,9 @@ pub(crate) fn flush(context: &mut Context) -> Result<()> {
 
 /// What was drawn can be looked up from the next draw on (`NV_texture_barrier`).
 pub(crate) fn texture_barrier_nv(context: &mut Context) -> Result<()> {
-    crate::draw::submit(context);
+    crate::draw::pass::submit(context);
     // Who calls this knows that a texture is drawn to and looked up.
-    context.is_news(Hint::FeedbackLoop, 0);
+    context.is_first_warning(DrawWarning::FeedbackLoop, 0);
     Ok(())
 }
 

@@ -1,8 +1,8 @@
-//! The sticky error flag, and the messages that say what was wrong.
+//! The error flag of `glGetError`, and the queue of messages that say what was wrong.
 //!
-//! Messages are queued and never call back, so that nothing happens in the middle of a call.
+//! Messages are queued; a callback ([`super::log`]) is called only when the call is over.
 
-use super::log::{GLDEBUGPROC, Kind, Log, Logged, MAX_LENGTH};
+use super::log::{GLDEBUGPROC, Log, LogMessage, MAX_LENGTH, MessageClass};
 use crate::base::constants::*;
 use crate::base::error::{ErrorCode, GlError};
 use crate::base::types::*;
@@ -26,7 +26,7 @@ pub enum Severity {
     Warning,
 }
 
-/// Something that the context has to say.
+/// An error or a warning of a context.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Message {
     /// How much it matters.
@@ -52,21 +52,21 @@ pub(crate) enum Echo {
     Stderr,
 }
 
-/// The flag and the queue.
+/// The error flag, the queue of messages, and the log.
 #[derive(Debug)]
 pub(crate) struct Debug {
     /// The first error since `glGetError`.
     flag: Option<ErrorCode>,
     queue: VecDeque<Message>,
-    /// Warnings that were given while the log was off, and while it was on: a draw that repeats says
-    /// them once, and once more to a log that was off.
+    /// Warnings that were given while the log was off, and while it was on: each is given once, and once more to a log
+    /// that was off.
     given: [BTreeSet<String>; 2],
     echo: Echo,
     /// What `KHR_debug` reads.
     pub log: Log,
-    /// Whether it is kept (`GL_DEBUG_OUTPUT`).
+    /// Whether messages are logged (`GL_DEBUG_OUTPUT`).
     pub output: Output,
-    /// Whether it was at first: it is in debug contexts.
+    /// What it was initially: on in debug contexts.
     at_first: Output,
 }
 
@@ -78,7 +78,7 @@ pub(crate) enum Output {
 }
 
 impl Debug {
-    /// Prints to stderr if `DETGL_DEBUG` is set to anything but 0; first of all, that it is there.
+    /// Prints to stderr if `DETGL_DEBUG` is set to anything but 0, first the version.
     pub fn from_env(device: &DeviceDesc) -> Self {
         static GREETED: Once = Once::new();
         let on = std::env::var_os("DETGL_DEBUG").is_some_and(|value| value != "0");
@@ -98,7 +98,7 @@ impl Debug {
         debug
     }
 
-    /// Sets the flag and says why.
+    /// Sets the error flag and queues a message that says why.
     pub fn error(&mut self, call: &str, error: &GlError) {
         self.flag.get_or_insert(error.code());
         let text = format!("{call}: {error}");
@@ -106,30 +106,29 @@ impl Debug {
         self.push(Message { severity: Severity::Error, text });
     }
 
-    /// Says something once: what each draw would say again.
+    /// Gives a warning once, which each draw would repeat.
     pub fn warn(&mut self, text: String) {
         let given = &mut self.given[self.output as usize];
         if given.len() >= KEPT {
             given.clear();
         }
         if given.insert(text.clone()) {
-            self.say(text);
+            self.warn_each_time(text);
         }
     }
 
-    /// Says something, as often as it happens: what came of a call that asks for it.
-    pub fn say(&mut self, text: String) {
+    /// Gives a warning as often as it happens: of a compile or a link, which the application asked for.
+    pub fn warn_each_time(&mut self, text: String) {
         self.log(GL_DEBUG_TYPE_OTHER, warning_id(&text), GL_DEBUG_SEVERITY_MEDIUM, &text);
         self.push(Message { severity: Severity::Warning, text });
     }
 
-    /// Adds a message of ours to the log, if it is kept: as much of it as the log's readers have
-    /// room for (`KHR_debug`, section 5.5.1).
+    /// Adds a message to the log, if that is on, cut to the length that its readers have room for (`KHR_debug`, section 5.5.1).
     fn log(&mut self, ty: GLenum, id: GLuint, severity: GLenum, text: &str) {
         if self.output == Output::On {
-            let kind = Kind { source: GL_DEBUG_SOURCE_API, ty, severity };
+            let kind = MessageClass { source: GL_DEBUG_SOURCE_API, ty, severity };
             let text = &text[..text.floor_char_boundary(MAX_LENGTH - 1)];
-            self.log.push(Logged { kind, id, text: text.to_owned() });
+            self.log.push(LogMessage { kind, id, text: text.to_owned() });
         }
     }
 
@@ -146,19 +145,19 @@ impl Debug {
         }
     }
 
-    /// Calls the program's callback with what the log has gathered.
+    /// Calls the application's callback with the messages since its last call.
     pub fn deliver(&mut self) {
         if let Some((procedure, user, messages)) = self.log.deliver() {
             hand_over(procedure, user, messages);
         }
     }
 
-    /// Whether somebody asks for messages as they come.
+    /// Whether messages are printed or logged as they come.
     pub fn listens(&self) -> bool {
         self.echo == Echo::Stderr || self.output == Output::On
     }
 
-    /// Takes the flag.
+    /// Takes the error flag.
     pub fn take_flag(&mut self) -> Option<ErrorCode> {
         self.flag.take()
     }
@@ -179,12 +178,12 @@ impl Debug {
     }
 }
 
-/// Prints to stderr; where nobody reads that any more, nothing.
+/// Prints to stderr, ignoring that it may be closed.
 fn print(what: &impl fmt::Display) {
     let _ = writeln!(io::stderr(), "detgl: {what}");
 }
 
-/// What is there: so that whoever waits for messages knows that they would come.
+/// The first line on stderr: it shows that messages are on.
 fn greeting(device: &DeviceDesc) -> String {
     let version = env!("CARGO_PKG_VERSION");
     let ((major, minor), isa, threads) = (limits::VERSION, device.isa.name(), device.threads);
@@ -192,7 +191,7 @@ fn greeting(device: &DeviceDesc) -> String {
     format!("DetGL {version}, OpenGL {major}.{minor}, {isa}, {threads} thread{s}")
 }
 
-/// The number that filters know a warning by: a hash (FNV-1a) of the lowercase letters of its first
+/// The id of a warning in the log: a hash (FNV-1a) of the lowercase letters of its first
 /// line, without what is quoted. So it is the same for all values, objects and names of constants.
 fn warning_id(text: &str) -> GLuint {
     let line = text.lines().next().unwrap_or_default();
@@ -202,9 +201,9 @@ fn warning_id(text: &str) -> GLuint {
 
 #[cold]
 #[inline(never)]
-fn hand_over(procedure: GLDEBUGPROC, user: usize, messages: VecDeque<Logged>) {
+fn hand_over(procedure: GLDEBUGPROC, user: usize, messages: VecDeque<LogMessage>) {
     let Some(procedure) = procedure else { return };
-    for Logged { kind, id, text } in messages {
+    for LogMessage { kind, id, text } in messages {
         let length = text.len() as GLsizei;
         let bytes = CString::new(text.replace('\0', " ")).unwrap_or_default();
         let (source, ty, severity) = (kind.source, kind.ty, kind.severity);

@@ -2,7 +2,7 @@
 //!
 //! `glBegin` opens a collection of vertices: positions, and a column for each attribute that is set
 //! before `glEnd`, which draws them. Attributes that are not set are constants of the draw. One `glEnd`
-//! after the other with nothing else in between is one draw: what has [`ended`](super::ended) waits.
+//! after the other with nothing else in between is one draw: see [`super::pending_primitives`].
 
 use crate::base::error::Result;
 use crate::base::limits::LOCATIONS;
@@ -15,9 +15,10 @@ use crate::state::material::{MATERIAL_COLUMNS, Materials};
 use crate::state::versioned::Versioned;
 use rasterizer::driver::{Buffer, Topology};
 use std::ops::Range;
+
 /// What can have a column: the attributes, and behind them the parts of the materials.
 pub(crate) const COLUMNS: usize = LOCATIONS + MATERIAL_COLUMNS;
-/// A column's place in [`Immediate::places`] where there is none.
+/// [`Immediate::column_by_location`] of a location without a column.
 pub(crate) const NO_COLUMN: u8 = u8::MAX;
 /// Bytes of a value in a column.
 pub(crate) const VALUE: usize = 16;
@@ -29,7 +30,7 @@ pub(crate) struct Immediate {
     pub(crate) positions: Vec<[f32; 4]>,
     pub(crate) columns: Vec<Column>,
     /// By location, which of the columns is its own.
-    pub places: [u8; COLUMNS],
+    pub column_by_location: [u8; COLUMNS],
     /// What the materials were before the first `glMaterial` since `glBegin`.
     pub(crate) materials: Option<Box<Versioned<Materials>>>,
 }
@@ -60,14 +61,14 @@ impl Immediate {
             topology,
             positions: Vec::new(),
             columns: Vec::new(),
-            places: [NO_COLUMN; COLUMNS],
+            column_by_location: [NO_COLUMN; COLUMNS],
             materials: None,
         }
     }
 
     /// Which of the columns is a location's.
     pub(crate) fn column_of(&self, location: usize) -> Option<usize> {
-        let place = self.places[location];
+        let place = self.column_by_location[location];
         (place != NO_COLUMN).then_some(place.into())
     }
 }
@@ -77,8 +78,8 @@ pub(crate) struct Columns<'a> {
     pub buffer: &'a Buffer,
     /// How many vertices the columns are of.
     pub count: usize,
-    /// Those that are drawn.
-    pub part: Range<usize>,
+    /// The vertices that are drawn.
+    pub range: Range<usize>,
 }
 
 /// The location that an attribute call sets; `None` for the position.

@@ -1,7 +1,7 @@
-//! `KHR_debug`: the log that a program reads, or is called with; filters, groups and labels.
+//! `KHR_debug`: the message log, its filters, groups and labels, and the callback.
 //!
-//! The log has what [`super::debug`] has, and what the program puts in. A callback is called when
-//! the call that caused a message is over, never in its middle.
+//! The log has the messages of [`super::debug`], and those that the application inserts. The callback is called when the
+//! call that caused a message is over, never in its middle.
 
 use crate::base::constants::*;
 use crate::base::types::*;
@@ -18,14 +18,13 @@ pub(crate) const MAX_LABEL: usize = 256;
 /// More filters than this in a group are forgotten, oldest first.
 const MAX_FILTERS: usize = 1024;
 
-/// What a program is called with: source, type, id, severity, length, text, and its own pointer.
+/// The callback of an application: source, type, id, severity, length, text, and its own pointer.
 pub type GLDEBUGPROC =
     Option<extern "system" fn(GLenum, GLenum, GLuint, GLenum, GLsizei, *const GLchar, *mut GLvoid)>;
 
-/// Where a message comes from, what it is about, and how much it matters; `GL_DONT_CARE` in a
-/// filter.
+/// Source, type and severity of a message; each may be `GL_DONT_CARE` in a filter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Kind {
+pub(crate) struct MessageClass {
     pub source: GLenum,
     pub ty: GLenum,
     pub severity: GLenum,
@@ -33,23 +32,23 @@ pub(crate) struct Kind {
 
 /// A message of the log.
 #[derive(Clone, Debug)]
-pub(crate) struct Logged {
-    pub kind: Kind,
+pub(crate) struct LogMessage {
+    pub kind: MessageClass,
     pub id: GLuint,
     pub text: String,
 }
 
-/// What is let through; the last filter that fits a message decides.
+/// A filter; the last one that fits a message decides whether it is logged.
 #[derive(Clone, Debug)]
 pub(crate) struct Filter {
-    pub kind: Kind,
-    /// Only these, unless there are none.
+    pub kind: MessageClass,
+    /// Only messages with these ids, unless there are none.
     pub ids: Vec<GLuint>,
     pub on: bool,
 }
 
 impl Filter {
-    fn fits(&self, message: &Logged) -> bool {
+    fn fits(&self, message: &LogMessage) -> bool {
         let fits = |filter: GLenum, value: GLenum| filter == GL_DONT_CARE || filter == value;
         fits(self.kind.source, message.kind.source)
             && fits(self.kind.ty, message.kind.ty)
@@ -58,31 +57,31 @@ impl Filter {
     }
 }
 
-/// A group of messages: what was said when it began, and its filters.
+/// A debug group: the message that began it, and its filters.
 #[derive(Clone, Debug, Default)]
-struct Group {
-    begin: Option<Logged>,
+struct MessageGroup {
+    begin: Option<LogMessage>,
     filters: Vec<Filter>,
 }
 
-/// What is called with messages instead of keeping them.
+/// The callback, which gets messages instead of the log.
 #[derive(Clone, Copy, Debug, Default)]
 struct Callback {
     procedure: GLDEBUGPROC,
-    /// The program's pointer.
+    /// The application's pointer.
     user: usize,
 }
 
 /// The log.
 #[derive(Debug)]
 pub(crate) struct Log {
-    queue: VecDeque<Logged>,
-    /// What the callback is to be called with; what was logged before there was one stays in the log.
-    pending: VecDeque<Logged>,
+    queue: VecDeque<LogMessage>,
+    /// Messages for the callback; those that were logged before it was set stay in the log.
+    pending: VecDeque<LogMessage>,
     callback: Callback,
     /// The groups that are open; the first always is.
-    groups: Vec<Group>,
-    /// By what an object is, and its name.
+    groups: Vec<MessageGroup>,
+    /// Labels by kind and name of the object.
     pub labels: BTreeMap<(GLenum, usize), String>,
 }
 
@@ -92,14 +91,14 @@ impl Default for Log {
             queue: VecDeque::new(),
             pending: VecDeque::new(),
             callback: Callback::default(),
-            groups: vec![Group::default()],
+            groups: vec![MessageGroup::default()],
             labels: BTreeMap::new(),
         }
     }
 }
 
 impl Log {
-    fn lets_through(&self, message: &Logged) -> bool {
+    fn lets_through(&self, message: &LogMessage) -> bool {
         let filters = self.groups.last().map_or(&[][..], |group| &group.filters);
         match filters.iter().rev().find(|filter| filter.fits(message)) {
             Some(filter) => filter.on,
@@ -109,7 +108,7 @@ impl Log {
     }
 
     /// Adds a message, if the filters let it through; a full log drops it.
-    pub fn push(&mut self, message: Logged) {
+    pub fn push(&mut self, message: LogMessage) {
         let lets_through = self.lets_through(&message);
         let queue = match self.callback.procedure {
             Some(_) => &mut self.pending,
@@ -121,7 +120,7 @@ impl Log {
     }
 
     /// Takes the messages for the callback, if there is one.
-    pub fn deliver(&mut self) -> Option<(GLDEBUGPROC, usize, VecDeque<Logged>)> {
+    pub fn deliver(&mut self) -> Option<(GLDEBUGPROC, usize, VecDeque<LogMessage>)> {
         if self.callback.procedure.is_none() || self.pending.is_empty() {
             return None;
         }
@@ -157,10 +156,10 @@ impl Log {
     }
 
     /// Opens a group; there must be room.
-    pub fn push_group(&mut self, begin: Logged) {
+    pub fn push_group(&mut self, begin: LogMessage) {
         self.push(begin.clone());
         let filters = self.groups.last().map_or(Vec::new(), |group| group.filters.clone());
-        self.groups.push(Group { begin: Some(begin), filters });
+        self.groups.push(MessageGroup { begin: Some(begin), filters });
     }
 
     /// Closes a group; one besides the first must be open.
@@ -170,18 +169,18 @@ impl Log {
         self.push(begin);
     }
 
-    /// How many messages wait.
+    /// How many messages are in the log.
     pub fn len(&self) -> usize {
         self.queue.len()
     }
 
     /// The oldest message.
-    pub fn first(&self) -> Option<&Logged> {
+    pub fn first(&self) -> Option<&LogMessage> {
         self.queue.front()
     }
 
     /// Takes the oldest message.
-    pub fn pop(&mut self) -> Option<Logged> {
+    pub fn pop(&mut self) -> Option<LogMessage> {
         self.queue.pop_front()
     }
 }

@@ -1,4 +1,4 @@
-//! Client memory that shows the default framebuffer: it has the picture after `glFlush` and `glFinish`.
+//! The mirror: client memory that has the default framebuffer's picture after `glFlush` and `glFinish`.
 
 use super::Context;
 use std::fmt::Debug;
@@ -26,19 +26,19 @@ pub(crate) struct Mirror {
 }
 
 impl Context {
-    /// Shows the default framebuffer in a client's memory from the next picture on, or no longer.
+    /// Sets the mirror, which gets the next picture, or removes it.
     pub(crate) fn set_mirror(&mut self, surface: Option<Box<dyn SurfaceMirror>>) {
         self.mirror = surface.map(|surface| Mirror { surface, copied: Copied::Yes });
     }
 
-    /// Has the mirror take the next copy in another way, if there is a mirror.
+    /// Replaces how the mirror copies, if there is a mirror.
     pub(crate) fn replace_mirror(&mut self, surface: Box<dyn SurfaceMirror>) {
         if let Some(mirror) = &mut self.mirror {
             mirror.surface = surface;
         }
     }
 
-    /// Takes note that the client's memory has another picture than was just drawn.
+    /// Notes that a picture was drawn that the mirror does not have yet.
     pub(crate) fn outdate_mirror(&mut self) {
         if let Some(mirror) = &mut self.mirror {
             mirror.copied = Copied::No;

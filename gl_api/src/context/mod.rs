@@ -1,38 +1,32 @@
 //! The context: all state, all objects, and the driver they are drawn with.
 
-pub(crate) mod counting;
+pub(crate) mod debug;
 pub(crate) mod feedback;
-pub(crate) mod raster_passed;
-pub(crate) mod swap;
-
-pub(crate) mod bitmaps;
-pub(crate) mod draw_note;
-pub(crate) mod ended;
 pub(crate) mod immediate;
 pub(crate) mod lists;
-pub(crate) mod presence;
-pub(crate) mod recorder;
-pub(crate) mod sharing;
-pub(crate) mod watched;
-pub(crate) mod window;
-
-mod changes;
-pub(crate) mod debug;
 pub(crate) mod log;
 pub(crate) mod mirror;
-pub(crate) mod said;
+pub(crate) mod pending_bitmaps;
+pub(crate) mod pending_primitives;
+pub(crate) mod recorder;
+pub(crate) mod sharing;
+pub(crate) mod stale_depth;
+mod state_changes;
 mod surface;
+pub(crate) mod warnings;
+pub(crate) mod watched_pixel;
+pub(crate) mod window;
 
 use crate::base::error::{GlError, Result};
-use crate::context::ended::Ended;
 use crate::context::feedback::Feedback;
 use crate::context::immediate::Immediate;
 use crate::context::lists::{Compiling, Lists};
+use crate::context::pending_primitives::PendingPrimitives;
 use crate::context::recorder::Recorder;
-use crate::context::sharing::{Entered, Group, Invitation, Shared};
-use crate::context::watched::Watched;
+use crate::context::sharing::{GroupLock, ShareGroup, ShareHandle, ShareRequest};
+use crate::context::watched_pixel::WatchedPixel;
 use crate::context::window::Window;
-use crate::glsl::Repairs;
+use crate::glsl::FixIts;
 use crate::objects::Objects;
 use crate::objects::queries::ActiveQueries;
 use crate::state::State;
@@ -40,16 +34,16 @@ use crate::state::attrib::AttribStacks;
 use crate::state::evaluate::Maps;
 use crate::state::transform_feedback::TransformFeedback;
 use crate::state::uniform_buffers::UniformBuffers;
-use changes::Changes;
 pub use debug::{Message, Severity};
 pub use log::GLDEBUGPROC;
 use mirror::Mirror;
 use rasterizer::driver::{Device, DeviceDesc, DeviceError};
+use state_changes::StateChanges;
 use std::sync::{Arc, OnceLock};
 pub use surface::{SurfaceColor, SurfaceDesc};
 use thiserror::Error;
 
-/// What a context is made from.
+/// How a context is to be made.
 #[derive(Clone, Debug)]
 pub struct ContextDesc {
     /// Pixels across of the default framebuffer, 1 to 8192.
@@ -57,17 +51,17 @@ pub struct ContextDesc {
     /// Pixels up of the default framebuffer, 1 to 8192.
     pub height: u32,
     /// Whether the GLSL compiler applies the fixes it suggests.
-    pub repairs: Repairs,
+    pub fix_its: FixIts,
     /// The device; `None` shares one that the environment describes.
     pub device: Option<Arc<Device>>,
-    /// What the default framebuffer has.
+    /// The buffers of the default framebuffer.
     pub surface: SurfaceDesc,
 }
 
 impl Default for ContextDesc {
     fn default() -> Self {
         let surface = SurfaceDesc::default();
-        Self { width: 512, height: 512, repairs: Repairs::Off, device: None, surface }
+        Self { width: 512, height: 512, fix_its: FixIts::Suggest, device: None, surface }
     }
 }
 
@@ -107,12 +101,12 @@ pub struct Context {
     /// What the default framebuffer is read from, if not from `window`.
     pub(crate) read_window: Option<Window>,
     pub(crate) debug: debug::Debug,
-    /// Which hints were given.
-    said: said::Said,
-    /// Between `glBegin` and `glEnd`.
+    /// The draw warnings that were given.
+    given_warnings: warnings::GivenWarnings,
+    /// The vertices since `glBegin`; `None` outside of `glBegin` and `glEnd`.
     pub(crate) immediate: Option<Immediate>,
-    /// What ended and is not drawn yet, as more like it may follow.
-    pub(crate) ended: Option<Ended>,
+    /// Primitives after `glEnd`, and bitmaps, that wait to be batched with more.
+    pub(crate) pending: Option<PendingPrimitives>,
     pub(crate) recorder: Recorder,
     /// Display lists, and the one that is being compiled.
     pub(crate) lists: Lists,
@@ -125,21 +119,21 @@ pub struct Context {
     pub(crate) feedback: Feedback,
     pub(crate) transform_feedback: TransformFeedback,
     pub(crate) uniform_buffers: UniformBuffers,
-    /// The contexts that this one shares objects with.
-    group: Option<Group>,
-    /// Where another thread asks for the group.
-    pub(crate) invitation: Invitation,
-    pub(crate) changes: Changes,
-    /// Whether a call runs.
-    pub(crate) entered: Entered,
-    pub(crate) repairs: Repairs,
-    /// The client memory that shows the picture.
+    /// The share group, if there is one.
+    group: Option<ShareGroup>,
+    /// Where another thread asks to share objects.
+    pub(crate) share_request: ShareRequest,
+    pub(crate) state_changes: StateChanges,
+    /// Whether the lock of the group is held.
+    pub(crate) group_lock: GroupLock,
+    pub(crate) fix_its: FixIts,
+    /// The client memory that gets the picture.
     pub(crate) mirror: Option<Mirror>,
     /// The pixel that is watched.
-    pub(crate) watched: Option<Box<Watched>>,
+    pub(crate) watched: Option<Box<WatchedPixel>>,
 }
 
-/// The device that contexts share which bring none.
+/// The device of contexts that are made without one.
 fn shared_device() -> Result<Arc<Device>, DeviceError> {
     static SHARED: OnceLock<Arc<Device>> = OnceLock::new();
     if let Some(device) = SHARED.get() {
@@ -155,14 +149,14 @@ impl Context {
     /// # Errors
     /// When the size is out of range or the device cannot be made.
     pub fn new(desc: ContextDesc) -> Result<Self, ContextError> {
-        let repairs = desc.repairs;
+        let fix_its = desc.fix_its;
         let (device, window) = Self::parts(desc)?;
-        Ok(Self::assemble(device, window, repairs, None))
+        Ok(Self::assemble(device, window, fix_its, None))
     }
 
-    /// What a context is made of that there may not be.
+    /// The parts that may fail to be made: the device and the default framebuffer.
     fn parts(desc: ContextDesc) -> Result<(Arc<Device>, Window), ContextError> {
-        let ContextDesc { width, height, repairs: _, device, surface } = desc;
+        let ContextDesc { width, height, fix_its: _, device, surface } = desc;
         let limit = crate::base::limits::MAX_VIEWPORT_DIMS;
         if !(1..=limit).contains(&width) || !(1..=limit).contains(&height) {
             return Err(ContextError::Size { width, height, limit });
@@ -182,8 +176,8 @@ impl Context {
     fn assemble(
         device: Arc<Device>,
         window: Window,
-        repairs: Repairs,
-        group: Option<Group>,
+        fix_its: FixIts,
+        group: Option<ShareGroup>,
     ) -> Self {
         Self {
             state: State::new(window.width, window.height),
@@ -191,9 +185,9 @@ impl Context {
             window,
             read_window: None,
             debug: debug::Debug::from_env(device.desc()),
-            said: said::Said::default(),
+            given_warnings: warnings::GivenWarnings::default(),
             immediate: None,
-            ended: None,
+            pending: None,
             recorder: Recorder::new(device),
             lists: Lists::default(),
             compiling: None,
@@ -204,10 +198,10 @@ impl Context {
             transform_feedback: TransformFeedback::default(),
             uniform_buffers: UniformBuffers::default(),
             group,
-            invitation: Invitation::default(),
-            changes: Changes::default(),
-            entered: Entered::No,
-            repairs,
+            share_request: ShareRequest::default(),
+            state_changes: StateChanges::default(),
+            group_lock: GroupLock::NotHeld,
+            fix_its,
             mirror: None,
             watched: None,
         }
@@ -219,22 +213,22 @@ impl Context {
     #[inline(never)]
     pub(crate) fn boxed(
         desc: ContextDesc,
-        shared: Option<Shared>,
+        shared: Option<ShareHandle>,
     ) -> Result<Box<Self>, ContextError> {
-        let repairs = desc.repairs;
+        let fix_its = desc.fix_its;
         let (group, device) = shared.map(|shared| (shared.group, shared.device)).unzip();
         let (device, window) = Self::parts(ContextDesc { device: desc.device.or(device), ..desc })?;
-        Ok(Box::new(Self::assemble(device, window, repairs, group)))
+        Ok(Box::new(Self::assemble(device, window, fix_its, group)))
     }
 
-    /// What a new context needs to share this one's objects, where nothing is recorded; no call of another context is waited for.
-    pub(crate) fn shared(&mut self) -> Shared {
+    /// What a new context needs to share this one's objects. Nothing may be recorded. Does not wait for the lock.
+    pub(crate) fn shared(&mut self) -> ShareHandle {
         let objects = &mut self.objects;
-        let group = self.group.get_or_insert_with(|| Group::of(objects)).clone();
-        Shared { group, device: self.recorder.device() }
+        let group = self.group.get_or_insert_with(|| ShareGroup::of(objects)).clone();
+        ShareHandle { group, device: self.recorder.device() }
     }
 
-    /// Takes the messages that have gathered, oldest first.
+    /// Takes the queued messages, oldest first.
     pub fn messages(&mut self) -> Vec<Message> {
         self.debug.drain()
     }
@@ -244,17 +238,17 @@ impl Context {
         (self.window.width, self.window.height)
     }
 
-    /// Whether no other context shares its objects.
-    pub(crate) fn is_alone(&self) -> bool {
+    /// Whether it has no share group.
+    pub(crate) fn is_unshared(&self) -> bool {
         self.group.is_none()
     }
 
-    /// The group whose objects a call has to fetch.
-    pub(crate) fn group_outside(&self) -> Option<&Group> {
-        self.group.as_ref().filter(|_| self.entered == Entered::No)
+    /// The group whose lock a call has to take; `None` without a group, or within a call that holds it.
+    pub(crate) fn group_to_lock(&self) -> Option<&ShareGroup> {
+        self.group.as_ref().filter(|_| self.group_lock == GroupLock::NotHeld)
     }
 
-    /// Takes note of an error.
+    /// Reports an error of a call: the flag and the message.
     #[cold]
     #[inline(never)]
     pub(crate) fn refuse(&mut self, name: &'static str, error: GlError) {

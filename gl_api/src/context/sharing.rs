@@ -1,8 +1,21 @@
-//! Objects that several contexts share: GL 2.1, appendix D.
+//! Share groups: objects that several contexts share (GL 2.1, appendix D).
 //!
-//! The contexts of a group take turns: a call puts the group's objects in the place of the
-//! context's own for as long as it runs, under the group's lock. A context without a group does
-//! none of this. What one context records another sees after `glFlush` or `glFinish`.
+//! **What a group owns.** A [`ShareGroup`] owns the names and the objects of textures, samplers, buffers, renderbuffers,
+//! shaders and programs, assembly programs, sync objects and display lists. Framebuffer objects, vertex array objects,
+//! queries, the objects named 0 and all state are each context's own. A context that shares with nobody has no group:
+//! its objects are in [`Context::objects`] for good, and there is no lock.
+//!
+//! **When the lock is taken.** Every entry point of a context with a group takes the group's lock for as long as it runs
+//! ([`SharedObjectsGuard`]), so calls of different contexts never overlap. A call within a call, as those of a display
+//! list, finds the lock held ([`GroupLock::Held`]) and does not take it again.
+//!
+//! **What a call sees.** Under the lock, the group's objects are exchanged with those in [`Context::objects`], and
+//! exchanged back when the call returns or panics. So the code of a call finds objects in one place, whether they are
+//! shared or not. Names and parameters that another context has changed are seen by the next call. What another context
+//! has drawn is seen after its `glFlush` or `glFinish`, as draws are recorded until then.
+//!
+//! **How a context joins.** [`Context::shared`] gives a [`ShareHandle`], from which a context is made. Where the context
+//! to share with is current on another thread, a [`ShareRequest`] asks for the handle.
 
 use crate::context::Context;
 use crate::objects::Objects;
@@ -12,20 +25,21 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-/// Whether a call of a context runs.
+/// Whether a context holds the lock of its group. One without a group never does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Entered {
-    No,
-    /// Calls within it, as those of a display list, have the group's objects already.
-    Yes,
+pub(crate) enum GroupLock {
+    /// No call runs: the shared objects are in the group.
+    NotHeld,
+    /// A call runs: the shared objects are in the context.
+    Held,
 }
 
-/// The objects of a group, while no call of its contexts runs.
+/// A share group. Its objects are here while none of its contexts holds the lock.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Group(pub(crate) Arc<Mutex<Objects>>);
+pub(crate) struct ShareGroup(pub(crate) Arc<Mutex<Objects>>);
 
-impl Group {
-    /// A group that has the shareable objects of a context.
+impl ShareGroup {
+    /// A group that takes over the shareable objects of a context.
     pub fn of(objects: &mut Objects) -> Self {
         let mut shared = Objects::default();
         exchange(objects, &mut shared);
@@ -35,36 +49,36 @@ impl Group {
 
 /// What a new context needs to share the objects of another.
 #[derive(Clone, Debug)]
-pub(crate) struct Shared {
-    pub group: Group,
+pub(crate) struct ShareHandle {
+    pub group: ShareGroup,
     pub device: Arc<Device>,
 }
 
-/// How a thread comes to share the objects of a context that is current on another: it asks, and the
-/// context answers at its next call or when it is released.
+/// A request to share the objects of a context that is current on another thread. The context answers at its next call,
+/// or when it is released.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Invitation(Arc<Asked>);
+pub(crate) struct ShareRequest(Arc<RequestState>);
 
 #[derive(Debug, Default)]
-struct Asked {
+struct RequestState {
     open: AtomicBool,
-    answer: Mutex<Option<Shared>>,
+    answer: Mutex<Option<ShareHandle>>,
     answered: Condvar,
 }
 
-impl Invitation {
-    /// Whether a thread waits.
+impl ShareRequest {
+    /// Whether a thread waits for the answer.
     pub fn is_open(&self) -> bool {
         self.0.open.load(Ordering::Acquire)
     }
 
-    /// Asks: [`Self::wait`] waits for the answer.
+    /// Makes the request; [`Self::wait`] waits for the answer.
     pub fn open(&self) {
         self.0.open.store(true, Ordering::Release);
     }
 
-    /// Waits until the context has answered; `None` if it makes no call for so long.
-    pub fn wait(&self, patience: Duration) -> Option<Shared> {
+    /// Waits for the answer; `None` if there is none within `patience`.
+    pub fn wait(&self, patience: Duration) -> Option<ShareHandle> {
         let end = Instant::now() + patience;
         let mut answer = self.0.answer.lock();
         while answer.is_none() {
@@ -76,16 +90,15 @@ impl Invitation {
         answer.clone()
     }
 
-    /// Ends the waiting of all who ask.
-    pub fn answer(&self, shared: Shared) {
+    /// Answers all threads that wait.
+    pub fn answer(&self, shared: ShareHandle) {
         self.0.open.store(false, Ordering::Release);
         *self.0.answer.lock() = Some(shared);
         self.0.answered.notify_all();
     }
 }
 
-/// Exchanges what can be shared. Framebuffers, and the textures and assembly programs
-/// named 0, are a context's own.
+/// Exchanges the objects that can be shared. The textures and assembly programs named 0 are not among them.
 pub(crate) fn exchange(a: &mut Objects, b: &mut Objects) {
     std::mem::swap(&mut a.textures, &mut b.textures);
     std::mem::swap(&mut a.samplers, &mut b.samplers);
@@ -98,46 +111,48 @@ pub(crate) fn exchange(a: &mut Objects, b: &mut Objects) {
     std::mem::swap(&mut a.lists, &mut b.lists);
 }
 
-/// A call, which has the objects of its context's group; gives them back, even if it panics.
-pub(crate) struct Turn<'a> {
+/// A running call. While it exists, the context holds the lock of its group, if it has one, and has the group's objects;
+/// dropped, also by a panic, it gives them back.
+pub(crate) struct SharedObjectsGuard<'a> {
     pub context: &'a mut Context,
     shared: Option<ArcMutexGuard<RawMutex, Objects>>,
 }
 
-impl<'a> Turn<'a> {
-    /// Waits for the calls of other contexts of the group; without a group there is nothing to do.
-    pub fn begin(context: &'a mut Context) -> Self {
-        let mut turn = Self { context, shared: None };
-        if turn.context.group_outside().is_some() {
-            turn.fetch();
+impl<'a> SharedObjectsGuard<'a> {
+    /// Waits for the calls of other contexts of the group, and takes the group's objects. Without a group, or within a
+    /// call that has them already, there is nothing to do.
+    pub fn lock(context: &'a mut Context) -> Self {
+        let mut guard = Self { context, shared: None };
+        if guard.context.group_to_lock().is_some() {
+            guard.take_objects();
         }
-        turn
+        guard
     }
 
     #[inline(never)]
-    fn fetch(&mut self) {
-        if let Some(group) = self.context.group_outside() {
+    fn take_objects(&mut self) {
+        if let Some(group) = self.context.group_to_lock() {
             let mut shared = group.0.lock_arc();
             exchange(&mut self.context.objects, &mut shared);
-            self.context.entered = Entered::Yes;
+            self.context.group_lock = GroupLock::Held;
             self.shared = Some(shared);
         }
     }
 
     #[inline(never)]
-    fn give_back(&mut self) {
+    fn give_back_objects(&mut self) {
         if let Some(mut shared) = self.shared.take() {
-            self.context.entered = Entered::No;
+            self.context.group_lock = GroupLock::NotHeld;
             exchange(&mut self.context.objects, &mut shared);
         }
     }
 }
 
-impl Drop for Turn<'_> {
+impl Drop for SharedObjectsGuard<'_> {
     #[inline]
     fn drop(&mut self) {
         if self.shared.is_some() {
-            self.give_back();
+            self.give_back_objects();
         }
     }
 }

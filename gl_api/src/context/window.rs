@@ -1,16 +1,19 @@
-//! Framebuffers: what is drawn to and read from (GL 2.1, chapter 4; framebuffer objects).
+//! The default framebuffer (GL 2.1, chapter 4), and rectangles of pixels in framebuffers.
+//!
+//! EGL's surfaces and OSMesa's memory are default framebuffers that a context takes in place of its own; a context can
+//! also be current without one ([`Presence::Absent`]).
 
-use crate::context::SurfaceDesc;
-pub(crate) use crate::context::presence::Presence;
-use crate::context::recorder::depths::Depths;
+use crate::context::stale_depth::DepthHistory;
+use crate::context::{Context, SurfaceDesc};
 use crate::objects::accumulation::Accumulation;
 use crate::objects::color_buffers::Selection;
 use crate::objects::framebuffers::Planes;
+use crate::state::State;
 use rasterizer::driver::{Attachment, Image};
 use texunit::format::Format;
 use texunit::image::{Image as Texels, ImageError, Level, Shape};
 
-/// A rectangle in a framebuffer or image, which may reach outside.
+/// A rectangle of pixels, which may reach outside of the framebuffer or image.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Region {
     pub x: i64,
@@ -19,7 +22,7 @@ pub(crate) struct Region {
     pub height: usize,
 }
 
-/// The part of a region that lies inside.
+/// The part of a [`Region`] that lies inside.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Visible {
     pub x: usize,
@@ -64,7 +67,7 @@ pub(crate) fn format_of(attachment: &Attachment) -> Option<Format> {
     attachment.image.level(0, attachment.level.into()).map(|level| level.format)
 }
 
-/// The default framebuffer: one colour buffer, whatever it is called, depth and stencil.
+/// A default framebuffer: one colour buffer, which stands for front and back, depth and stencil.
 #[derive(Debug)]
 pub(crate) struct Window {
     pub width: u32,
@@ -77,8 +80,8 @@ pub(crate) struct Window {
     pub selection: Selection,
     pub presence: Presence,
     pub accumulation: Accumulation,
-    /// What warnings of its depths go by.
-    pub depths: Depths,
+    /// Where its depths are from, for warnings.
+    pub depths: DepthHistory,
 }
 
 impl Window {
@@ -95,12 +98,65 @@ impl Window {
             selection: Selection::window(),
             presence: Presence::Present,
             accumulation: Accumulation::default(),
-            depths: Depths::default(),
+            depths: DepthHistory::default(),
         })
     }
 
     /// How depth and stencil are stored.
     pub fn depth_format(&self) -> Option<Format> {
         self.depth.as_ref()?.level(0, 0).map(|level| level.format)
+    }
+}
+
+/// Whether there is a default framebuffer at all: a context can be current without one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Presence {
+    Present,
+    Absent,
+}
+
+impl Window {
+    /// The placeholder where there is none; it is not framebuffer complete.
+    pub fn absent() -> Self {
+        Self {
+            width: 0,
+            height: 0,
+            format: Format::Rgba8,
+            color: Image::new(Texels::new(Shape::D2)),
+            depth: None,
+            planes: Planes { depth: false, stencil: false },
+            selection: Selection::window(),
+            presence: Presence::Absent,
+            accumulation: Accumulation::default(),
+            depths: DepthHistory::default(),
+        }
+    }
+}
+
+impl Context {
+    /// Replaces the default framebuffer; everything must have been submitted. Which buffers are drawn to and read from
+    /// is state of the context, and stays.
+    pub(crate) fn swap_window(&mut self, mut window: Window) -> Window {
+        window.selection = self.window.selection.clone();
+        std::mem::replace(&mut self.window, window)
+    }
+
+    /// The default framebuffer that is read from.
+    pub(crate) fn read_window(&self) -> &Window {
+        self.read_window.as_ref().unwrap_or(&self.window)
+    }
+
+    /// Replaces the default framebuffer that is read from; with `None` it is the one that is drawn to. Nothing that is
+    /// recorded may read it.
+    pub(crate) fn swap_read_window(&mut self, window: Option<Window>) -> Option<Window> {
+        std::mem::replace(&mut self.read_window, window)
+    }
+
+    /// Sets viewport and scissor to the size of the first default framebuffer (GL 2.1, sections 2.11.1
+    /// and 4.1.2).
+    pub(crate) fn first_window(&mut self, width: u32, height: u32) {
+        let fresh = State::new(width, height);
+        self.state.viewport = fresh.viewport;
+        self.state.fragment.scissor = fresh.fragment.scissor;
     }
 }

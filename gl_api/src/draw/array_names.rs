@@ -33,7 +33,7 @@ fn array_name(location: usize) -> String {
     enum_name(CLIENT_ARRAY.encode(location))
 }
 
-/// What the array behind an attribute has, for a message that it is too little: so many bytes.
+/// The size of the array behind an attribute, for a message that it is too short.
 #[cold]
 #[inline(never)]
 pub(crate) fn extent(context: &Context, location: u8, bytes: usize) -> String {

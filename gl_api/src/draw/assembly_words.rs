@@ -1,4 +1,4 @@
-//! Which assembly programs a draw runs, and the words that they read.
+//! Which assembly programs a draw runs, and the uniform words of their parameters.
 
 use crate::assembly::layout::Row;
 use crate::assembly::lower::stage;

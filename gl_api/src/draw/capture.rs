@@ -1,16 +1,18 @@
-//! What a draw writes to the buffers of transform feedback.
+//! Transform feedback: what a draw writes to the buffers, by running its vertex stage once more; and the counts of
+//! primitives for queries.
 
 use crate::base::error::{Result, invalid_operation};
 use crate::context::Context;
 use crate::context::recorder::elements::Elements;
-use crate::context::recorder::vertex_stage::{Id, Outputs, Vertices};
+use crate::context::recorder::vertex_stage::{Outputs, VertexInstance, Vertices};
 use crate::draw::vertex_stage::shade;
 use crate::glsl::{BufferMode, Captured, CapturedScalar};
+use crate::objects::queries::{GENERATED, WRITTEN};
 use crate::state::transform_feedback::{Active, Kind, SECTION};
 use rasterizer::driver::{Primitive, Topology, VertexBinding, primitives};
 use texunit::lanes::math;
 
-/// Primitives of this many vertices are run and written at once.
+/// The number of primitives that are shaded and written at once.
 const CHUNK: usize = 1 << 12;
 
 /// Counts the primitives of a draw, and captures them if transform feedback is active.
@@ -47,8 +49,8 @@ pub(crate) fn draw(
         for first in (0..all.len).step_by(CHUNK) {
             let chunk = first..all.len.min(first.saturating_add(CHUNK as u32));
             let asked = u64::from(chunk.end - chunk.start);
-            let id = |at| Id { vertex: elements.number(at), instance };
-            let mut ids: Vec<Id> = Vec::new();
+            let id = |at| VertexInstance { vertex: elements.number(at), instance };
+            let mut ids: Vec<VertexInstance> = Vec::new();
             for at in chunk {
                 match all.get(at) {
                     Primitive::Point(ordinal) => ids.push(id(ordinal)),
@@ -102,7 +104,7 @@ impl Layout {
         Ok(())
     }
 
-    /// Writes whole primitives, as many as all buffers have room for: how many.
+    /// Writes as many whole primitives as all buffers have room for: how many.
     fn write(&self, context: &mut Context, vertices: &Vertices, active: &mut Active) -> u64 {
         let corners = active.kind.corners();
         let ranges = &context.transform_feedback.buffers;
@@ -117,14 +119,14 @@ impl Layout {
         for ((range, scalars), written) in ranges.iter().zip(&self.buffers).zip(&mut active.written)
         {
             let Some(object) = context.objects.buffers.bound_mut(&range.buffer) else { continue };
-            let places = scalars.iter().map(|scalar| Place::of(vertices, *scalar));
-            let places: Vec<Place> = places.collect();
+            let indices = scalars.iter().map(|scalar| CapturedIndex::of(vertices, *scalar));
+            let indices: Vec<CapturedIndex> = indices.collect();
             let first = range.offset + *written;
             let bytes = fit * corners * scalars.len() * 4;
             let out = object.bytes_mut(&mut context.recorder);
             let out = out.get_mut(first..first + bytes).unwrap_or_default();
             let words = (0..fit * corners)
-                .flat_map(|at| places.iter().map(move |place| place.word(vertices, at)));
+                .flat_map(|at| indices.iter().map(move |place| place.word(vertices, at)));
             for (out, word) in out.chunks_exact_mut(4).zip(words) {
                 out.copy_from_slice(&word.to_le_bytes());
             }
@@ -134,20 +136,19 @@ impl Layout {
     }
 }
 
-/// Where a captured scalar is among the outputs that vertices have; an output that the stage does
-/// not have is 0.
+/// The indices of a captured scalar's outputs; an output that the stage does not have is 0.
 #[derive(Clone, Copy)]
-enum Place {
+enum CapturedIndex {
     Float(Option<usize>),
     Word([Option<usize>; 2]),
 }
 
-impl Place {
+impl CapturedIndex {
     fn of(vertices: &Vertices, scalar: CapturedScalar) -> Self {
         match scalar {
-            CapturedScalar::Float(output) => Self::Float(vertices.place(output)),
+            CapturedScalar::Float(output) => Self::Float(vertices.output_index(output)),
             CapturedScalar::Word { low, high } => {
-                Self::Word([low, high].map(|output| vertices.place(output)))
+                Self::Word([low, high].map(|output| vertices.output_index(output)))
             }
         }
     }
@@ -157,9 +158,20 @@ impl Place {
         let value = |place: Option<usize>| place.map_or(0.0, |place| vertices.value(at, place));
         match self {
             Self::Float(place) => math::bits(value(place)),
-            Self::Word(places) => {
-                let [low, high] = places.map(|place| value(place) as u32);
+            Self::Word(indices) => {
+                let [low, high] = indices.map(|place| value(place) as u32);
                 high << 16 | low
+            }
+        }
+    }
+}
+
+impl Context {
+    /// Counts primitives of a draw, and those of them that transform feedback wrote.
+    pub(crate) fn count_primitives(&mut self, generated: u64, written: u64) {
+        for (place, count) in [(GENERATED, generated), (WRITTEN, written)] {
+            if let Some(query) = self.objects.queries.get_mut(self.queries.names[place]) {
+                query.primitives = query.primitives.saturating_add(count);
             }
         }
     }

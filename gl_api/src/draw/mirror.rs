@@ -1,9 +1,9 @@
-//! When the client's memory that shows the default framebuffer gets a new picture.
+//! When the mirror, client memory that has the default framebuffer's picture, gets a new one.
 
 use crate::context::Context;
 use crate::context::mirror::Copied;
-use crate::context::sharing::Turn;
-use crate::draw::hints::sight;
+use crate::context::sharing::SharedObjectsGuard;
+use crate::draw::warnings::visibility;
 
 impl Context {
     /// Copies the picture for the client; everything recorded has been carried out.
@@ -12,16 +12,16 @@ impl Context {
             mirror.surface.update(self);
             mirror.copied = Copied::Yes;
             self.mirror = Some(mirror);
-            sight::picture(self);
+            visibility::picture(self);
         }
     }
 
-    /// Draws everything and forgets the client's memory, as it is current no more. What the client has seen already is
-    /// not copied again: it may have freed memory that it is done with.
+    /// Submits everything and removes the mirror, as the context is current no more. A picture that the client has
+    /// already is not copied again: it may have freed the memory.
     pub(crate) fn end_mirror(&mut self) {
-        let turn = Turn::begin(self);
-        crate::draw::submit(turn.context);
-        drop(turn);
+        let guard = SharedObjectsGuard::lock(self);
+        crate::draw::pass::submit(guard.context);
+        drop(guard);
         if let Some(mirror) = self.mirror.take().filter(|mirror| mirror.copied == Copied::No) {
             mirror.surface.update(self);
         }

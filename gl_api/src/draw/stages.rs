@@ -1,73 +1,63 @@
-//! Which shaders a draw runs, with which textures: the program in use, or the fixed function for
-//! each stage that it lacks.
+//! Chooses the shaders of a draw, with their textures and uniform words: the program in use, assembly programs, or the
+//! fixed function for each stage that they lack.
 
 use crate::assembly::{Position, Target};
 use crate::base::clamp::Clamp;
 use crate::base::error::{Result, invalid_operation};
 use crate::base::inverse::inverse;
 use crate::context::Context;
-use crate::context::draw_note::DrawNote;
-use crate::context::recorder::fixed_words::Keys;
+use crate::context::recorder::fixed_function::StageKeys;
 use crate::context::recorder::stages::{
     Reads, Sides, Stages, Textures, VariantKey, VertexVariantKey, internal,
 };
-use crate::draw::assembly::assembled;
-use crate::draw::complete::draws_integers;
-use crate::draw::hints;
+use crate::context::watched_pixel::DrawNote;
+use crate::draw::alpha_test::alpha_test;
+use crate::draw::assembly_stage::assembled;
+use crate::draw::state_words::put_bindings;
+use crate::draw::textures::{Reader, plan, program_textures};
 use crate::draw::validate::runnable;
-use crate::draw::words::put_bindings;
 use crate::generate::fixed::clamp::clamp_fragment_colors;
 use crate::generate::fixed::fragment::{FragmentKey, add_alpha_test, set_shade_model};
 use crate::generate::fixed::rewrite::{add_clip_planes, add_coverage, add_two_sides};
 use crate::generate::fixed::vertex::VertexKey;
 use crate::generate::fixed::{cached, word};
 use crate::glsl::{ComparisonResult, SamplerSlot};
-use crate::interface::MAX_COMBINED_TEXTURE_IMAGE_UNITS;
 use crate::objects::programs::Linked;
 use crate::objects::target::TextureTarget;
 use crate::state::enable::Flag;
 use glam::DMat4;
-use rasterizer::driver::{Rim, ShaderModule, VertexBinding};
-use rasterizer::ir::{Access, Expr, Interpolation, Module, Output, Stage};
+use rasterizer::driver::{Antialiasing, ShaderModule, VertexBinding};
+use rasterizer::ir::{Interpolation, Output, Stage};
 use std::sync::Arc;
-use texunit::plan::SamplePlan;
-use texunit::sampler::{Border, Compare, DepthMode, Sampler, Seamless, SrgbRead};
 
-/// The alpha test, unless it lets everything through; colours of integers are not tested
-/// (`EXT_texture_integer`, section 4.1.4).
-pub(crate) fn alpha_test(context: &Context) -> Option<Compare> {
-    let compare = context.state.fragment.alpha_func;
-    let tests = context.state.enables.has(Flag::AlphaTest) && compare != Compare::Always;
-    (tests && !draws_integers(context)).then_some(compare)
-}
-
-/// The stages that programs bring, and what they read.
+/// The stages of programs, and what they read.
 #[derive(Default)]
 struct Programs {
     vertex: Option<ShaderModule>,
     fragment: Option<ShaderModule>,
     samplers: Vec<SamplerSlot>,
     words: Vec<u32>,
-    /// What the shaders say of the colours' interpolation.
-    said: [Option<Interpolation>; 2],
-    /// Of a vertex and a fragment stage that are assembly: where positions come from.
+    /// The interpolation of colours that the shaders declare.
+    color_interpolation: [Option<Interpolation>; 2],
+    /// Where positions come from, by stage, if that is an assembly program.
     assembly: [Option<Position>; 2],
 }
 
 impl Programs {
     /// The program in use, and assembly programs for the stages that it lacks.
     fn new(context: &mut Context, name: u32) -> Result<Self> {
-        let mut programs = Self { words: context.recorder.no_words(), ..Self::default() };
+        let mut programs = Self { words: context.recorder.empty_words(), ..Self::default() };
         if let Some(linked) = context.objects.linked_program(name) {
             if let Err(problem) = runnable(linked) {
                 return invalid_operation("GL 2.1, section 2.15.4", problem);
             }
             let program = &linked.program;
             put_words(context, &mut programs.words, linked);
-            programs.vertex = linked.vertex_of(crate::draw::clamp::of_vertices(context)).clone();
+            programs.vertex =
+                linked.vertex_of(crate::draw::color_clamp::of_vertices(context)).clone();
             programs.fragment = linked.fragment.clone();
             programs.samplers.clone_from(&program.samplers);
-            programs.said = program.color_interpolation;
+            programs.color_interpolation = program.color_interpolation;
         }
         let (words, samplers) = (&mut programs.words, &mut programs.samplers);
         if let Some(found) = assembled(context, Target::Vertex, words, samplers)? {
@@ -77,12 +67,12 @@ impl Programs {
         if let Some(found) = assembled(context, Target::Fragment, words, samplers)? {
             programs.fragment = Some(found.module);
             programs.assembly[1] = Some(found.position);
-            programs.said = [None; 2];
+            programs.color_interpolation = [None; 2];
         }
         Ok(programs)
     }
 
-    /// The first word of the fixed function, which comes behind theirs.
+    /// The first word of the fixed function, which lies behind those of programs.
     fn base(&self) -> u32 {
         self.words.len() as u32
     }
@@ -101,18 +91,18 @@ impl Programs {
 pub(crate) fn choose(
     context: &mut Context,
     vertices: &[VertexBinding],
-    rim: Rim,
+    antialiasing: Antialiasing,
 ) -> Result<Stages> {
     let name = context.state.bindings.program.name();
     crate::draw::uniform_blocks::refresh(context, name)?;
-    crate::draw::keys::see_units(context);
-    let clamp = crate::draw::clamp::of_fragments(context);
+    crate::draw::fixed_function::keys::update_unit_summary(context);
+    let clamp = crate::draw::color_clamp::of_fragments(context);
     let programs = Programs::new(context, name)?;
     let vertex_textures = match &programs.vertex {
         Some(module) => programs.textures(context, Stage::Vertex, module)?,
         None => Arc::clone(&context.recorder.no_textures),
     };
-    let fragment = FragmentStage::new(context, &programs, vertices, rim, clamp)?;
+    let fragment = FragmentStage::new(context, &programs, vertices, antialiasing, clamp)?;
     let vertex = VertexStage::new(context, &programs, vertices)?;
     let Programs { samplers, mut words, assembly, .. } = programs;
     let note = context.watched.is_some().then(|| match (&fragment.key, assembly[1]) {
@@ -121,7 +111,7 @@ pub(crate) fn choose(
         (None, None) => DrawNote::of_program(context, name, &fragment.module, &words),
     });
     let needed = vertex.module.module().uniform_words.max(fragment.module.module().uniform_words);
-    let keys = Keys {
+    let keys = StageKeys {
         vertex: vertex.key,
         fragment: fragment.key,
         clip_planes: vertex.clip_planes,
@@ -129,33 +119,33 @@ pub(crate) fn choose(
         clamp,
         needed,
     };
-    crate::draw::fixed_words::append(context, &mut words, &keys);
-    // The words of assembly programs, and their clip space, are not made anew by keys.
+    crate::draw::fixed_function::words::append(context, &mut words, &keys);
+    // The words of assembly programs and their clip space cannot be made again by the keys alone.
     let keys = (assembly == [None; 2]).then_some(keys);
     let reads = Reads { words, vertex_textures, fragment_textures: fragment.textures, keys, note };
     Ok(Stages { vertex: vertex.module, fragment: fragment.module, reads })
 }
 
-/// The words of a program in use: its own, and those of the state that it reads.
+/// Writes the words of the program in use: its uniforms, and the state that it reads.
 fn put_words(context: &Context, words: &mut Vec<u32>, linked: &Linked) {
     words.clone_from(&linked.words);
     words.resize(linked.program.words as usize, 0);
     put_bindings(context, words, &linked.program.state);
 }
 
-/// The words of a draw whose stages are those of the draw before; `None` where samplers have changed.
-pub(crate) fn words(context: &mut Context, keys: &Keys) -> Option<Vec<u32>> {
-    let mut words = context.recorder.no_words();
+/// The words of a draw with the stages of the draw before; `None` where samplers have changed.
+pub(crate) fn words(context: &mut Context, keys: &StageKeys) -> Option<Vec<u32>> {
+    let mut words = context.recorder.empty_words();
     if let Some(linked) = context.objects.linked_program(context.state.bindings.program.name()) {
         put_words(context, &mut words, linked);
-        let told = context.recorder.told.words.as_deref()?;
+        let emitted = context.recorder.emitted.words.as_deref()?;
         let is_same =
-            |slot: &SamplerSlot| words.get(slot.word as usize) == told.get(slot.word as usize);
+            |slot: &SamplerSlot| words.get(slot.word as usize) == emitted.get(slot.word as usize);
         if !linked.program.samplers.iter().all(is_same) {
             return None;
         }
     }
-    crate::draw::fixed_words::append(context, &mut words, keys);
+    crate::draw::fixed_function::words::append(context, &mut words, keys);
     Some(words)
 }
 
@@ -163,17 +153,17 @@ pub(crate) fn words(context: &mut Context, keys: &Keys) -> Option<Vec<u32>> {
 struct FragmentStage {
     module: ShaderModule,
     textures: Textures,
-    /// Of the fixed function.
+    /// The key, where it is the fixed function's.
     key: Option<FragmentKey>,
 }
 
 impl FragmentStage {
-    /// The programs', or the fixed function. `vertices` are the fixed-function vertex stage's, where it runs.
+    /// The stage of a program, or the fixed function's. `vertices` are the fixed-function vertex stage's, where it runs.
     fn new(
         context: &mut Context,
         programs: &Programs,
         vertices: &[VertexBinding],
-        rim: Rim,
+        antialiasing: Antialiasing,
         clamp: Clamp,
     ) -> Result<Self> {
         let enables = &context.state.enables;
@@ -188,14 +178,14 @@ impl FragmentStage {
                 alpha: alpha.map(|compare| (compare, programs.base() + word::ALPHA_REF)),
                 shade_model: context.state.raster.shade_model,
                 sides: if two_sided { Sides::Two } else { Sides::One },
-                // Writing fractions clamps.
-                clamp: if crate::draw::clamp::draws_fractions(context) {
+                // Formats with values in [0, 1] clamp when they are written.
+                clamp: if crate::draw::color_clamp::draws_fractions(context) {
                     Clamp::Off
                 } else {
                     clamp
                 },
-                said: programs.said,
-                rim,
+                color_interpolation: programs.color_interpolation,
+                antialiasing,
                 module: module.clone(),
             };
             return Ok(Self {
@@ -205,18 +195,19 @@ impl FragmentStage {
             });
         }
         let own = programs.vertex.is_none().then_some(vertices);
-        let key = crate::draw::keys::fragment_key(context, own, programs.base(), clamp);
+        let key =
+            crate::draw::fixed_function::keys::fragment_key(context, own, programs.base(), clamp);
         let textures = if key.units.is_empty() {
             Arc::clone(&context.recorder.no_textures)
         } else {
             let plans = key.units.iter().map(|unit| {
                 let target = TextureTarget::of(unit.shape);
-                let (result, reader) = (ComparisonResult::Placed, Reader::FixedFunction);
+                let (result, reader) = (ComparisonResult::DepthTextureMode, Reader::FixedFunction);
                 Some(plan(context, unit.unit, target, result, reader))
             });
             plans.collect()
         };
-        let key = FragmentKey { two_sided: key.two_sided || two_sided, rim, ..key };
+        let key = FragmentKey { two_sided: key.two_sided || two_sided, antialiasing, ..key };
         let module = context.recorder.fixed.fragment(&key).map_err(|error| internal(&error))?;
         Ok(Self { module, textures, key: Some(key) })
     }
@@ -225,7 +216,7 @@ impl FragmentStage {
 /// The vertex stage.
 struct VertexStage {
     module: ShaderModule,
-    /// Of the fixed function.
+    /// The key, where it is the fixed function's.
     key: Option<VertexKey>,
     /// The user clip planes that cut what a program gives, bit by plane, and the space they are in.
     clip_planes: u8,
@@ -233,12 +224,12 @@ struct VertexStage {
 }
 
 impl VertexStage {
-    /// The programs', or the fixed function.
+    /// The stage of a program, or the fixed function's.
     fn new(context: &mut Context, programs: &Programs, vertices: &[VertexBinding]) -> Result<Self> {
         let (mut clip_planes, mut clip_space) = (0, DMat4::IDENTITY);
         let base = programs.base();
         let Some(module) = programs.vertex.clone() else {
-            let key = crate::draw::keys::vertex_key(context, vertices, base);
+            let key = crate::draw::fixed_function::keys::vertex_key(context, vertices, base);
             let module = context.recorder.fixed.vertex(&key).map_err(|error| internal(&error))?;
             return Ok(Self { module, key: Some(key), clip_planes, clip_space });
         };
@@ -251,7 +242,7 @@ impl VertexStage {
                     clip_space = inverse(context.state.matrices.projection.top).transpose();
                 }
             }
-            None if !clips_itself(&module) => clip_planes = context.state.clip.enabled,
+            None if !writes_clip_distances(&module) => clip_planes = context.state.clip.enabled,
             None => {}
         }
         let key = VertexVariantKey { module, planes: clip_planes, base };
@@ -260,8 +251,8 @@ impl VertexStage {
     }
 }
 
-/// Whether a vertex stage says itself what user clip planes cut.
-fn clips_itself(module: &ShaderModule) -> bool {
+/// Whether a vertex stage writes clip distances itself.
+fn writes_clip_distances(module: &ShaderModule) -> bool {
     let mut outputs = module.module().outputs.iter();
     outputs.any(|(output, _)| matches!(output, Output::ClipDistance(_)))
 }
@@ -289,7 +280,7 @@ fn program_fragment(
         key.clamp = clamp;
     }
     let plain = key.shade_model == Interpolation::Smooth && key.alpha.is_none();
-    let plain = plain && key.sides == Sides::One && key.rim == Rim::Aliased;
+    let plain = plain && key.sides == Sides::One && key.antialiasing == Antialiasing::Aliased;
     if plain && key.clamp == Clamp::Off {
         return Ok(key.module);
     }
@@ -301,11 +292,11 @@ fn program_fragment(
         if key.clamp == Clamp::On {
             clamp_fragment_colors(&mut variant);
         }
-        if key.rim == Rim::Smooth {
+        if key.antialiasing == Antialiasing::Smooth {
             add_coverage(&mut variant);
         }
         if key.shade_model == Interpolation::Flat {
-            set_shade_model(&mut variant, Interpolation::Flat, key.said);
+            set_shade_model(&mut variant, Interpolation::Flat, key.color_interpolation);
         }
         if let Some((compare, reference)) = key.alpha {
             add_alpha_test(&mut variant, compare, reference);
@@ -313,128 +304,4 @@ fn program_fragment(
         variant
     })
     .map_err(|error| internal(&error))
-}
-
-/// The textures of a program's stage, from the units that its sampler uniforms name.
-fn program_textures(
-    context: &mut Context,
-    stage: Stage,
-    module: &ShaderModule,
-    samplers: &[SamplerSlot],
-    words: &[u32],
-) -> Result<Textures> {
-    let found = |slot: usize| {
-        let sampler = samplers
-            .iter()
-            .find(|sampler| sampler.stage == stage && sampler.slot as usize == slot)?;
-        let unit = u8::try_from(*words.get(sampler.word as usize)?).ok()?;
-        (unit < MAX_COMBINED_TEXTURE_IMAGE_UNITS).then_some((sampler, unit))
-    };
-    let mut textures = Vec::new();
-    for slot in 0..module.module().textures.len() {
-        let Some((sampler, unit)) = found(slot) else {
-            textures.push(None);
-            continue;
-        };
-        let target = TextureTarget::of_sampler(sampler.dim);
-        let decl = module.module().textures[slot];
-        hints::textures::sampler(context, unit, target, sampler.word, decl);
-        textures.push(Some(match target {
-            TextureTarget::Buffer => crate::draw::texture_buffer::plan(context, unit)?,
-            TextureTarget::D1Array
-            | TextureTarget::D2Array
-            | TextureTarget::CubeArray
-            | TextureTarget::D1
-            | TextureTarget::D2
-            | TextureTarget::Rect
-            | TextureTarget::D3
-            | TextureTarget::Cube
-            | TextureTarget::D2Multisample
-            | TextureTarget::D2MultisampleArray => {
-                let reader = Reader::Program(module.module(), slot);
-                plan(context, unit, target, sampler.result, reader)
-            }
-        }));
-    }
-    Ok(textures.into())
-}
-
-/// The sampler state of a unit and target: that of the bound sampler object or else the texture's,
-/// with the unit's bias.
-pub(crate) fn sampler(context: &Context, unit: u8, target: TextureTarget) -> Sampler {
-    let state = &context.state.units.units[usize::from(unit)];
-    let texture = context.objects.texture(target, &state.bound[target as usize]);
-    let own = texture.sampler();
-    // Where there are several samples a texel, sampler objects do not count.
-    let object = context.objects.samplers.bound(&state.sampler);
-    let mut sampler = match object.filter(|_| !target.is_multisample()) {
-        Some(object) => Sampler {
-            base_level: own.base_level,
-            max_level: own.max_level,
-            depth_mode: own.depth_mode,
-            swizzle: own.swizzle,
-            ..object.sampler.clone()
-        },
-        None => own,
-    };
-    if context.state.enables.has(Flag::SeamlessCubeMaps) {
-        sampler.seamless = Seamless::On;
-    }
-    // GL 2.1, section 3.8.4: a border of fractions is one; floats and integers keep theirs.
-    if !texture.has_wide_texels() {
-        let fractions =
-            sampler.border.floats().map(|c| crate::base::convert::unit(c.into()) as f32);
-        sampler.border = Border::Float(fractions);
-    }
-    sampler.lod_bias = crate::base::convert::lod_bias(sampler.lod_bias + state.lod_bias);
-    sampler
-}
-
-/// Who reads a texture.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Reader<'a> {
-    FixedFunction,
-    /// A slot of a program's stage.
-    Program(&'a Module, usize),
-}
-
-impl Reader<'_> {
-    /// Whether it reads texel by texel, if only here and there.
-    fn fetches(self) -> bool {
-        let Self::Program(module, slot) = self else { return false };
-        module.values.iter().any(|value| {
-            let Expr::Sample(sample) = value else { return false };
-            sample.texture.0 as usize == slot && matches!(sample.access, Access::Fetch { .. })
-        })
-    }
-}
-
-/// How a unit samples the texture of a target, as everything recorded leaves it.
-pub(crate) fn plan(
-    context: &mut Context,
-    unit: u8,
-    target: TextureTarget,
-    result: ComparisonResult,
-    reader: Reader<'_>,
-) -> Arc<SamplePlan> {
-    let bound = &context.state.units.units[usize::from(unit)].bound[target as usize];
-    let image = context.objects.texture(target, bound).image.clone();
-    crate::draw::settle(context, &image);
-    let mut sampler = sampler(context, unit, target);
-    match result {
-        ComparisonResult::Placed => {}
-        ComparisonResult::Scalar => sampler.depth_mode = DepthMode::Red,
-        ComparisonResult::Ignored => sampler.compare = None,
-    }
-    // What is fetched is linear whatever the sampler says (EXT_texture_sRGB_decode, where what a stage
-    // filters as well is undefined).
-    if sampler.srgb == SrgbRead::AsIs && reader.fetches() {
-        sampler.srgb = SrgbRead::Decode;
-    }
-    hints::textures::feedback_loop(context, (unit, target), &image, &sampler);
-    let bound = &context.state.units.units[usize::from(unit)].bound[target as usize];
-    let texture = context.objects.texture_mut(target, bound);
-    let plan = texture.plan(&context.recorder.device, &sampler);
-    context.recorder.hold(texture.new_bytes());
-    plan
 }

@@ -43,7 +43,7 @@ pub(crate) fn plan(context: &mut Context, unit: u8) -> Result<Arc<SamplePlan>> {
     let row = Level::row(store.format, bytes, limits::MAX_TEXTURE_BUFFER_SIZE)
         .map_err(|error| GlError::new(ErrorCode::OutOfMemory, SECTION, error.to_string()))?;
     context.recorder.hold(row.texels.len());
-    let plan = Arc::new(SamplePlan::of_row(row));
+    let plan = Arc::new(SamplePlan::for_buffer(row));
     let store = &mut context.objects.texture_mut(TextureTarget::Buffer, bound).store;
     store.plan = Some((buffer.version(), Arc::clone(&plan)));
     Ok(plan)

@@ -1,5 +1,4 @@
-//! From the bytes of buffers to the words of uniform blocks: ARB_uniform_buffer_object, section
-//! 2.15.3.1.1.
+//! The uniform words of uniform blocks, unpacked from their buffers (`ARB_uniform_buffer_object`, section 2.15.3.1.1).
 
 use crate::base::error::{Result, invalid_operation};
 use crate::base::types::*;

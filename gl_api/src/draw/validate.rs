@@ -1,4 +1,4 @@
-//! Whether a program can run with the units that its samplers have (GL 2.1, section 2.15.4).
+//! Whether a program can run with the texture units that its samplers name (GL 2.1, section 2.15.4).
 
 use crate::base::error::Result;
 use crate::glsl::{Dim, SamplerSlot};
@@ -6,10 +6,10 @@ use crate::interface::MAX_COMBINED_TEXTURE_IMAGE_UNITS;
 use crate::objects::programs::Linked;
 use rasterizer::ir::{Stage, TextureDecl};
 
-/// What stands against a draw with the values that the samplers have.
+/// Checks the units that the samplers name.
 ///
 /// # Errors
-/// What is wrong and what to do.
+/// The rule that is broken, and what to do.
 pub(crate) fn runnable(linked: &Linked) -> Result<(), String> {
     let limit = usize::from(MAX_COMBINED_TEXTURE_IMAGE_UNITS);
     // A sampler that is compared in two ways has two slots.
@@ -30,7 +30,7 @@ pub(crate) fn runnable(linked: &Linked) -> Result<(), String> {
 
 /// Samplers of different types must name different units (GL 2.1, section 2.15.3).
 fn one_type_per_unit(linked: &Linked) -> Result<(), String> {
-    // They are few.
+    // Samplers are few: a list is searched.
     let mut seen: Vec<(u32, (TextureDecl, Dim), u32)> = Vec::new();
     for slot in &linked.program.samplers {
         let (Some(decl), Some(&unit)) =
@@ -54,7 +54,7 @@ fn one_type_per_unit(linked: &Linked) -> Result<(), String> {
     Ok(())
 }
 
-/// What a stage says of a texture that it samples, and what textures that means.
+/// The declaration of a sampler in its stage, and its dimensions.
 fn declared(linked: &Linked, slot: &SamplerSlot) -> Option<(TextureDecl, Dim)> {
     let module = match slot.stage {
         Stage::Vertex => linked.vertex.as_ref(),

@@ -1,19 +1,25 @@
-//! Vertices through the vertex stage of the state, for what is not drawn: selection, feedback,
-//! transform feedback, raster positions.
+//! Runs the vertex stage that a draw would run, for vertices that are not drawn: selection, feedback and transform
+//! feedback. `context/recorder/vertex_stage.rs` has the stage.
 
 use crate::base::error::Result;
 use crate::context::Context;
 use crate::context::recorder::stages::Stages;
-use crate::context::recorder::vertex_stage::{Id, Outputs, Ready, Vertices};
-use rasterizer::driver::{Rim, VertexBinding, VertexSource};
+use crate::context::recorder::vertex_stage::{Outputs, PreparedStage, VertexInstance, Vertices};
+use rasterizer::driver::{Antialiasing, VertexBinding, VertexSource};
 use rasterizer::ir::Input;
 use texunit::lanes::{Isa, LANES, U32s};
 
 /// An input of the stage for up to 64 vertices.
-fn input(isa: Isa, vertices: &[VertexBinding], input: Input, ids: &[Id], out: &mut U32s) {
+fn input(
+    isa: Isa,
+    vertices: &[VertexBinding],
+    input: Input,
+    ids: &[VertexInstance],
+    out: &mut U32s,
+) {
     match input {
         Input::Attribute { location, component } => {
-            // Where all are bound, they lie in order.
+            // Where all locations are bound, the bindings lie in their order.
             let is_its = |binding: &&VertexBinding| binding.location == location;
             let in_order = vertices.get(usize::from(location)).filter(is_its);
             match in_order.or_else(|| vertices.iter().find(is_its)) {
@@ -44,18 +50,18 @@ fn input(isa: Isa, vertices: &[VertexBinding], input: Input, ids: &[Id], out: &m
     }
 }
 
-impl Ready {
-    /// That of a draw.
+impl PreparedStage {
+    /// The vertex stage of a draw.
     pub fn new(context: &mut Context, stages: Stages, outputs: Outputs) -> Self {
         let Stages { vertex, reads, .. } = stages;
-        let stage = context.recorder.single_vertex(&vertex, outputs);
+        let stage = context.recorder.standalone_stage(&vertex, outputs);
         let isa = context.recorder.isa();
         let prepared = stage.program.prepare(isa, &reads.words, &reads.vertex_textures);
         let textures = reads.vertex_textures;
         Self { stage, prepared, textures, words: reads.words, keys: reads.keys }
     }
 
-    /// The same stage where nothing but numbers has changed; `None` where it may be another.
+    /// The same stage after a change of values only; `None` where another may have to be chosen.
     pub fn again(mut self, context: &mut Context) -> Option<Self> {
         let keys = self.keys.as_ref().filter(|_| self.textures.is_empty())?;
         let words = crate::draw::stages::words(context, keys)?;
@@ -68,18 +74,18 @@ impl Ready {
     }
 }
 
-/// Runs the vertex stage of the state for vertices.
+/// Runs the vertex stage of the current state for vertices.
 ///
 /// # Errors
 /// As a draw, and where the shader runs too long.
 pub(crate) fn shade(
     context: &mut Context,
     vertices: &[VertexBinding],
-    ids: &[Id],
+    ids: &[VertexInstance],
     outputs: Outputs,
 ) -> Result<Vertices> {
-    let stages = crate::draw::stages::choose(context, vertices, Rim::Aliased)?;
-    let ready = Ready::new(context, stages, outputs);
+    let stages = crate::draw::stages::choose(context, vertices, Antialiasing::Aliased)?;
+    let ready = PreparedStage::new(context, stages, outputs);
     let isa = context.recorder.isa();
     ready.run((isa, &mut context.feedback.machine), ids.len(), |wanted, of, out| {
         input(isa, vertices, wanted, &ids[of], out);

@@ -49,7 +49,7 @@ fn take() -> Option<Taken> {
 fn take_for(name: &str) -> Option<Taken> {
     let mut taken = swap_current(None).map(Taken::new);
     match taken.as_mut().and_then(|taken| taken.0.as_deref_mut()) {
-        Some(context) => context.answer_invitation(),
+        Some(context) => context.answer_share_request(),
         None => warn(name),
     }
     taken

@@ -1,6 +1,6 @@
-//! Clears, and what a fragment is made of.
+//! Clears; and of a fragment the primitive, and the interpolation of its inputs.
 
-use crate::context::draw_note::DrawNote;
+use crate::context::watched_pixel::DrawNote;
 use crate::explain::page::{Page, number, numbers};
 use crate::explain::{output, shader};
 use rasterizer::ir::Input;

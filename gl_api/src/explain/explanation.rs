@@ -1,21 +1,6 @@
-//! Why a pixel has its colour: every clear and fragment that reached it, with the numbers it was
-//! drawn with and the formula that each follows.
-//!
-//! [`Context::watch_pixel`] makes the driver write down what it does to one pixel of the default
-//! framebuffer ([`rasterizer::trace`]); [`Context::explain_pixel`] puts GL's names to it. What is
-//! written down is what ran: the last line is the picture's pixel, bit for bit.
-//!
-//! The modules in the order of the text:
-//!
-//! | module | says |
-//! |---|---|
-//! | `note` | what the state of a draw means: its units, its environments, the names of varyings |
-//! | `event` | clears; the primitive, its inputs |
-//! | `sample` | a texture access: λ, levels, texels with weights |
-//! | `shader` | the arithmetic of the fragment stage |
-//! | `output` | tests, blending, what is stored |
+//! An explanation of a pixel, and its page of text.
 
-use crate::context::draw_note::Note;
+use crate::context::watched_pixel::CommandNote;
 use crate::explain::page::Page;
 use rasterizer::trace::{Cleared, Fate, PixelEvent, Texel};
 use std::fmt;
@@ -50,7 +35,7 @@ pub struct Explanation {
     pub events: Vec<PixelEvent>,
     /// What the pixel holds now: red, green, blue, alpha as stored.
     pub value: [f32; 4],
-    pub(crate) notes: Vec<Note>,
+    pub(crate) notes: Vec<CommandNote>,
 }
 
 impl Explanation {
@@ -71,7 +56,7 @@ impl Explanation {
         })
     }
 
-    fn note(&self, label: u32) -> Option<&Note> {
+    fn note(&self, label: u32) -> Option<&CommandNote> {
         self.notes.get(label as usize)
     }
 }
@@ -97,8 +82,8 @@ impl fmt::Display for Explanation {
                 PixelEvent::Clear(clear) => crate::explain::event::clear(&mut page, clear),
                 PixelEvent::Fragment(fragment) => {
                     let note = match self.note(fragment.label) {
-                        Some(Note::Draw(note)) => Some(&**note),
-                        Some(Note::Clear) | None => None,
+                        Some(CommandNote::Draw(note)) => Some(&**note),
+                        Some(CommandNote::Clear) | None => None,
                     };
                     crate::explain::event::fragment(&mut page, fragment, note);
                 }

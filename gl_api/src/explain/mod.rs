@@ -1,29 +1,30 @@
-//! Why a pixel has its colour: every clear and fragment that reached it, with the numbers it was
-//! drawn with and the formula that each follows.
+//! The explanation of a pixel: every clear and fragment that reached it, with the numbers it was drawn with and the formula
+//! that each follows.
 //!
-//! [`Context::watch_pixel`] makes the driver write down what it does to one pixel of the default
-//! framebuffer ([`rasterizer::trace`]); [`Context::explain_pixel`] puts GL's names to it. What is
-//! written down is what ran: the last line is the picture's pixel, bit for bit.
+//! [`Context::watch_pixel`] makes the driver write down what it does to one pixel of the default framebuffer
+//! ([`rasterizer::trace`]); [`Context::explain_pixel`] puts GL's names to it, by the notes of the recorded draws
+//! ([`crate::context::watched_pixel`]). What is written down is what ran: the last line is the picture's pixel, bit for bit.
 //!
 //! The modules in the order of the text:
 //!
-//! | module | says |
+//! | module | writes |
 //! |---|---|
-//! | `note` | what the state of a draw means: its units, its environments, the names of varyings |
-//! | `event` | clears; the primitive, its inputs |
-//! | `sample` | a texture access: λ, levels, texels with weights |
+//! | `explanation` | the page of all events |
+//! | `event` | clears; the primitive of a fragment, and its inputs |
+//! | `texture_access` | a texture access: λ, levels, texels with weights |
 //! | `shader` | the arithmetic of the fragment stage |
 //! | `output` | tests, blending, what is stored |
+//! | `page` | lines and tables of text |
 
 pub(crate) mod event;
 pub(crate) mod explanation;
 pub(crate) mod output;
 pub(crate) mod page;
-pub(crate) mod sample;
 pub(crate) mod shader;
+pub(crate) mod texture_access;
 
 use crate::context::Context;
-use crate::context::watched::Watched;
+use crate::context::watched_pixel::WatchedPixel;
 pub use crate::explain::explanation::{Explanation, OutsideWindow};
 use rasterizer::driver::Watch;
 
@@ -40,14 +41,14 @@ impl Context {
             return Err(OutsideWindow { x, y, width, height });
         }
         // What was recorded before is not watched.
-        crate::draw::submit(self);
-        self.watched = Some(Box::new(Watched { watch: Watch::new(x, y), notes: Vec::new() }));
+        crate::draw::pass::submit(self);
+        self.watched = Some(Box::new(WatchedPixel { watch: Watch::new(x, y), notes: Vec::new() }));
         Ok(())
     }
 
     /// What happened to the watched pixel; `None` if none is watched. Ends the watch.
     pub fn explain_pixel(&mut self) -> Option<Explanation> {
-        crate::draw::submit(self);
+        crate::draw::pass::submit(self);
         let watched = self.watched.take()?;
         let [x, y] = watched.watch.pixel();
         let (width, height) = self.size();

@@ -1,4 +1,4 @@
-//! What a fragment's tests and blending do, and what is stored.
+//! The tests and the blending of a fragment, and what is stored.
 
 use crate::explain::explanation::Explanation;
 use crate::explain::page::{Page, number, numbers};

@@ -12,7 +12,7 @@ pub struct Page {
 }
 
 impl Page {
-    /// A line, `depth` steps in, and where its formula is.
+    /// A line, indented by `depth` steps, with the section of its formula.
     pub fn line(&mut self, depth: usize, text: &str, section: &str) {
         let indent = "  ".repeat(depth);
         let line = format!("{indent}{text}");
@@ -43,7 +43,7 @@ impl Page {
         }
     }
 
-    /// All of it.
+    /// The text of the page.
     pub fn text(self) -> String {
         self.text
     }

@@ -1,12 +1,12 @@
 //! The fragment stage: texture accesses, and the arithmetic around them.
 
-use crate::context::draw_note::DrawNote;
+use crate::context::watched_pixel::DrawNote;
 use crate::explain::page::{Page, number};
-use crate::explain::sample;
+use crate::explain::texture_access;
 use rasterizer::ir::{Axis, Op, Output, Ty};
 use rasterizer::trace::{Expression, Fragment, Name, Operand, Step};
 
-/// What the stage did.
+/// The steps of the stage.
 pub fn steps(page: &mut Page, fragment: &Fragment, note: &DrawNote) {
     for (formula, section) in &note.formulas {
         page.line(1, formula, section);
@@ -25,7 +25,7 @@ pub fn steps(page: &mut Page, fragment: &Fragment, note: &DrawNote) {
             ]),
             Step::Lookup(lookup) => {
                 page.table(2, &std::mem::take(&mut rows));
-                sample::lookup(page, lookup, note);
+                texture_access::lookup(page, lookup, note);
             }
             Step::Discard => rows.push(vec!["discard".into()]),
         }
@@ -113,7 +113,7 @@ fn text(expression: &Expression, note: &DrawNote) -> String {
     }
 }
 
-/// What the source calls it.
+/// The name of an operation in the source.
 fn called(op: Op) -> &'static str {
     match op {
         Op::AtMost => Op::Min.name(),

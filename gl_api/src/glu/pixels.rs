@@ -5,7 +5,7 @@ use crate::base::constants::*;
 use crate::base::types::GLenum;
 pub use crate::pixel::layout::ByteOrder;
 use crate::pixel::packed::{PACKED, Packed};
-use texunit::pixel::{Change, Code, Record};
+use texunit::pixel::{NumberEncoding, NumberTransform, PixelLayout};
 #[cfg(test)]
 use texunit::{lanes::Isa, pixel::boxes};
 
@@ -88,18 +88,18 @@ impl Storage {
     }
 
     /// What takes each component of a pixel to the nearest step, halves up.
-    pub fn steps(self) -> [Change; 4] {
+    pub fn steps(self) -> [NumberTransform; 4] {
         [0, 1, 2, 3].map(|component| match (self, self.range(component)) {
-            (Self::F32, _) => Change::Float,
-            (_, (low, high)) => Change::Whole { low, high },
+            (Self::F32, _) => NumberTransform::Float,
+            (_, (low, high)) => NumberTransform::Whole { low, high },
         })
     }
 
     /// What makes each component in steps of `self` one in steps of `other`, before it is rounded.
-    pub fn to(self, other: Self) -> [Change; 4] {
+    pub fn to(self, other: Self) -> [NumberTransform; 4] {
         [0, 1, 2, 3].map(|component| {
             let [over, times] = [self, other].map(|storage| storage.range(component).1);
-            Change::Ratio { over, times }
+            NumberTransform::Ratio { over, times }
         })
     }
 }
@@ -253,16 +253,17 @@ impl Layout {
     }
 
     /// Where its components lie in a pixel, as the numbers of their steps.
-    pub fn record(&self) -> Record {
+    pub fn record(&self) -> PixelLayout {
         let (size, order) = (self.storage.bytes(), self.store.order.in_memory());
-        let uniform = |code| Record::uniform(self.count, size, code, order);
+        let uniform = |code| PixelLayout::uniform(self.count, size, code, order);
         match self.storage {
-            Storage::U8 | Storage::U16 | Storage::U32 => uniform(Code::Uint),
-            Storage::I8 | Storage::I16 | Storage::I32 => uniform(Code::Sint),
-            Storage::F32 => uniform(Code::Float),
+            Storage::U8 | Storage::U16 | Storage::U32 => uniform(NumberEncoding::Uint),
+            Storage::I8 | Storage::I16 | Storage::I32 => uniform(NumberEncoding::Sint),
+            Storage::F32 => uniform(NumberEncoding::Float),
             Storage::Packed(packed) => {
-                let fields = [0, 1, 2, 3].map(|component| (packed.field(component), Code::Uint));
-                Record::packed(size, 1, order, &fields[..self.count])
+                let fields =
+                    [0, 1, 2, 3].map(|component| (packed.field(component), NumberEncoding::Uint));
+                PixelLayout::packed(size, 1, order, &fields[..self.count])
             }
         }
     }
@@ -393,9 +394,9 @@ mod tests {
     #[test]
     fn conversion_keeps_the_ends_of_the_range() {
         let small = Storage::of(GL_UNSIGNED_SHORT_5_6_5).unwrap();
-        let changed = |changes: [Change; 4], value: f64| {
+        let changed = |changes: [NumberTransform; 4], value: f64| {
             let mut out = F64s::ZERO;
-            pixel::change(Isa::best(), changes[0], &F64s::splat(value), &mut out);
+            pixel::transform(Isa::best(), changes[0], &F64s::splat(value), &mut out);
             out[0]
         };
         let round = |storage: Storage, value| changed(storage.steps(), value);

@@ -95,12 +95,12 @@ mod tests {
     use crate::base::args::Data;
     use crate::base::constants::*;
     use crate::base::types::GLuint;
-    use crate::context::sharing::Turn;
+    use crate::context::sharing::SharedObjectsGuard;
     use crate::context::{Context, ContextDesc};
 
     /// How many deleted buffers, textures and programs there are in a context's group.
     fn departed(c: &mut Context) -> [usize; 3] {
-        let objects = &Turn::begin(c).context.objects;
+        let objects = &SharedObjectsGuard::lock(c).context.objects;
         let (buffers, textures) = (&objects.buffers.departed, &objects.textures.departed);
         [buffers.len(), textures.len(), objects.doomed_programs.len()]
     }

@@ -15,7 +15,7 @@ use texunit::format::{Encoding, Field, Format};
 use texunit::image::Level;
 use texunit::lanes::{F64s, Isa, LANES};
 use texunit::pixel;
-use texunit::pixel::{Change, Code, Moves, Record, Source};
+use texunit::pixel::{BitMoves, NumberEncoding, NumberTransform, PixelLayout, Source};
 
 /// The last steps on the way to the client (GL 2.1, section 4.3.2, final conversion).
 #[derive(Clone, Copy, Debug)]
@@ -62,7 +62,7 @@ impl Side {
 /// What lies at one end of a conversion, and how.
 struct End {
     side: Side,
-    record: Record,
+    record: PixelLayout,
 }
 
 impl End {
@@ -73,19 +73,19 @@ impl End {
     }
 
     fn texel(format: Format) -> Self {
-        Self { side: Side::Texel(format), record: Record::of(format) }
+        Self { side: Side::Texel(format), record: PixelLayout::of(format) }
     }
 
     /// The stencils of texels.
     fn stencil(format: Format) -> Self {
-        Self { side: Side::Client(ClientFormat::Stencil), record: Record::of_stencil(format) }
+        Self { side: Side::Client(ClientFormat::Stencil), record: PixelLayout::of_stencil(format) }
     }
 
     /// Colours as they are copied: sRGB as light where it is written so.
     fn color(format: Format, srgb: SrgbWrite) -> Self {
         let record = match srgb {
-            SrgbWrite::AsIs => Record::of(format),
-            SrgbWrite::Encode => Record::of_light(format),
+            SrgbWrite::AsIs => PixelLayout::of(format),
+            SrgbWrite::Encode => PixelLayout::of_light(format),
         };
         Self { side: Side::Texel(format), record }
     }
@@ -109,9 +109,9 @@ pub(crate) struct Conversion<'a> {
     steps: Steps<'a>,
     luminance: LuminanceOf,
     /// What is done to numbers last.
-    ending: Option<Change>,
+    ending: Option<NumberTransform>,
     /// Where nothing is done to numbers that have the same bits at both ends.
-    moves: Option<Moves>,
+    moves: Option<BitMoves>,
 }
 
 impl<'a> Conversion<'a> {
@@ -120,20 +120,26 @@ impl<'a> Conversion<'a> {
         [from, to]: [End; 2],
         steps: Steps<'a>,
         luminance: LuminanceOf,
-        ending: Option<Change>,
+        ending: Option<NumberTransform>,
     ) -> Self {
         let fields = from.record.fields();
-        let is_byte = |&(field, code): &(Field, Code)| code == Code::Uint && field.bits <= 8;
+        let is_byte = |&(field, code): &(Field, NumberEncoding)| {
+            code == NumberEncoding::Uint && field.bits <= 8
+        };
         let steps = if fields.iter().all(is_byte) { steps.of_byte_stencils() } else { steps };
-        let is_fraction = |&(_, code): &(Field, Code)| match code {
-            Code::Unorm | Code::Srgb | Code::Depth => true,
-            Code::Fixed | Code::Snorm | Code::Uint | Code::Sint | Code::SnormSteps => false,
-            Code::Float | Code::SharedExponent => false,
+        let is_fraction = |&(_, code): &(Field, NumberEncoding)| match code {
+            NumberEncoding::Unorm | NumberEncoding::Srgb | NumberEncoding::Depth => true,
+            NumberEncoding::Fixed
+            | NumberEncoding::Snorm
+            | NumberEncoding::Uint
+            | NumberEncoding::Sint
+            | NumberEncoding::SnormSteps => false,
+            NumberEncoding::Float | NumberEncoding::SharedExponent => false,
         };
         // What is within [0, 1] and stays there.
         let is_clamped =
             steps.is_identity() && !to.is_sum(luminance) && fields.iter().all(is_fraction);
-        let ending = ending.filter(|&ending| ending != Change::Clamp || !is_clamped);
+        let ending = ending.filter(|&ending| ending != NumberTransform::Clamp || !is_clamped);
         let mut conversion = Self { isa, from, to, steps, luminance, ending, moves: None };
         conversion.moves = conversion.moves();
         conversion
@@ -170,8 +176,8 @@ impl<'a> Conversion<'a> {
         let ends = [from, End::client(layout, numbers)];
         let ending = match (pixel.format, pixel.ty, last.clamp) {
             // As a byte with a sign has them (GL 2.1, section 4.3.2).
-            (ClientFormat::Stencil, ClientType::I8, _) => Some(Change::SevenBits),
-            (_, _, Clamp::On) => Some(Change::Clamp),
+            (ClientFormat::Stencil, ClientType::I8, _) => Some(NumberTransform::SevenBits),
+            (_, _, Clamp::On) => Some(NumberTransform::Clamp),
             (_, _, Clamp::Off) => None,
         };
         Self::new(isa, ends, steps, last.luminance, ending)
@@ -200,19 +206,19 @@ impl<'a> Conversion<'a> {
     /// Bytes as the stencils of texels, whose depths are 0.
     pub fn to_stencils(isa: Isa, to: Format) -> Self {
         let side = Side::Client(ClientFormat::Stencil);
-        let ends = [End { side, record: Record::of(Format::R8UI) }, End::stencil(to)];
+        let ends = [End { side, record: PixelLayout::of(Format::R8UI) }, End::stencil(to)];
         Self::new(isa, ends, Steps::IDENTITY, LuminanceOf::Red, None)
     }
 
     /// Where each number comes from, if nothing is done to any.
-    fn moves(&self) -> Option<Moves> {
+    fn moves(&self) -> Option<BitMoves> {
         if self.ending.is_some() || !self.steps.is_identity() || self.to.is_sum(self.luminance) {
             return None;
         }
         let fields = [0, 1, 2, 3].map(Source::Field);
         let rgba = self.from.side.rgba(fields, Source::Zero, Source::One);
         let sources = self.to.side.numbers(rgba, Source::Zero, rgba[0]);
-        Moves::new(self.isa, &self.from.record, &self.to.record, sources)
+        BitMoves::new(self.isa, &self.from.record, &self.to.record, sources)
     }
 
     /// The client's pixels themselves, where they are what they become, and tightly packed.
@@ -227,7 +233,7 @@ impl<'a> Conversion<'a> {
 
     /// Whether the client's pixels are what they become, or come from.
     pub fn is_copy(&self, layout: &Layout) -> bool {
-        layout.bits.is_none() && self.moves.as_ref().is_some_and(Moves::is_copy)
+        layout.bits.is_none() && self.moves.as_ref().is_some_and(BitMoves::is_copy)
     }
 
     /// Whether numbers are moved as they are.
@@ -302,7 +308,7 @@ impl<'a> Conversion<'a> {
                 continue;
             };
             for (numbers, out) in numbers.into_iter().zip(&mut ended) {
-                pixel::change(self.isa, ending, numbers, out);
+                pixel::transform(self.isa, ending, numbers, out);
             }
             pixel::write(self.isa, &self.to.record, ended.each_ref(), to);
         }
@@ -428,8 +434,9 @@ mod tests {
         let mut found = 0;
         let mut check = |conversion: &Conversion<'_>, from: usize, to: usize, what: &str| {
             // Noise is no depth, and not an exponent that was shared by the rule.
-            let is_noise =
-                |&(_, code): &(_, Code)| code != Code::SharedExponent && code != Code::Depth;
+            let is_noise = |&(_, code): &(_, NumberEncoding)| {
+                code != NumberEncoding::SharedExponent && code != NumberEncoding::Depth
+            };
             if conversion.moves.is_some() && conversion.from.record.fields().iter().all(is_noise) {
                 let (mut got, mut want) = (vec![9; 7 * to], vec![8; 7 * to]);
                 conversion.run(&noise[..7 * from], &mut got);

@@ -8,7 +8,7 @@ use crate::pixel::client::format::Numbers;
 use crate::pixel::map::{Map, Maps};
 use texunit::lanes::{F64s, Isa};
 use texunit::pixel;
-use texunit::pixel::Change;
+use texunit::pixel::NumberTransform;
 
 /// A number times a scale, plus a bias.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,8 +20,8 @@ pub(crate) struct Linear {
 impl Linear {
     const IDENTITY: Self = Self { scale: 1.0, bias: 0.0 };
 
-    fn change(self) -> Change {
-        Change::Linear { scale: self.scale.into(), bias: self.bias.into() }
+    fn change(self) -> NumberTransform {
+        NumberTransform::Linear { scale: self.scale.into(), bias: self.bias.into() }
     }
 }
 
@@ -158,7 +158,7 @@ impl Steps<'_> {
     /// Scales, biases and looks up R, G, B, A of 64 pixels.
     pub fn apply(&self, isa: Isa, rgba: [&F64s; 4], out: &mut [F64s; 4]) {
         for ((linear, from), out) in self.linear.iter().zip(rgba).zip(&mut *out) {
-            pixel::change(isa, linear.change(), from, out);
+            pixel::transform(isa, linear.change(), from, out);
         }
         for (map, values) in self.colors.iter().flatten().zip(&mut *out) {
             values.0.iter_mut().for_each(|value| *value = map.at_fraction(*value).into());

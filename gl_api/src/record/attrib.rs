@@ -5,7 +5,7 @@ use crate::base::constants::*;
 use crate::base::error::{ErrorCode, Result};
 use crate::base::types::*;
 use crate::context::Context;
-use crate::draw::ended::draw_ended;
+use crate::draw::pending_primitives::draw_pending;
 use crate::objects::target::TextureTarget;
 use crate::pixel::transfer::Transfer;
 use crate::state::attrib::{MAX_ATTRIB_STACK_DEPTH, Parameters, Server, Switches, stack_error};
@@ -165,7 +165,7 @@ pub(crate) fn pop_attrib(context: &mut Context) -> Result<()> {
     };
     // Bitmaps that wait depend on all else.
     if saved.mask & !(GL_LIST_BIT | GL_CURRENT_BIT) != 0 {
-        draw_ended(context);
+        draw_pending(context);
     }
     for &(bit, flags) in FLAGS {
         if saved.mask & (bit | GL_ENABLE_BIT) != 0 {

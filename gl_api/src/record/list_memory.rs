@@ -3,7 +3,7 @@
 use crate::base::args::{Data, Located};
 use crate::base::begin_end::BeginEnd;
 use crate::context::Context;
-use crate::context::lists::Run;
+use crate::context::lists::RecordedCall;
 use crate::pixel::client::Pixel;
 use crate::pixel::layout::{Extent, Layout};
 use crate::record::lists::NAME_TYPE;
@@ -42,7 +42,7 @@ fn reader(name: &str) -> Option<Needed> {
 
 impl Context {
     /// Records a call of the table of entry points.
-    pub(crate) fn record(&mut self, name: &'static str, begin_end: BeginEnd, run: Run) {
+    pub(crate) fn record(&mut self, name: &'static str, begin_end: BeginEnd, run: RecordedCall) {
         let unpack = reads_pixels(name).then(|| Box::new(self.state.unpack.clone()));
         self.record_call(name, begin_end, unpack, run);
     }

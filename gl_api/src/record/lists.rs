@@ -5,9 +5,9 @@ use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation, invalid_value, not_negative};
 use crate::base::types::*;
 use crate::context::Context;
-use crate::context::lists::shapes::join;
-use crate::context::lists::{Compiling, List, Mode};
-use crate::context::said::Hint;
+use crate::context::lists::primitives::join;
+use crate::context::lists::{Compiling, List, ListMode};
+use crate::context::warnings::DrawWarning;
 use std::sync::Arc;
 
 const SECTION: &str = "GL 2.1, section 5.4";
@@ -19,9 +19,9 @@ pub(crate) const MAX_LIST_NESTING: usize = 64;
 /// otherwise keep a program busy forever.
 const BUDGET: usize = 1 << 24;
 
-pub(crate) const MODE: Table<Mode> = Table {
+pub(crate) const MODE: Table<ListMode> = Table {
     section: SECTION,
-    rows: &[(GL_COMPILE, Mode::Compile), (GL_COMPILE_AND_EXECUTE, Mode::CompileAndExecute)],
+    rows: &[(GL_COMPILE, ListMode::Compile), (GL_COMPILE_AND_EXECUTE, ListMode::CompileAndExecute)],
 };
 
 /// How the names of `glCallLists` lie in memory.
@@ -146,7 +146,7 @@ pub(crate) fn call_list(context: &mut Context, list: GLuint) -> Result<()> {
 #[cold]
 #[inline(never)]
 fn not_there(context: &mut Context, list: GLuint) {
-    if context.is_news(Hint::NoList, list) {
+    if context.is_first_warning(DrawWarning::NoList, list) {
         context.debug.warn(format!(
             "glCallList: list {list} does not exist, so nothing is called: see glNewList ({SECTION})"
         ));
@@ -155,7 +155,7 @@ fn not_there(context: &mut Context, list: GLuint) {
 
 /// Carries out a list, if there is one.
 fn run_list(context: &mut Context, list: GLuint) -> Result<()> {
-    context.changes.count();
+    context.state_changes.count_call();
     let lists = &mut context.lists;
     if lists.depth == 0 {
         lists.budget = BUDGET;

@@ -6,14 +6,18 @@ use crate::base::error::{Result, Table, invalid_operation, not_negative};
 use crate::base::types::*;
 use crate::context::Context;
 use crate::context::feedback::record::{FeedbackType, Record};
-use crate::context::feedback::{Mode, Target};
+use crate::context::feedback::{RenderMode, Target};
 
 const SELECTION: &str = "GL 2.1, section 5.2";
 const FEEDBACK: &str = "GL 2.1, section 5.3";
 
-pub(crate) const MODE: Table<Mode> = Table {
+pub(crate) const MODE: Table<RenderMode> = Table {
     section: SELECTION,
-    rows: &[(GL_RENDER, Mode::Render), (GL_SELECT, Mode::Select), (GL_FEEDBACK, Mode::Feedback)],
+    rows: &[
+        (GL_RENDER, RenderMode::Render),
+        (GL_SELECT, RenderMode::Select),
+        (GL_FEEDBACK, RenderMode::Feedback),
+    ],
 };
 
 /// What glRenderMode answers about the mode that ends: a count, or -1 where the buffer was too
@@ -21,19 +25,19 @@ pub(crate) const MODE: Table<Mode> = Table {
 fn leave(context: &mut Context) -> GLint {
     let feedback = &mut context.feedback;
     match feedback.mode {
-        Mode::Render => 0,
-        Mode::Select => feedback.select.leave(),
-        Mode::Feedback => feedback.record.leave(),
+        RenderMode::Render => 0,
+        RenderMode::Select => feedback.select.leave(),
+        RenderMode::Feedback => feedback.record.leave(),
     }
 }
 
-fn checked(context: &Context, mode: GLenum) -> Result<Mode> {
+fn checked(context: &Context, mode: GLenum) -> Result<RenderMode> {
     let mode = MODE.decode("mode", mode)?;
     let feedback = &context.feedback;
     let missing = match mode {
-        Mode::Render => None,
-        Mode::Select => feedback.select.target().is_none().then_some("glSelectBuffer"),
-        Mode::Feedback => feedback.record.target().is_none().then_some("glFeedbackBuffer"),
+        RenderMode::Render => None,
+        RenderMode::Select => feedback.select.target().is_none().then_some("glSelectBuffer"),
+        RenderMode::Feedback => feedback.record.target().is_none().then_some("glFeedbackBuffer"),
     };
     match missing {
         None => Ok(mode),
@@ -78,7 +82,7 @@ fn target(section: &'static str, argument: &str, buffer: DataOut<'_>) -> Result<
     }
 }
 
-fn not_in(context: &Context, mode: Mode, section: &'static str) -> Result<()> {
+fn not_in(context: &Context, mode: RenderMode, section: &'static str) -> Result<()> {
     if context.feedback.mode == mode {
         let mode = enum_name(MODE.encode(mode));
         return invalid_operation(
@@ -95,7 +99,7 @@ pub(crate) fn select_buffer(
     buffer: DataOut<'_>,
 ) -> Result<()> {
     let size = not_negative(SELECTION, "size", size.into())?;
-    not_in(context, Mode::Select, SELECTION)?;
+    not_in(context, RenderMode::Select, SELECTION)?;
     let target = target(SELECTION, "buffer", buffer)?;
     context.feedback.select.set_target(size, target);
     Ok(())
@@ -109,14 +113,14 @@ pub(crate) fn feedback_buffer(
 ) -> Result<()> {
     let size = not_negative(FEEDBACK, "size", size.into())?;
     let ty = FeedbackType::TABLE.decode("type", ty)?;
-    not_in(context, Mode::Feedback, FEEDBACK)?;
+    not_in(context, RenderMode::Feedback, FEEDBACK)?;
     let target = target(FEEDBACK, "buffer", buffer)?;
     context.feedback.record = Record::new(size, ty, target);
     Ok(())
 }
 
 pub(crate) fn pass_through(context: &mut Context, token: GLfloat) -> Result<()> {
-    if context.feedback.mode == Mode::Feedback {
+    if context.feedback.mode == RenderMode::Feedback {
         context.feedback.record.pass_through(token);
     }
     Ok(())
@@ -147,8 +151,8 @@ fn in_selection(
     change: impl FnOnce(&mut crate::context::feedback::select::Select) -> Result<()>,
 ) -> Result<()> {
     match context.feedback.mode {
-        Mode::Select => change(&mut context.feedback.select),
-        Mode::Render | Mode::Feedback => Ok(()),
+        RenderMode::Select => change(&mut context.feedback.select),
+        RenderMode::Render | RenderMode::Feedback => Ok(()),
     }
 }
 

@@ -1,14 +1,14 @@
-//! Wrong shaders and what the log says of them.
+//! Invalid shaders and their logs.
 
 mod rules;
 mod shaders;
 
-use gl_api::glsl::{Bindings, Compiled, Linked, Options, Repairs, Stage, compile, link};
+use gl_api::glsl::{Bindings, Compiled, FixIts, Linked, Options, Stage, compile, link};
 use rules::{CHANGED, LINKED, REFUSED, UNLINKED, WARNED};
 use shaders::{DIRECTIVES, FRAGMENT, VERTEX};
 use std::fmt::Write as _;
 
-/// The logs of a table, which must all be of errors.
+/// The logs of a table, whose shaders must all be rejected.
 fn report(stage: Stage, table: &[(&str, &str)]) -> String {
     let (mut report, mut accepted) = (String::new(), Vec::new());
     for (name, source) in table {
@@ -38,8 +38,8 @@ fn vertex_logs() {
     insta::assert_snapshot!(report(Stage::Vertex, VERTEX));
 }
 
-/// Shaders of which the log says these words, all with the same outcome.
-fn said(table: &[(Stage, &str, &str)], expected: fn(&Compiled) -> bool) {
+/// Compiles the shaders of a table: each has the expected outcome, and its log contains the words.
+fn check_logs(table: &[(Stage, &str, &str)], expected: fn(&Compiled) -> bool) {
     let mut wrong = String::new();
     for (stage, source, words) in table {
         let compiled = compile(*stage, source, &Options::default());
@@ -52,12 +52,12 @@ fn said(table: &[(Stage, &str, &str)], expected: fn(&Compiled) -> bool) {
 
 #[test]
 fn refused() {
-    said(REFUSED, |compiled| compiled.shader.is_none());
+    check_logs(REFUSED, |compiled| compiled.shader.is_none());
 }
 
 #[test]
 fn warned() {
-    said(WARNED, |compiled| compiled.shader.is_some());
+    check_logs(WARNED, |compiled| compiled.shader.is_some());
 }
 
 #[test]
@@ -113,7 +113,7 @@ const PAIRS: &[(&str, &str, &str)] = &[
     ),
 ];
 
-/// A link of a vertex and a fragment shader, which compile.
+/// Links a vertex and a fragment shader, which must compile.
 fn linked(vertex: &str, fragment: &str) -> Linked {
     let shaders = [(Stage::Vertex, vertex), (Stage::Fragment, fragment)].map(|(stage, source)| {
         let compiled = compile(stage, source, &Options::default());
@@ -150,7 +150,7 @@ fn link_logs() {
     insta::assert_snapshot!(report);
 }
 
-/// Independent mistakes, each in a line of its own, of every stage of the compiler.
+/// Independent errors on separate lines, from every phase of the compiler.
 #[test]
 fn independent_mistakes_are_all_reported_up_to_twenty() {
     const LINES: [&str; 9] = [
@@ -182,7 +182,7 @@ fn independent_mistakes_are_all_reported_up_to_twenty() {
 fn repairs_are_listed() {
     let source =
         "uniform vec4 color;\nvoid main() {\n    float f = 1\n    gl_FragColor = colour * f;\n}";
-    let compiled = compile(Stage::Fragment, source, &Options { repairs: Repairs::On });
+    let compiled = compile(Stage::Fragment, source, &Options { fix_its: FixIts::Apply });
     assert!(compiled.shader.is_some(), "{}", compiled.log);
     insta::assert_snapshot!(compiled.log);
 }

@@ -1,4 +1,4 @@
-//! Rules of the language, each with a shader that breaks it and words of what the log says.
+//! Rules of the language, each with a shader that violates it and a part of the expected log.
 
 use gl_api::glsl::Stage::{self, Fragment, Vertex};
 
@@ -237,7 +237,7 @@ pub const REFUSED: &[(Stage, &str, &str)] = &[
     ),
 ];
 
-/// A version in which a shader compiles, one in which it does not, the shader, and what is said of it.
+/// A version in which a shader compiles, one in which it does not, the shader, and a part of the log.
 pub const CHANGED: &[(&str, &str, &str, &str)] = &[
     // The comma is no operator of constant expressions from GLSL 1.20 on.
     ("110", "120", "void main() { const vec2 v = (vec2(1.0), vec2(2.0)); }", "constant expression"),

@@ -1,4 +1,4 @@
-//! Wrong shaders, each with what is wrong with it.
+//! Invalid shaders, each with a name for its error.
 
 /// Fragment shaders.
 pub const FRAGMENT: &[(&str, &str)] = &[
@@ -405,7 +405,7 @@ void main() { float a[40000]; float b[][40000] = float[][40000](a, a); }",
     ),
 ];
 
-/// Fragment shaders with directives or a version that are wrong.
+/// Fragment shaders with invalid directives or versions.
 pub const DIRECTIVES: &[(&str, &str)] = &[
     ("define without name", "#define\nvoid main() {}"),
     ("define defined", "#define defined 1\nvoid main() {}"),

@@ -1,5 +1,5 @@
-//! Where features meet: l-values through several dynamic indices, jumps out of nested statements,
-//! structures as values, samplers that are handed on, derivatives where lanes differ.
+//! Combinations of features: l-values with several dynamic indices, jumps out of nested statements,
+//! structures as values, samplers as arguments, derivatives in divergent control flow.
 
 use super::Row;
 

@@ -1,12 +1,12 @@
-//! Built-in functions and operators of extreme numbers: a call has the same bits when it is folded, when it is the
-//! same in the whole draw, and lane by lane, in every instruction set; and the value is that of `f64`.
+//! Built-in functions and operators of extreme numbers: a call has the same bits when it is folded, when it is
+//! uniform over the draw, and per lane, in every instruction set; and the value is that of `f64`.
 
 use gl_api::glsl::{Bindings, Options, Stage, compile, link};
 use rasterizer::ir::{Input, Module, Output};
 use rasterizer::shader::{Machine, Program, Run};
 use texunit::lanes::{Isa, LANES};
 
-/// Zeros, subnormals, limits of domains, what is just not an integer, what overflows when squared.
+/// Zeros, subnormals, limits of domains, neighbours of integers, numbers whose squares overflow.
 const VALUES: [f32; 40] = [
     0.0,
     -0.0,
@@ -52,7 +52,7 @@ const VALUES: [f32; 40] = [
 
 type Exact = fn(f64, f64) -> f64;
 
-/// An expression of `a`, `b` and `c`; how many units of the last place its value may be off, and from what.
+/// An expression of `a`, `b` and `c`; the allowed error in units of the last place, and the exact function.
 struct Row(&'static str, f64, Option<Exact>);
 
 const fn same(expression: &'static str) -> Row {
@@ -63,8 +63,8 @@ const fn near(expression: &'static str, ulps: f64, exact: Exact) -> Row {
     Row(expression, ulps, Some(exact))
 }
 
-/// An angle, or what is left of a large one by whole turns: what `std` takes for its sine is the platform's.
-fn turned(angle: f64) -> f64 {
+/// An angle, reduced by whole turns if it is large, because the sine of `std` depends on the platform.
+fn reduced_angle(angle: f64) -> f64 {
     const LARGE: [(f32, f64); 3] = [
         (1e19, 0.616_395_631_128_473),
         (1e30, -2.228_883_718_032_495_4),
@@ -77,9 +77,9 @@ fn turned(angle: f64) -> f64 {
 const TABLE: &[Row] = &[
     near("radians(a)", 2.0, |a, _| a.to_radians()),
     near("degrees(a)", 2.0, |a, _| a.to_degrees()),
-    near("sin(a)", 0.6, |a, _| turned(a).sin()),
-    near("cos(a)", 0.6, |a, _| turned(a).cos()),
-    near("tan(a)", 0.6, |a, _| turned(a).tan()),
+    near("sin(a)", 0.6, |a, _| reduced_angle(a).sin()),
+    near("cos(a)", 0.6, |a, _| reduced_angle(a).cos()),
+    near("tan(a)", 0.6, |a, _| reduced_angle(a).tan()),
     near("asin(a)", 0.6, |a, _| a.asin()),
     near("acos(a)", 0.6, |a, _| a.acos()),
     near("atan(a)", 0.6, |a, _| a.atan()),
@@ -240,23 +240,23 @@ const TABLE: &[Row] = &[
 /// Three numbers for each lane.
 type Lanes = [[f32; 3]; LANES];
 
-/// Where the numbers of an expression are from.
+/// Where the operands of an expression come from.
 #[derive(Clone, Copy)]
-enum From {
+enum OperandSource {
     Constants([f32; 3]),
     Uniforms,
     Attributes,
 }
 
-fn source(expression: &str, from: From) -> String {
+fn source(expression: &str, from: OperandSource) -> String {
     let declared = match from {
-        From::Constants(values) => {
+        OperandSource::Constants(values) => {
             ["a", "b", "c"].iter().zip(values).fold(String::new(), |all, (name, value)| {
                 format!("{all}const float {name} = uintBitsToFloat({}u);\n", value.to_bits())
             })
         }
-        From::Uniforms => "uniform float a, b, c;".to_owned(),
-        From::Attributes => "in vec4 at; float a = at.x, b = at.y, c = at.z;".to_owned(),
+        OperandSource::Uniforms => "uniform float a, b, c;".to_owned(),
+        OperandSource::Attributes => "in vec4 at; float a = at.x, b = at.y, c = at.z;".to_owned(),
     };
     format!(
         "#version 130\n#extension GL_ARB_shader_bit_encoding : require\n{declared}\n\
@@ -264,8 +264,8 @@ fn source(expression: &str, from: From) -> String {
     )
 }
 
-/// The vertex stage, and where its uniforms lie.
-fn module(expression: &str, from: From) -> (Module, Vec<(String, u32)>, u32) {
+/// The vertex stage, and the words of its uniforms.
+fn module(expression: &str, from: OperandSource) -> (Module, Vec<(String, u32)>, u32) {
     let source = source(expression, from);
     let compiled = compile(Stage::Vertex, &source, &Options::default());
     let shader = compiled.shader.unwrap_or_else(|| panic!("{source}\n{}", compiled.log));
@@ -295,7 +295,7 @@ fn run(isa: Isa, module: &Module, words: &[u32], lanes: &Lanes) -> [u32; LANES] 
     std::array::from_fn(|lane| machine.output(0)[lane])
 }
 
-/// As many triples as three batches hold: each number in each place beside a few others.
+/// Three batches of triples: each number in each position, combined with a few others.
 fn batches() -> [Lanes; 3] {
     std::array::from_fn(|batch| {
         std::array::from_fn(|lane| {
@@ -306,7 +306,7 @@ fn batches() -> [Lanes; 3] {
     })
 }
 
-/// Whether two answers are the same: NaNs are all one.
+/// Whether two results are the same; all NaNs are equal.
 fn agree(a: u32, b: u32) -> bool {
     a == b || (f32::from_bits(a).is_nan() && f32::from_bits(b).is_nan())
 }
@@ -321,13 +321,13 @@ fn extremes_are_the_same_however_they_are_computed() {
     assert!(wrong.is_empty(), "{} wrong:\n{}", wrong.len(), wrong.join("\n"));
 }
 
-/// Where expressions are not what they are in one batch, computed in another way.
+/// The expressions whose results depend on how they are computed.
 fn differences(table: &[Row]) -> Vec<String> {
     let mut wrong = Vec::new();
     let isas: Vec<Isa> = Isa::available();
     for Row(expression, ..) in table {
-        let (varying, ..) = module(expression, From::Attributes);
-        let (uniform, places, words) = module(expression, From::Uniforms);
+        let (varying, ..) = module(expression, OperandSource::Attributes);
+        let (uniform, places, words) = module(expression, OperandSource::Uniforms);
         for lanes in batches() {
             let found = run(isas[0], &varying, &[], &lanes);
             let mut say = |how: &str, lane: usize, other: u32| {
@@ -357,7 +357,7 @@ fn differences(table: &[Row]) -> Vec<String> {
                 if !agree(found[lane], other) {
                     say("of uniforms", lane, other);
                 }
-                let (constant, ..) = module(expression, From::Constants(values));
+                let (constant, ..) = module(expression, OperandSource::Constants(values));
                 let other = run(isa, &constant, &[], &lanes)[lane];
                 if !agree(found[lane], other) {
                     say("folded", lane, other);
@@ -385,7 +385,7 @@ fn ulps(got: f32, want: f64) -> f64 {
 fn extremes_have_the_values_of_f64() {
     for Row(expression, bound, exact) in TABLE {
         let Some(exact) = exact else { continue };
-        let (varying, ..) = module(expression, From::Attributes);
+        let (varying, ..) = module(expression, OperandSource::Attributes);
         for lanes in batches() {
             let found = run(Isa::available()[0], &varying, &[], &lanes);
             for ([a, b, _], found) in lanes.iter().zip(found.map(f32::from_bits)) {

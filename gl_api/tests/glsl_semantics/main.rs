@@ -1,9 +1,9 @@
-//! What shaders compute: shaders run on the interpreter, checked against values worked out by hand.
+//! Results of shaders: they run on the interpreter, and are compared with values computed by hand.
 //!
-//! Every row is the body of a `main` that sets `r`, of the fragment stage and, unless it names what
-//! that alone has, of the vertex stage. It can use
+//! Every row is the body of a `main` that sets `r`. It runs in the fragment stage and, unless it uses
+//! something that only this stage has, in the vertex stage. It can use
 //! `u = (1, 2, 3, 4)`, `k = 2`, `yes = true`, `list = {10, 20, 30, 40}`, `m` with the elements 1 to
-//! 16 column by column, and `x = gl_FragCoord.x`, which is 3.5 in the lane that is looked at.
+//! 16 column by column, and `x = gl_FragCoord.x`, which is 3.5 in the lane that is checked.
 //! Lanes are the pixels of an 8 by 8 block, quads by planes (see `texunit::lanes`).
 
 mod arrays;
@@ -22,7 +22,7 @@ use rasterizer::ir::{Input, Output};
 use rasterizer::shader::{Machine, Program, Run};
 use texunit::lanes::{Isa, LANES};
 
-/// The lane that is looked at: the one of column 3, row 0.
+/// The lane that is checked: column 3, row 0.
 const LANE: usize = 17;
 
 /// The column of a lane in its block.
@@ -30,7 +30,7 @@ fn column(lane: usize) -> usize {
     lane % 4 * 2 + lane / 16 % 2
 }
 
-/// The version, declarations, the body, and `r` at its end.
+/// The version, declarations, the body, and the expected `r`.
 struct Row(u32, &'static str, &'static str, [f32; 4]);
 
 /// Every row.
@@ -49,10 +49,10 @@ fn table() -> impl Iterator<Item = &'static Row> {
     tables.into_iter().flatten()
 }
 
-/// What the vertex stage lacks.
+/// Names that only the fragment stage has.
 const OF_FRAGMENTS: [&str; 4] = ["gl_Frag", "discard", "dFd", "fwidth"];
 
-/// The stages that a row can be run in.
+/// The stages that a row runs in.
 fn stages(row: &Row) -> &'static [Stage] {
     let lacks = |word: &&str| row.1.contains(*word) || row.2.contains(*word);
     match OF_FRAGMENTS.iter().any(lacks) {
@@ -118,7 +118,7 @@ fn component(output: Output) -> Option<usize> {
     }
 }
 
-/// What a row gives in the lane that is looked at.
+/// The result of a row in the lane that is checked.
 fn run(isa: Isa, program: &Program, words: &[u32]) -> [f32; 4] {
     let prepared = program.prepare(isa, words, &[]);
     let mut machine = Machine::default();

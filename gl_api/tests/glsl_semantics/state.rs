@@ -1,4 +1,4 @@
-//! Built-in state and limits: GLSL 1.30 chapter 7. State is zero in these runs; what is checked is
+//! Built-in state and limits: GLSL 1.30 chapter 7. State is zero in these runs; the rows check
 //! that each name has its type and members.
 
 use super::Row;

@@ -1,5 +1,5 @@
-//! What each version of the language has: directives, literals, types, words and constant
-//! expressions that the other tables do not meet.
+//! Versions of the language: directives, literals, types, keywords and constant expressions that the
+//! other tables do not cover.
 
 use super::Row;
 

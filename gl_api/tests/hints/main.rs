@@ -1,47 +1,47 @@
-//! What is said of a picture that may not be what was meant: a table of mistakes, each with the words
-//! of its message, and a table of programs that mean what they do, of which nothing is said.
+//! Warnings of draws whose picture may not be what was meant: a table of mistakes, each with words of its warning, and a
+//! table of programs that look like mistakes but are intended, which get no warning.
 
 #[path = "../common/shading.rs"]
 mod shading;
 
+mod intended;
+mod invisible;
 mod mistakes;
-mod right;
 mod scene;
-mod unseen;
 
 use gl_api::*;
 
-/// The messages since the last time.
+/// The messages since the last call of this function.
 fn texts(c: &mut Context) -> Vec<String> {
     c.messages().iter().map(ToString::to_string).collect()
 }
 
 #[test]
-fn each_mistake_is_said_once() {
+fn each_mistake_is_warned_of_once() {
     for (name, prepare, draw, words) in mistakes::ROWS {
         let mut c = scene::context();
         c.enable(GL_DEBUG_OUTPUT);
         prepare(&mut c);
-        let mut said = texts(&mut c);
+        let mut given = texts(&mut c);
         for _ in 0..3 {
             draw(&mut c);
-            said.extend(texts(&mut c));
+            given.extend(texts(&mut c));
         }
-        assert_eq!(c.get_error(), GL_NO_ERROR, "{name}: {said:#?}");
+        assert_eq!(c.get_error(), GL_NO_ERROR, "{name}: {given:#?}");
         let times =
-            said.iter().filter(|text| text.starts_with("warning: ") && text.contains(words));
-        assert_eq!(times.count(), 1, "{name}: {words:?} in {said:#?}");
+            given.iter().filter(|text| text.starts_with("warning: ") && text.contains(words));
+        assert_eq!(times.count(), 1, "{name}: {words:?} in {given:#?}");
     }
 }
 
 #[test]
-fn nothing_is_said_of_what_is_right() {
-    for (name, call) in right::ROWS {
+fn what_is_intended_gets_no_warning() {
+    for (name, call) in intended::ROWS {
         let mut c = scene::context();
         c.enable(GL_DEBUG_OUTPUT);
         call(&mut c);
-        let said = texts(&mut c);
-        assert_eq!((c.get_error(), &said[..]), (GL_NO_ERROR, &[][..]), "{name}");
+        let given = texts(&mut c);
+        assert_eq!((c.get_error(), &given[..]), (GL_NO_ERROR, &[][..]), "{name}");
     }
 }
 
@@ -51,7 +51,7 @@ fn a_surface_without_depth_is_named() {
     let mut c = Context::new(ContextDesc { surface, ..ContextDesc::default() }).expect("a device");
     c.enable(GL_DEPTH_TEST);
     scene::triangle(&mut c);
-    let said = texts(&mut c);
-    assert!(said[0].contains("the default framebuffer has no depth buffer"), "{said:?}");
-    assert!(said[0].contains("choose a config with EGL_DEPTH_SIZE"), "{said:?}");
+    let given = texts(&mut c);
+    assert!(given[0].contains("the default framebuffer has no depth buffer"), "{given:?}");
+    assert!(given[0].contains("choose a config with EGL_DEPTH_SIZE"), "{given:?}");
 }

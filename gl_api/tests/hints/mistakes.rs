@@ -1,10 +1,10 @@
-//! Mistakes after which a picture stays black or is not what was meant.
+//! The table of mistakes after which a picture stays black or is not what was meant.
 
 use super::scene::*;
 use super::shading::use_program;
 use gl_api::*;
 
-/// A name, what is done once, what is done again and again, and words of the message.
+/// Name, calls that are made once, calls that are repeated, and words of the warning.
 type Case = (&'static str, fn(&mut Context), fn(&mut Context), &'static str);
 
 /// A vertex shader with a colour beside the position, at locations 0 and 1.

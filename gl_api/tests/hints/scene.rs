@@ -1,4 +1,4 @@
-//! What the rows of both tables are made of.
+//! Contexts, shaders, arrays and textures for the rows of both tables.
 
 use super::shading::use_program;
 use gl_api::*;

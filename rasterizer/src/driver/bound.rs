@@ -1,17 +1,13 @@
 //! The state that the commands of a pass set, and what draws decided from it.
 
-use super::buffer::VertexBinding;
-use super::command::{Command, Rect, Viewport};
-use super::counter::Counter;
-use super::pipeline::Pipeline;
-use super::raster::RasterState;
-use crate::plan::{DrawPlan, Textures, arrays};
+use super::command::Command;
+use crate::desc::{Counter, RasterState, Rect, VertexBinding, Viewport};
+use crate::plan::{DrawPlan, Pipeline, Textures, arrays, same_textures};
 use crate::shader::Prepared;
 use std::sync::Arc;
-use texunit::plan::SamplePlan;
 
-/// The state that commands set.
-pub struct Bound {
+/// The state that the commands of a pass have set.
+pub struct BoundState {
     pub pipeline: Option<Pipeline>,
     pub vertices: Arc<[VertexBinding]>,
     pub vertex_textures: Textures,
@@ -21,21 +17,21 @@ pub struct Bound {
     pub scissor: Option<Rect>,
     pub raster: Arc<RasterState>,
     pub counter: Option<Counter>,
-    /// What the draw before decided, while nothing that matters to it has changed.
-    pub decided: Option<Decided>,
+    /// The decisions of the previous draw, as long as no state that they depend on has changed.
+    pub decided: Option<DrawDecisions>,
     /// The label of a watched pixel.
     pub label: u32,
 }
 
-/// What draws with the same state share.
-pub struct Decided {
+/// Decisions that draws with equal state share.
+pub struct DrawDecisions {
     pub plan: Arc<DrawPlan>,
-    /// The vertex program's values.
+    /// The per-draw values of the vertex program.
     pub vertex: Arc<Prepared>,
 }
 
-impl Bound {
-    /// What holds when a pass begins.
+impl BoundState {
+    /// The state at the beginning of a pass.
     pub fn new() -> Self {
         let none: Textures = Arc::new([]);
         Self {
@@ -61,7 +57,7 @@ impl Bound {
         }
     }
 
-    /// Takes one command that sets state; what draws decided is forgotten where it matters.
+    /// Applies a command that sets state, and drops decisions that depend on it.
     pub fn set(&mut self, command: &Command) {
         match command {
             Command::BindPipeline(pipeline) => self.pipeline = Some(pipeline.clone()),
@@ -98,14 +94,4 @@ impl Bound {
         }
         self.decided = None;
     }
-}
-
-/// Whether two lists are of the same plans.
-pub fn same_textures(a: &Textures, b: &Textures) -> bool {
-    let same = |(a, b): (&Option<Arc<SamplePlan>>, &Option<Arc<SamplePlan>>)| match (a, b) {
-        (Some(a), Some(b)) => Arc::ptr_eq(a, b),
-        (None, None) => true,
-        (Some(_), None) | (None, Some(_)) => false,
-    };
-    a.len() == b.len() && a.iter().zip(b.iter()).all(same)
 }

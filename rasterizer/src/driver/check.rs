@@ -1,9 +1,9 @@
 //! What a command buffer must keep to: checked whole before any of it runs.
 
 use super::command::{ClearValue, Command};
-use super::device::SubmitError;
 use super::image::{AttachmentInfo, PassDesc};
-use crate::target::is_attachable;
+use super::report::SubmitError;
+use crate::attachment::is_attachable;
 
 /// Checks the order and the ranges of commands.
 pub fn check(commands: &[Command]) -> Result<(), SubmitError> {

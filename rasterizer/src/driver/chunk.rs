@@ -1,18 +1,16 @@
 //! Chunks of a draw: runs of primitives whose vertices are shaded, whose shapes are set up and
 //! sorted by tiles, in parallel; what comes out is in the order of the primitives.
 
-use super::buffer::VertexBinding;
-use super::pipeline::{Pipeline, Topology};
-use crate::crew::Crew;
-use crate::plan::Textures;
-use crate::pool::Pool;
-use crate::primitive::{
-    Primitive, Primitives, Reasons, Setup, Shape, reasons, setup, stipple_lines,
-};
+use crate::desc::{Topology, VertexBinding};
+use crate::plan::{Pipeline, Textures};
+use crate::primitive::{Reasons, Setup, Shape, reasons, setup, stipple_lines};
 use crate::raster::{Chunk, ShapeLists};
 use crate::shader::{Machine, OverBudget, Prepared};
-use crate::target::TILE;
-use crate::vertex::{Geometry, Ids, VertexStage, Wanted, ordinals, shade};
+use crate::sizes::TILE;
+use crate::threads::{ObjectPool, ThreadPool};
+use crate::vertex::{
+    Geometry, Primitive, Primitives, VertexIds, VertexList, VertexStage, ordinals, shade,
+};
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 use texunit::lanes::Isa;
@@ -28,12 +26,12 @@ pub struct DrawState<'a> {
     pub draw: usize,
     pub isa: Isa,
     pub budget: u64,
-    pub crew: &'a Crew,
-    pub machines: &'a Pool<Machine>,
-    pub geometries: &'a Pool<Geometry>,
-    pub lists: &'a Pool<ShapeLists>,
+    pub thread_pool: &'a ThreadPool,
+    pub machines: &'a ObjectPool<Machine>,
+    pub geometries: &'a ObjectPool<Geometry>,
+    pub lists: &'a ObjectPool<ShapeLists>,
     pub pipeline: &'a Pipeline,
-    pub ids: &'a Ids<'a>,
+    pub ids: &'a VertexIds<'a>,
     pub primitives: Primitives,
     pub bindings: &'a [VertexBinding],
     /// The vertex program's textures.
@@ -63,14 +61,14 @@ pub struct TileRun {
 }
 
 /// What of small draws that share a plan becomes one chunk.
-pub struct Gathered {
+pub struct MergedDraws {
     /// The first of them.
     pub draw: usize,
     geometry: Geometry,
     lists: ShapeLists,
 }
 
-impl Gathered {
+impl MergedDraws {
     /// Nothing of a draw.
     pub fn new(draw: usize, mut geometry: Geometry, mut lists: ShapeLists) -> Self {
         geometry.clear();
@@ -134,8 +132,8 @@ impl DrawState<'_> {
             Ok((Arc::new(geometry), wanted))
         };
         let shared = match self.ids {
-            Ids::Indexed(_) => Some(vertices(&range)?),
-            Ids::Range(_) => None,
+            VertexIds::Indexed(_) => Some(vertices(&range)?),
+            VertexIds::Range(_) => None,
         };
         let shapes_of = |start: u32| -> Result<(Arc<Geometry>, ShapeLists), OverBudget> {
             let part = start..range.end.min(start + CHUNK);
@@ -169,12 +167,15 @@ impl DrawState<'_> {
             }
             return Ok(vec![chunk(one)]);
         }
-        let (crew, starts) = (self.crew, range.clone().step_by(CHUNK as usize));
+        let (thread_pool, starts) = (self.thread_pool, range.clone().step_by(CHUNK as usize));
         if !is_strip {
-            return crew.map(starts, 1, |start| shapes_of(start).map(chunk)).into_iter().collect();
+            return thread_pool
+                .map(starts, 1, |start| shapes_of(start).map(chunk))
+                .into_iter()
+                .collect();
         }
         // A line's stipple begins where that of the line before ends.
-        let all = crew.map(starts, 1, shapes_of);
+        let all = thread_pool.map(starts, 1, shapes_of);
         let mut all = all.into_iter().collect::<Result<Vec<_>, _>>()?;
         for (_, lists) in &mut all {
             let shapes = &mut lists.shapes;
@@ -186,9 +187,9 @@ impl DrawState<'_> {
     /// Puts all of a draw of at most [`CHUNK`] primitives behind those of others.
     ///
     /// # Errors
-    /// When a batch of vertices runs over its budget; then nothing of it is there.
-    pub fn gather(&self, all: &mut Gathered) -> Result<(), OverBudget> {
-        let Gathered { geometry, lists, .. } = all;
+    /// When a batch of vertices runs over its budget; then nothing of the draw is appended.
+    pub fn gather(&self, all: &mut MergedDraws) -> Result<(), OverBudget> {
+        let MergedDraws { geometry, lists, .. } = all;
         let range = 0..self.primitives.len;
         let wanted = self.vertices(&range, geometry, geometry.len())?;
         self.shapes(geometry, &wanted, range, lists);
@@ -201,12 +202,12 @@ impl DrawState<'_> {
         range: &Range<u32>,
         geometry: &mut Geometry,
         first: usize,
-    ) -> Result<Wanted, OverBudget> {
+    ) -> Result<VertexList, OverBudget> {
         let ordinals = ordinals(self.pipeline.desc().topology, &self.primitives, range);
         let numbered = self.primitive_id();
         let mut wanted = match numbered {
-            [None, None] => Wanted::new(ordinals, self.ids),
-            [Some(_), _] | [None, Some(_)] => Wanted::apart(ordinals, self.ids),
+            [None, None] => VertexList::new(ordinals, self.ids),
+            [Some(_), _] | [None, Some(_)] => VertexList::apart(ordinals, self.ids),
         };
         wanted.base = first as u32;
         let stage = VertexStage {
@@ -214,7 +215,7 @@ impl DrawState<'_> {
             budget: self.budget,
             program: &self.pipeline.compiled().vertex,
             prepared: &self.prepared,
-            crew: self.crew,
+            thread_pool: self.thread_pool,
             machines: self.machines,
             textures: self.textures,
             bindings: self.bindings,
@@ -250,13 +251,13 @@ impl DrawState<'_> {
     fn shapes(
         &self,
         geometry: &Geometry,
-        wanted: &Wanted,
+        wanted: &VertexList,
         range: Range<u32>,
         lists: &mut ShapeLists,
     ) {
         let before = lists.shapes.len();
         lists.shapes.reserve(range.len() * self.instances.len());
-        let mut set_up = |wanted: &Wanted| {
+        let mut set_up = |wanted: &VertexList| {
             let range = (&self.primitives, range.clone());
             setup(&self.setup, geometry, range, wanted, &mut lists.shapes);
         };
@@ -348,7 +349,8 @@ fn sort_by_tile(lists: &mut ShapeLists) -> Vec<TileRun> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::primitive::{Facing, Kind, Part};
+    use crate::desc::Facing;
+    use crate::primitive::{Clipping, ShapeKind};
 
     #[test]
     fn every_tile_gets_the_shapes_that_touch_it_in_order() {
@@ -357,8 +359,8 @@ mod tests {
             bounds: [low, high],
             vertices: [0; 3],
             provoking: 0,
-            part: Part::Whole,
-            kind: Kind::Triangle,
+            part: Clipping::Whole,
+            kind: ShapeKind::Triangle,
             facing: Facing::Front,
         };
         let shapes = [

@@ -1,94 +1,12 @@
-//! What a client can ask for. A command buffer is printable: a trace is its `Debug`.
+//! Commands. A command buffer is printable: its trace is its `Debug`.
 
-use super::buffer::{Buffer, VertexBinding};
-use super::counter::Counter;
 use super::image::PassDesc;
-use super::pipeline::Pipeline;
-use super::raster::RasterState;
-use super::watch::Watch;
+use crate::desc::{Counter, Indices, RasterState, Rect, VertexBinding, Viewport};
+use crate::plan::Pipeline;
+use crate::trace::Watch;
 use std::ops::Range;
 use std::sync::Arc;
 use texunit::plan::SamplePlan;
-
-/// Where window coordinates lie (GL 2.1, section 2.11.1). May reach outside the attachments.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Viewport {
-    /// Left edge in pixels.
-    pub x: f32,
-    /// Lower edge in pixels.
-    pub y: f32,
-    /// Width in pixels.
-    pub width: f32,
-    /// Height in pixels.
-    pub height: f32,
-    /// Window depth of the near plane, 0 to 1.
-    pub near: f32,
-    /// Window depth of the far plane, 0 to 1.
-    pub far: f32,
-    /// What becomes of what lies before the near plane or behind the far one.
-    pub depth_clip: DepthClip,
-}
-
-/// What the near and the far plane do.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum DepthClip {
-    /// They cut.
-    #[default]
-    Cut,
-    /// Nothing; depths are held between those of both planes (`ARB_depth_clamp`).
-    Clamp,
-}
-
-impl Viewport {
-    /// The least and the largest depth of fragments, whatever planes, offsets and shaders gave.
-    pub(crate) fn depths(&self) -> [f32; 2] {
-        match self.depth_clip {
-            DepthClip::Cut => [0.0, 1.0],
-            DepthClip::Clamp if self.near < self.far => [self.near, self.far],
-            DepthClip::Clamp => [self.far, self.near],
-        }
-    }
-
-    /// Half its width and height.
-    pub(crate) fn half(&self) -> [f64; 2] {
-        [f64::from(self.width) * 0.5, f64::from(self.height) * 0.5]
-    }
-
-    /// The window position of clip coordinates (0, 0).
-    pub(crate) fn center(&self) -> [f64; 2] {
-        let half = self.half();
-        [f64::from(self.x) + half[0], f64::from(self.y) + half[1]]
-    }
-
-    /// The pixels whose centres it holds: the first, and one past the last.
-    pub(crate) fn pixels(&self) -> [[i32; 2]; 2] {
-        let sides = [(self.x, self.width), (self.y, self.height)];
-        let [x, y] = sides.map(|(start, size)| {
-            let (start, size) = (f64::from(start), f64::from(size));
-            [(start - 0.5).ceil() as i32, (start + size - 0.5).ceil() as i32]
-        });
-        [[x[0], y[0]], [x[1], y[1]]]
-    }
-
-    /// Window x and y of clip coordinates; meaningless unless `w > 0`.
-    pub(crate) fn window(&self, clip: &[f64; 4]) -> [f64; 2] {
-        let (half, center) = (self.half(), self.center());
-        [clip[0] / clip[3] * half[0] + center[0], clip[1] / clip[3] * half[1] + center[1]]
-    }
-}
-
-/// A rectangle of pixels; row 0 is the lowest.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Rect {
-    /// Left.
-    pub x: i32,
-    /// Lowest row.
-    pub y: i32,
-    /// Width.
-    pub width: u32,
-    /// Height.
-    pub height: u32,
-}
 
 /// What a clear writes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -121,46 +39,6 @@ pub enum ClearValue {
         /// Which bits are written.
         mask: u8,
     },
-}
-
-/// The type of an index.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum IndexType {
-    /// 8 bits.
-    U8,
-    /// 16 bits.
-    U16,
-    /// 32 bits.
-    U32,
-}
-
-impl IndexType {
-    /// Bytes of an index.
-    pub fn size(self) -> usize {
-        match self {
-            Self::U8 => 1,
-            Self::U16 => 2,
-            Self::U32 => 4,
-        }
-    }
-
-    /// The index that these bytes are, the lowest first; 0 where there are none.
-    pub fn index(bytes: &[u8]) -> u32 {
-        bytes.iter().rev().fold(0, |index, &byte| index << 8 | u32::from(byte))
-    }
-}
-
-/// The indices of a draw. What lies past the buffer's end reads as index 0.
-#[derive(Clone, Debug)]
-pub struct Indices {
-    /// The bytes.
-    pub buffer: Buffer,
-    /// Byte of the first index.
-    pub offset: usize,
-    /// Their type.
-    pub ty: IndexType,
-    /// Added to every index.
-    pub base_vertex: i32,
 }
 
 /// One step. State set by a command holds until the end of the pass.

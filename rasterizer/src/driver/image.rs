@@ -1,16 +1,17 @@
 //! Images: texels that can be sampled, and attachments that can be drawn to.
 //!
 //! An image has its texels in rows, to be sampled; while one of its levels is drawn to, that level
-//! is in the attachment layout ([`crate::target`]). The transition back happens when somebody asks
-//! for the texels, not when a pass ends, so that passes that follow each other do not pay for it.
+//! is in the attachment layout (`attachment`). The transition back happens when the texels are requested, not when a
+//! pass ends, so that passes that follow each other do not pay for it.
 //!
 //! The rows of an image with several samples a pixel are what they are resolved to, and the samples
 //! themselves are in the attachment layout alone; or every sample has rows of its own ([`Rows`]), so
 //! that they can be sampled one by one and several layers drawn to in turn.
 
-use crate::crew::Crew;
-use crate::raster::possible_samples;
-use crate::target::{MAX_SAMPLES, Part, Put, Slices, Storing, Surface};
+use crate::attachment::{Part, Put, Slices, StoreContext, Surface};
+use crate::plan::possible_samples;
+use crate::sizes::MAX_SAMPLES;
+use crate::threads::ThreadPool;
 use parking_lot::Mutex;
 use std::sync::Arc;
 use texunit::format::Format;
@@ -24,7 +25,7 @@ pub struct Image(Arc<Mutex<State>>);
 #[derive(Debug)]
 struct State {
     texels: Texels,
-    /// The one level of an image of zeros whose rows nobody has asked for.
+    /// The only level of an image of zeros whose rows have not been requested.
     blank: Option<Blank>,
     samples: u8,
     rows: Rows,
@@ -138,7 +139,7 @@ impl State {
     }
 
     /// Brings the rows up to date. Those of a blank level are not there if there is no memory.
-    fn resolve(&mut self, crew: &Crew) {
+    fn resolve(&mut self, thread_pool: &ThreadPool) {
         if let Some(Blank { format, width, height }) = self.blank.take()
             && let Ok(level) = Level::new(format, width, height)
         {
@@ -150,8 +151,8 @@ impl State {
         if let (Some(attached), Some(slices)) = (attached, slices) {
             let Subresource { face, level, .. } = attached.at;
             if let Some(level) = self.texels.level_mut(face, level) {
-                let storing = Storing { isa: attached.isa, crew };
-                attached.surface.store_changed(level, slices, storing);
+                let context = StoreContext { isa: attached.isa, thread_pool };
+                attached.surface.store_changed(level, slices, context);
             }
             attached.drawn = false;
         }
@@ -162,9 +163,9 @@ impl State {
         if let Some(attached) = self.attached.as_ref().filter(|attached| attached.at == at) {
             return Some(attached.surface.clone());
         }
-        self.resolve(&Crew::ALONE);
+        self.resolve(&ThreadPool::CALLER_ONLY);
         let level = self.texels.level(at.face, at.level)?;
-        Some(Surface::from_level(level, self.slices(at), self.samples, &Crew::ALONE))
+        Some(Surface::from_level(level, self.slices(at), self.samples, &ThreadPool::CALLER_ONLY))
     }
 }
 
@@ -207,13 +208,13 @@ impl Image {
     /// Its texels as they are after everything submitted so far. Shares them: later writes to the
     /// image copy. Of a multisample image, what its [`Rows`] hold.
     pub fn texels(&self) -> Texels {
-        self.texels_by(&Crew::ALONE)
+        self.texels_by(&ThreadPool::CALLER_ONLY)
     }
 
     /// As [`Image::texels`], brought up to date by these ([`super::Device::texels`]).
-    pub(super) fn texels_by(&self, crew: &Crew) -> Texels {
+    pub(super) fn texels_by(&self, thread_pool: &ThreadPool) -> Texels {
         let mut state = self.0.lock();
-        state.resolve(crew);
+        state.resolve(thread_pool);
         state.texels.clone()
     }
 
@@ -225,12 +226,12 @@ impl Image {
     /// Changes its texels. Draws that were recorded earlier keep what they saw.
     pub fn update<R>(&self, change: impl FnOnce(&mut Texels) -> R) -> R {
         let mut state = self.0.lock();
-        state.resolve(&Crew::ALONE);
+        state.resolve(&ThreadPool::CALLER_ONLY);
         state.attached = None;
         change(&mut state.texels)
     }
 
-    /// Puts other texels in place of its own, which are `rows` of this many samples.
+    /// Replaces its texels; `rows` says what they are for this number of samples.
     pub fn replace(&self, texels: Texels, samples: u8, rows: Rows) {
         let samples = possible_samples(samples);
         *self.0.lock() = State { texels, blank: None, samples, rows, attached: None };
@@ -242,17 +243,17 @@ impl Image {
         &self,
         face: u16,
         level: u8,
-        storing: Storing<'_>,
+        context: StoreContext<'_>,
     ) -> Option<(Arc<Level>, usize)> {
         let mut state = self.0.lock();
         let at = state.place(face, level);
         if state.rows == Rows::Resolved {
-            state.resolve(storing.crew);
+            state.resolve(context.thread_pool);
             return Some((Arc::clone(state.texels.level(at.face, at.level)?), at.slice));
         }
         let surface = state.surface(at)?;
         let mut level = Level::new(surface.format, surface.width, surface.height).ok()?;
-        surface.store(&mut level, Slices::One(0), storing);
+        surface.store(&mut level, Slices::One(0), context);
         Some((Arc::new(level), 0))
     }
 
@@ -264,16 +265,16 @@ impl Image {
         part: Part,
         rows: &mut [&mut [u8]],
         put: Put<'_>,
-        storing: Storing<'_>,
+        context: StoreContext<'_>,
     ) {
         let state = self.0.lock();
         let at = state.place(face, level);
         let drawn = state.attached.as_ref().filter(|attached| attached.drawn && attached.at == at);
         if let Some(Attached { surface, .. }) = drawn {
-            return surface.read(part, rows, put, storing);
+            return surface.read(part, rows, put, context);
         }
         drop(state);
-        let Some((level, slice)) = self.resolved_by(face, level, storing) else { return };
+        let Some((level, slice)) = self.resolved_by(face, level, context) else { return };
         for (y, row) in (part.y as usize..).zip(rows) {
             put.row(level.run([part.x as usize, y, slice], part.width as usize), row);
         }
@@ -290,7 +291,7 @@ impl Image {
         surface.store(
             &mut level,
             Slices::Each(0),
-            Storing { isa: Isa::BASELINE, crew: &Crew::ALONE },
+            StoreContext { isa: Isa::BASELINE, thread_pool: &ThreadPool::CALLER_ONLY },
         );
         Some(level)
     }
@@ -299,7 +300,8 @@ impl Image {
     /// ([`super::Device::set_each_sample`]).
     pub(super) fn set_each_sample(&self, face: u16, level: u8, samples: &Level, isa: Isa) {
         let count = samples.depth.min(MAX_SAMPLES as u32) as u8;
-        let mut surface = Surface::from_level(samples, Slices::Each(0), count, &Crew::ALONE);
+        let mut surface =
+            Surface::from_level(samples, Slices::Each(0), count, &ThreadPool::CALLER_ONLY);
         surface.change_all();
         let mut state = self.0.lock();
         let at = state.place(face, level);
@@ -323,7 +325,7 @@ impl Image {
     }
 
     /// Takes a slice of a level out in the attachment layout; `None` if it does not exist.
-    pub(crate) fn attach(&self, face: u16, level: u8, crew: &Crew) -> Option<Surface> {
+    pub(crate) fn attach(&self, face: u16, level: u8, thread_pool: &ThreadPool) -> Option<Surface> {
         let mut state = self.0.lock();
         let at = state.place(face, level);
         if let Some(attached) = state.attached.take_if(|attached| attached.at == at) {
@@ -333,10 +335,10 @@ impl Image {
         if let Some(Blank { format, width, height }) = state.blank {
             return state.info(at).map(|_| Surface::zeros(format, width, height, samples));
         }
-        state.resolve(&Crew::ALONE);
+        state.resolve(&ThreadPool::CALLER_ONLY);
         state.attached = None;
         let level = state.texels.level(at.face, at.level)?;
-        Some(Surface::from_level(level, slices, samples, crew))
+        Some(Surface::from_level(level, slices, samples, thread_pool))
     }
 
     /// Puts back what [`Image::attach`] took, drawn to by a device of this instruction set.
@@ -344,7 +346,7 @@ impl Image {
         let mut state = self.0.lock();
         // Another level of the same image may have been drawn to in the same pass.
         if state.attached.is_some() {
-            state.resolve(&Crew::ALONE);
+            state.resolve(&ThreadPool::CALLER_ONLY);
         }
         let at = state.place(face, level);
         state.attached = Some(Attached { at, surface, isa, drawn: true });

@@ -2,46 +2,35 @@
 //! commands, and submits them to the queue.
 
 mod bound;
-mod buffer;
 mod check;
 mod chunk;
 mod command;
-mod counter;
 mod device;
 mod image;
-mod mask;
-mod output;
 mod pass;
-mod pipeline;
-mod raster;
-mod sight;
+mod report;
+mod resources;
 mod submit;
-mod threads;
-mod watch;
+mod visibility;
 
-pub use crate::output::texel_words;
-pub use crate::primitive::{Drawn, Primitive, Primitives, Reason, Reasons, Side, primitives};
-pub use crate::raster::{possible_samples, sample_positions};
-pub use crate::target::{MAX_SAMPLES, Part, Put};
-pub use bound::same_textures;
-pub use buffer::{Buffer, Version, VertexBinding, VertexFormat, VertexSource, VertexType};
-pub use command::{
-    ClearValue, Command, CommandBuffer, DepthClip, IndexType, Indices, Rect, Viewport,
+pub use crate::attachment::{Part, Put, texel_words};
+pub use crate::desc::{
+    AlphaToCoverage, AlphaToOne, Antialiasing, Blend, BlendEquation, BlendFactor, Buffer,
+    ColorState, Counter, Cull, DepthClip, DepthState, DepthWrite, FrontFace, IndexType, Indices,
+    LineState, LineStipple, LogicOp, MAX_LINE_WIDTH, MAX_POINT_SIZE, MaskBlock, MultisampleState,
+    OutputState, PipelineDesc, PipelineError, PixelMask, PointSize, PointState, PolygonMode,
+    PolygonOffset, PolygonState, Provoking, RasterState, Rect, SampleCoverage, SampleRule,
+    ShaderModule, SpriteOrigin, SrgbWrite, StencilFace, StencilOp, StencilState, Stipple, Topology,
+    Version, VertexBinding, VertexFormat, VertexSource, VertexType, Viewport,
 };
-pub use counter::Counter;
-pub use device::{Device, DeviceDesc, DeviceError, Explain, SubmitError, SubmitReport};
+pub use crate::plan::{Pipeline, possible_samples, same_textures, sample_positions};
+pub use crate::primitive::{Drawn, Reason, Reasons, Side};
+pub use crate::sizes::MAX_SAMPLES;
+pub use crate::trace::Watch;
+pub use crate::vertex::{Primitive, Primitives, primitives};
+pub use command::{ClearValue, Command, CommandBuffer};
+pub use device::Device;
 pub use image::{Attachment, Image, LevelInfo, PassDesc, Rows};
-pub use mask::{MaskBlock, PixelMask};
-pub use output::{LogicOp, OutputState, SrgbWrite, StencilFace, StencilOp, StencilState};
-pub(crate) use pipeline::Compiled;
-pub use pipeline::{
-    Blend, BlendEquation, BlendFactor, ColorState, Cull, DepthState, DepthWrite, FrontFace,
-    Pipeline, PipelineDesc, PipelineError, Provoking, ShaderModule, Topology,
-};
-pub use raster::{
-    AlphaToCoverage, AlphaToOne, LineState, LineStipple, MAX_LINE_WIDTH, MAX_POINT_SIZE,
-    MultisampleState, PointSize, PointState, PolygonMode, PolygonOffset, PolygonState, RasterState,
-    Rim, SampleCoverage, SampleRule, SpriteOrigin, Stipple,
-};
-pub use sight::Sight;
-pub use watch::Watch;
+pub use report::{DeviceError, SubmitError, SubmitReport};
+pub use resources::{DeviceDesc, Explain};
+pub use visibility::Visibility;

@@ -1,17 +1,18 @@
 //! The queue: runs a checked command buffer pass by pass.
 
 use super::command::Command;
-use super::device::{Device, SubmitReport};
 use super::pass::Pass;
-use crate::crew::Crew;
+use super::report::SubmitReport;
+use super::resources::Resources;
+use crate::threads::ThreadPool;
 
 /// Runs checked commands.
-pub fn run(device: &Device, crew: &Crew, commands: &[Command]) -> SubmitReport {
+pub fn run(resources: &Resources, thread_pool: &ThreadPool, commands: &[Command]) -> SubmitReport {
     let mut report = SubmitReport::default();
     let mut pass = None;
     for (index, command) in commands.iter().enumerate() {
         match command {
-            Command::BeginPass(desc) => pass = Some(Pass::begin(device, crew, desc)),
+            Command::BeginPass(desc) => pass = Some(Pass::begin(resources, thread_pool, desc)),
             Command::EndPass => {
                 if let Some(pass) = pass.take() {
                     pass.end(&mut report);

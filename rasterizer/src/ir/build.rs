@@ -32,7 +32,7 @@ impl Builder {
         Self { module: Module::new(stage), open: vec![Vec::new()] }
     }
 
-    /// A builder that goes on where a module ends.
+    /// A builder that appends to a module.
     pub fn resume(mut module: Module) -> Self {
         let body = std::mem::take(&mut module.body);
         Self { module, open: vec![body] }
@@ -74,7 +74,7 @@ impl Builder {
         self.open.last_mut().expect("the body is open until `finish`").push(stmt);
     }
 
-    /// Opens a block; what follows goes into it until [`Builder::end`].
+    /// Opens a block; statements are appended to it until [`Builder::end`].
     pub fn begin(&mut self) {
         self.open.push(Vec::new());
     }

@@ -5,118 +5,9 @@
 //! scalar code that LLVM vectorizes over the 64 lanes. A row may say `where a: rare(a) => far(a, …)`: a
 //! piece of the operation that is computed lane by lane, when a lane of the batch needs it.
 
-use super::{TRUE, Ty};
+use super::types::Ty;
+use super::word::{LONG, Scalar, agree, div_i32, div_u32, rem_i32, rem_u32, select};
 use texunit::lanes::{Baseline, LANES, Simd, U32s, math};
-
-/// A scalar of the IR as a Rust type.
-trait Scalar: Copy {
-    const TY: Ty;
-    fn from_word(word: u32) -> Self;
-    fn to_word(self) -> u32;
-    /// What a lane holds.
-    #[inline(always)]
-    fn of_lane(words: &U32s, lane: usize) -> Self {
-        Self::from_word(words[lane])
-    }
-}
-
-impl Scalar for f32 {
-    const TY: Ty = Ty::F32;
-    #[inline(always)]
-    fn from_word(word: u32) -> Self {
-        Self::from_bits(word)
-    }
-    #[inline(always)]
-    fn to_word(self) -> u32 {
-        self.to_bits()
-    }
-    /// Loaded as a float: LLVM chooses between words that were loaded as integers by their bits, and
-    /// then sees no minimum or maximum.
-    #[inline(always)]
-    fn of_lane(words: &U32s, lane: usize) -> Self {
-        words.as_f32()[lane]
-    }
-}
-
-impl Scalar for i32 {
-    const TY: Ty = Ty::I32;
-    #[inline(always)]
-    fn from_word(word: u32) -> Self {
-        word as Self
-    }
-    #[inline(always)]
-    fn to_word(self) -> u32 {
-        self as u32
-    }
-}
-
-impl Scalar for u32 {
-    const TY: Ty = Ty::U32;
-    #[inline(always)]
-    fn from_word(word: u32) -> Self {
-        word
-    }
-    #[inline(always)]
-    fn to_word(self) -> u32 {
-        self
-    }
-}
-
-impl Scalar for bool {
-    const TY: Ty = Ty::Bool;
-    #[inline(always)]
-    fn from_word(word: u32) -> Self {
-        word != 0
-    }
-    #[inline(always)]
-    fn to_word(self) -> u32 {
-        if self { TRUE } else { 0 }
-    }
-}
-
-/// Integer division that is total: by zero gives all ones, `MIN / -1` wraps.
-#[inline(always)]
-fn div_i32(a: i32, b: i32) -> i32 {
-    if b == 0 { -1 } else { a.wrapping_div(b) }
-}
-
-#[inline(always)]
-fn rem_i32(a: i32, b: i32) -> i32 {
-    if b == 0 { -1 } else { a.wrapping_rem(b) }
-}
-
-#[inline(always)]
-fn div_u32(a: u32, b: u32) -> u32 {
-    a.checked_div(b).unwrap_or(u32::MAX)
-}
-
-#[inline(always)]
-fn rem_u32(a: u32, b: u32) -> u32 {
-    a.checked_rem(b).unwrap_or(u32::MAX)
-}
-
-/// `b` where `a`, else `c`, by bits: both are always loaded, so that nothing is left to branch on.
-#[inline(always)]
-fn select<T: Scalar>(a: bool, b: T, c: T) -> T {
-    let mask = a.to_word();
-    T::from_word((b.to_word() & mask) | (c.to_word() & !mask))
-}
-
-/// From this cost on, lanes that all hold the same words are looked for and computed once.
-const LONG: u32 = 40;
-
-/// Whether every lane holds the same word.
-#[inline(always)]
-fn agree(words: &U32s) -> bool {
-    if words[0] != words[LANES - 1] {
-        return false;
-    }
-    let mut differing = 0;
-    for lane in 0..LANES {
-        differing |= words[lane] ^ words[0];
-    }
-    differing == 0
-}
 
 macro_rules! operations {
     (@operands $registers:ident $args:ident $a:ident $(, $b:ident $(, $c:ident)?)?) => {
@@ -276,9 +167,9 @@ operations! { $
     Min "min" (a: f32, b: f32) -> f32 = math::min_number(a, b);
     /// The larger; the other if one is NaN.
     Max "max" (a: f32, b: f32) -> f32 = math::max_number(a, b);
-    /// [`Self::Min`] of `a` and what is known to be a number, in one step; `b` if `a` is NaN.
+    /// `Self::Min` of `a` and what is known to be a number, in one step; `b` if `a` is NaN.
     AtMost "at_most" (a: f32, b: f32) -> f32 = math::min(a, b);
-    /// [`Self::Max`] of `a` and what is known to be a number, in one step; `b` if `a` is NaN.
+    /// `Self::Max` of `a` and what is known to be a number, in one step; `b` if `a` is NaN.
     AtLeast "at_least" (a: f32, b: f32) -> f32 = math::max(a, b);
     /// The largest integer not above.
     Floor "floor" (a: f32) -> f32 = S::floor(a);
@@ -426,7 +317,7 @@ operations! { $
     Or "or" (a: bool, b: bool) -> bool = a | b;
     /// Exactly one.
     Xor "xor" (a: bool, b: bool) -> bool = a ^ b;
-    /// The other.
+    /// The opposite.
     Not "not" (a: bool) -> bool = !a;
 
     /// `b` where `a`, else `c`.

@@ -95,7 +95,7 @@ fn modules_that_break_a_rule_are_refused_with_the_rule() {
     }
 }
 
-/// A builder that goes on with a module.
+/// A builder that appends to a module.
 fn refill(module: Module) -> Builder {
     let mut b = Builder::new(module.stage);
     let body = module.body.clone();

@@ -1,7 +1,7 @@
 //! What a module must keep to, checked once, so that everything after can rely on it.
 //!
 //! One pass in program order, linear in the size of the module. Blocks may nest [`MAX_NESTING`]
-//! deep, so that whoever walks a valid module may recurse over its blocks.
+//! deep, so that a pass over a valid module may recurse over its blocks.
 
 use super::{
     Access, Block, Expr, Input, Lod, Module, Op, Output, Sample, Stage, Stmt, TRUE, Ty, Value, Var,
@@ -49,7 +49,7 @@ impl Module {
         for (at, expr) in self.values.iter().enumerate() {
             body.everywhere(Value(at as u32), expr)?;
         }
-        body.block(&self.body, Around { in_loop: Jumps::None, in_scope: false })
+        body.block(&self.body, Enclosing { in_loop: Jumps::None, in_scope: false })
     }
 
     fn declarations(&self) -> Checked {
@@ -125,7 +125,7 @@ enum Jumps {
 }
 
 #[derive(Clone, Copy)]
-struct Around {
+struct Enclosing {
     in_loop: Jumps,
     in_scope: bool,
 }
@@ -180,7 +180,7 @@ impl Body<'_> {
         Ok(())
     }
 
-    fn block(&mut self, block: &Block, around: Around) -> Checked {
+    fn block(&mut self, block: &Block, around: Enclosing) -> Checked {
         self.nesting += 1;
         rule!(self.nesting <= MAX_NESTING, "blocks nest deeper than {MAX_NESTING}");
         let outside = self.visible.len();
@@ -194,7 +194,7 @@ impl Body<'_> {
         Ok(())
     }
 
-    fn stmt(&mut self, stmt: &Stmt, around: Around) -> Checked {
+    fn stmt(&mut self, stmt: &Stmt, around: Enclosing) -> Checked {
         match stmt {
             Stmt::Eval(value) => self.eval(*value),
             Stmt::Store { var, value } => {
@@ -212,10 +212,10 @@ impl Body<'_> {
                 self.block(reject, around)
             }
             Stmt::Loop { body, continuing } => {
-                self.block(body, Around { in_loop: Jumps::BreakAndContinue, ..around })?;
-                self.block(continuing, Around { in_loop: Jumps::Break, ..around })
+                self.block(body, Enclosing { in_loop: Jumps::BreakAndContinue, ..around })?;
+                self.block(continuing, Enclosing { in_loop: Jumps::Break, ..around })
             }
-            Stmt::Scope(body) => self.block(body, Around { in_scope: true, ..around }),
+            Stmt::Scope(body) => self.block(body, Enclosing { in_scope: true, ..around }),
             Stmt::Break => {
                 rule!(around.in_loop != Jumps::None, "break outside a loop");
                 Ok(())

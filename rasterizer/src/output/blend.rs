@@ -1,7 +1,7 @@
 //! Blending (GL 2.1, section 4.1.8), in `f32`. Where the attachment is fixed-point, colours are
 //! clamped to what it can hold; the constant colour here, source and destination by the caller.
 
-use crate::driver::{Blend, BlendEquation, BlendFactor};
+use crate::desc::{Blend, BlendEquation, BlendFactor};
 use texunit::lanes::{F32s, LANES, math};
 
 /// The least and largest number that an attachment can hold, where it is fixed-point
@@ -44,7 +44,7 @@ fn each([source, destination]: [&[F32s; 4]; 2], f: impl Fn(f32, f32, f32) -> f32
     out
 }
 
-/// [`blend`], which every shorter way has to equal.
+/// [`blend`], to which every special case is bit-equal.
 #[inline(always)]
 fn by_factors(
     state: &Blend,

@@ -1,6 +1,6 @@
 //! Logical operations between a fragment's texel and the stored one (GL 2.1, section 4.1.10).
 
-use crate::driver::LogicOp;
+use crate::desc::LogicOp;
 use texunit::lanes::{LANES, U32s};
 
 /// `source OP stored` into `source`, bit by bit.

@@ -3,7 +3,8 @@
 use super::color::{BlockColors, ColorClass, ColorPlan, WriteBytes, WriteTexels};
 use super::depth::{DepthPlan, DepthTest};
 use super::stencil::{Reference, StencilPlan, StencilTest, StencilUpdate};
-use crate::target::{Old, Place, Plane, TileTarget, with_texels, with_words};
+use crate::attachment::{BatchLayout, LoadOp, TileTarget, WordPlane, with_texels, with_words};
+use crate::desc::DepthWrite;
 use texunit::lanes::{F32s, Isa, U32s};
 
 /// The tests of a draw.
@@ -19,25 +20,25 @@ impl Tests {
     /// Whether a fragment that is tested may leave something behind.
     pub fn write(&self) -> bool {
         self.stencil.is_some_and(|stencil| stencil.writes())
-            || self.depth.is_some_and(|depth| depth.write == crate::driver::DepthWrite::On)
+            || self.depth.is_some_and(|depth| depth.write == DepthWrite::On)
     }
 }
 
 /// 64 fragments of one sample before the tests.
 pub struct Fragments<'a> {
     /// Where they are.
-    pub place: &'a Place<'a>,
+    pub place: &'a BatchLayout<'a>,
     /// Their depth, in [0, 1].
     pub depth: &'a F32s,
     /// What their stencils are compared with.
     pub reference: Reference<'a>,
-    /// Which of them are of back faces.
+    /// The lanes of back faces.
     pub back: u64,
-    /// Which there are.
+    /// The lanes that are covered.
     pub mask: u64,
 }
 
-/// Tests fragments against the planes of a sample and updates these; gives those that passed.
+/// Tests fragments against the planes of a sample and updates them; returns the mask of those that passed.
 pub fn test(
     isa: Isa,
     tests: &Tests,
@@ -49,7 +50,7 @@ pub fn test(
     let planes = target.sample(sample);
     match (tests.stencil, planes) {
         (Some(plan), [depths, stencils]) => {
-            with_words(isa, stencils, place, mask, Old::Read, |stored| {
+            with_words(isa, stencils, place, mask, LoadOp::Load, |stored| {
                 let [front, back] =
                     [(plan.front, mask & !back), (plan.back, mask & back)].map(|(face, mask)| {
                         let test = StencilTest { face: &face, reference, stored, mask };
@@ -80,13 +81,13 @@ pub fn test(
 fn test_depth(
     isa: Isa,
     plan: Option<DepthPlan>,
-    plane: &mut Plane,
-    place: &Place<'_>,
+    plane: &mut WordPlane,
+    place: &BatchLayout<'_>,
     depth: &F32s,
     mask: u64,
 ) -> u64 {
     match plan {
-        Some(plan) if mask != 0 => with_words(isa, plane, place, mask, Old::Read, |stored| {
+        Some(plan) if mask != 0 => with_words(isa, plane, place, mask, LoadOp::Load, |stored| {
             isa.run(DepthTest { plan, depth, stored, mask })
         }),
         Some(_) | None => mask,
@@ -99,13 +100,13 @@ pub fn write(
     plan: &ColorPlan,
     target: &mut TileTarget,
     sample: usize,
-    place: &Place<'_>,
+    place: &BatchLayout<'_>,
     color: [&F32s; 4],
     mask: u64,
 ) {
     let planes = target.sample(sample);
     match (plan.class, planes, place) {
-        (_, planes, &Place::Block(block)) => {
+        (_, planes, &BatchLayout::Block(block)) => {
             write_planes(isa, plan, planes, &[BlockColors { block, color, mask }]);
         }
         (ColorClass::Bytes, [plane], _) => {
@@ -131,7 +132,7 @@ pub fn write_blocks(
     write_planes(isa, plan, target.sample(0), colors);
 }
 
-fn write_planes(isa: Isa, plan: &ColorPlan, planes: &mut [Plane], colors: &[BlockColors<'_>]) {
+fn write_planes(isa: Isa, plan: &ColorPlan, planes: &mut [WordPlane], colors: &[BlockColors<'_>]) {
     for plane in &mut *planes {
         for color in colors {
             plane.ready(color.block, plan.old_under(color.mask));

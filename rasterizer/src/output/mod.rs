@@ -4,7 +4,6 @@
 mod blend;
 mod color;
 mod depth;
-mod encode;
 mod logic;
 mod mask;
 mod merge;
@@ -12,8 +11,7 @@ mod stencil;
 
 pub use blend::factors as blend_factors;
 pub use color::{BlockColors, Color, ColorClass, ColorPlan, pack_colors, put};
-pub use depth::{DepthFormat, DepthPlan, DepthTest};
-pub use encode::{decode_color, encode_color, texel_color, texel_words};
+pub use depth::{DepthPlan, DepthTest};
 pub use mask::expand_mask;
 pub use merge::{Fragments, Tests, test, write, write_blocks};
 pub use stencil::{Reference, StencilPlan};

@@ -2,7 +2,7 @@
 //! the attachment holds.
 
 use super::mask::expand_mask;
-use crate::driver::{StencilFace, StencilOp, StencilState};
+use crate::desc::{StencilFace, StencilOp, StencilState};
 use texunit::lanes::{Kernel, LANES, Simd, U32s};
 use texunit::sampler::Compare;
 
@@ -44,7 +44,7 @@ pub enum Reference<'a> {
     Each(&'a U32s),
 }
 
-/// Tests fragments of one face; gives those that passed.
+/// Tests fragments of one face; returns the mask of those that passed.
 pub struct StencilTest<'a> {
     /// What is done.
     pub face: &'a StencilFace,
@@ -151,7 +151,7 @@ impl Kernel for StencilUpdate<'_> {
 #[inline(always)]
 fn update(stored: &mut U32s, covered: &U32s, write: u32, f: impl Fn(u32) -> u32) {
     for lane in 0..LANES {
-        // The write mask has eight bits, and so what is kept of the result.
+        // The write mask has eight bits, so only those of the result are stored.
         let write = covered[lane] & write;
         stored[lane] = (f(stored[lane]) & write) | (stored[lane] & !write);
     }

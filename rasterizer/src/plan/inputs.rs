@@ -1,12 +1,34 @@
 //! Where the inputs of fragments come from: the planes that are set up for each primitive of a draw, and which of
 //! them an input reads.
 
-use crate::driver::{Compiled, PipelineDesc, PolygonMode, RasterState, Topology};
+use super::pipeline::Compiled;
+use super::samples::Samples;
+use crate::desc::{PipelineDesc, PolygonMode, RasterState, Topology};
 use crate::ir::{Axis, Input, Interpolation};
-use crate::raster::{PlaneSource, Samples};
-use crate::shader::Sources;
+use crate::shader::AttributeSet;
 
-/// Where a fragment program's input comes from. The numbers are planes.
+/// What one plane of a draw holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PlaneSource {
+    /// Window depth.
+    Depth,
+    /// What smooth varyings are divided by: `1/w`, or 1 where all three `w` are the same.
+    Denominator,
+    /// `1/w` itself (`gl_FragCoord.w`).
+    InverseW,
+    /// A varying over `w` (its index in the geometry).
+    Smooth(usize),
+    /// A varying, linear in the window.
+    NoPerspective(usize),
+    /// A varying of the provoking vertex.
+    Flat(usize),
+    /// `gl_PointCoord`, 0 for s, 1 for t.
+    PointCoord(u8),
+    /// As [`PlaneSource::Smooth`], but component 0 to 3 of (s, t, 0, 1) where the shape is a point.
+    Sprite(usize, u8),
+}
+
+/// The source of an input of a fragment program. The numbers are indices of planes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FragmentInput {
     /// Divided by the denominator.
@@ -29,7 +51,7 @@ pub enum FragmentInput {
     Y,
     /// Window depth.
     Depth,
-    /// Which side is seen.
+    /// The facing of the primitive.
     Front,
     /// The part of the pixel that is covered.
     Coverage,
@@ -82,12 +104,12 @@ impl FilledInput {
 }
 
 /// What they depend on, and the planes so far.
-pub struct Inputs<'a> {
+pub struct InputPlanner<'a> {
     pub compiled: &'a Compiled,
     /// The first slots of the varyings that sprites replace.
     pub replaced: &'a [u16],
-    /// What vertices have for themselves.
-    pub arrays: Sources,
+    /// The attribute components that come from arrays.
+    pub arrays: AttributeSet,
     /// Whether any level of detail is made of slopes.
     pub needs_slopes: bool,
     pub samples: &'a Samples,
@@ -97,7 +119,7 @@ pub struct Inputs<'a> {
 }
 
 /// The planes of a draw and what reads them.
-pub struct Gathered {
+pub struct InputPlanes {
     pub planes: Vec<PlaneSource>,
     pub depth_plane: Option<usize>,
     pub denominator_plane: Option<usize>,
@@ -105,13 +127,13 @@ pub struct Gathered {
     pub inputs: Vec<FragmentInput>,
 }
 
-impl Inputs<'_> {
+impl InputPlanner<'_> {
     /// Finds the planes of these inputs, and of the depth that is tested or read.
-    pub fn gather(mut self, depth: Option<PlaneSource>, read: &[Input]) -> Gathered {
+    pub fn gather(mut self, depth: Option<PlaneSource>, read: &[Input]) -> InputPlanes {
         let depth_plane = depth.map(|depth| self.plane(depth));
         let inputs = read.iter().map(|&input| self.input(input)).collect();
         let Self { planes, denominator, .. } = self;
-        Gathered { planes, depth_plane, denominator_plane: denominator, inputs }
+        InputPlanes { planes, depth_plane, denominator_plane: denominator, inputs }
     }
 
     /// The number of a plane.
@@ -182,7 +204,7 @@ impl Inputs<'_> {
         self.replaced.iter().copied().find(|first| (*first..first + 4).contains(&slot))
     }
 
-    /// What every vertex has alike needs no plane: it is exactly that everywhere.
+    /// Whether a varying is equal at all vertices; it then needs no plane.
     fn is_constant(&self, slot: u16) -> bool {
         self.sprite(slot).is_none() && self.compiled.vertex.is_constant(slot, self.arrays)
     }

@@ -1,12 +1,12 @@
-//! What a fragment program that is a product comes to in a draw: what of it may be the same all over a shape.
+//! The texel-product fast path in a draw: which factors and levels of detail are constant over a shape.
 
 use super::Textures;
 use super::inputs::{FilledInput, FragmentInput};
 use crate::shader::Program;
 use texunit::lanes::Isa;
-use texunit::plan::Places;
+use texunit::sample::Addresses;
 
-/// What a fragment program that is a product ([`crate::shader::Product`]) comes to in a draw.
+/// The plan of a draw whose fragment program is a [`crate::shader::TexelProduct`].
 #[derive(Debug)]
 pub struct ProductPlan {
     /// The planes that its factors depend on, if they depend on nothing else: where these are the same all over a
@@ -19,8 +19,8 @@ pub struct ProductPlan {
     pub inputs: ProductInputs,
     /// Those where the levels of detail are known.
     pub without_details: ProductInputs,
-    /// Who looks for the texels of each lookup: the one before where both read alike at one point.
-    pub places: Vec<Places>,
+    /// For each lookup, whether its texel addresses are computed or reused from the lookup before.
+    pub places: Vec<Addresses>,
 }
 
 /// The inputs that a block needs.
@@ -41,7 +41,7 @@ pub struct FactorPlanes {
 }
 
 impl ProductPlan {
-    /// Decides; `None` where the interpreter is needed.
+    /// Makes the plan; `None` where the interpreter is needed.
     pub(super) fn new(
         isa: Isa,
         fragment: &Program,
@@ -51,13 +51,14 @@ impl ProductPlan {
         let product = fragment.product()?;
         let is_there = |slot: u32| {
             let texture = textures.get(slot as usize).and_then(Option::as_ref);
-            texture.is_some_and(|texture| texture.gives_colors())
+            texture.is_some_and(|texture| texture.samples_color())
         };
         if !product.textures().all(is_there) {
             return None;
         }
-        let places =
-            |at: usize| product.repeat(at).map_or(Places::Own, |repeat| repeat.places(textures));
+        let places = |at: usize| {
+            product.repeat(at).map_or(Addresses::Compute, |repeat| repeat.places(textures))
+        };
         let mut factor_planes = Some(FactorPlanes::default());
         for &index in &product.factor_inputs {
             match inputs[index] {
@@ -87,7 +88,7 @@ impl ProductPlan {
         }
         let takes = |slot: u32| {
             let texture = textures.get(slot as usize).and_then(Option::as_ref);
-            texture.is_some_and(|texture| !texture.needs_lod() || texture.takes_by_reading(isa))
+            texture.is_some_and(|texture| !texture.needs_lod() || texture.fuses_uniform_levels(isa))
         };
         let details = product.detail_inputs.as_ref().filter(|_| product.textures().all(takes));
         let detail_planes = details.and_then(|details| detail_planes(details, inputs));

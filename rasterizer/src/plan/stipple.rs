@@ -1,6 +1,6 @@
-//! Which pixels of filled polygons are left, as lanes of blocks.
+//! Polygon stipple as masks of lanes.
 
-use crate::driver::{PixelMask, Stipple};
+use crate::desc::{PixelMask, Stipple};
 use std::sync::Arc;
 use texunit::lanes::{LANES, lane_x, lane_y};
 

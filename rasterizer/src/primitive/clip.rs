@@ -5,11 +5,9 @@
 //! precision and leaves no seam. The sides of the view volume cut nothing: a guard band far outside
 //! the window does, and the scissor does the rest.
 
-use crate::driver::{DepthClip, Viewport};
-use crate::vertex::GUARD_BAND;
-
-/// How many clip distances a vertex can have.
-pub const MAX_DISTANCES: usize = 8;
+use crate::desc::{DepthClip, Viewport};
+use crate::sizes::{GUARD_BAND, MAX_DISTANCES};
+use crate::vertex::Geometry;
 
 /// What the edge of a polygon that begins at a corner is.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -36,6 +34,17 @@ pub struct Corner {
     pub edge: Edge,
     /// The edge that a plane of the user's has cut, if that made this corner.
     pub cut: Option<Edge>,
+}
+
+impl Corner {
+    /// A vertex of a geometry.
+    pub fn of(geometry: &Geometry, vertex: u32) -> Self {
+        let mut distances = [0.0; MAX_DISTANCES];
+        for (to, &from) in distances.iter_mut().zip(geometry.distances(vertex)) {
+            *to = from.into();
+        }
+        Self { clip: geometry.clip(vertex).map(f64::from), distances, ..Self::default() }
+    }
 }
 
 /// The smallest `w` that is left: whatever is closer to the eye's plane is outside every guard band.
@@ -105,7 +114,7 @@ fn cut(
 ) {
     scratch.clear();
     let n = polygon.len();
-    // A line has one edge, a polygon as many as vertices.
+    // A line has one edge, a polygon one for each vertex.
     for i in 0..n {
         let a = polygon[i];
         let da = distance(&a);
@@ -118,7 +127,7 @@ fn cut(
         let b = polygon[(i + 1) % n];
         let db = distance(&b);
         if (da >= 0.0) != (db >= 0.0) {
-            // From the lesser to the greater in some order, whichever way the edge runs.
+            // In an order that does not depend on the direction of the edge.
             let (from, to, df, dt) = if a.clip < b.clip { (a, b, da, db) } else { (b, a, db, da) };
             let t = df / (df - dt);
             let mix = |from: f64, to: f64| from + (to - from) * t;

@@ -8,7 +8,7 @@
 //! fragments are: a run of columns with one row each, with the start's pixel added if the start lies
 //! in its diamond, and the end's taken away if the end does.
 
-use super::setup::SUBPIXEL;
+use crate::sizes::SUBPIXEL;
 use std::ops::Range;
 
 const HALF: i32 = SUBPIXEL / 2;
@@ -27,7 +27,7 @@ pub struct LineRun {
     backward: bool,
     /// A point on it, along the major and the minor axis, in subpixels.
     from: [i64; 2],
-    /// The way along the major (not negative) and the minor axis.
+    /// The extent along the major (not negative) and the minor axis.
     along: [i64; 2],
 }
 
@@ -91,7 +91,7 @@ impl LineRun {
     /// Of these columns, the first and the last whose row is one of these.
     pub fn columns_within(&self, columns: [i32; 2], rows: Range<i32>) -> Option<[i32; 2]> {
         let ends = columns.map(|column| self.row(column));
-        // Rows only rise, or only fall, from column to column.
+        // VertexPlanes only rise, or only fall, from column to column.
         let (come, gone): (&dyn Fn(i32) -> bool, &dyn Fn(i32) -> bool) = match ends[0] <= ends[1] {
             true => (&|row| row >= rows.start, &|row| row >= rows.end),
             false => (&|row| row < rows.end, &|row| row < rows.start),

@@ -1,17 +1,16 @@
 //! From vertices to what the rasterizer fills: assemble, cut away what cannot be seen, snap to the
 //! subpixel grid, cull.
 
-mod assemble;
 mod clip;
+mod invisible;
 mod line;
 mod outline;
+mod planes;
 mod setup;
 mod triangles;
-mod unseen;
 
-pub use assemble::{Primitive, Primitives, primitives};
-pub use clip::{Corner, MAX_DISTANCES};
+pub use invisible::{Drawn, Reason, Reasons, Side, reasons};
 pub use line::LineRun;
 pub use outline::{rectangle, stipple_lines};
-pub use setup::{Facing, Kind, Part, SUBPIXEL, Setup, Shape, setup};
-pub use unseen::{Drawn, Reason, Reasons, Side, reasons};
+pub use planes::{Across, DepthSetup, Inverse, Plane, VertexPlanes, point_coord};
+pub use setup::{Clipping, Setup, Shape, ShapeKind, setup};

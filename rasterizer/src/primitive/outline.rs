@@ -3,12 +3,11 @@
 
 use super::clip::{Corner, Edge};
 use super::line::LineRun;
-use super::setup::{
-    EdgeFlags, Facing, Kind, NOWHERE, Part, SUBPIXEL, Scratch, Setup, Shape, bounds, snap,
-};
-use crate::driver::{LineState, MAX_POINT_SIZE, PointState, PolygonMode, Rim};
-use crate::raster::depth_offset;
-use crate::vertex::{Geometry, Outcode};
+use super::planes::depth_offset;
+use super::setup::{Clipping, NOWHERE, Scratch, Setup, Shape, ShapeKind, bounds, snap};
+use crate::desc::{Antialiasing, Facing, LineState, MAX_POINT_SIZE, PointState, PolygonMode};
+use crate::sizes::SUBPIXEL;
+use crate::vertex::{EdgeFlags, Geometry, Outcode};
 
 /// A triangle that may be drawn as lines or points.
 pub(super) struct Outline {
@@ -29,7 +28,8 @@ pub(super) struct Line {
 }
 
 impl Setup<'_> {
-    /// The boundary edges of a triangle as lines, or the vertices where they begin as points; where planes of the user's
+    /// The boundary edges of a triangle as lines, or the vertices where they begin as points; where planes of the
+    /// user's
     /// cut it, those that they make too (section 2.12).
     pub(super) fn outline(
         &self,
@@ -74,18 +74,18 @@ impl Setup<'_> {
         self.cut(geometry, &vertices, Outcode(any), scratch);
         let corners = scratch.polygon.iter().zip(&scratch.snapped);
         for (at, (corner, &from)) in corners.enumerate() {
-            let (bounds, part) = (NOWHERE, Part::Cut);
+            let (bounds, part) = (NOWHERE, Clipping::Cut);
             match mode {
                 PolygonMode::Line if corner.edge == Edge::Made => {
                     let to = scratch.snapped[(at + 1) % scratch.snapped.len()];
-                    let kind = Kind::Line { stipple: 0, bias };
+                    let kind = ShapeKind::Line { stipple: 0, bias };
                     let corners = [from, to, to];
                     let edge = Shape { corners, bounds, vertices, provoking, part, kind, facing };
                     self.segment(edge, out);
                 }
                 PolygonMode::Point if is_vertex(corner, edges, is_marked) => {
                     let size = self.size_at(geometry, vertices, corner.weights);
-                    let (kind, corners) = (Kind::Point { size, bias }, [from; 3]);
+                    let (kind, corners) = (ShapeKind::Point { size, bias }, [from; 3]);
                     let point = Shape { corners, bounds, vertices, provoking, part, kind, facing };
                     let [x, y, _, w] = corner.clip;
                     if x.abs() <= w && y.abs() <= w {
@@ -132,8 +132,8 @@ impl Setup<'_> {
             bounds: NOWHERE,
             vertices: line.vertices,
             provoking: line.provoking,
-            part: Part::Whole,
-            kind: Kind::Line { stipple: 0, bias: line.bias },
+            part: Clipping::Whole,
+            kind: ShapeKind::Line { stipple: 0, bias: line.bias },
             facing: line.facing,
         };
         self.segment(shape, out);
@@ -143,13 +143,13 @@ impl Setup<'_> {
     fn segment(&self, shape: Shape, out: &mut Vec<Shape>) {
         let [a, b, _] = shape.corners;
         let mut ends = [a, b];
-        if self.raster.line.rim == Rim::Smooth {
+        if self.raster.line.antialiasing == Antialiasing::Smooth {
             let Some(cut) = self.cut_to_view(ends) else { return };
             ends = cut;
         }
         let bounds = match self.line_bounds(ends) {
             Some(bounds) => bounds,
-            // Where only the scissor or the image ends, the stipple goes on.
+            // The stipple advances across the edges of the scissor and of the image.
             None if self.raster.line.stipple.is_some() => {
                 let area = [[i32::MIN / 2; 2], [i32::MAX / 2; 2]];
                 let unbounded = Setup { area, inner: self.viewport.pixels(), ..*self };
@@ -170,7 +170,7 @@ impl Setup<'_> {
         let viewport = &self.viewport;
         let sides = [(viewport.x, viewport.width), (viewport.y, viewport.height)];
         let [from, to] = ends.map(|end| end.map(f64::from));
-        // Of the way from one end to the other, where it enters and where it leaves.
+        // The parameters between the ends at which it enters and leaves.
         let (mut enters, mut leaves) = (0.0_f64, 1.0_f64);
         for (axis, (start, size)) in sides.into_iter().enumerate() {
             let low = f64::from(start) * f64::from(SUBPIXEL);
@@ -205,8 +205,8 @@ impl Setup<'_> {
             area[1][axis] = (area[1][axis] + margin).min(self.area[1][axis]);
             area
         };
-        match state.rim {
-            Rim::Aliased => {
+        match state.antialiasing {
+            Antialiasing::Aliased => {
                 let run = LineRun::new(a, b, width as i32);
                 if run.first > run.last {
                     return None;
@@ -234,7 +234,7 @@ impl Setup<'_> {
                 }
                 Some(out)
             }
-            Rim::Smooth => {
+            Antialiasing::Smooth => {
                 if a == b {
                     return None;
                 }
@@ -242,7 +242,7 @@ impl Setup<'_> {
                 let around = |p: [i32; 2], by: i32| [p[0] + by, p[1] + by];
                 let corners =
                     [around(a, reach), around(a, -reach), around(b, reach), around(b, -reach)];
-                bounds(&corners, Rim::Smooth, &extend(extend(self.inner, 0), 1))
+                bounds(&corners, Antialiasing::Smooth, &extend(extend(self.inner, 0), 1))
             }
         }
     }
@@ -267,8 +267,8 @@ impl Setup<'_> {
             bounds: NOWHERE,
             vertices: [vertex; 3],
             provoking: 0,
-            part: Part::Whole,
-            kind: Kind::Point { size, bias },
+            part: Clipping::Whole,
+            kind: ShapeKind::Point { size, bias },
             facing,
         };
         self.disc(point, geometry.window(&self.viewport, vertex), size, out);
@@ -280,21 +280,24 @@ impl Setup<'_> {
         let low = point_corner(state, centre, size);
         let high = low.map(|v| v + f64::from(size));
         // A smooth disc touches pixels beyond the subpixel that its square ends in.
-        let rim = if state.sprite.is_some() { Rim::Aliased } else { state.rim };
-        let reach = i32::from(rim == Rim::Smooth);
+        let antialiasing =
+            if state.sprite.is_some() { Antialiasing::Aliased } else { state.antialiasing };
+        let reach = i32::from(antialiasing == Antialiasing::Smooth);
         let (low, high) = (snap(low).map(|v| v - reach), snap(high).map(|v| v + reach));
         // The upper edge and the left one are inside, as of polygons.
-        let corners = match rim {
-            Rim::Aliased => [[low[0], low[1] + 1], [high[0] - 1, high[1]]],
-            Rim::Smooth => [low, high],
+        let corners = match antialiasing {
+            Antialiasing::Aliased => [[low[0], low[1] + 1], [high[0] - 1, high[1]]],
+            Antialiasing::Smooth => [low, high],
         };
-        let Some(bounds) = bounds(&corners, rim, &self.area) else { return };
+        let Some(bounds) = bounds(&corners, antialiasing, &self.area) else { return };
         out.push(Shape { bounds, ..point });
     }
 }
 
-/// Whether a corner that a plane of the user's has made is a vertex of the polygon, and not only of one of its triangles.
-/// One where an edge begins that the plane has made is marked, one on the rest of an edge as that edge is. A vertex that
+/// Whether a corner that a plane of the user's has made is a vertex of the polygon, and not only of one of its
+/// triangles.
+/// One where an edge begins that the plane has made is marked, one on the rest of an edge as that edge is. A vertex
+/// that
 /// lies on the plane is there already.
 fn is_vertex(corner: &Corner, edges: u8, is_marked: impl Fn(usize) -> bool) -> bool {
     match corner.cut {
@@ -311,9 +314,9 @@ fn is_vertex(corner: &Corner, edges: u8, is_marked: impl Fn(usize) -> bool) -> b
 /// aliased points have whole sizes.
 fn drawn_size(state: &PointState, size: f32) -> f32 {
     let size = texunit::lanes::math::clamp(size, 1.0, MAX_POINT_SIZE);
-    match (state.rim, &state.sprite) {
-        (Rim::Aliased, None) => size.round(),
-        (Rim::Smooth, None) | (_, Some(_)) => size,
+    match (state.antialiasing, &state.sprite) {
+        (Antialiasing::Aliased, None) => size.round(),
+        (Antialiasing::Smooth, None) | (_, Some(_)) => size,
     }
 }
 
@@ -321,10 +324,10 @@ fn drawn_size(state: &PointState, size: f32) -> f32 {
 /// size around a pixel's centre, with an even one around a corner of pixels.
 fn point_corner(state: &PointState, window: [f64; 2], size: f32) -> [f64; 2] {
     let size = f64::from(size);
-    window.map(|v| match (state.rim, &state.sprite) {
-        (Rim::Aliased, None) if size % 2.0 == 1.0 => v.floor() + 0.5 - size * 0.5,
-        (Rim::Aliased, None) => (v + 0.5).floor() - size * 0.5,
-        (Rim::Smooth, None) | (_, Some(_)) => v - size * 0.5,
+    window.map(|v| match (state.antialiasing, &state.sprite) {
+        (Antialiasing::Aliased, None) if size % 2.0 == 1.0 => v.floor() + 0.5 - size * 0.5,
+        (Antialiasing::Aliased, None) => (v + 0.5).floor() - size * 0.5,
+        (Antialiasing::Smooth, None) | (_, Some(_)) => v - size * 0.5,
     })
 }
 
@@ -349,7 +352,7 @@ pub(super) fn stipple_around(state: &LineState, shapes: &mut [Shape], closing: [
     if state.stipple.is_none() {
         return;
     }
-    let closes = |shape: &Shape| shape.part == Part::Whole && shape.vertices[..2] == closing;
+    let closes = |shape: &Shape| shape.part == Clipping::Whole && shape.vertices[..2] == closing;
     if let Some(at) = shapes.iter().position(closes) {
         shapes[at..].rotate_left(1);
     }
@@ -365,11 +368,13 @@ pub fn stipple_lines(state: &LineState, shapes: &mut [Shape], before: u32) -> u3
     let mut come = before;
     for shape in shapes {
         let [a, b, _] = shape.corners;
-        if let Kind::Line { stipple, .. } = &mut shape.kind {
+        if let ShapeKind::Line { stipple, .. } = &mut shape.kind {
             *stipple = come;
-            let length = match state.rim {
-                Rim::Aliased => LineRun::new(a, b, width as i32).columns() * SUBPIXEL as u32,
-                Rim::Smooth => {
+            let length = match state.antialiasing {
+                Antialiasing::Aliased => {
+                    LineRun::new(a, b, width as i32).columns() * SUBPIXEL as u32
+                }
+                Antialiasing::Smooth => {
                     let d = [0, 1].map(|axis| f64::from(b[axis]) - f64::from(a[axis]));
                     (d[0] * d[0] + d[1] * d[1]).sqrt() as u32
                 }

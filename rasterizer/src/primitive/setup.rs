@@ -1,30 +1,17 @@
 //! From a primitive to shapes on the subpixel grid, culled.
 
-use super::assemble::{Primitive, Primitives};
 use super::clip::{Corner, Edge, clip, planes};
 use super::outline::{Line, Outline, stipple_around};
 use super::triangles::Triangles;
-use crate::driver::{Cull, FrontFace, PolygonMode, RasterState, Rim, Viewport};
-use crate::vertex::{Geometry, Outcode, Wanted};
+use crate::desc::{Antialiasing, Cull, Facing, FrontFace, PolygonMode, RasterState, Viewport};
+use crate::sizes::SUBPIXEL;
+use crate::vertex::{EdgeFlags, Geometry, Outcode, Primitive, Primitives, VertexList};
 use std::ops::Range;
 use texunit::lanes::{Isa, LANES};
 
-/// Subpixels of a pixel along an axis (`GL_SUBPIXEL_BITS` = 8).
-pub const SUBPIXEL: i32 = 256;
-
-/// Which side of a polygon is seen.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Facing {
-    /// Points and lines too.
-    #[default]
-    Front,
-    /// The other.
-    Back,
-}
-
 /// What a shape covers, and how depth and varyings run over it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Kind {
+pub enum ShapeKind {
     /// The triangle of its corners, by the plane through three vertices.
     Triangle,
     /// The line from its first to its second corner, along which values run from the first to the
@@ -46,7 +33,7 @@ pub enum Kind {
 
 /// Whether clipping has cut a primitive.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Part {
+pub enum Clipping {
     /// It is as its vertices say.
     Whole,
     /// Its corners are not its vertices. A line is an edge that clipping made of the triangle of its vertices.
@@ -66,10 +53,10 @@ pub struct Shape {
     /// Which of `vertices` gives flat varyings.
     pub provoking: u8,
     /// Whether it is all of the primitive.
-    pub part: Part,
+    pub part: Clipping,
     /// What it is.
-    pub kind: Kind,
-    /// Which side is seen.
+    pub kind: ShapeKind,
+    /// The facing of the primitive.
     pub facing: Facing,
 }
 
@@ -92,19 +79,10 @@ impl Shape {
     /// Where the centre of a point is in the window.
     pub fn centre(&self, geometry: &Geometry, viewport: &Viewport) -> [f64; 2] {
         match self.part {
-            Part::Whole => geometry.window(viewport, self.vertices[0]),
-            Part::Cut => self.corners[0].map(|v| f64::from(v) / f64::from(SUBPIXEL)),
+            Clipping::Whole => geometry.window(viewport, self.vertices[0]),
+            Clipping::Cut => self.corners[0].map(|v| f64::from(v) / f64::from(SUBPIXEL)),
         }
     }
-}
-
-/// Whether the edge flags of vertices count.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum EdgeFlags {
-    /// All edges are boundaries.
-    AllSet,
-    /// Those are whose first vertex says so.
-    ByVertex,
 }
 
 /// What is fixed for the primitives of a draw.
@@ -112,7 +90,7 @@ pub enum EdgeFlags {
 pub struct Setup<'a> {
     /// The instruction set.
     pub isa: Isa,
-    /// Where the window is.
+    /// The viewport.
     pub viewport: Viewport,
     /// Which faces are not drawn.
     pub cull: Cull,
@@ -147,7 +125,7 @@ pub fn setup(
     setup: &Setup<'_>,
     geometry: &Geometry,
     (primitives, range): (&Primitives, Range<u32>),
-    wanted: &Wanted,
+    wanted: &VertexList,
     out: &mut Vec<Shape>,
 ) {
     let mut scratch = Scratch { planes: planes(&setup.viewport), ..Scratch::default() };
@@ -196,7 +174,7 @@ pub fn setup(
 }
 
 impl Setup<'_> {
-    /// A triangle, whichever way it is drawn.
+    /// Sets up a triangle, in any polygon mode.
     pub(super) fn triangle(
         &self,
         geometry: &Geometry,
@@ -213,10 +191,10 @@ impl Setup<'_> {
         let whole;
         let (corners, part) = if any & Outcode::CUT == 0 {
             whole = vertices.map(|v| geometry.snapped[v as usize]);
-            (whole.as_slice(), Part::Whole)
+            (whole.as_slice(), Clipping::Whole)
         } else {
             self.cut(geometry, &vertices, Outcode(any), scratch);
-            (scratch.snapped.as_slice(), Part::Cut)
+            (scratch.snapped.as_slice(), Clipping::Cut)
         };
         let Some((area, facing)) = self.facing(corners) else { return };
         if self.raster.polygon.mode[facing as usize] == PolygonMode::Fill {
@@ -226,7 +204,7 @@ impl Setup<'_> {
                 vertices,
                 provoking,
                 part,
-                kind: Kind::Triangle,
+                kind: ShapeKind::Triangle,
                 facing,
             };
             self.fill(corners, area, shape, out);
@@ -245,7 +223,7 @@ impl Setup<'_> {
     ) {
         scratch.polygon.clear();
         scratch.polygon.extend(vertices.iter().enumerate().map(|(at, &vertex)| {
-            let mut corner = geometry.corner(vertex);
+            let mut corner = Corner::of(geometry, vertex);
             corner.weights[at] = 1.0;
             corner.edge = Edge::Own(at as u8);
             corner
@@ -256,7 +234,7 @@ impl Setup<'_> {
         scratch.snapped.extend(snapped);
     }
 
-    /// Twice the area of a convex polygon, and which side is seen; `None` where nothing of it is.
+    /// Twice the area of a convex polygon, and its facing; `None` if it is culled.
     #[inline]
     pub(super) fn facing(&self, corners: &[[i32; 2]]) -> Option<(i64, Facing)> {
         if corners.len() < 3 {
@@ -296,7 +274,7 @@ impl Setup<'_> {
             if doubled_area(corners) <= 0 {
                 continue;
             }
-            if let Some(bounds) = bounds(&corners, self.raster.polygon.rim, &self.inner) {
+            if let Some(bounds) = bounds(&corners, self.raster.polygon.antialiasing, &self.inner) {
                 out.push(Shape { corners, bounds, ..shape });
             }
         }
@@ -304,10 +282,10 @@ impl Setup<'_> {
 }
 
 /// The first and last pixel of `area` that points in the bounding box of `corners` may cover: those
-/// with their centre inside, or, of a smooth rim, all that it touches.
+/// with their centre inside, or, for an antialiased shape, all that it touches.
 pub(super) fn bounds(
     corners: &[[i32; 2]],
-    rim: Rim,
+    antialiasing: Antialiasing,
     area: &[[i32; 2]; 2],
 ) -> Option<[[u16; 2]; 2]> {
     let mut out = [[0; 2]; 2];
@@ -317,12 +295,12 @@ pub(super) fn bounds(
             low = low.min(corner[axis]);
             high = high.max(corner[axis]);
         }
-        let (first, last) = match rim {
-            Rim::Aliased => (
+        let (first, last) = match antialiasing {
+            Antialiasing::Aliased => (
                 (low + SUBPIXEL / 2 - 1).div_euclid(SUBPIXEL),
                 (high - SUBPIXEL / 2).div_euclid(SUBPIXEL),
             ),
-            Rim::Smooth => (low.div_euclid(SUBPIXEL), (high - 1).div_euclid(SUBPIXEL)),
+            Antialiasing::Smooth => (low.div_euclid(SUBPIXEL), (high - 1).div_euclid(SUBPIXEL)),
         };
         let (first, last) = (first.max(area[0][axis]), last.min(area[1][axis] - 1));
         if first > last {

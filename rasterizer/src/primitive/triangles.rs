@@ -1,11 +1,11 @@
-//! Filled triangles, 64 at a time: the arithmetic of [`super::setup`] over lanes. What clipping has to
-//! cut is left to the general way.
+//! Filled triangles, 64 at a time: the arithmetic of [`super::setup`] over lanes. Triangles that must be clipped take
+//! the general path.
 
-use super::assemble::{Primitive, Primitives};
 use super::outline::Outline;
-use super::setup::{Facing, Kind, Part, SUBPIXEL, Scratch, Setup, Shape};
-use crate::driver::{Cull, FrontFace, Rim};
-use crate::vertex::{Geometry, Outcode, Wanted};
+use super::setup::{Clipping, Scratch, Setup, Shape, ShapeKind};
+use crate::desc::{Antialiasing, Cull, Facing, FrontFace};
+use crate::sizes::SUBPIXEL;
+use crate::vertex::{Geometry, Outcode, Primitive, Primitives, VertexList};
 use std::ops::Range;
 use texunit::lanes::{I32s, Kernel, LANES, Simd, U32s};
 
@@ -31,7 +31,7 @@ impl Default for Triangles {
 }
 
 /// Which of them there are, bit by lane.
-struct Fates {
+struct TriangleMasks {
     /// Those that are drawn as they are.
     whole: u64,
     /// Those of them of which the back is seen.
@@ -42,7 +42,7 @@ struct Fates {
 
 impl Triangles {
     /// Takes a range of at most 64 primitives, all of them triangles.
-    pub fn load(&mut self, primitives: &Primitives, range: Range<u32>, wanted: &Wanted) {
+    pub fn load(&mut self, primitives: &Primitives, range: Range<u32>, wanted: &VertexList) {
         if let Some(provoking) = primitives.triples() {
             wanted.triples(3 * range.start, &mut self.vertices, range.len());
             self.provoking = [provoking; LANES];
@@ -96,8 +96,8 @@ impl Triangles {
                 ],
                 vertices,
                 provoking,
-                part: Part::Whole,
-                kind: Kind::Triangle,
+                part: Clipping::Whole,
+                kind: ShapeKind::Triangle,
                 facing: if back { Facing::Back } else { Facing::Front },
             });
         }
@@ -111,9 +111,9 @@ struct Project<'a> {
 }
 
 impl Kernel for Project<'_> {
-    type Output = Fates;
+    type Output = TriangleMasks;
     #[inline(always)]
-    fn run<S: Simd>(self) -> Fates {
+    fn run<S: Simd>(self) -> TriangleMasks {
         let Self { triangles: Triangles { vertices, corners, bounds, .. }, setup, geometry } = self;
         let places: &[u8] = bytemuck::cast_slice(&geometry.snapped);
         let outcodes: &[u8] = bytemuck::cast_slice(&geometry.outcodes);
@@ -168,9 +168,9 @@ impl Kernel for Project<'_> {
             cy[lane] = if turn { b[1] } else { c[1] };
         }
         // As `setup::bounds` has it.
-        let (first, last) = match setup.raster.polygon.rim {
-            Rim::Aliased => (SUBPIXEL / 2 - 1, SUBPIXEL / 2),
-            Rim::Smooth => (0, 1),
+        let (first, last) = match setup.raster.polygon.antialiasing {
+            Antialiasing::Aliased => (SUBPIXEL / 2 - 1, SUBPIXEL / 2),
+            Antialiasing::Smooth => (0, 1),
         };
         let [low, high] = bounds;
         let [area_low, area_high] = setup.inner;
@@ -189,6 +189,6 @@ impl Kernel for Project<'_> {
                 whole[lane] = if is_seen { whole[lane] } else { 0 };
             }
         }
-        Fates { whole: S::nonzero(&whole), back: S::nonzero(&back), cut: S::nonzero(&cut) }
+        TriangleMasks { whole: S::nonzero(&whole), back: S::nonzero(&back), cut: S::nonzero(&cut) }
     }
 }

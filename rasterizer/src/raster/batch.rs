@@ -1,17 +1,16 @@
 //! Batches of fragments: the block of one shape, or up to 16 quads, of many blocks or of many shapes.
 
-use super::pixels::Pixels;
-use super::samples::SampleMasks;
-use crate::plan::Packing;
-use crate::primitive::Facing;
-use crate::target::Place;
+use super::pixel_batch::Pixels;
+use crate::attachment::BatchLayout;
+use crate::desc::Facing;
+use crate::plan::{Packing, SampleMasks};
 use texunit::lanes::{F32s, QUADS};
 
 /// Fragments that are shaded together.
 #[derive(Clone, Copy)]
 pub struct Batch<'a> {
     /// Where they are, and what is interpolated there.
-    pub quads: Quads<'a>,
+    pub quads: BatchPixels<'a>,
     /// Which lanes are covered, by sample.
     pub masks: &'a SampleMasks,
     /// Lanes of quads that went through the early tests before they came here.
@@ -20,7 +19,7 @@ pub struct Batch<'a> {
 
 /// The quads of a batch.
 #[derive(Clone, Copy)]
-pub enum Quads<'a> {
+pub enum BatchPixels<'a> {
     /// All of a block.
     Block(&'a BlockOf<'a>),
     /// Quads of anywhere.
@@ -33,7 +32,7 @@ pub enum Quads<'a> {
 pub struct BlockOf<'a> {
     /// Of each plane: at its first pixel, per pixel across, per pixel up.
     pub planes: &'a [[f32; 3]],
-    /// Which side is seen.
+    /// The facing of the primitive.
     pub facing: Facing,
     /// Whether its lanes went through the early tests, if there are any.
     pub tests: EarlyTests,
@@ -43,7 +42,7 @@ pub struct BlockOf<'a> {
     pub x: i32,
     /// Its first row.
     pub y: i32,
-    /// The part of each lane's pixel that is covered, where the draw asks.
+    /// The covered fraction of each lane's pixel, where the draw reads it.
     pub coverage: Option<&'a F32s>,
 }
 
@@ -63,44 +62,44 @@ impl<'a> Batch<'a> {
             EarlyTests::Done => !0,
             EarlyTests::Due => 0,
         };
-        Self { quads: Quads::Block(of), masks, tested }
+        Self { quads: BatchPixels::Block(of), masks, tested }
     }
 
     /// Lanes that run: of quads the whole, so that derivatives have their neighbours.
     pub fn active(&self) -> u64 {
         let any = self.masks.any();
         match self.quads {
-            Quads::Block(_) | Quads::Packed(_) if any != !0 => lanes_of(quads_of(any)),
-            Quads::Block(_) | Quads::Packed(_) | Quads::Pixels(_) => any,
+            BatchPixels::Block(_) | BatchPixels::Packed(_) if any != !0 => lanes_of(quads_of(any)),
+            BatchPixels::Block(_) | BatchPixels::Packed(_) | BatchPixels::Pixels(_) => any,
         }
     }
 
     /// Lanes of back faces.
     pub fn back(&self) -> u64 {
         match self.quads {
-            Quads::Block(of) => match of.facing {
+            BatchPixels::Block(of) => match of.facing {
                 Facing::Front => 0,
                 Facing::Back => !0,
             },
-            Quads::Packed(packed) => {
+            BatchPixels::Packed(packed) => {
                 let mut quads = 0;
                 for (quad, &front) in packed.front.iter().enumerate().take(packed.len) {
                     quads |= u16::from(front == 0) << quad;
                 }
                 lanes_of(quads)
             }
-            Quads::Pixels(pixels) => pixels.back,
+            BatchPixels::Pixels(pixels) => pixels.back,
         }
     }
 
     /// Where its pixels are.
-    pub fn place(&self) -> Place<'a> {
+    pub fn place(&self) -> BatchLayout<'a> {
         match self.quads {
-            Quads::Block(of) => Place::Block(of.block),
-            Quads::Packed(packed) => {
-                Place::Quads(&packed.blocks[..packed.len], &packed.quads[..packed.len])
+            BatchPixels::Block(of) => BatchLayout::Block(of.block),
+            BatchPixels::Packed(packed) => {
+                BatchLayout::Quads(&packed.blocks[..packed.len], &packed.quads[..packed.len])
             }
-            Quads::Pixels(pixels) => pixels.place(),
+            BatchPixels::Pixels(pixels) => pixels.place(),
         }
     }
 }
@@ -138,7 +137,7 @@ pub struct Packed {
     pub y: [f32; QUADS],
     /// The word of each quad's [`front_word`].
     pub front: [u32; QUADS],
-    /// The part of each lane's pixel that is covered, where the draw asks.
+    /// The covered fraction of each lane's pixel, where the draw reads it.
     pub coverage: F32s,
     pub planes: Vec<EachPlane<QUADS>>,
     /// By block: the lanes that wait in this batch.
@@ -176,17 +175,17 @@ impl Packed {
         self.len == QUADS
     }
 
-    /// Whether any of the lanes of a block waits here: what comes after must not overtake it.
+    /// Whether any of these lanes of a block waits here: later fragments must not overtake it.
     pub fn holds(&self, block: usize, lanes: u64) -> bool {
         self.waiting[block] & lanes != 0
     }
 
     /// What waits.
     pub fn batch(&self) -> Batch<'_> {
-        Batch { quads: Quads::Packed(self), masks: &self.masks, tested: self.tested }
+        Batch { quads: BatchPixels::Packed(self), masks: &self.masks, tested: self.tested }
     }
 
-    /// Forgets its quads and makes room for a draw with so many planes and samples.
+    /// Removes all quads, and prepares for a draw with these numbers of planes and samples.
     pub fn clear(&mut self, planes: usize, samples: usize) {
         for &block in &self.blocks[..self.len] {
             self.waiting[usize::from(block)] = 0;
@@ -249,7 +248,7 @@ const DENSE_QUADS: u32 = 12;
 /// Pixels of one, where these need not be quads.
 const DENSE_PIXELS: u32 = 30;
 
-/// Whether lanes of a block are so many that they are shaded by themselves.
+/// Whether a block is covered densely enough to be shaded by itself.
 #[inline(always)]
 pub fn is_dense(packing: Packing, lanes: u64) -> bool {
     match packing {

@@ -1,6 +1,6 @@
 //! Where a block of 8×8 pixels is.
 
-use crate::target::TILE;
+use crate::sizes::TILE;
 
 /// The blocks along a side of a tile.
 const SIDE: i32 = TILE as i32 / 8;

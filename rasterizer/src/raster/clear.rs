@@ -1,10 +1,11 @@
 //! Clears, tile by tile.
 
 use super::block::BlockAt;
-use super::coverage;
+use super::edge_functions;
 use super::job::{PassJob, TileJob};
+use crate::attachment::WordMask;
 use crate::output::expand_mask;
-use crate::target::{TILE, WordMask};
+use crate::sizes::TILE;
 use crate::trace::Cleared;
 use texunit::lanes::LANES;
 
@@ -78,7 +79,7 @@ pub fn clear(pass: &PassJob, job: &ClearJob, tile: &mut TileJob) {
                 let index = touched.trailing_zeros() as usize;
                 touched &= touched - 1;
                 let (at, block) = (BlockAt::numbered([tile.x, tile.y], index), &mut blocks[index]);
-                let lanes = expand_mask(coverage::inside_area(&job.area, at));
+                let lanes = expand_mask(edge_functions::inside_area(&job.area, at));
                 for lane in 0..LANES {
                     let write = lanes[lane] & write;
                     block[lane] = (word & write) | (block[lane] & !write);
@@ -100,7 +101,7 @@ mod tests {
             for area in [[[first, 70], [end, 73]], [[70, first], [73, end]]] {
                 let inside = |block| {
                     let at = BlockAt::numbered([64, 64], block);
-                    u64::from(coverage::inside_area(&area, at) != 0) << block
+                    u64::from(edge_functions::inside_area(&area, at) != 0) << block
                 };
                 let want = (0..64).fold(0, |all, block| all | inside(block));
                 assert_eq!(touched(&area, [64, 64]), want, "{area:?}");

@@ -1,14 +1,13 @@
 //! The inputs of a fragment program: planes at the pixels of a batch.
 
-use super::batch::{Batch, BlockOf, Packed, QUAD_X, QUAD_Y, Quads, front_word};
-use super::depths::clamp_depth;
-use super::pixels::Pixels;
-use super::quotients::{X, Y, along, divided, evaluate, invert, value_at, with_slopes, within};
-use super::run::BlockRun;
-use super::samples::SampleMasks;
+use super::batch::{Batch, BatchPixels, BlockOf, Packed, QUAD_X, QUAD_Y, front_word};
+use super::block_run::BlockRun;
+use super::fragment_depth::clamp_depth;
+use super::perspective::{X, Y, along, divided, evaluate, invert, value_at, with_slopes, within};
+use super::pixel_batch::Pixels;
+use crate::desc::Facing;
 use crate::ir::Axis;
-use crate::plan::{DrawPlan, FilledInput, FragmentInput};
-use crate::primitive::Facing;
+use crate::plan::{DrawPlan, FilledInput, FragmentInput, SampleMasks};
 use crate::shader::Machine;
 use std::iter::once;
 use texunit::lanes::{F32s, Kernel, LANES, QUADS, Simd, U32s};
@@ -148,9 +147,9 @@ pub struct Interpolate<'a> {
     pub plan: &'a DrawPlan,
     /// The quads.
     pub batch: &'a Batch<'a>,
-    /// Takes the inputs.
+    /// Receives the inputs.
     pub machine: &'a mut Machine,
-    /// Takes the depth, where the plan has a plane for it.
+    /// Receives the depth, where the plan has a plane for it.
     pub depth: &'a mut F32s,
 }
 
@@ -160,26 +159,26 @@ impl Kernel for Interpolate<'_> {
     fn run<S: Simd>(self) {
         let Self { plan, batch, machine, depth } = self;
         let inputs = &plan.filled[..];
-        let mut fill = Fill { plan, inputs, masks: batch.masks, machine, bank: 0, depth };
+        let mut fill = Fill { plan, inputs, masks: batch.masks, machine, file: 0, depth };
         match batch.quads {
-            Quads::Block(block) => fill.fill::<S>(block),
-            Quads::Packed(packed) => fill.fill::<S>(packed),
-            Quads::Pixels(pixels) => fill.fill::<S>(pixels),
+            BatchPixels::Block(block) => fill.fill::<S>(block),
+            BatchPixels::Packed(packed) => fill.fill::<S>(packed),
+            BatchPixels::Pixels(pixels) => fill.fill::<S>(pixels),
         }
     }
 }
 
-/// Fills the input registers of a program from a run, bank by bank.
+/// Fills the input registers of a program from a run, register file by register file.
 pub struct InterpolateRun<'a> {
     /// The draw.
     pub plan: &'a DrawPlan,
-    /// What is filled of the first bank, and of the others.
+    /// What is filled of the first register file, and of the others.
     pub inputs: [&'a [FilledInput]; 2],
     /// The blocks.
     pub run: &'a BlockRun,
     /// The first pixel of their tile.
     pub tile: [i32; 2],
-    /// Takes the inputs.
+    /// Receives the inputs.
     pub machine: &'a mut Machine,
 }
 
@@ -190,27 +189,27 @@ impl Kernel for InterpolateRun<'_> {
         let Self { plan, inputs: [first, others], run, tile, machine } = self;
         let (masks, mut depth) = (&SampleMasks::default(), F32s::ZERO);
         let depth = &mut depth;
-        for (bank, block) in run.blocks(tile).enumerate() {
-            let inputs = if bank == 0 { first } else { others };
-            Fill { plan, inputs, masks, machine, bank, depth }.fill::<S>(&block);
+        for (file, block) in run.blocks(tile).enumerate() {
+            let inputs = if file == 0 { first } else { others };
+            Fill { plan, inputs, masks, machine, file, depth }.fill::<S>(&block);
         }
     }
 }
 
-/// Fills the input registers of a bank.
+/// Fills the input registers of a register file.
 struct Fill<'a> {
     plan: &'a DrawPlan,
     inputs: &'a [FilledInput],
     masks: &'a SampleMasks,
     machine: &'a mut Machine,
-    bank: usize,
+    file: usize,
     depth: &'a mut F32s,
 }
 
 impl Fill<'_> {
     #[inline(always)]
     fn fill<S: Simd>(&mut self, places: &impl Places) {
-        let Self { plan, inputs, masks, machine, bank, depth } = self;
+        let Self { plan, inputs, masks, machine, file, depth } = self;
         // Planes and registers may overlap as far as the compiler knows: what is computed here is
         // computed on the stack and stored whole.
         if let Some(index) = plan.depth_plane.filter(|_| plan.shades_depth) {
@@ -229,7 +228,7 @@ impl Fill<'_> {
         if plan.centroids {
             centroids = plan.samples.centroids(masks);
         }
-        let registers = machine.inputs_of(*bank);
+        let registers = machine.inputs_of(*file);
         for &FilledInput { number, from, slopes } in *inputs {
             if let (FragmentInput::Smooth(index), Some(slopes)) = (from, slopes) {
                 let all = with_slopes::<S>(places, [index, denominator], &w);
@@ -319,9 +318,9 @@ impl Batch<'_> {
     fn place_of(&self, plane: usize, lane: usize) -> ([f32; 3], [f32; 2]) {
         let (e, q) = (lane / QUADS, lane % QUADS);
         match self.quads {
-            Quads::Block(block) => (block.plane(plane)(e, q), block.within(e, q)),
-            Quads::Packed(packed) => (packed.plane(plane)(e, q), packed.within(e, q)),
-            Quads::Pixels(pixels) => (pixels.plane(plane)(e, q), pixels.within(e, q)),
+            BatchPixels::Block(block) => (block.plane(plane)(e, q), block.within(e, q)),
+            BatchPixels::Packed(packed) => (packed.plane(plane)(e, q), packed.within(e, q)),
+            BatchPixels::Pixels(pixels) => (pixels.plane(plane)(e, q), pixels.within(e, q)),
         }
     }
 }

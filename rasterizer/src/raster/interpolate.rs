@@ -1,129 +1,21 @@
 //! How depth and varyings run over a shape: plane equations in `f64`.
 //!
-//! For a triangle with clip vertices `p_i`, let `l_i(x, y)` be the plane that is `1 / w_i` at the
-//! window position of `p_i` and zero at the other two. Then, everywhere on the triangle,
-//!
-//! ```text
-//! 1 / w = Σ l_i      v / w = Σ v_i l_i      z / w = Σ z_i l_i
-//! ```
-//!
-//! (GL 2.1, equations 3.6 and 3.8, without barycentric coordinates). The coefficients of the `l_i`
-//! are the rows of the inverse of the matrix whose columns are the homogeneous window positions, so
-//! they hold whether or not a vertex is in front of the eye: a clipped triangle is interpolated by
-//! the planes of the whole one.
-//!
 //! A value at a pixel is `(corner + dx · A) + dy · B` in `f32`, where `corner` is the plane in `f64`
 //! at the first pixel of the screen-aligned 8×8 block, and `dx`, `dy` count pixels within it.
 
-use crate::driver::{LineState, PolygonOffset, Rim, SpriteOrigin, Viewport};
-use crate::primitive::{Facing, Kind, Part, SUBPIXEL, Shape};
-use crate::vertex::{Geometry, Outcode};
-
-/// What one plane of a draw holds.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum PlaneSource {
-    /// Window depth.
-    Depth,
-    /// What smooth varyings are divided by: `1/w`, or 1 where all three `w` are the same.
-    Denominator,
-    /// `1/w` itself (`gl_FragCoord.w`).
-    InverseW,
-    /// A varying over `w` (its index in the geometry).
-    Smooth(usize),
-    /// A varying, linear in the window.
-    NoPerspective(usize),
-    /// A varying of the provoking vertex.
-    Flat(usize),
-    /// `gl_PointCoord`, 0 for s, 1 for t.
-    PointCoord(u8),
-    /// As [`PlaneSource::Smooth`], but component 0 to 3 of (s, t, 0, 1) where the shape is a point.
-    Sprite(usize, u8),
-}
-
-/// `a · (x - origin.x) + b · (y - origin.y) + c`.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Plane {
-    /// Per pixel across.
-    pub a: f64,
-    /// Per pixel up.
-    pub b: f64,
-    /// At the origin.
-    pub c: f64,
-}
-
-impl Plane {
-    fn constant(c: f64) -> Self {
-        Self { a: 0.0, b: 0.0, c }
-    }
-
-    /// `Σ value_i · row_i`.
-    fn sum(rows: &[Self; 3], values: [f64; 3]) -> Self {
-        let dot = |part: fn(&Self) -> f64| {
-            part(&rows[0]) * values[0] + part(&rows[1]) * values[1] + part(&rows[2]) * values[2]
-        };
-        Self { a: dot(|p| p.a), b: dot(|p| p.b), c: dot(|p| p.c) }
-    }
-
-    fn scaled(self, factor: f64) -> Self {
-        Self { a: self.a * factor, b: self.b * factor, c: self.c * factor }
-    }
-
-    /// The same along a line from the origin, which is its first end, and constant across it.
-    fn along(self, corners: &[[i32; 2]; 3], across: Across) -> Self {
-        let [from, to, _] = corners;
-        let way = [0, 1].map(|axis| f64::from(to[axis]) - f64::from(from[axis]));
-        let [x, y] = across.side(way, corners);
-        let square = x * x + y * y;
-        let slope = if square > 0.0 { (self.a * way[0] + self.b * way[1]) / square } else { 0.0 };
-        Self { a: slope * y, b: slope * -x, c: self.c }
-    }
-
-    fn is_finite(self) -> bool {
-        self.a.is_finite() && self.b.is_finite() && self.c.is_finite()
-    }
-}
-
-/// Where the values of a line are the same.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Across {
-    /// At right angles to it (GL 2.1, equation 3.5).
-    Line,
-    /// Along its minor axis, as a wide line's columns are one fragment, replicated (section 3.4.2).
-    Columns,
-}
-
-impl Across {
-    /// For lines of a state.
-    pub fn of(line: &LineState) -> Self {
-        match line.rim {
-            Rim::Aliased if line.drawn_width() > 1.0 => Self::Columns,
-            Rim::Aliased | Rim::Smooth => Self::Line,
-        }
-    }
-
-    /// The direction without change, of a line between `corners` that runs `along`.
-    fn side(self, along: [f64; 2], corners: &[[i32; 2]; 3]) -> [f64; 2] {
-        let mut side = [-along[1], along[0]];
-        let way = [0, 1].map(|axis| corners[1][axis].abs_diff(corners[0][axis]));
-        match self {
-            Self::Line => {}
-            Self::Columns => side[usize::from(way[1] > way[0])] = 0.0,
-        }
-        side
-    }
-}
+use crate::desc::SpriteOrigin;
+use crate::plan::PlaneSource;
+use crate::primitive::{Across, DepthSetup, Plane, Shape, ShapeKind, VertexPlanes, point_coord};
+use crate::sizes::SUBPIXEL;
+use crate::vertex::Geometry;
 
 /// What the planes of a draw's shapes depend on besides the shape.
 #[derive(Clone, Copy, Debug)]
 pub struct PlaneSetup<'a> {
     /// Which planes.
     pub sources: &'a [PlaneSource],
-    /// Where the window is.
-    pub viewport: Viewport,
-    /// Moves the depth of filled polygons.
-    pub offset: Option<PolygonOffset>,
-    /// The smallest resolvable difference of depth; `None` for floating-point depth.
-    pub resolution: Option<f64>,
+    /// How depth is computed.
+    pub depth: DepthSetup,
     /// Where t is 0 in a point.
     pub origin: SpriteOrigin,
     /// Where lines have the same values.
@@ -144,32 +36,37 @@ impl Planes {
     #[inline(never)]
     pub fn compute(&mut self, setup: &PlaneSetup<'_>, geometry: &Geometry, shape: &Shape) {
         self.origin = match shape.kind {
-            Kind::Triangle | Kind::Line { .. } => {
+            ShapeKind::Triangle | ShapeKind::Line { .. } => {
                 shape.corners[0].map(|v| f64::from(v) / f64::from(SUBPIXEL))
             }
-            Kind::Point { .. } => shape.centre(geometry, &setup.viewport),
+            ShapeKind::Point { .. } => shape.centre(geometry, &setup.depth.viewport),
         };
-        let rows = Rows::new(shape, geometry, &setup.viewport, self.origin, setup.across);
+        let rows =
+            VertexPlanes::new(shape, geometry, &setup.depth.viewport, self.origin, setup.across);
         let varyings = shape.vertices.map(|v| geometry.varyings_of(v));
         let provoking = varyings[usize::from(shape.provoking)];
         let values = |at: usize| [0, 1, 2].map(|i| f64::from(varyings[i][at]));
         self.planes.clear();
         for source in setup.sources {
             let plane = match *source {
-                PlaneSource::Depth => rows.depth(setup, shape, geometry),
+                PlaneSource::Depth => rows.depth(&setup.depth, shape, geometry),
                 PlaneSource::Denominator => rows.denominator,
                 PlaneSource::InverseW => rows.inverse_w,
                 PlaneSource::Smooth(at) => Plane::sum(&rows.smooth, values(at)),
                 PlaneSource::NoPerspective(at) => Plane::sum(&rows.linear, values(at)),
                 PlaneSource::Flat(at) => Plane::constant(f64::from(provoking[at])),
                 PlaneSource::PointCoord(axis) => match shape.kind {
-                    Kind::Point { size, .. } => point_coord(axis, size, setup.origin),
-                    Kind::Triangle | Kind::Line { .. } => Plane::constant(0.0),
+                    ShapeKind::Point { size, .. } => point_coord(axis, size, setup.origin),
+                    ShapeKind::Triangle | ShapeKind::Line { .. } => Plane::constant(0.0),
                 },
                 PlaneSource::Sprite(at, component) => match (shape.kind, component) {
-                    (Kind::Point { size, .. }, 0 | 1) => point_coord(component, size, setup.origin),
-                    (Kind::Point { .. }, _) => Plane::constant(f64::from(component - 2)),
-                    (Kind::Triangle | Kind::Line { .. }, _) => Plane::sum(&rows.smooth, values(at)),
+                    (ShapeKind::Point { size, .. }, 0 | 1) => {
+                        point_coord(component, size, setup.origin)
+                    }
+                    (ShapeKind::Point { .. }, _) => Plane::constant(f64::from(component - 2)),
+                    (ShapeKind::Triangle | ShapeKind::Line { .. }, _) => {
+                        Plane::sum(&rows.smooth, values(at))
+                    }
                 },
             };
             // A shape so thin that its planes overflow has the value of its provoking vertex.
@@ -187,247 +84,4 @@ impl Planes {
             });
         }
     }
-}
-
-/// The planes that weight the three vertices.
-struct Rows {
-    /// `l_i`: sums to `1/w`.
-    projective: [Plane; 3],
-    /// Weights of a smooth varying, before it is divided by `denominator`.
-    smooth: [Plane; 3],
-    /// Weights that sum to 1: linear in the window.
-    linear: [Plane; 3],
-    denominator: Plane,
-    inverse_w: Plane,
-}
-
-impl Rows {
-    fn new(
-        shape: &Shape,
-        geometry: &Geometry,
-        viewport: &Viewport,
-        origin: [f64; 2],
-        across: Across,
-    ) -> Self {
-        let mut w = shape.vertices.map(|v| f64::from(geometry.clip(v)[3]));
-        if let (Kind::Line { .. }, Part::Whole) = (shape.kind, shape.part) {
-            // Its third vertex has no weight.
-            w[2] = w[1];
-        }
-        let projective = match (shape.kind, shape.part) {
-            (Kind::Triangle, _) => triangle(shape, geometry, viewport, origin),
-            (Kind::Line { .. }, Part::Whole) => line(shape, geometry, viewport, origin, across),
-            (Kind::Line { .. }, Part::Cut) => {
-                let along = |row: Plane| row.along(&shape.corners, across);
-                triangle(shape, geometry, viewport, origin).map(along)
-            }
-            (Kind::Point { .. }, Part::Whole) => {
-                [Plane::constant(1.0 / w[0]), Plane::default(), Plane::default()]
-            }
-            // What the triangle has there, all over the point.
-            (Kind::Point { .. }, Part::Cut) => {
-                triangle(shape, geometry, viewport, origin).map(|row| Plane::constant(row.c))
-            }
-        };
-        let inverse_w = Plane::sum(&projective, [1.0; 3]);
-        let in_front = w.iter().all(|&w| w > 0.0);
-        let linear = [0, 1, 2].map(|i| projective[i].scaled(w[i]));
-        // The same `w` everywhere: nothing to divide by. (Its plane is constant up to noise.)
-        if w[0] == w[1] && w[0] == w[2] {
-            return Self {
-                projective,
-                smooth: linear,
-                linear,
-                denominator: Plane::constant(1.0),
-                inverse_w: Plane::constant(1.0 / w[0]),
-            };
-        }
-        Self {
-            projective,
-            smooth: projective,
-            // Linear in the window means nothing for a triangle that reaches behind the eye.
-            linear: if in_front { linear } else { projective },
-            denominator: inverse_w,
-            inverse_w,
-        }
-    }
-
-    /// Window depth (GL 2.1, section 2.11.1), moved by the polygon offset (section 3.5.5).
-    fn depth(&self, setup: &PlaneSetup<'_>, shape: &Shape, geometry: &Geometry) -> Plane {
-        let z = shape.vertices.map(|v| f64::from(geometry.clip(v)[2]));
-        let (near, far) = (f64::from(setup.viewport.near), f64::from(setup.viewport.far));
-        let mut plane = Plane::sum(&self.projective, z).scaled((far - near) * 0.5);
-        plane.c += (near + far) * 0.5;
-        plane.c += match (shape.kind, setup.offset) {
-            (Kind::Triangle, Some(by)) => offset(&plane, &shape.corners, by, setup.resolution),
-            (Kind::Triangle, None) => 0.0,
-            (Kind::Line { bias, .. } | Kind::Point { bias, .. }, _) => bias.into(),
-        };
-        plane
-    }
-}
-
-/// `gl_PointCoord` over a point whose centre is the origin (GL 2.1, equations 3.3 and 3.4).
-fn point_coord(axis: u8, size: f32, origin: SpriteOrigin) -> Plane {
-    let per = 1.0 / f64::from(size);
-    match (axis, origin) {
-        (0, _) => Plane { a: per, b: 0.0, c: 0.5 },
-        (_, SpriteOrigin::UpperLeft) => Plane { a: 0.0, b: -per, c: 0.5 },
-        (_, SpriteOrigin::LowerLeft) => Plane { a: 0.0, b: per, c: 0.5 },
-    }
-}
-
-/// What moves the depth of a triangle (GL 2.1, section 3.5.5).
-fn offset(
-    plane: &Plane,
-    corners: &[[i32; 2]; 3],
-    by: PolygonOffset,
-    resolution: Option<f64>,
-) -> f64 {
-    let slope = plane.a.abs().max(plane.b.abs());
-    let r = resolution.unwrap_or_else(|| {
-        // The exponent of the largest depth of the triangle.
-        let largest = corners.iter().fold(0.0_f64, |largest, corner| {
-            let dx = f64::from(corner[0] - corners[0][0]) / f64::from(SUBPIXEL);
-            let dy = f64::from(corner[1] - corners[0][1]) / f64::from(SUBPIXEL);
-            largest.max((dx * plane.a + dy * plane.b + plane.c).abs())
-        });
-        let exponent = (largest as f32).to_bits() & 0x7F80_0000;
-        f64::from(f32::from_bits(exponent)) / 8_388_608.0
-    });
-    f64::from(by.factor) * slope + f64::from(by.units) * r
-}
-
-/// What the polygon offset adds to the depth of a triangle that is drawn as lines or points.
-pub fn depth_offset(
-    viewport: &Viewport,
-    by: PolygonOffset,
-    resolution: Option<f64>,
-    geometry: &Geometry,
-    vertices: [u32; 3],
-) -> f32 {
-    let corners = vertices.map(|v| geometry.snapped[v as usize]);
-    let is_cut = vertices.iter().any(|&v| geometry.outcode(v).0 & Outcode::CUT != 0);
-    let shape = Shape {
-        corners,
-        bounds: [[0; 2]; 2],
-        vertices,
-        provoking: 0,
-        part: if is_cut { Part::Cut } else { Part::Whole },
-        kind: Kind::Triangle,
-        facing: Facing::Front,
-    };
-    let origin = corners[0].map(|v| f64::from(v) / f64::from(SUBPIXEL));
-    let rows = Rows::new(&shape, geometry, viewport, origin, Across::Line);
-    let setup = PlaneSetup {
-        sources: &[],
-        viewport: *viewport,
-        offset: None,
-        resolution,
-        origin: SpriteOrigin::UpperLeft,
-        across: Across::Line,
-    };
-    let plane = rows.depth(&setup, &shape, geometry);
-    let offset = offset(&plane, &corners, by, resolution);
-    if offset.is_finite() { offset as f32 } else { 0.0 }
-}
-
-/// The homogeneous window position of a vertex, relative to the origin.
-fn homogeneous(clip: [f32; 4], viewport: &Viewport, origin: [f64; 2]) -> [f64; 3] {
-    let [x, y, _, w] = clip.map(f64::from);
-    let (half, center) = (viewport.half(), viewport.center());
-    [x * half[0] + w * (center[0] - origin[0]), y * half[1] + w * (center[1] - origin[1]), w]
-}
-
-/// The `l_i` of a triangle. A triangle thinner than the subpixel grid can show is interpolated over
-/// the corners it was snapped to, so that no pixel it covers lies far outside its values.
-fn triangle(
-    shape: &Shape,
-    geometry: &Geometry,
-    viewport: &Viewport,
-    origin: [f64; 2],
-) -> [Plane; 3] {
-    let clip = shape.vertices.map(|v| geometry.clip(v));
-    let inverse = Inverse::of(clip.map(|clip| homogeneous(clip, viewport, origin)));
-    if shape.part == Part::Cut || inverse.is_thick() {
-        return inverse.rows();
-    }
-    let w = clip.map(|clip| f64::from(clip[3]));
-    let snapped = shape.vertices.map(|v| geometry.snapped[v as usize]);
-    let snapped = snapped.map(|v| v.map(|v| f64::from(v) / f64::from(SUBPIXEL)));
-    let q = [0, 1, 2].map(|i| [(snapped[i][0] - origin[0]), (snapped[i][1] - origin[1]), 1.0]);
-    let rows = Inverse::of(q).rows();
-    [0, 1, 2].map(|i| rows[i].scaled(1.0 / w[i]))
-}
-
-/// The inverse of the matrix whose columns are homogeneous positions.
-pub struct Inverse {
-    positions: [[f64; 3]; 3],
-    /// Row `i` is 0 at the other two positions,
-    pub adjugate: [[f64; 3]; 3],
-    /// and this at position `i`.
-    determinant: f64,
-}
-
-impl Inverse {
-    #[inline(always)]
-    pub fn of(positions: [[f64; 3]; 3]) -> Self {
-        let [p, q, r] = positions;
-        let adjugate = [cross(q, r), cross(r, p), cross(p, q)];
-        let determinant = p[0] * adjugate[0][0] + p[1] * adjugate[0][1] + p[2] * adjugate[0][2];
-        Self { positions, adjugate, determinant }
-    }
-
-    /// What the adjugate is multiplied by. (Of numbers that were `f32` it does not overflow.)
-    #[inline(always)]
-    pub fn scale(&self) -> f64 {
-        1.0 / self.determinant
-    }
-
-    /// Whether the altitude over the longest side is an eighth of a pixel at least. Of the triangle in the window,
-    /// the doubled area is `determinant / (w_0 w_1 w_2)`, the side from i to j `(p_i w_j - p_j w_i) / (w_i w_j)`:
-    /// all are compared times `w_0 w_1 w_2`, so that nothing is divided.
-    #[inline(always)]
-    pub fn is_thick(&self) -> bool {
-        let [p, q, r] = self.positions;
-        let area = 64.0 * (self.determinant * self.determinant);
-        (area >= side(p, q, r[2])) & (area >= side(p, r, q[2])) & (area >= side(q, r, p[2]))
-    }
-
-    fn rows(&self) -> [Plane; 3] {
-        let scale = self.scale();
-        self.adjugate.map(|[a, b, c]| Plane { a: a * scale, b: b * scale, c: c * scale })
-    }
-}
-
-#[inline(always)]
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-/// The square of the side between two homogeneous positions, times those of their `w` and of the third's.
-#[inline(always)]
-fn side(from: [f64; 3], to: [f64; 3], third: f64) -> f64 {
-    let (x, y) = (from[0] * to[2] - to[0] * from[2], from[1] * to[2] - to[1] * from[2]);
-    (x * x + y * y) * (third * third)
-}
-
-/// The weights of a line: constant across it, so that `l_0 + l_1 = 1/w` along it (GL 2.1, equations
-/// 3.5 and 3.6).
-fn line(
-    shape: &Shape,
-    geometry: &Geometry,
-    viewport: &Viewport,
-    origin: [f64; 2],
-    across: Across,
-) -> [Plane; 3] {
-    let ends = [0, 1].map(|i| homogeneous(geometry.clip(shape.vertices[i]), viewport, origin));
-    // A third point off the line, whose own weight is left out: at infinity, across it.
-    let along = [
-        ends[1][0] * ends[0][2] - ends[0][0] * ends[1][2],
-        ends[1][1] * ends[0][2] - ends[0][1] * ends[1][2],
-    ];
-    let [x, y] = across.side(along, &shape.corners);
-    let rows = Inverse::of([ends[0], ends[1], [x, y, 0.0]]).rows();
-    [rows[0], rows[1], Plane::default()]
 }

@@ -1,11 +1,12 @@
-//! What there is to do: the draws, chunks of shapes and clears of a pass, and what of them happens in a tile.
+//! The work of a pass: its draws, chunks of shapes and clears, and the entries of each tile.
 
 use super::clear::ClearJob;
-use super::watched::Spot;
-use crate::driver::{Counter, Watch};
+use super::watched::WatchedPixel;
+use crate::attachment::TileTarget;
+use crate::desc::Counter;
 use crate::plan::DrawPlan;
 use crate::primitive::Shape;
-use crate::target::TileTarget;
+use crate::trace::Watch;
 use crate::vertex::Geometry;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -27,8 +28,7 @@ pub struct DrawJob {
 }
 
 impl DrawJob {
-    /// Whether pixels of the next draw may be shaded with those of this one: nothing tells them apart, and no
-    /// loop of one takes long.
+    /// Whether pixels of the next draw may share batches with those of this one: same plan, same counter, no loops.
     pub fn goes_on(&self, next: &Self) -> bool {
         Arc::ptr_eq(&self.plan, &next.plan)
             && self.counter == next.counter
@@ -42,7 +42,7 @@ impl DrawJob {
             && !self.stopped.load(Ordering::Relaxed)
     }
 
-    /// Counts the samples of masks, if somebody does.
+    /// Counts the samples of masks, if the draw has a counter.
     pub fn count(&self, masks: &[u64]) {
         if let Some(counter) = &self.counter {
             for &mask in masks {
@@ -105,7 +105,7 @@ pub struct PassJob {
     pub chunks: Vec<Chunk>,
     /// The clears.
     pub clears: Vec<ClearJob>,
-    /// The pixel whose story is recorded.
+    /// The watched pixel.
     pub watch: Option<Watch>,
 }
 
@@ -123,7 +123,7 @@ pub struct TileJob {
     /// What happens, in order.
     pub entries: Vec<Entry>,
     /// The watched pixel, if it is in this tile.
-    pub watched: Option<Box<Spot>>,
+    pub watched: Option<Box<WatchedPixel>>,
 }
 
 impl TileJob {

@@ -2,21 +2,19 @@
 //! their colours.
 
 use super::batch::{Batch, BlockOf};
-use super::depths::{BatchDepth, BlockDepth, clamp_depth};
+use super::block_run::BlockRun;
+use super::fragment_depth::{BatchDepth, BlockDepth, clamp_depth};
 use super::inputs::{Interpolate, InterpolateRun};
 use super::job::{DrawJob, PassJob, TileJob};
-use super::product::{Multiply, Products, Words};
-use super::run::BlockRun;
-use super::samples::{SampleMasks, moved};
+use super::texel_product::{Multiply, Products, Words};
 use super::watched::{Shaded, Tested};
-use crate::driver::AlphaToOne;
+use crate::attachment::{BatchLayout, TileTarget};
+use crate::desc::{AlphaToOne, Facing};
 use crate::output::{
     BlockColors, ColorClass, ColorPlan, Fragments, Reference, test, write, write_blocks,
 };
-use crate::plan::{DrawPlan, Shading, Timing, Written};
-use crate::primitive::Facing;
-use crate::shader::{BANKS, Machine, OverBudget, Product, Run};
-use crate::target::{Place, TileTarget};
+use crate::plan::{DrawPlan, SampleMasks, ShaderTestOutputs, Shading, TestTiming, moved};
+use crate::shader::{MAX_REGISTER_FILES, Machine, OverBudget, Run, TexelProduct};
 use crate::trace::{Fate, When};
 use std::sync::atomic::Ordering;
 use texunit::lanes::{F32s, Isa, Kernel, Simd};
@@ -42,13 +40,13 @@ pub fn early_tests(
             }
             None => F32s::ZERO,
         };
-        let (place, reference) = (&Place::Block(of.block), Reference::OfFace);
+        let (place, reference) = (&BatchLayout::Block(of.block), Reference::OfFace);
         let fragments = Fragments { place, depth: &depth, reference, back, mask: *mask };
         *mask = test(isa, &plan.tests, target, sample, &fragments);
     }
 }
 
-/// Writes the colours of a run: of a bank, an attachment's plan and a component.
+/// Writes the colours of a run: of a register file, an attachment's plan and a component.
 #[inline(always)]
 fn write_run<'a>(
     isa: Isa,
@@ -59,22 +57,22 @@ fn write_run<'a>(
 ) {
     for plan in &job.plan.colors {
         let Some(target) = tile.colors[plan.target].as_mut() else { continue };
-        let colors_of = |bank: usize| {
-            let (block, mask) = blocks.covered(bank);
-            let of = |component| color_of(bank, plan, component);
+        let colors_of = |file: usize| {
+            let (block, mask) = blocks.covered(file);
+            let of = |component| color_of(file, plan, component);
             // Not `map`, which stays a call for each.
             let color = [of(0), of(1), of(2), of(3)];
             BlockColors { block, color, mask }
         };
-        // Beyond the last once more the last: nobody looks. One by one, so that none is copied.
+        // Entries beyond the last repeat the last and are not read. Written out, so that none is copied.
         let last = blocks.len().saturating_sub(1);
-        let colors: [_; BANKS] =
+        let colors: [_; MAX_REGISTER_FILES] =
             [colors_of(0), colors_of(1.min(last)), colors_of(2.min(last)), colors_of(last)];
         write_blocks(isa, plan, target, &colors[..blocks.len()]);
     }
 }
 
-/// Runs batches and writes what comes out.
+/// Runs batches and writes their results.
 #[derive(Debug, Default)]
 pub struct Shader {
     /// Runs the fragment program.
@@ -90,11 +88,11 @@ impl Shader {
     /// runs over its budget stops the draw.
     pub fn shade(&mut self, pass: &PassJob, job: &DrawJob, batch: &Batch<'_>, tile: &mut TileJob) {
         let plan = &job.plan;
-        let is_due = plan.timing == Timing::Early && batch.tested != !0;
+        let is_due = plan.timing == TestTiming::Early && batch.tested != !0;
         match tile.depth.as_mut().filter(|_| is_due) {
             Some(target) => {
                 self.left.set(batch.masks, !batch.tested);
-                self.test(pass.isa, plan, batch, target, Written::default(), |_| {});
+                self.test(pass.isa, plan, batch, target, ShaderTestOutputs::default(), |_| {});
                 let masks = &self.left.or(batch.masks, batch.tested);
                 self.shade_tested(pass, job, &Batch { masks, ..*batch }, tile);
             }
@@ -132,11 +130,11 @@ impl Shader {
             Some((_, product)) => {
                 self.products.begin(&mut self.machine, &run, product, blocks.len())
             }
-            None => self.machine.run_banks(run, blocks.len()),
+            None => self.machine.run_files(run, blocks.len()),
         };
         if done.is_ok() {
-            for bank in 0..blocks.len() {
-                let (_, lanes) = blocks.covered(bank);
+            for file in 0..blocks.len() {
+                let (_, lanes) = blocks.covered(file);
                 job.count(&[lanes]);
             }
         }
@@ -144,8 +142,8 @@ impl Shader {
             (Ok(()), Some((_, product))) => self.multiply(isa, job, product, blocks, tile),
             (Ok(()), None) => {
                 let machine = &self.machine;
-                write_run(isa, job, blocks, tile, |bank, color, i| match color.outputs[i] {
-                    Some(output) => machine.output_of(bank, output).as_f32(),
+                write_run(isa, job, blocks, tile, |file, color, i| match color.outputs[i] {
+                    Some(output) => machine.output_of(file, output).as_f32(),
                     None => color.unwritten(i),
                 });
             }
@@ -159,7 +157,7 @@ impl Shader {
         &mut self,
         isa: Isa,
         job: &DrawJob,
-        product: &Product,
+        product: &TexelProduct,
         blocks: &BlockRun,
         tile: &mut TileJob,
     ) {
@@ -172,8 +170,8 @@ impl Shader {
             && let Some(target) = tile.colors[color.target].as_mut()
             && let [plane] = target.sample(0)
         {
-            for bank in 0..blocks.len() {
-                let (block, mask) = blocks.covered(bank);
+            for file in 0..blocks.len() {
+                let (block, mask) = blocks.covered(file);
                 plane.ready(block, color.old_under(mask));
             }
             words = Some(Words { color, blocks: plane.ready_blocks() });
@@ -183,7 +181,7 @@ impl Shader {
         products.done(blocks);
         if !is_done {
             let products = &self.products;
-            write_run(isa, job, blocks, tile, |bank, _, component| products.color(bank, component));
+            write_run(isa, job, blocks, tile, |file, _, component| products.color(file, component));
         }
     }
 
@@ -290,7 +288,7 @@ impl Shader {
     ) {
         let (isa, plan, place) = (pass.isa, &job.plan, &batch.place());
         let samples = &plan.samples;
-        if let Timing::Late(written) = plan.timing
+        if let TestTiming::Late(written) = plan.timing
             && self.left.any() != 0
         {
             self.late_tests(isa, plan, batch, tile, written, shaded);
@@ -330,7 +328,7 @@ impl Shader {
         plan: &DrawPlan,
         batch: &Batch<'_>,
         tile: &mut TileJob,
-        written: Written,
+        written: ShaderTestOutputs,
         shaded: &mut Option<Shaded>,
     ) {
         let before = shaded.as_ref().map(|_| tile.watched_depth());
@@ -359,7 +357,7 @@ impl Shader {
         plan: &DrawPlan,
         batch: &Batch<'_>,
         target: &mut TileTarget,
-        written: Written,
+        written: ShaderTestOutputs,
         mut see: impl FnMut(&F32s),
     ) {
         let depths = plan.viewport.depths();

@@ -4,21 +4,21 @@ mod fill;
 
 use super::batch::{EarlyTests, Packed};
 use super::block::BlockAt;
-use super::broad::Broad;
+use super::block_run::{BlockRun, Level};
 use super::clear::clear;
-use super::cover::Cover;
-use super::group::PlaneGroup;
-use super::interpolate::{Across, PlaneSetup};
+use super::interpolate::PlaneSetup;
 use super::job::{Chunk, DrawJob, Entry, PassJob, TileJob};
-use super::lanes::ShapeLanes;
-use super::pack::{Pack, Stop};
-use super::pixels::Pixels;
-use super::run::{BlockRun, Level};
-use super::samples::SampleMasks;
+use super::large_triangles::LargeTriangle;
+use super::pack_pixels::{Pack, Stop};
+use super::pixel_batch::Pixels;
+use super::plane_group::PlaneGroup;
 use super::shading::Shader;
-use super::shares::{Divide, Share, Shares};
-use super::small::Windows;
-use crate::plan::{FragmentInput, Packing};
+use super::shape_cover::Cover;
+use super::shape_lanes::ShapeLanes;
+use super::small_triangles::Windows;
+use super::window_blocks::{Divide, Share, Shares};
+use crate::plan::{FragmentInput, Packing, SampleMasks};
+use crate::primitive::{Across, DepthSetup};
 use fill::Part;
 use std::sync::atomic::Ordering;
 use texunit::lanes::{F32s, LANES, U32s, prefetch};
@@ -26,7 +26,7 @@ use texunit::lanes::{F32s, LANES, U32s, prefetch};
 /// Shapes of a group from which on their windows are computed together.
 const WINDOWS_FROM: usize = 4;
 
-/// What a thread keeps from tile to tile.
+/// Scratch of a thread that runs tiles, kept from tile to tile.
 #[derive(Debug, Default)]
 pub struct Worker {
     shader: Shader,
@@ -41,23 +41,23 @@ pub struct Worker {
     group: PlaneGroup,
     windows: Box<Windows>,
     shares: Box<Shares>,
-    broad: Broad,
+    broad: LargeTriangle,
     /// Of the block that is filled: each plane's value at its first pixel and steps.
     planes: Vec<[f32; 3]>,
-    /// How much of each lane's pixel the shape covers.
+    /// The fraction of each lane's pixel that the shape covers.
     parts: F32s,
     /// The outline of the shape that is filled, as each sample sees it; one if all see the same.
     covers: Vec<Cover>,
-    /// The draw whose shapes come now.
+    /// The current draw.
     draw: Option<usize>,
-    /// What is the same all over the shape that is filled.
+    /// What is constant over the current shape.
     level: Level,
-    /// How many have been asked whether anything is: the numbers that are taken.
+    /// The number of shapes numbered so far.
     levels: u64,
 }
 
 impl Worker {
-    /// Does everything that happens in `tile`.
+    /// Runs all entries of a tile.
     pub fn run(&mut self, pass: &PassJob, tile: &mut TileJob) {
         let entries = std::mem::take(&mut tile.entries);
         for entry in entries {
@@ -87,7 +87,7 @@ impl Worker {
         }
     }
 
-    /// Makes `draw` the one whose shapes come next.
+    /// Makes `draw` the current draw.
     fn select(&mut self, pass: &PassJob, tile: &mut TileJob, draw: usize) {
         if self.draw == Some(draw) {
             return;
@@ -104,7 +104,8 @@ impl Worker {
         machine.begin(&plan.pipeline.compiled().fragment);
         for (index, &input) in plan.inputs.iter().enumerate() {
             if input == FragmentInput::Zero {
-                (0..plan.together).for_each(|bank| machine.inputs_of(bank)[index] = U32s::ZERO);
+                (0..plan.blocks_per_run)
+                    .for_each(|file| machine.inputs_of(file)[index] = U32s::ZERO);
             }
         }
         self.waiting.clear(plan.planes.len(), plan.samples.count);
@@ -121,7 +122,8 @@ impl Worker {
         self.flush_run(pass, job, tile);
     }
 
-    /// Shades what of these lanes of a block waits: what comes must not overtake it. No pixel waits twice, so
+    /// Shades waiting fragments in these lanes of a block, which later ones must not overtake. No pixel waits twice,
+    /// so
     /// that nothing else has to go first.
     #[inline]
     fn make_way(
@@ -177,9 +179,11 @@ impl Worker {
         let plan = &job.plan;
         let setup = PlaneSetup {
             sources: &plan.planes,
-            viewport: plan.viewport,
-            offset: plan.offset,
-            resolution: plan.resolution,
+            depth: DepthSetup {
+                viewport: plan.viewport,
+                offset: plan.offset,
+                resolution: plan.resolution,
+            },
             origin: plan.raster.point.origin,
             across: Across::of(&plan.raster.line),
         };

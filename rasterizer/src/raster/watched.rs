@@ -1,28 +1,25 @@
 //! A watched pixel within its tile: what clears and fragments do to it is written down.
 
-use super::batch::{Batch, BlockOf};
+mod fragment;
+
+pub use fragment::{Shaded, Tested};
+
+use super::batch::BlockOf;
 use super::clear::ClearJob;
-use super::depths::BlockDepth;
-use super::interpolate::PlaneSource;
+use super::fragment_depth::BlockDepth;
 use super::job::{Chunk, PassJob, TileJob};
-use super::samples::{SampleMasks, moved};
-use crate::driver::{StencilFace, Watch};
-use crate::output::{ColorPlan, DepthFormat, blend_factors, texel_color};
-use crate::plan::{DrawPlan, FragmentInput, Shading};
-use crate::primitive::{Facing, Kind, Part, Shape};
-use crate::shader::{Machine, OverBudget, Run, Tracer};
-use crate::target::{Place, Plane, TILE, TileTarget};
-use crate::trace::{
-    Blending, Clear, Cleared, Fate, Fragment, InputSource, InputValue, PixelEvent, Test, Texel,
-    Vertex, When, Write,
-};
+use crate::attachment::{BatchLayout, DepthFormat, TileTarget, WordPlane, texel_color};
+use crate::plan::{DrawPlan, PlaneSource, SampleMasks, Shading, moved};
+use crate::primitive::{Clipping, Shape, ShapeKind};
+use crate::sizes::TILE;
+use crate::trace::{Clear, Cleared, Fate, Fragment, PixelEvent, Texel, Vertex, Watch, When};
 use std::collections::VecDeque;
 use texunit::format::Format;
-use texunit::lanes::{F32s, Isa, LANES, QUADS, lane_x, lane_y, math};
+use texunit::lanes::{Isa, LANES, QUADS, lane_x, lane_y};
 
-/// The pixel, and its story so far.
+/// The watched pixel and its events so far.
 #[derive(Debug)]
-pub struct Spot {
+pub struct WatchedPixel {
     watch: Watch,
     /// Which block of the tile it is in, and which lane of the block it is.
     block: usize,
@@ -31,7 +28,7 @@ pub struct Spot {
     /// Those of fragments that are being shaded are taken out.
     events: Vec<Option<PixelEvent>>,
     /// The fragments that wait to be shaded, in order.
-    waiting: VecDeque<Waiting>,
+    waiting: VecDeque<WaitingFragment>,
 }
 
 /// The formats of a pass's attachments.
@@ -45,7 +42,7 @@ pub struct Formats {
 
 /// A fragment that waits.
 #[derive(Debug)]
-struct Waiting {
+struct WaitingFragment {
     event: usize,
     /// By plane: the values at the vertices, of varyings.
     values: Vec<Vec<f32>>,
@@ -54,7 +51,7 @@ struct Waiting {
 /// What an attachment holds at the pixel, by sample.
 pub type Stored = Vec<Texel>;
 
-impl Spot {
+impl WatchedPixel {
     /// The watched pixel, if it is in the tile at column and row `at`.
     pub fn new(watch: &Watch, at: [u32; 2], formats: &Formats) -> Option<Box<Self>> {
         let pixel = watch.pixel();
@@ -79,10 +76,10 @@ impl Spot {
     }
 
     /// Its lane in a batch that covers it.
-    pub fn lane_of(&self, place: Place<'_>, lanes: u64) -> Option<usize> {
+    pub fn lane_of(&self, place: BatchLayout<'_>, lanes: u64) -> Option<usize> {
         let lane = match place {
-            Place::Block(block) => (block == self.block).then_some(self.lane)?,
-            Place::Quads(blocks, quads) => {
+            BatchLayout::Block(block) => (block == self.block).then_some(self.lane)?,
+            BatchLayout::Quads(blocks, quads) => {
                 // Its quad may be there more than once, the pixel may not.
                 let first = self.lane / QUADS * QUADS;
                 let here = |(at, (&block, &quad)): (usize, (&u8, &u8))| {
@@ -92,7 +89,7 @@ impl Spot {
                 };
                 blocks.iter().zip(quads).enumerate().find_map(here)?
             }
-            Place::Pixels(at, _) => {
+            BatchLayout::Pixels(at, _) => {
                 let here = self.block * LANES + self.lane;
                 (0..LANES).find(|&lane| lanes >> lane & 1 == 1 && usize::from(at[lane]) == here)?
             }
@@ -100,7 +97,7 @@ impl Spot {
         (lanes >> lane & 1 == 1).then_some(lane)
     }
 
-    /// Hands the story over.
+    /// Appends the events to the watch.
     pub fn finish(self) {
         self.watch.append(self.events.into_iter().flatten().collect());
     }
@@ -108,7 +105,7 @@ impl Spot {
     /// What an attachment holds at the pixel, by sample.
     fn stored(&self, target: Option<&TileTarget>, color: impl Fn([u32; 4]) -> [f32; 4]) -> Stored {
         let Some(target) = target else { return Vec::new() };
-        let texel = |planes: &[Plane]| {
+        let texel = |planes: &[WordPlane]| {
             let word =
                 |at: usize| planes.get(at).map_or(0, |plane| plane.block(self.block)[self.lane]);
             let words = [0, 1, 2, 3].map(word);
@@ -135,9 +132,10 @@ impl Spot {
         let before: usize = before.map(|other| other.lists.shapes.len()).sum();
         let at = chunk.lists.shapes.iter().position(|other| std::ptr::eq(other, shape));
         let corners = match (shape.kind, shape.part) {
-            (Kind::Triangle, _) | (Kind::Line { .. } | Kind::Point { .. }, Part::Cut) => 3,
-            (Kind::Line { .. }, Part::Whole) => 2,
-            (Kind::Point { .. }, Part::Whole) => 1,
+            (ShapeKind::Triangle, _)
+            | (ShapeKind::Line { .. } | ShapeKind::Point { .. }, Clipping::Cut) => 3,
+            (ShapeKind::Line { .. }, Clipping::Whole) => 2,
+            (ShapeKind::Point { .. }, Clipping::Whole) => 1,
         };
         let ids = &shape.vertices[..corners];
         let vertex = |&id: &u32| {
@@ -159,7 +157,7 @@ impl Spot {
         let covered = (0..)
             .zip(masks.iter())
             .fold(0, |bits, (sample, mask)| bits | u8::from(mask >> self.lane & 1 == 1) << sample);
-        self.waiting.push_back(Waiting {
+        self.waiting.push_back(WaitingFragment {
             event: self.events.len(),
             values: job.plan.planes.iter().map(values).collect(),
         });
@@ -193,9 +191,9 @@ impl Spot {
     }
 
     /// The fragment that is shaded now, if the batch covers the pixel.
-    pub fn begin(&mut self, place: Place<'_>, lanes: u64) -> Option<Shaded> {
+    pub fn begin(&mut self, place: BatchLayout<'_>, lanes: u64) -> Option<Shaded> {
         let lane = self.lane_of(place, lanes)?;
-        let Waiting { event, values } = self.waiting.pop_front()?;
+        let WaitingFragment { event, values } = self.waiting.pop_front()?;
         match self.events.get_mut(event)?.take()? {
             PixelEvent::Fragment(fragment) => Some(Shaded { event, lane, fragment, values }),
             clear @ PixelEvent::Clear(_) => {
@@ -208,52 +206,6 @@ impl Spot {
     /// It is done.
     pub fn end(&mut self, shaded: Shaded) {
         self.events[shaded.event] = Some(PixelEvent::Fragment(shaded.fragment));
-    }
-}
-
-/// What is known of tests once they are made.
-pub struct Tested<'a> {
-    /// When.
-    pub when: When,
-    /// By sample.
-    pub depths: &'a [f32],
-    /// What the shader wrote for stencils to be compared with, if it did.
-    pub reference: Option<u8>,
-    /// By sample.
-    pub before: &'a Stored,
-    /// By sample.
-    pub after: &'a Stored,
-}
-
-impl Tested<'_> {
-    /// The tests of a lane's samples, which passed where `masks` are left.
-    fn tests(
-        &self,
-        plan: &DrawPlan,
-        facing: Facing,
-        masks: &SampleMasks,
-        lane: usize,
-    ) -> impl Iterator<Item = Test> {
-        let face = plan.tests.stencil.map(|stencil| match facing {
-            Facing::Front => stencil.front,
-            Facing::Back => stencil.back,
-        });
-        let face = face.map(|face| {
-            let reference = self.reference.unwrap_or(face.reference);
-            StencilFace { reference, ..face }
-        });
-        masks.iter().enumerate().filter_map(move |(sample, mask)| {
-            Some(Test {
-                sample,
-                when: self.when,
-                depth: *self.depths.get(sample)?,
-                depth_test: plan.tests.depth.map(|plan| (plan.test, plan.write)),
-                stencil: face,
-                before: *self.before.get(sample)?,
-                after: *self.after.get(sample)?,
-                passed: mask >> lane & 1 == 1,
-            })
-        })
     }
 }
 
@@ -307,136 +259,6 @@ impl TileJob {
         spot.tested_early(plan, &tested, masks);
         if plan.shading == Shading::Off {
             spot.waiting.clear();
-        }
-    }
-}
-
-/// The watched fragment while it is shaded.
-#[derive(Debug)]
-pub struct Shaded {
-    event: usize,
-    /// Its lane of the batch.
-    pub lane: usize,
-    /// Its story.
-    pub fragment: Box<Fragment>,
-    /// By plane: the values at the vertices, of varyings.
-    values: Vec<Vec<f32>>,
-}
-
-impl Shaded {
-    /// This is how it ends, unless a mask has it.
-    pub fn ends_unless_in(&mut self, masks: &SampleMasks, fate: Fate) {
-        if masks.iter().all(|mask| mask >> self.lane & 1 == 0) {
-            self.fragment.fate = fate;
-        }
-    }
-
-    /// Runs the fragment program with its steps written down.
-    ///
-    /// # Errors
-    /// When it runs over its budget.
-    pub fn run(
-        &mut self,
-        machine: &mut Machine,
-        plan: &DrawPlan,
-        batch: &Batch<'_>,
-        run: Run<'_>,
-    ) -> Result<u64, OverBudget> {
-        self.fragment.fate = if plan.colors.is_empty() { Fate::NoColor } else { Fate::Written };
-        self.interpolated(plan, batch, machine);
-        let mut tracer = Tracer::new(run.program, self.lane);
-        let kept = machine.run_traced(run, &mut tracer);
-        for (index, output) in run.program.outputs().enumerate() {
-            self.fragment.outputs.push((output, tracer.output(machine, index)));
-        }
-        (self.fragment.steps, self.fragment.more_steps) = (tracer.steps, tracer.more);
-        if kept.is_err() {
-            self.fragment.fate = Fate::OverBudget;
-        }
-        kept
-    }
-
-    /// Its inputs were interpolated.
-    fn interpolated(&mut self, plan: &DrawPlan, batch: &Batch<'_>, machine: &Machine) {
-        let of_program = plan.pipeline.compiled().fragment.inputs();
-        let centroids = plan.samples.centroids(batch.masks);
-        let within = |plane: usize| batch.at_moved(plane, self.lane, &centroids);
-        for (index, (&input, from)) in of_program.iter().zip(&plan.inputs).enumerate() {
-            let values = |plane: usize| self.values.get(plane).cloned().unwrap_or_default();
-            let source = match *from {
-                FragmentInput::Smooth(plane) => InputSource::Perspective {
-                    vertices: values(plane),
-                    numerator: batch.at(plane, self.lane),
-                    denominator: plan.denominator_plane.map_or(1.0, |at| batch.at(at, self.lane)),
-                },
-                FragmentInput::SmoothWithin(plane) => InputSource::Perspective {
-                    vertices: values(plane),
-                    numerator: within(plane),
-                    denominator: plan.denominator_plane.map_or(1.0, within),
-                },
-                FragmentInput::Linear(plane) | FragmentInput::LinearWithin(plane) => {
-                    InputSource::Linear(values(plane))
-                }
-                FragmentInput::Flat(_) => InputSource::Flat,
-                FragmentInput::SmoothSlope(..) | FragmentInput::LinearSlope(..) => {
-                    InputSource::Slope
-                }
-                FragmentInput::X
-                | FragmentInput::Y
-                | FragmentInput::Depth
-                | FragmentInput::Front
-                | FragmentInput::Coverage
-                | FragmentInput::Zero => InputSource::Pixel,
-            };
-            let bits = machine.input(index)[self.lane];
-            self.fragment.inputs.push(InputValue { input, bits, source });
-        }
-    }
-
-    /// Its samples were tested after shading: `masks` are left.
-    pub fn tested(&mut self, plan: &DrawPlan, of: &Tested<'_>, masks: &SampleMasks) {
-        self.fragment.tests.extend(of.tests(plan, self.fragment.facing, masks, self.lane));
-    }
-
-    /// Its colour was written to the samples of `masks`.
-    pub fn written(
-        &mut self,
-        plan: &ColorPlan,
-        rgba: [&F32s; 4],
-        masks: &[u64],
-        [before, after]: [&Stored; 2],
-    ) {
-        let color = rgba.map(|values| values[self.lane]);
-        for (sample, (before, after)) in before.iter().zip(after).enumerate() {
-            if masks.get(sample).is_none_or(|mask| mask >> self.lane & 1 == 0) {
-                continue;
-            }
-            let blend = plan.blend.map(|state| {
-                let range = plan.format.info().encoding.range();
-                let clamped =
-                    color.map(|c| range.map_or(c, |[low, high]| math::clamp(c, low, high)));
-                let [source_factor, destination_factor, result] =
-                    blend_factors(&state, clamped, before.color, range);
-                Blending {
-                    state,
-                    source: clamped,
-                    destination: before.color,
-                    source_factor,
-                    destination_factor,
-                    result,
-                }
-            });
-            self.fragment.writes.push(Write {
-                target: plan.target,
-                sample,
-                format: plan.format,
-                color,
-                blend,
-                logic_op: plan.logic_op,
-                mask: plan.write,
-                before: *before,
-                after: *after,
-            });
         }
     }
 }

@@ -10,7 +10,7 @@ use super::lower::{Kind, Lowered};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// Where things are in the file of registers.
+/// Where things are in the register file of registers.
 #[derive(Debug, Default)]
 pub(super) struct Layout {
     /// By register from 0: which word of the preamble it repeats.
@@ -38,7 +38,7 @@ pub(super) fn allocate(lowered: &mut Lowered) -> Layout {
 
 /// Where a virtual register is used.
 #[derive(Clone, Copy, Debug, Default)]
-struct Span {
+struct LiveRange {
     start: u32,
     end: u32,
     reads: u32,
@@ -53,14 +53,14 @@ struct Access {
 
 struct Allocation {
     /// By virtual register; of temporaries only.
-    spans: Vec<Option<Span>>,
+    spans: Vec<Option<LiveRange>>,
     /// By variable, in the order of the code.
     accesses: Vec<Vec<Access>>,
     /// By virtual register: the register that is used instead.
     instead: Vec<Reg>,
     /// By instruction.
     removed: Vec<bool>,
-    /// By instruction: whether it writes a variable in all lanes, always. What a jump goes around
+    /// By instruction: whether it writes a variable in all lanes, always. What a jump skips
     /// does not.
     moves: Vec<bool>,
     /// By virtual register.
@@ -99,7 +99,7 @@ impl Allocation {
             inst.operands(&mut |reg, role| match kinds[reg.0 as usize] {
                 Kind::Variable { var } => self.accesses[var.0 as usize].push(Access { at, role }),
                 Kind::Temp => {
-                    let span = self.spans[reg.0 as usize].get_or_insert(Span {
+                    let span = self.spans[reg.0 as usize].get_or_insert(LiveRange {
                         start: at,
                         end: at,
                         reads: 0,
@@ -128,7 +128,7 @@ impl Allocation {
     }
 
     /// A value whose only use is to be stored in all lanes is computed into the variable, unless a
-    /// jump between the two goes around the store.
+    /// jump between the two skips the store.
     fn forward_stores(&mut self, lowered: &Lowered) {
         let together = |inst: &Inst| matches!(inst, Inst::Unless { .. } | Inst::Jump { .. });
         let guards = guards(&lowered.code, together);
@@ -234,7 +234,7 @@ impl Allocation {
                         },
                         |Reverse(place)| place,
                     );
-                    // A value that nobody reads still takes its place for one instruction.
+                    // A value that is never read still needs a register for one instruction.
                     live.push(Reverse((span.end.max(at + u32::from(span.reads == 0)), place)));
                     self.real[virt] = Reg(place);
                 }
@@ -269,7 +269,7 @@ fn moves(code: &[Inst]) -> Vec<bool> {
     moves.map(|(inst, guard)| matches!(inst, Inst::Move { .. }) && guard.is_none()).collect()
 }
 
-/// By instruction: the last jump before it that goes around it, of those that count.
+/// By instruction: the last relevant jump before it that skips it.
 fn guards(code: &[Inst], counts: impl Fn(&Inst) -> bool) -> Vec<Option<u32>> {
     let mut open: Vec<(u32, u32)> = Vec::new();
     let mut guards = Vec::with_capacity(code.len());

@@ -5,10 +5,9 @@
 //! kernel, where each node is the operation's own body ([`scalar`]), and as the pattern that is
 //! looked for in the code. So a fused instruction cannot differ from the operations it replaces.
 //!
-//! Operands with large letters hold the same in all lanes: constants and values of uniforms, of which shaders are
-//! full. They are read once, and not where the lanes' registers are: those lie at multiples of 256 bytes, and a
-//! processor that knows stores on their way by the low twelve bits of their addresses takes every sixteenth
-//! register for the same.
+//! Operands in capital letters are uniform: they hold the same word in all lanes, as constants and uniform values do.
+//! They are read as scalars from a compact array, not from the registers of 256 bytes: registers 4 KiB apart alias in
+//! the store buffer.
 
 use super::inst::Reg;
 use crate::ir::{Op, Ty, batch, scalar, with_operations};
@@ -41,7 +40,7 @@ struct Lanes(usize);
 /// A large letter of the table.
 struct Same(usize);
 
-/// What the operands of an instruction hold, as far as its tree asks.
+/// What the operands of an instruction hold, as far as its tree requires.
 struct Operands<'a> {
     lanes: [&'a F32s; OPERANDS],
     same: [f32; OPERANDS],
@@ -170,7 +169,7 @@ macro_rules! trees {
                 }
             }
 
-            /// Computes 64 lanes of a file of registers: what is at `args` to `out`, which may be
+            /// Computes 64 lanes of a register file of registers: what is at `args` to `out`, which may be
             /// one of them. Operands that there are not are not looked at. `same` has what the first
             /// registers hold in all their lanes.
             #[inline(always)]
@@ -327,7 +326,7 @@ with_operations! { trees! {
 } }
 
 impl Compute {
-    /// How many operands it has; a tree may look at some of them more than once, or not at all.
+    /// The number of operands; a tree may read an operand more than once, or not at all.
     pub fn arity(self) -> usize {
         match self.as_tree() {
             Ok(_) => OPERANDS,

@@ -8,7 +8,7 @@ pub(super) fn may_empty(stmt: &Stmt) -> bool {
     exits.turn || exits.scope || exits.discard
 }
 
-/// Whether lanes can skip the rest of a turn and take the next.
+/// Whether lanes can skip the rest of an iteration.
 pub(super) fn continues(block: &Block) -> bool {
     block.iter().any(|stmt| match stmt {
         Stmt::Continue => true,

@@ -16,7 +16,7 @@ pub(super) fn run(lowered: &mut Lowered) {
             continue;
         }
         let best = Compute::TREES.iter().find_map(|(what, tree)| {
-            let mut found = Match::default();
+            let mut found = TreeMatch::default();
             let fits = found.node(&lowered.code, &definitions, at, tree);
             (fits && found.is_whole(&lowered.code, &definitions)).then_some((*what, found))
         });
@@ -77,13 +77,13 @@ impl Definitions {
 
 /// A tree that is being recognized.
 #[derive(Clone, Debug, Default)]
-struct Match {
+struct TreeMatch {
     operands: [Option<Reg>; OPERANDS],
     /// The instructions that become part of the one at the root, once for each time they are read.
     inner: Vec<usize>,
 }
 
-impl Match {
+impl TreeMatch {
     /// Whether the instruction at `at` is this tree's root.
     fn node(&mut self, code: &[Inst], definitions: &Definitions, at: usize, tree: &Tree) -> bool {
         let Tree::Node(wanted, trees) = tree else { return false };

@@ -23,7 +23,7 @@ pub(super) struct Target(pub u32);
 /// One step of a register program.
 #[derive(Clone, Debug)]
 pub(super) enum Inst {
-    /// All lanes; operands that there are not repeat another.
+    /// All lanes; unused operands repeat another.
     Compute { what: Compute, out: Reg, args: [Reg; OPERANDS] },
     /// All lanes.
     Move { out: Reg, from: Reg },
@@ -41,11 +41,11 @@ pub(super) enum Inst {
     Derivative { axis: Axis, out: Reg, from: Reg },
     /// All lanes.
     Sample(Box<SampleInst>),
-    /// Goes on at `to` when this is 0: a branch that all lanes take alike.
+    /// Jumps to `to` when this is 0: a uniform branch.
     Unless { test: Test, to: Target },
     /// Goes on at `to`.
     Jump { to: Target },
-    /// The next turn of a loop whose lanes take all turns alike.
+    /// The next iteration of a loop that all lanes iterate equally often.
     Repeat { head: Target },
     /// Lanes where the condition is false wait in the slot; `reject` is taken when no lane is left.
     If { condition: Reg, slot: Slot, reject: Target },
@@ -63,7 +63,7 @@ pub(super) enum Inst {
     Discard,
     /// Goes on at `to` when no lane executes.
     SkipEmpty { to: Target },
-    /// The loop's next turn, or its end: then the lanes of `exit` execute.
+    /// The loop's next iteration, or its end: then the lanes of `exit` execute.
     Again { head: Target, exit: Slot },
 }
 
@@ -96,13 +96,13 @@ pub(super) struct SampleInst {
     pub lod: SampleLod,
     /// The word of alpha where there is no texture.
     pub one: u32,
-    /// Components that nobody reads have no register.
+    /// Components that are not used have no register.
     pub out: [Option<Reg>; 4],
-    /// Its number among the lookups that may keep what the one before found ([`super::repeat`]).
+    /// Its number among the lookups that may keep what the one before found ([`super::repeated_lookups`]).
     pub repeat: Option<u8>,
 }
 
-/// Where a sample's level of detail comes from.
+/// The source of a sample's level of detail.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum SampleLod {
     Implicit { bias: Option<Reg> },
@@ -184,13 +184,13 @@ impl Inst {
     }
 
     /// Whether it computes values from values of registers, whatever lanes execute: code of such
-    /// instructions alone can run for several banks of registers at once.
+    /// instructions alone can run for several register files at once.
     pub fn is_straight(&self) -> bool {
         let moves = matches!(self, Self::Move { .. } | Self::Derivative { .. });
         moves || matches!(self, Self::Compute { .. } | Self::Sample(_))
     }
 
-    /// Whether it changes which lanes execute, or where the program goes on.
+    /// Whether it changes which lanes execute, or is a jump.
     pub fn is_control(&self) -> bool {
         match self {
             Self::If { .. }

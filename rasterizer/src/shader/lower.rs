@@ -6,13 +6,13 @@
 
 mod flow;
 
-use super::alike::Alike;
 use super::compute::{Compute, OPERANDS};
 use super::inst::{Inst, Reg, SampleInst, SampleLod, Slot, Target};
-use super::owned::Owned;
+use super::maskless_stores::MasklessStores;
 use super::preamble::Preamble;
+use super::uniformity::Alike;
 use crate::ir::{Access, Expr, Input, Lod, Module, Output, Sample, Stage, Ty, Value, Var};
-use flow::{OpenLoop, OpenScope, Turn};
+use flow::{LoopPosition, OpenLoop, OpenScope};
 
 /// What a virtual register stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -62,7 +62,7 @@ pub(super) fn lower(module: &Module) -> Lowered {
         slots: 0,
         nesting: 0,
         straight: true,
-        owned: Owned::of(module),
+        owned: MasklessStores::of(module),
         outermost: 0,
         turn: None,
         alike: Alike::of(module),
@@ -101,11 +101,11 @@ struct Lowering<'a> {
     nesting: u32,
     /// Whether every lane of the run still executes, as far as the code shows.
     straight: bool,
-    owned: Owned,
+    owned: MasklessStores,
     /// How many outermost loops were begun.
     outermost: u32,
     /// In an outermost loop whose lanes take whole turns or none: the place of its statements.
-    turn: Option<Turn>,
+    turn: Option<LoopPosition>,
     alike: Alike,
     next_loop: usize,
     next_scope: usize,

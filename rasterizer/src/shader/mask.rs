@@ -10,7 +10,7 @@ pub(super) enum Extent {
     #[default]
     Empty,
     /// At least one lane, not all of the run's.
-    Part,
+    Partial,
     /// Every lane that the run began with.
     Whole,
 }
@@ -40,7 +40,7 @@ impl Mask {
             std::mem::swap(self, from);
         } else if !from.is_empty() {
             let missing = unite(&mut self.lanes, &from.lanes, start);
-            self.extent = if missing == 0 { Extent::Whole } else { Extent::Part };
+            self.extent = if missing == 0 { Extent::Whole } else { Extent::Partial };
         }
         from.clear();
     }
@@ -57,8 +57,8 @@ impl Mask {
             std::mem::swap(self, rest);
         } else if failed != 0 {
             part(&mut self.lanes, &mut rest.lanes, condition, 0, 0);
-            self.extent = Extent::Part;
-            rest.extent = Extent::Part;
+            self.extent = Extent::Partial;
+            rest.extent = Extent::Partial;
         }
     }
 
@@ -78,8 +78,8 @@ impl Mask {
         } else if leave != 0 {
             let keep = if to.is_empty() { 0 } else { !0 };
             part(&mut self.lanes, &mut to.lanes, condition, keep, flip);
-            self.extent = Extent::Part;
-            to.extent = Extent::Part;
+            self.extent = Extent::Partial;
+            to.extent = Extent::Partial;
         }
     }
 

@@ -1,24 +1,26 @@
 //! From IR to lanes: optimize, lower to a register program, run it over 64 lanes.
 //!
-//! The modules in the order in which a shader passes through them:
+//! The modules, in the order in which a shader passes through them:
 //!
-//! | module | is |
+//! | module | contents |
 //! |---|---|
 //! | [`optimize`] | passes over the structured IR |
 //! | [`lower`] | structured IR → flat [`inst`]ructions over virtual registers |
-//! | [`alike`] | what all lanes do alike: no mask is looked at |
+//! | [`uniformity`] | values and branches that are the same in all lanes and need no mask |
 //! | [`exits`] | how lanes leave a statement |
-//! | [`owned`] | the variables that only one loop reads: stored without a mask |
-//! | [`compute`] | what an instruction computes: an operation, or a tree of them |
-//! | [`fuse`] | several operations as one instruction |
-//! | [`preamble`] | the values that a draw computes once |
-//! | [`allocate`] | real registers for virtual ones |
-//! | [`repeat`] | lookups at the points of the one before |
-//! | [`product`] | the programs that need no interpreter |
-//! | [`machine`] | the interpreter: 64 lanes an instruction, with an execution [`mask`] |
+//! | [`maskless_stores`] | variables that only one loop reads: stored without a mask |
+//! | [`compute`], [`fuse`] | fused operations: the table, and the search for its trees |
+//! | [`preamble`] | values computed once per draw |
+//! | [`schedule`] | order of instructions |
+//! | [`allocate`] | virtual → real registers |
+//! | [`repeated_lookups`] | lookups with the operands of the lookup before |
+//! | [`product`] | programs that need no interpreter: products of texels |
+//! | [`attribute_dependencies`] | which attributes an output of the vertex stage depends on |
+//! | [`program`] | the compiled stage, and its per-draw values |
+//! | [`machine`] | the interpreter: 64 lanes for each instruction, with an execution [`mask`] |
 
-mod alike;
 mod allocate;
+mod attribute_dependencies;
 mod compute;
 mod exits;
 mod fuse;
@@ -26,322 +28,24 @@ mod inst;
 mod lower;
 mod machine;
 mod mask;
+mod maskless_stores;
 mod optimize;
-mod owned;
 mod preamble;
 mod product;
-mod repeat;
+mod program;
+mod repeated_lookups;
+mod run;
 mod schedule;
-mod sources;
+mod uniformity;
 
+pub(crate) use attribute_dependencies::AttributeSet;
 pub use machine::{Machine, Tracer};
-pub use product::{Part, Product};
-pub(crate) use sources::Sources;
-
-use crate::ir::{Input, Module, Output};
-use allocate::Layout;
-use inst::{Inst, SampleInst};
-use preamble::Preamble;
-use repeat::Repeat;
-use std::fmt::Write;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicU64, Ordering};
-use texunit::lanes::Isa;
-use texunit::plan::{Places, SamplePlan};
-
-/// A compiled stage.
-#[derive(Debug)]
-pub struct Program {
-    /// Unlike any other program's.
-    id: u64,
-    /// Of the module before and after it was optimized.
-    statements: [usize; 2],
-    code: Vec<Inst>,
-    /// By instruction: its place in the order of the source.
-    places: Vec<u32>,
-    layout: Layout,
-    preamble: Preamble,
-    inputs: Vec<Input>,
-    /// And what of the vertex each depends on.
-    outputs: Vec<(Output, Sources)>,
-    textures: Vec<u32>,
-    slots: u32,
-    discards: bool,
-    queries_lod: bool,
-    reads_uniforms: bool,
-    /// Whether it matters which lanes execute.
-    masked: bool,
-    /// Banks of registers that one run may fill.
-    banks: usize,
-    product: Option<Product>,
-    /// The lookups that may keep what the one before found.
-    repeats: Vec<Repeat>,
-}
-
-/// The most banks of registers: batches that run together.
-pub const BANKS: usize = 4;
-/// As many registers as banks may have together, so that they stay in the first cache.
-const BANKED: usize = 96;
-
-/// What of a program is computed once per draw: its uniform words, and every value that depends on
-/// nothing else.
-#[derive(Debug)]
-pub struct Prepared {
-    /// Unlike any other draw's.
-    id: u64,
-    /// By word of the preamble.
-    words: Vec<u32>,
-    /// The draw's uniform words, if the program indexes them per lane.
-    uniforms: Vec<u32>,
-    /// Which of the program's repeated lookups keep what the one before found, bit by number.
-    alike: u64,
-}
-
-impl Prepared {
-    /// Unlike any other draw's.
-    pub fn id(&self) -> u64 {
-        self.id
-    }
-
-    /// Who looks for the places of a lookup of the program.
-    #[inline(always)]
-    fn places(&self, sample: &SampleInst) -> Places {
-        match sample.repeat {
-            Some(number) if self.alike >> number & 1 == 1 => Places::Kept,
-            Some(_) | None => Places::Own,
-        }
-    }
-
-    /// Whether a program finds the same in both.
-    pub fn has_values_of(&self, other: &Self) -> bool {
-        (&self.words, &self.uniforms, self.alike) == (&other.words, &other.uniforms, other.alike)
-    }
-}
-
-/// What one run needs besides the registers.
-#[derive(Clone, Copy)]
-pub struct Run<'a> {
-    /// The instruction set.
-    pub isa: Isa,
-    /// The program that [`Machine::begin`] was given.
-    pub program: &'a Program,
-    /// Its values of this draw.
-    pub prepared: &'a Prepared,
-    /// By slot; a slot without a texture samples as (0, 0, 0, 1).
-    pub textures: &'a [Option<Arc<SamplePlan>>],
-    /// Which lanes run, bit by lane. For fragments: whole quads.
-    pub active: u64,
-    /// How many instructions may run: the program's length, plus each loop's length for each turn
-    /// after the first.
-    pub budget: u64,
-}
-
-/// A module that is optimized by itself, and not lowered.
-pub(crate) struct Draft {
-    pub module: Module,
-    /// How many statements it had before.
-    given: usize,
-}
-
-impl Draft {
-    /// Optimizes `module`, keeping only the outputs that `keep` says somebody reads. The module has been validated.
-    pub fn new(module: &Module, keep: impl Fn(Output) -> bool) -> Self {
-        let mut module = module.clone();
-        let given = statements(&module);
-        module.outputs.retain(|(output, _)| keep(*output));
-        optimize::optimize(&mut module);
-        Self { module, given }
-    }
-
-    /// Leaves what vertices can do as well to `vertex`, the module of the vertex stage that this one runs with; `None`
-    /// where there is nothing.
-    pub fn leave_to(&mut self, vertex: &Module) -> Option<Module> {
-        optimize::leave_to(vertex, &mut self.module)
-    }
-
-    /// Lowers it.
-    pub fn finish(mut self) -> Program {
-        optimize::finish(&mut self.module);
-        let left = statements(&self.module);
-        Program { statements: [self.given, left], ..Program::lowered(&self.module, Fusing::On) }
-    }
-}
-
-/// How many statements a module has.
-fn statements(module: &Module) -> usize {
-    let mut count = 0;
-    module.body.iter().for_each(|stmt| stmt.walk(&mut |_| count += 1));
-    count
-}
-
-/// Whether operations are fused.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Fusing {
-    On,
-    #[cfg(test)]
-    Off,
-}
-
-/// A run that would not end within its budget.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct OverBudget;
-
-/// Tells programs and draws apart, so that a machine knows what its registers hold. Never 0.
-fn identity() -> u64 {
-    static NEXT: AtomicU64 = AtomicU64::new(1);
-    NEXT.fetch_add(1, Ordering::Relaxed)
-}
-
-impl Program {
-    /// Optimizes and lowers `module`, keeping only the outputs that `keep` says somebody reads.
-    /// The module has been validated.
-    pub fn new(module: &Module, keep: impl Fn(Output) -> bool) -> Self {
-        Draft::new(module, keep).finish()
-    }
-
-    /// Lowers `module` as it stands.
-    fn lowered(module: &Module, fusing: Fusing) -> Self {
-        let mut lowered = lower::lower(module);
-        lowered.places = (0..lowered.code.len() as u32).collect();
-        if fusing == Fusing::On {
-            fuse::run(&mut lowered);
-            schedule::run(&mut lowered);
-        }
-        let mut layout = allocate::allocate(&mut lowered);
-        let outputs = lowered.outputs.iter().map(|&(output, _)| output);
-        let product = Product::of(&lowered.code, &mut layout, outputs);
-        let repeats = repeat::find(&mut lowered.code);
-        Self {
-            id: identity(),
-            statements: [0; 2],
-            product,
-            masked: lowered.code.iter().any(Inst::uses_mask),
-            banks: banks(&lowered.code, &layout),
-            code: lowered.code,
-            places: lowered.places,
-            layout,
-            preamble: lowered.preamble,
-            inputs: lowered.inputs,
-            outputs: sources::of_outputs(module),
-            textures: lowered.textures,
-            slots: lowered.slots,
-            discards: lowered.discards,
-            queries_lod: lowered.queries_lod,
-            reads_uniforms: lowered.reads_uniforms,
-            repeats,
-        }
-    }
-
-    /// The inputs that the program reads, each once. Their order is that of [`Machine::input_mut`].
-    pub fn inputs(&self) -> &[Input] {
-        &self.inputs
-    }
-
-    /// The outputs that the program writes, each once. Their order is that of [`Machine::output`].
-    pub fn outputs(&self) -> impl ExactSizeIterator<Item = Output> {
-        self.outputs.iter().map(|&(output, _)| output)
-    }
-
-    /// Where this output is among [`Self::outputs`].
-    pub fn output(&self, wanted: Output) -> Option<usize> {
-        self.outputs().position(|output| output == wanted)
-    }
-
-    /// Whether a varying that it writes is the same at every vertex, if those of `arrays` are all the
-    /// components of attributes that vertices have for themselves. One that it does not write is.
-    pub(crate) fn is_constant(&self, slot: u16, arrays: Sources) -> bool {
-        let sources = self.outputs.iter().find(|(output, _)| *output == Output::Varying(slot));
-        sources.is_none_or(|(_, sources)| !sources.meet(arrays))
-    }
-
-    /// Whether all of it runs once, whatever lanes hold.
-    pub fn is_straight(&self) -> bool {
-        self.code.iter().all(Inst::is_straight)
-    }
-
-    /// Whether what it computes depends on uniform words.
-    pub fn depends_on_uniforms(&self) -> bool {
-        self.reads_uniforms || self.preamble.reads_uniforms()
-    }
-
-    /// How many batches may run together, see [`Machine::run_banks`].
-    pub fn banks(&self) -> usize {
-        self.banks
-    }
-
-    /// What it is the product of, if it is one.
-    pub fn product(&self) -> Option<&Product> {
-        self.product.as_ref()
-    }
-
-    /// Whether any lane can be thrown away.
-    pub fn discards(&self) -> bool {
-        self.discards
-    }
-
-    /// Whether it asks for levels of detail, which must then be right even where no texture of the
-    /// draw needs them.
-    pub fn queries_lod(&self) -> bool {
-        self.queries_lod
-    }
-
-    /// The texture slots that the program samples, ascending.
-    pub fn texture_slots(&self) -> &[u32] {
-        &self.textures
-    }
-
-    /// Whether what it computes in a lane depends on the neighbours in the quad; `needs_lod` says
-    /// which texture slots need a level of detail.
-    pub fn reads_neighbours(&self, needs_lod: impl Fn(u32) -> bool) -> bool {
-        self.code.iter().any(|inst| {
-            matches!(inst, Inst::Derivative { .. })
-                || matches!(inst, Inst::Sample(sample) if sample.reads_neighbours(&needs_lod))
-        })
-    }
-
-    /// One line that says what the program became.
-    pub fn describe(&self) -> String {
-        let mut line = format!(
-            "{} statements, {} optimized, {} instructions, {} registers, {} values once per draw",
-            self.statements[0],
-            self.statements[1],
-            self.code.len(),
-            self.layout.registers,
-            self.preamble.operations(),
-        );
-        for slot in &self.textures {
-            let _ = write!(line, ", samples slot {slot}");
-        }
-        line
-    }
-
-    /// Computes what depends on uniforms only, and decides what depends on textures: those of the runs. Missing words
-    /// read as zero.
-    pub fn prepare(
-        &self,
-        isa: Isa,
-        uniforms: &[u32],
-        textures: &[Option<Arc<SamplePlan>>],
-    ) -> Prepared {
-        // Scalar steps are the same on every instruction set.
-        let _ = isa;
-        Prepared {
-            alike: repeat::alike(&self.repeats, textures),
-            id: identity(),
-            words: self.preamble.run(uniforms),
-            uniforms: if self.reads_uniforms { uniforms.to_vec() } else { Vec::new() },
-        }
-    }
-}
-
-/// How many batches a program may run for together: where instructions depend on which lanes execute, or
-/// on what lanes hold, on their own.
-fn banks(code: &[Inst], layout: &Layout) -> usize {
-    match code.iter().all(Inst::is_straight) {
-        true => (BANKED / layout.registers.max(1) as usize).clamp(1, BANKS),
-        false => 1,
-    }
-}
+pub use product::{ProductCode, TexelProduct};
+#[cfg(test)]
+use program::Fusing;
+pub(crate) use program::OptimizedModule;
+pub use program::{MAX_REGISTER_FILES, Prepared, Program};
+pub use run::{OverBudget, Run};
 
 #[cfg(test)]
 mod tests;

@@ -1,32 +1,29 @@
-//! Programs that are a product: each colour is a lookup, or several, times at most one more number. Most of what
-//! is drawn with textures is so, by the fixed function too. Between its lookups and its colours no register is
-//! needed: `raster/product.rs` multiplies texels as they come, by the same numbers in the same order.
+//! Programs that compute a product: each colour is one or several texels times at most one more factor, as most
+//! fixed-function texturing does. `raster/texel_product.rs` multiplies the texels without the interpreter, by the
+//! same numbers in the same order.
 
+use super::allocate::Layout;
 use super::compute::{Compute, OPERANDS};
 use super::inst::{Inst, Reg, Role, SampleInst, SampleLod};
-use super::machine::{Interpreter, Machine, lod};
-use super::repeat::Repeat;
-use super::{Layout, OverBudget, Run};
+use super::repeated_lookups::Repeat;
 use crate::ir::{Access, Output};
-use texunit::lanes::F32s;
-use texunit::plan::Lod;
 
-/// As many instructions may come before the lookups; programs with more of them keep to the interpreter.
+/// The most instructions before the lookups; programs with more use the interpreter.
 const MOST_BEFORE: usize = 16;
 
 /// What a product is made of.
 #[derive(Debug)]
-pub struct Product {
-    /// The factors of red, green, blue and alpha, which come first. One that is not there is 1.
-    factors: [Option<Reg>; 4],
+pub struct TexelProduct {
+    /// The first factors of red, green, blue and alpha; `None` is 1.
+    pub(super) factors: [Option<Reg>; 4],
     /// The lookups in the order in which they are multiplied.
-    lookups: Vec<SampleInst>,
+    pub(super) lookups: Vec<SampleInst>,
     /// What computes the factors and what the lookups read, of what is given.
-    before: Vec<Inst>,
-    /// What of it the factors need.
-    before_factors: Vec<Inst>,
-    /// What of it the lookups need.
-    before_lookups: Vec<Inst>,
+    pub(super) before: Vec<Inst>,
+    /// The part of `before` that the factors need.
+    pub(super) before_factors: Vec<Inst>,
+    /// The part of `before` that the lookups need.
+    pub(super) before_lookups: Vec<Inst>,
     /// Which inputs of the program its factors depend on.
     pub factor_inputs: Vec<usize>,
     /// Which inputs of the program its lookups depend on.
@@ -36,9 +33,9 @@ pub struct Product {
     pub detail_inputs: Option<Vec<usize>>,
 }
 
-/// A part of what comes before the lookups.
+/// A part of the code before the lookups.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Part {
+pub enum ProductCode {
     /// What the factors need.
     Factors,
     /// What the lookups need.
@@ -47,7 +44,7 @@ pub enum Part {
     Whole,
 }
 
-impl Product {
+impl TexelProduct {
     /// What straight code computes, if that is a product, and if there are four colours and nothing else. Gives the
     /// layout the registers that it needs.
     pub(super) fn of(
@@ -55,14 +52,14 @@ impl Product {
         layout: &mut Layout,
         mut outputs: impl Iterator<Item = Output>,
     ) -> Option<Self> {
-        let mut steps = Steps { given: layout.given, ..Steps::default() };
+        let mut steps = ProductMatcher { given: layout.given, ..ProductMatcher::default() };
         for inst in code {
             steps.take(inst)?;
         }
         let mut colors = [const { None }; 4];
         for &reg in &layout.outputs {
             match (outputs.next()?, steps.value(Reg(reg))?) {
-                (Output::Color { target: 0, component }, Value::Product(product)) => {
+                (Output::Color { target: 0, component }, Value::TexelProduct(product)) => {
                     colors[usize::from(component)] = Some(product);
                 }
                 (_, _) => return None,
@@ -71,7 +68,7 @@ impl Product {
         let [Some(r), Some(g), Some(b), Some(a)] = colors else { return None };
         let colors = [r, g, b, a];
         let lookups = colors[0].lookups.clone();
-        let belongs = |(component, color): (usize, &Term)| {
+        let belongs = |(component, color): (usize, &TexelTerm)| {
             color.component == component && color.lookups == lookups
         };
         if !colors.iter().enumerate().all(belongs) {
@@ -120,7 +117,7 @@ impl Product {
         self.lookups[at].texture as usize
     }
 
-    /// A lookup that asks for the same as the one before, of another texture or of the same.
+    /// The pair of a lookup and the one before, if both have the same operands.
     pub(crate) fn repeat(&self, at: usize) -> Option<Repeat> {
         match &self.lookups[..=at] {
             [.., before, here] => Repeat::of(before, here),
@@ -134,63 +131,17 @@ impl Product {
     }
 }
 
-impl Machine {
-    /// Computes what comes before the lookups of a product, or a part of it, for so many banks whose inputs are there.
-    ///
-    /// # Errors
-    /// When the budget is used up.
-    pub fn run_before(
-        &mut self,
-        run: &Run<'_>,
-        product: &Product,
-        part: Part,
-        banks: usize,
-    ) -> Result<(), OverBudget> {
-        let left = self.start(run)?;
-        let code = match part {
-            Part::Factors => &product.before_factors,
-            Part::Lookups => &product.before_lookups,
-            Part::Whole => &product.before,
-        };
-        if !code.is_empty() {
-            run.isa.run(Interpreter { machine: self, run, code, banks, pc: 0, left })?;
-        }
-        Ok(())
-    }
-
-    /// The factors of a product, as its bank has them.
-    #[inline(always)]
-    pub fn factors(&self, product: &Product, bank: usize) -> [&F32s; 4] {
-        const ONE: &F32s = &F32s::splat(1.0);
-        let registers = self.bank(bank);
-        product.factors.map(|reg| reg.map_or(ONE, |reg| registers[reg.0 as usize].as_f32()))
-    }
-
-    /// s, t and r of a lookup, as its bank has them.
-    #[inline(always)]
-    pub fn coords(&self, product: &Product, at: usize, bank: usize) -> [&F32s; 3] {
-        let registers = self.bank(bank);
-        product.lookups[at].coords.map(|reg| registers[reg.0 as usize].as_f32())
-    }
-
-    /// Where the level of detail of a lookup comes from, as its bank has it.
-    #[inline(always)]
-    pub fn lod<'a>(&'a self, product: &'a Product, at: usize, bank: usize) -> Lod<'a> {
-        lod(self.bank(bank), &product.lookups[at])
-    }
-}
-
 /// What a register holds.
 #[derive(Clone, Debug)]
 enum Value {
     /// What is given or computed before the lookups.
     Number(Reg),
-    Product(Term),
+    TexelProduct(TexelTerm),
 }
 
 /// Lookups and a factor.
 #[derive(Clone, Debug)]
-struct Term {
+struct TexelTerm {
     factor: Option<Reg>,
     /// By number.
     lookups: Vec<usize>,
@@ -198,7 +149,7 @@ struct Term {
     component: usize,
 }
 
-impl Term {
+impl TexelTerm {
     /// The lookup, if it is a lookup by itself.
     fn texel(&self) -> Option<usize> {
         match (self.factor, &self.lookups[..]) {
@@ -218,7 +169,7 @@ impl Term {
 
 /// A program so far, its parts sorted.
 #[derive(Default)]
-struct Steps {
+struct ProductMatcher {
     /// Registers below are given to the program.
     given: u32,
     /// What the registers hold that it has written.
@@ -228,8 +179,8 @@ struct Steps {
     lookups: Vec<SampleInst>,
 }
 
-impl Steps {
-    /// Takes the next instruction; `None` where it makes the program something else.
+impl ProductMatcher {
+    /// Adds the next instruction; `None` if the program is no product.
     fn take(&mut self, inst: &Inst) -> Option<()> {
         if let Inst::Sample(sample) = inst {
             return self.look_up(sample);
@@ -255,7 +206,7 @@ impl Steps {
         let mut are_numbers = true;
         moved.reads(|reg| match self.value(*reg) {
             Some(Value::Number(number)) => *reg = number,
-            Some(Value::Product(_)) | None => are_numbers = false,
+            Some(Value::TexelProduct(_)) | None => are_numbers = false,
         });
         if !are_numbers {
             return None;
@@ -263,8 +214,8 @@ impl Steps {
         let number = self.lookups.len();
         self.lookups.push(moved);
         for (component, out) in sample.out.iter().enumerate() {
-            let term = Term { factor: None, lookups: vec![number], component };
-            out.iter().for_each(|&out| self.set(out, Value::Product(term.clone())));
+            let term = TexelTerm { factor: None, lookups: vec![number], component };
+            out.iter().for_each(|&out| self.set(out, Value::TexelProduct(term.clone())));
         }
         Some(())
     }
@@ -278,7 +229,7 @@ impl Steps {
                 *arg = number;
                 true
             }
-            Some(Value::Product(_)) | None => false,
+            Some(Value::TexelProduct(_)) | None => false,
         });
         if are_numbers {
             rest.fill(read[0]);
@@ -308,21 +259,21 @@ impl Steps {
         Some(Value::Number(out))
     }
 
-    /// The product of two values that are not both numbers. (Which comes first does not matter to it.)
+    /// The product of two values that are not both numbers, in any order.
     fn times(&self, first: Value, second: Value) -> Option<Value> {
         let product = match (first, second) {
-            (Value::Number(factor), Value::Product(term))
-            | (Value::Product(term), Value::Number(factor)) => {
+            (Value::Number(factor), Value::TexelProduct(term))
+            | (Value::TexelProduct(term), Value::Number(factor)) => {
                 let is_first = term.factor.is_none() && term.lookups.len() == 1;
-                is_first.then_some(Term { factor: Some(factor), ..term })
+                is_first.then_some(TexelTerm { factor: Some(factor), ..term })
             }
-            (Value::Product(first), Value::Product(second)) => match second.texel() {
+            (Value::TexelProduct(first), Value::TexelProduct(second)) => match second.texel() {
                 Some(_) => first.times(&second),
                 None => second.times(&first),
             },
             (Value::Number(_), Value::Number(_)) => None,
         };
-        product.map(Value::Product)
+        product.map(Value::TexelProduct)
     }
 
     fn value(&self, reg: Reg) -> Option<Value> {
@@ -339,7 +290,7 @@ impl Steps {
     }
 }
 
-/// Operands that there are not repeat the last.
+/// Unused operands repeat the last.
 fn padded(args: [Reg; 3]) -> [Reg; OPERANDS] {
     std::array::from_fn(|at| args[at.min(2)])
 }

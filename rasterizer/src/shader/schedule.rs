@@ -127,7 +127,7 @@ impl Registers {
         accesses
     }
 
-    /// Notes an access; gives the instructions that must come before it.
+    /// Records an access; returns the instructions that must precede it.
     fn access(&mut self, at: usize, reg: Reg, role: Role, before: &mut Vec<usize>) {
         let accesses = self.of(reg);
         before.extend(accesses.writer);

@@ -1,6 +1,6 @@
 //! Attributes from memory to lanes.
 
-use crate::driver::{VertexFormat, VertexSource, VertexType};
+use crate::desc::{VertexFormat, VertexSource, VertexType};
 use texunit::format::small_float::decode_half;
 use texunit::lanes::{F32s, Isa, Kernel, LANES, Simd, U32s};
 
@@ -27,6 +27,22 @@ impl<'a> Elements<'a> {
             *id = from.wrapping_sub(first);
         }
         Elements::new(&memory[..self.ids.len().min(LANES)])
+    }
+}
+
+impl VertexSource {
+    /// A component of the attribute, 0 to 3, for each of at most 64 elements.
+    pub fn component(&self, isa: Isa, component: u8, elements: &[u32], out: &mut F32s) {
+        self::component(isa, self, component, Elements::new(elements), out);
+    }
+
+    /// The attribute of one vertex of the first instance.
+    pub fn read(&self, vertex: u32) -> [f32; 4] {
+        let mut lanes = F32s::ZERO;
+        [0, 1, 2, 3].map(|component| {
+            self::component(Isa::BASELINE, self, component, Elements::new(&[vertex]), &mut lanes);
+            lanes[0]
+        })
     }
 }
 
@@ -249,7 +265,7 @@ impl Kernel for Gather<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::driver::Buffer;
+    use crate::desc::Buffer;
 
     #[test]
     fn components_convert_as_table_2_9_says() {

@@ -1,12 +1,15 @@
 //! The vertex stage: fetch attributes, run the vertex program over 64 vertices at once, and place
 //! the results in the window.
 
-pub(crate) mod fetch;
-mod ids;
-mod place;
+mod assemble;
+mod fetch;
+mod geometry;
 mod shade;
+mod vertex_list;
+mod viewport;
 
-pub use ids::{Ids, Wanted, ordinals};
-pub use place::GUARD_BAND;
-pub use place::{Outcode, snap};
-pub use shade::{Geometry, VARYINGS, VertexStage, shade};
+pub use assemble::{EdgeFlags, Primitive, Primitives, primitives};
+pub use geometry::{Geometry, VARYINGS};
+pub use shade::{VertexStage, shade};
+pub use vertex_list::{VertexIds, VertexList, ordinals};
+pub use viewport::{Outcode, snap};

@@ -1,13 +1,12 @@
 //! The vertex program over batches of 64, and the viewport transform of what it gives.
 
 use super::fetch::{self, Elements};
-use super::place::{Outcode, Place, Placed, cut};
-use crate::crew::Crew;
-use crate::driver::{PointSize, VertexBinding, VertexSource, Viewport};
+use super::geometry::{Geometry, VARYINGS};
+use super::viewport::{ViewportTransform, WindowVertices, cut};
+use crate::desc::{PointSize, VertexBinding, VertexSource, Viewport};
 use crate::ir::{Input, Output};
-use crate::pool::Pool;
-use crate::primitive::{Corner, MAX_DISTANCES};
 use crate::shader::{Machine, OverBudget, Prepared, Program, Run};
+use crate::threads::{ObjectPool, ThreadPool};
 use std::num::NonZeroU32;
 use std::ops::Range;
 use std::sync::Arc;
@@ -15,97 +14,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use texunit::lanes::{F32s, Isa, LANES, U32s};
 use texunit::plan::SamplePlan;
 
-/// The vertices of a chunk of a draw.
-#[derive(Debug, Default)]
-pub struct Geometry {
-    /// `stride` for each vertex: x, y, z and w in clip coordinates, and its varyings.
-    pub values: Vec<f32>,
-    /// Values of a vertex, and up to three that nobody reads: a multiple of four.
-    pub stride: usize,
-    /// Window coordinates on the subpixel grid; meaningless unless `w > 0`.
-    pub snapped: Vec<[i32; 2]>,
-    /// The [`Outcode`] of each vertex.
-    pub outcodes: Vec<u32>,
-    /// `gl_PointSize` of each vertex; empty where it does not matter.
-    point_sizes: Vec<f32>,
-    /// `planes` clip distances for each vertex.
-    distances: Vec<f32>,
-    /// Clip distances of a vertex.
-    planes: usize,
-    /// The edge flag of each vertex; empty where all are set.
-    edge_flags: Vec<f32>,
-}
-
-/// Where the varyings of a vertex begin among its values.
-pub const VARYINGS: usize = 4;
-
-impl Geometry {
-    /// How many vertices there are.
-    pub fn len(&self) -> usize {
-        self.outcodes.len()
-    }
-
-    /// Takes all vertices away.
-    pub fn clear(&mut self) {
-        self.values.clear();
-        self.snapped.clear();
-        self.outcodes.clear();
-        self.point_sizes.clear();
-        self.distances.clear();
-        self.edge_flags.clear();
-    }
-
-    fn values_of(&self, vertex: u32) -> &[f32] {
-        &self.values[vertex as usize * self.stride..][..self.stride]
-    }
-
-    /// The clip coordinates of a vertex.
-    pub fn clip(&self, vertex: u32) -> [f32; 4] {
-        self.values_of(vertex).first_chunk().copied().unwrap_or_default()
-    }
-
-    /// The varyings of a vertex.
-    pub fn varyings_of(&self, vertex: u32) -> &[f32] {
-        &self.values_of(vertex)[VARYINGS..]
-    }
-
-    /// Sets a varying of a vertex that the vertex stage does not write.
-    pub fn set_varying(&mut self, vertex: u32, varying: usize, value: f32) {
-        self.values[vertex as usize * self.stride + VARYINGS + varying] = value;
-    }
-
-    /// Window x and y of a vertex; meaningless unless `w > 0`.
-    pub fn window(&self, viewport: &Viewport, vertex: u32) -> [f64; 2] {
-        viewport.window(&self.clip(vertex).map(f64::from))
-    }
-
-    /// On which sides of the clip volume a vertex is out.
-    pub fn outcode(&self, vertex: u32) -> Outcode {
-        Outcode(self.outcodes[vertex as usize])
-    }
-
-    /// The size that the vertex stage gave a point, if it did.
-    pub fn point_size(&self, vertex: u32) -> Option<f32> {
-        self.point_sizes.get(vertex as usize).copied()
-    }
-
-    /// A vertex as a corner of a polygon to be clipped.
-    pub fn corner(&self, vertex: u32) -> Corner {
-        let mut distances = [0.0; MAX_DISTANCES];
-        let own = &self.distances[vertex as usize * self.planes..][..self.planes];
-        for (to, &from) in distances.iter_mut().zip(own) {
-            *to = from.into();
-        }
-        Corner { clip: self.clip(vertex).map(f64::from), distances, ..Corner::default() }
-    }
-
-    /// Whether a boundary edge begins at a vertex (GL 2.1, section 2.6.2).
-    pub fn begins_boundary(&self, vertex: u32) -> bool {
-        self.edge_flags.get(vertex as usize).is_none_or(|&flag| flag != 0.0)
-    }
-}
-
-/// What every vertex of a draw goes through.
+/// The vertex stage of a draw.
 pub struct VertexStage<'a> {
     /// The instruction set.
     pub isa: Isa,
@@ -115,19 +24,19 @@ pub struct VertexStage<'a> {
     pub program: &'a Program,
     /// Its values of this draw.
     pub prepared: &'a Prepared,
-    /// Who runs it.
-    pub crew: &'a Crew,
-    /// What runs it.
-    pub machines: &'a Pool<Machine>,
+    /// The threads that run it.
+    pub thread_pool: &'a ThreadPool,
+    /// The interpreters that run it.
+    pub machines: &'a ObjectPool<Machine>,
     /// Its textures.
     pub textures: &'a [Option<Arc<SamplePlan>>],
     /// Its attributes.
     pub bindings: &'a [VertexBinding],
-    /// Where the window is.
+    /// The viewport.
     pub viewport: Viewport,
     /// Varying slots that the fragment stage reads, in the order they are stored.
     pub varyings: &'a [u16],
-    /// Where the size of points comes from.
+    /// The source of point sizes.
     pub point_size: PointSize,
     /// The attribute that holds edge flags, where they matter.
     pub edge_flag: Option<u8>,
@@ -187,12 +96,13 @@ fn shade_all(
     let stride = stage.stride();
     let distance = |output: &Output| matches!(output, Output::ClipDistance(_));
     let planes = stage.program.outputs().filter(distance).count();
-    let sources: Vec<Source> = stage.program.inputs().iter().map(|&i| stage.source(i)).collect();
+    let sources: Vec<InputSource> =
+        stage.program.inputs().iter().map(|&i| stage.source(i)).collect();
     let mut plane = 0..;
     let outputs = stage.program.outputs();
-    let targets: Vec<Target> = outputs.map(|o| stage.target(o, &mut plane)).collect();
+    let targets: Vec<OutputTarget> = outputs.map(|o| stage.target(o, &mut plane)).collect();
     (geometry.stride, geometry.planes) = (stride, planes);
-    let sizes = usize::from(targets.contains(&Target::PointSize));
+    let sizes = usize::from(targets.contains(&OutputTarget::PointSize));
     // What it holds of another draw is written over, but for values that this one does not write.
     let count = first + ids.len();
     geometry.values.resize(count * stride, 0.0);
@@ -202,15 +112,17 @@ fn shade_all(
     geometry.distances.resize(count * planes, 0.0);
     geometry.edge_flags = stage.edge_flags(ids);
     let own = &mut geometry.values[first * stride..];
-    let is_value = |target: &&Target| matches!(target, Target::Value(_));
+    let is_value = |target: &&OutputTarget| matches!(target, OutputTarget::Value(_));
     if targets.iter().filter(is_value).count() < VARYINGS + stage.varyings.len() {
         own.fill(0.0);
     }
-    let mut values = Pieces { rest: own, each: stride };
-    let mut snapped = Pieces { rest: &mut geometry.snapped[first..], each: 1 };
-    let mut outcodes = Pieces { rest: &mut geometry.outcodes[first..], each: 1 };
-    let mut point_sizes = Pieces { rest: &mut geometry.point_sizes[first * sizes..], each: sizes };
-    let mut distances = Pieces { rest: &mut geometry.distances[first * planes..], each: planes };
+    let mut values = VertexSlices { rest: own, each: stride };
+    let mut snapped = VertexSlices { rest: &mut geometry.snapped[first..], each: 1 };
+    let mut outcodes = VertexSlices { rest: &mut geometry.outcodes[first..], each: 1 };
+    let mut point_sizes =
+        VertexSlices { rest: &mut geometry.point_sizes[first * sizes..], each: sizes };
+    let mut distances =
+        VertexSlices { rest: &mut geometry.distances[first * planes..], each: planes };
     let of_batch = |batch: usize, len: usize| match instances {
         Instances::One(_) => instances,
         Instances::Each(numbers) => Instances::Each(&numbers[batch * LANES..][..len]),
@@ -235,8 +147,8 @@ fn shade_all(
         }
     };
     let stopped = AtomicBool::new(false);
-    let lend = || stage.machines.lend();
-    stage.crew.share(batches, PIECE, lend, |machine, batches| {
+    let borrow = || stage.machines.borrow();
+    stage.thread_pool.for_each_chunk(batches, PIECE, borrow, |machine, batches| {
         let machine = machine.get();
         machine.begin(stage.program);
         for batch in batches {
@@ -250,14 +162,14 @@ fn shade_all(
     if stopped.into_inner() { Err(OverBudget) } else { Ok(()) }
 }
 
-/// What is left of values of which each vertex has so many, to be cut into batches. (`chunks_mut`
-/// takes no stride of zero.)
-struct Pieces<'a, T> {
+/// The rest of a slice with `each` values for every vertex, from which batches are taken. (`chunks_mut` takes no
+/// stride of zero.)
+struct VertexSlices<'a, T> {
     rest: &'a mut [T],
     each: usize,
 }
 
-impl<'a, T> Pieces<'a, T> {
+impl<'a, T> VertexSlices<'a, T> {
     /// Those of the next `count` vertices.
     fn next(&mut self, count: usize) -> &'a mut [T] {
         let (piece, rest) = std::mem::take(&mut self.rest).split_at_mut(count * self.each);
@@ -266,10 +178,10 @@ impl<'a, T> Pieces<'a, T> {
     }
 }
 
-/// Where an input of the program comes from.
-enum Source<'a> {
+/// The source of an input of the program.
+enum InputSource<'a> {
     Attribute(&'a VertexSource, u8),
-    /// An attribute with an element for so many instances.
+    /// An attribute that advances once for a number of instances.
     Instanced(&'a VertexSource, u8, NonZeroU32),
     /// An attribute without a binding.
     Missing(f32),
@@ -277,9 +189,9 @@ enum Source<'a> {
     InstanceId,
 }
 
-/// Where an output of the program goes.
+/// The destination of an output of the program.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Target {
+enum OutputTarget {
     PointSize,
     /// One of the vertex's values.
     Value(usize),
@@ -288,7 +200,7 @@ enum Target {
     Nowhere,
 }
 
-/// A batch of vertices: what goes in, and where the results go.
+/// A batch of up to 64 vertices: its inputs and the slices for its results.
 struct Batch<'a> {
     ids: &'a [u32],
     instances: Instances<'a>,
@@ -305,25 +217,25 @@ impl VertexStage<'_> {
         (VARYINGS + self.varyings.len()).next_multiple_of(4)
     }
 
-    fn source(&self, input: Input) -> Source<'_> {
+    fn source(&self, input: Input) -> InputSource<'_> {
         match input {
             Input::Attribute { location, component } => {
                 match self.bindings.iter().find(|binding| binding.location == location) {
                     Some(VertexBinding { source, .. }) => match source.divisor() {
-                        Some(divisor) => Source::Instanced(source, component, divisor),
-                        None => Source::Attribute(source, component),
+                        Some(divisor) => InputSource::Instanced(source, component, divisor),
+                        None => InputSource::Attribute(source, component),
                     },
-                    None => Source::Missing(if component == 3 { 1.0 } else { 0.0 }),
+                    None => InputSource::Missing(if component == 3 { 1.0 } else { 0.0 }),
                 }
             }
-            Input::VertexId => Source::VertexId,
-            Input::InstanceId => Source::InstanceId,
+            Input::VertexId => InputSource::VertexId,
+            Input::InstanceId => InputSource::InstanceId,
             Input::Varying(_)
             | Input::Slope { .. }
             | Input::FragCoord(_)
             | Input::FrontFacing
             | Input::PointCoord(_)
-            | Input::Coverage => Source::Missing(0.0),
+            | Input::Coverage => InputSource::Missing(0.0),
         }
     }
 
@@ -340,27 +252,31 @@ impl VertexStage<'_> {
         flags
     }
 
-    fn target(&self, output: Output, plane: &mut impl Iterator<Item = usize>) -> Target {
+    fn target(&self, output: Output, plane: &mut impl Iterator<Item = usize>) -> OutputTarget {
         match output {
-            Output::Position(component) => Target::Value(component.into()),
+            Output::Position(component) => OutputTarget::Value(component.into()),
             Output::PointSize => match self.point_size {
-                PointSize::State => Target::Nowhere,
-                PointSize::Vertex => Target::PointSize,
+                PointSize::State => OutputTarget::Nowhere,
+                PointSize::Vertex => OutputTarget::PointSize,
             },
             Output::Varying(slot) => match self.varyings.iter().position(|&s| s == slot) {
-                Some(at) => Target::Value(VARYINGS + at),
-                None => Target::Nowhere,
+                Some(at) => OutputTarget::Value(VARYINGS + at),
+                None => OutputTarget::Nowhere,
             },
-            Output::ClipDistance(_) => plane.next().map_or(Target::Nowhere, Target::Distance),
-            Output::Color { .. } | Output::Depth | Output::StencilReference => Target::Nowhere,
+            Output::ClipDistance(_) => {
+                plane.next().map_or(OutputTarget::Nowhere, OutputTarget::Distance)
+            }
+            Output::Color { .. } | Output::Depth | Output::StencilReference => {
+                OutputTarget::Nowhere
+            }
         }
     }
 
     fn batch(
         &self,
         machine: &mut Machine,
-        sources: &[Source<'_>],
-        targets: &[Target],
+        sources: &[InputSource<'_>],
+        targets: &[OutputTarget],
         batch: &mut Batch<'_>,
     ) -> Result<(), OverBudget> {
         let Batch { ids, instances, values, snapped, outcodes, point_sizes, distances } = batch;
@@ -368,10 +284,10 @@ impl VertexStage<'_> {
         for (index, source) in sources.iter().enumerate() {
             let lanes = machine.input_mut(index);
             match source {
-                Source::Attribute(source, component) => {
+                InputSource::Attribute(source, component) => {
                     fetch::component(self.isa, source, *component, elements, lanes.as_f32_mut());
                 }
-                Source::Instanced(source, component, divisor) => {
+                InputSource::Instanced(source, component, divisor) => {
                     let mut of = [0; LANES];
                     let of = instances.numbers(&mut of, |instance| instance / *divisor);
                     let elements = Elements::new(of);
@@ -380,9 +296,9 @@ impl VertexStage<'_> {
                         *lanes = U32s::splat(lanes[0]);
                     }
                 }
-                Source::Missing(value) => lanes.0 = [value.to_bits(); LANES],
-                Source::VertexId => lanes.0[..ids.len()].copy_from_slice(ids),
-                Source::InstanceId => match instances {
+                InputSource::Missing(value) => lanes.0 = [value.to_bits(); LANES],
+                InputSource::VertexId => lanes.0[..ids.len()].copy_from_slice(ids),
+                InputSource::InstanceId => match instances {
                     Instances::One(instance) => *lanes = U32s::splat(*instance),
                     Instances::Each(numbers) => lanes.0[..ids.len()].copy_from_slice(numbers),
                 },
@@ -401,26 +317,26 @@ impl VertexStage<'_> {
         for (index, &target) in targets.iter().enumerate() {
             let lanes = machine.output(index).as_f32();
             match target {
-                Target::PointSize => point_sizes.copy_from_slice(&lanes.0[..ids.len()]),
-                Target::Value(at) => {
+                OutputTarget::PointSize => point_sizes.copy_from_slice(&lanes.0[..ids.len()]),
+                OutputTarget::Value(at) => {
                     if let Some(clip) = clip.get_mut(at) {
                         *clip = lanes;
                     }
                     scatter(values, at, stride, lanes);
                 }
-                Target::Distance(at) => {
+                OutputTarget::Distance(at) => {
                     let planes = distances.len() / ids.len();
                     scatter(distances, at, planes, lanes);
                 }
-                Target::Nowhere => {}
+                OutputTarget::Nowhere => {}
             }
         }
-        let mut placed = Placed { snapped: [[0; LANES]; 2], outcodes: [0; LANES] };
-        self.isa.run(Place { clip, viewport: &self.viewport, out: &mut placed });
+        let mut window = WindowVertices { snapped: [[0; LANES]; 2], outcodes: [0; LANES] };
+        self.isa.run(ViewportTransform { clip, viewport: &self.viewport, out: &mut window });
         for (lane, to) in snapped.iter_mut().enumerate().take(LANES) {
-            *to = [placed.snapped[0][lane], placed.snapped[1][lane]];
+            *to = [window.snapped[0][lane], window.snapped[1][lane]];
         }
-        outcodes.copy_from_slice(&placed.outcodes[..ids.len()]);
+        outcodes.copy_from_slice(&window.outcodes[..ids.len()]);
         if !distances.is_empty() {
             let planes = distances.len() / ids.len();
             for (outcode, own) in outcodes.iter_mut().zip(distances.chunks_exact(planes)) {

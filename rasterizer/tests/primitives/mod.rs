@@ -8,8 +8,8 @@ mod targets;
 use super::common::{fragment, pipeline, vertex};
 use super::{Random, colored, devices, picture_with, varyings};
 use rasterizer::driver::{
-    Blend, BlendEquation, BlendFactor, Device, LineStipple, PipelineDesc, PointSize, PolygonMode,
-    PolygonOffset, RasterState, Rim, ShaderModule, SpriteOrigin, Stipple, Topology,
+    Antialiasing, Blend, BlendEquation, BlendFactor, Device, LineStipple, PipelineDesc, PointSize,
+    PolygonMode, PolygonOffset, RasterState, ShaderModule, SpriteOrigin, Stipple, Topology,
 };
 use rasterizer::ir::{Builder, Input, Op, Output, Stage};
 use std::collections::BTreeSet;
@@ -140,9 +140,9 @@ fn coverage() -> PipelineDesc {
 #[test]
 fn smooth_primitives_cover_their_area() {
     let mut raster = RasterState::default();
-    raster.point.rim = Rim::Smooth;
-    raster.line.rim = Rim::Smooth;
-    raster.polygon.rim = Rim::Smooth;
+    raster.point.antialiasing = Antialiasing::Smooth;
+    raster.line.antialiasing = Antialiasing::Smooth;
+    raster.polygon.antialiasing = Antialiasing::Smooth;
     raster.point.size = 9.5;
     raster.line.width = 2.5;
     let triangle = [[3.2, 4.1], [27.9, 9.7], [11.3, 29.2]];
@@ -369,8 +369,8 @@ fn what_is_not_a_number_is_the_same_everywhere_as_lines_and_points() {
         raster.polygon.mode = [PolygonMode::Line, PolygonMode::Point];
         raster.polygon.offset = [Some(PolygonOffset { factor: 1e30, units: f32::NAN }); 3];
         if round >= 4 {
-            raster.point.rim = Rim::Smooth;
-            raster.line.rim = Rim::Smooth;
+            raster.point.antialiasing = Antialiasing::Smooth;
+            raster.line.antialiasing = Antialiasing::Smooth;
         }
         let color = fragment(4, |b| {
             [0, 1, 2]

@@ -3,7 +3,7 @@
 //!
 //! Texels stay compressed; a fetch decodes the one it needs. Every decoded value is a fraction of
 //! small integers, so it is computed as such and divided once: the nearest `f32` to the
-//! specification's formula ([`quotient`]). sRGB blocks are decoded first and made linear afterwards, by tables
+//! specification's formula (`quotient`). sRGB blocks are decoded first and made linear afterwards, by tables
 //! over all fractions that there are.
 
 mod encode;
@@ -15,40 +15,12 @@ pub(crate) use interpolated::{Ends, decode as interpolated};
 
 use quotient::{quotient, reciprocal};
 
-use super::{Encoding, Format, srgb};
+pub(crate) use super::properties::is_srgb_block;
+use super::words::{expand, words_of};
+use super::{Block, Format, srgb};
 use crate::lanes::{F32s, LANES, Simd, U32s};
 
-/// A kind of block, 8 or 16 bytes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Block {
-    /// Four colours on a line, or three and a transparent black.
-    Dxt1,
-    /// 4 bits of alpha a texel, and four colours on a line.
-    Dxt3,
-    /// Eight or six alphas on a line, and four colours on another.
-    Dxt5,
-    /// Eight or six reds on a line.
-    Rgtc1,
-    /// The same, signed.
-    Rgtc1Snorm,
-    /// Reds on a line, greens on another.
-    Rgtc2,
-    /// The same, signed.
-    Rgtc2Snorm,
-}
-
 impl Block {
-    /// Bits of a channel's end points.
-    pub(super) const fn channel_bits(self, channel: usize) -> u32 {
-        let alpha = match self {
-            Self::Dxt1 => 1,
-            Self::Dxt3 => 4,
-            Self::Dxt5 => 8,
-            Self::Rgtc1 | Self::Rgtc1Snorm | Self::Rgtc2 | Self::Rgtc2Snorm => return 8,
-        };
-        [5, 6, 5, alpha][channel]
-    }
-
     /// How a channel is written, and the first word of its part of the block.
     #[inline(always)]
     const fn part(self, channel: usize) -> (Part, usize) {
@@ -217,11 +189,6 @@ pub fn decode_channel<S: Simd>(
     out
 }
 
-#[inline(always)]
-pub(crate) const fn is_srgb_block(format: Format) -> bool {
-    matches!(format.info().encoding, Encoding::SrgbBlock(_))
-}
-
 /// The stored channels of 64 texels: see [`decode_channel`]. Only those of `out` are written.
 #[inline(always)]
 pub fn decode_lanes<S: Simd>(
@@ -262,8 +229,8 @@ pub(crate) fn decode_channels(format: Format, words: [u32; 4], within: u32) -> [
 
 /// The colour of one texel of a block (0 to 15: column plus 4 times row), as a sample returns it.
 pub fn decode(format: Format, block: &[u8], within: u32) -> [f32; 4] {
-    let words = super::convert::words_of(format, block);
-    super::convert::expand(format.base(), decode_channels(format, words, within))
+    let words = words_of(format, block);
+    expand(format.base(), decode_channels(format, words, within))
 }
 
 #[cfg(test)]

@@ -3,13 +3,15 @@
 //! A channel is a [`Field`] of one of the texel's words, so it is decoded from that word alone.
 //! Blocks of 4×4 texels are in [`super::block`].
 
-use super::small_float::{
-    HALF_MANTISSA, decode_half, decode_unsigned, encode_half, encode_unsigned,
-};
-use super::{BaseFormat, Encoding, Field, Format, block, shared_exponent, srgb};
-use crate::lanes::math::{NAN, clamp, low_bits, max, round_even, to_i32, to_u32};
+use super::small_float::{decode_half, decode_unsigned};
+mod encode;
+
+pub use super::words::expand;
+pub(crate) use super::words::words_of;
+use super::{Encoding, Field, Format, block, shared_exponent, srgb};
+use crate::lanes::math::{NAN, max};
 use crate::lanes::{F32s, LANES, Simd, U32s};
-use std::marker::PhantomData;
+pub use encode::{encode, encode_lanes};
 
 /// 1/255 in two parts. The first has 16 significant bits, so that its product with a byte is
 /// exact; the sum with the second then rounds as the quotient does (a test holds all 256).
@@ -87,38 +89,10 @@ const fn mantissa(bits: u32) -> u32 {
     bits - 5
 }
 
-/// The nearest of `0 ..= largest` to `x * largest`, halves to even. Clamps; NaN gives 0.
-#[inline(always)]
-fn to_unorm(x: f32, largest: f32) -> u32 {
-    to_i32(round_even(clamp(x, 0.0, 1.0) * largest)) as u32
-}
-
-/// The nearest of `-largest ..= largest` to `x * largest`, halves to even. Clamps; NaN gives 0.
-#[inline(always)]
-fn to_snorm(x: f32, largest: f32) -> u32 {
-    let number = if x.is_nan() { 0.0 } else { x };
-    low_bits(clamp(number, -1.0, 1.0) * largest) as u32
-}
-
 /// The bits of an `f32`. Every NaN is stored as one.
 #[inline(always)]
 pub(crate) fn to_float(x: f32) -> u32 {
     if x.is_nan() { NAN } else { x.to_bits() }
-}
-
-/// The nearest of `0 ..= largest`, halves to even. NaN gives 0.
-#[inline(always)]
-fn to_uint(x: f32, largest: u32) -> u32 {
-    let whole = to_u32(round_even(x));
-    if whole < largest { whole } else { largest }
-}
-
-/// The nearest of `-largest - 1 ..= largest`, halves to even. NaN gives 0.
-#[inline(always)]
-fn to_sint(x: f32, largest: i32) -> u32 {
-    let number = to_i32(round_even(if x.is_nan() { 0.0 } else { x }));
-    let above = if number > -largest - 1 { number } else { -largest - 1 };
-    (if above < largest { above } else { largest }) as u32
 }
 
 /// Which word of a texel holds this stored channel.
@@ -243,164 +217,6 @@ fn decode_field(format: Format, channel: usize, words: [u32; 4]) -> f32 {
     }
 }
 
-/// The texels of 64 colours as words, of which there are [`Format::words`], the first byte lowest; bytes
-/// beyond the texel's are 0. [`encode`] is the same for one. Not for compressed formats, which give 0.
-#[inline(always)]
-pub fn encode_lanes<S: Simd>(format: Format, rgba: [&F32s; 4], out: &mut [U32s; 4]) {
-    if format.info().encoding == Encoding::SharedExponent {
-        let [r, g, b, _] = rgba;
-        for lane in 0..LANES {
-            out[0][lane] = shared_exponent::encode(r[lane], g[lane], b[lane]);
-        }
-        return;
-    }
-    for words in &mut out[..format.words()] {
-        *words = U32s::ZERO;
-    }
-    for (channel, &source) in format.base().sources().iter().enumerate() {
-        let (values, words) = (rgba[source], &mut out[word_of(format, channel)]);
-        encode_values(format, channel, Lanes::<S> { values, words, simd: PhantomData });
-    }
-}
-
-/// The bits of a stored channel in their place. 0 where channels are not encoded one by one.
-#[inline(always)]
-fn encode_channel(format: Format, channel: usize, x: f32) -> u32 {
-    encode_values(format, channel, x)
-}
-
-/// What is encoded, by a function that is chosen once for all of it.
-trait Values {
-    type Bits;
-    /// By this function.
-    fn by(self, field: Field, bits_of: impl Fn(f32) -> u32) -> Self::Bits;
-    /// By this function, to a word of its own.
-    fn to_word_by(self, bits_of: impl Fn(f32) -> u32) -> Self::Bits;
-    /// By [`srgb::encode`].
-    fn by_srgb(self, field: Field) -> Self::Bits;
-}
-
-impl Values for f32 {
-    type Bits = u32;
-    #[inline(always)]
-    fn by(self, field: Field, bits_of: impl Fn(Self) -> u32) -> u32 {
-        field.put(bits_of(self))
-    }
-    #[inline(always)]
-    fn to_word_by(self, bits_of: impl Fn(Self) -> u32) -> u32 {
-        bits_of(self)
-    }
-    #[inline(always)]
-    fn by_srgb(self, field: Field) -> u32 {
-        field.put(srgb::encode(self).into())
-    }
-}
-
-/// Values of lanes, and the words that their bits go into.
-struct Lanes<'a, S> {
-    values: &'a F32s,
-    words: &'a mut U32s,
-    simd: PhantomData<S>,
-}
-
-impl<S: Simd> Values for Lanes<'_, S> {
-    type Bits = ();
-    #[inline(always)]
-    fn by(self, field: Field, bits_of: impl Fn(f32) -> u32) {
-        for lane in 0..LANES {
-            self.words[lane] |= field.put(bits_of(self.values[lane]));
-        }
-    }
-    #[inline(always)]
-    fn to_word_by(self, bits_of: impl Fn(f32) -> u32) {
-        for lane in 0..LANES {
-            self.words[lane] = bits_of(self.values[lane]);
-        }
-    }
-    #[inline(always)]
-    fn by_srgb(self, field: Field) {
-        let bytes = srgb::encode_lanes::<S>(self.values);
-        for lane in 0..LANES {
-            self.words[lane] |= field.put(bytes[lane]);
-        }
-    }
-}
-
-/// [`encode_channel`] of one value or of lanes.
-#[inline(always)]
-fn encode_values<V: Values>(format: Format, channel: usize, values: V) -> V::Bits {
-    let field = format.field(channel);
-    match format.info().encoding {
-        Encoding::Srgb if format.is_srgb_channel(channel) => values.by_srgb(field),
-        Encoding::Unorm | Encoding::Srgb if field.bits == 32 => {
-            // Saturates at the top.
-            values.by(field, |x| (f64::from(clamp(x, 0.0, 1.0)) * UNORM32 + 0.5) as u32)
-        }
-        Encoding::Unorm | Encoding::Srgb => {
-            let largest = field.mask() as i32 as f32;
-            values.by(field, |x| to_unorm(x, largest))
-        }
-        Encoding::Snorm => {
-            let largest = (field.mask() >> 1) as i32 as f32;
-            values.by(field, |x| to_snorm(x, largest))
-        }
-        Encoding::Float if field.bits == 32 => {
-            if format.is_depth() {
-                values.to_word_by(|x| to_float(clamp(x, 0.0, 1.0)))
-            } else {
-                values.to_word_by(to_float)
-            }
-        }
-        Encoding::Float if field.bits == HALF_MANTISSA + 6 => values.by(field, encode_half),
-        Encoding::Float => {
-            let mantissa = mantissa(field.bits);
-            values.by(field, |x| encode_unsigned(x, mantissa))
-        }
-        Encoding::Uint => values.by(field, |x| to_uint(x, field.mask())),
-        Encoding::Sint => values.by(field, |x| to_sint(x, (field.mask() >> 1) as i32)),
-        Encoding::SharedExponent | Encoding::Block(_) | Encoding::SrgbBlock(_) => {
-            values.by(field, |_| 0)
-        }
-    }
-}
-
-/// The texel of a colour: the first [`Format::bytes`] bytes of the result, the others 0.
-///
-/// Normalized formats clamp and round to nearest, on the encoded scale for sRGB, NaN to 0; floats
-/// are stored unclamped but for depth, integers rounded and clamped, a stencil is 0. A compressed
-/// format gives a block whose texels are all this colour.
-pub fn encode(format: Format, rgba: [f32; 4]) -> [u8; 16] {
-    if format.block().is_some() {
-        return block::encode(format, &[rgba; 16]);
-    }
-    let mut words = [0; 4];
-    if format.info().encoding == Encoding::SharedExponent {
-        words[0] = shared_exponent::encode(rgba[0], rgba[1], rgba[2]);
-    }
-    for (channel, &source) in format.base().sources().iter().enumerate() {
-        words[word_of(format, channel)] |= encode_channel(format, channel, rgba[source]);
-    }
-    bytes_of(words)
-}
-
-/// The words of a texel. Bytes that are missing count as 0.
-pub(crate) fn words_of(format: Format, texel: &[u8]) -> [u32; 4] {
-    let mut bytes = [0; 16];
-    for (to, from) in bytes.iter_mut().zip(texel.iter().take(format.bytes())) {
-        *to = *from;
-    }
-    [0, 4, 8, 12].map(|i| u32::from_le_bytes([bytes[i], bytes[i + 1], bytes[i + 2], bytes[i + 3]]))
-}
-
-/// Words as bytes, little end first.
-pub(super) fn bytes_of(words: [u32; 4]) -> [u8; 16] {
-    let mut bytes = [0; 16];
-    for (to, word) in bytes.chunks_exact_mut(4).zip(words) {
-        to.copy_from_slice(&word.to_le_bytes());
-    }
-    bytes
-}
-
 /// The stored channels of a texel, unused ones 0. Bytes that are missing count as 0. Of a
 /// compressed format, those of its block's first texel.
 pub fn decode_channels(format: Format, texel: &[u8]) -> [f32; 4] {
@@ -419,20 +235,6 @@ pub fn decode_channels(format: Format, texel: &[u8]) -> [f32; 4] {
 /// (GL 2.1, table 3.15 and section 3.8.8), depth as luminance.
 pub fn decode(format: Format, texel: &[u8]) -> [f32; 4] {
     expand(format.base(), decode_channels(format, texel))
-}
-
-/// Stored channels as the colour that a sample returns, depth as luminance.
-pub fn expand(base: BaseFormat, [a, b, c, d]: [f32; 4]) -> [f32; 4] {
-    match base {
-        BaseFormat::Alpha => [0.0, 0.0, 0.0, a],
-        BaseFormat::Luminance | BaseFormat::Depth => [a, a, a, 1.0],
-        BaseFormat::LuminanceAlpha => [a, a, a, b],
-        BaseFormat::Intensity => [a, a, a, a],
-        BaseFormat::Red => [a, 0.0, 0.0, 1.0],
-        BaseFormat::Rg => [a, b, 0.0, 1.0],
-        BaseFormat::Rgb => [a, b, c, 1.0],
-        BaseFormat::Rgba => [a, b, c, d],
-    }
 }
 
 #[cfg(test)]

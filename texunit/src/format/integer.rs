@@ -61,12 +61,12 @@ pub fn encode_int(format: Format, rgba: [i64; 4]) -> [u8; 16] {
         let bits = rgba[source].clamp(low, high) as u32 & field.mask();
         words[field.word] |= bits << field.shift;
     }
-    super::convert::bytes_of(words)
+    super::words::bytes_of(words)
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::convert::words_of;
+    use super::super::words::words_of;
     use super::*;
 
     #[test]

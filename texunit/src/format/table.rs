@@ -1,6 +1,6 @@
 //! The table: one row per format, `Name: layout(base, encoding, …)`.
 
-use super::block::Block::{Dxt1, Dxt3, Dxt5, Rgtc1, Rgtc1Snorm, Rgtc2, Rgtc2Snorm};
+use super::layout::Block::{Dxt1, Dxt3, Dxt5, Rgtc1, Rgtc1Snorm, Rgtc2, Rgtc2Snorm};
 use super::{BaseFormat, Encoding, Field, FormatInfo};
 use BaseFormat::{Alpha, Intensity, Luminance, LuminanceAlpha, Red, Rg, Rgb, Rgba};
 use Encoding::{Block, Float, SharedExponent, Sint, Snorm, Srgb, SrgbBlock, Uint, Unorm};

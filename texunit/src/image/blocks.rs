@@ -1,8 +1,7 @@
-//! Compressed levels whole: rows of texels out of blocks, and blocks of the texels of a level.
+//! Compressed levels: decoding a row of texels, compressing a whole level.
 
 use super::Level;
 use crate::lanes::{F32s, Isa, Kernel, LANES, Simd, U32s};
-use crate::sample::fetch;
 
 /// Bytes of a colour of four `f32`.
 const COLOR: usize = 16;
@@ -52,7 +51,7 @@ impl Kernel for Run<'_> {
             let at = x + lane as u32;
             column[lane] = if at < last { at } else { last } + s;
         }
-        fetch::stored::<S>(level, [&column, &U32s::splat(y + t), &U32s::splat(z + r)], out);
+        level.fetch_stored::<S>([&column, &U32s::splat(y + t), &U32s::splat(z + r)], out);
     }
 }
 

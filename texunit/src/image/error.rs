@@ -1,6 +1,6 @@
 //! Why texels could not be stored or reached.
 
-use super::{MAX_LEVEL_BYTES, MAX_LEVELS};
+use super::limits::{MAX_LEVEL_BYTES, MAX_LEVELS};
 use crate::format::Format;
 use thiserror::Error;
 

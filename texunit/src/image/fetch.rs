@@ -1,8 +1,8 @@
-//! 64 texels of a level of any format: the general path, which every quicker one must equal.
+//! Loads 64 texels of a level of any format: the general path, to which every fast path is bit-equal.
 
 use super::Level;
-use crate::format::{block, convert};
-use crate::lanes::{F32s, LANES, Simd, U32s};
+use crate::format::{Encoding, Field, block, convert};
+use crate::lanes::{F32s, Kernel, LANES, Simd, U32s};
 
 impl Level {
     /// The stored channels of 64 texels. `at` are x, y, z counted from the corner of what is
@@ -59,12 +59,57 @@ impl Level {
     }
 }
 
+impl Level {
+    /// The stored channels of 64 texels; those of integer formats are their bits. `at` as in [`Level::fetch_lanes`].
+    /// Outlined: the code of all formats is large.
+    ///
+    /// # Panics
+    /// As [`Level::fetch_lanes`].
+    #[inline(always)]
+    pub(crate) fn fetch_stored<S: Simd>(&self, at: [&U32s; 3], out: &mut [F32s; 4]) {
+        S::outlined(Stored { level: self, at, out });
+    }
+}
+
+struct Stored<'a> {
+    level: &'a Level,
+    at: [&'a U32s; 3],
+    out: &'a mut [F32s; 4],
+}
+
+impl Kernel for Stored<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Simd>(self) {
+        let Self { level, at, out } = self;
+        if !level.format.is_integer() {
+            return level.fetch_lanes::<S>(at, out);
+        }
+        let info = level.format.info();
+        let (words, _) = level.gather::<S>(at);
+        for (channel, out) in out.iter_mut().enumerate().take(level.format.channels()) {
+            let Field { word, shift, bits } = info.fields[channel];
+            // To the top, and back with the sign or zeros.
+            let (up, down) = (32 - bits - shift, 32 - bits);
+            let out = out.as_u32_mut();
+            for lane in 0..LANES {
+                let top = words[word][lane] << up;
+                out[lane] = if info.encoding == Encoding::Sint {
+                    (top as i32 >> down) as u32
+                } else {
+                    top >> down
+                };
+            }
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::format::Format;
     use crate::image::Shape;
-    use crate::lanes::{Isa, Kernel};
+    use crate::lanes::Isa;
 
     struct Fetch<'a>(&'a Level, [&'a U32s; 3]);
     impl Kernel for Fetch<'_> {

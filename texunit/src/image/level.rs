@@ -1,13 +1,8 @@
 //! One face of one level: its size, its border, and its texels.
 
-use super::{ImageError, MAX_LAYERS, MAX_SIZE, Memory};
+use super::limits::{MAX_LAYERS, MAX_LEVEL_BYTES, MAX_SIZE, PADDING};
+use super::{ImageError, Memory};
 use crate::format::{Format, block, convert};
-
-/// The most bytes of a level: offsets then fit the signed 32 bits that a gather takes.
-pub const MAX_LEVEL_BYTES: usize = 1 << 30;
-
-/// Bytes after the last texel, so that gathers of whole words from it stay inside.
-pub const PADDING: usize = 3;
 
 /// One face of one level. Rows run from t = 0 up and slices from r = 0 up, tightly packed.
 ///

@@ -1,8 +1,7 @@
-//! The bytes of a level, which know whether anybody has written to them.
+//! The bytes of a level, with a flag whether they were ever written.
 //!
-//! Memory that the system gives is zero, and none of its pages is there before somebody writes to it. Who reads a
-//! page that is not there has the system put in one that all share, and take it away again when it is written:
-//! then every processor is told, page by page. A texture that is made to be drawn to must not be read for that.
+//! The system hands out zeroed memory without pages. A read of an untouched page maps the shared zero page; the first
+//! write then replaces it, and interrupts every processor to flush its TLB, page by page. So blank levels are not read.
 
 use std::ops::{Deref, DerefMut};
 
@@ -10,17 +9,17 @@ use std::ops::{Deref, DerefMut};
 #[derive(Debug)]
 pub struct Memory {
     bytes: Vec<u8>,
-    /// Whether nobody has asked to write.
+    /// Whether the bytes were never borrowed for writing.
     is_blank: bool,
 }
 
 impl Memory {
-    /// So many zeros, or none where there is no memory for them.
+    /// Zeroed memory; `None` if the allocation fails.
     pub(super) fn zeroed(bytes: usize) -> Option<Self> {
         zeroed(bytes).map(|bytes| Self { bytes, is_blank: true })
     }
 
-    /// Whether it is known that all bytes are zero: nobody has asked to write any.
+    /// Whether all bytes are known to be zero: they were never borrowed for writing.
     pub fn is_blank(&self) -> bool {
         self.is_blank
     }
@@ -57,10 +56,9 @@ impl PartialEq for Memory {
 
 impl Eq for Memory {}
 
-/// So many zeros, or none where there is no memory for them. The system gives memory that is zero
-/// and no page of it is touched, as filling it would: images are often written whole right after.
+/// Zeroed memory; `None` if the allocation fails. Pages are not touched: images are often written whole right after.
 pub fn zeroed(bytes: usize) -> Option<Vec<u8>> {
-    // `vec!` ends the program where there is no memory, so that is asked first.
+    // `vec!` aborts if the allocation fails, so reserve first.
     Vec::<u8>::new().try_reserve_exact(bytes).ok()?;
     Some(vec![0; bytes])
 }

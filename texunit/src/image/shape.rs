@@ -1,16 +1,7 @@
 //! The shapes of images, and the sizes and borders that each may have.
 
+use super::limits::{FACES, MAX_LAYERS, MAX_SIZE, MAX_SIZE_3D};
 use super::{ImageError, Level};
-
-/// The largest width and height of a level. Byte offsets then fit the 31 bits a gather takes.
-pub const MAX_SIZE: u32 = 16_384;
-/// The largest width, height and depth of a three-dimensional level.
-pub const MAX_SIZE_3D: u32 = 512;
-/// The faces of a cube.
-pub const FACES: usize = 6;
-/// The most layers of an array, of an array of cubes the most faces; also 2048 layers of four samples
-/// each, which lie as layers.
-pub const MAX_LAYERS: u32 = 8192;
 
 /// The shape of an image, and of the coordinates that address it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

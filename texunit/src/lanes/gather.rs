@@ -26,7 +26,7 @@ impl Kernel for Words<'_> {
     type Output = U32s;
     #[inline(always)]
     fn run<S: Simd>(self) -> U32s {
-        S::gather_here(self.bytes, self.offsets)
+        S::gather_inline(self.bytes, self.offsets)
     }
 }
 
@@ -40,7 +40,7 @@ impl Kernel for Pairs<'_> {
     type Output = [U32s; 2];
     #[inline(always)]
     fn run<S: Simd>(self) -> [U32s; 2] {
-        S::gather_pairs_here(self.bytes, self.offsets)
+        S::gather_pairs_inline(self.bytes, self.offsets)
     }
 }
 
@@ -54,7 +54,7 @@ pub(super) fn bytes(words: &U32s, shift: u32) -> U32s {
     out
 }
 
-// The baseline's are functions by themselves: they take on no instruction set, and stand in many places.
+// Those of the baseline are not inlined: they need no instruction set, and are used in many places.
 
 #[inline(never)]
 pub(super) fn scalar(bytes: &[u8], offsets: &U32s) -> U32s {
@@ -125,7 +125,7 @@ mod tests {
         }
     }
 
-    /// A way to gather; as a call and in place.
+    /// A gather operation, outlined and inlined.
     #[derive(Clone, Copy, Debug)]
     enum Way {
         Words,
@@ -146,14 +146,15 @@ mod tests {
         fn run<S: Simd>(self) -> Self::Output {
             let Self(way, bytes, offsets) = self;
             match way {
-                Way::Words => vec![S::gather(bytes, offsets), S::gather_here(bytes, offsets)],
+                Way::Words => vec![S::gather(bytes, offsets), S::gather_inline(bytes, offsets)],
                 Way::Pairs => {
-                    [S::gather_pairs(bytes, offsets), S::gather_pairs_here(bytes, offsets)].concat()
+                    [S::gather_pairs(bytes, offsets), S::gather_pairs_inline(bytes, offsets)]
+                        .concat()
                 }
                 Way::Fours => S::gather_fours(bytes, offsets).to_vec(),
                 Way::Squares => {
                     let mut out = [U32s::ZERO; 4];
-                    S::gather_squares(bytes, offsets, 8, &mut out);
+                    S::gather_quads(bytes, offsets, 8, &mut out);
                     out.to_vec()
                 }
             }
@@ -205,7 +206,7 @@ mod tests {
         }
     }
 
-    // Here and below, allocations of their own: whoever reads past the end of one is noticed by Miri.
+    // Here and below, separate allocations, so that Miri detects a read past the end.
 
     #[test]
     fn a_gather_takes_the_last_bytes() {

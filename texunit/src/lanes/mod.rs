@@ -5,8 +5,8 @@
 //! baseline, AVX2 and AVX-512 by [`Isa::run`]; everything it calls on the hot path is
 //! `#[inline(always)]`, so that it takes on the instruction set of its caller.
 //!
-//! This module is one of the two places in DetGL where `unsafe` is allowed (the other is the C
-//! ABI): it calls functions compiled for instruction sets that were detected, and gathers.
+//! `docs/lanes.md` is the guide to changing a kernel. This module is one of the two places in DetGL where `unsafe` is
+//! allowed (the other is the C ABI): it calls functions compiled for detected instruction sets, and reads unchecked.
 //!
 //! # Lane order: quad-planar
 //!
@@ -24,14 +24,14 @@ mod log2;
 pub mod math;
 mod prefetch;
 mod reduce;
+mod row_walk;
 mod simd;
-mod walk;
 mod weigh;
 
 pub use batch::{F32s, F64s, I32s, LANES, PerLane, QUADS, U32s, lane_x, lane_y};
 pub use isa::{Baseline, Isa, IsaError};
 pub use log2::{log2, log2_of_root};
 pub use prefetch::{prefetch, prefetch_at};
+pub use row_walk::{ONE, RowWalk, SecondTexel, weights};
 pub use simd::{Kernel, Simd};
-pub use walk::{Beside, ONE, Walk, weights};
 pub use weigh::Sums;

@@ -1,8 +1,6 @@
-//! Values asked for before they are needed. Nothing here changes a result; it does nothing where there is no such
-//! instruction.
+//! Prefetch instructions. They change no result, and do nothing on machines without them.
 
-/// Asks the processor to have all of a value near soon: what is read or written a while later then does
-/// not wait for memory.
+/// Prefetches all cache lines of a value.
 #[inline(always)]
 pub fn prefetch<T>(value: &T) {
     for byte in (0..size_of::<T>()).step_by(64) {
@@ -10,13 +8,13 @@ pub fn prefetch<T>(value: &T) {
     }
 }
 
-/// As [`prefetch`], of the line of bytes around an offset, which may lie anywhere.
+/// Prefetches the cache line of an offset, which may be outside of `bytes`.
 #[inline(always)]
 pub fn prefetch_at(bytes: &[u8], offset: usize) {
     line(bytes.as_ptr().cast::<i8>().wrapping_add(offset));
 }
 
-/// Asks for the line that an address lies in.
+/// Prefetches the cache line of an address.
 #[inline(always)]
 fn line(at: *const i8) {
     #[cfg(target_arch = "x86_64")]

@@ -1,10 +1,9 @@
-//! From 64 words to one: the largest, which are not 0, whether any is, whether all are below a bound. Written with intrinsics, since LLVM
-//! sometimes unrolls the plain loop into 64 scalar comparisons, which then cost more than what they
-//! guard.
+//! Reductions over lanes: the largest, which are not 0, whether any is not 0, whether all are below a bound. Written with
+//! intrinsics: LLVM sometimes unrolls the plain loop into 64 scalar comparisons.
 
 use super::{LANES, U32s};
 
-// The baseline's are functions by themselves, as in `gather`.
+// Those of the baseline are not inlined, as in `gather`.
 
 #[inline(never)]
 pub(super) fn scalar(words: &U32s) -> u32 {
@@ -16,7 +15,7 @@ pub(super) fn scalar(words: &U32s) -> u32 {
 }
 
 /// # Safety
-/// AVX2 is there.
+/// The processor must have AVX2.
 #[cfg(target_arch = "x86_64")]
 #[inline(always)]
 pub(super) unsafe fn avx2(words: &U32s) -> u32 {
@@ -40,12 +39,12 @@ pub(super) unsafe fn avx2(words: &U32s) -> u32 {
 }
 
 /// # Safety
-/// AVX-512F is there.
+/// The processor must have AVX-512F.
 #[cfg(target_arch = "x86_64")]
 #[inline(always)]
 pub(super) unsafe fn avx512(words: &U32s) -> u32 {
     use std::arch::x86_64::{_mm512_max_epu32, _mm512_reduce_max_epu32};
-    // SAFETY: the caller vouches for the instructions.
+    // SAFETY: the caller guarantees the instruction set.
     unsafe {
         let [a, b, c, d] = avx512_vectors(words);
         _mm512_reduce_max_epu32(_mm512_max_epu32(_mm512_max_epu32(a, b), _mm512_max_epu32(c, d)))
@@ -62,7 +61,7 @@ pub(super) fn scalar_any(words: &U32s) -> bool {
 }
 
 /// # Safety
-/// AVX2 is there.
+/// The processor must have AVX2.
 #[cfg(target_arch = "x86_64")]
 #[inline(always)]
 pub(super) unsafe fn avx2_any(words: &U32s) -> bool {
@@ -83,7 +82,7 @@ pub(super) unsafe fn avx2_any(words: &U32s) -> bool {
 /// The four vectors of a batch.
 ///
 /// # Safety
-/// AVX-512F is there.
+/// The processor must have AVX-512F.
 #[cfg(target_arch = "x86_64")]
 #[inline(always)]
 unsafe fn avx512_vectors(words: &U32s) -> [std::arch::x86_64::__m512i; 4] {
@@ -102,12 +101,12 @@ unsafe fn avx512_vectors(words: &U32s) -> [std::arch::x86_64::__m512i; 4] {
 }
 
 /// # Safety
-/// AVX-512F is there.
+/// The processor must have AVX-512F.
 #[cfg(target_arch = "x86_64")]
 #[inline(always)]
 pub(super) unsafe fn avx512_any(words: &U32s) -> bool {
     use std::arch::x86_64::{_mm512_or_si512, _mm512_test_epi32_mask};
-    // SAFETY: the caller vouches for the instructions.
+    // SAFETY: the caller guarantees the instruction set.
     unsafe {
         let [a, b, c, d] = avx512_vectors(words);
         let any = _mm512_or_si512(_mm512_or_si512(a, b), _mm512_or_si512(c, d));
@@ -116,12 +115,12 @@ pub(super) unsafe fn avx512_any(words: &U32s) -> bool {
 }
 
 /// # Safety
-/// AVX-512F is there.
+/// The processor must have AVX-512F.
 #[cfg(target_arch = "x86_64")]
 #[inline(always)]
 pub(super) unsafe fn avx512_below(words: &U32s, bound: u32) -> bool {
     use std::arch::x86_64::{_mm512_cmplt_epu32_mask, _mm512_max_epu32, _mm512_set1_epi32};
-    // SAFETY: the caller vouches for the instructions.
+    // SAFETY: the caller guarantees the instruction set.
     unsafe {
         let [a, b, c, d] = avx512_vectors(words);
         let largest = _mm512_max_epu32(_mm512_max_epu32(a, b), _mm512_max_epu32(c, d));
@@ -145,7 +144,7 @@ pub(super) fn scalar_nonzero(words: &U32s) -> u64 {
 }
 
 /// # Safety
-/// AVX2 is there.
+/// The processor must have AVX2.
 #[cfg(target_arch = "x86_64")]
 #[inline(always)]
 pub(super) unsafe fn avx2_nonzero(words: &U32s) -> u64 {
@@ -167,7 +166,7 @@ pub(super) unsafe fn avx2_nonzero(words: &U32s) -> u64 {
 }
 
 /// # Safety
-/// AVX-512F is there.
+/// The processor must have AVX-512F.
 #[cfg(target_arch = "x86_64")]
 #[inline(always)]
 pub(super) unsafe fn avx512_nonzero(words: &U32s) -> u64 {

@@ -1,6 +1,6 @@
-//! What a kernel is, and the operations that instruction sets ([`super::isa`]) give it.
+//! The traits of kernels, and of the operations that an instruction set ([`super::isa`]) provides.
 
-use super::walk::{self, Walk};
+use super::row_walk::{self, RowWalk};
 use super::weigh::Sums;
 use super::{F32s, LANES, U32s};
 use super::{gather, math};
@@ -8,9 +8,9 @@ use super::{gather, math};
 /// One body of loops over lanes, compiled once per instruction set.
 ///
 /// `run`, and every function it calls on the hot path, must be `#[inline(always)]`: only what is
-/// inlined takes on the instruction set. What is not inlined is still right, only slower.
+/// inlined is compiled for the instruction set. What is not is correct, but slow.
 pub trait Kernel {
-    /// What the kernel gives back.
+    /// The kernel's result.
     type Output;
     /// The body. `S` provides the few operations that LLVM does not find by itself.
     fn run<S: Simd>(self) -> Self::Output;
@@ -18,18 +18,16 @@ pub trait Kernel {
 
 /// The operations that plain loops do not reach on every instruction set.
 pub trait Simd: Copy + private::Sealed {
-    /// Whether it is worth the size of a kernel to have a shorter way beside one that does as well.
+    /// Whether kernels should have fast paths beside the general code. False on the baseline, for code size.
     const WIDE: bool;
 
-    /// Runs a kernel of the same instruction set as a function of its own: for what is large, and stands in
-    /// many places.
-    fn apart<K: Kernel>(kernel: K) -> K::Output;
+    /// Calls a kernel of the same instruction set without inlining it: for large code that is used in many places.
+    fn outlined<K: Kernel>(kernel: K) -> K::Output;
 
-    /// Runs a kernel in place where the instruction set is a wide one, for speed, else as a function of its own,
-    /// for size.
+    /// Inlines a kernel if the instruction set is wide, else calls it.
     #[inline(always)]
-    fn apart_unless_wide<K: Kernel>(kernel: K) -> K::Output {
-        if Self::WIDE { kernel.run::<Self>() } else { Self::apart(kernel) }
+    fn outlined_unless_wide<K: Kernel>(kernel: K) -> K::Output {
+        if Self::WIDE { kernel.run::<Self>() } else { Self::outlined(kernel) }
     }
 
     /// Reads the four bytes at each byte offset as a little-endian word.
@@ -38,17 +36,16 @@ pub trait Simd: Copy + private::Sealed {
     /// When an offset's four bytes are not all inside `bytes`.
     #[inline(always)]
     fn gather(bytes: &[u8], offsets: &U32s) -> U32s {
-        Self::apart(gather::Words { bytes, offsets })
+        Self::outlined(gather::Words { bytes, offsets })
     }
 
-    /// Reads the eight bytes at each byte offset as two little-endian words: two neighbouring
-    /// texels for the price of one.
+    /// Reads the eight bytes at each byte offset as two little-endian words: two adjacent texels of four bytes.
     ///
     /// # Panics
     /// When an offset's eight bytes are not all inside `bytes`.
     #[inline(always)]
     fn gather_pairs(bytes: &[u8], offsets: &U32s) -> [U32s; 2] {
-        Self::apart(gather::Pairs { bytes, offsets })
+        Self::outlined(gather::Pairs { bytes, offsets })
     }
 
     /// Reads the sixteen bytes at each byte offset as four little-endian words.
@@ -57,22 +54,21 @@ pub trait Simd: Copy + private::Sealed {
     /// When an offset's sixteen bytes are not all inside `bytes`.
     fn gather_fours(bytes: &[u8], offsets: &U32s) -> [U32s; 4];
 
-    /// [`Simd::gather`] without a call: a kilobyte in each place.
-    fn gather_here(bytes: &[u8], offsets: &U32s) -> U32s;
+    /// [`Simd::gather`], inlined: a kilobyte of code per use.
+    fn gather_inline(bytes: &[u8], offsets: &U32s) -> U32s;
 
-    /// [`Simd::gather_pairs`] without a call: a kilobyte in each place.
-    fn gather_pairs_here(bytes: &[u8], offsets: &U32s) -> [U32s; 2];
+    /// [`Simd::gather_pairs`], inlined: a kilobyte of code per use.
+    fn gather_pairs_inline(bytes: &[u8], offsets: &U32s) -> [U32s; 2];
 
-    /// [`Simd::gather_pairs_here`] of each byte offset, and of `apart` bytes further: two neighbours, and the two
-    /// above them.
+    /// [`Simd::gather_pairs_inline`] at each byte offset, and `apart` bytes further: the 2×2 texels of a linear filter.
     ///
     /// # Panics
     /// When not all of these bytes are inside `bytes`.
     #[inline(always)]
-    fn gather_squares(bytes: &[u8], offsets: &U32s, apart: u32, out: &mut [U32s; 4]) {
+    fn gather_quads(bytes: &[u8], offsets: &U32s, apart: u32, out: &mut [U32s; 4]) {
         let above = bytes.get(apart as usize..).unwrap_or(&[]);
-        let [a, b] = Self::gather_pairs_here(bytes, offsets);
-        let [c, d] = Self::gather_pairs_here(above, offsets);
+        let [a, b] = Self::gather_pairs_inline(bytes, offsets);
+        let [c, d] = Self::gather_pairs_inline(above, offsets);
         *out = [a, b, c, d];
     }
 
@@ -87,15 +83,14 @@ pub trait Simd: Copy + private::Sealed {
     /// When an offset's eight bytes are not all inside `bytes`.
     fn weigh_pairs(bytes: &[u8], offsets: &U32s, apart: u32, weights: &U32s, sums: &mut Sums);
 
-    /// [`Simd::weigh`] of the texels that a walk over rows comes by. Reads beyond `bytes` are of the
-    /// last ones.
+    /// [`Simd::weigh`] of the texels of a row walk. Offsets beyond the end are clamped to the last read inside `bytes`.
     ///
     /// # Panics
     /// When `bytes` are fewer than one read (eight, where texels of 3 or 4 bytes are neighbours, else
     /// four), or more than 2^31 - 1.
     #[inline(always)]
-    fn weigh_walk(bytes: &[u8], walk: &Walk<'_>, sums: &mut Sums) {
-        walk::by_rows::<Self>(bytes, walk, sums);
+    fn weigh_rows(bytes: &[u8], walk: &RowWalk<'_>, sums: &mut Sums) {
+        row_walk::sum_rows::<Self>(bytes, walk, sums);
     }
 
     /// Reads `table[index]` in each lane.
@@ -104,10 +99,10 @@ pub trait Simd: Copy + private::Sealed {
     /// When an index is not inside `table`.
     fn gather_f32(table: &[f32], indices: &U32s) -> F32s;
 
-    /// The largest of the 64.
+    /// The largest lane.
     fn largest(words: &U32s) -> u32;
 
-    /// The smallest of the 64.
+    /// The smallest lane.
     #[inline(always)]
     fn smallest(words: &U32s) -> u32 {
         let mut turned = U32s::ZERO;
@@ -126,7 +121,7 @@ pub trait Simd: Copy + private::Sealed {
         Self::largest(words) < bound
     }
 
-    /// Which lanes are not 0, bit by lane.
+    /// One bit per lane: whether it is not 0.
     fn nonzero(words: &U32s) -> u64;
 
     /// Reads `table[word >> shift & 0xFF]` in each lane; `shift` is 0, 8, 16 or 24.

@@ -1,5 +1,4 @@
-//! Weighted sums of texels of bytes, in integers: exact, so in any order and on any instruction set
-//! the same.
+//! Weighted sums of texels of bytes, in integers: exact, so the same in any order.
 //!
 //! A texel has up to four bytes; two of them are weighed at a time, by the two halves of a word.
 //! AVX does this for pairs of 16-bit numbers in one instruction, so sums lie as it leaves them: those
@@ -66,7 +65,7 @@ pub(super) fn scalar_pairs(
 /// byte 1 of both, or bytes 2 and 3, each in 16 bits (-1 gives zero).
 #[cfg(target_arch = "x86_64")]
 #[inline(always)]
-const fn places(apart: i8, half: i8) -> [i8; 16] {
+const fn byte_shuffle(apart: i8, half: i8) -> [i8; 16] {
     let mut out = [-1; 16];
     let mut at = 0;
     while at < 4 {
@@ -82,20 +81,20 @@ const fn places(apart: i8, half: i8) -> [i8; 16] {
 #[cfg(target_arch = "x86_64")]
 pub(super) mod x86 {
     use super::super::gather::x86::four_pairs;
-    use super::{LANES, Sums, U32s, places};
+    use super::{LANES, Sums, U32s, byte_shuffle};
     use std::arch::x86_64::*;
 
-    const BY_APART: [[[i8; 16]; 2]; 2] =
-        [[places(3, 0), places(3, 1)], [places(4, 0), places(4, 1)]];
+    const SHUFFLES: [[[i8; 16]; 2]; 2] =
+        [[byte_shuffle(3, 0), byte_shuffle(3, 1)], [byte_shuffle(4, 0), byte_shuffle(4, 1)]];
 
     /// # Safety
-    /// AVX2 is there, and `at` and the three lanes after it are lanes.
+    /// The processor must have AVX2, and `at` and the three lanes after it are lanes.
     #[inline(always)]
     unsafe fn avx2_add(texels: __m256i, weights: __m256i, apart: u32, sums: &mut Sums, at: usize) {
         for half in 0..2 {
-            // SAFETY: the caller vouches for it.
+            // SAFETY: guaranteed by the caller.
             unsafe {
-                let bytes = _mm256_shuffle_epi8(texels, avx2_places(apart)[half]);
+                let bytes = _mm256_shuffle_epi8(texels, avx2_shuffles(apart)[half]);
                 avx2_sum(sums, half, at, _mm256_madd_epi16(bytes, weights));
             }
         }
@@ -104,10 +103,10 @@ pub(super) mod x86 {
     /// Where bytes go, for both halves.
     ///
     /// # Safety
-    /// AVX2 is there.
+    /// The processor must have AVX2.
     #[inline(always)]
-    pub unsafe fn avx2_places(apart: u32) -> [__m256i; 2] {
-        let [first, second] = &BY_APART[usize::from(apart == 4)];
+    pub unsafe fn avx2_shuffles(apart: u32) -> [__m256i; 2] {
+        let [first, second] = &SHUFFLES[usize::from(apart == 4)];
         // SAFETY: a table has 16 bytes.
         unsafe {
             [
@@ -120,10 +119,10 @@ pub(super) mod x86 {
     /// Adds to the sums of four lanes.
     ///
     /// # Safety
-    /// AVX2 is there, and `at` and the three lanes after it are lanes.
+    /// The processor must have AVX2, and `at` and the three lanes after it are lanes.
     #[inline(always)]
     pub unsafe fn avx2_sum(sums: &mut Sums, half: usize, at: usize, products: __m256i) {
-        // SAFETY: the caller vouches for it.
+        // SAFETY: guaranteed by the caller.
         unsafe {
             let sum = sums.0[half].as_mut_ptr().add(at).cast::<__m256i>();
             _mm256_storeu_si256(sum, _mm256_add_epi32(_mm256_loadu_si256(sum), products));
@@ -131,7 +130,7 @@ pub(super) mod x86 {
     }
 
     /// # Safety
-    /// AVX2 is there.
+    /// The processor must have AVX2.
     #[inline(always)]
     pub unsafe fn avx2(first: &U32s, second: &U32s, weights: &U32s, sums: &mut Sums) {
         for at in (0..LANES).step_by(4) {
@@ -149,7 +148,7 @@ pub(super) mod x86 {
     }
 
     /// # Safety
-    /// AVX2 is there, and the eight bytes at every offset can be read.
+    /// The processor must have AVX2, and the eight bytes at every offset can be read.
     #[inline(always)]
     pub unsafe fn avx2_pairs(
         base: *const u8,
@@ -159,7 +158,7 @@ pub(super) mod x86 {
         sums: &mut Sums,
     ) {
         for first in (0..LANES).step_by(8) {
-            // SAFETY: a batch holds 8 words at `first`; the caller vouches for the gathered bytes.
+            // SAFETY: a batch holds 8 words at `first`; the caller guarantees the gathered bytes.
             unsafe {
                 let even = _mm256_castps_si256(four_pairs(base, offsets, first));
                 let odd = _mm256_castps_si256(four_pairs(base, offsets, first + 2));
@@ -179,7 +178,7 @@ pub(super) mod x86 {
     }
 
     /// # Safety
-    /// AVX-512F and AVX-512BW are there.
+    /// The processor must have AVX-512F and AVX-512BW.
     #[inline(always)]
     unsafe fn avx512_add(
         texels: __m512i,
@@ -191,7 +190,7 @@ pub(super) mod x86 {
         for half in 0..2 {
             // SAFETY: as for `avx2_add`, with eight lanes.
             unsafe {
-                let bytes = _mm512_shuffle_epi8(texels, avx512_places(apart)[half]);
+                let bytes = _mm512_shuffle_epi8(texels, avx512_shuffles(apart)[half]);
                 avx512_sum(sums, half, at, _mm512_madd_epi16(bytes, weights));
             }
         }
@@ -200,10 +199,10 @@ pub(super) mod x86 {
     /// Where bytes go, for both halves.
     ///
     /// # Safety
-    /// AVX-512F is there.
+    /// The processor must have AVX-512F.
     #[inline(always)]
-    pub unsafe fn avx512_places(apart: u32) -> [__m512i; 2] {
-        let [first, second] = &BY_APART[usize::from(apart == 4)];
+    pub unsafe fn avx512_shuffles(apart: u32) -> [__m512i; 2] {
+        let [first, second] = &SHUFFLES[usize::from(apart == 4)];
         // SAFETY: a table has 16 bytes.
         unsafe {
             [
@@ -216,10 +215,10 @@ pub(super) mod x86 {
     /// Adds to the sums of eight lanes.
     ///
     /// # Safety
-    /// AVX-512F is there, and `at` and the seven lanes after it are lanes.
+    /// The processor must have AVX-512F, and `at` and the seven lanes after it are lanes.
     #[inline(always)]
     pub unsafe fn avx512_sum(sums: &mut Sums, half: usize, at: usize, products: __m512i) {
-        // SAFETY: the caller vouches for it.
+        // SAFETY: guaranteed by the caller.
         unsafe {
             let sum = sums.0[half].as_mut_ptr().add(at).cast::<__m512i>();
             _mm512_storeu_si512(sum, _mm512_add_epi32(_mm512_loadu_si512(sum), products));
@@ -229,10 +228,10 @@ pub(super) mod x86 {
     /// The words of eight lanes, each twice.
     ///
     /// # Safety
-    /// AVX-512F is there, and `at` and the seven lanes after it are lanes.
+    /// The processor must have AVX-512F, and `at` and the seven lanes after it are lanes.
     #[inline(always)]
     unsafe fn avx512_twice(words: &U32s, at: usize) -> __m512i {
-        // SAFETY: the caller vouches for it.
+        // SAFETY: guaranteed by the caller.
         unsafe {
             let eight = _mm256_load_si256(words.0.as_ptr().add(at).cast::<__m256i>());
             let order = _mm512_set_epi32(7, 7, 6, 6, 5, 5, 4, 4, 3, 3, 2, 2, 1, 1, 0, 0);
@@ -241,7 +240,7 @@ pub(super) mod x86 {
     }
 
     /// # Safety
-    /// AVX-512F and AVX-512BW are there.
+    /// The processor must have AVX-512F and AVX-512BW.
     #[inline(always)]
     pub unsafe fn avx512(first: &U32s, second: &U32s, weights: &U32s, sums: &mut Sums) {
         for at in (0..LANES).step_by(8) {
@@ -260,7 +259,7 @@ pub(super) mod x86 {
     }
 
     /// # Safety
-    /// AVX-512F and AVX-512BW are there, and the eight bytes at every offset can be read.
+    /// The processor must have AVX-512F and AVX-512BW, and the eight bytes at every offset can be read.
     #[inline(always)]
     pub unsafe fn avx512_pairs(
         base: *const u8,
@@ -270,7 +269,7 @@ pub(super) mod x86 {
         sums: &mut Sums,
     ) {
         for at in (0..LANES).step_by(8) {
-            // SAFETY: a batch holds 8 words at `at`; the caller vouches for the gathered bytes.
+            // SAFETY: a batch holds 8 words at `at`; the caller guarantees the gathered bytes.
             unsafe {
                 let index = _mm256_load_si256(offsets.0.as_ptr().add(at).cast::<__m256i>());
                 let texels = _mm512_i32gather_epi64::<1>(index, base.cast::<i64>());

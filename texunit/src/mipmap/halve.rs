@@ -3,7 +3,7 @@
 use crate::format::Format;
 use crate::image::Level;
 use crate::lanes::{F64s, Kernel, LANES, Simd};
-use crate::pixel::{self, Record};
+use crate::pixel::{self, PixelLayout};
 
 /// The texels that one smaller texel covers along an axis, counted from the first that is stored,
 /// and their weights; those without weight may lie outside.
@@ -67,7 +67,7 @@ impl Kernel for Halve<'_> {
         let Self { from, to, columns, rows, slices } = self;
         let format = from.format;
         let channels = format.channels();
-        let record = Record::of_means(format);
+        let record = PixelLayout::of_means(format);
         let (row_bytes, slice_bytes) = (from.row_bytes(), from.slice_bytes());
         let pairs = format.is_bytes() && columns.iter().all(|column| column.is_pair());
         let mut sums = vec![0.0; from.stored_size()[0] as usize * channels];
@@ -133,7 +133,7 @@ fn mean_of_pairs<const N: usize, const PAIR: usize>(lower: &[u8], upper: &[u8], 
 #[inline(always)]
 fn accumulate<S: Simd>(
     format: Format,
-    record: &Record,
+    record: &PixelLayout,
     texels: &[u8],
     weight: f64,
     sums: &mut [f64],
@@ -183,7 +183,7 @@ fn along_row<const N: usize>(columns: &[Cover], across: f64, sums: &[f64], means
 /// A mean of integers is within 2^-53 of itself a quotient of integers below 2^46, so that adding
 /// 1/2 and taking the integer part rounds halves up exactly.
 #[inline(always)]
-fn store<S: Simd>(format: Format, record: &Record, means: &[f64], out: &mut [u8]) {
+fn store<S: Simd>(format: Format, record: &PixelLayout, means: &[f64], out: &mut [u8]) {
     if format.is_bytes() {
         for (byte, mean) in out.iter_mut().zip(means) {
             *byte = (mean + 0.5) as u8;

@@ -3,7 +3,7 @@
 //! Weights are whole numbers (an edge of an old pixel is as long as the new side has pixels, one of a new pixel as
 //! long as the old side has), so that the mean of integers is exact before it is rounded once.
 
-use super::{Change, Record};
+use super::{NumberTransform, PixelLayout};
 use crate::lanes::{F64s, Isa, Kernel, LANES, Simd};
 
 /// What each new pixel of a side covers of the old ones.
@@ -117,7 +117,7 @@ impl Kernel for Along<'_> {
 }
 
 /// The numbers of pixels, those that the record has.
-pub fn read_row(isa: Isa, record: &Record, bytes: &[u8], row: &mut Planes) {
+pub fn read_row(isa: Isa, record: &PixelLayout, bytes: &[u8], row: &mut Planes) {
     let mut numbers = [F64s::ZERO; 4];
     for (run, bytes) in bytes.chunks(LANES * record.bytes()).enumerate() {
         super::read(isa, record, bytes, &mut numbers);
@@ -132,8 +132,8 @@ pub fn read_row(isa: Isa, record: &Record, bytes: &[u8], row: &mut Planes) {
 /// Pixels of these numbers, each with all of these done to it, in their order.
 pub fn write_row(
     isa: Isa,
-    record: &Record,
-    changes: &[[Change; 4]],
+    record: &PixelLayout,
+    changes: &[[NumberTransform; 4]],
     row: &Planes,
     bytes: &mut [u8],
 ) {
@@ -145,7 +145,7 @@ pub fn write_row(
             numbers.0[..count].copy_from_slice(&from[..count]);
             for changes in changes {
                 let before = *numbers;
-                super::change(isa, changes[number], &before, numbers);
+                super::transform(isa, changes[number], &before, numbers);
             }
         }
         super::write(isa, record, numbers.each_ref(), bytes);

@@ -1,10 +1,11 @@
-//! Pixels whose numbers have the same bits in another record, in whatever places: they are moved as they are.
+//! Moves of bits between pixel layouts whose numbers are encoded alike, without conversion.
 
-use super::{Code, Record, Write};
+use super::numbers::Write;
+use super::{NumberEncoding, PixelLayout};
 use crate::format::Field;
 use crate::lanes::{F64s, Isa, Kernel, LANES, Simd, U32s};
 
-/// Where a number of a pixel comes from.
+/// The source of a number of a pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Source {
     /// The number of this field.
@@ -15,48 +16,53 @@ pub enum Source {
     One,
 }
 
-/// Bits of a word: turned to the left, and those of the mask taken.
+/// Bits of a word: rotated to the left, then masked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Move {
+struct FieldMove {
     from: usize,
     to: usize,
-    turn: u32,
+    rotation: u32,
     mask: u32,
 }
 
-/// How the words of one record come from those of another, without arithmetic.
+/// The moves that make the words of one layout from those of another.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Moves {
-    moves: Vec<Move>,
-    /// The bits of each word that are always the same.
+pub struct BitMoves {
+    moves: Vec<FieldMove>,
+    /// Constant bits of each word.
     constant: [u32; 4],
     is_copy: bool,
 }
 
-/// Whether the bits of a number are the same in both codes, of fields of one width.
-fn is_same(from: Code, to: Code) -> bool {
+/// Whether the bits of a number are the same in both encodings, for fields of the same width.
+fn is_same(from: NumberEncoding, to: NumberEncoding) -> bool {
     match (from, to) {
-        // What was written is within its range.
-        (Code::Depth, Code::Float) => true,
+        // Stored depths are in range.
+        (NumberEncoding::Depth, NumberEncoding::Float) => true,
         (
-            Code::Unorm
-            | Code::Fixed
-            | Code::Snorm
-            | Code::Srgb
-            | Code::Uint
-            | Code::Sint
-            | Code::SnormSteps
-            | Code::Float
-            | Code::Depth
-            | Code::SharedExponent,
+            NumberEncoding::Unorm
+            | NumberEncoding::Fixed
+            | NumberEncoding::Snorm
+            | NumberEncoding::Srgb
+            | NumberEncoding::Uint
+            | NumberEncoding::Sint
+            | NumberEncoding::SnormSteps
+            | NumberEncoding::Float
+            | NumberEncoding::Depth
+            | NumberEncoding::SharedExponent,
             to,
         ) => from == to,
     }
 }
 
-impl Moves {
+impl BitMoves {
     /// Each number of `to` from its source; `None` where a number has other bits than in `from`.
-    pub fn new(isa: Isa, from: &Record, to: &Record, sources: [Source; 4]) -> Option<Self> {
+    pub fn new(
+        isa: Isa,
+        from: &PixelLayout,
+        to: &PixelLayout,
+        sources: [Source; 4],
+    ) -> Option<Self> {
         let mut ones = None;
         let mut out = Self { moves: Vec::new(), constant: [0; 4], is_copy: false };
         for (&(field, code), source) in to.fields().iter().zip(sources) {
@@ -67,12 +73,14 @@ impl Moves {
                         return None;
                     }
                     // Its exponent belongs to the others, too.
-                    if code == Code::SharedExponent && old != field {
+                    if code == NumberEncoding::SharedExponent && old != field {
                         return None;
                     }
                     out.add(old, field);
                 }
-                Source::Zero | Source::One if code == Code::SharedExponent => return None,
+                Source::Zero | Source::One if code == NumberEncoding::SharedExponent => {
+                    return None;
+                }
                 Source::Zero => {}
                 Source::One => {
                     let ones = ones.get_or_insert_with(|| constants(isa, to));
@@ -83,7 +91,7 @@ impl Moves {
         if let Some((field, _)) = to.shared_exponent() {
             out.add(Field { shift: 27, bits: 5, ..field }, Field { shift: 27, bits: 5, ..field });
         }
-        let whole = |word: usize| Move { from: word, to: word, turn: 0, mask: to.mask() };
+        let whole = |word: usize| FieldMove { from: word, to: word, rotation: 0, mask: to.mask() };
         out.is_copy = from.lies_as(to)
             && out.moves.len() == to.words()
             && (0..to.words()).all(|word| out.moves.contains(&whole(word)));
@@ -92,12 +100,14 @@ impl Moves {
 
     /// A field to another of its width.
     fn add(&mut self, from: Field, to: Field) {
-        let turn = to.shift.wrapping_sub(from.shift) % 32;
+        let rotation = to.shift.wrapping_sub(from.shift) % 32;
         let mask = to.mask() << to.shift;
-        let same = |old: &&mut Move| (old.from, old.to, old.turn) == (from.word, to.word, turn);
+        let same = |old: &&mut FieldMove| {
+            (old.from, old.to, old.rotation) == (from.word, to.word, rotation)
+        };
         match self.moves.iter_mut().find(same) {
             Some(old) => old.mask |= mask,
-            None => self.moves.push(Move { from: from.word, to: to.word, turn, mask }),
+            None => self.moves.push(FieldMove { from: from.word, to: to.word, rotation, mask }),
         }
     }
 
@@ -112,32 +122,53 @@ impl Moves {
             *out = U32s::splat(constant);
         }
         for &step in &self.moves {
-            isa.run(Turn { step, words: &words[step.from], out: &mut out[step.to] });
+            isa.run(RotateWords { step, words: &words[step.from], out: &mut out[step.to] });
         }
     }
 }
 
-struct Turn<'a> {
-    step: Move,
+struct RotateWords<'a> {
+    step: FieldMove,
     words: &'a U32s,
     out: &'a mut U32s,
 }
 
-impl Kernel for Turn<'_> {
+impl Kernel for RotateWords<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: Simd>(self) {
-        let Move { turn, mask, .. } = self.step;
+        let FieldMove { rotation, mask, .. } = self.step;
         for lane in 0..LANES {
-            self.out[lane] |= self.words[lane].rotate_left(turn) & mask;
+            self.out[lane] |= self.words[lane].rotate_left(rotation) & mask;
         }
     }
 }
 
 /// The words of a pixel whose numbers are all 1.
-fn constants(isa: Isa, record: &Record) -> [u32; 4] {
+fn constants(isa: Isa, record: &PixelLayout) -> [u32; 4] {
     let ones = F64s::splat(1.0);
     let mut words = [U32s::ZERO; 4];
     isa.run(Write { record, numbers: [&ones; 4], out: &mut words });
     words.map(|words| words[0])
+}
+
+/// Converts all pixels of `from` to the layout of `to`.
+pub fn move_all(
+    isa: Isa,
+    moves: &BitMoves,
+    from: (&PixelLayout, &[u8]),
+    to: (&PixelLayout, &mut [u8]),
+) {
+    let ((from_record, from), (to_record, to)) = (from, to);
+    if moves.is_copy() {
+        to.copy_from_slice(from);
+        return;
+    }
+    let (mut words, mut moved) = ([U32s::ZERO; 4], [U32s::ZERO; 4]);
+    let runs = from.chunks(LANES * from_record.bytes());
+    for (from, to) in runs.zip(to.chunks_mut(LANES * to_record.bytes())) {
+        from_record.load(isa, from, &mut words);
+        moves.run(isa, &words, &mut moved);
+        to_record.store(isa, &mut moved, to);
+    }
 }

@@ -2,11 +2,11 @@
 
 use super::*;
 use crate::format::{Field, Format};
-use crate::lanes::F64s;
+use crate::lanes::{F64s, Isa, LANES};
 
 /// One number in a word of its own.
-fn single(size: usize, shift: u32, bits: u32, code: Code) -> Record {
-    Record::packed(size, 1, ByteOrder::Little, &[(Field { word: 0, shift, bits }, code)])
+fn single(size: usize, shift: u32, bits: u32, code: NumberEncoding) -> PixelLayout {
+    PixelLayout::packed(size, 1, ByteOrder::Little, &[(Field { word: 0, shift, bits }, code)])
 }
 
 /// Words of so many bytes, the lowest bits of noise and of the ends.
@@ -23,7 +23,7 @@ fn words(bits: u32) -> Vec<u32> {
 }
 
 /// What the bits of a field are, from the text of the specifications.
-fn oracle(code: Code, bits: u32, word: u32) -> f64 {
+fn oracle(code: NumberEncoding, bits: u32, word: u32) -> f64 {
     let full = f64::from(bits).exp2();
     let c = f64::from(word);
     let signed = if 2.0 * c >= full { c - full } else { c };
@@ -38,41 +38,41 @@ fn oracle(code: Code, bits: u32, word: u32) -> f64 {
         }
     };
     match code {
-        Code::Unorm => c / (full - 1.0),
-        Code::Fixed => (2.0 * signed + 1.0) / (full - 1.0),
-        Code::Snorm => (signed / (full / 2.0 - 1.0)).max(-1.0),
-        Code::Srgb => {
+        NumberEncoding::Unorm => c / (full - 1.0),
+        NumberEncoding::Fixed => (2.0 * signed + 1.0) / (full - 1.0),
+        NumberEncoding::Snorm => (signed / (full / 2.0 - 1.0)).max(-1.0),
+        NumberEncoding::Srgb => {
             let c = c / 255.0;
             let light = if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) };
             f64::from(light as f32)
         }
-        Code::Uint => c,
-        Code::Sint => signed,
-        Code::SnormSteps => signed.max(1.0 - full / 2.0),
-        Code::Float | Code::Depth => match bits {
+        NumberEncoding::Uint => c,
+        NumberEncoding::Sint => signed,
+        NumberEncoding::SnormSteps => signed.max(1.0 - full / 2.0),
+        NumberEncoding::Float | NumberEncoding::Depth => match bits {
             32 => f32::from_bits(word).into(),
             16 => float(10) * if word >> 15 == 1 { -1.0 } else { 1.0 },
             11 => float(6),
             _ => float(5),
         },
-        Code::SharedExponent => unreachable!("a word of its own, below"),
+        NumberEncoding::SharedExponent => unreachable!("a word of its own, below"),
     }
 }
 
-const CASES: [(Code, &[u32]); 9] = [
-    (Code::Unorm, &[1, 2, 3, 4, 5, 6, 8, 10, 16, 24, 32]),
-    (Code::Fixed, &[8, 16, 32]),
-    (Code::Snorm, &[8, 16, 32]),
-    (Code::Srgb, &[8]),
-    (Code::Uint, &[2, 8, 10, 16, 32]),
-    (Code::Sint, &[8, 16, 32]),
-    (Code::SnormSteps, &[8, 16]),
-    (Code::Float, &[10, 11, 16, 32]),
-    (Code::Depth, &[32]),
+const CASES: [(NumberEncoding, &[u32]); 9] = [
+    (NumberEncoding::Unorm, &[1, 2, 3, 4, 5, 6, 8, 10, 16, 24, 32]),
+    (NumberEncoding::Fixed, &[8, 16, 32]),
+    (NumberEncoding::Snorm, &[8, 16, 32]),
+    (NumberEncoding::Srgb, &[8]),
+    (NumberEncoding::Uint, &[2, 8, 10, 16, 32]),
+    (NumberEncoding::Sint, &[8, 16, 32]),
+    (NumberEncoding::SnormSteps, &[8, 16]),
+    (NumberEncoding::Float, &[10, 11, 16, 32]),
+    (NumberEncoding::Depth, &[32]),
 ];
 
 /// Numbers of one field, 64 at a time, on an instruction set.
-fn read_all(isa: Isa, record: &Record, bytes: &[u8]) -> Vec<f64> {
+fn read_all(isa: Isa, record: &PixelLayout, bytes: &[u8]) -> Vec<f64> {
     let mut out = [F64s::ZERO; 4];
     let mut numbers = Vec::new();
     for run in bytes.chunks(LANES * record.bytes()) {
@@ -82,7 +82,7 @@ fn read_all(isa: Isa, record: &Record, bytes: &[u8]) -> Vec<f64> {
     numbers
 }
 
-fn write_all(isa: Isa, record: &Record, numbers: &[f64]) -> Vec<u32> {
+fn write_all(isa: Isa, record: &PixelLayout, numbers: &[f64]) -> Vec<u32> {
     let mut out = Vec::new();
     for run in numbers.chunks(LANES) {
         let mut batch = F64s::ZERO;
@@ -119,9 +119,11 @@ fn numbers_are_what_the_specifications_say_and_read_back() {
                             "{context}: {number} {want}"
                         );
                         // -1 has two forms, NaN many; depths are clamped.
-                        let twice = matches!(code, Code::Snorm | Code::SnormSteps)
-                            && word == 1 << (bits - 1);
-                        let held = code == Code::Depth && !(0..=0x3F80_0000).contains(&word);
+                        let twice =
+                            matches!(code, NumberEncoding::Snorm | NumberEncoding::SnormSteps)
+                                && word == 1 << (bits - 1);
+                        let held =
+                            code == NumberEncoding::Depth && !(0..=0x3F80_0000).contains(&word);
                         if !twice && !held && !number.is_nan() {
                             assert_eq!(back, word << shift, "{context}");
                         }
@@ -160,24 +162,30 @@ fn numbers_go_to_the_nearest_and_clamp() {
             let nearest = |x: f64| -> Option<i64> {
                 let number = if x.is_nan() { 0.0 } else { x };
                 match code {
-                    Code::Unorm => Some(even(number.clamp(0.0, 1.0) * all) as i64),
-                    Code::Fixed => Some(even((number.clamp(-1.0, 1.0) * all - 1.0) / 2.0) as i64),
-                    Code::Snorm => Some(even(number.clamp(-1.0, 1.0) * high) as i64),
-                    Code::Uint => Some(even(number.clamp(0.0, all)) as i64),
-                    Code::Sint | Code::SnormSteps => {
+                    NumberEncoding::Unorm => Some(even(number.clamp(0.0, 1.0) * all) as i64),
+                    NumberEncoding::Fixed => {
+                        Some(even((number.clamp(-1.0, 1.0) * all - 1.0) / 2.0) as i64)
+                    }
+                    NumberEncoding::Snorm => Some(even(number.clamp(-1.0, 1.0) * high) as i64),
+                    NumberEncoding::Uint => Some(even(number.clamp(0.0, all)) as i64),
+                    NumberEncoding::Sint | NumberEncoding::SnormSteps => {
                         Some(even(number.clamp(-high - 1.0, high)) as i64)
                     }
-                    Code::Depth => Some((number as f32).clamp(0.0, 1.0).to_bits().into()),
+                    NumberEncoding::Depth => Some((number as f32).clamp(0.0, 1.0).to_bits().into()),
                     // Their own tests are in `format`.
-                    Code::Srgb | Code::Float | Code::SharedExponent => None,
+                    NumberEncoding::Srgb
+                    | NumberEncoding::Float
+                    | NumberEncoding::SharedExponent => None,
                 }
             };
             for isa in Isa::available() {
                 let got = write_all(isa, &single(4, 0, bits, code), &numbers);
                 for (&number, got) in numbers.iter().zip(got) {
                     let Some(want) = nearest(number) else { continue };
-                    let want = if code == Code::Depth && want == 0x8000_0000 { 0 } else { want };
-                    let got = if code == Code::Depth && got == 0x8000_0000 { 0 } else { got };
+                    let want =
+                        if code == NumberEncoding::Depth && want == 0x8000_0000 { 0 } else { want };
+                    let got =
+                        if code == NumberEncoding::Depth && got == 0x8000_0000 { 0 } else { got };
                     assert_eq!(
                         got,
                         want as u32 & mask,
@@ -196,7 +204,7 @@ fn every_record_has_the_words_of_its_bytes_in_either_order() {
     for size in [1, 2, 4] {
         for count in 1..=4 {
             for order in [ByteOrder::Little, ByteOrder::Big] {
-                let record = Record::uniform(count, size, Code::Uint, order);
+                let record = PixelLayout::uniform(count, size, NumberEncoding::Uint, order);
                 assert_eq!(record.bytes(), count * size);
                 let isas = Isa::available();
                 for (isa, pixels) in isas.iter().flat_map(|&isa| [1, 5, 64].map(|n| (isa, n))) {
@@ -235,15 +243,18 @@ fn moves_are_what_reading_and_writing_gives() {
     ];
     let (zero, one) = (F64s::ZERO, F64s::splat(1.0));
     let (mut found, mut copies) = (0, 0);
-    let records: Vec<Record> = Format::ALL
+    let records: Vec<PixelLayout> = Format::ALL
         .into_iter()
         .filter(|format| format.block().is_none())
-        .map(Record::of)
-        .chain([1, 2, 4].map(|size| Record::uniform(4, size, Code::Unorm, ByteOrder::Big)))
+        .map(PixelLayout::of)
+        .chain(
+            [1, 2, 4]
+                .map(|size| PixelLayout::uniform(4, size, NumberEncoding::Unorm, ByteOrder::Big)),
+        )
         .collect();
     // NaN and what is written otherwise than it was read: -1 in signed fractions, an exponent that is not shared
     // as written.
-    let settled = |record: &Record| {
+    let settled = |record: &PixelLayout| {
         let mut bytes = noise[..67 * record.bytes()].to_vec();
         let mut again = bytes.clone();
         for (from, to) in
@@ -264,7 +275,7 @@ fn moves_are_what_reading_and_writing_gives() {
         for to in &records {
             for sources in sources {
                 for isa in Isa::available() {
-                    let Some(moves) = Moves::new(isa, from, to, sources) else { continue };
+                    let Some(moves) = BitMoves::new(isa, from, to, sources) else { continue };
                     let mut got = vec![9; 67 * to.bytes()];
                     move_all(isa, &moves, (from, &bytes), (to, &mut got));
                     let mut want = vec![8; 67 * to.bytes()];
@@ -291,7 +302,7 @@ fn moves_are_what_reading_and_writing_gives() {
 
 #[test]
 fn colours_with_a_common_exponent_read_back() {
-    let record = Record::of(Format::Rgb9E5);
+    let record = PixelLayout::of(Format::Rgb9E5);
     let words: Vec<u32> = (0..u32::MAX).step_by(1_048_573).collect();
     for words in words.chunks(LANES) {
         let bytes: Vec<u8> = words.iter().flat_map(|word| word.to_le_bytes()).collect();
@@ -341,23 +352,23 @@ fn numbers_are_changed_as_is_said() {
     };
     let mut numbers = F64s::ZERO;
     (0..LANES).for_each(|lane| numbers[lane] = number(lane));
-    let whole = |low: f64, high: f64| Change::Whole { low, high };
-    type Case = (Change, fn(f64) -> f64);
+    let whole = |low: f64, high: f64| NumberTransform::Whole { low, high };
+    type Case = (NumberTransform, fn(f64) -> f64);
     let cases: [Case; 6] = [
-        (Change::Linear { scale: 0.3, bias: -2.0 }, |x| x * 0.3 - 2.0),
-        (Change::Clamp, |x| x.clamp(0.0, 1.0)),
-        (Change::Float, |x| f64::from(x as f32)),
-        (Change::Ratio { over: 3.0, times: 7.0 }, |x| x / 3.0 * 7.0),
+        (NumberTransform::Linear { scale: 0.3, bias: -2.0 }, |x| x * 0.3 - 2.0),
+        (NumberTransform::Clamp, |x| x.clamp(0.0, 1.0)),
+        (NumberTransform::Float, |x| f64::from(x as f32)),
+        (NumberTransform::Ratio { over: 3.0, times: 7.0 }, |x| x / 3.0 * 7.0),
         (whole(0.0, 255.0), |x| (x + 0.5).floor().clamp(0.0, 255.0)),
         (whole(-128.0, 127.0), |x| (x + 0.5).floor().clamp(-128.0, 127.0)),
     ];
     for isa in Isa::available() {
         let mut out = F64s::ZERO;
         for (what, want) in cases {
-            change(isa, what, &numbers, &mut out);
+            transform(isa, what, &numbers, &mut out);
             for lane in 0..LANES {
                 let want = match (what, want(number(lane))) {
-                    (Change::Whole { low, .. }, nan) if nan.is_nan() => low,
+                    (NumberTransform::Whole { low, .. }, nan) if nan.is_nan() => low,
                     (_, want) => want,
                 };
                 let is_same = out[lane] == want || out[lane].is_nan() && want.is_nan();
@@ -365,7 +376,7 @@ fn numbers_are_changed_as_is_said() {
             }
         }
         (0..LANES).for_each(|lane| numbers[lane] = (4 * lane) as f64);
-        change(isa, Change::SevenBits, &numbers, &mut out);
+        transform(isa, NumberTransform::SevenBits, &numbers, &mut out);
         (0..LANES).for_each(|lane| assert_eq!(out[lane], (4 * lane % 128) as f64));
         let mut sums = numbers;
         add(isa, 0.75, &out.0, &mut sums.0);

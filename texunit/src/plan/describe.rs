@@ -1,7 +1,7 @@
-//! What was decided of a texture, in one line.
+//! The decisions of a plan as one line of text.
 
-use super::{Alpha, Anisotropy, Detail, Texture};
-use crate::sample::lod::LodRange;
+use super::lod_range::LodRange;
+use super::texture::{Alpha, Anisotropy, LevelSelection, Texture};
 use crate::sampler::Seamless;
 
 impl Texture {
@@ -22,11 +22,11 @@ impl Texture {
         if let Some(op) = self.compare {
             line += &format!(", depth compare {op:?} before the filter");
         }
-        match &self.detail {
-            Detail::Fixed { filter, level, why, bias: _ } => {
+        match &self.level_selection {
+            LevelSelection::Fixed { filter, level, why, bias: _ } => {
                 line += &format!(", {filter:?} of level {level} (from the base), no LOD: {why}");
             }
-            Detail::PerLane { min, mag, range, anisotropy } => {
+            LevelSelection::PerLane { min, mag, range, anisotropy } => {
                 let LodRange { mipmap, last, magnified_to, .. } = range;
                 line += &format!(
                     ", min {min:?} mipmap {mipmap:?} of levels 0 to {last} (from the base), \

@@ -1,41 +1,37 @@
-//! A texture as kernels read it: which levels, which wrap modes, which border, and which kernel, decided once from
-//! an image and a sampler.
+//! Makes a [`Texture`] from an image and a sampler: levels, wrap modes, border colour, kernel.
 
-use super::{Alpha, Anisotropy, Detail, SampleKernel, Texture, Way};
+use super::selection::wrap_of;
+use super::texel_class::TexelClass;
+use super::texture::{Alpha, Anisotropy, LevelSelection, SampleKernel, TexelPath, Texture};
 use crate::format::{BaseFormat, Block, Encoding, Format};
 use crate::image::{FACES, Image, Incomplete, Level, Shape};
-use crate::lanes::F32s;
 use crate::lanes::math::clamp;
-use crate::sample::lod::LodRange;
-use crate::sample::plain::Class;
-use crate::sampler::{
-    Border, Filter, MAX_ANISOTROPY, Mipmap, Sampler, Seamless, SrgbRead, Swizzle, Wrap,
-};
+use crate::sampler::{Border, Filter, Sampler, Seamless, SrgbRead, Swizzle};
 use std::sync::Arc;
 
 impl Texture {
-    /// Decides.
+    /// Makes the plan's data.
     ///
     /// # Errors
     /// When the image is incomplete for this sampler.
     pub(super) fn new(image: &Image, sampler: &Sampler) -> Result<Self, Incomplete> {
         let reached = image.completeness(sampler)?;
         let shape = image.shape();
-        let mut detail = Detail::new(shape, sampler, reached.last - reached.base);
-        let mut levels = levels(image, reached.base, detail.last_level());
+        let mut level_selection = LevelSelection::new(shape, sampler, reached.last - reached.base);
+        let mut levels = levels(image, reached.base, level_selection.last_level());
         if sampler.srgb == SrgbRead::AsIs {
             levels.iter_mut().flatten().for_each(without_srgb);
         }
         if shape == Shape::CubeArray {
-            // The kernels look for a level by its face; which slices are that face's, they know.
+            // Kernels index levels by face; `LevelView::slice` selects the slice of the face.
             levels = vec![levels[0].clone(); FACES];
         }
         let base = &levels[0][0];
         let (format, size) = (base.format, base.size());
         let compare = if format.is_depth() { sampler.compare } else { None };
-        if let Detail::PerLane { anisotropy, .. } = &mut detail {
+        if let LevelSelection::PerLane { anisotropy, .. } = &mut level_selection {
             *anisotropy = match *anisotropy {
-                // Texels are averaged, which the bits of integers cannot be.
+                // Integers are not averaged.
                 _ if format.is_integer() => Anisotropy::Off,
                 Anisotropy::Scan(most) if compare.is_some() => Anisotropy::Probes(most),
                 any @ (Anisotropy::Off | Anisotropy::Probes(_) | Anisotropy::Scan(_)) => any,
@@ -45,8 +41,8 @@ impl Texture {
         for (channel, (to, &from)) in border.iter_mut().zip(format.base().sources()).enumerate() {
             *to = border_channel(format, channel, sampler.border, from);
         }
-        let way = Way::new(shape, format, compare);
-        let kernel = SampleKernel::new(shape, way, &detail);
+        let texel_path = TexelPath::new(shape, format, compare);
+        let kernel = SampleKernel::new(shape, texel_path, &level_selection);
         Ok(Self {
             shape,
             format,
@@ -59,49 +55,50 @@ impl Texture {
             compare,
             depth_mode: sampler.depth_mode,
             swizzle: sampler.swizzle,
-            way,
-            alpha: if format.base() == BaseFormat::Rgb { Alpha::One } else { Alpha::Read },
-            gives_words: kernel == SampleKernel::Flat(Class::Bytes)
+            texel_path,
+            alpha: if format.base() == BaseFormat::Rgb { Alpha::One } else { Alpha::Stored },
+            is_fusible: kernel == SampleKernel::UniformLevel(TexelClass::Bytes)
                 && matches!(format.base(), BaseFormat::Rgb | BaseFormat::Rgba)
                 && sampler.swizzle == Swizzle::IDENTITY,
             kernel,
-            detail,
+            level_selection,
         })
     }
 
-    /// Whether kernels need no means of alpha, though they make some: it is a byte, and 255 all over
-    /// the levels that filters reach.
+    /// Whether alpha is filtered although it is 255 in every texel of the filtered levels.
     pub(super) fn has_alpha_to_leave_out(&self) -> bool {
-        let is_byte = match self.way {
-            Way::Plain(Class::Bytes | Class::Srgb) => self.format.channels() == 4,
-            Way::Plain(Class::Halves | Class::Floats | Class::Depth { .. })
-            | Way::General
-            | Way::Blocks(_)
-            | Way::Compared(_) => false,
+        let is_byte = match self.texel_path {
+            TexelPath::Words(TexelClass::Bytes | TexelClass::Srgb) => self.format.channels() == 4,
+            TexelPath::Words(
+                TexelClass::Halves | TexelClass::Floats | TexelClass::Depth { .. },
+            )
+            | TexelPath::General
+            | TexelPath::Blocks(_)
+            | TexelPath::ComparedWords(_) => false,
         };
-        let has_means = match &self.detail {
-            Detail::Fixed { filter, .. } => *filter == Filter::Linear,
-            Detail::PerLane { min, mag, .. } => [min, mag].contains(&&Filter::Linear),
+        let has_means = match &self.level_selection {
+            LevelSelection::Fixed { filter, .. } => *filter == Filter::Linear,
+            LevelSelection::PerLane { min, mag, .. } => [min, mag].contains(&&Filter::Linear),
         };
-        let filtered = self.detail.last_level() as usize + 1;
+        let filtered = self.level_selection.last_level() as usize + 1;
         let mut levels = self.levels.iter().flat_map(|face| face.iter().take(filtered));
         is_byte
             && has_means
-            && self.alpha == Alpha::Read
+            && self.alpha == Alpha::Stored
             && levels.all(|level| is_opaque(&level.texels))
     }
 }
 
 /// Whether the last of the four bytes of each texel is 255.
 fn is_opaque(texels: &[u8]) -> bool {
-    // A page at a time, so that most images with an alpha are not read to their end.
+    // In chunks of 4 KiB, to stop early.
     texels.as_chunks::<4>().0.chunks(1024).all(|page| {
         page.iter().fold(!0, |all, &texel| all & u32::from_le_bytes(texel)) >> 24 == 0xFF
     })
 }
 
-/// Component `from` of the border colour as a channel of texels, held in what the channel can be (OpenGL
-/// 4.6, section 8.14.2); of integers the bits.
+/// Component `from` of the border colour as a stored channel, clamped to the channel's range (OpenGL
+/// 4.6, section 8.14.2). Integers as bits.
 fn border_channel(format: Format, channel: usize, border: Border, from: usize) -> f32 {
     let info = format.info();
     let largest = i64::from(info.fields[channel].mask());
@@ -126,26 +123,7 @@ fn border_channel(format: Format, channel: usize, border: Border, from: usize) -
     }
 }
 
-/// The wrap mode that this shape takes: rectangles do not repeat (ARB_texture_rectangle), and the
-/// coordinate on a seamless face only has to stay on it.
-pub(super) fn wrap_of(shape: Shape, seamless: Seamless, wrap: Wrap) -> Wrap {
-    match (shape, seamless, wrap) {
-        (Shape::Cube | Shape::CubeArray, Seamless::On, _) => Wrap::Clamp,
-        (
-            Shape::Rect,
-            _,
-            Wrap::Repeat
-            | Wrap::MirroredRepeat
-            | Wrap::MirrorClamp
-            | Wrap::MirrorClampToEdge
-            | Wrap::MirrorClampToBorder,
-        ) => Wrap::ClampToEdge,
-        (_, _, wrap) => wrap,
-    }
-}
-
-/// Lets colours that are encoded be numbers like others. The kernels go by a level's format, so it is a
-/// copy: what few draws ask for costs the others nothing.
+/// Replaces an sRGB level by a copy in the linear format with the same bytes. Kernels decode by a level's format.
 fn without_srgb(level: &mut Arc<Level>) {
     if level.format.is_srgb() {
         let format = level.format.without_srgb();
@@ -153,7 +131,7 @@ fn without_srgb(level: &mut Arc<Level>) {
     }
 }
 
-/// The levels of each face from `base` on: `last` more, and then as many as fit them.
+/// The levels of each face from `base` on: `last` more, and the consistent levels after them.
 fn levels(image: &Image, base: u32, last: u32) -> Vec<Vec<Arc<Level>>> {
     let mut levels = vec![Vec::new(); image.shape().faces()];
     for number in 0.. {
@@ -173,54 +151,4 @@ fn levels(image: &Image, base: u32, last: u32) -> Vec<Vec<Arc<Level>>> {
         }
     }
     levels
-}
-
-impl Detail {
-    /// Decides whether λ is needed at all. `last` counts from the base level.
-    fn new(shape: Shape, sampler: &Sampler, last: u32) -> Self {
-        let Sampler { min, mipmap, mag, .. } = *sampler;
-        // GL 2.1, section 3.8.9: the switch-over to magnification.
-        let magnified_to = match (mag, min, mipmap) {
-            (Filter::Linear, Filter::Nearest, Mipmap::Nearest | Mipmap::Linear) => 0.5,
-            (Filter::Linear, Filter::Nearest, Mipmap::None)
-            | (Filter::Linear, Filter::Linear, _)
-            | (Filter::Nearest, _, _) => 0.0,
-        };
-        let fixed = |filter, why| Self::Fixed { filter, level: 0, why, bias: sampler.lod_bias };
-        let most = clamp(sampler.max_anisotropy, 1.0, MAX_ANISOTROPY) as u32;
-        let anisotropy = Anisotropy::new(shape, sampler, most);
-        let is_off = anisotropy == Anisotropy::Off;
-        if is_off && sampler.max_lod <= magnified_to {
-            return fixed(mag, "the largest LOD never leaves magnification");
-        }
-        if is_off && min == mag {
-            match mipmap {
-                Mipmap::None => return fixed(mag, "both filters are alike and without mipmaps"),
-                Mipmap::Nearest | Mipmap::Linear if last == 0 => {
-                    return fixed(mag, "both filters are alike and there is one level");
-                }
-                Mipmap::Nearest | Mipmap::Linear => {}
-            }
-        }
-        let mut range = LodRange {
-            bias: sampler.lod_bias,
-            min: sampler.min_lod,
-            max: sampler.max_lod,
-            magnified_to,
-            mipmap,
-            last,
-        };
-        // No λ is above `max`, so no level above that one's is read.
-        let ([first, second], _) = range.levels(&F32s::splat(range.max));
-        range.last = first[0].max(second[0]);
-        Self::PerLane { min, mag, range, anisotropy }
-    }
-
-    /// The last level that is read, counted from the base level.
-    fn last_level(&self) -> u32 {
-        match self {
-            Self::Fixed { level, .. } => *level,
-            Self::PerLane { range, .. } => range.last,
-        }
-    }
 }

@@ -1,17 +1,18 @@
-//! A row of texels that is fetched and never filtered (`ARB_texture_buffer_object`).
+//! Plans of buffer textures: texels that are fetched and never filtered (`ARB_texture_buffer_object`).
 
-use super::{Alpha, Detail, SampleKernel, SamplePlan, Texture, Way};
+use super::SamplePlan;
+use super::texture::{Alpha, LevelSelection, SampleKernel, TexelPath, Texture};
 use crate::image::{Level, Shape};
 use crate::sampler::{DepthMode, Filter, Seamless, Swizzle, Wrap};
 use std::sync::Arc;
 
 impl SamplePlan {
-    /// How the texels of a row are fetched: as those of a one-dimensional image, however many there
-    /// are.
-    pub fn of_row(row: Level) -> Self {
+    /// The plan of a buffer texture: a one-dimensional image of any length.
+    pub fn for_buffer(row: Level) -> Self {
         let (shape, format, size) = (Shape::D1, row.format, row.size());
         let why = "texels are fetched by their numbers";
-        let detail = Detail::Fixed { filter: Filter::Nearest, level: 0, why, bias: 0.0 };
+        let level_selection =
+            LevelSelection::Fixed { filter: Filter::Nearest, level: 0, why, bias: 0.0 };
         Self(Ok(Texture {
             shape,
             format,
@@ -24,11 +25,11 @@ impl SamplePlan {
             compare: None,
             depth_mode: DepthMode::Luminance,
             swizzle: Swizzle::IDENTITY,
-            way: Way::General,
-            alpha: Alpha::Read,
-            gives_words: false,
-            kernel: SampleKernel::Probed,
-            detail,
+            texel_path: TexelPath::General,
+            alpha: Alpha::Stored,
+            is_fusible: false,
+            kernel: SampleKernel::Probes,
+            level_selection,
         }))
     }
 }
@@ -44,7 +45,7 @@ mod tests {
     fn a_row_is_as_long_as_its_bytes_and_zero_beyond() {
         let count = 4 * MAX_SIZE as i32;
         let bytes: Vec<u8> = (0..count).flat_map(|i| (i as u16).to_le_bytes()).collect();
-        // Half a texel more does not count.
+        // An incomplete texel at the end does not count.
         for (bytes, most, len) in [
             (&bytes[..], u32::MAX, count),
             (&bytes[..bytes.len() - 1], u32::MAX, count - 1),
@@ -54,18 +55,18 @@ mod tests {
             (&[], u32::MAX, 0),
         ] {
             let row = Level::row(Format::R16UI, bytes, most).expect("memory");
-            let plan = SamplePlan::of_row(row);
+            let plan = SamplePlan::for_buffer(row);
             let (zero, size) = (I32s::ZERO, I32s::splat(len));
             assert_eq!(plan.size(&zero), [size, I32s::splat(1), I32s::splat(1)]);
-            let places = [0, 1, 4, 5, len - 2, len - 1, len, len + 1, -1, i32::MIN, i32::MAX];
-            let at = I32s::from_fn(|lane| places[lane % places.len()]);
+            let indices = [0, 1, 4, 5, len - 2, len - 1, len, len + 1, -1, i32::MIN, i32::MAX];
+            let at = I32s::from_fn(|lane| indices[lane % indices.len()]);
             for isa in Isa::available() {
                 let mut out = [F32s::splat(9.0); 4];
                 plan.fetch(isa, [&at, &zero, &zero], &zero, [0; 3], &mut out);
-                for (lane, &place) in places.iter().enumerate() {
-                    let inside = (0..len).contains(&place);
-                    let want = if inside { [place as u32 & 0xFFFF, 0, 0, 1] } else { [0; 4] };
-                    assert_eq!(out.each_ref().map(|c| c[lane].to_bits()), want, "{place} of {len}");
+                for (lane, &index) in indices.iter().enumerate() {
+                    let inside = (0..len).contains(&index);
+                    let want = if inside { [index as u32 & 0xFFFF, 0, 0, 1] } else { [0; 4] };
+                    assert_eq!(out.each_ref().map(|c| c[lane].to_bits()), want, "{index} of {len}");
                 }
             }
         }

@@ -1,6 +1,7 @@
 //! Depth comparison (GL 2.1, section 3.8.14). Each texel is compared before the filter, so that a
 //! linear filter gives the weighted share of texels that pass.
 
+use crate::lanes::math::clamp;
 use crate::lanes::{F32s, LANES};
 use crate::sampler::Compare;
 
@@ -24,6 +25,16 @@ fn each(reference: &F32s, texels: &mut F32s, passes: impl Fn(f32, f32) -> bool) 
     for lane in 0..LANES {
         texels[lane] = if passes(reference[lane], texels[lane]) { 1.0 } else { 0.0 };
     }
+}
+
+/// The reference of a comparison is clamped to [0, 1] (GL 2.1, section 3.8.14).
+#[inline(always)]
+pub fn unit_range(reference: &F32s) -> F32s {
+    let mut out = F32s::ZERO;
+    for lane in 0..LANES {
+        out[lane] = clamp(reference[lane], 0.0, 1.0);
+    }
+    out
 }
 
 #[cfg(test)]

@@ -23,24 +23,23 @@ pub fn project(direction: [&F32s; 3]) -> Projected {
     for lane in 0..LANES {
         face[lane] = select(direction[0][lane], direction[1][lane], direction[2][lane]);
         let [sc, tc, ma] =
-            turn(face[lane], direction[0][lane], direction[1][lane], direction[2][lane]);
+            to_face_axes(face[lane], direction[0][lane], direction[1][lane], direction[2][lane]);
         st[0][lane] = 0.5 * (sc / ma + 1.0);
         st[1][lane] = 0.5 * (tc / ma + 1.0);
     }
     Projected { face, st }
 }
 
-/// Points of faces again, those beyond an edge on the face that lies there: where the direction
-/// that they stand for meets the cube.
+/// Reprojects points beyond an edge of their face to the face that their direction meets.
 #[inline(always)]
-pub fn over_edges(on: &Projected) -> Projected {
+pub fn reproject(on: &Projected) -> Projected {
     let mut out = Projected { face: on.face, st: on.st };
     for lane in 0..LANES {
         let (sc, tc) = (2.0 * on.st[0][lane] - 1.0, 2.0 * on.st[1][lane] - 1.0);
-        let [x, y, z] = turn_back(on.face[lane], sc, tc, 1.0);
+        let [x, y, z] = from_face_axes(on.face[lane], sc, tc, 1.0);
         let there = select(x, y, z);
-        let [u, v, ma] = turn(there, x, y, z);
-        // Not where either is NaN, nor where the point is on its face.
+        let [u, v, ma] = to_face_axes(there, x, y, z);
+        // False for NaN.
         let beyond = (sc.abs() > 1.0) | (tc.abs() > 1.0);
         out.face[lane] = if beyond { there } else { on.face[lane] };
         out.st[0][lane] = if beyond { 0.5 * (u / ma + 1.0) } else { on.st[0][lane] };
@@ -55,8 +54,9 @@ pub fn derivatives(face: &U32s, direction: [&F32s; 3], change: [&F32s; 3]) -> [F
     let mut out = [F32s::ZERO; 2];
     for lane in 0..LANES {
         let [sc, tc, ma] =
-            turn(face[lane], direction[0][lane], direction[1][lane], direction[2][lane]);
-        let [dsc, dtc, dma] = turn(face[lane], change[0][lane], change[1][lane], change[2][lane]);
+            to_face_axes(face[lane], direction[0][lane], direction[1][lane], direction[2][lane]);
+        let [dsc, dtc, dma] =
+            to_face_axes(face[lane], change[0][lane], change[1][lane], change[2][lane]);
         out[0][lane] = 0.5 * ((dsc - sc / ma * dma) / ma);
         out[1][lane] = 0.5 * ((dtc - tc / ma * dma) / ma);
     }
@@ -75,11 +75,11 @@ fn select(x: f32, y: f32, z: f32) -> u32 {
 
 /// `(sc, tc, |ma|)` of table 3.19: linear in the direction, so that its derivative is itself.
 #[inline(always)]
-fn turn(face: u32, x: f32, y: f32, z: f32) -> [f32; 3] {
+fn to_face_axes(face: u32, x: f32, y: f32, z: f32) -> [f32; 3] {
     let negative = face & 1 == 1;
     let axis = face >> 1;
     let (on_x, on_y) = (axis == 0, axis == 1);
-    // The sign of the face turns ma, and sc on the X and Z faces, and tc on the Y faces.
+    // The sign of the face negates ma, and sc on the X and Z faces, and tc on the Y faces.
     let sign = |v: f32| if negative { -v } else { v };
     let sc = if on_x {
         sign(-z)
@@ -100,14 +100,14 @@ fn turn(face: u32, x: f32, y: f32, z: f32) -> [f32; 3] {
 }
 
 /// Texels of a cube, found from indices that may lie just beyond a face.
-pub struct Beyond {
-    /// The face each lies on.
+pub struct EdgeTexels {
+    /// The face of each texel.
     pub face: U32s,
     /// Its column there.
     pub x: U32s,
     /// Its row there.
     pub y: U32s,
-    /// `!0` beyond a corner, where there is no texel; then the others are some texel.
+    /// `!0` beyond a corner, where there is no texel; the other fields are then any texel.
     pub missing: U32s,
 }
 
@@ -116,17 +116,18 @@ pub struct Beyond {
 /// doubled and centred, a texel's centre is `(2i + 1 - size, 2j + 1 - size, size)` in `(sc, tc, ma)`,
 /// and one beyond an edge is moved onto the edge, where both faces have the same direction.
 #[inline(always)]
-pub fn beyond(face: u32, i: &I32s, j: &I32s, step: [i32; 2], size: i32) -> Beyond {
+pub fn across_edge(face: u32, i: &I32s, j: &I32s, step: [i32; 2], size: i32) -> EdgeTexels {
     let mut out =
-        Beyond { face: U32s::splat(face), x: U32s::ZERO, y: U32s::ZERO, missing: U32s::ZERO };
+        EdgeTexels { face: U32s::splat(face), x: U32s::ZERO, y: U32s::ZERO, missing: U32s::ZERO };
     for lane in 0..LANES {
         let sc = held(2 * (i[lane] + step[0]) + 1 - size, size);
         let tc = held(2 * (j[lane] + step[1]) + 1 - size, size);
         let off_s = (sc == size) | (sc == -size);
         let off_t = (tc == size) | (tc == -size);
-        let direction = turn_back(face, sc, tc, size);
-        // The axis that the edge's other face stands on, and its sign.
-        let along = if off_s { turn_back(face, sc, 0, 0) } else { turn_back(face, 0, tc, 0) };
+        let direction = from_face_axes(face, sc, tc, size);
+        // The axis of the adjacent face, and its sign.
+        let along =
+            if off_s { from_face_axes(face, sc, 0, 0) } else { from_face_axes(face, 0, tc, 0) };
         let [x, y, z] = along;
         let axis = if x != 0 {
             0
@@ -139,7 +140,7 @@ pub fn beyond(face: u32, i: &I32s, j: &I32s, step: [i32; 2], size: i32) -> Beyon
         let crossed = off_s | off_t;
         let there = if crossed { other } else { face };
         let [sc, tc, _] =
-            turn(there, direction[0] as f32, direction[1] as f32, direction[2] as f32);
+            to_face_axes(there, direction[0] as f32, direction[1] as f32, direction[2] as f32);
         let index = |c: f32| held_index((c as i32 + size - 1) >> 1, size);
         out.face[lane] = there;
         out.x[lane] = index(sc);
@@ -161,9 +162,9 @@ fn held_index(index: i32, size: i32) -> u32 {
     if low >= size { size as u32 - 1 } else { low as u32 }
 }
 
-/// The inverse of [`turn`]: the direction of `(sc, tc, ma)` on a face.
+/// The inverse of [`to_face_axes`]: the direction of `(sc, tc, ma)` on a face.
 #[inline(always)]
-fn turn_back<T: Neg<Output = T>>(face: u32, sc: T, tc: T, ma: T) -> [T; 3] {
+fn from_face_axes<T: Neg<Output = T>>(face: u32, sc: T, tc: T, ma: T) -> [T; 3] {
     match face {
         0 => [ma, -tc, -sc],
         1 => [-ma, -tc, sc],
@@ -191,7 +192,7 @@ mod tests {
         ];
         for ([x, y, z], face, want) in cases {
             assert_eq!(select(x, y, z), face);
-            assert_eq!(turn(face, x, y, z), want, "face {face}");
+            assert_eq!(to_face_axes(face, x, y, z), want, "face {face}");
         }
     }
 }

@@ -1,10 +1,10 @@
-//! Texels of a level as channels, compared, with the border colour in its place.
+//! Loads texels of a level as channels, with border colour and depth compare.
 
 use super::compare;
-use super::filter::Place;
-use super::record::Recorder;
+use super::level_view::LevelView;
+use super::recorder::Recorder;
 use super::wrap::Indices;
-use crate::format::{Encoding, Field, convert};
+use crate::format::convert;
 use crate::image::Level;
 use crate::lanes::{F32s, I32s, Kernel, LANES, Simd, U32s};
 use crate::sampler::Compare;
@@ -13,67 +13,26 @@ use crate::trace::{SampleStep, TexelSource};
 /// One texel in each lane. Only the stored channels of `out` are written.
 #[inline(always)]
 pub fn texels<S: Simd>(
-    place: &Place<'_>,
+    view: &LevelView<'_>,
     [x, y, z]: [&Indices; 3],
     out: &mut [F32s; 4],
     recorder: &mut impl Recorder,
 ) {
-    stored::<S>(place.level, [&x.index, &y.index, &z.index], out);
-    finish::<S>(place, [x, y, z], out, recorder);
+    view.level.fetch_stored::<S>([&x.index, &y.index, &z.index], out);
+    finish::<S>(view, [x, y, z], out, recorder);
 }
 
-/// The channels of stored texels; those of integer formats are their bits. A function of its own: what knows all
-/// formats is large.
-#[inline(always)]
-pub fn stored<S: Simd>(level: &Level, at: [&U32s; 3], out: &mut [F32s; 4]) {
-    S::apart(Stored { level, at, out });
-}
-
-struct Stored<'a> {
-    level: &'a Level,
-    at: [&'a U32s; 3],
-    out: &'a mut [F32s; 4],
-}
-
-impl Kernel for Stored<'_> {
-    type Output = ();
-    #[inline(always)]
-    fn run<S: Simd>(self) {
-        let Self { level, at, out } = self;
-        if !level.format.is_integer() {
-            return level.fetch_lanes::<S>(at, out);
-        }
-        let info = level.format.info();
-        let (words, _) = level.gather::<S>(at);
-        for (channel, out) in out.iter_mut().enumerate().take(level.format.channels()) {
-            let Field { word, shift, bits } = info.fields[channel];
-            // To the top, and back with the sign or zeros.
-            let (up, down) = (32 - bits - shift, 32 - bits);
-            let out = out.as_u32_mut();
-            for lane in 0..LANES {
-                let top = words[word][lane] << up;
-                out[lane] = if info.encoding == Encoding::Sint {
-                    (top as i32 >> down) as u32
-                } else {
-                    top >> down
-                };
-            }
-        }
-    }
-}
-
-/// The two texels of a row, which lie side by side in every lane and in one word each: one gather
-/// takes both.
+/// The two texels of a row with one gather, where they are adjacent in every lane and fit a word each.
 #[inline(always)]
 pub fn row<S: Simd>(
-    place: &Place<'_>,
+    view: &LevelView<'_>,
     xs: &[Indices; 2],
     y: &Indices,
     z: &Indices,
     [left, right]: [&mut [F32s; 4]; 2],
     recorder: &mut impl Recorder,
 ) {
-    let level = place.level;
+    let level = view.level;
     let bytes = level.format.bytes() as u32;
     let (row, slice) = (level.row_bytes() as u32, level.slice_bytes() as u32);
     let mut offsets = U32s::ZERO;
@@ -82,13 +41,13 @@ pub fn row<S: Simd>(
         offsets[lane] = xs[0].index[lane].wrapping_mul(bytes).wrapping_add(line);
     }
     let [first, second] = neighbours::<S>(level, &offsets);
-    S::apart_unless_wide(Decoded { level, words: [first], out: &mut *left });
-    S::apart_unless_wide(Decoded { level, words: [second], out: &mut *right });
-    finish::<S>(place, [&xs[0], y, z], left, recorder);
-    finish::<S>(place, [&xs[1], y, z], right, recorder);
+    S::outlined_unless_wide(Decoded { level, words: [first], out: &mut *left });
+    S::outlined_unless_wide(Decoded { level, words: [second], out: &mut *right });
+    finish::<S>(view, [&xs[0], y, z], left, recorder);
+    finish::<S>(view, [&xs[1], y, z], right, recorder);
 }
 
-/// The channels of texels of one word, whatever their format.
+/// Decodes texels of one word, of any format.
 struct Decoded<'a> {
     level: &'a Level,
     words: [U32s; 1],
@@ -103,14 +62,14 @@ impl Kernel for Decoded<'_> {
     }
 }
 
-/// Whether texel `i` and the next lie side by side in the row in every lane.
+/// Whether texels `i` and `i + 1` both lie inside the row in every lane.
 #[inline(always)]
 pub fn side_by_side<S: Simd>(i: &I32s, size: u32) -> bool {
-    // -1 is the largest of all.
+    // As an unsigned number, -1 is the largest.
     S::below(i.as_u32(), size - 1)
 }
 
-/// The texels at the offsets and those right after, in one gather; of up to four bytes each.
+/// The texels at the offsets and the next ones, with one gather. Texels have up to four bytes.
 #[inline(always)]
 pub fn neighbours<S: Simd>(level: &Level, offsets: &U32s) -> [U32s; 2] {
     let bytes = level.format.bytes();
@@ -131,7 +90,7 @@ pub fn neighbours<S: Simd>(level: &Level, offsets: &U32s) -> [U32s; 2] {
     [low, high]
 }
 
-/// Of the words at two texels of three bytes and four bytes further, makes those that begin at each of the texels.
+/// Turns the words at bytes 0 and 4 into the words at bytes 0 and 3: two adjacent texels of three bytes.
 #[inline(always)]
 pub fn split_threes([low, high]: [&mut U32s; 2]) {
     for lane in 0..LANES {
@@ -142,13 +101,13 @@ pub fn split_threes([low, high]: [&mut U32s; 2]) {
 /// The border colour where an index lies outside, then the comparison.
 #[inline(always)]
 fn finish<S: Simd>(
-    place: &Place<'_>,
+    view: &LevelView<'_>,
     [x, y, z]: [&Indices; 3],
     texels: &mut [F32s; 4],
     recorder: &mut impl Recorder,
 ) {
-    let texture = place.texture;
-    if texture.reaches_border(place.filter) {
+    let texture = view.texture;
+    if texture.reaches_border(view.filter) {
         for (texels, border) in texels.iter_mut().zip(texture.border) {
             for lane in 0..LANES {
                 let outside = x.outside[lane] | y.outside[lane] | z.outside[lane] != 0;
@@ -156,8 +115,8 @@ fn finish<S: Simd>(
             }
         }
     }
-    recorder.note(|lane| SampleStep::Texel {
-        face: place.face as u32,
+    recorder.record(|lane| SampleStep::Texel {
+        face: view.face as u32,
         at: [x.index[lane], y.index[lane], z.index[lane]],
         source: match x.outside[lane] | y.outside[lane] | z.outside[lane] {
             0 => TexelSource::Stored,
@@ -165,17 +124,17 @@ fn finish<S: Simd>(
         },
         value: texels.each_ref().map(|channel| channel[lane]),
         compare: texture.compare.map(|op| {
-            let (reference, mut passes) = (place.reference, texels[0]);
-            S::apart_unless_wide(Compared { op, reference, texels: &mut passes });
+            let (reference, mut passes) = (view.reference, texels[0]);
+            S::outlined_unless_wide(Compared { op, reference, texels: &mut passes });
             (op, reference[lane], passes[lane])
         }),
     });
     if let Some(op) = texture.compare {
-        S::apart_unless_wide(Compared { op, reference: place.reference, texels: &mut texels[0] });
+        S::outlined_unless_wide(Compared { op, reference: view.reference, texels: &mut texels[0] });
     }
 }
 
-/// Texels compared, whatever the operator.
+/// Depth compare with any operator.
 struct Compared<'a> {
     op: Compare,
     reference: &'a F32s,

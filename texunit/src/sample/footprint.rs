@@ -6,41 +6,35 @@
 //!
 //! *Isotropic* (GL 2.1, equation 3.20): `ρ² = max(|∂/∂x|², |∂/∂y|²)`.
 //!
-//! *Anisotropic* (EXT_texture_filter_anisotropic leaves the scheme open): images in a plane are read
-//! row by row ([`super::scan`]); other shapes and wrap modes take `N` probes in a row along
+//! *Anisotropic* (EXT_texture_filter_anisotropic leaves the scheme open): two-dimensional images use a
+//! row scan ([`super::row_scan`]); other shapes and wrap modes take `N` probes in a row along
 //! the major axis, `N = min(⌈σ₁/σ₂ - 1/64⌉, max)`, each filtered for a width of
 //! `m = max(σ₂, σ₁/N)`, so that `λ = log2 m`. They lie `g = √((σ₁² - m²) / (N² - 1))` apart, the one
 //! distance at which `N` boxes of width `m` have the second moment `σ₁²/12` of the parallelogram
 //! itself: where `σ₁ = N·m` the boxes touch, and as `σ₁` falls to `m` they close up, so that
-//! nothing jumps where `N` changes. The probes weigh the same, as the area integral asks. Each is a
-//! sample of its own, of the levels that λ tells; on a cube, of the face that it comes to lie on.
+//! the result is continuous where `N` changes. All probes have the same weight, as in the area integral. Each
+//! probe is an ordinary sample with the levels of λ; on a cube, of the face that it lies on.
 
-use super::record::Recorder;
-use super::scan::Scan;
+use super::derivatives::{Derivatives, rho_squared};
+use super::recorder::Recorder;
+use super::row_scan::RowScan;
 use crate::lanes::math::{clamp, max};
 use crate::lanes::{F32s, LANES, Simd, U32s, log2_of_root};
 use crate::trace::SampleStep;
 
-/// Derivatives of the coordinates of each axis.
-#[derive(Clone, Copy)]
-pub struct Derivatives<'a> {
-    pub dx: [&'a F32s; 3],
-    pub dy: [&'a F32s; 3],
-}
-
-/// How the footprints of a batch are read.
+/// How the footprints of a batch are filtered.
 pub enum Footprint {
-    /// As round ones, in one sample.
+    /// Isotropic: one sample.
     Round,
-    /// In samples along the major axis.
+    /// With probes along the major axis.
     Probes(Probes),
-    /// Row by row.
-    Scan(Scan),
+    /// With a row scan.
+    Scan(RowScan),
 }
 
-/// Which footprints a kernel can read: what it cannot is not compiled into it.
-pub trait Reads: Copy {
-    /// [`Footprint::Round`], or a probe of many.
+/// The footprints that a kernel is compiled for.
+pub trait FootprintSet: Copy {
+    /// [`Footprint::Round`], and each probe.
     const ROUND: bool;
     /// [`Footprint::Probes`].
     const PROBES: bool;
@@ -48,47 +42,47 @@ pub trait Reads: Copy {
     const SCANS: bool;
 }
 
-/// Round ones.
+/// Isotropic footprints.
 #[derive(Clone, Copy)]
-pub struct Round;
-impl Reads for Round {
+pub struct RoundOnly;
+impl FootprintSet for RoundOnly {
     const ROUND: bool = true;
     const PROBES: bool = false;
     const SCANS: bool = false;
 }
 
-/// Round ones and those with probes.
+/// Isotropic footprints, and probes.
 #[derive(Clone, Copy)]
-pub struct Probed;
-impl Reads for Probed {
+pub struct RoundAndProbes;
+impl FootprintSet for RoundAndProbes {
     const ROUND: bool = true;
     const PROBES: bool = true;
     const SCANS: bool = false;
 }
 
-/// Those that are read row by row.
+/// Row scans.
 #[derive(Clone, Copy)]
-pub struct Scanned;
-impl Reads for Scanned {
+pub struct RowScans;
+impl FootprintSet for RowScans {
     const ROUND: bool = false;
     const PROBES: bool = false;
     const SCANS: bool = true;
 }
 
-/// All.
+/// All footprints: for traces and the baseline.
 #[derive(Clone, Copy)]
-pub struct Any;
-impl Reads for Any {
+pub struct AnyFootprint;
+impl FootprintSet for AnyFootprint {
     const ROUND: bool = true;
     const PROBES: bool = true;
     const SCANS: bool = true;
 }
 
-/// Where the probes of a batch lie.
+/// The probes of a batch.
 pub struct Probes {
-    /// The most that a lane has.
+    /// The largest number of probes of a lane.
     pub most: u32,
-    /// How many each lane has, from 1 on.
+    /// The number of probes of each lane, at least 1.
     pub count: F32s,
     /// From one probe to the next, per axis, in units of the coordinate.
     pub step: [F32s; 3],
@@ -129,7 +123,7 @@ pub fn isotropic(
         for lane in 0..LANES {
             lambda[lane] = log2_of_root(rho_squared(d, scale, lane));
         }
-        recorder.note(|lane| SampleStep::Isotropic {
+        recorder.record(|lane| SampleStep::Isotropic {
             rho_squared: rho_squared(d, scale, lane),
             lambda: lambda[lane],
         });
@@ -139,19 +133,11 @@ pub fn isotropic(
     for lane in 0..LANES {
         lambda[lane] = log2_of_root(max(metric.xx[lane], metric.yy[lane]));
     }
-    recorder.note(|lane| SampleStep::Isotropic {
+    recorder.record(|lane| SampleStep::Isotropic {
         rho_squared: max(metric.xx[lane], metric.yy[lane]),
         lambda: lambda[lane],
     });
     lambda
-}
-
-/// ρ² of two axes.
-#[inline(always)]
-pub fn rho_squared(d: &Derivatives<'_>, scale: [f32; 3], lane: usize) -> f32 {
-    let (dudx, dvdx) = (d.dx[0][lane] * scale[0], d.dx[1][lane] * scale[1]);
-    let (dudy, dvdy) = (d.dy[0][lane] * scale[0], d.dy[1][lane] * scale[1]);
-    max(dudx * dudx + dvdx * dvdx, dudy * dudy + dvdy * dvdy)
 }
 
 /// λ of each probe, and the probes, if any lane has more than one.
@@ -175,7 +161,7 @@ pub fn anisotropic<S: Simd>(
         root[lane] = (difference * difference + xy[lane] * xy[lane]).sqrt();
         major[lane] = half + root[lane];
         minor[lane] = max(half - root[lane], 0.0);
-        let stretched = major[lane] > minor[lane] * (ALIKE * ALIKE);
+        let stretched = major[lane] > minor[lane] * (ISOTROPIC_RATIO * ISOTROPIC_RATIO);
         elongated[lane] = if stretched { !0 } else { 0 };
     }
     let mut width = major;
@@ -185,10 +171,10 @@ pub fn anisotropic<S: Simd>(
         let (mut x, mut y) = (F32s::ZERO, F32s::ZERO);
         for lane in 0..LANES {
             let (major, minor) = (major[lane], minor[lane]);
-            // Not where NaN comes from no footprint or an infinite one.
+            // False for NaN, of empty and infinite footprints.
             let stretched = elongated[lane] != 0;
             let ratio = (major / minor).sqrt();
-            let n = clamp(S::ceil(ratio - (ALIKE - 1.0)), 2.0, most);
+            let n = clamp(S::ceil(ratio - (ISOTROPIC_RATIO - 1.0)), 2.0, most);
             let wide = max(minor, major / (n * n));
             width[lane] = if stretched { wide } else { major };
             count[lane] = if stretched { n } else { 1.0 };
@@ -210,7 +196,7 @@ pub fn anisotropic<S: Simd>(
                 step[lane] = if count[lane] > 1.0 { moved } else { 0.0 };
             }
         }
-        // Of positive numbers the bits are in the same order.
+        // The bits of positive floats are ordered as the numbers.
         let most = f32::from_bits(S::largest(count.as_u32())) as u32;
         probes = Some(Probes { most, count, step });
     }
@@ -218,7 +204,7 @@ pub fn anisotropic<S: Simd>(
     for lane in 0..LANES {
         lambda[lane] = log2_of_root(width[lane]);
     }
-    recorder.note(|lane| {
+    recorder.record(|lane| {
         let of = |probes: &Probes| (probes.count[lane] as u32, probes.step.map(|step| step[lane]));
         let (probes, step) = probes.as_ref().map_or((1, [0.0; 3]), of);
         SampleStep::Anisotropic {
@@ -232,5 +218,5 @@ pub fn anisotropic<S: Simd>(
     (lambda, probes)
 }
 
-/// Up to this ratio the axes count as alike: rounding alone must not cost a probe.
-const ALIKE: f32 = 1.0 + 1.0 / 64.0;
+/// Up to this ratio of the axes a footprint is isotropic: rounding alone must not cost a probe.
+const ISOTROPIC_RATIO: f32 = 1.0 + 1.0 / 64.0;

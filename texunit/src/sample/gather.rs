@@ -1,16 +1,19 @@
 //! One component of each of the four texels that a linear filter of the base level would weigh
 //! (ARB_texture_gather).
 //!
-//! Which they are is a matter of integers, wrapped one by one (OpenGL 3.2, section 3.8.8). A filter holds the coordinate
-//! first: of two texels beyond an edge, one has no weight then, and may be any.
+//! Texel indices are wrapped as integers, one by one (OpenGL 3.2, section 3.8.8). A filter clamps the coordinate instead,
+//! after which a texel beyond an edge may have no weight and be any texel; a gather has to return the right one.
 
-use super::filter::Place;
-use super::record::Off;
+use super::compare::unit_range;
+use super::coordinates::Coordinates;
+use super::level_view::LevelView;
+use super::lookup::Points;
+use super::recorder::NoRecorder;
 use super::wrap::{Axis, Indices, enclosing, modulo};
-use super::{Coordinates, cube, expand, fetch, seamless, unit_range};
+use super::{cube, expand, fetch, seamless};
 use crate::lanes::math::{clamp, max};
 use crate::lanes::{F32s, I32s, Kernel, LANES, Simd, U32s};
-use crate::plan::{Points, Texture};
+use crate::plan::Texture;
 use crate::sampler::{Filter, Seamless, Wrap};
 
 /// One call: 64 times four texels of an image with two axes.
@@ -23,8 +26,8 @@ pub(crate) struct Gather<'a> {
     pub out: &'a mut [F32s; 4],
 }
 
-/// Where in `out` the texel at `(i, j) + (number % 2, number / 2)` stands.
-const PLACES: [usize; 4] = [3, 2, 0, 1];
+/// The component of `out` for the texel at `(i, j) + (number % 2, number / 2)`.
+const GATHER_ORDER: [usize; 4] = [3, 2, 0, 1];
 
 impl Kernel for Gather<'_> {
     type Output = ();
@@ -36,7 +39,7 @@ impl Kernel for Gather<'_> {
             Some(_) => unit_range(reference.unwrap_or(coords[2])),
             None => F32s::ZERO,
         };
-        let at = Coordinates::new(texture, coords, layer, &mut Off);
+        let at = Coordinates::new(texture, coords, layer, &mut NoRecorder);
         let [s, t, _] = at.filtered();
         let mut missing = [U32s::ZERO; 4];
         for (face, levels) in texture.levels.iter().enumerate() {
@@ -46,13 +49,14 @@ impl Kernel for Gather<'_> {
             }
             let Some(level) = levels.first().filter(|_| S::any(&here)) else { continue };
             let (filter, number, layer, reference) = (Filter::Linear, 0, &at.layer, &reference);
-            let place = Place { texture, filter, face, number, level, layer, reference };
-            let x = S::apart(Along { axis: place.axis(0), s, offset: offset[0] });
-            let y = S::apart(Along { axis: place.axis(1), s: t, offset: offset[1] });
+            let view = LevelView { texture, filter, face, number, level, layer, reference };
+            let x = S::outlined(PairOnAxis { axis: view.axis(0), s, offset: offset[0] });
+            let y = S::outlined(PairOnAxis { axis: view.axis(1), s: t, offset: offset[1] });
             for corner in 0..4 {
                 let step = [corner % 2, corner / 2];
-                let (found, lacks) = S::apart(Texel { place: &place, along: [&x, &y], step });
-                let to = &mut out[PLACES[corner]];
+                let (found, lacks) =
+                    S::outlined(CornerTexel { view: &view, along: [&x, &y], step });
+                let to = &mut out[GATHER_ORDER[corner]];
                 for lane in 0..LANES {
                     let is_here = here[lane] != 0;
                     to[lane] = if is_here { found[lane] } else { to[lane] };
@@ -61,33 +65,33 @@ impl Kernel for Gather<'_> {
             }
         }
         if texture.seamless == Seamless::On {
-            stand_in(texture, &missing, out);
+            fill_missing(texture, &missing, out);
         }
     }
 }
 
-/// The texels about coordinates along one axis.
-struct Found {
-    /// Where the lower one lies, if nothing wraps.
+/// The two texels that enclose a coordinate along one axis.
+struct TexelPair {
+    /// Index of the lower one, unwrapped.
     lower: I32s,
-    /// Both, as they are stored.
+    /// Both, wrapped, as stored indices.
     texels: [Indices; 2],
 }
 
-struct Along<'a> {
+struct PairOnAxis<'a> {
     axis: Axis,
     s: &'a F32s,
     /// Texels that are added.
     offset: i32,
 }
 
-impl Kernel for Along<'_> {
-    type Output = Found;
+impl Kernel for PairOnAxis<'_> {
+    type Output = TexelPair;
 
     #[inline(always)]
-    fn run<S: Simd>(self) -> Found {
+    fn run<S: Simd>(self) -> TexelPair {
         let Self { axis, s, offset } = self;
-        let rule = Rule::new(axis.wrap, axis.size as i32);
+        let rule = WrapRule::new(axis.wrap, axis.size as i32);
         let mut u = F32s::ZERO;
         match rule.repeats {
             Some(each) => {
@@ -109,45 +113,45 @@ impl Kernel for Along<'_> {
             lower[lane] += offset;
         }
         let texels = [wrapped(axis, &rule, &lower, 0), wrapped(axis, &rule, &lower, 1)];
-        Found { lower, texels }
+        TexelPair { lower, texels }
     }
 }
 
-/// How far beyond an image a place counts, in texels: further than any offset.
+/// Coordinates are clamped to this many texels beyond the image: more than any offset.
 const BEYOND: f32 = 64.0;
 
-/// Further than any place.
+/// Larger than any texel index.
 const FAR: i32 = 1 << 23;
 
-/// Which texel stands for place `i` or `i + 1` of `n` (OpenGL 3.2, table 3.20), in steps that do nothing where they do
-/// not apply.
-struct Rule {
-    /// After how much of the coordinate the image repeats.
+/// The steps that wrap an index `i` or `i + 1` of `n` texels (OpenGL 3.2, table 3.20). A step that does not apply is an
+/// identity.
+struct WrapRule {
+    /// The period of the coordinate, if the image repeats.
     repeats: Option<f32>,
-    /// `i` is held first. (The clamps that mix half a border in keep one of the two within the image.)
+    /// First `i` is clamped to this range. (`GL_CLAMP` keeps one of the two texels inside the image.)
     first: [i32; 2],
-    /// Places repeat: where one turn begins and how long it is.
-    turn: [i32; 2],
-    /// The bits that a place below 0 changes: all where 0 is a mirror.
+    /// Then the index repeats: start and length of one period.
+    period: [i32; 2],
+    /// Then an index below 0 is XORed with this: all ones mirrors at 0.
     mirror: i32,
-    /// What is held last; -1 and `n` are the border.
+    /// Last the index is clamped to this range; -1 and `n` are the border.
     last: [i32; 2],
 }
 
-impl Rule {
+impl WrapRule {
     fn new(wrap: Wrap, n: i32) -> Self {
         let (edge, border) = ([0, n - 1], [-1, n]);
         let straight = Self {
             repeats: None,
             first: [-FAR, FAR],
-            turn: [-FAR, 2 * FAR],
+            period: [-FAR, 2 * FAR],
             mirror: 0,
             last: border,
         };
         let mirrored = Self { mirror: !0, ..straight };
         match wrap {
-            Wrap::Repeat => Self { repeats: Some(1.0), turn: [0, n], ..straight },
-            Wrap::MirroredRepeat => Self { repeats: Some(2.0), turn: [-n, 2 * n], ..mirrored },
+            Wrap::Repeat => Self { repeats: Some(1.0), period: [0, n], ..straight },
+            Wrap::MirroredRepeat => Self { repeats: Some(2.0), period: [-n, 2 * n], ..mirrored },
             Wrap::Clamp => Self { first: [-1, n - 1], ..straight },
             Wrap::ClampToEdge => Self { last: edge, ..straight },
             Wrap::ClampToBorder => straight,
@@ -159,49 +163,49 @@ impl Rule {
 }
 
 #[inline(always)]
-fn held(i: i32, [low, high]: [i32; 2]) -> i32 {
+fn clamp_index(i: i32, [low, high]: [i32; 2]) -> i32 {
     let above = if i < low { low } else { i };
     if above > high { high } else { above }
 }
 
 #[inline(always)]
-fn wrapped(axis: Axis, rule: &Rule, i: &I32s, step: i32) -> Indices {
-    let [start, length] = rule.turn;
-    let mut places = I32s::ZERO;
+fn wrapped(axis: Axis, rule: &WrapRule, i: &I32s, step: i32) -> Indices {
+    let [start, length] = rule.period;
+    let mut wrapped = I32s::ZERO;
     for lane in 0..LANES {
-        let place = held(i[lane], rule.first) + step;
-        let turned = modulo(place - start, length) + start;
-        places[lane] = held(turned ^ (turned >> 31 & rule.mirror), rule.last);
+        let index = clamp_index(i[lane], rule.first) + step;
+        let repeated = modulo(index - start, length) + start;
+        wrapped[lane] = clamp_index(repeated ^ (repeated >> 31 & rule.mirror), rule.last);
     }
-    axis.stored(&places)
+    axis.stored(&wrapped)
 }
 
-/// The first component of a texel after the swizzle, and where there is none (a mask): beyond a corner of a cube.
-struct Texel<'a> {
-    place: &'a Place<'a>,
-    along: [&'a Found; 2],
-    /// Whether it is the lower or the upper one along either axis.
+/// The first component of one texel after the swizzle, and a mask of the lanes without a texel (beyond a cube's corner).
+struct CornerTexel<'a> {
+    view: &'a LevelView<'a>,
+    along: [&'a TexelPair; 2],
+    /// 0 for the lower, 1 for the upper texel along each axis.
     step: [usize; 2],
 }
 
-impl Kernel for Texel<'_> {
+impl Kernel for CornerTexel<'_> {
     type Output = (F32s, U32s);
 
     #[inline(always)]
     fn run<S: Simd>(self) -> (F32s, U32s) {
-        let Self { place, along: [x, y], step } = self;
-        let texture = place.texture;
+        let Self { view, along: [x, y], step } = self;
+        let texture = view.texture;
         let (mut channels, mut missing) = ([F32s::ZERO; 4], U32s::ZERO);
         match texture.seamless {
             Seamless::Off => {
-                let at = [&x.texels[step[0]], &y.texels[step[1]], &place.slice()];
-                fetch::texels::<S>(place, at, &mut channels, &mut Off);
+                let at = [&x.texels[step[0]], &y.texels[step[1]], &view.slice()];
+                fetch::texels::<S>(view, at, &mut channels, &mut NoRecorder);
             }
             Seamless::On => {
-                let (face, size) = (place.face as u32, place.level.width as i32);
+                let (face, size) = (view.face as u32, view.level.width as i32);
                 let step = [step[0] as i32, step[1] as i32];
-                let found = cube::beyond(face, &x.lower, &y.lower, step, size);
-                seamless::texels::<S>(place, &found, &mut channels);
+                let found = cube::across_edge(face, &x.lower, &y.lower, step, size);
+                seamless::texels::<S>(view, &found, &mut channels);
                 missing = found.missing;
             }
         }
@@ -211,13 +215,13 @@ impl Kernel for Texel<'_> {
     }
 }
 
-/// Where there is no texel, the mean of the other three; of integers, which have no mean, the one texel of the face.
+/// Replaces missing texels by the mean of the other three; for integers, by the texel opposite.
 #[inline(always)]
-fn stand_in(texture: &Texture, missing: &[U32s; 4], out: &mut [F32s; 4]) {
+fn fill_missing(texture: &Texture, missing: &[U32s; 4], out: &mut [F32s; 4]) {
     let is_integer = texture.format.is_integer();
     for corner in 0..4 {
-        let [to, a, b] = [PLACES[corner], PLACES[corner ^ 1], PLACES[corner ^ 2]];
-        let opposite = PLACES[corner ^ 3];
+        let [to, a, b] = [GATHER_ORDER[corner], GATHER_ORDER[corner ^ 1], GATHER_ORDER[corner ^ 2]];
+        let opposite = GATHER_ORDER[corner ^ 3];
         for lane in 0..LANES {
             let alone = out[opposite][lane];
             let mean = (out[a][lane] + out[b][lane] + alone) / 3.0;

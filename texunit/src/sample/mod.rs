@@ -1,391 +1,42 @@
 //! The steps of a sample, in the order of the specification's chapter:
 //! face → LOD → wrap → fetch and border → compare → filter → mip → probes → expand → swizzle.
 //!
-//! A batch runs level by level: the distinct (filter, face, level) of its 64 lanes are found, each
-//! is sampled once in all lanes, and a mask keeps the lanes that asked for it. Most batches touch
-//! one to three. What a lane gets does not depend on its neighbours' levels.
+//! The modules from below: `wrap`, `cube`, `compare` and `expand` are single steps; `level_view`, `fetch`,
+//! `interpolate`, `fast` and `filter` sample one level; `footprint`, `row_scan` and `level_taps` say which levels and
+//! how; `general`, `uniform` and `fused` are the kernels of whole samples, which `dispatch` chooses from.
 
-pub(crate) mod ahead;
+mod call;
 mod compare;
+mod coordinates;
 mod cube;
+mod derivatives;
+mod dispatch;
 mod expand;
-pub(crate) mod fetch;
+mod fast;
+mod fetch;
 mod filter;
-pub(crate) mod flat;
 mod footprint;
-pub(crate) mod gather;
-pub(crate) mod lod;
-pub(crate) mod plain;
-pub(crate) mod query;
-mod record;
-mod scan;
+mod fused;
+mod gather;
+mod general;
+mod interpolate;
+mod level_taps;
+mod level_view;
+mod lod_query;
+mod lookup;
+mod prefetch;
+mod recorder;
+mod row_scan;
+mod scratch;
 mod seamless;
-pub(crate) mod take;
-mod taps;
-pub(crate) mod texel;
+mod texel_fetch;
+mod uniform;
+mod uniform_levels;
 mod wrap;
 
-use crate::image::Shape;
-use crate::lanes::math::clamp;
-use crate::lanes::{Baseline, F32s, Isa, Kernel, LANES, Simd, U32s};
-use crate::plan::{Lod, Texture};
-use crate::trace::SampleStep;
-pub(crate) use footprint::{Any, Probed, Scanned};
-use footprint::{Footprint, Probes, Reads};
-use record::Recorder;
-pub(crate) use record::{Lane, Off};
-use scan::Scan;
-use std::marker::PhantomData;
-use taps::Taps;
-
-/// One call: 64 samples of a complete texture.
-pub(crate) struct Sample<'a, R, F> {
-    pub texture: &'a Texture,
-    /// By reference, as is `lod`: a copy in vectors of what was just stored word by word would wait
-    /// for all stores before it.
-    pub coords: &'a [&'a F32s; 3],
-    pub layer: Option<&'a F32s>,
-    pub reference: Option<&'a F32s>,
-    /// Texels added along s, t, r, on each level (GLSL 1.30, section 8.7).
-    pub offset: [i32; 3],
-    pub lod: &'a Lod<'a>,
-    pub out: &'a mut [F32s; 4],
-    pub recorder: &'a mut R,
-    /// What the kernel is compiled for.
-    pub reads: PhantomData<F>,
-}
-
-impl<R: Recorder, F: Reads> Kernel for Sample<'_, R, F> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<S: Simd>(self) {
-        let Self { texture, coords, layer, reference, offset, lod, out, recorder, reads: _ } = self;
-        let reference = match texture.compare {
-            Some(_) => unit_range(reference.unwrap_or(coords[2])),
-            None => F32s::ZERO,
-        };
-        let at = Coordinates::new(texture, *coords, layer, recorder);
-        let (taps, footprint) = taps::taps::<S, F>(texture, &at, *lod, recorder);
-        let (probes, scan) = match &footprint {
-            Footprint::Probes(probes) if F::PROBES => (Some(probes), None),
-            Footprint::Scan(scan) if F::SCANS => (None, Some(scan)),
-            Footprint::Round | Footprint::Probes(_) | Footprint::Scan(_) => (None, None),
-        };
-        let samples = Samples { texture, offset, reference: &reference, scan };
-        sample_probes::<S, F>(&samples, &at, &taps, probes, out, recorder);
-        expand::expand(texture.format, texture.depth_mode, out);
-        expand::swizzle(texture.format, texture.swizzle, out);
-    }
-}
-
-impl<'a, F: Reads> Sample<'a, Off, F> {
-    /// Runs it the shortest way if that leads there; texels are of this class.
-    #[inline]
-    pub fn run_flat(
-        mut self,
-        isa: Isa,
-        class: plain::Class,
-        places: plain::Places,
-        (squares, detail): (&mut take::Squares, &mut take::Found),
-    ) {
-        let sample = &mut self;
-        match isa.run_above_baseline(flat::Flat { sample, class, places, squares, detail }) {
-            Ok(flat::Outcome::Sampled) => {}
-            Ok(flat::Outcome::NotFlat) | Err(flat::Flat { .. }) => self.run_on(isa),
-        }
-    }
-
-    /// The same with a kernel that reads other footprints.
-    pub fn reading<G: Reads>(self) -> Sample<'a, Off, G> {
-        let Self { texture, coords, layer, reference, offset, lod, out, recorder, reads: _ } = self;
-        let reads = PhantomData;
-        Sample { texture, coords, layer, reference, offset, lod, out, recorder, reads }
-    }
-
-    /// Runs it as compiled for an instruction set.
-    #[inline]
-    pub fn run_on(self, isa: Isa) {
-        if let Err(sample) = isa.run_above_baseline(self) {
-            let Self { texture, coords, layer, reference, offset, lod, out, .. } = sample;
-            let (recorder, reads) = (&mut Lane::deaf(), PhantomData);
-            Sample { texture, coords, layer, reference, offset, lod, out, recorder, reads }
-                .run_in_baseline();
-        }
-    }
-}
-
-impl Sample<'_, Lane, Any> {
-    /// The one kernel of the baseline: traces run it too.
-    #[inline(never)]
-    pub fn run_in_baseline(self) {
-        self.run::<Baseline>();
-    }
-}
-
-/// Where the lanes sample.
-pub(crate) struct Coordinates<'a> {
-    /// s, t, r as given; of a cube, the direction.
-    given: [&'a F32s; 3],
-    /// Of a cube, else 0.
-    face: U32s,
-    /// Of an array, else 0.
-    layer: U32s,
-    /// On the face of a cube.
-    st: Option<[F32s; 2]>,
-}
-
-impl<'a> Coordinates<'a> {
-    /// Where there are neither faces nor layers.
-    #[inline(always)]
-    fn in_plane(given: [&'a F32s; 3]) -> Self {
-        Self { given, face: U32s::ZERO, layer: U32s::ZERO, st: None }
-    }
-
-    #[inline(always)]
-    fn new(
-        texture: &Texture,
-        given: [&'a F32s; 3],
-        layer: Option<&F32s>,
-        recorder: &mut impl Recorder,
-    ) -> Self {
-        let mut at = Self::in_plane(given);
-        match texture.shape {
-            Shape::D1 | Shape::D2 | Shape::Rect | Shape::D3 => {}
-            Shape::D1Array => at.layer = wrap::layer(given[1], texture.layers()),
-            Shape::D2Array => at.layer = wrap::layer(given[2], texture.layers()),
-            Shape::Cube | Shape::CubeArray => {
-                let projected = cube::project(given);
-                recorder.note(|lane| SampleStep::Face {
-                    face: projected.face[lane],
-                    st: projected.st.map(|coord| coord[lane]),
-                });
-                at.face = projected.face;
-                at.st = Some(projected.st);
-                if let Some(layer) = layer {
-                    at.layer = wrap::layer(layer, texture.layers());
-                }
-            }
-        }
-        if texture.is_array() {
-            recorder.note(|lane| SampleStep::Layer(at.layer[lane]));
-        }
-        at
-    }
-
-    /// The coordinates to filter along.
-    #[inline(always)]
-    fn filtered(&self) -> [&F32s; 3] {
-        match &self.st {
-            Some([s, t]) => [s, t, self.given[2]],
-            None => self.given,
-        }
-    }
-}
-
-/// The reference of a comparison is clamped to [0, 1] (GL 2.1, section 3.8.14).
-#[inline(always)]
-fn unit_range(reference: &F32s) -> F32s {
-    let mut out = F32s::ZERO;
-    for lane in 0..LANES {
-        out[lane] = clamp(reference[lane], 0.0, 1.0);
-    }
-    out
-}
-
-/// What stays the same over the probes and levels of a batch.
-struct Samples<'a> {
-    texture: &'a Texture,
-    offset: [i32; 3],
-    reference: &'a F32s,
-    /// How rows are read, if they are.
-    scan: Option<&'a Scan>,
-}
-
-/// The mean of the probes, whose running form leaves equal ones as they are.
-#[inline(always)]
-fn sample_probes<S: Simd, F: Reads>(
-    samples: &Samples<'_>,
-    at: &Coordinates<'_>,
-    taps: &Taps,
-    probes: Option<&Probes>,
-    out: &mut [F32s; 4],
-    recorder: &mut impl Recorder,
-) {
-    let most = match probes {
-        Some(probes) => probes.most,
-        None => 1,
-    };
-    let mut moved = None;
-    let mut moved_taps;
-    let mut one = None;
-    for probe in 0..most {
-        let mut there = at.filtered();
-        let mut read = taps;
-        if let Some(probes) = probes {
-            let to = moved.get_or_insert([F32s::ZERO; 3]);
-            let axes = samples.texture.shape.axes();
-            for (axis, to) in to.iter_mut().enumerate().take(axes) {
-                place_probe(at.filtered()[axis], probes, axis, probe, to);
-            }
-            if samples.texture.shape.is_cube() {
-                let [s, t, _] = *to;
-                let on = cube::over_edges(&cube::Projected { face: at.face, st: [s, t] });
-                [to[0], to[1]] = on.st;
-                moved_taps = taps.on_faces(&on.face);
-                read = &moved_taps;
-            }
-            there = [&to[0], &to[1], &to[2]];
-        }
-        if let Some(probes) = probes {
-            recorder.only(|lane| (probe as f32) < probes.count[lane]);
-            recorder.note(|lane| SampleStep::Probe {
-                number: probe,
-                of: probes.count[lane] as u32,
-                at: there.map(|coord| coord[lane]),
-            });
-        }
-        let target = if probe == 0 { &mut *out } else { one.get_or_insert([F32s::ZERO; 4]) };
-        let asks = |lane: usize| probes.is_none_or(|probes| (probe as f32) < probes.count[lane]);
-        sample_taps::<S, F>(samples, there, &at.layer, read, asks, target, recorder);
-        let (Some(probes), Some(one)) = (probes, &one) else { continue };
-        let share = 1.0 / (probe + 1) as f32;
-        for channel in 0..samples.texture.format.channels() {
-            for lane in 0..LANES {
-                let before = out[channel][lane];
-                let mean = filter::lerp(before, one[channel][lane], share);
-                let counts = (probe as f32) < probes.count[lane];
-                out[channel][lane] = if counts { mean } else { before };
-            }
-        }
-        recorder.note(|lane| SampleStep::Mean(out.each_ref().map(|channel| channel[lane])));
-    }
-}
-
-/// One coordinate of a probe.
-#[inline(always)]
-fn place_probe(from: &F32s, probes: &Probes, axis: usize, probe: u32, to: &mut F32s) {
-    for lane in 0..LANES {
-        let steps = probe as f32 - 0.5 * (probes.count[lane] - 1.0);
-        to[lane] = from[lane] + steps * probes.step[axis][lane];
-    }
-}
-
-/// Samples every distinct key once and mixes.
-#[inline(always)]
-fn sample_taps<S: Simd, F: Reads>(
-    samples: &Samples<'_>,
-    at: [&F32s; 3],
-    layer: &U32s,
-    taps: &Taps,
-    asks: impl Fn(usize) -> bool,
-    out: &mut [F32s; 4],
-    recorder: &mut impl Recorder,
-) {
-    let channels = samples.texture.format.channels();
-    let mut second = None;
-    let mut kept = None;
-    let mut key = taps.next::<S>(0);
-    while key != taps::NONE {
-        let target = match taps {
-            Taps::Pair { keys, .. } if key == keys[1] => second.get_or_insert([F32s::ZERO; 4]),
-            Taps::Same(_) | Taps::Pair { .. } | Taps::Mixed { .. } => &mut *out,
-        };
-        recorder.only(|lane| asks(lane) && taps.of_lane(lane).contains(&key));
-        let asking = match samples.scan {
-            Some(_) => taps.asking(key),
-            None => U32s::ZERO,
-        };
-        sample_key::<S, F>(samples, key, at, [layer, &asking], target, recorder);
-        if let Taps::Mixed { keys, .. } = taps {
-            let [first, second] = kept.get_or_insert([[F32s::ZERO; 4]; 2]);
-            keep::<S>(&keys[0], key, channels, out, first);
-            keep::<S>(&keys[1], key, channels, out, second);
-        }
-        key = taps.next::<S>(key);
-    }
-    match (taps, &second, &kept) {
-        (Taps::Pair { weight, .. }, Some(second), _) => {
-            for channel in 0..channels {
-                let first = out[channel];
-                filter::mix(&first, &second[channel], weight, &mut out[channel]);
-            }
-        }
-        (Taps::Mixed { weight, .. }, _, Some([first, second])) => {
-            for channel in 0..channels {
-                filter::mix(&first[channel], &second[channel], weight, &mut out[channel]);
-            }
-        }
-        (Taps::Same(_) | Taps::Pair { .. } | Taps::Mixed { .. }, _, _) => {}
-    }
-    recorder.only(|lane| asks(lane) && taps.of_lane(lane)[0] != taps.of_lane(lane)[1]);
-    recorder.note(|lane| SampleStep::Mixed(out.each_ref().map(|channel| channel[lane])));
-    recorder.only(asks);
-}
-
-/// Takes the values of the lanes that asked for this key.
-#[inline(always)]
-fn keep<S: Simd>(keys: &U32s, key: u32, channels: usize, values: &[F32s; 4], kept: &mut [F32s; 4]) {
-    let mut mask = U32s::ZERO;
-    for lane in 0..LANES {
-        mask[lane] = if keys[lane] == key { !0 } else { 0 };
-    }
-    if !S::any(&mask) {
-        return;
-    }
-    for channel in 0..channels {
-        let (from, to) = (values[channel].as_u32(), kept[channel].as_u32_mut());
-        for lane in 0..LANES {
-            to[lane] = from[lane] & mask[lane] | to[lane] & !mask[lane];
-        }
-    }
-}
-
-/// One level of one face, for the lanes that ask for it (a mask): the others get anything.
-#[inline(always)]
-fn sample_key<S: Simd, F: Reads>(
-    samples: &Samples<'_>,
-    key: u32,
-    at: [&F32s; 3],
-    [layer, asks]: [&U32s; 2],
-    out: &mut [F32s; 4],
-    recorder: &mut impl Recorder,
-) {
-    let Samples { texture, offset, reference, scan } = *samples;
-    let (filter, face, number) = taps::parts(key);
-    let level = &*texture.levels[face][number];
-    let place = filter::Place { texture, filter, face, number, level, layer, reference };
-    let moved = (offset != [0; 3]).then(|| shifted(&place, at, offset));
-    // One call, since all of the kernel is inlined into it.
-    let at = match &moved {
-        Some([s, t, r]) => [s, t, r],
-        None => at,
-    };
-    recorder.note(|_| SampleStep::Level {
-        face: face as u32,
-        level: number as u32,
-        size: level.size(),
-        filter,
-    });
-    match scan {
-        Some(scan) if F::SCANS => scan::level::<S>(&place, at, scan, asks, out, recorder),
-        Some(_) | None if F::ROUND => filter::sample_level::<S>(&place, at, out, recorder),
-        Some(_) | None => {}
-    }
-    recorder.note(|lane| SampleStep::Filtered(out.each_ref().map(|channel| channel[lane])));
-}
-
-/// The coordinates with an offset in texels of this level.
-#[inline(always)]
-fn shifted(place: &filter::Place<'_>, at: [&F32s; 3], offset: [i32; 3]) -> [F32s; 3] {
-    let size = place.level.size();
-    let mut shifted = [F32s::ZERO; 3];
-    for axis in 0..place.texture.shape.axes() {
-        let scale = place.texture.shape.scale(size[axis]);
-        let shift = offset[axis] as f32 / scale;
-        for lane in 0..LANES {
-            shifted[axis][lane] = at[axis][lane] + shift;
-        }
-    }
-    shifted
-}
+pub use fast::Addresses;
+pub use fused::{FilteredTexels, TexelConsumer};
+pub use lookup::{Lod, Points};
+pub use prefetch::LevelHint;
+pub use scratch::{LookupScratch, SelectedLevels};
+pub use uniform_levels::UniformLevels;

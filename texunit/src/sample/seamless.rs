@@ -3,8 +3,9 @@
 //! A texel beyond an edge is the one that touches the edge from the other face. Beyond a corner
 //! there is none: the mean of the other three stands for it.
 
-use super::filter::{Place, divide, mean};
-use super::record::{Off, Recorder};
+use super::interpolate::{divide, mean};
+use super::level_view::LevelView;
+use super::recorder::{NoRecorder, Recorder};
 use super::wrap::Indices;
 use super::{cube, fetch};
 use crate::lanes::{F32s, I32s, LANES, Simd, U32s};
@@ -13,21 +14,21 @@ use crate::trace::{SampleStep, TexelSource};
 /// The mean of 2×2 texels, of which `i` and `j` (-1 to the size - 1) are the lower indices.
 #[inline(always)]
 pub fn linear<S: Simd>(
-    place: &Place<'_>,
+    view: &LevelView<'_>,
     [i, j]: [&I32s; 2],
     [alpha, beta]: [&F32s; 2],
     out: &mut [F32s; 4],
     recorder: &mut impl Recorder,
 ) {
-    let on = |face: u32| Place { face: face as usize, ..*place };
+    let on = |face: u32| LevelView { face: face as usize, ..*view };
     let mut corners = [[F32s::ZERO; 4]; 4];
     let mut missing = [U32s::ZERO; 4];
     for corner in 0..4 {
         let step = [(corner & 1) as i32, (corner >> 1) as i32];
-        let found = cube::beyond(place.face as u32, i, j, step, place.level.width as i32);
+        let found = cube::across_edge(view.face as u32, i, j, step, view.level.width as i32);
         missing[corner] = found.missing;
-        texels::<S>(place, &found, &mut corners[corner]);
-        recorder.note(|lane| SampleStep::Texel {
+        texels::<S>(view, &found, &mut corners[corner]);
+        recorder.record(|lane| SampleStep::Texel {
             face: found.face[lane],
             at: [found.x[lane], found.y[lane], on(found.face[lane]).slice().index[lane]],
             source: match found.missing[lane] {
@@ -38,7 +39,7 @@ pub fn linear<S: Simd>(
             compare: None,
         });
     }
-    for (channel, out) in out.iter_mut().enumerate().take(place.texture.format.channels()) {
+    for (channel, out) in out.iter_mut().enumerate().take(view.texture.format.channels()) {
         for corner in 0..4 {
             for lane in 0..LANES {
                 let a = corners[(corner + 1) % 4][channel][lane];
@@ -49,15 +50,15 @@ pub fn linear<S: Simd>(
                 corners[corner][channel][lane] = if there { here } else { (a + b + c) / 3.0 };
             }
         }
-        *out = mean(place, &corners, channel, [alpha, beta]);
+        *out = mean(view.texture.format, &corners, channel, [alpha, beta]);
     }
-    divide(place, out);
+    divide(view.texture.format, out);
 }
 
 /// One texel of each lane, from whichever faces the lanes ended up on.
 #[inline(always)]
-pub fn texels<S: Simd>(place: &Place<'_>, found: &cube::Beyond, out: &mut [F32s; 4]) {
-    for (face, levels) in place.texture.levels.iter().enumerate() {
+pub fn texels<S: Simd>(view: &LevelView<'_>, found: &cube::EdgeTexels, out: &mut [F32s; 4]) {
+    for (face, levels) in view.texture.levels.iter().enumerate() {
         let mut here = U32s::ZERO;
         for lane in 0..LANES {
             here[lane] = if found.face[lane] == face as u32 { !0 } else { 0 };
@@ -65,8 +66,8 @@ pub fn texels<S: Simd>(place: &Place<'_>, found: &cube::Beyond, out: &mut [F32s;
         if !S::any(&here) {
             continue;
         }
-        let level = &*levels[place.number];
-        let place = Place { face, level, ..*place };
+        let level = &*levels[view.number];
+        let view = LevelView { face, level, ..*view };
         let mut x = Indices { index: found.x, outside: U32s::ZERO };
         let mut y = Indices { index: found.y, outside: U32s::ZERO };
         for lane in 0..LANES {
@@ -74,8 +75,8 @@ pub fn texels<S: Simd>(place: &Place<'_>, found: &cube::Beyond, out: &mut [F32s;
             y.index[lane] += level.border[1];
         }
         let mut there = [F32s::ZERO; 4];
-        let texels = [&x, &y, &place.slice()];
-        fetch::texels::<S>(&place, texels, &mut there, &mut Off);
+        let texels = [&x, &y, &view.slice()];
+        fetch::texels::<S>(&view, texels, &mut there, &mut NoRecorder);
         for (out, there) in out.iter_mut().zip(&there) {
             for lane in 0..LANES {
                 out[lane] = if found.face[lane] == face as u32 { there[lane] } else { out[lane] };

@@ -12,7 +12,7 @@ use crate::sampler::Wrap;
 /// One axis of a level.
 #[derive(Clone, Copy)]
 pub struct Axis {
-    /// What happens outside.
+    /// The wrap mode.
     pub wrap: Wrap,
     /// Texels, without the border.
     pub size: u32,
@@ -57,16 +57,16 @@ pub fn fold<S: Simd>(s: f32) -> (f32, bool) {
     (if odd { 1.0 - part } else { part }, odd)
 }
 
-/// `u` where `n` texels repeat.
+/// `u` with `Wrap::Repeat` over `n` texels.
 #[inline(always)]
 pub fn repeated<S: Simd>(s: f32, n: f32) -> f32 {
     max(s - S::floor_unsigned(s), 0.0) * n
 }
 
 impl Axis {
-    /// `u` where it stops at the middle of the outermost texels.
+    /// `u` with `Wrap::ClampToEdge`: clamped to the centres of the outermost texels.
     #[inline(always)]
-    pub fn held_to_edge(&self, s: f32) -> f32 {
+    pub fn clamped_to_edge(&self, s: f32) -> f32 {
         clamp(s * self.scale, 0.5, self.size as f32 - 0.5)
     }
 
@@ -89,7 +89,7 @@ impl Axis {
             }
             Wrap::ClampToEdge => {
                 for lane in 0..LANES {
-                    u[lane] = self.held_to_edge(s[lane]);
+                    u[lane] = self.clamped_to_edge(s[lane]);
                 }
             }
             Wrap::ClampToBorder => {
@@ -124,22 +124,22 @@ impl Axis {
         u
     }
 
-    /// [`Axis::texel_coordinate`] where it stands in many places: what knows all wrap modes is large.
+    /// [`Axis::texel_coordinate`], outlined: the code of all wrap modes is large.
     #[inline(always)]
-    pub fn texel_coordinate_apart<S: Simd>(self, s: &F32s) -> F32s {
-        S::apart_unless_wide(TexelCoordinate { axis: self, s })
+    pub fn texel_coordinate_outlined<S: Simd>(self, s: &F32s) -> F32s {
+        S::outlined_unless_wide(TexelCoordinate { axis: self, s })
     }
 
     /// The texel nearest to a coordinate.
     #[inline(always)]
     pub fn nearest_to<S: Simd>(self, s: &F32s) -> Indices {
-        S::apart_unless_wide(NearestTo { axis: self, s })
+        S::outlined_unless_wide(NearestTo { axis: self, s })
     }
 
     /// The texels that enclose a coordinate.
     #[inline(always)]
     pub fn enclosing<S: Simd>(self, s: &F32s) -> Enclosing {
-        S::apart_unless_wide(EnclosingOf { axis: self, s })
+        S::outlined_unless_wide(EnclosingOf { axis: self, s })
     }
 
     /// The texel that `u` lies in; `u = size` lies in the last, unless the border is reached.
@@ -185,7 +185,7 @@ impl Axis {
                 }
                 [lower, upper]
             }
-            // The weight of a texel beyond the last is 0; the border's is not to be read for it.
+            // A texel beyond the last has weight 0; it must not be the border.
             Wrap::ClampToEdge | Wrap::MirroredRepeat | Wrap::MirrorClampToEdge => {
                 let mut lower = Indices { index: U32s::ZERO, outside: U32s::ZERO };
                 let mut upper = Indices { index: U32s::ZERO, outside: U32s::ZERO };
@@ -245,7 +245,7 @@ impl Kernel for NearestTo<'_> {
     type Output = Indices;
     #[inline(always)]
     fn run<S: Simd>(self) -> Indices {
-        self.axis.nearest::<S>(&self.axis.texel_coordinate_apart::<S>(self.s))
+        self.axis.nearest::<S>(&self.axis.texel_coordinate_outlined::<S>(self.s))
     }
 }
 
@@ -258,7 +258,7 @@ impl Kernel for EnclosingOf<'_> {
     type Output = Enclosing;
     #[inline(always)]
     fn run<S: Simd>(self) -> Enclosing {
-        let (lower, weight) = enclosing::<S>(&self.axis.texel_coordinate_apart::<S>(self.s));
+        let (lower, weight) = enclosing::<S>(&self.axis.texel_coordinate_outlined::<S>(self.s));
         let texels = self.axis.pair(&lower);
         Enclosing { lower, weight, texels }
     }

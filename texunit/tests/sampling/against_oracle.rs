@@ -6,7 +6,8 @@ use proptest::prelude::*;
 use texunit::format::Format;
 use texunit::image::{Image, Shape};
 use texunit::lanes::{F32s, Isa, LANES};
-use texunit::plan::{Lod, Places, Points, Room, SamplePlan};
+use texunit::plan::SamplePlan;
+use texunit::sample::{Addresses, Lod, LookupScratch, Points};
 use texunit::sampler::Sampler;
 
 /// What a filter may be off by. A coordinate of magnitude up to about 20 has an error of a few
@@ -80,9 +81,9 @@ fn check(image: &Image, sampler: &Sampler, seed: u64) -> Tally {
             Lod::Gradient { dx: dx.each_ref(), dy: dy.each_ref(), bias: None },
         ];
         for lod in lods {
-            let mut room = Room::default();
+            let mut room = LookupScratch::default();
             room.lanes = [F32s::splat(f32::NAN); 4];
-            plan.sample_offset(Isa::best(), points, offset, lod, Places::Own, &mut room);
+            plan.sample_offset(Isa::best(), points, offset, lod, Addresses::Compute, &mut room);
             let got = room.lanes;
             for lane in 0..LANES {
                 let at = coords.each_ref().map(|c| f64::from(c[lane]));

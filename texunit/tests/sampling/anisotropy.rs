@@ -4,7 +4,8 @@ use crate::scene;
 use texunit::format::Format;
 use texunit::image::{Image, Level, Shape};
 use texunit::lanes::{F32s, Isa};
-use texunit::plan::{Lod, SamplePlan};
+use texunit::plan::SamplePlan;
+use texunit::sample::Lod;
 use texunit::sampler::{Filter, Sampler};
 
 const SIZE: u32 = 64;

@@ -4,7 +4,8 @@ use crate::scene;
 use texunit::format::Format;
 use texunit::image::Shape;
 use texunit::lanes::{F32s, Isa, LANES};
-use texunit::plan::{Lod, SamplePlan};
+use texunit::plan::SamplePlan;
+use texunit::sample::Lod;
 use texunit::sampler::{Filter, Mipmap, Sampler, Wrap};
 
 fn sample(plan: &SamplePlan, s: f32, t: f32, lambda: f32) -> [f32; 4] {

@@ -3,7 +3,8 @@
 use crate::scene::{self, Random};
 use proptest::prelude::*;
 use texunit::lanes::{F32s, Isa, LANES};
-use texunit::plan::{Lod, Places, Points, Room, SamplePlan};
+use texunit::plan::SamplePlan;
+use texunit::sample::{Addresses, Lod, LookupScratch, Points};
 
 /// Bits that no range of coordinates leaves out.
 fn anything(random: &mut Random) -> F32s {
@@ -63,8 +64,8 @@ proptest! {
                 [Lod::Implicit { bias: None }, Lod::Implicit { bias: Some(&bias) }, Lod::Explicit(&bias)];
             for lod in lods {
                 let sample = |isa| {
-                    let mut room = Room::default();
-                    plan.sample_offset(isa, points, [0; 3], lod, Places::Own, &mut room);
+                    let mut room = LookupScratch::default();
+                    plan.sample_offset(isa, points, [0; 3], lod, Addresses::Compute, &mut room);
                     room.lanes
                 };
                 let want = sample(Isa::BASELINE);

@@ -7,6 +7,7 @@ mod completeness;
 mod extremes;
 mod instruction_sets;
 mod oracle;
+mod oracle_cube;
 mod oracle_gather;
 mod oracle_scan;
 mod plans;

@@ -5,6 +5,7 @@
 //! a point close to the step may fall on either side in `f32`. Each answer therefore carries its
 //! distance from the nearest step that it took.
 
+use crate::oracle_cube::{is_cube, over_edges, project, select_face};
 use texunit::format::{Encoding, Format};
 use texunit::image::{Image, Level, Shape};
 use texunit::sampler::{Compare, DepthMode, Filter, Mipmap, Sampler, Seamless, Swizzle, Wrap};
@@ -34,7 +35,7 @@ pub struct Oracle<'a> {
 
 /// Where a sample is taken, once face and layer are known.
 #[derive(Clone, Copy)]
-pub struct Place {
+pub struct Position {
     pub face: usize,
     pub layer: i32,
     pub at: [f64; 3],
@@ -42,12 +43,12 @@ pub struct Place {
 
 impl Oracle<'_> {
     /// Face and layer, and how far away the nearest other ones are.
-    pub fn place(&self, at: [f64; 3]) -> (Place, f64) {
+    pub fn place(&self, at: [f64; 3]) -> (Position, f64) {
         let shape = self.image.shape();
         let base = self.sampler.base_level as usize;
         let size = self.image.level(0, base).unwrap().size().map(f64::from);
         let mut margin = f64::INFINITY;
-        let mut place = Place { face: 0, layer: 0, at };
+        let mut place = Position { face: 0, layer: 0, at };
         let mut layer_of = |r: f64| {
             margin = (r + 0.5 - (r + 0.5).round()).abs();
             (r + 0.5).floor().clamp(0.0, size[2] - 1.0) as i32
@@ -99,7 +100,7 @@ impl Oracle<'_> {
         let mut sum = Answer { rgba: [0.0; 4], margin };
         for probe in &probes {
             let at = [0, 1, 2].map(|axis| place.at[axis] + probe[axis]);
-            let (there, near) = over_edges(shape, Place { at, ..place });
+            let (there, near) = over_edges(shape, Position { at, ..place });
             let one = self.levels(there, lambda_base);
             sum.margin = sum.margin.min(near);
             for c in 0..4 {
@@ -141,7 +142,7 @@ impl Oracle<'_> {
     }
 
     /// One probe, over the levels.
-    fn levels(&self, place: Place, lambda_base: f64) -> Answer {
+    fn levels(&self, place: Position, lambda_base: f64) -> Answer {
         let sampler = self.sampler;
         let base = sampler.base_level as usize;
         let mut margin = f64::INFINITY;
@@ -191,7 +192,7 @@ impl Oracle<'_> {
     }
 
     /// One level with one filter.
-    fn level(&self, place: Place, number: usize, filter: Filter, mut margin: f64) -> Answer {
+    fn level(&self, place: Position, number: usize, filter: Filter, mut margin: f64) -> Answer {
         let shape = self.image.shape();
         let (level, slice) = self.stored(place, number);
         let seamless = is_cube(shape) && self.sampler.seamless == Seamless::On;
@@ -271,7 +272,7 @@ impl Oracle<'_> {
     }
 
     /// A texel of a seamless cube; none beyond a corner.
-    pub fn across(&self, place: Place, number: usize, [i, j, _]: [i32; 3]) -> Option<[f64; 4]> {
+    pub fn across(&self, place: Position, number: usize, [i, j, _]: [i32; 3]) -> Option<[f64; 4]> {
         let (level, slice) = self.stored(place, number);
         let n = level.width as i32;
         let inside = |i: i32| (0..n).contains(&i);
@@ -297,12 +298,12 @@ impl Oracle<'_> {
         let (face, _) = select_face(direction);
         let [x, y] =
             project(face, direction).map(|s| ((s * f64::from(n)).floor() as i32).clamp(0, n - 1));
-        let (level, slice) = self.stored(Place { face, ..place }, number);
+        let (level, slice) = self.stored(Position { face, ..place }, number);
         Some(self.texel(level, [x, y, slice]))
     }
 
     /// A level, and which slice of it a place is in.
-    pub fn stored(&self, place: Place, number: usize) -> (&Level, i32) {
+    pub fn stored(&self, place: Position, number: usize) -> (&Level, i32) {
         let (face, slice) = match self.image.shape() {
             Shape::CubeArray => (0, 6 * place.layer + place.face as i32),
             _ => (place.face, place.layer),
@@ -346,32 +347,6 @@ impl Oracle<'_> {
             DepthMode::Red => [d, 0.0, 0.0, 1.0],
         }
     }
-}
-
-fn is_cube(shape: Shape) -> bool {
-    matches!(shape, Shape::Cube | Shape::CubeArray)
-}
-
-/// A point beyond the edge of a cube's face is where its direction meets the cube; and its distance
-/// to where this matters.
-fn over_edges(shape: Shape, place: Place) -> (Place, f64) {
-    let [s, t, _] = place.at;
-    let (sc, tc) = (2.0 * s - 1.0, 2.0 * t - 1.0);
-    let beyond = sc.abs().max(tc.abs()) - 1.0;
-    if !is_cube(shape) || beyond <= 0.0 {
-        return (place, if is_cube(shape) { -beyond } else { f64::INFINITY });
-    }
-    let direction = match place.face {
-        0 => [1.0, -tc, -sc],
-        1 => [-1.0, -tc, sc],
-        2 => [sc, 1.0, tc],
-        3 => [sc, -1.0, -tc],
-        4 => [sc, -tc, 1.0],
-        _ => [-sc, -tc, -1.0],
-    };
-    let (face, near) = select_face(direction);
-    let [s, t] = project(face, direction);
-    (Place { face, at: [s, t, 0.0], ..place }, near.min(beyond))
 }
 
 /// The width of each probe in texels, where the probes lie, and the distance to another number of
@@ -424,28 +399,6 @@ fn wrapped(wrap: Wrap, s: f64, n: f64) -> f64 {
         Wrap::MirrorClampToEdge => s.abs().clamp(half, 1.0 - half),
         Wrap::MirrorClampToBorder => s.abs().clamp(half, 1.0 + half),
     }
-}
-
-/// The face of the largest component, and by how much it is the largest.
-fn select_face(r: [f64; 3]) -> (usize, f64) {
-    let mut order = [0, 1, 2];
-    order.sort_by(|&a, &b| r[b].abs().total_cmp(&r[a].abs()));
-    let largest = order[0];
-    let face = 2 * largest + usize::from(r[largest] < 0.0);
-    (face, r[largest].abs() - r[order[1]].abs())
-}
-
-/// Table 3.19.
-fn project(face: usize, [x, y, z]: [f64; 3]) -> [f64; 2] {
-    let (sc, tc, ma) = match face {
-        0 => (-z, -y, x),
-        1 => (z, -y, x),
-        2 => (x, z, y),
-        3 => (x, -z, y),
-        4 => (x, -y, z),
-        _ => (-x, -y, z),
-    };
-    [0.5 * (sc / ma.abs() + 1.0), 0.5 * (tc / ma.abs() + 1.0)]
 }
 
 /// The border colour as texels of a format can have it.

@@ -5,7 +5,8 @@ use proptest::prelude::*;
 use texunit::format::Format;
 use texunit::image::Shape;
 use texunit::lanes::{F32s, Isa, LANES};
-use texunit::plan::{Lod, Places, Points, Room, SamplePlan};
+use texunit::plan::SamplePlan;
+use texunit::sample::{Addresses, Lod, LookupScratch, Points};
 use texunit::sampler::{Filter, Mipmap, Sampler, Wrap};
 use texunit::trace::SampleStep;
 
@@ -46,8 +47,8 @@ proptest! {
                     layer: Some(&layer),
                     reference: Some(&reference),
                 };
-                let mut room = Room::default();
-                plan.sample_offset(Isa::best(), points, [1, 0, -2], lod, Places::Own, &mut room);
+                let mut room = LookupScratch::default();
+                plan.sample_offset(Isa::best(), points, [1, 0, -2], lod, Addresses::Compute, &mut room);
                 for lane in (0..LANES).step_by(7) {
                     let trace = plan.trace(lane, points, [1, 0, -2], lod);
                     let want = room.lanes.each_ref().map(|channel| bits(channel[lane]));

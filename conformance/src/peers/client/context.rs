@@ -1,6 +1,7 @@
 //! A context that draws into a pbuffer.
 
-use super::{ClientError, Gl};
+use super::error::ClientError;
+use super::gl::Gl;
 use khronos_egl as egl;
 use std::ffi::c_void;
 use std::path::Path;
@@ -39,7 +40,7 @@ impl Client {
         egl.initialize(display).map_err(failed("eglInitialize"))?;
         egl.bind_api(egl::OPENGL_API).map_err(failed("eglBindAPI"))?;
         #[rustfmt::skip]
-        let wanted = [
+        let selected = [
             egl::SURFACE_TYPE, egl::PBUFFER_BIT,
             egl::RENDERABLE_TYPE, egl::OPENGL_BIT,
             egl::RED_SIZE, 8, egl::GREEN_SIZE, 8, egl::BLUE_SIZE, 8, egl::ALPHA_SIZE, 8,
@@ -47,7 +48,7 @@ impl Client {
             egl::NONE,
         ];
         let config =
-            egl.choose_first_config(display, &wanted).map_err(failed("eglChooseConfig"))?;
+            egl.choose_first_config(display, &selected).map_err(failed("eglChooseConfig"))?;
         let config = config.ok_or_else(|| none("eglChooseConfig"))?;
         let size = [egl::WIDTH, side as i32, egl::HEIGHT, side as i32, egl::NONE];
         let surface = egl

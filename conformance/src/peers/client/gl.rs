@@ -1,6 +1,7 @@
 //! GL's functions as safe methods.
 
-use super::{ClientError, bindings};
+use super::bindings;
+use super::error::ClientError;
 use crate::oracle::matrix::Matrix;
 use crate::oracle::texture::Level;
 use gl_api::constants::*;
@@ -17,7 +18,7 @@ impl std::fmt::Debug for Gl {
     }
 }
 
-/// Methods that hand numbers on.
+/// Defines methods whose arguments are numbers.
 macro_rules! of_numbers {
     ($($(#[$doc:meta])* $method:ident = $function:ident($($argument:ident: $ty:ty),*);)*) => {
         impl Gl {
@@ -76,12 +77,12 @@ of_numbers! {
 }
 
 impl Gl {
-    /// The functions that `address` knows.
+    /// Loads the functions through `address`.
     pub(super) fn load(address: impl Fn(&str) -> *const c_void) -> Self {
         Self { raw: bindings::Gl::load_with(address) }
     }
 
-    /// Asks for the error flag.
+    /// Checks the error flag.
     ///
     /// # Errors
     /// When it is set.

@@ -1,23 +1,23 @@
 //! Many small triangles, and a landscape that is lit and fogged.
 
+use super::definition::{Scene, Workload};
 use super::mesh::{WHITE, grid, single};
-use super::{Load, Scene};
 use crate::oracle::matrix::Matrix;
 use crate::oracle::vertex::{Light, Surface};
 use crate::peers::client::Vertex;
-use crate::peers::recipe::{Draw, Lighting, Output, Recipe, Shading, Step};
+use crate::peers::frame::{Draw, FrameDescription, Lighting, Output, Shading, Step};
 use crate::rng::Rng;
 
 /// The scenes.
 #[rustfmt::skip]
 pub const SCENES: &[Scene] = &[
-    Scene { name: "small-triangles", what: "200,000 coloured triangles", load: Load::SmallTriangles,
+    Scene { name: "small-triangles", what: "200,000 coloured triangles", load: Workload::SmallTriangles,
         recipe: |_| small_triangles() },
     Scene { name: "lit-fogged-mesh", what: "a landscape of 51,200 triangles, two lights, fog",
-        load: Load::Shader, recipe: |_| landscape() },
+        load: Workload::Shader, recipe: |_| landscape() },
 ];
 
-fn small_triangles() -> Recipe {
+fn small_triangles() -> FrameDescription {
     let mut rng = Rng::named("small triangles");
     let [columns, rows] = [400, 250];
     let mesh = grid(columns, rows, |[s, t]| {
@@ -31,7 +31,7 @@ fn small_triangles() -> Recipe {
         }
     });
     let draw = Draw::new(mesh, Shading::Modulate(0)).output(Output::DepthTest);
-    Recipe { textures: Vec::new(), steps: vec![Step::Clear([0.0; 4]), Step::Draw(draw)] }
+    FrameDescription { textures: Vec::new(), steps: vec![Step::Clear([0.0; 4]), Step::Draw(draw)] }
 }
 
 /// Above the ground, looking down at 45°.
@@ -84,7 +84,7 @@ static LIGHTING: Lighting = Lighting {
     fog: [0.7, 0.75, 0.85, 1.0],
 };
 
-fn landscape() -> Recipe {
+fn landscape() -> FrameDescription {
     let mesh = grid(160, 160, |[s, t]| {
         let [x, y] = [(s - 0.5) * 8.0, t * 6.0 - 0.5];
         let (a, b) = (3.0 * x + y, 2.0 * y - x);
@@ -97,5 +97,5 @@ fn landscape() -> Recipe {
         .model_view(from_above())
         .projection(perspective(0.4, 0.5, 20.0))
         .output(Output::DepthTest);
-    Recipe { textures: Vec::new(), steps: vec![Step::Clear([0.0; 4]), Step::Draw(draw)] }
+    FrameDescription { textures: Vec::new(), steps: vec![Step::Clear([0.0; 4]), Step::Draw(draw)] }
 }

@@ -4,7 +4,7 @@ use crate::oracle::matrix::Matrix;
 use crate::peers::client::{Mesh, Vertex};
 use crate::reference::map::Homography;
 
-/// How far beyond the picture meshes reach, so that no rounding uncovers a pixel.
+/// How far meshes extend beyond the picture, so that no rounding uncovers a pixel.
 const MARGIN: f64 = 1.05;
 
 /// A square in clip coordinates that covers the picture, white. `map` takes clip x and y to
@@ -52,7 +52,7 @@ pub fn grid(columns: usize, rows: usize, mut vertex: impl FnMut([f64; 2]) -> Ver
     mesh
 }
 
-/// White, and nothing else.
+/// The colour white.
 pub const WHITE: Vertex =
     Vertex { position: [0.0; 3], normal: [0.0, 0.0, 1.0], st: [0.0; 2], color: [1.0; 4] };
 

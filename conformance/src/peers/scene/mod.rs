@@ -1,5 +1,6 @@
-//! The scenes: rows of a table, each a recipe for a picture of any size.
+//! The scenes: rows of a table, each with the frame for any size.
 
+mod definition;
 mod geometry;
 mod mesh;
 mod sampling;
@@ -8,49 +9,7 @@ mod shadow;
 mod texture;
 mod transfer;
 
-use super::recipe::Recipe;
-use serde::Serialize;
-
-/// A scene.
-#[derive(Clone, Copy, Debug)]
-pub struct Scene {
-    /// For tables and `--only`.
-    pub name: &'static str,
-    /// In words.
-    pub what: &'static str,
-    /// What its time goes to.
-    pub load: Load,
-    /// How to draw it at so many pixels across and up.
-    pub recipe: fn(usize) -> Recipe,
-}
-
-/// What a scene's time goes to, and so how fast DetGL means to be at it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Load {
-    /// Texels.
-    Texture,
-    /// The texels of an anisotropic filter.
-    Anisotropy,
-    /// Triangles that are smaller than a block of pixels.
-    SmallTriangles,
-    /// Arithmetic.
-    Shader,
-    /// Memory.
-    Transfer,
-}
-
-impl Load {
-    /// How many times as fast as llvmpipe DetGL means to be; none where memory is the limit.
-    pub fn goal(self) -> Option<f64> {
-        match self {
-            Self::Texture => Some(2.0),
-            Self::Anisotropy | Self::SmallTriangles => Some(5.0),
-            Self::Shader => Some(1.0),
-            Self::Transfer => None,
-        }
-    }
-}
+pub use definition::{Scene, Workload};
 
 /// All scenes, the simplest first.
 pub fn scenes() -> impl Iterator<Item = &'static Scene> + Clone {
@@ -62,7 +21,7 @@ pub fn scenes() -> impl Iterator<Item = &'static Scene> + Clone {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::peers::render::render;
+    use crate::peers::reference::render;
 
     const SIDE: usize = 16;
 

@@ -1,28 +1,28 @@
 //! GLSL: a texture, a normal map, a mirroring sphere, wood.
 
+use super::definition::{Scene, Workload};
 use super::mesh::{face_on, floor, grid, plane, single, square};
 use super::texture::{bricks, bumps, pyramid, surroundings};
-use super::{Load, Scene};
 use crate::peers::client::Vertex;
-use crate::peers::recipe::{
-    BILINEAR, Draw, Fragment, Program, Recipe, Shading, Step, TRILINEAR, Texture,
+use crate::peers::frame::{
+    BILINEAR, Draw, Fragment, FrameDescription, Program, Shading, Step, TRILINEAR, Texture,
 };
 use std::f64::consts::TAU;
 
 /// The scenes.
 #[rustfmt::skip]
 pub const SCENES: &[Scene] = &[
-    Scene { name: "glsl-texture", what: "texture2D times colour", load: Load::Texture,
+    Scene { name: "glsl-texture", what: "texture2D times colour", load: Workload::Texture,
         recipe: texture },
-    Scene { name: "normal-map", what: "diffuse and specular of a normal map", load: Load::Shader,
+    Scene { name: "normal-map", what: "diffuse and specular of a normal map", load: Workload::Shader,
         recipe: normal_map },
-    Scene { name: "environment", what: "a mirroring sphere", load: Load::Shader,
+    Scene { name: "environment", what: "a mirroring sphere", load: Workload::Shader,
         recipe: environment },
-    Scene { name: "wood", what: "rings bent by 5 octaves of noise", load: Load::Shader,
+    Scene { name: "wood", what: "rings bent by 5 octaves of noise", load: Workload::Shader,
         recipe: wood },
 ];
 
-fn texture(side: usize) -> Recipe {
+fn texture(side: usize) -> FrameDescription {
     static PROGRAM: Program = Program {
         fragment: "
 uniform sampler2D unit0;
@@ -34,7 +34,7 @@ void main() { gl_FragColor = texture2D(unit0, gl_TexCoord[0].st) * gl_Color; }
         },
     };
     let (mesh, projection) = plane(&floor(side, 1024, 1.0, 60.0));
-    Recipe {
+    FrameDescription {
         textures: vec![Texture::new(pyramid(bricks(1024)), TRILINEAR)],
         steps: vec![Step::Draw(Draw::new(mesh, Shading::Program(&PROGRAM)).projection(projection))],
     }
@@ -49,7 +49,7 @@ fn unit(v: [f64; 3]) -> [f64; 3] {
     v.map(|c| c / length)
 }
 
-fn normal_map(side: usize) -> Recipe {
+fn normal_map(side: usize) -> FrameDescription {
     static PROGRAM: Program = Program {
         fragment: "
 uniform sampler2D unit0, unit1;
@@ -78,7 +78,7 @@ void main() {
         },
     };
     let (mesh, projection) = plane(&floor(side, side, 1.0, 40.0));
-    Recipe {
+    FrameDescription {
         textures: vec![
             Texture::new(pyramid(bricks(512)), TRILINEAR),
             Texture::new(pyramid(bumps(512)), TRILINEAR),
@@ -88,7 +88,7 @@ void main() {
 }
 
 /// The front of a sphere that reaches beyond the picture, seen from 2 units away.
-fn environment(_side: usize) -> Recipe {
+fn environment(_side: usize) -> FrameDescription {
     static PROGRAM: Program = Program {
         fragment: "
 uniform sampler2D unit0;
@@ -117,13 +117,13 @@ void main() {
             ..super::mesh::WHITE
         }
     });
-    Recipe {
+    FrameDescription {
         textures: vec![Texture::new(vec![surroundings(512)], BILINEAR)],
         steps: vec![Step::Draw(Draw::new(mesh, Shading::Program(&PROGRAM)))],
     }
 }
 
-fn wood(side: usize) -> Recipe {
+fn wood(side: usize) -> FrameDescription {
     static PROGRAM: Program = Program {
         fragment: "
 float scramble(float x) { return mod((34.0 * x + 10.0) * x, 289.0); }
@@ -155,7 +155,7 @@ void main() {
         formula: wood_color,
     };
     let mesh = square(&face_on(side, side, [4.0, 4.0]));
-    Recipe {
+    FrameDescription {
         textures: Vec::new(),
         steps: vec![Step::Draw(Draw::new(mesh, Shading::Program(&PROGRAM)))],
     }

@@ -1,19 +1,19 @@
 //! A shadow map: the light's depths first, then the picture.
 
+use super::definition::{Scene, Workload};
 use super::geometry::{from_above, perspective};
 use super::mesh::{WHITE, grid, single};
-use super::{Load, Scene};
 use crate::oracle::matrix::{self, Matrix};
 use crate::peers::client::{Mesh, Vertex};
-use crate::peers::recipe::{
-    Draw, NEAREST, Output, Program, Recipe, Shading, Step, Texels, Texture,
+use crate::peers::frame::{
+    Draw, FrameDescription, NEAREST, Output, Program, Shading, Step, Texels, Texture,
 };
 
 /// The scenes.
 #[rustfmt::skip]
 pub const SCENES: &[Scene] = &[
     Scene { name: "shadow-map", what: "plates above a floor, out of the picture",
-        load: Load::Texture, recipe: |_| shadow_map() },
+        load: Workload::Texture, recipe: |_| shadow_map() },
 ];
 
 static PROGRAM: Program = Program {
@@ -35,7 +35,7 @@ void main() {
     },
 };
 
-/// What the light sees: a parallel projection along (-0.2, 0.1, -1), 11 units wide.
+/// The light's projection: a parallel projection along (-0.2, 0.1, -1), 11 units wide.
 fn light() -> Matrix {
     let scale = 1.0 / 5.5;
     [
@@ -46,8 +46,8 @@ fn light() -> Matrix {
     ]
 }
 
-/// From the light's clip coordinates to texture coordinates and depth, and a little nearer, so
-/// that the floor does not shade itself.
+/// From the light's clip coordinates to texture coordinates and depth, with an offset towards the
+/// light, so that the floor is not in its own shadow.
 fn biased(m: &Matrix) -> Matrix {
     let row = |r: usize, offset: f64| -> [f64; 4] {
         std::array::from_fn(|c| 0.5 * m[r][c] + (0.5 + offset) * m[3][c])
@@ -55,7 +55,7 @@ fn biased(m: &Matrix) -> Matrix {
     [row(0, 0.0), row(1, 0.0), row(2, -0.002), m[3]]
 }
 
-fn shadow_map() -> Recipe {
+fn shadow_map() -> FrameDescription {
     let floor = grid(16, 16, |[s, t]| Vertex {
         position: single([(s - 0.5) * 8.0, t * 6.0 - 0.5, 0.0]),
         color: single([0.5 + 0.5 * s, 0.6 + 0.3 * t, 0.7 - 0.4 * s * t, 1.0]),
@@ -64,7 +64,7 @@ fn shadow_map() -> Recipe {
     let mut casters = floor.clone();
     for k in 0..24 {
         let [i, j] = [k % 6, k / 6].map(f64::from);
-        // Higher than the eye, which looks down and sees their shadows alone.
+        // Above the eye, which looks down: only their shadows are visible.
         plate(&mut casters, [i * 1.2 - 3.6 + 0.3 * j, j * 1.4 - 0.2, 3.0], 0.3 + 0.02 * i);
     }
     let light = light();
@@ -75,7 +75,7 @@ fn shadow_map() -> Recipe {
         .output(Output::DepthTest);
     let caster =
         Draw::new(casters, Shading::Modulate(0)).projection(light).output(Output::DepthTest);
-    Recipe {
+    FrameDescription {
         textures: vec![Texture { texels: Texels::ShadowMap, filters: NEAREST, anisotropy: 1.0 }],
         steps: vec![Step::ShadowMap(caster), Step::Clear([0.0; 4]), Step::Draw(draw)],
     }

@@ -22,7 +22,7 @@ pub fn bricks(side: usize) -> Level {
     })
 }
 
-/// Soft light: bright in the middle.
+/// A light map: bright in the middle.
 pub fn light(side: usize) -> Level {
     Level::from_fn(side, side, |i, j| {
         let [x, y] = [i, j].map(|c| (c as f64 + 0.5) / side as f64 * 2.0 - 1.0);
@@ -39,7 +39,7 @@ pub fn veil(side: usize) -> Level {
     })
 }
 
-/// Bumps as a normal map: `n = 2 c - 1`.
+/// A normal map of bumps: `n = 2 c - 1`.
 pub fn bumps(side: usize) -> Level {
     let turns = std::f64::consts::TAU * 8.0 / side as f64;
     Level::from_fn(side, side, |i, j| {

@@ -1,19 +1,19 @@
-//! Mipmap building, and a picture there and back.
+//! Mipmap generation, and the upload and read-back of a picture.
 
+use super::definition::{Scene, Workload};
 use super::mesh::WHITE;
 use super::texture::bricks;
-use super::{Load, Scene};
 use crate::oracle::lod::{Filter, Filters, Mipmap};
 use crate::oracle::texture::Level;
 use crate::peers::client::{Mesh, Vertex};
-use crate::peers::recipe::{Draw, NEAREST, Recipe, Shading, Step, Texture};
+use crate::peers::frame::{Draw, FrameDescription, NEAREST, Shading, Step, Texture};
 
 /// The scenes.
 #[rustfmt::skip]
 pub const SCENES: &[Scene] = &[
-    Scene { name: "mipmaps", what: "all levels built, then shown", load: Load::Transfer,
+    Scene { name: "mipmaps", what: "all levels built, then shown", load: Workload::Transfer,
         recipe: mipmaps },
-    Scene { name: "upload-read", what: "texels up, a square, pixels down", load: Load::Transfer,
+    Scene { name: "upload-read", what: "texels up, a square, pixels down", load: Workload::Transfer,
         recipe: there_and_back },
 ];
 
@@ -32,7 +32,7 @@ fn add(mesh: &mut Mesh, side: usize, [x, y]: [usize; 2], size: usize) {
 }
 
 /// Levels 1, 2, … side by side from the lower left on, each texel a pixel.
-fn mipmaps(side: usize) -> Recipe {
+fn mipmaps(side: usize) -> FrameDescription {
     let texel_by_texel =
         Filters { min: Filter::Nearest, mipmap: Mipmap::Nearest, mag: Filter::Nearest };
     let mut mesh = Mesh::default();
@@ -45,18 +45,18 @@ fn mipmaps(side: usize) -> Recipe {
     // Level 1 once more above, so that more of the picture shows it.
     add(&mut mesh, side, [0, side / 2], side / 2);
     let draw = Step::Draw(Draw::new(mesh, Shading::Modulate(1)));
-    Recipe {
+    FrameDescription {
         textures: vec![Texture::new(vec![bricks(side)], texel_by_texel)],
         steps: vec![Step::Clear([0.0, 0.0, 0.0, 1.0]), Step::GenerateMipmaps, draw],
     }
 }
 
-fn there_and_back(side: usize) -> Recipe {
+fn there_and_back(side: usize) -> FrameDescription {
     let mut mesh = Mesh::default();
     add(&mut mesh, side, [0, 0], side);
     let level: Level = bricks(side);
     let draw = Step::Draw(Draw::new(mesh, Shading::Modulate(1)));
-    Recipe {
+    FrameDescription {
         textures: vec![Texture::new(vec![level.clone()], NEAREST)],
         steps: vec![Step::Upload(level), draw, Step::ReadBack],
     }

@@ -6,7 +6,7 @@ use super::error::{Code, Result, fail};
 use super::raw::{Attrib, Handle, Id, Int, handle, put};
 use super::registry::{ContextEntry, Holder, Registry, registry};
 use super::thread::{Api, this_thread, thread};
-use gl_api::host::{self, DebugOutput, Shared, limits};
+use gl_api::host::{self, DebugOutput, ShareHandle, limits};
 use gl_api::{ContextDesc, with_current};
 use std::time::Duration;
 
@@ -119,7 +119,7 @@ fn check(attributes: &[(Int, Attrib)]) -> Result<DebugOutput> {
 const PATIENCE: Duration = Duration::from_secs(2);
 
 /// What a new context needs to share the objects of another, wherever that is current.
-pub(crate) fn shared_by(display: Id, share: Handle) -> Result<Shared> {
+pub(crate) fn shared_by(display: Id, share: Handle) -> Result<ShareHandle> {
     let mut registry = registry();
     let (_, entry) = registry.context(display, share)?;
     match &mut entry.holder {
@@ -132,11 +132,11 @@ pub(crate) fn shared_by(display: Id, share: Handle) -> Result<Shared> {
             }
         }
         Holder::Thread(_) => {
-            let invitation = entry.invitation.clone();
+            let share_request = entry.share_request.clone();
             // Before the registry is let go of: a context that is released from now on answers.
-            invitation.open();
+            share_request.open();
             drop(registry);
-            match invitation.wait(PATIENCE) {
+            match share_request.wait(PATIENCE) {
                 Some(shared) => Ok(shared),
                 None => fail(
                     Code::BadAccess,

@@ -1,50 +1,51 @@
-//! Calls: which function is meant (GLSL 1.30 section 6.1).
+//! Calls: overload resolution (GLSL 1.30 section 6.1).
 
 use super::Checker;
 use super::expr::convert;
 use super::operators::converts;
 use super::scope::Symbol;
 use crate::ast::{self, BinaryOp};
-use crate::builtins::functions::{self, Lower, P, Row};
-use crate::builtins::lookups::{LodForm, Lookup, Shift};
-use crate::diagnostics::Diagnostic;
+use crate::builtins::function::{self, FunctionRow, Lowering, Pattern};
+use crate::builtins::texture_lookup::{LodSource, Lookup, TexelOffset};
 use crate::hir::{Direction, Expr, ExprKind, VarRef};
+use crate::language::{Extension, Version, stage_name};
 use crate::limits::{GATHER_OFFSETS, TEXEL_OFFSETS};
-use crate::source::Span;
-use crate::spelling::closest;
+use crate::text::diagnostics::Diagnostic;
+use crate::text::source::Span;
+use crate::text::spelling::closest;
 use crate::types::Type;
-use crate::version::{Extension, Version, stage_name};
 use rasterizer::ir::Stage;
 
-/// A function that a call may mean.
+/// The function that a candidate stands for.
 #[derive(Clone, Debug)]
-enum Target {
+enum CallTarget {
     User(u32),
-    Builtin(&'static Row),
+    Builtin(&'static FunctionRow),
 }
 
 #[derive(Clone, Debug)]
 pub(super) struct Candidate {
-    target: Target,
+    target: CallTarget,
     parameters: Vec<Type>,
     directions: Vec<Direction>,
     result: Type,
 }
 
 impl Candidate {
-    /// A function of the language.
-    pub(super) fn builtin(row: &'static Row, parameters: Vec<Type>, result: Type) -> Self {
-        let direction = |p: &P| if *p == P::Out { Direction::Out } else { Direction::In };
+    /// A candidate for a built-in function.
+    pub(super) fn builtin(row: &'static FunctionRow, parameters: Vec<Type>, result: Type) -> Self {
+        let direction =
+            |p: &Pattern| if *p == Pattern::OutGen { Direction::Out } else { Direction::In };
         let directions = row.parameters.iter().map(direction).collect();
-        Self { target: Target::Builtin(row), parameters, directions, result }
+        Self { target: CallTarget::Builtin(row), parameters, directions, result }
     }
 
-    /// Whether it is a function of the shader.
-    fn is_own(&self) -> bool {
-        matches!(self.target, Target::User(_))
+    /// Whether the shader declares it.
+    fn is_user(&self) -> bool {
+        matches!(self.target, CallTarget::User(_))
     }
 
-    /// How many arguments need a conversion; `None` if one does not fit.
+    /// The number of arguments that need a conversion; `None` if one does not fit.
     fn conversions(&self, arguments: &[Expr], version: Version) -> Option<usize> {
         if arguments.len() != self.parameters.len() {
             return None;
@@ -56,7 +57,8 @@ impl Candidate {
             if argument.ty == *parameter {
                 continue;
             }
-            // An `out` argument takes the parameter's value back (GLSL 1.30 section 6.1).
+            // The value of an `out` parameter is converted to the type of the argument (GLSL 1.30
+            // section 6.1).
             let fits = match direction {
                 Direction::In => converts(&argument.ty, parameter, version),
                 Direction::Out => converts(parameter, &argument.ty, version),
@@ -99,14 +101,14 @@ impl Checker<'_> {
         let fits = |candidate: &&Candidate| candidate.conversions(&arguments, version);
         let mut fitting: Vec<&Candidate> =
             candidates.iter().filter(|c| fits(c).is_some()).collect();
-        // A function of the shader hides all of the language's that have its name: those lie in a
-        // scope around the global one. Before, it hides the one that takes the same.
+        // A user function hides all built-in functions of its name, which lie in a scope around the
+        // global one. Before 1.20, it hides only the one with the same parameters.
         let hides = version >= Version::V120;
-        if hides && fitting.iter().any(|c| c.is_own()) {
-            fitting.retain(|c| c.is_own());
+        if hides && fitting.iter().any(|c| c.is_user()) {
+            fitting.retain(|c| c.is_user());
         }
         let Some(&best) = fitting.iter().min_by_key(|c| fits(c)) else {
-            if let Some(function) = self.integer_function(name, &arguments) {
+            if let Some(function) = self.integer_candidate(name, &arguments) {
                 return self.finish_call(name, function, arguments, span);
             }
             self.no_match(name, &arguments, &candidates);
@@ -119,7 +121,7 @@ impl Checker<'_> {
             self.log.push(problem.note(format!("there are: {}", list.join(", "))));
             return Expr::error(span);
         }
-        if hides && !best.is_own() && candidates.iter().any(Candidate::is_own) {
+        if hides && !best.is_user() && candidates.iter().any(Candidate::is_user) {
             let message = format!("the shader's own `{0}` hides the language's `{0}`", name.text);
             let problem = Diagnostic::warning(name.span, message).rule(self.rule("4.2"));
             self.log.push(problem.help("name it otherwise: other compilers refuse this call"));
@@ -128,8 +130,8 @@ impl Checker<'_> {
         self.finish_call(name, best, arguments, span)
     }
 
-    /// What a name can mean in a call: the shader's functions, and those of the language that take
-    /// something else.
+    /// The candidates of a name: the functions of the shader, and the built-in functions with other
+    /// parameters.
     fn candidates(&mut self, name: &ast::Name) -> Vec<Candidate> {
         if self.scopes.hides_functions(&name.text) {
             return Vec::new();
@@ -137,14 +139,14 @@ impl Checker<'_> {
         let own = self.scopes.functions(&name.text).iter().map(|&index| {
             let function = &self.unit.functions[index as usize];
             Candidate {
-                target: Target::User(index),
+                target: CallTarget::User(index),
                 parameters: function.parameters().cloned().collect(),
                 directions: function.directions.clone(),
                 result: function.result.clone(),
             }
         });
         let mut candidates: Vec<Candidate> = own.collect();
-        for row in functions::find(&name.text, self.stage, self.language) {
+        for row in function::find(&name.text, self.stage, self.language) {
             for (parameters, result) in row.signatures() {
                 if candidates.iter().any(|candidate| candidate.parameters == parameters) {
                     continue;
@@ -166,10 +168,10 @@ impl Checker<'_> {
             Stage::Vertex => Stage::Fragment,
             Stage::Fragment => Stage::Vertex,
         };
-        let known: Vec<&Row> = functions::named(text).collect();
-        let here = |row: &&&Row| row.stages.has(self.stage);
+        let known: Vec<&FunctionRow> = function::named(text).collect();
+        let here = |row: &&&FunctionRow| row.stages.has(self.stage);
         if let Some(row) = known.iter().find(here) {
-            if let Some(advice) = self.language.advice(row.since) {
+            if let Some(advice) = self.language.advice(row.availability) {
                 problem = problem.help(advice);
             }
         } else if !known.is_empty() {
@@ -177,7 +179,7 @@ impl Checker<'_> {
             problem = problem.note(format!("only the {stage} stage has it"));
         } else {
             let user = self.unit.functions.iter().map(|function| &*function.name);
-            let builtin: Vec<&str> = functions::names(self.stage, self.language).collect();
+            let builtin: Vec<&str> = function::names(self.stage, self.language).collect();
             let names = user.chain(builtin);
             if let Some(near) = closest(text, names) {
                 problem =
@@ -187,7 +189,7 @@ impl Checker<'_> {
         self.log.push(problem);
     }
 
-    /// Says why no candidate takes the arguments.
+    /// Reports why no candidate takes the arguments.
     fn no_match(&mut self, name: &ast::Name, arguments: &[Expr], candidates: &[Candidate]) {
         let types: Vec<String> = arguments.iter().map(|a| a.ty.to_string()).collect();
         let message = format!("no `{}` takes ({})", name.text, types.join(", "));
@@ -202,7 +204,7 @@ impl Checker<'_> {
         let more = if shown.len() > 6 { ", ..." } else { "" };
         problem = problem.note(format!("there are: {}{more}", list.join(", ")));
 
-        // One argument alone may be in the way.
+        // Points at the argument, if a single one does not fit.
         let mut wrong = None;
         for candidate in candidates.iter().filter(same_length) {
             let fits = |index: usize| {
@@ -227,7 +229,7 @@ impl Checker<'_> {
         self.log.push(problem);
     }
 
-    /// Advice for a sampler of the wrong kind: declare it as the kind that is needed.
+    /// A fix-it for a sampler of the wrong type: declare it with the type that is needed.
     fn with_sampler_fix(&self, problem: Diagnostic, argument: &Expr, needed: &Type) -> Diagnostic {
         let ExprKind::Var(VarRef::Global(index)) = argument.kind else { return problem };
         let variable = &self.unit.globals[index as usize];
@@ -254,14 +256,14 @@ impl Checker<'_> {
             match direction {
                 Direction::In => converted.push(convert(argument, parameter)),
                 Direction::Out | Direction::Inout => {
-                    self.written(&argument, "pass as an `out` argument");
+                    self.check_written(&argument, "pass as an `out` argument");
                     converted.push(argument);
                 }
             }
         }
         let ty = best.result;
         match best.target {
-            Target::User(index) => {
+            CallTarget::User(index) => {
                 match &mut self.body {
                     Some(body) => body.calls.push((index, name.span)),
                     // Initializers run before `main`; those of GLSL ES are constant.
@@ -275,45 +277,50 @@ impl Checker<'_> {
                 }
                 Expr { ty, span, constant: false, kind: ExprKind::Call(index, converted) }
             }
-            Target::Builtin(row) => self.finish_builtin(row, ty, name, converted, span),
+            CallTarget::Builtin(row) => self.finish_builtin(row, ty, name, converted, span),
         }
     }
 
     fn finish_builtin(
         &mut self,
-        row: &'static Row,
+        row: &'static FunctionRow,
         ty: Type,
         name: &ast::Name,
         arguments: Vec<Expr>,
         span: Span,
     ) -> Expr {
-        match row.lower {
-            Lower::Ftransform => {
+        match row.lowering {
+            Lowering::Ftransform => {
                 let matrix = self.builtin_expr("gl_ModelViewProjectionMatrix", span);
                 let vertex = self.builtin_expr("gl_Vertex", span);
                 return self.binary(BinaryOp::Mul, matrix, vertex, span);
             }
-            Lower::Texture(lookup) => {
+            Lowering::Texture(lookup) => {
                 if !self.check_lookup(lookup, name, &arguments) {
                     return Expr::error(span);
                 }
             }
-            Lower::Map(_) | Lower::With(_) | Lower::Derivative(_) | Lower::Modf => {}
+            Lowering::PerComponent(_)
+            | Lowering::Expand(_)
+            | Lowering::ExpandAtRunTime(_)
+            | Lowering::Derivative(_)
+            | Lowering::Modf => {}
         }
-        if let Some(extension) = self.language.warns(row.since) {
+        if let Some(extension) = self.language.warns(row.availability) {
             let message = format!("`{}` comes from {}", name.text, extension.name());
             self.log.push(Diagnostic::warning(name.span, message));
         }
-        // From ES 1.00 (section 5.10) and 1.20 (section 4.3.3) on a function of constants is constant.
+        // From ES 1.00 (section 5.10) and 1.20 (section 4.3.3) on, a call with constant arguments
+        // is constant.
         let constant = row.folds()
             && self.version >= Version::Es100
             && arguments.iter().all(|argument| argument.constant);
         Expr { ty, span, constant, kind: ExprKind::Builtin(row, arguments) }
     }
 
-    /// What the types of a lookup's arguments do not say; whether it can be carried out.
+    /// Checks of a texture lookup beyond the types of its arguments; whether it is valid.
     fn check_lookup(&mut self, lookup: Lookup, name: &ast::Name, arguments: &[Expr]) -> bool {
-        let explicit = matches!(lookup, Lookup::Sample(_, LodForm::Explicit, _));
+        let explicit = matches!(lookup, Lookup::Sample(_, LodSource::Explicit, _));
         if explicit && !self.is_vertex() && self.version < Version::V130 {
             let message = format!("`{}` in the fragment stage is an extension", name.text);
             let warning = Diagnostic::warning(name.span, message)
@@ -324,15 +331,15 @@ impl Checker<'_> {
             }
         }
         let shift = match lookup {
-            Lookup::Sample(_, form, Shift::Texels) => {
-                arguments.len().checked_sub(if form == LodForm::Bias { 2 } else { 1 })
+            Lookup::Sample(_, form, TexelOffset::Constant) => {
+                arguments.len().checked_sub(if form == LodSource::Bias { 2 } else { 1 })
             }
-            Lookup::Fetch(Shift::Texels) | Lookup::Gather(Shift::Texels) => {
+            Lookup::Fetch(TexelOffset::Constant) | Lookup::Gather(TexelOffset::Constant) => {
                 arguments.len().checked_sub(1)
             }
-            Lookup::Sample(_, _, Shift::None)
-            | Lookup::Gather(Shift::None)
-            | Lookup::Fetch(Shift::None)
+            Lookup::Sample(_, _, TexelOffset::None)
+            | Lookup::Gather(TexelOffset::None)
+            | Lookup::Fetch(TexelOffset::None)
             | Lookup::Size
             | Lookup::QueryLod => None,
         };

@@ -2,12 +2,12 @@
 
 use super::Checker;
 use crate::ast;
-use crate::diagnostics::Diagnostic;
 use crate::hir::{Expr, ExprKind};
+use crate::language::Version;
 use crate::limits::MAX_SCALARS;
-use crate::source::Span;
+use crate::text::diagnostics::Diagnostic;
+use crate::text::source::Span;
 use crate::types::{Struct, Type};
-use crate::version::Version;
 use std::sync::Arc;
 
 impl Checker<'_> {
@@ -40,7 +40,7 @@ impl Checker<'_> {
         Expr::error(span)
     }
 
-    /// A scalar, vector or matrix of the scalars of the arguments.
+    /// A scalar, vector or matrix from the scalars of the arguments.
     fn construct_numbers(&mut self, ty: Type, arguments: Vec<Expr>, span: Span) -> Expr {
         let plain = |argument: &&Expr| argument.ty.scalar().is_none();
         if let Some(bad) = arguments.iter().find(plain) {
@@ -96,8 +96,9 @@ impl Checker<'_> {
             return self.bad_constructor(span, format!("{ty} has a sampler in it"));
         }
         let pairs = arguments.into_iter().zip(&structure.fields);
-        let parts: Vec<Expr> =
-            pairs.map(|(argument, (_, field))| self.converted(argument, field, "use")).collect();
+        let parts: Vec<Expr> = pairs
+            .map(|(argument, (_, field))| self.implicit_conversion(argument, field, "use"))
+            .collect();
         let constant = parts.iter().all(|part| part.constant);
         Expr { ty, span, constant, kind: ExprKind::Construct(parts) }
     }
@@ -119,9 +120,9 @@ impl Checker<'_> {
             let message = format!("an array of {len} takes {len} elements, not {have}");
             return self.bad_constructor(span, message);
         }
-        // `float[][](...)` has the inner sizes of its arguments too.
+        // `float[][](...)` takes the inner sizes from its arguments.
         let element = element.sized_as(&arguments[0].ty);
-        let convert = |argument| self.converted(argument, &element, "use");
+        let convert = |argument| self.implicit_conversion(argument, &element, "use");
         let parts: Vec<Expr> = arguments.into_iter().map(convert).collect();
         if parts.iter().any(Expr::is_error) {
             return Expr::error(span);

@@ -2,26 +2,25 @@
 
 use super::Checker;
 use super::scope::Symbol;
-use crate::Scalar;
 use crate::ast::{self, TypeBase};
-use crate::builtins::variables;
-use crate::diagnostics::Diagnostic;
+use crate::builtins::variable;
 use crate::hir::{Expr, ExprKind, Storage, VarRef, Variable};
+use crate::language::{Availability, Extension, Version};
 use crate::limits::{MAX_DIMENSIONS, MAX_SCALARS, MAX_STRUCT_DEPTH};
-use crate::source::Span;
-use crate::spelling::closest;
-use crate::types::{Struct, Type};
-use crate::version::{Extension, Since, Version};
+use crate::text::diagnostics::Diagnostic;
+use crate::text::source::Span;
+use crate::text::spelling::closest;
+use crate::types::{Scalar, Struct, Type};
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
 impl Checker<'_> {
-    /// The type that is written, with the array sizes after the name: these are the outer ones
+    /// The type of a declaration, with the array sizes after the name, which are the outer ones
     /// (ARB_arrays_of_arrays).
     pub(super) fn type_of(&mut self, name: &ast::TypeName, after: &[ast::ArraySize]) -> Type {
         let base = match &name.base {
             TypeBase::Struct(declared) => match &self.declared {
-                // Another name of the same declaration.
+                // An earlier name of the same declaration.
                 Some((known, ty)) if Arc::ptr_eq(known, declared) => ty.clone(),
                 Some(_) | None => {
                     let ty = self.structure(declared, name.span);
@@ -45,7 +44,8 @@ impl Checker<'_> {
             return Type::Error;
         }
         if count > 1
-            && let Some(extension) = self.language.warns(Since::only(Extension::ArraysOfArrays))
+            && let Some(extension) =
+                self.language.warns(Availability::extension(Extension::ArraysOfArrays))
         {
             let message = format!("arrays of arrays come from {}", extension.name());
             self.log.push(Diagnostic::warning(name.span, message));
@@ -73,12 +73,12 @@ impl Checker<'_> {
         if let Some(Symbol::Struct(structure)) = self.scopes.find(word) {
             return Type::Struct(structure.clone());
         }
-        if let Some(ty) = variables::structure(word, self.language) {
+        if let Some(ty) = variable::structure(word, self.language) {
             return ty;
         }
         let mut problem =
             Diagnostic::error(span, format!("there is no type `{word}`")).rule(self.rule("4.1"));
-        if let Some(since) = Type::since(word) {
+        if let Some(since) = Type::availability(word) {
             if let Some(advice) = self.language.advice(since) {
                 problem = problem.help(advice);
             }
@@ -181,7 +181,7 @@ impl Checker<'_> {
         }
     }
 
-    /// Reports a name that the innermost scope has already, or that is reserved.
+    /// Reports a name that the innermost scope already has, or that is reserved.
     pub(super) fn check_new(&mut self, name: &ast::Name) {
         self.check_reserved(name);
         match self.scopes.find_innermost(&name.text).cloned() {
@@ -201,7 +201,9 @@ impl Checker<'_> {
     }
 
     pub(super) fn global_declaration(&mut self, declaration: &ast::Declaration) {
-        let Some((storage, passing)) = self.global_storage(&declaration.ty) else { return };
+        let Some((storage, interface_qualifiers)) = self.global_storage(&declaration.ty) else {
+            return;
+        };
         self.check_precision(&declaration.ty);
         if declaration.names.is_empty() {
             let _ = self.type_of(&declaration.ty.ty, &[]);
@@ -209,7 +211,7 @@ impl Checker<'_> {
         }
         for declared in &declaration.names {
             let ty = self.type_of(&declaration.ty.ty, &declared.array);
-            if self.redeclares_builtin(declared, &ty, storage, passing) {
+            if self.redeclares_builtin(declared, &ty, storage, interface_qualifiers) {
                 continue;
             }
             let init = declared.init.as_ref().map(|init| self.expr(init));
@@ -223,12 +225,12 @@ impl Checker<'_> {
                 continue;
             }
             self.check_new(&declared.name);
-            self.check_interface(storage, &ty, declared.name.span);
-            self.check_layout(&declared.name, passing);
+            self.check_interface_type(storage, &ty, declared.name.span);
+            self.check_layout(&declared.name, interface_qualifiers);
             let type_span = (declaration.names.len() == 1).then_some(declaration.ty.ty.span);
             let mut variable = self.new_variable(declared, ty, storage);
             variable.type_span = type_span.filter(|_| declared.array.is_empty());
-            variable.passing = passing;
+            variable.interface_qualifiers = interface_qualifiers;
             self.initialize(&mut variable, init, declared.name.span);
             self.check_sized(&variable);
             let var = VarRef::Global(self.unit.globals.len() as u32);
@@ -246,7 +248,7 @@ impl Checker<'_> {
         Variable::new(declared.name.text.clone(), ty, storage, declared.name.span)
     }
 
-    /// Checks an initializer, and keeps it in the variable.
+    /// Checks an initializer and stores it in the variable.
     pub(super) fn initialize(&mut self, variable: &mut Variable, init: Option<Expr>, span: Span) {
         let Some(init) = init else {
             if variable.storage == Storage::Const {
@@ -274,7 +276,7 @@ impl Checker<'_> {
         if self.version < Version::V120 && variable.ty.has_array() {
             self.error(init.span, "4.3", "arrays take no value before GLSL 1.20");
         }
-        let init = self.converted(init, &variable.ty.clone(), "initialize with");
+        let init = self.implicit_conversion(init, &variable.ty.clone(), "initialize with");
         if init.is_error() {
             variable.constant = None;
             variable.init = Some(init);
@@ -284,7 +286,7 @@ impl Checker<'_> {
         let must_fold = match variable.storage {
             Storage::Const => Some("a constant"),
             Storage::Uniform => Some("a uniform"),
-            // The desktop's versions run other initializers before `main` (section 4.3).
+            // Desktop GLSL runs other initializers before `main` (section 4.3).
             Storage::Plain if self.version == Version::Es100 => {
                 self.body.is_none().then_some("a global variable")
             }
@@ -306,7 +308,7 @@ impl Checker<'_> {
                 variable.constant = words;
                 variable.init = Some(init);
             }
-            // The linker knows nothing of the constants that the value may be made of.
+            // The linker does not have the constants of the unit.
             (Storage::Uniform, Some(words)) => {
                 variable.init = Some(Expr { kind: ExprKind::Const(words), ..init });
             }
@@ -314,7 +316,7 @@ impl Checker<'_> {
         }
     }
 
-    /// What no variable can be.
+    /// Reports a variable of type `void`, and a sampler that is no uniform.
     pub(super) fn check_sized(&mut self, variable: &Variable) {
         if variable.ty == Type::Void {
             self.error(variable.span, "4.1.1", format!("`{}` cannot be void", variable.name));
@@ -330,8 +332,8 @@ impl Checker<'_> {
         }
     }
 
-    /// The type of an array, with the sizes that its initializer gives it. Indices can bring the
-    /// outermost size later; the others have to be there.
+    /// The type of an array, with the sizes from its initializer. Indices can give the outermost
+    /// size later; the inner sizes are required.
     pub(super) fn sized_by(&mut self, ty: Type, init: Option<&Expr>, span: Span) -> Type {
         let ty = match init {
             Some(init) => ty.sized_as(&init.ty),

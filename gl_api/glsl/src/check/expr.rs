@@ -3,14 +3,13 @@
 use super::Checker;
 use super::operators::{self, converts};
 use super::scope::Symbol;
-use crate::Scalar;
 use crate::ast::{self, BinaryOp, UnaryOp};
-use crate::builtins::variables;
-use crate::diagnostics::Diagnostic;
-use crate::hir::{Expr, ExprKind, VarRef};
-use crate::source::Span;
-use crate::types::{BOOL, FLOAT, INT, Type, UINT};
-use crate::version::{Extension, Since, Version};
+use crate::builtins::variable::{self, Builtin};
+use crate::hir::{Expr, ExprKind, Storage, VarRef, Variable};
+use crate::language::{Availability, Version};
+use crate::text::diagnostics::Diagnostic;
+use crate::text::source::Span;
+use crate::types::{BOOL, FLOAT, INT, Scalar, Type, UINT};
 use rasterizer::ir::TRUE;
 use std::sync::Arc;
 
@@ -35,7 +34,7 @@ impl Checker<'_> {
                 self.binary(*op, left, right, span)
             }
             ast::ExprKind::Assign(op, target, value) => self.assign(*op, target, value, span),
-            ast::ExprKind::Step(step, result, operand) => {
+            ast::ExprKind::IncDec(step, result, operand) => {
                 let operand = self.expr(operand);
                 if operand.is_error() {
                     return operand;
@@ -46,16 +45,17 @@ impl Checker<'_> {
                     self.error(span, "5.9", message);
                     return Expr::error(span);
                 }
-                self.written(&operand, "change");
+                self.check_written(&operand, "change");
                 let ty = operand.ty.clone();
-                let kind = ExprKind::Step(*step, *result, Box::new(operand));
+                let kind = ExprKind::IncDec(*step, *result, Box::new(operand));
                 Expr { ty, span, constant: false, kind }
             }
-            ast::ExprKind::Conditional(parts) => self.choice(parts, span),
+            ast::ExprKind::Conditional(parts) => self.conditional(parts, span),
             ast::ExprKind::Comma(all) => {
                 let all: Vec<Expr> = all.iter().map(|expr| self.expr(expr)).collect();
                 let ty = all.last().map_or(Type::Void, |last| last.ty.clone());
-                // An operator like any other in GLSL 1.10 (section 4.3.3) and GLSL ES 1.00 (section 5.10).
+                // A constant operator in GLSL 1.10 (section 4.3.3) and GLSL ES 1.00 (section 5.10)
+                // only.
                 let constant = self.version < Version::V120 && all.iter().all(|part| part.constant);
                 Expr { ty, span, constant, kind: ExprKind::Comma(all) }
             }
@@ -90,9 +90,15 @@ impl Checker<'_> {
         Expr { ty: variable.ty.clone(), span, constant, kind: ExprKind::Var(var) }
     }
 
-    /// Brings a built-in variable into the global scope.
+    /// Adds a built-in variable to the globals of the unit.
     pub(super) fn builtin_variable(&mut self, name: &str) -> Option<VarRef> {
-        let variable = variables::find(name, self.stage, self.language)?;
+        let builtin = variable::find(name, self.stage, self.language)?;
+        let (row, ty) = (builtin.row, builtin.ty.clone());
+        let storage = Storage::Builtin(row.builtin);
+        let mut variable = Variable::new(row.name.into(), ty, storage, Span::default());
+        if let Builtin::Limit(value) = row.builtin {
+            variable.constant = Some([value as u32].into());
+        }
         let var = VarRef::Global(self.unit.globals.len() as u32);
         self.scopes.add_global(variable.name.clone(), Symbol::Variable(var));
         self.unit.globals.push(variable);
@@ -133,9 +139,9 @@ impl Checker<'_> {
         Expr { ty, span, constant, kind: ExprKind::Unary(op, Box::new(operand)) }
     }
 
-    /// Whether the version has integer operators; says so if not.
+    /// Whether the version has integer operators; reports it if not.
     fn has_integers(&mut self, span: Span) -> bool {
-        if !self.language.has(Since::V130.or(Extension::GpuShader4)) {
+        if !self.language.has(Availability::INTEGERS) {
             let message = "bits, shifts and remainders of integers are reserved in this version";
             let problem = Diagnostic::error(span, message)
                 .rule(format!("{} section 5.1", self.version.title()));
@@ -163,7 +169,7 @@ impl Checker<'_> {
         Expr { ty: typed.result, span, constant, kind }
     }
 
-    /// Says why two operands do not go together.
+    /// Reports why two operands do not go together.
     fn mismatch(&mut self, op: BinaryOp, left: &Expr, right: &Expr, span: Span) {
         let (a, b) = (&left.ty, &right.ty);
         let verb = if op == BinaryOp::Mul {
@@ -210,7 +216,7 @@ impl Checker<'_> {
         self.log.push(problem);
     }
 
-    /// Advice for an `int` where a `float` is needed.
+    /// A fix-it for an `int` where a `float` is needed.
     pub(super) fn with_float_fix(&self, problem: Diagnostic, integer: &Expr) -> Diagnostic {
         let text = self.source.slice(integer.span);
         let title = self.version.title();
@@ -241,7 +247,7 @@ impl Checker<'_> {
     ) -> Expr {
         let target = self.expr(target);
         let value = self.expr(value);
-        self.written(&target, "assign to");
+        self.check_written(&target, "assign to");
         if target.is_error() || value.is_error() {
             return Expr::error(span);
         }
@@ -252,7 +258,7 @@ impl Checker<'_> {
                     let message = format!("arrays cannot be assigned in {}", self.version.title());
                     self.error(span, "5.8", message);
                 }
-                self.converted(value, &ty, "assign")
+                self.implicit_conversion(value, &ty, "assign")
             }
             Some(op) => {
                 let Some(typed) = operators::binary(op, &ty, &value.ty, self.version) else {
@@ -278,15 +284,15 @@ impl Checker<'_> {
         Expr { ty, span, constant: false, kind }
     }
 
-    /// The value as a `ty`, or an error that begins with `verb`.
-    pub(super) fn converted(&mut self, value: Expr, ty: &Type, verb: &str) -> Expr {
+    /// The value implicitly converted to `ty`, or an error that begins with `verb`.
+    pub(super) fn implicit_conversion(&mut self, value: Expr, ty: &Type, verb: &str) -> Expr {
         if value.ty == *ty || value.is_error() || *ty == Type::Error {
             return value;
         }
         if converts(&value.ty, ty, self.version) {
             return convert(value, ty);
         }
-        if let Some(integer) = self.as_integers(&value, ty) {
+        if let Some(integer) = self.as_integer_call(&value, ty) {
             return integer;
         }
         let message = format!("cannot {verb} {} where {ty} is needed", value.ty);
@@ -309,9 +315,9 @@ impl Checker<'_> {
         Expr::error(span)
     }
 
-    fn choice(&mut self, parts: &[ast::Expr; 3], span: Span) -> Expr {
+    fn conditional(&mut self, parts: &[ast::Expr; 3], span: Span) -> Expr {
         let [condition, accept, reject] = [&parts[0], &parts[1], &parts[2]].map(|e| self.expr(e));
-        let condition = self.converted(condition, &BOOL, "test");
+        let condition = self.implicit_conversion(condition, &BOOL, "test");
         if condition.is_error() || accept.is_error() || reject.is_error() {
             return Expr::error(span);
         }
@@ -334,13 +340,13 @@ impl Checker<'_> {
         Expr { ty, span, constant, kind: ExprKind::Conditional(Box::new(all)) }
     }
 
-    /// A reference to a variable of the language, which the stage has.
+    /// A reference to a built-in variable, which the stage has.
     pub(super) fn builtin_expr(&mut self, name: &str, span: Span) -> Expr {
         self.name(&Arc::from(name), span)
     }
 }
 
-/// The value as a `ty`, which it converts to.
+/// The value converted to `ty`, which must be an allowed conversion.
 pub(super) fn convert(value: Expr, ty: &Type) -> Expr {
     if value.ty == *ty {
         return value;

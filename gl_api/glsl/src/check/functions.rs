@@ -4,10 +4,10 @@ use super::redeclare::settle_arrays;
 use super::scope::Symbol;
 use super::{Body, Checker};
 use crate::ast::{self, Qualifier};
-use crate::diagnostics::Diagnostic;
 use crate::hir::{Direction, Function, Storage, VarRef, Variable};
+use crate::language::Version;
+use crate::text::diagnostics::Diagnostic;
 use crate::types::Type;
-use crate::version::Version;
 
 impl Checker<'_> {
     pub(super) fn function(&mut self, declared: &ast::Function) {
@@ -85,7 +85,7 @@ impl Checker<'_> {
         if ty.has_sampler() && direction != Direction::In {
             self.error(span, "6.1", "a sampler cannot be an `out` parameter");
         }
-        // They are l-values in GLSL ES, for this alone (section 5.8).
+        // In GLSL ES, arrays are l-values for this purpose alone (section 5.8).
         if ty.has_array() && direction != Direction::In && self.version == Version::V110 {
             let message = "an array cannot be an `out` parameter: it is no l-value";
             self.error(span, "5.8", message);
@@ -101,7 +101,7 @@ impl Checker<'_> {
         (direction, variable)
     }
 
-    /// Enters a function, or finds the prototype that announced it.
+    /// Adds a function to the unit, or finds its prototype there.
     fn declare_function(&mut self, declared: &ast::Function, new: Function) -> Option<usize> {
         let name = &declared.name;
         let known = self.scopes.find_global(&name.text).cloned();
@@ -125,7 +125,9 @@ impl Checker<'_> {
             known.filter(|&index| self.unit.functions[index].parameters().eq(new.parameters()));
         if let Some(index) = same {
             let other = &self.unit.functions[index];
-            let problem = if other.result != new.result || !other.ways().eq(new.ways()) {
+            let problem = if other.result != new.result
+                || !other.parameter_storages().eq(new.parameter_storages())
+            {
                 Some(("differs from its declaration", &*name.text))
             } else if other.body.is_some() && declared.body.is_some() {
                 Some(("is defined already,", &*signature))
@@ -133,7 +135,7 @@ impl Checker<'_> {
                 && other.body.is_none()
                 && declared.body.is_none()
             {
-                // One prototype and the definition (section 4.2.7).
+                // GLSL ES allows one prototype besides the definition (section 4.2.7).
                 Some(("is declared already,", &*signature))
             } else {
                 None
@@ -186,7 +188,7 @@ impl Checker<'_> {
         function.globals = body.globals.into_iter().collect();
     }
 
-    /// Which way a parameter goes, for messages about `return`.
+    /// The result type of the function being checked.
     pub(super) fn result_type(&self) -> Option<&Type> {
         self.body.as_ref().and_then(|body| body.result.as_ref())
     }

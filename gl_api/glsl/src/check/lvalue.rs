@@ -1,15 +1,16 @@
-//! What can be written (GLSL 1.30 section 5.8).
+//! L-values (GLSL 1.30 section 5.8).
 
 use super::Checker;
-use crate::builtins::variables;
-use crate::diagnostics::Diagnostic;
+use crate::builtins::variable;
 use crate::hir::{Direction, Expr, ExprKind, Storage, Variable};
-use crate::source::Span;
+use crate::text::diagnostics::Diagnostic;
+use crate::text::source::Span;
 use rasterizer::ir::Stage;
 
 impl Checker<'_> {
-    /// Checks that `target` can be written, and notes that it is. `what` is done to it.
-    pub(super) fn written(&mut self, target: &Expr, what: &str) {
+    /// Checks that `target` is an l-value, and marks its variable as written. `what` is the verb of
+    /// the message.
+    pub(super) fn check_written(&mut self, target: &Expr, what: &str) {
         if target.is_error() {
             return;
         }
@@ -21,7 +22,7 @@ impl Checker<'_> {
                         (1..components.len()).any(|i| components[..i].contains(&components[i]));
                     if twice {
                         let message = "a swizzle that is written cannot name a component twice";
-                        self.rejected(part.span, message);
+                        self.reject_lvalue(part.span, message);
                         return;
                     }
                     part = base;
@@ -33,7 +34,7 @@ impl Checker<'_> {
                 | ExprKind::Unary(..)
                 | ExprKind::Binary(..)
                 | ExprKind::Assign(..)
-                | ExprKind::Step(..)
+                | ExprKind::IncDec(..)
                 | ExprKind::Conditional(_)
                 | ExprKind::Comma(_)
                 | ExprKind::Construct(_)
@@ -41,7 +42,7 @@ impl Checker<'_> {
                 | ExprKind::Builtin(..)
                 | ExprKind::Error => {
                     let message = format!("cannot {what} this: it is a value, not a variable");
-                    self.rejected(part.span, message);
+                    self.reject_lvalue(part.span, message);
                     return;
                 }
             }
@@ -50,18 +51,18 @@ impl Checker<'_> {
         let variable = self.variable(root);
         if let Some(kind) = self.read_only(variable) {
             let name = variable.name.clone();
-            self.rejected(target.span, format!("cannot {what} `{name}`: it is {kind}"));
+            self.reject_lvalue(target.span, format!("cannot {what} `{name}`: it is {kind}"));
             return;
         }
         self.variable_mut(root).written = true;
     }
 
-    fn rejected(&mut self, span: Span, message: impl Into<String>) {
+    fn reject_lvalue(&mut self, span: Span, message: impl Into<String>) {
         let rule = format!("{} section 5.8: what is written is an l-value", self.version.title());
         self.log.push(Diagnostic::error(span, message).rule(rule));
     }
 
-    /// Why a variable cannot be written.
+    /// Why a variable is read-only.
     fn read_only(&self, variable: &Variable) -> Option<&'static str> {
         if variable.ty.has_sampler() {
             return Some("a sampler");
@@ -71,7 +72,7 @@ impl Checker<'_> {
             Storage::Uniform => Some("a uniform"),
             Storage::Attribute => Some("a vertex attribute"),
             Storage::Input(_) => Some("an input of the fragment stage"),
-            Storage::Builtin(builtin) if !variables::is_writable(builtin, self.stage) => {
+            Storage::Builtin(builtin) if !variable::is_writable(builtin, self.stage) => {
                 Some("read-only")
             }
             Storage::Parameter(Direction::In | Direction::Out | Direction::Inout)

@@ -1,36 +1,34 @@
 //! Syntax tree to checked shader: names, types, qualifiers, constants (GLSL 1.30 chapters 4 to 6).
 
-mod block;
 mod call;
 mod construct;
 mod decl;
 mod expr;
 mod functions;
-mod integers;
-mod interface;
+mod integer_overloads;
 mod lvalue;
 mod operators;
-mod part;
-mod recursion;
+mod qualifiers;
 mod redeclare;
 mod scope;
+mod selection;
 mod stmt;
+mod uniform_block;
 
-use super::ast::{Item, StructDecl};
-use super::diagnostics::{Diagnostic, Log};
-use super::hir::{Expr, Stmt, Storage, Unit, VarRef, Variable};
-use super::source::{Source, Span};
-use super::types::Type;
-use super::version::{Language, Version};
-use block::BlockDefaults;
+use crate::ast::{Item, StructDecl};
+use crate::hir::{Expr, Stmt, Storage, Unit, VarRef, Variable, recursive_call};
+use crate::language::{Language, Version};
+use crate::text::diagnostics::{Diagnostic, Log};
+use crate::text::source::{Source, Span};
+use crate::types::Type;
 use rasterizer::ir::Stage;
-pub use recursion::recursive_call;
 use redeclare::settle_arrays;
 use scope::{Scopes, Undeclared};
 use std::collections::BTreeMap;
 use std::sync::Arc;
+use uniform_block::BlockDefaults;
 
-/// What is known while a function's body is checked.
+/// The state while the body of a function is checked.
 #[derive(Debug, Default)]
 struct Body {
     /// The function's index in the unit.
@@ -41,7 +39,7 @@ struct Body {
     locals: Vec<Variable>,
     /// How many loops are open.
     loops: u32,
-    /// How many loops and switches are open.
+    /// How many loops and switches are open: what `break` can leave.
     breakable: u32,
     /// The functions called.
     calls: Vec<(u32, Span)>,
@@ -58,12 +56,12 @@ struct Checker<'a> {
     stage: Stage,
     language: Language,
     version: Version,
-    /// Whether floats have a precision here (GLSL ES 1.00 section 4.5.3).
+    /// Whether `float` has a default precision here (GLSL ES 1.00 section 4.5.3).
     float_precision: bool,
-    /// Whether it was said that they have none: once is enough.
-    lacks_precision: bool,
+    /// Whether a missing precision was reported: once is enough.
+    reported_missing_precision: bool,
     unit: Unit,
-    /// What the next uniform block begins with.
+    /// The default layout of uniform blocks.
     block_layout: BlockDefaults,
     /// The structure that was declared last.
     declared: Option<(Arc<StructDecl>, Type)>,
@@ -72,11 +70,11 @@ struct Checker<'a> {
     signatures: BTreeMap<String, usize>,
     undeclared: Vec<Undeclared>,
     body: Option<Body>,
-    /// The globals that initializers of globals name.
-    outside: std::collections::BTreeSet<u32>,
+    /// The globals that initializers of globals reference.
+    initializer_globals: std::collections::BTreeSet<u32>,
 }
 
-/// Checks a shader; what is wrong is in the log.
+/// Checks a shader; errors are in the log.
 pub fn check(
     items: &[Item],
     stage: Stage,
@@ -94,7 +92,7 @@ pub fn check(
         language,
         version,
         float_precision: version != Version::Es100 || stage == Stage::Vertex,
-        lacks_precision: false,
+        reported_missing_precision: false,
         unit,
         block_layout: BlockDefaults::default(),
         declared: None,
@@ -102,7 +100,7 @@ pub fn check(
         signatures: BTreeMap::new(),
         undeclared: Vec::new(),
         body: None,
-        outside: std::collections::BTreeSet::new(),
+        initializer_globals: std::collections::BTreeSet::new(),
     };
     for item in items {
         match item {
@@ -135,7 +133,8 @@ impl Checker<'_> {
         self.unit
     }
 
-    /// A shader writes `gl_FragColor`, `gl_FragData` or outputs of its own (GLSL 1.30 section 7.2).
+    /// A shader writes only one of `gl_FragColor`, `gl_FragData` and its own outputs (GLSL 1.30
+    /// section 7.2).
     fn both_color_outputs(&mut self) {
         let written = |name: &str| {
             self.unit.globals.iter().any(|global| &*global.name == name && global.written)
@@ -154,12 +153,12 @@ impl Checker<'_> {
         }
     }
 
-    /// A section of the specification of the shader's version, as a message cites it.
+    /// A section of the specification of the shader's version, as messages cite it.
     fn rule(&self, section: &str) -> String {
         format!("{} section {section}", self.version.title())
     }
 
-    /// Reports what is against a section of the specification.
+    /// Reports a violation of a section of the specification.
     fn error(&mut self, span: Span, section: &str, message: impl Into<String>) {
         let rule = self.rule(section);
         self.log.push(Diagnostic::error(span, message).rule(rule));
@@ -185,27 +184,27 @@ impl Checker<'_> {
         }
     }
 
-    /// Notes that a variable is named here.
+    /// Counts a reference to a variable.
     fn note_use(&mut self, var: VarRef) {
-        self.variable_mut(var).named += 1;
+        self.variable_mut(var).references += 1;
         if let VarRef::Global(index) = var {
             match &mut self.body {
                 Some(body) => body.globals.insert(index),
-                None => self.outside.insert(index),
+                None => self.initializer_globals.insert(index),
             };
         }
     }
 
-    /// The words of a constant expression.
+    /// The words of a constant expression, from the lowering itself: the same bits as at run time.
     fn evaluate(&self, expr: &Expr) -> Option<Arc<[u32]>> {
         if !expr.constant || expr.is_error() {
             return None;
         }
         let locals = self.body.as_ref().map_or(&[][..], |body| &body.locals);
-        super::lower::constant(expr, &self.unit.globals, locals).map(Arc::from)
+        crate::lower::constant(expr, &self.unit.globals, locals).map(Arc::from)
     }
 
-    /// A body of statements in a scope of its own.
+    /// Checks statements in a scope of their own.
     fn scoped(&mut self, check: impl FnOnce(&mut Self) -> Vec<Stmt>) -> Vec<Stmt> {
         let precision = self.float_precision;
         self.scopes.open();

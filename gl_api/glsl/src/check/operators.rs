@@ -1,12 +1,11 @@
-//! What operators take and give (GLSL 1.30 section 5.9).
+//! Types of operands and results (GLSL 1.30 section 5.9).
 
-use crate::Scalar;
 use crate::ast::BinaryOp;
-use crate::types::{BOOL, Type, vec};
-use crate::version::Version;
+use crate::language::Version;
+use crate::types::{BOOL, Scalar, Type, vec};
 
-/// Whether a value of `from` becomes `to` without a constructor (GLSL 1.30 section 4.1.10; 1.10
-/// has no such conversions).
+/// Whether a value of `from` converts to `to` implicitly (GLSL 1.30 section 4.1.10; 1.10 has no
+/// implicit conversions).
 pub fn converts(from: &Type, to: &Type, version: Version) -> bool {
     let (Type::Vector(from, n), Type::Vector(Scalar::Float, m)) = (from, to) else {
         return false;
@@ -20,7 +19,7 @@ pub fn converts(from: &Type, to: &Type, version: Version) -> bool {
 }
 
 /// The types that the operands are converted to, and the type of the result.
-pub struct Typed {
+pub struct BinaryTypes {
     /// Of the left operand.
     pub left: Type,
     /// Of the right operand.
@@ -29,8 +28,8 @@ pub struct Typed {
     pub result: Type,
 }
 
-/// Types a binary operation; `None` when the operands do not go together.
-pub fn binary(op: BinaryOp, left: &Type, right: &Type, version: Version) -> Option<Typed> {
+/// The types of a binary operation; `None` if the operands do not go together.
+pub fn binary(op: BinaryOp, left: &Type, right: &Type, version: Version) -> Option<BinaryTypes> {
     match op {
         BinaryOp::Add | BinaryOp::Sub | BinaryOp::Mul | BinaryOp::Div => {
             arithmetic(op, left, right, version)
@@ -42,7 +41,7 @@ pub fn binary(op: BinaryOp, left: &Type, right: &Type, version: Version) -> Opti
                 return None;
             }
             let result = Type::Vector(*a, *n.max(m));
-            Some(Typed { left: left.clone(), right: right.clone(), result })
+            Some(BinaryTypes { left: left.clone(), right: right.clone(), result })
         }
         BinaryOp::ShiftLeft | BinaryOp::ShiftRight => {
             let (Type::Vector(a, n), Type::Vector(b, m)) = (left, right) else { return None };
@@ -50,13 +49,13 @@ pub fn binary(op: BinaryOp, left: &Type, right: &Type, version: Version) -> Opti
             if !integer(a) || !integer(b) || !(n == m || *m == 1) {
                 return None;
             }
-            Some(Typed { left: left.clone(), right: right.clone(), result: left.clone() })
+            Some(BinaryTypes { left: left.clone(), right: right.clone(), result: left.clone() })
         }
         BinaryOp::Less | BinaryOp::Greater | BinaryOp::LessEqual | BinaryOp::GreaterEqual => {
             let (Type::Vector(a, 1), Type::Vector(b, 1)) = (left, right) else { return None };
             let scalar = common(*a, *b, version).filter(|scalar| *scalar != Scalar::Bool)?;
             let ty = Type::Vector(scalar, 1);
-            Some(Typed { left: ty.clone(), right: ty, result: BOOL })
+            Some(BinaryTypes { left: ty.clone(), right: ty, result: BOOL })
         }
         BinaryOp::Equal | BinaryOp::NotEqual => {
             if left.has_sampler() || *left == Type::Void {
@@ -72,16 +71,16 @@ pub fn binary(op: BinaryOp, left: &Type, right: &Type, version: Version) -> Opti
             } else {
                 return None;
             };
-            Some(Typed { left: ty.clone(), right: ty.clone(), result: BOOL })
+            Some(BinaryTypes { left: ty.clone(), right: ty.clone(), result: BOOL })
         }
         BinaryOp::And | BinaryOp::Or | BinaryOp::Xor => {
             let both = *left == BOOL && *right == BOOL;
-            both.then_some(Typed { left: BOOL, right: BOOL, result: BOOL })
+            both.then_some(BinaryTypes { left: BOOL, right: BOOL, result: BOOL })
         }
     }
 }
 
-/// The scalar that both become.
+/// The scalar type that both operands convert to.
 fn common(a: Scalar, b: Scalar, version: Version) -> Option<Scalar> {
     let float = Type::Vector(Scalar::Float, 1);
     if a == b {
@@ -95,7 +94,7 @@ fn common(a: Scalar, b: Scalar, version: Version) -> Option<Scalar> {
     }
 }
 
-fn arithmetic(op: BinaryOp, left: &Type, right: &Type, version: Version) -> Option<Typed> {
+fn arithmetic(op: BinaryOp, left: &Type, right: &Type, version: Version) -> Option<BinaryTypes> {
     let scalar = common(left.scalar()?, right.scalar()?, version)?;
     if scalar == Scalar::Bool {
         return None;
@@ -112,7 +111,7 @@ fn arithmetic(op: BinaryOp, left: &Type, right: &Type, version: Version) -> Opti
     } else {
         return None;
     };
-    Some(Typed { left, right, result })
+    Some(BinaryTypes { left, right, result })
 }
 
 /// The type of a product of a matrix with a matrix or a vector.

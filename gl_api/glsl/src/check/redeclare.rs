@@ -1,25 +1,25 @@
-//! Second declarations: arrays that get their size, and variables of the language with a size,
-//! words about interpolation or a layout (GLSL 1.30 sections 4.1.9, 4.3.7, 7.1 and 7.6).
+//! Redeclarations: arrays that get a size, and built-in variables with a size, an interpolation
+//! qualifier or a layout (GLSL 1.30 sections 4.1.9, 4.3.7, 7.1 and 7.6).
 
 use super::Checker;
 use super::scope::Symbol;
 use crate::ast;
-use crate::builtins::variables::{self, Builtin};
-use crate::diagnostics::Diagnostic;
-use crate::hir::{Passing, Storage, VarRef, Variable};
+use crate::builtins::variable::Builtin;
+use crate::hir::{InterfaceQualifiers, Storage, VarRef, Variable};
+use crate::language::stage_name;
 use crate::limits::MAX_CLIP_DISTANCES;
+use crate::text::diagnostics::Diagnostic;
 use crate::types::Type;
-use crate::version::stage_name;
 use rasterizer::ir::Stage;
 
 impl Checker<'_> {
-    /// A redeclaration of a variable of the language; false if the name is none of those.
+    /// Checks the redeclaration of a built-in variable; false if the name is not built in.
     pub(super) fn redeclares_builtin(
         &mut self,
         declared: &ast::Declarator,
         ty: &Type,
         storage: Storage,
-        passing: Passing,
+        interface_qualifiers: InterfaceQualifiers,
     ) -> bool {
         let name = &declared.name;
         if !name.text.starts_with("gl_") {
@@ -32,10 +32,10 @@ impl Checker<'_> {
         let Some(var) = known.or_else(|| self.builtin_variable(&name.text)) else { return false };
         let variable = self.variable(var);
         let Storage::Builtin(builtin) = variable.storage else { return false };
-        let (known, indexed) = (variable.ty.clone(), variable.indexed);
+        let (known, min_len) = (variable.ty.clone(), variable.min_len);
         let fits = if let (Type::Array(a, limit), Type::Array(b, len)) = (&known, ty) {
             let limit = limit.unwrap_or(MAX_CLIP_DISTANCES.into());
-            a == b && len.is_none_or(|len| (indexed..=limit).contains(&len))
+            a == b && len.is_none_or(|len| (min_len..=limit).contains(&len))
         } else {
             known == *ty
         };
@@ -43,11 +43,11 @@ impl Checker<'_> {
             Stage::Vertex => matches!(storage, Storage::Output(_)),
             Stage::Fragment => matches!(storage, Storage::Input(_)),
         };
-        let used = variable.named > 0;
+        let used = variable.references > 0;
         if *ty == Type::Error {
             return true;
         }
-        if !variables::is_redeclarable(builtin) {
+        if !builtin.is_redeclarable() {
             let message = format!("`{}` is part of the language", name.text);
             let problem = Diagnostic::error(name.span, message).rule(self.rule("3.7"));
             self.log.push(problem.help("leave the declaration out"));
@@ -62,15 +62,17 @@ impl Checker<'_> {
             self.log.push(Diagnostic::error(name.span, message).rule(self.rule("7.6")));
         } else {
             if builtin != Builtin::FragCoord {
-                self.check_layout(name, passing);
+                self.check_layout(name, interface_qualifiers);
             } else if used {
                 let message = "`gl_FragCoord` is used before it is redeclared";
                 let rule = "ARB_fragment_coord_conventions";
                 self.log.push(Diagnostic::error(name.span, message).rule(rule));
             }
             let variable = self.variable_mut(var);
-            let invariant = variable.passing.invariant || passing.invariant;
-            variable.passing = Passing { invariant, ..passing };
+            let invariant =
+                variable.interface_qualifiers.invariant || interface_qualifiers.invariant;
+            variable.interface_qualifiers =
+                InterfaceQualifiers { invariant, ..interface_qualifiers };
             if matches!(ty, Type::Array(_, Some(_))) {
                 variable.ty = ty.clone();
             }
@@ -78,16 +80,20 @@ impl Checker<'_> {
         true
     }
 
-    /// Nothing but `gl_FragCoord` has a layout.
-    pub(super) fn check_layout(&mut self, name: &ast::Name, passing: Passing) {
-        if passing.origin_upper_left || passing.pixel_center_integer {
+    /// Only `gl_FragCoord` has a layout.
+    pub(super) fn check_layout(
+        &mut self,
+        name: &ast::Name,
+        interface_qualifiers: InterfaceQualifiers,
+    ) {
+        if interface_qualifiers.origin_upper_left || interface_qualifiers.pixel_center_integer {
             let message = format!("`{}` has no layout: only gl_FragCoord has one", name.text);
             let rule = "ARB_fragment_coord_conventions";
             self.log.push(Diagnostic::error(name.span, message).rule(rule));
         }
     }
 
-    /// The array without a size that a second declaration gives its size.
+    /// The unsized array that a redeclaration gives a size.
     pub(super) fn completes_array(
         &mut self,
         declared: &ast::Declarator,
@@ -104,8 +110,8 @@ impl Checker<'_> {
         if old != new {
             return None;
         }
-        if *len < variable.indexed {
-            let (last, name) = (variable.indexed - 1, &declared.name);
+        if *len < variable.min_len {
+            let (last, name) = (variable.min_len - 1, &declared.name);
             let message = format!("element {last} of `{}` is used already", name.text);
             self.error(name.span, "4.1.9", message);
         }
@@ -113,21 +119,21 @@ impl Checker<'_> {
         Some(var)
     }
 
-    /// Makes an array without a size at least `len` long.
-    pub(super) fn pick(&mut self, var: VarRef, len: u32) {
+    /// Counts an access with a constant index to an array, which has at least `len` elements.
+    pub(super) fn note_constant_index(&mut self, var: VarRef, len: u32) {
         let variable = self.variable_mut(var);
-        variable.picked += 1;
-        variable.indexed = variable.indexed.max(len);
+        variable.constant_index_references += 1;
+        variable.min_len = variable.min_len.max(len);
     }
 }
 
-/// Gives arrays without a size the one that their largest index needs. The linker makes a global
-/// longer that another shader of the program needs longer.
+/// Gives unsized arrays the size that their largest index needs. The linker enlarges a global if
+/// another shader of the program needs more.
 pub(super) fn settle_arrays(variables: &mut [Variable]) {
     for variable in variables {
         if let Type::Array(element, None) = &variable.ty {
-            variable.ty = Type::Array(element.clone(), Some(variable.indexed.max(1)));
-            variable.implicit = true;
+            variable.ty = Type::Array(element.clone(), Some(variable.min_len.max(1)));
+            variable.implicitly_sized = true;
         }
     }
 }

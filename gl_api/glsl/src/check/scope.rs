@@ -1,32 +1,32 @@
-//! Names: scopes, and what to do about a name that is not declared.
+//! Scopes, and suggestions for names that are not declared.
 
 use super::Checker;
-use crate::builtins::{functions, variables};
-use crate::diagnostics::{Diagnostic, Edit, Suggestion};
+use crate::builtins::{function, variable};
 use crate::hir::{Storage, VarRef};
+use crate::language::{Version, stage_name};
 use crate::limits::MAX_ERRORS;
-use crate::source::Span;
-use crate::spelling::edit_distance;
+use crate::text::diagnostics::{Diagnostic, Edit, Suggestion};
+use crate::text::source::Span;
+use crate::text::spelling::edit_distance;
 use crate::types::Struct;
-use crate::version::{Version, stage_name};
 use rasterizer::ir::Stage;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// What a name means.
+/// The meaning of a name.
 #[derive(Clone, Debug)]
 pub enum Symbol {
     /// A variable.
     Variable(VarRef),
     /// A member of a uniform block, by index.
     Member(VarRef, u32),
-    /// A uniform block, which nothing names but its declaration.
+    /// A uniform block; only its declaration uses the name.
     Block,
     /// A structure.
     Struct(Arc<Struct>),
     /// Functions: see [`Scopes::functions`].
     Functions,
-    /// Nothing: reported, by index into the undeclared names.
+    /// An undeclared name, by index into the list of those.
     Undeclared(usize),
 }
 
@@ -82,17 +82,17 @@ impl Scopes {
         self.open.pop();
     }
 
-    /// What a name means here.
+    /// The meaning of a name here.
     pub fn find(&self, name: &str) -> Option<&Symbol> {
         self.open.iter().rev().find_map(|scope| scope.get(name))
     }
 
-    /// What a name means in the innermost scope.
+    /// The meaning of a name in the innermost scope.
     pub fn find_innermost(&self, name: &str) -> Option<&Symbol> {
         self.open.last().and_then(|scope| scope.get(name))
     }
 
-    /// What a name means in the global scope.
+    /// The meaning of a name in the global scope.
     pub fn find_global(&self, name: &str) -> Option<&Symbol> {
         self.open[0].get(name)
     }
@@ -109,8 +109,7 @@ impl Scopes {
         self.open[0].insert(name, symbol);
     }
 
-    /// Whether a variable of this name, or a block, hides functions here, which may be the
-    /// language's.
+    /// Whether a variable or block of this name hides functions here, built-in functions too.
     pub fn hides_functions(&self, name: &str) -> bool {
         match self.find(name) {
             Some(Symbol::Variable(_) | Symbol::Member(..) | Symbol::Block) => {
@@ -125,15 +124,14 @@ impl Scopes {
         self.functions.get(name).map_or(&[], |all| all)
     }
 
-    /// Whether a structure of this name, whose constructor is a function, would have the name of one
-    /// that no scope shows.
+    /// Whether a structure of this name would collide with a function: its constructor is one.
     pub fn is_function_apart(&self, name: &str) -> bool {
         self.names == FunctionNames::Apart
             && self.open.len() == 1
             && self.functions.contains_key(name)
     }
 
-    /// Adds a function, which may have others of its name beside it.
+    /// Adds a function or an overload.
     pub fn add_function(&mut self, name: Arc<str>, index: u32) {
         self.functions.entry(name.clone()).or_default().push(index);
         if self.names == FunctionNames::Shared {
@@ -148,24 +146,24 @@ impl Scopes {
 
 /// A variable whose name is close to one that is not declared.
 #[derive(Debug)]
-struct Candidate {
+struct NearMiss {
     distance: usize,
     name: Arc<str>,
-    /// The variable and, of a local one, its function; `None` for what the language brings.
+    /// The variable and, if it is local, its function; `None` for a built-in variable.
     declared: Option<(VarRef, Option<usize>)>,
 }
 
-/// A name that is used and not declared.
+/// A name that is used but not declared.
 #[derive(Debug)]
 pub struct Undeclared {
     name: Arc<str>,
-    /// Everywhere it is used.
+    /// All its uses.
     uses: Vec<Span>,
-    candidates: Vec<Candidate>,
+    candidates: Vec<NearMiss>,
 }
 
 impl Checker<'_> {
-    /// Notes the use of a name that is not declared.
+    /// Records the use of an undeclared name.
     pub(super) fn undeclared(&mut self, name: &Arc<str>, span: Span) {
         if let Some(Symbol::Undeclared(index)) = self.scopes.find(name) {
             if let Some(known) = self.undeclared.get_mut(*index) {
@@ -181,7 +179,7 @@ impl Checker<'_> {
                     VarRef::Local(_) => function,
                     VarRef::Global(_) => None,
                 };
-                edit_distance(name, near, limit).map(|distance| Candidate {
+                edit_distance(name, near, limit).map(|distance| NearMiss {
                     distance,
                     name: near.clone(),
                     declared: Some((*var, of)),
@@ -193,10 +191,10 @@ impl Checker<'_> {
             | Symbol::Functions
             | Symbol::Undeclared(_) => None,
         });
-        let mut candidates: Vec<Candidate> = declared.collect();
-        for near in variables::names(self.stage, self.language) {
+        let mut candidates: Vec<NearMiss> = declared.collect();
+        for near in variable::names(self.stage, self.language) {
             if let Some(distance) = edit_distance(name, near, limit) {
-                candidates.push(Candidate { distance, name: near.into(), declared: None });
+                candidates.push(NearMiss { distance, name: near.into(), declared: None });
             }
         }
         candidates.sort_by_key(|candidate| candidate.distance);
@@ -208,7 +206,7 @@ impl Checker<'_> {
         }
     }
 
-    /// Reports the undeclared names, now that it is known which declared ones nobody uses.
+    /// Reports the undeclared names, at the end: only then it is known which variables are unused.
     pub(super) fn report_undeclared(&mut self) {
         for undeclared in std::mem::take(&mut self.undeclared) {
             let Undeclared { name, uses, candidates } = undeclared;
@@ -229,15 +227,15 @@ impl Checker<'_> {
                     (VarRef::Local(_), None) => None,
                 }?;
                 let plain = self.source.slice(variable.span) == &*candidate.name;
-                // The application knows uniforms and attributes by name.
+                // The application refers to uniforms and attributes by name.
                 let own = !matches!(variable.storage, Storage::Uniform | Storage::Attribute);
-                (variable.named == 0 && plain && own)
+                (variable.references == 0 && plain && own)
                     .then_some((variable.span, candidate.name.clone()))
             });
-            let since = variables::since(&name, self.stage);
-            let other = [Stage::Vertex, Stage::Fragment]
-                .into_iter()
-                .find(|stage| *stage != self.stage && variables::since(&name, *stage).is_some());
+            let since = variable::availability(&name, self.stage);
+            let other = [Stage::Vertex, Stage::Fragment].into_iter().find(|stage| {
+                *stage != self.stage && variable::availability(&name, *stage).is_some()
+            });
             if let Some(advice) = since.and_then(|since| self.language.advice(since)) {
                 problem = problem.help(advice);
             } else if let Some(other) = other {
@@ -255,11 +253,11 @@ impl Checker<'_> {
                 let edits = uses.iter().filter(plain).map(edit).collect();
                 let text = format!("did you mean `{near}`?");
                 problem.suggestion = Some(Suggestion { text, edits });
-            } else if let Some(advice) =
-                variables::since(&name, self.stage).and_then(|since| self.language.advice(since))
+            } else if let Some(advice) = variable::availability(&name, self.stage)
+                .and_then(|since| self.language.advice(since))
             {
                 problem = problem.help(advice);
-            } else if functions::find(&name, self.stage, self.language).next().is_some()
+            } else if function::find(&name, self.stage, self.language).next().is_some()
                 || !self.scopes.functions(&name).is_empty()
             {
                 problem = problem.note(format!("`{name}` is a function: it is called with `()`"));

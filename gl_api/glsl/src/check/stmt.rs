@@ -3,12 +3,11 @@
 use super::Checker;
 use super::operators::converts;
 use super::scope::Symbol;
-use crate::Scalar;
 use crate::ast::{self, Qualifier, StmtKind};
-use crate::diagnostics::Diagnostic;
 use crate::hir::{Case, Expr, Loop, Stmt, Storage, VarRef};
-use crate::source::Span;
-use crate::types::{BOOL, Type};
+use crate::text::diagnostics::Diagnostic;
+use crate::text::source::Span;
+use crate::types::{BOOL, Scalar, Type};
 use rasterizer::ir::Stage;
 use std::collections::BTreeSet;
 
@@ -66,8 +65,14 @@ impl Checker<'_> {
             StmtKind::DoWhile(body, condition) => {
                 let body = self.loop_body(|checker| checker.branch(body));
                 let after = Some(self.condition(condition));
-                let turn = Loop { declare: None, before: None, body, step: None, after };
-                all.push(Stmt::Loop(Box::new(turn)));
+                let looped = Loop {
+                    declare: None,
+                    condition_before: None,
+                    body,
+                    step: None,
+                    condition_after: after,
+                };
+                all.push(Stmt::Loop(Box::new(looped)));
             }
             StmtKind::Switch(selector, body) => self.switch(selector, body, all),
             StmtKind::Case(_) | StmtKind::Default => {
@@ -116,7 +121,7 @@ impl Checker<'_> {
         checked
     }
 
-    /// A statement that is a block of its own.
+    /// A statement in a scope of its own.
     fn branch(&mut self, statement: &ast::Stmt) -> Vec<Stmt> {
         self.scoped(|checker| checker.unscoped(statement))
     }
@@ -131,7 +136,7 @@ impl Checker<'_> {
         all
     }
 
-    /// What a loop repeats. `for` and `while` have one scope for their head and it (section 6.3).
+    /// The body of a loop. In `for` and `while` it shares one scope with the head (section 6.3).
     fn loop_body(&mut self, check: impl FnOnce(&mut Self) -> Vec<Stmt>) -> Vec<Stmt> {
         self.nest(1);
         let body = check(self);
@@ -160,7 +165,13 @@ impl Checker<'_> {
         };
         let step = step.map(|step| self.expr(step));
         let body = self.loop_body(|checker| checker.unscoped(body));
-        all.push(Stmt::Loop(Box::new(Loop { declare, before, body, step, after: None })));
+        all.push(Stmt::Loop(Box::new(Loop {
+            declare,
+            condition_before: before,
+            body,
+            step,
+            condition_after: None,
+        })));
     }
 
     /// `bool name = value` as the condition of a loop.
@@ -172,7 +183,7 @@ impl Checker<'_> {
         self.local_declaration(declaration, &mut declared);
         if let Some(Stmt::Declare(local, Some(value))) = declared.pop() {
             let value = self.boolean(value);
-            // Written anew in each turn.
+            // Each iteration writes it.
             self.variable_mut(VarRef::Local(local)).written = true;
             return (Some(local), Some(value));
         }
@@ -217,7 +228,7 @@ impl Checker<'_> {
             let ty = self.sized_by(ty, init.as_ref(), declared.name.span);
             if let Some(var) = self.completes_array(declared, &ty) {
                 if let (Some(init), VarRef::Local(local)) = (init, var) {
-                    let init = self.converted(init, &ty, "initialize with");
+                    let init = self.implicit_conversion(init, &ty, "initialize with");
                     all.push(Stmt::Declare(local, Some(init)));
                 }
                 continue;
@@ -259,10 +270,10 @@ impl Checker<'_> {
         all.push(Stmt::Return(value));
     }
 
-    /// What a function returns, which is not converted.
+    /// The value of a `return`, which is not converted.
     fn returned(&mut self, value: Expr, ty: &Type) -> Expr {
         if value.ty == *ty || !converts(&value.ty, ty, self.version) {
-            return self.converted(value, ty, "return");
+            return self.implicit_conversion(value, ty, "return");
         }
         let message = format!("cannot return {} where {ty} is needed", value.ty);
         let text = self.source.slice(value.span);
@@ -286,7 +297,7 @@ impl Checker<'_> {
         }
         self.scopes.open();
         let mut cases: Vec<Case> = Vec::new();
-        let mut seen = Labels::default();
+        let mut seen = SeenLabels::default();
         for statement in body {
             let label = match &statement.kind {
                 StmtKind::Case(label) => self.case_label(label, &selector, &mut seen),
@@ -294,7 +305,7 @@ impl Checker<'_> {
                     if std::mem::replace(&mut seen.default, true) {
                         self.error(statement.span, "6.2", "a second `default`");
                     }
-                    Some(Label::Default)
+                    Some(CaseLabel::Default)
                 }
                 StmtKind::Empty
                 | StmtKind::Precision(_)
@@ -332,9 +343,9 @@ impl Checker<'_> {
             }
             if let Some(case) = cases.last_mut() {
                 match label {
-                    Label::Value(value) => case.labels.push(value),
-                    Label::Default => case.default = true,
-                    Label::Wrong => {}
+                    CaseLabel::Value(value) => case.labels.push(value),
+                    CaseLabel::Default => case.default = true,
+                    CaseLabel::Wrong => {}
                 }
             }
         }
@@ -354,17 +365,17 @@ impl Checker<'_> {
         all.push(Stmt::Switch(selector, cases));
     }
 
-    /// The value of a `case`, which no other has.
+    /// The value of a `case`, which must be unique.
     fn case_label(
         &mut self,
         label: &ast::Expr,
         selector: &Expr,
-        seen: &mut Labels,
-    ) -> Option<Label> {
+        seen: &mut SeenLabels,
+    ) -> Option<CaseLabel> {
         let label = self.expr(label);
         let value = self.evaluate(&label).filter(|_| label.ty == selector.ty);
         match value {
-            Some(value) if seen.values.insert(value[0]) => return Some(Label::Value(value[0])),
+            Some(value) if seen.values.insert(value[0]) => return Some(CaseLabel::Value(value[0])),
             Some(_) => {
                 let problem = Diagnostic::error(label.span, "a second `case` with this value");
                 self.log.push(problem.rule(self.rule("6.2")));
@@ -375,24 +386,24 @@ impl Checker<'_> {
                 self.log.push(Diagnostic::error(label.span, message).rule(self.rule("6.2")));
             }
         }
-        Some(Label::Wrong)
+        Some(CaseLabel::Wrong)
     }
 }
 
-/// Where a `switch` jumps to.
+/// A label of a `switch`.
 #[derive(Clone, Copy)]
-enum Label {
-    /// `case`, with its word.
+enum CaseLabel {
+    /// `case` with its value.
     Value(u32),
     /// `default`.
     Default,
-    /// A `case` that is reported.
+    /// A `case` with an error.
     Wrong,
 }
 
 /// The labels of a `switch` so far.
 #[derive(Default)]
-struct Labels {
+struct SeenLabels {
     values: BTreeSet<u32>,
     default: bool,
 }

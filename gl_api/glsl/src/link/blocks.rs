@@ -1,15 +1,15 @@
-//! The uniform blocks of a program: which there are, their words, and where their members lie
-//! (ARB_uniform_buffer_object, sections 2.15.3.1 and 4.3.5.1).
+//! The uniform blocks of a program: the active blocks, their words, and the offsets of their
+//! members (ARB_uniform_buffer_object, sections 2.15.3.1 and 4.3.5.1).
 
-use super::{StageUnits, std140};
-use crate::diagnostics::{Diagnostic, Log};
-use crate::hir::{Block, Packing, Storage, Variable};
-use crate::limits::MAX_UNIFORM_WORDS;
-use crate::limits::{MAX_UNIFORM_BLOCK_SIZE, MAX_UNIFORM_BLOCKS};
+use super::stage::StageUnits;
+use super::std140;
+use crate::hir::{Block, BlockPacking, Storage, Variable};
+use crate::language::stage_name;
+use crate::limits::{MAX_UNIFORM_BLOCK_SIZE, MAX_UNIFORM_BLOCKS, MAX_UNIFORM_WORDS};
 use crate::lower::Words;
-use crate::types::Type;
-use crate::version::stage_name;
-use crate::{MatrixOrder, Member, UniformBlock};
+use crate::program::{Member, UniformBlock};
+use crate::text::diagnostics::{Diagnostic, Log};
+use crate::types::{MatrixOrder, Type};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -18,7 +18,7 @@ const RULE: &str = "ARB_uniform_buffer_object, section 2.15.3.1";
 /// The uniform blocks of a program.
 #[derive(Default)]
 pub struct Blocks {
-    /// What GL lists.
+    /// The blocks, as GL lists them.
     pub list: Vec<UniformBlock>,
     /// Their members, block after block.
     pub members: Vec<Member>,
@@ -26,7 +26,7 @@ pub struct Blocks {
     pub words: BTreeMap<Arc<str>, u32>,
 }
 
-/// The blocks that are active: all but those that are `packed` and not named.
+/// The active blocks: all but those that are `packed` and not referenced.
 pub fn blocks(stages: &[&StageUnits<'_>], words: &mut Words, log: &mut Log) -> Blocks {
     let mut blocks = Blocks::default();
     for (variable, block) in declared(stages, log) {
@@ -34,7 +34,7 @@ pub fn blocks(stages: &[&StageUnits<'_>], words: &mut Words, log: &mut Log) -> B
             stage.used.iter().any(|used| used.block.is_some() && used.name == variable.name)
         };
         let readers: Vec<_> = stages.iter().filter(named).map(|stage| stage.stage).collect();
-        if block.packing == Packing::Packed && readers.is_empty() {
+        if block.packing == BlockPacking::Packed && readers.is_empty() {
             continue;
         }
         let index = blocks.list.len() as u32;
@@ -42,7 +42,7 @@ pub fn blocks(stages: &[&StageUnits<'_>], words: &mut Words, log: &mut Log) -> B
         let Type::Struct(structure) = &variable.ty else { continue };
         let (mut end, mut word) = (0, 0);
         for ((name, ty), &order) in structure.fields.iter().zip(&block.orders) {
-            let offset = std140::place(end, ty);
+            let offset = std140::aligned_offset(end, ty);
             end = offset.saturating_add(std140::size(ty, order));
             if end > MAX_UNIFORM_BLOCK_SIZE {
                 break;
@@ -93,8 +93,8 @@ pub fn blocks(stages: &[&StageUnits<'_>], words: &mut Words, log: &mut Log) -> B
     blocks
 }
 
-/// Every block that a shader declares, once. All shaders declare it alike, and what its members are
-/// named is theirs alone.
+/// Every block that a shader declares, once. The shaders must declare it alike; a member name must
+/// belong to one block only.
 fn declared<'a>(stages: &[&StageUnits<'a>], log: &mut Log) -> Vec<(&'a Variable, &'a Block)> {
     let mut known: Vec<(&Variable, &Block)> = Vec::new();
     let mut names: BTreeMap<&str, usize> = BTreeMap::new();
@@ -139,7 +139,7 @@ fn declared<'a>(stages: &[&StageUnits<'a>], log: &mut Log) -> Vec<(&'a Variable,
     known
 }
 
-/// A member on its way to what GL lists.
+/// Lists the members of one block.
 struct Layout<'a> {
     block: u32,
     order: MatrixOrder,
@@ -147,13 +147,13 @@ struct Layout<'a> {
 }
 
 impl Layout<'_> {
-    /// Takes a part apart, which begins at this byte and this word.
+    /// Adds the leaves of a member that begins at this byte and this word.
     fn add(&mut self, name: &str, ty: &Type, offset: u32, word: u32) {
         match ty {
             Type::Struct(structure) => {
                 let (mut end, mut word) = (offset, word);
                 for (field, ty) in &structure.fields {
-                    let offset = std140::place(end, ty);
+                    let offset = std140::aligned_offset(end, ty);
                     self.add(&format!("{name}.{field}"), ty, offset, word);
                     end = offset + std140::size(ty, self.order);
                     word += ty.scalars();

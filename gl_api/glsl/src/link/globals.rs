@@ -1,16 +1,16 @@
 //! Globals that several shaders of a program declare: one size of each array, one type, one value
 //! (GLSL 1.30 sections 4.1.9 and 4.3).
 
-use crate::diagnostics::{Diagnostic, Log};
 use crate::hir::{Expr, Storage, Unit, Variable};
+use crate::language::stage_name;
 use crate::limits::MAX_SCALARS;
 use crate::lower;
+use crate::text::diagnostics::{Diagnostic, Log};
 use crate::types::Type;
-use crate::version::stage_name;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// Whether a variable is one in the whole program, and not one in each stage.
+/// Whether a variable is shared by all stages, and not one in each stage.
 fn is_shared(variable: &Variable) -> bool {
     match variable.storage {
         Storage::Uniform | Storage::Output(_) | Storage::Input(_) => true,
@@ -26,11 +26,11 @@ fn is_shared(variable: &Variable) -> bool {
 /// A variable by its name, and its stage unless both stages share it.
 type Key<'a> = (Arc<str>, Option<&'a str>);
 
-/// The units, with arrays that have no size but their largest index as long as the declaration of
-/// another shader says, or as any of them needs.
-pub fn settled(units: impl Iterator<Item = Arc<Unit>>) -> Vec<Arc<Unit>> {
+/// The units, with implicitly sized arrays as long as the declaration of another shader says, or
+/// else as the largest index in any of them needs.
+pub fn unify_globals(units: impl Iterator<Item = Arc<Unit>>) -> Vec<Arc<Unit>> {
     let mut units: Vec<Arc<Unit>> = units.collect();
-    // Of each name, in both stages or in one: the longest size, and the one that is declared.
+    // Per key: the largest implicit size, and the declared size.
     let mut sizes: BTreeMap<Key<'_>, (u32, Option<u32>)> = BTreeMap::new();
     let key = |unit: &Unit, variable: &Variable| {
         (variable.name.clone(), (!is_shared(variable)).then(|| stage_name(unit.stage)))
@@ -41,7 +41,7 @@ pub fn settled(units: impl Iterator<Item = Arc<Unit>>) -> Vec<Arc<Unit>> {
             let Type::Array(_, Some(len)) = variable.ty else { continue };
             let (longest, declared) = sizes.entry(key(unit, variable)).or_default();
             *longest = len.max(*longest);
-            if variable.implicit {
+            if variable.implicitly_sized {
                 implicit.push((index, global, len));
             } else {
                 *declared = Some(len);
@@ -52,7 +52,7 @@ pub fn settled(units: impl Iterator<Item = Arc<Unit>>) -> Vec<Arc<Unit>> {
     for (unit, global, len) in implicit {
         let known = sizes.get(&key(&units[unit], &units[unit].globals[global]));
         let Some((longest, declared)) = known else { continue };
-        lengths.push((unit, global, declared.filter(|said| *said >= len).unwrap_or(*longest)));
+        lengths.push((unit, global, declared.filter(|size| *size >= len).unwrap_or(*longest)));
     }
     for (unit, global, len) in lengths {
         let variable = &mut Arc::make_mut(&mut units[unit]).globals[global];
@@ -65,7 +65,7 @@ pub fn settled(units: impl Iterator<Item = Arc<Unit>>) -> Vec<Arc<Unit>> {
     units
 }
 
-/// Globals of the same name in several shaders of a stage are the same.
+/// Globals of the same name in several shaders of a stage must be declared alike.
 pub fn same_globals(units: &[&Unit], stage: &str, log: &mut Log) {
     let mut known: BTreeMap<&str, (&Unit, &Variable)> = BTreeMap::new();
     for (unit, variable) in
@@ -79,11 +79,12 @@ pub fn same_globals(units: &[&Unit], stage: &str, log: &mut Log) {
         let (home, other) = *entry;
         let message = if other.ty != variable.ty || other.storage != variable.storage {
             format!("is {} in one {stage} shader and {} in another", other.ty, variable.ty)
-        } else if other.passing.invariant != variable.passing.invariant {
+        } else if other.interface_qualifiers.invariant != variable.interface_qualifiers.invariant {
             format!("is invariant in one {stage} shader only")
-        } else if other.passing.centroid != variable.passing.centroid {
+        } else if other.interface_qualifiers.centroid != variable.interface_qualifiers.centroid {
             format!("is centroid in one {stage} shader only")
-        } else if let (Some(a), Some(b)) = (other.passing.location, variable.passing.location)
+        } else if let (Some(a), Some(b)) =
+            (other.interface_qualifiers.location, variable.interface_qualifiers.location)
             && a != b
         {
             format!("has location {a} in one {stage} shader and {b} in another")
@@ -94,7 +95,7 @@ pub fn same_globals(units: &[&Unit], stage: &str, log: &mut Log) {
         {
             format!("has two initial values in the {stage} shaders")
         } else {
-            if other.init.is_none() && other.passing.location.is_none() {
+            if other.init.is_none() && other.interface_qualifiers.location.is_none() {
                 *entry = (unit, variable);
             }
             continue;
@@ -104,7 +105,7 @@ pub fn same_globals(units: &[&Unit], stage: &str, log: &mut Log) {
     }
 }
 
-/// Whether two initializers give one value. Several shaders can only give what is constant
+/// Whether two initializers give one value. Of several shaders, only constant initializers can
 /// (GLSL 1.30 section 4.3).
 fn same_value((home, a): (&Unit, &Expr), (away, b): (&Unit, &Expr)) -> bool {
     if a.has_effects() || b.has_effects() {

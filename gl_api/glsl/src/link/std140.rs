@@ -1,10 +1,9 @@
-//! Where the members of a uniform block lie in its buffer: ARB_uniform_buffer_object, section
-//! 2.15.3.1.2. All layouts are this one.
+//! Offsets of the members of a uniform block: ARB_uniform_buffer_object, section 2.15.3.1.2. Every
+//! layout is laid out like this.
 
-use crate::MatrixOrder;
-use crate::types::Type;
+use crate::types::{MatrixOrder, Type};
 
-/// The base alignment of a `vec4`, to which that of everything but short vectors is rounded up.
+/// The base alignment of a `vec4`, to which all but short vectors are rounded up.
 const VEC4: u32 = 16;
 
 /// The base alignment of a type, in bytes (rules 1 to 10).
@@ -32,10 +31,9 @@ pub fn size(ty: &Type, order: MatrixOrder) -> u32 {
         },
         Type::Array(element, len) => stride(element, order).saturating_mul(len.unwrap_or(0)),
         Type::Struct(structure) => {
-            let end = structure
-                .fields
-                .iter()
-                .fold(0, |end, (_, field)| place(end, field).saturating_add(size(field, order)));
+            let end = structure.fields.iter().fold(0, |end, (_, field)| {
+                aligned_offset(end, field).saturating_add(size(field, order))
+            });
             padded(end)
         }
         Type::Sampler(_) | Type::Void | Type::Error => 0,
@@ -52,8 +50,8 @@ pub fn matrix_stride(ty: &Type) -> u32 {
     if matches!(ty, Type::Matrix(..)) { VEC4 } else { 0 }
 }
 
-/// Where a member lies that comes after so many bytes.
-pub fn place(end: u32, ty: &Type) -> u32 {
+/// The offset of a member after `end` bytes: `end`, rounded up to the base alignment of its type.
+pub fn aligned_offset(end: u32, ty: &Type) -> u32 {
     end.checked_next_multiple_of(alignment(ty)).unwrap_or(u32::MAX)
 }
 

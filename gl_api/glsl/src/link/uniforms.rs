@@ -1,30 +1,30 @@
-//! The uniforms of a program: which there are, their words, locations and initial values
-//! (GLSL 1.30 section 4.3.5).
+//! The uniforms of a program: the active uniforms, their words, locations and initial values (GLSL
+//! 1.30 section 4.3.5).
 
-use super::StageUnits;
-use crate::builtins::variables::Builtin;
-use crate::diagnostics::{Diagnostic, Log};
+use super::stage::StageUnits;
+use crate::builtins::variable::Builtin;
 use crate::hir::{Storage, Variable};
 use crate::limits::MAX_UNIFORM_WORDS;
 use crate::lower::{self, Words};
+use crate::program::{BuiltinUniform, Uniform};
+use crate::text::diagnostics::{Diagnostic, Log};
 use crate::types::Type;
-use crate::{BuiltinUniform, Uniform};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// The uniforms of a program.
 pub struct Uniforms {
-    /// What GL lists.
+    /// The uniforms, as GL lists them.
     pub list: Vec<Uniform>,
     /// The first word of each variable.
     pub words: BTreeMap<Arc<str>, u32>,
 }
 
-/// The uniforms that the stages name. One with an initializer counts even if nothing names it here:
-/// any shader of the program may bring the value (GLSL 1.30 section 4.3.5).
+/// The uniforms that the stages reference. One with an initializer counts even if this shader does
+/// not reference it: any shader of the program may have the initializer (GLSL 1.30 section 4.3.5).
 pub fn uniforms(
     stages: &[&StageUnits<'_>],
-    reaches: &Reaches<'_>,
+    used_elements: &UsedElements<'_>,
     words: &mut Words,
     log: &mut Log,
 ) -> Uniforms {
@@ -41,7 +41,7 @@ pub fn uniforms(
             all.push((variable, initial(variable)));
         }
     }
-    // Of each name, the first declaration.
+    // The first declaration of each name.
     let mut first: BTreeMap<&str, usize> = BTreeMap::new();
     let every: Vec<&Variable> = declared().filter(is_uniform).collect();
     for (at, variable) in every.iter().enumerate() {
@@ -75,7 +75,7 @@ pub fn uniforms(
         }
         uniforms.words.insert(variable.name.clone(), words.next);
         let mut leaves = Vec::new();
-        add_leaves(&variable.name, &variable.ty, reaches.get(variable), 0, &mut leaves);
+        add_leaves(&variable.name, &variable.ty, used_elements.get(variable), 0, &mut leaves);
         for Leaf { name, ty, array, at, scalars } in leaves {
             let Some(data_type) = ty.data_type() else {
                 let message = format!("uniform `{name}`: {ty} is not supported by DetGL yet");
@@ -97,8 +97,11 @@ fn initial(variable: &Variable) -> Vec<u32> {
     words.unwrap_or_else(|| vec![0; variable.ty.scalars() as usize])
 }
 
-/// The built-in uniforms that the stages name.
-pub fn builtins(stages: &[&StageUnits<'_>], reaches: &Reaches<'_>) -> Vec<BuiltinUniform> {
+/// The built-in uniforms that the stages reference.
+pub fn builtins(
+    stages: &[&StageUnits<'_>],
+    used_elements: &UsedElements<'_>,
+) -> Vec<BuiltinUniform> {
     let is_state =
         |storage| matches!(storage, Storage::Builtin(Builtin::State(_) | Builtin::States(_)));
     let mut named: Vec<&Variable> = Vec::new();
@@ -109,7 +112,7 @@ pub fn builtins(stages: &[&StageUnits<'_>], reaches: &Reaches<'_>) -> Vec<Builti
     }
     let mut leaves = Vec::new();
     for variable in named {
-        add_leaves(&variable.name, &variable.ty, reaches.get(variable), 0, &mut leaves);
+        add_leaves(&variable.name, &variable.ty, used_elements.get(variable), 0, &mut leaves);
     }
     let listed = |leaf: Leaf<'_>| {
         let ty = leaf.ty.data_type()?;
@@ -118,32 +121,32 @@ pub fn builtins(stages: &[&StageUnits<'_>], reaches: &Reaches<'_>) -> Vec<Builti
     leaves.into_iter().filter_map(listed).collect()
 }
 
-/// A part of a variable that GL lists: no structure.
+/// A leaf of a variable, as GL lists it: no structure.
 struct Leaf<'a> {
     name: String,
     /// Its type, or that of its elements.
     ty: &'a Type,
     array: Option<u32>,
-    /// The scalars of the variable before it, and its own.
+    /// Its first scalar in the variable, and how many scalars it has.
     at: usize,
     scalars: usize,
 }
 
-/// How many elements the shaders of a program name of each array that any of them names, by its name.
-pub struct Reaches<'a>(BTreeMap<&'a str, u32>);
+/// By the name of an array: how many of its elements the shaders of a program reference.
+pub struct UsedElements<'a>(BTreeMap<&'a str, u32>);
 
-impl<'a> Reaches<'a> {
-    /// Of all arrays that the stages declare.
+impl<'a> UsedElements<'a> {
+    /// Counts the elements of all arrays that the stages declare.
     pub fn of(stages: &[&StageUnits<'a>]) -> Self {
-        let mut reaches = BTreeMap::new();
+        let mut used_elements = BTreeMap::new();
         for variable in stages.iter().flat_map(|stage| stage.declared()) {
-            if variable.named > 0 && matches!(variable.ty, Type::Array(..)) {
-                let all = variable.reach().unwrap_or(u32::MAX);
-                let most = reaches.entry(&*variable.name).or_insert(all);
+            if variable.references > 0 && matches!(variable.ty, Type::Array(..)) {
+                let all = variable.used_elements().unwrap_or(u32::MAX);
+                let most = used_elements.entry(&*variable.name).or_insert(all);
                 *most = all.max(*most);
             }
         }
-        Self(reaches)
+        Self(used_elements)
     }
 
     fn get(&self, variable: &Variable) -> u32 {
@@ -151,7 +154,7 @@ impl<'a> Reaches<'a> {
     }
 }
 
-/// Takes a variable apart into what GL lists; of an array, so many elements at most.
+/// Adds the leaves of a variable; at most `used` elements of its outermost array.
 fn add_leaves<'a>(name: &str, ty: &'a Type, reach: u32, at: usize, leaves: &mut Vec<Leaf<'a>>) {
     let (element, array) = match ty {
         Type::Array(element, len) => (&**element, len.map(|len| len.min(reach))),

@@ -1,25 +1,25 @@
-//! What passes from the vertex to the fragment stage (GLSL 1.30 sections 4.3.6 and 4.3.7).
+//! Varyings: from the vertex to the fragment stage (GLSL 1.30 sections 4.3.6 and 4.3.7).
 
-use super::{Locations, StageUnits};
-use crate::diagnostics::{Diagnostic, Log};
+use super::stage::{BindingMap, StageUnits};
 use crate::hir::{Storage, Variable};
 use crate::interface::VARYING_USER;
+use crate::language::Version;
 use crate::limits::MAX_VARYING_FLOATS;
 use crate::lower::{Binding, varying_slots};
-use crate::version::Version;
+use crate::text::diagnostics::{Diagnostic, Log};
 use rasterizer::ir::Interpolation;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Matches what the vertex stage writes with what the fragment stage reads; gives the first slot that
-/// is free.
+/// Matches the outputs of the vertex stage with the inputs of the fragment stage; gives the first
+/// free slot.
 pub fn varyings(
     vertex: Option<&StageUnits<'_>>,
     fragment: Option<&StageUnits<'_>>,
-    in_vertex: &mut Locations,
-    in_fragment: &mut Locations,
+    in_vertex: &mut BindingMap,
+    in_fragment: &mut BindingMap,
     log: &mut Log,
 ) -> u16 {
-    // Of each name, what the vertex stage declares, and whether it writes it.
+    // By name: the declaration of the vertex stage, and whether the stage writes it.
     let mut outputs: Vec<(&Variable, bool)> = Vec::new();
     let mut named: BTreeMap<&str, usize> = BTreeMap::new();
     for variable in vertex.iter().flat_map(|stage| stage.declared()) {
@@ -34,7 +34,7 @@ pub fn varyings(
     }
     let (mut next, mut scalars) = (VARYING_USER, 0u32);
     let (Some(vertex), Some(fragment)) = (vertex, fragment) else {
-        // The fixed function writes no varying of the program's: it is undefined, here zero.
+        // A fixed-function vertex stage writes no user varying: it is undefined, here zero.
         for input in fragment.iter().flat_map(|fragment| fragment.with(is_input)) {
             in_fragment.insert(input.name.clone(), Binding::Varying(None));
         }
@@ -76,7 +76,7 @@ pub fn varyings(
 }
 
 /// The slots of the varyings that the fragment stage reads: first, how many, name.
-pub fn slots(fragment: Option<&StageUnits<'_>>, locations: &Locations) -> Vec<(u16, u16, String)> {
+pub fn slots(fragment: Option<&StageUnits<'_>>, locations: &BindingMap) -> Vec<(u16, u16, String)> {
     let inputs = fragment.iter().flat_map(|stage| stage.with(|s| matches!(s, Storage::Input(_))));
     inputs
         .filter_map(|input| match locations.get(&input.name) {
@@ -98,13 +98,14 @@ fn check_alike(output: &Variable, input: &Variable, vertex: &StageUnits<'_>, log
         (output.ty.to_string(), input.ty.to_string(), "GLSL 1.30 section 4.3.6")
     } else if let Some((a, b)) = mismatch(output, input) {
         (a.to_owned(), b.to_owned(), "GLSL 1.30 section 4.3.7")
-    } else if output.passing.invariant != input.passing.invariant
+    } else if output.interface_qualifiers.invariant != input.interface_qualifiers.invariant
         && !vertex.units.iter().any(|unit| unit.all_invariant)
     {
-        let [a, b] = [output, input].map(|variable| match variable.passing.invariant {
-            true => "invariant".to_owned(),
-            false => "not invariant".to_owned(),
-        });
+        let [a, b] =
+            [output, input].map(|variable| match variable.interface_qualifiers.invariant {
+                true => "invariant".to_owned(),
+                false => "not invariant".to_owned(),
+            });
         (a, b, "GLSL 1.20 section 4.6.1")
     } else {
         return;
@@ -114,7 +115,7 @@ fn check_alike(output: &Variable, input: &Variable, vertex: &StageUnits<'_>, log
     log.push(Diagnostic::link_error(message).rule(rule));
 }
 
-/// The words about its passing that two declarations of a varying differ in.
+/// The qualifiers in which two declarations of a varying differ.
 fn mismatch(output: &Variable, input: &Variable) -> Option<(&'static str, &'static str)> {
     if let (Storage::Output(a), Storage::Input(b)) = (output.storage, input.storage)
         && a != b
@@ -122,7 +123,7 @@ fn mismatch(output: &Variable, input: &Variable) -> Option<(&'static str, &'stat
         return Some((word(a), word(b)));
     }
     let words = |one: bool, word, without| if one { word } else { without };
-    let (a, b) = (output.passing, input.passing);
+    let (a, b) = (output.interface_qualifiers, input.interface_qualifiers);
     if a.centroid != b.centroid {
         let of = |centroid| words(centroid, "centroid", "not centroid");
         return Some((of(a.centroid), of(b.centroid)));
@@ -130,7 +131,7 @@ fn mismatch(output: &Variable, input: &Variable) -> Option<(&'static str, &'stat
     None
 }
 
-/// How an interpolation is written.
+/// The keyword of an interpolation.
 fn word(interpolation: Interpolation) -> &'static str {
     match interpolation {
         Interpolation::Smooth => "smooth",
@@ -139,14 +140,14 @@ fn word(interpolation: Interpolation) -> &'static str {
     }
 }
 
-/// What the fragment stage reads of a colour and what the vertex stage writes of it.
+/// The inputs of the fragment stage for a colour, and the outputs of the vertex stage.
 const COLORS: [[&str; 3]; 2] = [
     ["gl_Color", "gl_FrontColor", "gl_BackColor"],
     ["gl_SecondaryColor", "gl_FrontSecondaryColor", "gl_BackSecondaryColor"],
 ];
 
-/// The interpolation of the colour and the secondary colour, where the shaders say it: all of a
-/// colour that they use say the same (GLSL 1.30 section 4.3.7).
+/// The interpolation of the colour and the secondary colour, if a shader declares it: all of the
+/// built-in variables of one colour must agree (GLSL 1.30 section 4.3.7).
 pub fn colors(
     vertex: Option<&StageUnits<'_>>,
     fragment: Option<&StageUnits<'_>>,
@@ -156,7 +157,7 @@ pub fn colors(
         let used = |stage: Option<&StageUnits<'_>>, name: &str| {
             stage.and_then(|stage| {
                 let found = stage.used.iter().find(|variable| *variable.name == *name);
-                found.map(|variable| variable.passing.interpolation)
+                found.map(|variable| variable.interface_qualifiers.interpolation)
             })
         };
         let [input, front, back] = names;
@@ -165,10 +166,12 @@ pub fn colors(
             (front, used(vertex, front)),
             (back, used(vertex, back)),
         ];
-        let mut said = all.into_iter().filter_map(|(name, said)| said.map(|said| (name, said)));
-        let (first, interpolation) = said.next()?;
-        if let Some((other, different)) = said.find(|(_, other)| *other != interpolation) {
-            let text = |said: Option<Interpolation>| said.map_or("not qualified", word);
+        let mut declared = all
+            .into_iter()
+            .filter_map(|(name, declared)| declared.map(|declared| (name, declared)));
+        let (first, interpolation) = declared.next()?;
+        if let Some((other, different)) = declared.find(|(_, other)| *other != interpolation) {
+            let text = |declared: Option<Interpolation>| declared.map_or("not qualified", word);
             let message = format!(
                 "`{first}` is {} and `{other}` is {}",
                 text(interpolation),

@@ -1,104 +1,105 @@
-//! Calls, inlined.
+//! Inlining of calls.
 
+use super::access_chain::{AccessChain, VarStorage};
 use super::expr::not_a_variable;
-use super::place::{Place, Slot};
-use super::{Failure, Lowered, Lowerer, Region};
+use super::{LowerError, LowerResult, Lowerer, Region};
 use crate::hir::{Direction, Expr, Function, Stmt, Variable};
 use crate::types::Type;
 use rasterizer::ir::{Stmt as IrStmt, Value};
 use std::rc::Rc;
 
 impl<'a> Lowerer<'a> {
-    pub(super) fn call(&mut self, index: u32, arguments: &[Expr]) -> Lowered<Vec<Value>> {
+    pub(super) fn call(&mut self, index: u32, arguments: &[Expr]) -> LowerResult<Vec<Value>> {
         self.check_size()?;
         let unit = self.frame().unit;
         let signature = self.unit_functions[unit][index as usize].signature();
         let Some(&(unit, function)) = self.functions.get(&signature) else {
-            return Err(Failure(format!("`{signature}` is called and never defined")));
+            return Err(LowerError(format!("`{signature}` is called and never defined")));
         };
 
-        // Arguments belong to the caller; they are evaluated once, from left to right.
-        let mut places: Vec<Option<Place>> = Vec::new();
-        let mut slots = Vec::new();
+        // Arguments are evaluated once, in the frame of the caller, from left to right.
+        let mut chains: Vec<Option<AccessChain>> = Vec::new();
+        let mut storages = Vec::new();
         for ((argument, direction), parameter) in
             arguments.iter().zip(&function.directions).zip(&function.locals)
         {
             match direction {
                 Direction::In => {
-                    slots.push(self.argument(argument, parameter)?);
-                    places.push(None);
+                    storages.push(self.argument(argument, parameter)?);
+                    chains.push(None);
                 }
                 Direction::Out | Direction::Inout => {
-                    let place = self.place(argument)?.ok_or_else(not_a_variable)?;
+                    let chain = self.access_chain(argument)?.ok_or_else(not_a_variable)?;
                     let types = parameter.ty.flat();
-                    let slot = self.new_slot(parameter, &types);
+                    let storage = self.new_storage(parameter, &types);
                     let start = match direction {
-                        Direction::Inout => self.load(&place)?,
+                        Direction::Inout => self.load(&chain)?,
                         Direction::In | Direction::Out => {
                             types.iter().map(|&ty| self.emit.constant(0, ty)).collect()
                         }
                     };
-                    self.fill(&slot, &start);
-                    slots.push(slot);
-                    places.push(Some(place));
+                    self.fill(&storage, &start);
+                    storages.push(storage);
+                    chains.push(Some(chain));
                 }
             }
         }
 
         self.open_frame(unit, &function.locals);
-        for (number, slot) in slots.iter().enumerate() {
-            self.frame().slots[number] = Some(slot.clone());
+        for (number, storage) in storages.iter().enumerate() {
+            self.frame().storages[number] = Some(storage.clone());
         }
         let result = self.nested(|lowerer| lowerer.inline(function));
         self.frames.pop();
         let result = result?;
-        for ((place, slot), parameter) in places.into_iter().zip(slots).zip(&function.locals) {
-            if let Some(place) = place {
-                let values = self.load_all(slot, &parameter.ty)?;
-                let types = place.ty.flat();
+        for ((chain, storage), parameter) in chains.into_iter().zip(storages).zip(&function.locals)
+        {
+            if let Some(chain) = chain {
+                let values = self.load_all(storage, &parameter.ty)?;
+                let types = chain.ty.flat();
                 let pairs = values.into_iter().zip(types);
                 let values: Vec<Value> =
                     pairs.map(|(value, ty)| self.emit.convert(value, ty)).collect();
-                self.store(&place, &values)?;
+                self.store(&chain, &values)?;
             }
         }
         Ok(result)
     }
 
-    /// Where an `in` parameter lives: in the argument itself, where nobody can tell the difference.
-    fn argument(&mut self, argument: &Expr, parameter: &'a Variable) -> Lowered<Slot> {
-        let place = self.place(argument)?;
+    /// The storage of an `in` parameter: that of the argument, if neither is written.
+    fn argument(&mut self, argument: &Expr, parameter: &'a Variable) -> LowerResult<VarStorage> {
+        let chain = self.access_chain(argument)?;
         if !parameter.written
-            && let Some(place) = &place
-            && matches!(place.slot, Slot::Uniform(..))
+            && let Some(chain) = &chain
+            && matches!(chain.storage, VarStorage::Uniform(..))
         {
-            return Ok(Slot::Alias(Rc::new(place.clone())));
+            return Ok(VarStorage::Alias(Rc::new(chain.clone())));
         }
-        let values = match &place {
-            Some(place) => self.load(place)?,
+        let values = match &chain {
+            Some(chain) => self.load(chain)?,
             None => self.expr(argument)?,
         };
-        if !parameter.written && !parameter.dynamic {
-            return Ok(Slot::Values(values.into()));
+        if !parameter.written && !parameter.dynamically_indexed {
+            return Ok(VarStorage::Values(values.into()));
         }
-        let slot = self.new_slot(parameter, &parameter.ty.flat());
-        self.fill(&slot, &values);
-        Ok(slot)
+        let storage = self.new_storage(parameter, &parameter.ty.flat());
+        self.fill(&storage, &values);
+        Ok(storage)
     }
 
-    pub(super) fn load_all(&mut self, slot: Slot, ty: &Type) -> Lowered<Vec<Value>> {
-        let mut whole = Self::value_place(Vec::new(), ty.clone());
-        whole.slot = slot;
+    pub(super) fn load_all(&mut self, storage: VarStorage, ty: &Type) -> LowerResult<Vec<Value>> {
+        let mut whole = Self::value_chain(Vec::new(), ty.clone());
+        whole.storage = storage;
         self.load(&whole)
     }
 
-    /// The body of a function whose frame is open; gives its result.
-    fn inline(&mut self, function: &'a Function) -> Lowered<Vec<Value>> {
+    /// Inlines the body of a function whose frame is open; gives its result.
+    fn inline(&mut self, function: &'a Function) -> LowerResult<Vec<Value>> {
         let Some(body) = &function.body else { return Ok(Vec::new()) };
         if !returns_early(body) {
             let Some((Stmt::Return(value), before)) = body.split_last() else {
                 self.statements(body)?;
-                // A function that ends without a `return` gives zeros.
+                // A missing `return` gives zeros.
                 let types = function.result.flat();
                 return Ok(types.iter().map(|&ty| self.emit.constant(0, ty)).collect());
             };
@@ -106,16 +107,16 @@ impl<'a> Lowerer<'a> {
             return value.as_ref().map_or(Ok(Vec::new()), |value| self.expr(value));
         }
         let types = function.result.flat();
-        let slot = self.new_vars(&function.name, &types);
-        if let Slot::Vars(vars) = &slot {
+        let storage = self.new_vars(&function.name, &types);
+        if let VarStorage::Vars(vars) = &storage {
             self.frame().result = vars.to_vec();
         }
         self.scope(body)?;
-        self.load_all(slot, &function.result)
+        self.load_all(storage, &function.result)
     }
 
-    /// Statements in a scope that `return` leaves.
-    pub(super) fn scope(&mut self, body: &'a [Stmt]) -> Lowered<()> {
+    /// Lowers statements in a scope that `return` leaves.
+    pub(super) fn scope(&mut self, body: &'a [Stmt]) -> LowerResult<()> {
         self.frame().regions.push(Region::Function);
         self.emit.builder.begin();
         let result = self.statements(body);
@@ -127,33 +128,33 @@ impl<'a> Lowerer<'a> {
     }
 }
 
-/// The statements before a `return` at the very end, or all if there is none.
+/// The statements before a `return` at the end, or all if there is none.
 pub(super) fn without_last_return(body: &[Stmt]) -> &[Stmt] {
     if let Some((Stmt::Return(_), before)) = body.split_last() { before } else { body }
 }
 
-/// Whether a `return` stands anywhere but at the very end.
+/// Whether a `return` stands anywhere but at the end.
 pub(super) fn returns_early(body: &[Stmt]) -> bool {
-    contains(without_last_return(body), Jumps::Return)
+    contains(without_last_return(body), Jump::Return)
 }
 
 /// Which jumps to look for.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Jumps {
+pub(super) enum Jump {
     /// `return`.
     Return,
-    /// `continue` of the loop around.
+    /// `continue` of the enclosing loop.
     Continue,
 }
 
-/// Whether statements hold such a jump.
-pub(super) fn contains(statements: &[Stmt], jumps: Jumps) -> bool {
+/// Whether statements contain such a jump.
+pub(super) fn contains(statements: &[Stmt], jumps: Jump) -> bool {
     statements.iter().any(|statement| match statement {
-        Stmt::Return(_) => jumps == Jumps::Return,
-        Stmt::Continue => jumps == Jumps::Continue,
+        Stmt::Return(_) => jumps == Jump::Return,
+        Stmt::Continue => jumps == Jump::Continue,
         Stmt::Block(block) => contains(block, jumps),
         Stmt::If(_, accept, reject) => contains(accept, jumps) || contains(reject, jumps),
-        Stmt::Loop(turn) => jumps == Jumps::Return && contains(&turn.body, jumps),
+        Stmt::Loop(looped) => jumps == Jump::Return && contains(&looped.body, jumps),
         Stmt::Switch(_, cases) => cases.iter().any(|case| contains(&case.body, jumps)),
         Stmt::Declare(..) | Stmt::Expr(_) | Stmt::Break | Stmt::Discard => false,
     })

@@ -1,21 +1,20 @@
 //! Expressions to scalars. The order of the operations here is the definition of their results.
 
-use super::{Failure, Lowered, Lowerer};
-use crate::Scalar;
-use crate::ast::{BinaryOp, Step, StepResult, UnaryOp};
-use crate::builtins::functions::{Lower, Row};
-use crate::builtins::math::{self, Args};
+use super::{LowerError, LowerResult, Lowerer};
+use crate::ast::{BinaryOp, IncDec, IncDecResult, UnaryOp};
+use crate::builtins::expand::{self, Args, geometric};
+use crate::builtins::function::{FunctionRow, Lowering};
 use crate::hir::{Expr, ExprKind};
-use crate::types::Type;
+use crate::types::{Scalar, Type};
 use rasterizer::ir::{Op, Stmt, Ty, Value};
 
 impl Lowerer<'_> {
     /// The scalars of an expression.
-    pub(super) fn expr(&mut self, expr: &Expr) -> Lowered<Vec<Value>> {
+    pub(super) fn expr(&mut self, expr: &Expr) -> LowerResult<Vec<Value>> {
         self.nested(|lowerer| lowerer.expr_kind(expr))
     }
 
-    fn expr_kind(&mut self, expr: &Expr) -> Lowered<Vec<Value>> {
+    fn expr_kind(&mut self, expr: &Expr) -> LowerResult<Vec<Value>> {
         match &expr.kind {
             ExprKind::Const(words) => Ok(self.constants(words, &expr.ty.flat())),
             ExprKind::Var(_) => self.load_expr(expr),
@@ -36,31 +35,31 @@ impl Lowerer<'_> {
                 Ok(self.binary(*op, (&left.ty, &a), (&right.ty, &b)))
             }
             ExprKind::Assign(op, target, value) => {
-                let place = self.place(target)?.ok_or_else(not_a_variable)?;
+                let chain = self.access_chain(target)?.ok_or_else(not_a_variable)?;
                 let values = match op {
                     None => self.expr(value)?,
                     Some(op) => {
-                        // The target is read after the value: the value may write it.
+                        // The target is loaded after the value, which may write it.
                         let values = self.expr(value)?;
-                        let old = self.load(&place)?;
+                        let old = self.load(&chain)?;
                         self.binary(*op, (&target.ty, &old), (&value.ty, &values))
                     }
                 };
-                self.store(&place, &values)?;
+                self.store(&chain, &values)?;
                 Ok(values)
             }
-            ExprKind::Step(step, result, target) => {
-                let place = self.place(target)?.ok_or_else(not_a_variable)?;
-                let old = self.load(&place)?;
+            ExprKind::IncDec(step, result, target) => {
+                let chain = self.access_chain(target)?.ok_or_else(not_a_variable)?;
+                let old = self.load(&chain)?;
                 let op = match step {
-                    Step::Increment => BinaryOp::Add,
-                    Step::Decrement => BinaryOp::Sub,
+                    IncDec::Increment => BinaryOp::Add,
+                    IncDec::Decrement => BinaryOp::Sub,
                 };
                 let new: Vec<Value> = old.iter().map(|&value| self.count(op, value)).collect();
-                self.store(&place, &new)?;
+                self.store(&chain, &new)?;
                 Ok(match result {
-                    StepResult::After => new,
-                    StepResult::Before => old,
+                    IncDecResult::After => new,
+                    IncDecResult::Before => old,
                 })
             }
             ExprKind::Conditional(parts) => self.conditional(parts),
@@ -77,8 +76,8 @@ impl Lowerer<'_> {
                 }
                 let values = self.expr(base)?;
                 let index = self.expr(index)?[0];
-                let place = Self::value_place(values, base.ty.clone());
-                let element = self.element(place, index, &expr.ty)?;
+                let chain = Self::value_chain(values, base.ty.clone());
+                let element = self.element(chain, index, &expr.ty)?;
                 self.load(&element)
             }
             ExprKind::Field(base, index) => {
@@ -102,13 +101,13 @@ impl Lowerer<'_> {
             ExprKind::Construct(parts) => self.construct(&expr.ty, parts),
             ExprKind::Call(function, arguments) => self.call(*function, arguments),
             ExprKind::Builtin(row, arguments) => self.builtin(row, arguments, &expr.ty),
-            ExprKind::Error => Err(Failure("an expression with an error".to_owned())),
+            ExprKind::Error => Err(LowerError("an expression with an error".to_owned())),
         }
     }
 
-    fn load_expr(&mut self, expr: &Expr) -> Lowered<Vec<Value>> {
-        let place = self.place(expr)?.ok_or_else(not_a_variable)?;
-        self.load(&place)
+    fn load_expr(&mut self, expr: &Expr) -> LowerResult<Vec<Value>> {
+        let chain = self.access_chain(expr)?.ok_or_else(not_a_variable)?;
+        self.load(&chain)
     }
 
     fn unary(&mut self, op: UnaryOp, value: Value) -> Value {
@@ -141,8 +140,8 @@ impl Lowerer<'_> {
         self.scalar(op, value, one)
     }
 
-    /// `&&` and `||`: the right side runs only where it matters, if that can be seen.
-    fn logical(&mut self, op: BinaryOp, left: &Expr, right: &Expr) -> Lowered<Vec<Value>> {
+    /// `&&` and `||`: the right operand is evaluated conditionally if it has effects.
+    fn logical(&mut self, op: BinaryOp, left: &Expr, right: &Expr) -> LowerResult<Vec<Value>> {
         let a = self.expr(left)?[0];
         let combine = if op == BinaryOp::And { Op::And } else { Op::Or };
         if !right.has_effects() {
@@ -164,7 +163,7 @@ impl Lowerer<'_> {
         Ok(vec![self.emit.load(var)])
     }
 
-    fn conditional(&mut self, parts: &[Expr; 3]) -> Lowered<Vec<Value>> {
+    fn conditional(&mut self, parts: &[Expr; 3]) -> LowerResult<Vec<Value>> {
         let [condition, accept, reject] = parts;
         let condition = self.expr(condition)?[0];
         if !accept.has_effects() && !reject.has_effects() {
@@ -172,13 +171,13 @@ impl Lowerer<'_> {
             let pairs = a.iter().zip(&b);
             return Ok(pairs.map(|(&a, &b)| self.emit.select(condition, a, b)).collect());
         }
-        let slot = self.new_vars("chosen", &accept.ty.flat());
+        let storage = self.new_vars("chosen", &accept.ty.flat());
         let mut blocks = Vec::new();
         for part in [accept, reject] {
             self.emit.builder.begin();
             let values = self.expr(part);
             if let Ok(values) = &values {
-                self.fill(&slot, values);
+                self.fill(&storage, values);
             }
             blocks.push(self.emit.builder.end());
             values?;
@@ -186,10 +185,10 @@ impl Lowerer<'_> {
         let not_chosen = blocks.pop().unwrap_or_default();
         let chosen = blocks.pop().unwrap_or_default();
         self.emit.push(Stmt::If { condition, accept: chosen, reject: not_chosen });
-        self.load_all(slot, &accept.ty)
+        self.load_all(storage, &accept.ty)
     }
 
-    /// A binary operation but `&&` and `||`.
+    /// A binary operation other than `&&` and `||`.
     fn binary(&mut self, op: BinaryOp, a: (&Type, &[Value]), b: (&Type, &[Value])) -> Vec<Value> {
         if matches!(op, BinaryOp::Equal | BinaryOp::NotEqual) {
             let mut all = self.emit.constant(rasterizer::ir::TRUE, Ty::Bool);
@@ -209,7 +208,7 @@ impl Lowerer<'_> {
             if let Some(rows) = b.0.rows() {
                 let columns = b.1.chunks(usize::from(rows));
                 return columns
-                    .map(|column| math::dot_product(&mut self.emit, a.1, column))
+                    .map(|column| geometric::dot_product(&mut self.emit, a.1, column))
                     .collect();
             }
         }
@@ -224,11 +223,11 @@ impl Lowerer<'_> {
         columns.flat_map(|column| self.multiply(matrix, column, rows)).collect()
     }
 
-    /// Matrix times column: the columns weighted by the components, summed from the first on.
+    /// Matrix times column: each row's dot product, summed from the first column on.
     fn multiply(&mut self, matrix: &[Value], column: &[Value], rows: usize) -> Vec<Value> {
         let row = |row: usize| {
             let of_row: Vec<Value> = matrix[row..].iter().step_by(rows).copied().collect();
-            math::dot_product(&mut self.emit, &of_row, column)
+            geometric::dot_product(&mut self.emit, &of_row, column)
         };
         (0..rows).map(row).collect()
     }
@@ -278,8 +277,8 @@ impl Lowerer<'_> {
         self.emit.convert(result, ty)
     }
 
-    /// GLSL 1.30 section 5.4.
-    fn construct(&mut self, ty: &Type, parts: &[Expr]) -> Lowered<Vec<Value>> {
+    /// A constructor: GLSL 1.30 section 5.4.
+    fn construct(&mut self, ty: &Type, parts: &[Expr]) -> LowerResult<Vec<Value>> {
         let mut all = Vec::new();
         for part in parts {
             all.extend(self.expr(part)?);
@@ -311,7 +310,7 @@ impl Lowerer<'_> {
         Ok(all.iter().take(needed).map(|&value| convert(self, value)).collect())
     }
 
-    /// A matrix made of a matrix: what the source lacks comes from the identity.
+    /// A matrix from a matrix: missing elements come from the identity.
     fn resized(
         &mut self,
         source: &[Value],
@@ -332,16 +331,21 @@ impl Lowerer<'_> {
         (0..needed).map(at).collect()
     }
 
-    fn builtin(&mut self, row: &Row, arguments: &[Expr], result: &Type) -> Lowered<Vec<Value>> {
-        if let Lower::Texture(lookup) = row.lower {
+    fn builtin(
+        &mut self,
+        row: &FunctionRow,
+        arguments: &[Expr],
+        result: &Type,
+    ) -> LowerResult<Vec<Value>> {
+        if let Lowering::Texture(lookup) = row.lowering {
             return self.texture(lookup, arguments, result);
         }
-        if let (Lower::Modf, [x, whole]) = (row.lower, arguments) {
+        if let (Lowering::Modf, [x, whole]) = (row.lowering, arguments) {
             let values = self.expr(x)?;
-            let place = self.place(whole)?.ok_or_else(not_a_variable)?;
+            let chain = self.access_chain(whole)?.ok_or_else(not_a_variable)?;
             let trunc = |&x: &Value| self.emit.op(Op::Trunc, &[x]);
             let wholes: Vec<Value> = values.iter().map(trunc).collect();
-            self.store(&place, &wholes)?;
+            self.store(&chain, &wholes)?;
             let pairs = values.iter().zip(&wholes);
             return Ok(pairs.map(|(&x, &whole)| self.emit.op(Op::Sub, &[x, whole])).collect());
         }
@@ -352,19 +356,21 @@ impl Lowerer<'_> {
             types.push(argument.ty.clone());
         }
         let args = Args { values: &values, types: &types };
-        match row.lower {
-            Lower::Map(op) => Ok(math::map(&mut self.emit, args, op)),
-            Lower::With(lower) => Ok(lower(&mut self.emit, args)),
-            Lower::Derivative(axis) => {
+        match row.lowering {
+            Lowering::PerComponent(op) => Ok(expand::per_component(&mut self.emit, args, op)),
+            Lowering::Expand(expand) | Lowering::ExpandAtRunTime(expand) => {
+                Ok(expand(&mut self.emit, args))
+            }
+            Lowering::Derivative(axis) => {
                 Ok(values[0].iter().map(|&value| self.emit.derivative(axis, value)).collect())
             }
-            Lower::Texture(_) | Lower::Modf | Lower::Ftransform => {
-                Err(Failure(format!("`{}` takes other arguments", row.name)))
+            Lowering::Texture(_) | Lowering::Modf | Lowering::Ftransform => {
+                Err(LowerError(format!("`{}` takes other arguments", row.name)))
             }
         }
     }
 }
 
-pub(super) fn not_a_variable() -> Failure {
-    Failure("what is written is no variable".to_owned())
+pub(super) fn not_a_variable() -> LowerError {
+    LowerError("what is written is no variable".to_owned())
 }

@@ -1,41 +1,40 @@
-//! Checked shader to IR: every vector taken apart into scalars, every call inlined.
+//! Checked shaders to IR: vectors become scalars, calls are inlined.
 
-mod builtin;
+mod access_chain;
+mod builtin_variables;
 mod call;
-pub mod emit;
 mod expr;
-mod interface;
 mod outputs;
-mod place;
+mod stage;
 mod stmt;
 mod texture;
 
-use super::builtins::state::StateArray;
-use super::hir::{Expr, Function, Unit, VarRef, Variable};
-use super::limits::{MAX_INLINED_DEPTH, MAX_VALUES};
+use crate::builtins::variable::StateArray;
+use crate::emit::Emit;
+use crate::hir::{Expr, Function, Unit, VarRef, Variable};
 use crate::interface::{StateBinding, StateVar};
-use crate::{ComparisonResult, Dim};
-use emit::Emit;
-pub use interface::{Binding, lower_stage, named_globals, varying_slots};
-use place::Slot;
+use crate::limits::{MAX_INLINED_DEPTH, MAX_VALUES};
+use crate::types::{ComparisonResult, Dim};
+use access_chain::VarStorage;
 use rasterizer::ir::{Stage, Texture, TextureDecl, Ty, Value, Var};
+pub use stage::{Binding, lower_stage, named_globals, varying_slots};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// Why a stage cannot be lowered; ends up in the link log.
+/// Why a stage cannot be lowered; the linker reports it.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Failure(pub String);
+pub struct LowerError(pub String);
 
-type Lowered<T> = Result<T, Failure>;
+type LowerResult<T> = Result<T, LowerError>;
 
-/// The uniform words of a program, and the state among them.
+/// The uniform words of a program, with those of GL state.
 #[derive(Clone, Debug, Default)]
 pub struct Words {
     /// The next free word.
     pub next: u32,
-    /// State that is read.
+    /// The GL state that is read.
     pub state: Vec<StateBinding>,
-    /// State of all elements in a row, and its first word: a handful.
+    /// Arrays of GL state whose elements are consecutive, and their first words.
     arrays: Vec<(StateArray, u32)>,
 }
 
@@ -55,7 +54,7 @@ impl Words {
         }
         let first = self.next;
         for index in 0..array.len() {
-            self.add(array.of(index));
+            self.add(array.element(index));
         }
         self.arrays.push((array, first));
         first
@@ -76,7 +75,7 @@ enum Region {
     Function,
     /// A loop.
     Loop,
-    /// A `switch`, which is a scope; what jumps out farther sets a flag.
+    /// A `switch`, which is a scope; jumps out of enclosing constructs set a flag.
     Switch { returned: Option<Var>, continued: Option<Var> },
 }
 
@@ -86,17 +85,17 @@ struct Frame<'a> {
     unit: usize,
     /// Its variables.
     locals: &'a [Variable],
-    /// Where they live, once they are declared.
-    slots: Vec<Option<Slot>>,
-    /// What is open in it, outermost first.
+    /// Their storage, once they are declared.
+    storages: Vec<Option<VarStorage>>,
+    /// The open constructs, outermost first.
     regions: Vec<Region>,
-    /// Where its result goes, if it can return early.
+    /// The variables of its result, if it returns early.
     result: Vec<Var>,
-    /// Whether declarations may be skipped by a jump to a label, so that each needs a variable.
+    /// Whether a jump to a label may skip declarations, so that each needs an IR variable.
     labelled: bool,
 }
 
-/// A stage on its way to IR.
+/// The state while a stage is lowered.
 struct Lowerer<'a> {
     emit: Emit,
     /// The globals of each unit.
@@ -105,15 +104,15 @@ struct Lowerer<'a> {
     functions: BTreeMap<String, (usize, &'a Function)>,
     /// The functions of each unit.
     unit_functions: Vec<&'a [Function]>,
-    /// Where the globals live, by name.
-    globals: BTreeMap<Arc<str>, Slot>,
+    /// The storage of the globals, by name.
+    globals: BTreeMap<Arc<str>, VarStorage>,
     frames: Vec<Frame<'a>>,
     depth: u32,
     /// How many loops are open.
     loops: u32,
     words: Words,
     textures: BTreeMap<(u32, [u8; 3], ComparisonResult), Texture>,
-    /// The slots, the words that hold their units, what textures they take, and what comes of
+    /// For each texture slot: the word of its unit, the textures it takes, and the result of its
     /// comparisons.
     samplers: Vec<(Texture, u32, Dim, ComparisonResult)>,
 }
@@ -140,16 +139,16 @@ impl<'a> Lowerer<'a> {
     }
 
     fn open_frame(&mut self, unit: usize, locals: &'a [Variable]) {
-        let slots = vec![None; locals.len()];
+        let storages = vec![None; locals.len()];
         let (regions, result) = (Vec::new(), Vec::new());
         let labelled = false;
-        self.frames.push(Frame { unit, locals, slots, regions, result, labelled });
+        self.frames.push(Frame { unit, locals, storages, regions, result, labelled });
     }
 
     /// Fails when there are too many values.
-    fn check_size(&self) -> Lowered<()> {
+    fn check_size(&self) -> LowerResult<()> {
         if self.emit.is_full() {
-            return Err(Failure(format!(
+            return Err(LowerError(format!(
                 "function calls and loops expand to too many operations (more than {MAX_VALUES})"
             )));
         }
@@ -157,10 +156,10 @@ impl<'a> Lowerer<'a> {
     }
 
     /// Runs `lower` one level deeper.
-    fn nested<T>(&mut self, lower: impl FnOnce(&mut Self) -> Lowered<T>) -> Lowered<T> {
+    fn nested<T>(&mut self, lower: impl FnOnce(&mut Self) -> LowerResult<T>) -> LowerResult<T> {
         if self.depth >= MAX_INLINED_DEPTH {
             let message = "statements, expressions and calls nest too deeply";
-            return Err(Failure(message.to_owned()));
+            return Err(LowerError(message.to_owned()));
         }
         self.depth += 1;
         let result = lower(self);
@@ -185,7 +184,7 @@ impl<'a> Lowerer<'a> {
     }
 }
 
-/// The words of a constant expression, if it is one.
+/// The words of a constant expression; `None` if it is not constant.
 pub fn constant(expr: &Expr, globals: &[Variable], locals: &[Variable]) -> Option<Vec<u32>> {
     let mut lowerer = Lowerer::new(Stage::Vertex, vec![globals]);
     lowerer.open_frame(0, locals);
@@ -193,7 +192,7 @@ pub fn constant(expr: &Expr, globals: &[Variable], locals: &[Variable]) -> Optio
     values.into_iter().map(|value| lowerer.emit.known(value)).collect()
 }
 
-/// The functions of some units, by signature, and every unit's.
+/// The functions with bodies, by signature, each with its unit.
 fn functions<'a>(units: &[&'a Unit]) -> BTreeMap<String, (usize, &'a Function)> {
     let mut all = BTreeMap::new();
     for (index, unit) in units.iter().enumerate() {
@@ -204,8 +203,8 @@ fn functions<'a>(units: &[&'a Unit]) -> BTreeMap<String, (usize, &'a Function)> 
     all
 }
 
-/// The functions that `main` reaches, `main` first, and those that initializers of globals reach, each
-/// with its unit. One that nobody defines is no mistake as long as the calls of it fold away.
+/// The functions that `main` and initializers of globals reach, `main` first, each with its unit.
+/// An undefined function is no error here: constant folding may remove its calls.
 pub fn reachable<'a>(units: &[&'a Unit]) -> Vec<(usize, &'a Function)> {
     let bodies = functions(units);
     let Some(&main) = bodies.get("main()") else { return Vec::new() };

@@ -1,76 +1,78 @@
-//! What a stage hands on: outputs, some of them copied when `main` has ended.
+//! Outputs of a stage; some are copied at the end of `main`.
 
-use super::place::Slot;
-use super::{Lowered, Lowerer};
-use crate::builtins::math::dot_product;
+use super::access_chain::VarStorage;
+use super::{LowerResult, Lowerer};
+use crate::builtins::expand::geometric::dot_product;
 use crate::hir::Variable;
 use crate::interface::{StateVar, VARYING_CLIP_DISTANCE};
 use crate::limits::MAX_CLIP_PLANES;
 use rasterizer::ir::{Op, Output, Stmt, Ty, Value, Var};
 
-/// Scalars to copy to outputs when `main` has ended.
+/// A scalar to copy to an output at the end of `main`.
 #[derive(Debug)]
-pub struct Copy {
-    /// Where they are.
-    pub slot: Slot,
-    /// Which of them.
+pub struct OutputCopy {
+    /// The storage of its variable.
+    pub storage: VarStorage,
+    /// Its index in the variable.
     pub at: u32,
-    /// What of it.
-    pub part: Part,
-    /// Where to.
+    /// The value to copy.
+    pub source: CopySource,
+    /// The variable of the output.
     pub var: Var,
 }
 
-/// What of a scalar is copied.
+/// The value that is copied to an output.
 #[derive(Clone, Copy, Debug)]
-pub enum Part {
-    /// Its value as a float.
-    Whole,
+pub enum CopySource {
+    /// The scalar as a float.
+    Value,
     /// The low 16 bits.
-    Low,
+    LowHalf,
     /// The high 16 bits.
-    High,
-    /// Its value if this user clip plane is enabled, else 0, which cuts nothing away.
+    HighHalf,
+    /// The scalar if this user clip plane is enabled, else 0, which clips nothing.
     ClipDistance(u8),
-    /// The vector that begins there times this user clip plane, if it is enabled.
+    /// The dot product of the vector that begins at the scalar with this user clip plane, if it is
+    /// enabled, else 0.
     ClipVertex(u8),
 }
 
 impl Lowerer<'_> {
-    /// Hands a variable on as a varying.
+    /// Makes a variable a varying output.
     pub(super) fn varying_output(
         &mut self,
-        slot: &Slot,
+        storage: &VarStorage,
         types: &[Ty],
         first: u16,
-        copies: &mut Vec<Copy>,
+        copies: &mut Vec<OutputCopy>,
     ) {
         let mut next = first;
         for (at, &ty) in types.iter().enumerate() {
             let at = at as u32;
             if ty == Ty::F32 {
-                self.output(slot, types, at, Output::Varying(next), copies);
+                self.output(storage, types, at, Output::Varying(next), copies);
                 next += 1;
                 continue;
             }
-            for part in [Part::Low, Part::High] {
+            for source in [CopySource::LowHalf, CopySource::HighHalf] {
                 let var = self.emit.builder.output(Output::Varying(next));
-                copies.push(Copy { slot: slot.clone(), at, part, var });
+                copies.push(OutputCopy { storage: storage.clone(), at, source, var });
                 next += 1;
             }
         }
     }
 
-    /// Makes scalar `at` of a variable an output: the variable itself where it fits, else a copy.
+    /// Makes scalar `at` of a variable an output: its own IR variable if the types agree, else a
+    /// copy.
     pub(super) fn output(
         &mut self,
-        slot: &Slot,
+        storage: &VarStorage,
         types: &[Ty],
         at: u32,
         output: Output,
-        copies: &mut Vec<Copy>,
+        copies: &mut Vec<OutputCopy>,
     ) {
-        // The stencil's reference is an integer; colours for attachments of integers stay integers.
+        // The stencil reference is an integer; colours for integer attachments stay integers.
         let own = types[at as usize];
         let ty = match output {
             Output::Color { .. } if matches!(own, Ty::I32 | Ty::U32) => own,
@@ -82,7 +84,7 @@ impl Lowerer<'_> {
             | Output::Varying(_)
             | Output::Depth => Ty::F32,
         };
-        if let Slot::Vars(vars) = slot
+        if let VarStorage::Vars(vars) = storage
             && own == ty
         {
             let var = vars[at as usize];
@@ -91,32 +93,32 @@ impl Lowerer<'_> {
         }
         let var = self.emit.builder.variable(format!("{output:?}"), ty);
         self.emit.builder.module_mut().outputs.push((output, var));
-        copies.push(Copy { slot: slot.clone(), at, part: Part::Whole, var });
+        copies.push(OutputCopy { storage: storage.clone(), at, source: CopySource::Value, var });
     }
 
-    pub(super) fn copy(&mut self, copy: &Copy) -> Lowered<()> {
-        let mut place = Self::value_place(Vec::new(), crate::types::FLOAT);
-        place.slot = copy.slot.clone();
-        place.base = copy.at;
-        if let Part::ClipVertex(_) = copy.part {
-            place.ty = crate::types::vec(4);
+    pub(super) fn copy(&mut self, copy: &OutputCopy) -> LowerResult<()> {
+        let mut chain = Self::value_chain(Vec::new(), crate::types::FLOAT);
+        chain.storage = copy.storage.clone();
+        chain.base = copy.at;
+        if let CopySource::ClipVertex(_) = copy.source {
+            chain.ty = crate::types::vec(4);
         }
-        let words = self.load(&place)?;
+        let words = self.load(&chain)?;
         let word = words[0];
-        let value = match copy.part {
-            Part::Whole => word,
-            Part::Low => {
+        let value = match copy.source {
+            CopySource::Value => word,
+            CopySource::LowHalf => {
                 let bits = self.emit.convert(word, Ty::U32);
                 let mask = self.emit.uint(0xffff);
                 self.emit.op(Op::BitAnd, &[bits, mask])
             }
-            Part::High => {
+            CopySource::HighHalf => {
                 let bits = self.emit.convert(word, Ty::U32);
                 let sixteen = self.emit.uint(16);
                 self.emit.op(Op::UShiftRight, &[bits, sixteen])
             }
-            Part::ClipDistance(plane) => self.if_enabled(plane, word),
-            Part::ClipVertex(plane) => {
+            CopySource::ClipDistance(plane) => self.if_enabled(plane, word),
+            CopySource::ClipVertex(plane) => {
                 let first = self.words.state(StateVar::ClipPlane(plane));
                 let plane_words: Vec<Value> =
                     (0..4).map(|i| self.emit.uniform(first + i, Ty::F32)).collect();
@@ -143,34 +145,34 @@ impl Lowerer<'_> {
         &mut self,
         variable: &Variable,
         types: &[Ty],
-        copies: &mut Vec<Copy>,
-    ) -> Slot {
-        let slot = self.new_slot(variable, types);
+        copies: &mut Vec<OutputCopy>,
+    ) -> VarStorage {
+        let storage = self.new_storage(variable, types);
         if variable.written {
             for plane in 0..MAX_CLIP_PLANES {
                 let var = self.emit.builder.output(Output::ClipDistance(plane));
-                let part = Part::ClipVertex(plane);
-                copies.push(Copy { slot: slot.clone(), at: 0, part, var });
+                let source = CopySource::ClipVertex(plane);
+                copies.push(OutputCopy { storage: storage.clone(), at: 0, source, var });
             }
         }
-        slot
+        storage
     }
 
     pub(super) fn clip_distances(
         &mut self,
         variable: &Variable,
         types: &[Ty],
-        copies: &mut Vec<Copy>,
-    ) -> Slot {
-        let slot = self.new_slot(variable, types);
+        copies: &mut Vec<OutputCopy>,
+    ) -> VarStorage {
+        let storage = self.new_storage(variable, types);
         if variable.written {
             for plane in 0..types.len() as u8 {
-                let (at, part) = (plane.into(), Part::ClipDistance(plane));
+                let (at, source) = (plane.into(), CopySource::ClipDistance(plane));
                 let var = self.emit.builder.output(Output::ClipDistance(plane));
-                copies.push(Copy { slot: slot.clone(), at, part, var });
+                copies.push(OutputCopy { storage: storage.clone(), at, source, var });
             }
-            self.varying_output(&slot, types, VARYING_CLIP_DISTANCE, copies);
+            self.varying_output(&storage, types, VARYING_CLIP_DISTANCE, copies);
         }
-        slot
+        storage
     }
 }

@@ -1,14 +1,14 @@
 //! Statements.
 
-use super::call::{Jumps, contains};
-use super::place::Slot;
-use super::{Lowered, Lowerer, Region};
+use super::access_chain::VarStorage;
+use super::call::{Jump, contains};
+use super::{LowerResult, Lowerer, Region};
 use crate::hir::{Case, Expr, Loop, Stmt};
 use crate::limits::MAX_CLEARED;
 use rasterizer::ir::{Block, Op, Stmt as IrStmt, Ty, Value};
 
 impl<'a> Lowerer<'a> {
-    pub(super) fn statements(&mut self, statements: &'a [Stmt]) -> Lowered<()> {
+    pub(super) fn statements(&mut self, statements: &'a [Stmt]) -> LowerResult<()> {
         for statement in statements {
             self.check_size()?;
             self.nested(|lowerer| lowerer.statement(statement))?;
@@ -16,7 +16,7 @@ impl<'a> Lowerer<'a> {
         Ok(())
     }
 
-    fn statement(&mut self, statement: &'a Stmt) -> Lowered<()> {
+    fn statement(&mut self, statement: &'a Stmt) -> LowerResult<()> {
         match statement {
             Stmt::Declare(local, init) => self.declare(*local, init.as_ref()),
             Stmt::Expr(expr) => self.expr(expr).map(|_| ()),
@@ -33,10 +33,10 @@ impl<'a> Lowerer<'a> {
                 self.emit.push(IrStmt::If { condition, accept, reject });
                 Ok(())
             }
-            Stmt::Loop(turn) => {
+            Stmt::Loop(looped) => {
                 self.loops += 1;
                 self.frame().regions.push(Region::Loop);
-                let result = self.loop_statement(turn);
+                let result = self.loop_statement(looped);
                 self.frame().regions.pop();
                 self.loops -= 1;
                 result
@@ -46,7 +46,7 @@ impl<'a> Lowerer<'a> {
                 if let Some(value) = value {
                     let values = self.expr(value)?;
                     let result = self.frame().result.clone();
-                    self.fill(&Slot::Vars(result.into()), &values);
+                    self.fill(&VarStorage::Vars(result.into()), &values);
                 }
                 self.leave_function();
                 Ok(())
@@ -70,8 +70,8 @@ impl<'a> Lowerer<'a> {
         }
     }
 
-    /// A block of its own.
-    fn block(&mut self, lower: impl FnOnce(&mut Self) -> Lowered<()>) -> Lowered<Block> {
+    /// Lowers into a block of its own.
+    fn block(&mut self, lower: impl FnOnce(&mut Self) -> LowerResult<()>) -> LowerResult<Block> {
         self.emit.builder.begin();
         let result = self.unlabelled(lower);
         let block = self.emit.builder.end();
@@ -79,62 +79,62 @@ impl<'a> Lowerer<'a> {
     }
 
     /// Inside a block, no jump to a label can skip a declaration.
-    fn unlabelled(&mut self, lower: impl FnOnce(&mut Self) -> Lowered<()>) -> Lowered<()> {
+    fn unlabelled(&mut self, lower: impl FnOnce(&mut Self) -> LowerResult<()>) -> LowerResult<()> {
         let before = std::mem::replace(&mut self.frame().labelled, false);
         let result = lower(self);
         self.frame().labelled = before;
         result
     }
 
-    fn declare(&mut self, local: u32, init: Option<&Expr>) -> Lowered<()> {
+    fn declare(&mut self, local: u32, init: Option<&Expr>) -> LowerResult<()> {
         let frame = self.frame();
         let (variable, labelled) = (&frame.locals[local as usize], frame.labelled);
         let values = init.map(|init| self.expr(init)).transpose()?;
-        let slot = match values {
-            Some(values) if !variable.written && !variable.dynamic && !labelled => {
-                Slot::Values(values.into())
+        let storage = match values {
+            Some(values) if !variable.written && !variable.dynamically_indexed && !labelled => {
+                VarStorage::Values(values.into())
             }
             values => {
                 let types = variable.ty.flat();
-                let slot = self.new_slot(variable, &types);
+                let storage = self.new_storage(variable, &types);
                 match values {
-                    Some(values) => self.fill(&slot, &values),
-                    // Without an initializer it is zero, also in the next turn of a loop.
+                    Some(values) => self.fill(&storage, &values),
+                    // Without an initializer it is zero, also in the next iteration of a loop.
                     None if self.loops > 0 && types.len() <= MAX_CLEARED => {
                         let zeros: Vec<Value> =
                             types.iter().map(|&ty| self.emit.constant(0, ty)).collect();
-                        self.fill(&slot, &zeros);
+                        self.fill(&storage, &zeros);
                     }
                     None => {}
                 }
-                slot
+                storage
             }
         };
-        self.frame().slots[local as usize] = Some(slot);
+        self.frame().storages[local as usize] = Some(storage);
         Ok(())
     }
 
-    fn loop_statement(&mut self, turn: &'a Loop) -> Lowered<()> {
+    fn loop_statement(&mut self, looped: &'a Loop) -> LowerResult<()> {
         let body = self.block(|lowerer| {
-            if let Some(local) = turn.declare {
-                // The step stands in another block, so the condition's variable is a real one.
-                lowerer.declare(local, turn.before.as_ref())?;
-                let slot = lowerer.frame().slots[local as usize].clone();
-                if let Some(Slot::Vars(vars)) = slot {
+            if let Some(local) = looped.declare {
+                // The step is in another block, so the variable of the condition needs IR storage.
+                lowerer.declare(local, looped.condition_before.as_ref())?;
+                let storage = lowerer.frame().storages[local as usize].clone();
+                if let Some(VarStorage::Vars(vars)) = storage {
                     let condition = lowerer.emit.load(vars[0]);
                     lowerer.break_unless(condition);
                 }
-            } else if let Some(before) = &turn.before {
+            } else if let Some(before) = &looped.condition_before {
                 let condition = lowerer.expr(before)?[0];
                 lowerer.break_unless(condition);
             }
-            lowerer.statements(&turn.body)
+            lowerer.statements(&looped.body)
         })?;
         let continuing = self.block(|lowerer| {
-            if let Some(step) = &turn.step {
+            if let Some(step) = &looped.step {
                 lowerer.expr(step)?;
             }
-            if let Some(after) = &turn.after {
+            if let Some(after) = &looped.condition_after {
                 let condition = lowerer.expr(after)?[0];
                 lowerer.break_unless(condition);
             }
@@ -163,7 +163,7 @@ impl<'a> Lowerer<'a> {
         self.emit.push(IrStmt::Leave);
     }
 
-    /// Goes on with the innermost loop, through the switches that are open in it.
+    /// Continues the innermost loop, through the switches that are open in it.
     fn continue_loop(&mut self) {
         let inner = self.frame().regions.last().copied();
         match inner {
@@ -178,13 +178,13 @@ impl<'a> Lowerer<'a> {
         }
     }
 
-    /// A scope that `break` leaves. In it, `active` says whether a label was reached; each group
-    /// runs where it is true, so that groups fall through.
-    fn switch(&mut self, selector: &'a Expr, cases: &'a [Case]) -> Lowered<()> {
+    /// A scope that `break` leaves. `active` is whether a label was reached; each group of
+    /// statements runs if it is true, which gives fall-through.
+    fn switch(&mut self, selector: &'a Expr, cases: &'a [Case]) -> LowerResult<()> {
         let selector = self.expr(selector)?[0];
         let ty = self.emit.ty(selector);
         let no = self.emit.constant(0, Ty::Bool);
-        let flag = |lowerer: &mut Self, jumps: Jumps| {
+        let flag = |lowerer: &mut Self, jumps: Jump| {
             let needed = cases.iter().any(|case| contains(&case.body, jumps));
             needed.then(|| {
                 let var = lowerer.emit.builder.variable("jump", Ty::Bool);
@@ -192,8 +192,8 @@ impl<'a> Lowerer<'a> {
                 var
             })
         };
-        let returned = flag(self, Jumps::Return);
-        let continued = flag(self, Jumps::Continue);
+        let returned = flag(self, Jump::Return);
+        let continued = flag(self, Jump::Continue);
 
         let mut reached = Vec::new();
         let mut any = no;

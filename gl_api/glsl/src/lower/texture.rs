@@ -1,28 +1,26 @@
 //! Texture lookups (GLSL 1.30 section 8.7).
 
-use super::place::{Place, Slot};
-use super::{Failure, Lowered, Lowerer, texture_key};
-use crate::builtins::lookups::{LodForm, Lookup, Projection, Shift};
+use super::access_chain::{AccessChain, VarStorage};
+use super::{LowerError, LowerResult, Lowerer, texture_key};
+use crate::builtins::texture_lookup::{LodSource, Lookup, Projection, TexelOffset};
 use crate::hir::Expr;
 use crate::limits::MAX_DYNAMIC_SAMPLERS;
-use crate::types::{Comparison, Dim, Sampler, Type};
-use crate::{ComparisonResult, Scalar};
+use crate::types::{Comparison, ComparisonResult, Dim, Sampler, Scalar, Type};
 use rasterizer::driver::MAX_SAMPLES;
 use rasterizer::ir::{self, Lod, Op, Texture, TextureDecl, Ty, Value};
 use texunit::image::Shape;
 
-/// A lookup, but for the texture.
-struct Access {
+/// The operands of a lookup, without the texture.
+struct LookupOperands {
     access: ir::Access,
     coords: [Value; 3],
     layer: Option<Value>,
     reference: Option<Value>,
     lod: Lod,
-    compared: ComparisonResult,
+    comparison_result: ComparisonResult,
 }
 
-/// The shape of texture that a sampler takes; where there are several samples a texel, each is a
-/// layer.
+/// The shape of texture that a sampler takes; the samples of a multisample texture are layers.
 fn shape(dim: Dim) -> Shape {
     match dim {
         Dim::D1 | Dim::Buffer => Shape::D1,
@@ -36,8 +34,8 @@ fn shape(dim: Dim) -> Shape {
     }
 }
 
-/// The slot that a sampler needs.
-fn slot(sampler: Sampler) -> TextureDecl {
+/// The declaration of the texture slot that a sampler needs.
+fn texture_decl(sampler: Sampler) -> TextureDecl {
     let texels = match sampler.scalar {
         Scalar::Float | Scalar::Bool => Ty::F32,
         Scalar::Int => Ty::I32,
@@ -47,33 +45,33 @@ fn slot(sampler: Sampler) -> TextureDecl {
     TextureDecl { shape: shape(sampler.dim), compare, texels }
 }
 
-/// Of what some indices can choose, each with so many words an element and so many elements, how far
-/// the one of this number lies behind the first.
-fn offset_of(mut number: u32, steps: &[(u32, u32)]) -> u32 {
+/// For dynamic indices, each with the words from an element to the next and the number of elements:
+/// the offset in words of element `number` in the order of all combinations.
+fn offset_of(mut number: u32, index_strides: &[(u32, u32)]) -> u32 {
     let mut offset = 0;
-    for (stride, len) in steps {
+    for (stride, len) in index_strides {
         offset += number % len * stride;
         number /= len;
     }
     offset
 }
 
-/// The arguments of a lookup behind the sampler, taken apart.
-struct Arguments<'a> {
+/// The arguments of a lookup after the sampler.
+struct LookupArguments<'a> {
     kind: Sampler,
     values: &'a [Vec<Value>],
     /// 0 and 0.0.
     zeros: [Value; 2],
-    /// What a comparison gives.
-    compared: ComparisonResult,
+    /// The result of a comparison.
+    comparison_result: ComparisonResult,
 }
 
-impl Arguments<'_> {
+impl LookupArguments<'_> {
     fn scalar(&self, at: Option<usize>) -> Option<Value> {
         self.values.get(at?).and_then(|values| values.first()).copied()
     }
 
-    /// As many components as find a texel, the rest `zero`.
+    /// The first components, as many as the texture has coordinates; the others are `zero`.
     fn three(&self, values: &[Value], zero: Value) -> [Value; 3] {
         let used = self.kind.dim.coords();
         [0, 1, 2].map(|i| if i < used { values.get(i).copied().unwrap_or(zero) } else { zero })
@@ -86,57 +84,65 @@ impl Lowerer<'_> {
         lookup: Lookup,
         arguments: &[Expr],
         result: &Type,
-    ) -> Lowered<Vec<Value>> {
+    ) -> LowerResult<Vec<Value>> {
         let [sampler, rest @ ..] = arguments else {
-            return Err(Failure("a texture lookup without a sampler".to_owned()));
+            return Err(LowerError("a texture lookup without a sampler".to_owned()));
         };
         let Type::Sampler(kind) = sampler.ty else {
-            return Err(Failure(format!("{} is no sampler", sampler.ty)));
+            return Err(LowerError(format!("{} is no sampler", sampler.ty)));
         };
-        let place = self
-            .place(sampler)?
-            .ok_or_else(|| Failure("a sampler that is no uniform".to_owned()))?;
-        let values = rest.iter().map(|expr| self.expr(expr)).collect::<Lowered<Vec<_>>>()?;
+        let chain = self
+            .access_chain(sampler)?
+            .ok_or_else(|| LowerError("a sampler that is no uniform".to_owned()))?;
+        let values = rest.iter().map(|expr| self.expr(expr)).collect::<LowerResult<Vec<_>>>()?;
         let zeros = [self.emit.constant(0, Ty::I32), self.emit.float(0.0)];
-        let compared = match (kind.comparison, result.scalars()) {
+        let comparison_result = match (kind.comparison, result.scalars()) {
             (Comparison::Yes, 1) => ComparisonResult::Scalar,
-            (Comparison::Yes | Comparison::No, _) => ComparisonResult::Placed,
+            (Comparison::Yes | Comparison::No, _) => ComparisonResult::DepthTextureMode,
         };
-        let arguments = Arguments { kind, values: &values, zeros, compared };
+        let arguments = LookupArguments { kind, values: &values, zeros, comparison_result };
         let access = match lookup {
             Lookup::Sample(projection, form, shift) => {
                 self.sample_access(&arguments, projection, form, shift)
             }
             Lookup::Gather(shift) => {
-                let at = (shift == Shift::Texels).then_some(1);
+                let at = (shift == TexelOffset::Constant).then_some(1);
                 let [s, t, _] = self.texel_offset(&arguments, at);
-                let (projection, form) = (Projection::None, LodForm::Implicit);
-                let sample = self.sample_access(&arguments, projection, form, Shift::None);
-                Access { access: ir::Access::Gather { offset: [s, t] }, ..sample }
+                let (projection, form) = (Projection::None, LodSource::Implicit);
+                let sample = self.sample_access(&arguments, projection, form, TexelOffset::None);
+                LookupOperands { access: ir::Access::Gather { offset: [s, t] }, ..sample }
             }
             Lookup::Fetch(shift) => self.fetch_access(&arguments, shift),
             Lookup::Size => {
                 let [zero, _] = zeros;
                 let lod = Lod::Explicit(arguments.scalar(Some(0)).unwrap_or(zero));
-                let compared = ComparisonResult::Placed;
-                Access {
+                let comparison_result = ComparisonResult::DepthTextureMode;
+                LookupOperands {
                     access: ir::Access::Size,
                     coords: [zero; 3],
                     layer: None,
                     reference: None,
                     lod,
-                    compared,
+                    comparison_result,
                 }
             }
             Lookup::QueryLod => {
                 let [_, zero] = zeros;
                 let coords = arguments.three(values.first().map_or(&[], |v| &v[..]), zero);
                 let lod = Lod::Implicit { bias: None };
-                let (layer, reference, compared) = (None, None, ComparisonResult::Placed);
-                Access { access: ir::Access::Lod, coords, layer, reference, lod, compared }
+                let (layer, reference, comparison_result) =
+                    (None, None, ComparisonResult::DepthTextureMode);
+                LookupOperands {
+                    access: ir::Access::Lod,
+                    coords,
+                    layer,
+                    reference,
+                    lod,
+                    comparison_result,
+                }
             }
         };
-        let mut values = self.look_up(&place, kind, &access)?;
+        let mut values = self.select_sampler(&chain, kind, &access)?;
         if (lookup, kind.dim) == (Lookup::Size, Dim::D2MultisampleArray) {
             let samples = self.emit.constant(MAX_SAMPLES as u32, Ty::I32);
             values[2] = self.emit.op(Op::IDiv, &[values[2], samples]);
@@ -147,12 +153,12 @@ impl Lowerer<'_> {
 
     fn sample_access(
         &mut self,
-        arguments: &Arguments<'_>,
+        arguments: &LookupArguments<'_>,
         projection: Projection,
-        form: LodForm,
-        shift: Shift,
-    ) -> Access {
-        let Arguments { kind, values, zeros: [_, zero], compared } = *arguments;
+        form: LodSource,
+        shift: TexelOffset,
+    ) -> LookupOperands {
+        let LookupArguments { kind, values, zeros: [_, zero], comparison_result } = *arguments;
         let mut coords = values.first().cloned().unwrap_or_default();
         if projection == Projection::Divide
             && let Some(q) = coords.pop()
@@ -174,63 +180,79 @@ impl Lowerer<'_> {
             | Dim::Buffer => None,
         };
         if compares && layer.is_some() {
-            // Four components find the texel: the reference is an argument of its own.
+            // The coordinates have four components: the reference is an argument of its own.
             coords.extend(arguments.scalar(Some(1)));
         }
         // The reference is the third component, or the one after the coordinates.
         let behind = kind.dim.coords().max(2);
         let reference = compares.then(|| coords.get(behind).copied().unwrap_or(zero));
         let last = values.len().checked_sub(1);
-        // Behind the offset, where there is one.
-        let bias = if form == LodForm::Bias { last } else { None };
+        // The offset comes before the bias.
+        let bias = if form == LodSource::Bias { last } else { None };
         let offset = match (shift, bias) {
-            (Shift::None, _) => None,
-            (Shift::Texels, None) => last,
-            (Shift::Texels, Some(bias)) => bias.checked_sub(1),
+            (TexelOffset::None, _) => None,
+            (TexelOffset::Constant, None) => last,
+            (TexelOffset::Constant, Some(bias)) => bias.checked_sub(1),
         };
         let lod = match form {
-            LodForm::Implicit | LodForm::Bias => Lod::Implicit { bias: arguments.scalar(bias) },
-            LodForm::Explicit => Lod::Explicit(arguments.scalar(Some(1)).unwrap_or(zero)),
-            LodForm::Gradient => {
+            LodSource::Implicit | LodSource::Bias => Lod::Implicit { bias: arguments.scalar(bias) },
+            LodSource::Explicit => Lod::Explicit(arguments.scalar(Some(1)).unwrap_or(zero)),
+            LodSource::Gradient => {
                 let derivative =
                     |at: usize| arguments.three(values.get(at).map_or(&[], |v| &v[..]), zero);
                 Lod::Gradient { dx: derivative(1), dy: derivative(2), bias: None }
             }
         };
         let access = ir::Access::Filter { offset: self.texel_offset(arguments, offset) };
-        Access { access, coords: arguments.three(&coords, zero), layer, reference, lod, compared }
+        LookupOperands {
+            access,
+            coords: arguments.three(&coords, zero),
+            layer,
+            reference,
+            lod,
+            comparison_result,
+        }
     }
 
-    fn fetch_access(&mut self, arguments: &Arguments<'_>, shift: Shift) -> Access {
-        let Arguments { kind, values, zeros: [zero, _], compared } = *arguments;
+    fn fetch_access(
+        &mut self,
+        arguments: &LookupArguments<'_>,
+        shift: TexelOffset,
+    ) -> LookupOperands {
+        let LookupArguments { kind, values, zeros: [zero, _], comparison_result } = *arguments;
         let coords = arguments.three(values.first().map_or(&[], |v| &v[..]), zero);
         if let Dim::D2Multisample | Dim::D2MultisampleArray = kind.dim {
             let number = arguments.scalar(Some(1)).unwrap_or(zero);
             return self.sample_fetch(coords, number, zero);
         }
         let (level, offset) = match (kind.dim, shift) {
-            (Dim::Rect | Dim::Buffer, Shift::None) => (None, None),
-            (Dim::Rect, Shift::Texels) => (None, Some(1)),
-            (_, Shift::None) => (Some(1), None),
-            (_, Shift::Texels) => (Some(1), Some(2)),
+            (Dim::Rect | Dim::Buffer, TexelOffset::None) => (None, None),
+            (Dim::Rect, TexelOffset::Constant) => (None, Some(1)),
+            (_, TexelOffset::None) => (Some(1), None),
+            (_, TexelOffset::Constant) => (Some(1), Some(2)),
         };
         let lod = Lod::Explicit(arguments.scalar(level).unwrap_or(zero));
         let access = ir::Access::Fetch { offset: self.texel_offset(arguments, offset) };
-        Access { access, coords, layer: None, reference: None, lod, compared }
+        LookupOperands { access, coords, layer: None, reference: None, lod, comparison_result }
     }
 
-    /// A sample of a texel: those of a layer lie together.
-    fn sample_fetch(&mut self, [x, y, layer]: [Value; 3], number: Value, zero: Value) -> Access {
+    /// A fetch of a sample: the samples of a layer are consecutive layers.
+    fn sample_fetch(
+        &mut self,
+        [x, y, layer]: [Value; 3],
+        number: Value,
+        zero: Value,
+    ) -> LookupOperands {
         let samples = self.emit.constant(MAX_SAMPLES as u32, Ty::I32);
         let first = self.emit.op(Op::IMul, &[layer, samples]);
         let coords = [x, y, self.emit.op(Op::IAdd, &[first, number])];
         let (access, lod) = (ir::Access::Fetch { offset: [0; 3] }, Lod::Explicit(zero));
-        let compared = ComparisonResult::Placed;
-        Access { access, coords, layer: None, reference: None, lod, compared }
+        let comparison_result = ComparisonResult::DepthTextureMode;
+        LookupOperands { access, coords, layer: None, reference: None, lod, comparison_result }
     }
 
-    /// A constant offset, as the checker has seen it; 0 where there is none.
-    fn texel_offset(&self, arguments: &Arguments<'_>, at: Option<usize>) -> [i32; 3] {
+    /// A constant offset, which the checker has evaluated; 0 if there is none.
+    fn texel_offset(&self, arguments: &LookupArguments<'_>, at: Option<usize>) -> [i32; 3] {
         let mut offset = [0; 3];
         let values = at.and_then(|at| arguments.values.get(at)).into_iter().flatten();
         for (offset, value) in offset.iter_mut().zip(values) {
@@ -239,28 +261,34 @@ impl Lowerer<'_> {
         offset
     }
 
-    fn look_up(&mut self, place: &Place, kind: Sampler, access: &Access) -> Lowered<Vec<Value>> {
-        let Slot::Uniform(word, _) = &place.slot else {
-            return Err(Failure("a sampler that is no uniform".to_owned()));
+    fn select_sampler(
+        &mut self,
+        chain: &AccessChain,
+        kind: Sampler,
+        access: &LookupOperands,
+    ) -> LowerResult<Vec<Value>> {
+        let VarStorage::Uniform(word, _) = &chain.storage else {
+            return Err(LowerError("a sampler that is no uniform".to_owned()));
         };
-        let first = word + place.base;
-        let Some(dynamic) = place.dynamic else {
+        let first = word + chain.base;
+        let Some(dynamic_offset) = chain.dynamic_offset else {
             return Ok(self.sample(first, kind, access).to_vec());
         };
-        // There is no texture by number in the IR: sample all, choose one.
-        let count = place.steps.iter().fold(1, |count: u32, (_, len)| count.saturating_mul(*len));
+        // The IR has no dynamic texture index: sample all, select one.
+        let count =
+            chain.index_strides.iter().fold(1, |count: u32, (_, len)| count.saturating_mul(*len));
         if count > MAX_DYNAMIC_SAMPLERS {
-            return Err(Failure(format!(
+            return Err(LowerError(format!(
                 "one of {count} samplers, indexed by what is not constant, is not supported by \
                  DetGL yet: {MAX_DYNAMIC_SAMPLERS} are the most"
             )));
         }
         let mut chosen = self.sample(first, kind, access);
         for index in 1..count {
-            let offset = offset_of(index, &place.steps);
+            let offset = offset_of(index, &chain.index_strides);
             let other = self.sample(first + offset, kind, access);
             let number = self.emit.uint(offset);
-            let here = self.emit.equal(dynamic, number);
+            let here = self.emit.equal(dynamic_offset, number);
             for (chosen, other) in chosen.iter_mut().zip(other) {
                 *chosen = self.emit.select(here, other, *chosen);
             }
@@ -268,19 +296,19 @@ impl Lowerer<'_> {
         Ok(chosen.to_vec())
     }
 
-    fn sample(&mut self, word: u32, kind: Sampler, access: &Access) -> [Value; 4] {
-        let decl = slot(kind);
-        let key = (word, texture_key(decl), access.compared);
+    fn sample(&mut self, word: u32, kind: Sampler, access: &LookupOperands) -> [Value; 4] {
+        let decl = texture_decl(kind);
+        let key = (word, texture_key(decl), access.comparison_result);
         let texture: Texture = match self.textures.get(&key) {
             Some(&texture) => texture,
             None => {
                 let texture = self.emit.texture(decl);
                 self.textures.insert(key, texture);
-                self.samplers.push((texture, word, kind.dim, access.compared));
+                self.samplers.push((texture, word, kind.dim, access.comparison_result));
                 texture
             }
         };
-        let Access { access, coords, layer, reference, lod, .. } = *access;
+        let LookupOperands { access, coords, layer, reference, lod, .. } = *access;
         self.emit.access(ir::Sample { texture, access, coords, layer, reference, lod })
     }
 }

@@ -1,11 +1,11 @@
 //! The expressions of `#if` and `#elif` (GLSL 1.30 section 3.3).
 
 use super::macros::Macros;
-use crate::diagnostics::{Diagnostic, Log};
-use crate::lexer::{Kind, Literal, Token, literal};
+use crate::language::Version;
+use crate::lex::{Literal, Token, TokenKind, literal};
 use crate::limits::MAX_CONDITION_DEPTH;
-use crate::source::{Source, Span};
-use crate::version::Version;
+use crate::text::diagnostics::{Diagnostic, Log};
+use crate::text::source::{Source, Span};
 
 /// Evaluates a condition.
 pub fn evaluate(
@@ -18,7 +18,7 @@ pub fn evaluate(
 ) -> Result<i64, Box<Diagnostic>> {
     let tokens = macros.expand_condition(line.to_vec(), source, version)?;
     let mut parser = Parser { tokens: &tokens, at: 0, end: span, depth: 0, version, log };
-    let value = parser.binary(0, Need::Value)?;
+    let value = parser.binary(0, Operand::Evaluated)?;
     match parser.tokens.get(parser.at) {
         None => Ok(value),
         Some(token) => {
@@ -27,7 +27,7 @@ pub fn evaluate(
     }
 }
 
-/// The values of constant expressions that follow one another, macros expanded.
+/// The values of a sequence of constant expressions, macros already expanded.
 pub fn values(
     span: Span,
     tokens: &[Token],
@@ -37,16 +37,16 @@ pub fn values(
     let mut parser = Parser { tokens, at: 0, end: span, depth: 0, version, log };
     let mut values = Vec::new();
     while parser.at < tokens.len() {
-        values.push(parser.binary(0, Need::Value)?);
+        values.push(parser.binary(0, Operand::Evaluated)?);
     }
     Ok(values)
 }
 
-/// Whether an operand's value matters: what `0 &&` and `1 ||` leave out may be undefined.
+/// Whether an operand is evaluated: what `0 &&` and `1 ||` skip may be undefined.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Need {
-    Value,
-    Nothing,
+enum Operand {
+    Evaluated,
+    ShortCircuited,
 }
 
 struct Parser<'a> {
@@ -58,7 +58,7 @@ struct Parser<'a> {
     log: &'a mut Log,
 }
 
-/// Binary operators and how tightly they bind.
+/// Binary operators and their precedence.
 const OPERATORS: [(&str, u8); 18] = [
     ("||", 1),
     ("&&", 2),
@@ -81,18 +81,18 @@ const OPERATORS: [(&str, u8); 18] = [
 ];
 
 impl Parser<'_> {
-    fn binary(&mut self, loosest: u8, need: Need) -> Result<i64, Box<Diagnostic>> {
-        let mut left = self.unary(need)?;
+    fn binary(&mut self, loosest: u8, operand: Operand) -> Result<i64, Box<Diagnostic>> {
+        let mut left = self.unary(operand)?;
         while let Some(token) = self.tokens.get(self.at) {
             let row = OPERATORS.iter().find(|(name, _)| token.is(name));
             let Some(&(operator, binding)) = row.filter(|row| row.1 > loosest) else { break };
             let span = token.span;
             self.at += 1;
             let decided = operator == "||" && left != 0 || operator == "&&" && left == 0;
-            let need = if decided { Need::Nothing } else { need };
-            let right = self.binary(binding, need)?;
+            let operand = if decided { Operand::ShortCircuited } else { operand };
+            let right = self.binary(binding, operand)?;
             if matches!(operator, "/" | "%") && right == 0 {
-                if need == Need::Value {
+                if operand == Operand::Evaluated {
                     return Err(Diagnostic::error(span, "division by zero in the condition").into());
                 }
                 continue;
@@ -102,7 +102,7 @@ impl Parser<'_> {
         Ok(left)
     }
 
-    fn unary(&mut self, need: Need) -> Result<i64, Box<Diagnostic>> {
+    fn unary(&mut self, operand: Operand) -> Result<i64, Box<Diagnostic>> {
         let Some(token) = self.tokens.get(self.at) else {
             return Err(Diagnostic::error(self.end, "the condition is not complete").into());
         };
@@ -112,19 +112,19 @@ impl Parser<'_> {
             return Err(Diagnostic::error(token.span, "the condition is nested too deeply").into());
         }
         let value = match &token.kind {
-            Kind::Punct("-") => self.unary(need)?.wrapping_neg(),
-            Kind::Punct("+") => self.unary(need)?,
-            Kind::Punct("!") => i64::from(self.unary(need)? == 0),
-            Kind::Punct("~") => !self.unary(need)?,
-            Kind::Punct("(") => {
-                let value = self.binary(0, need)?;
+            TokenKind::Punct("-") => self.unary(operand)?.wrapping_neg(),
+            TokenKind::Punct("+") => self.unary(operand)?,
+            TokenKind::Punct("!") => i64::from(self.unary(operand)? == 0),
+            TokenKind::Punct("~") => !self.unary(operand)?,
+            TokenKind::Punct("(") => {
+                let value = self.binary(0, operand)?;
                 match self.tokens.get(self.at) {
                     Some(close) if close.is(")") => self.at += 1,
                     _ => return Err(Diagnostic::error(token.span, "`(` is not closed").into()),
                 }
                 value
             }
-            Kind::Number(text) => match literal(text) {
+            TokenKind::Number(text) => match literal(text) {
                 Ok(Literal::Int(value)) => i64::from(value),
                 Ok(Literal::Uint(value)) => i64::from(value),
                 Ok(Literal::Float(_)) | Err(_) => {
@@ -132,12 +132,12 @@ impl Parser<'_> {
                     return Err(Diagnostic::error(token.span, message).into());
                 }
             },
-            Kind::Word(name) if need == Need::Value => {
+            TokenKind::Word(name) if operand == Operand::Evaluated => {
                 self.undefined(name, token.span)?;
                 0
             }
-            Kind::Word(_) => 0,
-            Kind::Punct(_) | Kind::Stray(_) | Kind::Newline | Kind::End => {
+            TokenKind::Word(_) => 0,
+            TokenKind::Punct(_) | TokenKind::Stray(_) | TokenKind::Newline | TokenKind::End => {
                 let message = format!("unexpected {}", token.describe());
                 return Err(Diagnostic::error(token.span, message).into());
             }
@@ -149,7 +149,7 @@ impl Parser<'_> {
 
 impl Parser<'_> {
     /// A name that is no macro. Up to GLSL 1.30 this is an error (section 3.3), from 4.30 on it
-    /// counts as 0, which is what every compiler of the desktop has made of it; GLSL ES rejects it.
+    /// counts as 0, as in every desktop compiler; GLSL ES rejects it.
     fn undefined(&mut self, name: &str, span: Span) -> Result<(), Box<Diagnostic>> {
         let help = format!("test it with `defined({name})`");
         if self.version == Version::Es100 {

@@ -2,13 +2,13 @@
 
 use super::condition;
 use super::macros::{Macro, Macros};
-use super::{Conditional, Group, Preprocessor};
-use crate::diagnostics::Diagnostic;
-use crate::lexer::{Kind, Token};
+use super::{Conditional, GroupState, Preprocessor};
+use crate::language::{Behaviour, Extension, Version};
+use crate::lex::{Token, TokenKind};
 use crate::limits::MAX_CONDITIONALS;
-use crate::source::Span;
-use crate::spelling::closest;
-use crate::version::{Behaviour, Extension, Version};
+use crate::text::diagnostics::Diagnostic;
+use crate::text::source::Span;
+use crate::text::spelling::closest;
 
 /// The names of the directives.
 const NAMES: [&str; 13] = [
@@ -27,7 +27,7 @@ const NAMES: [&str; 13] = [
     "line",
 ];
 
-/// Whether a shader goes without an extension.
+/// Whether a missing extension is an error.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Required {
     No,
@@ -36,7 +36,7 @@ enum Required {
 
 /// The value of a decimal number.
 fn number(token: &Token) -> Option<i64> {
-    let Kind::Number(number) = &token.kind else { return None };
+    let TokenKind::Number(number) = &token.kind else { return None };
     number.parse::<u32>().ok().map(i64::from)
 }
 
@@ -46,16 +46,16 @@ impl Preprocessor<'_> {
         let span = hash.span.to(first.span);
         let name = first.word().map_or("", |word| word);
         match name {
-            "if" | "ifdef" | "ifndef" => self.open(name, span, rest),
-            "elif" => self.elif(span, rest),
-            "else" => self.otherwise(span, rest),
+            "if" | "ifdef" | "ifndef" => self.if_directive(name, span, rest),
+            "elif" => self.elif_directive(span, rest),
+            "else" => self.else_directive(span, rest),
             "endif" => {
-                self.nothing_more(rest);
+                self.expect_line_end(rest);
                 if self.conditionals.pop().is_none() {
                     self.error(span, "`#endif` without `#if`");
                 }
             }
-            _ if !self.taking() => {}
+            _ if !self.is_active() => {}
             "define" => self.define(span, rest),
             "undef" => self.undef(span, rest),
             "error" => {
@@ -92,17 +92,17 @@ impl Preprocessor<'_> {
         }
     }
 
-    fn nothing_more(&mut self, rest: &[Token]) {
+    fn expect_line_end(&mut self, rest: &[Token]) {
         if let Some(token) = rest.first() {
             let message = format!("unexpected {} after the directive", token.describe());
             self.log.push(Diagnostic::warning(token.span, message));
         }
     }
 
-    /// The name that a directive is about.
+    /// The macro name of a directive.
     fn name<'t>(&mut self, span: Span, rest: &'t [Token]) -> Option<(&'t str, &'t [Token])> {
         match rest {
-            [Token { kind: Kind::Word(name), .. }, more @ ..] => Some((name, more)),
+            [Token { kind: TokenKind::Word(name), .. }, more @ ..] => Some((name, more)),
             _ => {
                 self.error(rest.first().map_or(span, |token| token.span), "a name is expected");
                 None
@@ -110,22 +110,22 @@ impl Preprocessor<'_> {
         }
     }
 
-    fn open(&mut self, kind: &str, span: Span, rest: &[Token]) {
+    fn if_directive(&mut self, kind: &str, span: Span, rest: &[Token]) {
         if self.conditionals.len() >= MAX_CONDITIONALS {
             self.error(span, "conditionals are nested too deeply");
             return;
         }
-        let state = if !self.taking() {
-            Group::Done
+        let state = if !self.is_active() {
+            GroupState::Done
         } else {
             let holds = match kind {
                 "if" => self.condition(span, rest),
                 _ => self.name(span, rest).is_some_and(|(name, more)| {
-                    self.nothing_more(more);
+                    self.expect_line_end(more);
                     self.macros.is_defined(name) == (kind == "ifdef")
                 }),
             };
-            if holds { Group::Taken } else { Group::Waiting }
+            if holds { GroupState::Taken } else { GroupState::Waiting }
         };
         self.conditionals.push(Conditional { span, state, after_else: false });
     }
@@ -143,7 +143,7 @@ impl Preprocessor<'_> {
         }
     }
 
-    fn elif(&mut self, span: Span, rest: &[Token]) {
+    fn elif_directive(&mut self, span: Span, rest: &[Token]) {
         let Some(last) = self.conditionals.last() else {
             self.error(span, "`#elif` without `#if`");
             return;
@@ -153,24 +153,24 @@ impl Preprocessor<'_> {
             self.error(span, "`#elif` after `#else`");
         }
         let state = match state {
-            Group::Taken | Group::Done => Group::Done,
-            Group::Waiting if self.condition(span, rest) => Group::Taken,
-            Group::Waiting => Group::Waiting,
+            GroupState::Taken | GroupState::Done => GroupState::Done,
+            GroupState::Waiting if self.condition(span, rest) => GroupState::Taken,
+            GroupState::Waiting => GroupState::Waiting,
         };
         if let Some(last) = self.conditionals.last_mut() {
             last.state = state;
         }
     }
 
-    fn otherwise(&mut self, span: Span, rest: &[Token]) {
-        self.nothing_more(rest);
+    fn else_directive(&mut self, span: Span, rest: &[Token]) {
+        self.expect_line_end(rest);
         let Some(last) = self.conditionals.last_mut() else {
             self.error(span, "`#else` without `#if`");
             return;
         };
         last.state = match last.state {
-            Group::Taken | Group::Done => Group::Done,
-            Group::Waiting => Group::Taken,
+            GroupState::Taken | GroupState::Done => GroupState::Done,
+            GroupState::Waiting => GroupState::Taken,
         };
         if std::mem::replace(&mut last.after_else, true) {
             self.error(span, "a second `#else` for the same `#if`");
@@ -207,7 +207,7 @@ impl Preprocessor<'_> {
 
     fn undef(&mut self, span: Span, rest: &[Token]) {
         let Some((name, more)) = self.name(span, rest) else { return };
-        self.nothing_more(more);
+        self.expect_line_end(more);
         if name.starts_with("__") || name.starts_with("GL_") {
             self.error(rest[0].span, format!("`{name}` cannot be undefined"));
         } else {
@@ -230,9 +230,8 @@ impl Preprocessor<'_> {
             return;
         };
         let known = Version::ALL.into_iter().find(|known| i64::from(known.number()) == number);
-        // The rest of a shader in a version that there is not is read as one of the newest with all
-        // extensions, which is what later ones began as: most of it is alike, and what is wrong with
-        // it besides is worth saying.
+        // A shader in an unknown version is checked like one in the newest version with all
+        // extensions: most of the language is the same, and its other errors are worth reporting.
         let version = known.unwrap_or(Version::NEWEST);
         self.language = version.into();
         self.macros = Macros::new(version);
@@ -253,7 +252,7 @@ impl Preprocessor<'_> {
         }
     }
 
-    /// Every extension of the version.
+    /// Enables all extensions of the version.
     fn set_all(&mut self, behaviour: Behaviour) {
         for (known, _) in Extension::ALL {
             if known.is_in(self.language.version) {

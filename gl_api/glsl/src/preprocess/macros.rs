@@ -1,30 +1,31 @@
-//! Macros and their expansion, bounded in what it may produce.
+//! Macros and their expansion, with a bounded result.
 
-use crate::diagnostics::Diagnostic;
-use crate::lexer::{Kind, Token};
-use crate::limits::{MAX_EXPANDED_TOKENS, MAX_MACRO_DEPTH};
-use crate::source::{Source, Span};
-use crate::version::{Extension, Version};
-use std::collections::{BTreeMap, BTreeSet};
+use super::expansion::{self, ExpansionContext, nothing_to_join};
+use crate::language::{Extension, Version};
+use crate::lex::{Token, TokenKind};
+use crate::text::diagnostics::Diagnostic;
+use crate::text::source::{Source, Span};
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// What GLSL ES defines: section 3.4, and that the fragment stage has `highp` (section 4.5.4).
+/// The macros of GLSL ES: section 3.4, and that the fragment stage has `highp` (section 4.5.4).
 const ES: [&str; 2] = ["GL_ES", HIGH];
-/// What GLSL 1.30 defines too, section 4.5.3.
+/// GLSL 1.30 defines it too, section 4.5.3.
 const HIGH: &str = "GL_FRAGMENT_PRECISION_HIGH";
 
 /// A macro.
 #[derive(Clone, Debug)]
 pub struct Macro {
-    /// The parameters; `None` when it takes no parentheses.
-    parameters: Option<Vec<Arc<str>>>,
-    body: Vec<Token>,
+    /// The parameters; `None` for an object-like macro.
+    pub parameters: Option<Vec<Arc<str>>>,
+    /// The tokens that replace it.
+    pub body: Vec<Token>,
 }
 
 impl Macro {
-    /// Reads what follows the name `at` in a `#define`.
+    /// Parses what follows the name `at` in a `#define`.
     pub fn parse(at: Span, rest: &[Token], version: Version) -> Result<Self, Box<Diagnostic>> {
-        // Only a parenthesis without a blank before it begins parameters.
+        // The `(` of the parameters follows the name without a blank.
         let [open, more @ ..] = rest else {
             return Ok(Self { parameters: None, body: Vec::new() });
         };
@@ -56,7 +57,7 @@ impl Macro {
         Ok(Self { parameters: Some(parameters), body: body(&more[close + 1..], version)? })
     }
 
-    /// Whether a second definition says the same.
+    /// Whether a second definition is the same.
     fn same(&self, other: &Self) -> bool {
         self.parameters == other.parameters
             && self.body.len() == other.body.len()
@@ -64,29 +65,14 @@ impl Macro {
     }
 }
 
-/// The body of a macro: `##` has something to join on both sides. Before GLSL 1.30, which brought
-/// it, only its use is an error.
+/// The body of a macro: `##` has a token on both sides. Before GLSL 1.30, which added `##`, only
+/// its use is an error.
 fn body(tokens: &[Token], version: Version) -> Result<Vec<Token>, Box<Diagnostic>> {
     let ends = [tokens.first(), tokens.last()];
     match ends.into_iter().flatten().find(|token| token.is("##")) {
         Some(end) if version >= Version::V130 => Err(nothing_to_join(end)),
         Some(_) | None => Ok(tokens.to_vec()),
     }
-}
-
-fn nothing_to_join(at: &Token) -> Box<Diagnostic> {
-    Diagnostic::error(at.span, "`##` has nothing to join here")
-        .rule("GLSL 1.30 section 3.3: `##` joins two tokens, from version 130 on")
-        .into()
-}
-
-/// A token on its way through the expansion.
-enum Item {
-    Token(Token),
-    /// A token of a macro inside its own expansion: never expanded again.
-    Painted(Token),
-    /// The expansion of this macro ends here.
-    EndOf(Arc<str>),
 }
 
 /// All macros.
@@ -97,9 +83,9 @@ pub struct Macros {
 }
 
 impl Macros {
-    /// What a version defines: its extensions, and what [`ES`] and [`HIGH`] say.
+    /// The macros that a version defines: its extensions, and [`ES`] and [`HIGH`].
     pub fn new(version: Version) -> Self {
-        let one = Token { kind: Kind::Number("1".into()), span: Span::default() };
+        let one = Token { kind: TokenKind::Number("1".into()), span: Span::default() };
         let row = |name: &str| (name.into(), Macro { parameters: None, body: vec![one.clone()] });
         let extensions = Extension::ALL.iter().filter(|known| known.0.is_in(version));
         let names = extensions.map(|known| known.1);
@@ -120,6 +106,11 @@ impl Macros {
         true
     }
 
+    /// The macro of a name.
+    pub fn get(&self, name: &str) -> Option<&Macro> {
+        self.table.get(name)
+    }
+
     /// Removes a macro.
     pub fn undefine(&mut self, name: &str) {
         self.table.remove(name);
@@ -137,315 +128,30 @@ impl Macros {
         source: &Source,
         version: Version,
     ) -> Result<Vec<Token>, Box<Diagnostic>> {
-        self.expand_where(Place::Text, tokens, source, version)
+        self.expand_in(ExpansionContext::Text, tokens, source, version)
     }
 
-    /// Expands every macro in a condition, and replaces `defined X` and `defined(X)` by 1 or 0, also
-    /// where a macro gives them.
+    /// Expands every macro in a condition, and replaces `defined X` and `defined(X)` by 1 or 0,
+    /// also in the result of a macro.
     pub fn expand_condition(
         &mut self,
         tokens: Vec<Token>,
         source: &Source,
         version: Version,
     ) -> Result<Vec<Token>, Box<Diagnostic>> {
-        self.expand_where(Place::Condition, tokens, source, version)
+        self.expand_in(ExpansionContext::Condition, tokens, source, version)
     }
 
-    fn expand_where(
+    fn expand_in(
         &mut self,
-        place: Place,
+        context: ExpansionContext,
         tokens: Vec<Token>,
         source: &Source,
         version: Version,
     ) -> Result<Vec<Token>, Box<Diagnostic>> {
         let mut produced = self.produced;
-        let mut expansion = Expansion {
-            macros: self,
-            place,
-            source,
-            version,
-            active: BTreeSet::new(),
-            produced: &mut produced,
-        };
-        let result = expansion.run(tokens.into_iter().map(Item::Token).collect(), None, 0);
+        let result = expansion::expand(self, context, tokens, source, version, &mut produced);
         self.produced = produced;
-        let plain = |item| match item {
-            Item::Token(token) | Item::Painted(token) => Some(token),
-            Item::EndOf(_) => None,
-        };
-        Ok(result?.into_iter().filter_map(plain).collect())
-    }
-}
-
-/// What is expanded.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Place {
-    /// The program, or the numbers of `#line`.
-    Text,
-    /// What follows `#if` or `#elif`.
-    Condition,
-}
-
-/// One expansion under way.
-struct Expansion<'a> {
-    macros: &'a Macros,
-    place: Place,
-    source: &'a Source,
-    version: Version,
-    /// The macros whose bodies are being read.
-    active: BTreeSet<Arc<str>>,
-    produced: &'a mut usize,
-}
-
-impl Expansion<'_> {
-    /// `call` is the place of the outermost macro call, for what stands in its expansion.
-    fn run(
-        &mut self,
-        items: Vec<Item>,
-        call: Option<Span>,
-        depth: usize,
-    ) -> Result<Vec<Item>, Box<Diagnostic>> {
-        let mut work: Vec<Item> = items.into_iter().rev().collect();
-        let mut output = Vec::new();
-        while let Some(item) = work.pop() {
-            let token = match item {
-                Item::Token(token) => token,
-                Item::Painted(token) => {
-                    output.push(Item::Painted(token));
-                    continue;
-                }
-                Item::EndOf(name) => {
-                    self.active.remove(&name);
-                    continue;
-                }
-            };
-            let at = call.unwrap_or(token.span);
-            let Some(name) = token.word().cloned() else {
-                output.push(Item::Token(token));
-                continue;
-            };
-            if let Some(number) = self.predefined(&name, at) {
-                let kind = Kind::Number(number.to_string().into());
-                output.push(Item::Token(Token { kind, span: at }));
-                continue;
-            }
-            if self.place == Place::Condition && &*name == "defined" {
-                output.push(Item::Token(self.defined(&mut work, &token)?));
-                continue;
-            }
-            let Some(found) = self.macros.table.get(&name) else {
-                output.push(Item::Token(token));
-                continue;
-            };
-            if self.active.contains(&name) {
-                output.push(Item::Painted(token));
-                continue;
-            }
-            let body = match &found.parameters {
-                None => self.paste(&found.body, &[], &[], &[], token.span)?,
-                Some(parameters) => {
-                    let next = work.iter().rev().find(|item| !matches!(item, Item::EndOf(_)));
-                    if !matches!(next, Some(Item::Token(next)) if next.is("(")) {
-                        output.push(Item::Token(token));
-                        continue;
-                    }
-                    if depth >= MAX_MACRO_DEPTH {
-                        let message = "macro calls are nested too deeply";
-                        return Err(Diagnostic::error(token.span, message).into());
-                    }
-                    let raw = self.arguments(&mut work, &token)?;
-                    let count = if raw.len() == 1 && raw[0].is_empty() && parameters.is_empty() {
-                        0
-                    } else {
-                        raw.len()
-                    };
-                    if count != parameters.len() {
-                        let message = format!(
-                            "macro `{name}` takes {} argument(s), not {count}",
-                            parameters.len()
-                        );
-                        return Err(Diagnostic::error(token.span, message).into());
-                    }
-                    let mut arguments = Vec::new();
-                    for argument in &raw {
-                        let items = argument.iter().cloned().map(Item::Token).collect();
-                        let active = self.active.clone();
-                        arguments.push(self.run(items, None, depth + 1)?);
-                        self.active = active;
-                    }
-                    self.paste(&found.body, parameters, &raw, &arguments, token.span)?
-                }
-            };
-            *self.produced += body.len() + 1;
-            if *self.produced > MAX_EXPANDED_TOKENS {
-                return Err(too_many_tokens(token.span));
-            }
-            self.active.insert(name.clone());
-            work.push(Item::EndOf(name));
-            work.extend(body.into_iter().rev());
-        }
-        Ok(output)
-    }
-
-    /// `__LINE__` and the like.
-    fn predefined(&self, name: &str, at: Span) -> Option<i64> {
-        match name {
-            "__LINE__" => Some(self.source.line_of(at.start).1),
-            "__FILE__" => Some(self.source.line_of(at.start).0),
-            "__VERSION__" => Some(i64::from(self.version.number())),
-            _ => None,
-        }
-    }
-
-    /// Takes the name that `defined` asks for off the work, with its parentheses, if it has some.
-    fn defined(
-        &mut self,
-        work: &mut Vec<Item>,
-        operator: &Token,
-    ) -> Result<Token, Box<Diagnostic>> {
-        let mut next = || loop {
-            match work.pop() {
-                Some(Item::Token(token) | Item::Painted(token)) => return Some(token),
-                Some(Item::EndOf(name)) => drop(self.active.remove(&name)),
-                None => return None,
-            }
-        };
-        let (open, name) = match next() {
-            Some(open) if open.is("(") => (Some(open), next()),
-            name => (None, name),
-        };
-        if let Some(open) = open
-            && !next().is_some_and(|close| close.is(")"))
-        {
-            let problem = Diagnostic::error(open.span, "`defined(` takes one name and a `)`");
-            return Err(problem.rule("GLSL 1.30 section 3.3").into());
-        }
-        match name.as_ref().map(|name| (name.word(), name.span)) {
-            Some((Some(word), _)) => {
-                let value = if self.macros.is_defined(word) { "1" } else { "0" };
-                Ok(Token { kind: Kind::Number(value.into()), span: operator.span })
-            }
-            other => {
-                let at = other.map_or(operator.span, |(_, span)| span);
-                Err(Diagnostic::error(at, "`defined` needs a name").into())
-            }
-        }
-    }
-
-    /// Takes a call's arguments, with both parentheses, off the work.
-    fn arguments(
-        &mut self,
-        work: &mut Vec<Item>,
-        name: &Token,
-    ) -> Result<Vec<Vec<Token>>, Box<Diagnostic>> {
-        let mut arguments = vec![Vec::new()];
-        let mut depth = 0usize;
-        while let Some(item) = work.pop() {
-            let token = match item {
-                Item::Token(token) | Item::Painted(token) => token,
-                Item::EndOf(name) => {
-                    self.active.remove(&name);
-                    continue;
-                }
-            };
-            if token.is("(") {
-                depth += 1;
-                if depth == 1 {
-                    continue;
-                }
-            } else if token.is(")") {
-                depth -= 1;
-                if depth == 0 {
-                    return Ok(arguments);
-                }
-            } else if token.is(",") && depth == 1 {
-                arguments.push(Vec::new());
-                continue;
-            }
-            if let Some(last) = arguments.last_mut() {
-                last.push(token);
-            }
-        }
-        let message = format!("the call of macro {} is not closed by `)`", name.describe());
-        Err(Diagnostic::error(name.span, message).into())
-    }
-
-    /// The body with arguments in place of parameters, `##` applied (GLSL 1.30 section 3.3): to the
-    /// arguments as they are written, where elsewhere they are `expanded`.
-    fn paste(
-        &self,
-        body: &[Token],
-        parameters: &[Arc<str>],
-        written: &[Vec<Token>],
-        expanded: &[Vec<Item>],
-        at: Span,
-    ) -> Result<Vec<Item>, Box<Diagnostic>> {
-        let mut output: Vec<Item> = Vec::new();
-        let mut joining = false;
-        // Whether what is before gave a token: an empty argument joins as nothing.
-        let mut before = false;
-        for (index, token) in body.iter().enumerate() {
-            if token.is("##") {
-                if self.version < Version::V130 {
-                    return Err(nothing_to_join(token));
-                }
-                joining = true;
-                continue;
-            }
-            let parameter = token.word().and_then(|w| parameters.iter().position(|p| p == w));
-            let joined = joining || body.get(index + 1).is_some_and(|next| next.is("##"));
-            let start = output.len();
-            match parameter {
-                Some(index) if joined => {
-                    output.extend(written[index].iter().cloned().map(Item::Token));
-                }
-                Some(index) => {
-                    for item in &expanded[index] {
-                        match item {
-                            Item::Token(t) => output.push(Item::Token(t.clone())),
-                            Item::Painted(t) => output.push(Item::Painted(t.clone())),
-                            Item::EndOf(_) => {}
-                        }
-                    }
-                }
-                None => output.push(Item::Token(Token { kind: token.kind.clone(), span: at })),
-            }
-            if *self.produced + output.len() > MAX_EXPANDED_TOKENS {
-                return Err(too_many_tokens(at));
-            }
-            let given = start < output.len();
-            if joining && before && given {
-                join(&mut output, start, at)?;
-            }
-            before = given || joining && before;
-            joining = false;
-        }
-        Ok(output)
-    }
-}
-
-fn too_many_tokens(at: Span) -> Box<Diagnostic> {
-    let message = format!("macros expand to more than {MAX_EXPANDED_TOKENS} tokens");
-    Diagnostic::error(at, message).into()
-}
-
-/// Joins the tokens at `start - 1` and `start` into one.
-fn join(output: &mut Vec<Item>, start: usize, at: Span) -> Result<(), Box<Diagnostic>> {
-    let text = |item: &Item| match item {
-        Item::Token(token) | Item::Painted(token) => match &token.kind {
-            Kind::Word(text) | Kind::Number(text) => text.to_string(),
-            Kind::Punct(text) => (*text).to_owned(),
-            Kind::Stray(_) | Kind::Newline | Kind::End => String::new(),
-        },
-        Item::EndOf(_) => String::new(),
-    };
-    let joined = format!("{}{}", text(&output[start - 1]), text(&output[start]));
-    match &crate::lexer::tokens(&joined).tokens[..] {
-        [one, _, _] => {
-            output[start - 1] = Item::Token(Token { kind: one.kind.clone(), span: at });
-            output.remove(start);
-            Ok(())
-        }
-        _ => Err(Diagnostic::error(at, format!("`##` gives `{joined}`, which is no token")).into()),
+        result
     }
 }

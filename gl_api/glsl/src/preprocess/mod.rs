@@ -3,18 +3,19 @@
 
 mod condition;
 mod directives;
+mod expansion;
 mod macros;
 
-use super::diagnostics::{Diagnostic, Log};
-use super::lexer::{Kind, Token, tokens};
-use super::source::{Source, Span};
-use super::version::{Language, Version};
+use crate::language::{Language, Version};
+use crate::lex::{Token, TokenKind, tokens};
+use crate::text::diagnostics::{Diagnostic, Log};
+use crate::text::source::{Source, Span};
 use macros::Macros;
 
-/// What comes out.
+/// The result of preprocessing.
 #[derive(Debug)]
 pub struct Preprocessed {
-    /// The program; the last is [`Kind::End`].
+    /// The program; the last is [`TokenKind::End`].
     pub tokens: Vec<Token>,
     /// What `#version` and `#extension` asked for.
     pub language: Language,
@@ -27,20 +28,20 @@ pub struct Preprocessed {
 struct Conditional {
     /// Where it began.
     span: Span,
-    /// What its groups do.
-    state: Group,
-    /// Whether `#else` came.
+    /// The state of its current group.
+    state: GroupState,
+    /// Whether it has had its `#else`.
     after_else: bool,
 }
 
 /// The state of a conditional's current group.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Group {
-    /// Its lines count.
+enum GroupState {
+    /// Its lines are part of the program.
     Taken,
     /// Skipped; a later group may be taken.
     Waiting,
-    /// Skipped; so are all later groups.
+    /// Skipped, like all later groups.
     Done,
 }
 
@@ -52,13 +53,13 @@ struct Preprocessor<'a> {
     all_invariant: bool,
     macros: Macros,
     conditionals: Vec<Conditional>,
-    /// Whether anything but blanks and comments came before.
+    /// Whether a token came before.
     begun: bool,
-    /// Whether anything but directives came before.
+    /// Whether a token outside of directives came before.
     program_begun: bool,
 }
 
-/// Preprocesses a source. `#line` is applied to the source, so that later messages keep to it.
+/// Preprocesses a source. `#line` is applied to the source, for the positions in later messages.
 pub fn preprocess(source: &mut Source, log: &mut Log) -> Preprocessed {
     let lexed = tokens(source.text());
     if let Some(span) = lexed.unclosed {
@@ -93,14 +94,16 @@ pub fn preprocess(source: &mut Source, log: &mut Log) -> Preprocessed {
 impl Preprocessor<'_> {
     fn run(&mut self, all: &[Token]) -> Vec<Token> {
         let mut output = Vec::new();
-        // Text lines between directives, expanded together: a macro's arguments may span lines.
+        // Lines between directives are expanded together: the arguments of a macro may span lines.
         let mut text: Vec<Token> = Vec::new();
-        for line in all.split_inclusive(|token| token.kind == Kind::Newline) {
+        for line in all.split_inclusive(|token| token.kind == TokenKind::Newline) {
             if self.log.is_full() {
                 break;
             }
             let line = match line {
-                [line @ .., last] if matches!(last.kind, Kind::Newline | Kind::End) => line,
+                [line @ .., last] if matches!(last.kind, TokenKind::Newline | TokenKind::End) => {
+                    line
+                }
                 line => line,
             };
             match line {
@@ -112,7 +115,7 @@ impl Preprocessor<'_> {
                 }
                 _ => {
                     self.begun = true;
-                    if self.taking() {
+                    if self.is_active() {
                         self.program_begun = true;
                         text.extend_from_slice(line);
                     }
@@ -125,7 +128,7 @@ impl Preprocessor<'_> {
             self.log.push(Diagnostic::error(conditional.span, message));
         }
         let end = self.source.text().len() as u32;
-        output.push(Token { kind: Kind::End, span: Span { start: end, end } });
+        output.push(Token { kind: TokenKind::End, span: Span { start: end, end } });
         output
     }
 
@@ -136,9 +139,9 @@ impl Preprocessor<'_> {
         }
     }
 
-    /// Whether lines count here.
-    fn taking(&self) -> bool {
-        self.conditionals.iter().all(|conditional| conditional.state == Group::Taken)
+    /// Whether lines are part of the program here.
+    fn is_active(&self) -> bool {
+        self.conditionals.iter().all(|conditional| conditional.state == GroupState::Taken)
     }
 
     fn error(&mut self, span: Span, message: impl Into<String>) {

@@ -103,7 +103,7 @@ pub(crate) fn bind_buffer(context: &mut Context, target: GLenum, buffer: GLuint)
     *binding(context, target) = context.objects.buffers.hold(buffer);
     match target {
         // Calls look there for what they are given.
-        BufferTarget::Array | BufferTarget::ElementArray => context.changes.nothing(),
+        BufferTarget::Array | BufferTarget::ElementArray => context.state_changes.no_change(),
         BufferTarget::PixelPack
         | BufferTarget::PixelUnpack
         | BufferTarget::CopyRead

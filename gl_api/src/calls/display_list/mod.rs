@@ -12,11 +12,11 @@ use crate::base::error::Result;
 use crate::base::types::*;
 use crate::context::Context;
 use crate::context::immediate::Slot;
-use crate::context::lists::shapes::Open;
-use crate::context::lists::{ArrayDraw, Mode, Run, Step};
+use crate::context::lists::primitives::OpenPrimitives;
+use crate::context::lists::{ArrayDraw, ListMode, RecordedCall, Step};
 use crate::context::recorder::elements::Elements;
-use crate::draw::complete::checked_drawable;
-use crate::draw::translate::draw;
+use crate::draw::completeness::checked_drawable;
+use crate::draw::record::draw;
 use crate::pixel::store::PixelStore;
 use rasterizer::driver::{Topology, VertexBinding, VertexSource};
 
@@ -27,7 +27,7 @@ impl Context {
         name: &'static str,
         begin_end: BeginEnd,
         unpack: Option<Box<PixelStore>>,
-        run: Run,
+        run: RecordedCall,
     ) {
         self.record_step(Step::Call { name, begin_end, unpack, run });
     }
@@ -59,7 +59,7 @@ impl Context {
     fn keep_steps(&mut self, steps: Vec<Step>) {
         // What a list does is not recorded again.
         let Some(mut compiling) = self.compiling.take() else { return };
-        if compiling.mode == Mode::CompileAndExecute {
+        if compiling.mode == ListMode::CompileAndExecute {
             for step in &steps {
                 self.run_step(step);
             }
@@ -82,7 +82,7 @@ impl Context {
         self.finish_open();
         let nested = self.immediate.is_some();
         let Some(compiling) = &mut self.compiling else { return false };
-        let open = Open::new(mode);
+        let open = OpenPrimitives::new(mode);
         if nested || compiling.begun {
             self.keep_steps(open.spill());
         } else {
@@ -156,7 +156,7 @@ impl Context {
             Step::Attribute(slot, value) => self.call("glCallList", BeginEnd::Allowed, |context| {
                 crate::calls::vertex::immediate::attribute(context, *slot, *value)
             }),
-            Step::Shapes(shapes) => {
+            Step::Primitives(shapes) => {
                 for part in shapes.parts(self) {
                     self.call("glBegin", BeginEnd::Allowed, |context| shapes.draw(context, part));
                 }

@@ -6,16 +6,16 @@ use crate::base::error::{Result, invalid_operation};
 use crate::context::Context;
 use crate::context::immediate::Columns;
 use crate::context::lists::Step;
-use crate::context::lists::shapes::{Open, Shapes};
-use crate::draw::ended::draws_together;
+use crate::context::lists::primitives::{ListPrimitives, OpenPrimitives};
+use crate::draw::pending_primitives::can_batch;
 use std::ops::Range;
 
-impl Open {
+impl OpenPrimitives {
     /// One step for all, where every call is valid; else step by step, so that the errors come
     /// when the list is called.
     pub fn close(self) -> Vec<Step> {
-        match Shapes::new(&self) {
-            Some(shapes) => vec![Step::Shapes(shapes)],
+        match ListPrimitives::new(&self) {
+            Some(shapes) => vec![Step::Primitives(shapes)],
             None => {
                 let mut steps = self.spill();
                 steps.push(end_step());
@@ -38,10 +38,10 @@ impl Open {
     }
 }
 
-impl Shapes {
+impl ListPrimitives {
     /// The vertices of each draw: all at once, where that makes no difference.
     pub fn parts(&self, context: &Context) -> Vec<Range<usize>> {
-        let together = self.begins.is_empty() || draws_together(context);
+        let together = self.begins.is_empty() || can_batch(context);
         let others = if together { &[][..] } else { &self.begins };
         let begins = std::iter::once(0).chain(others.iter().copied());
         let ends = others.iter().copied().chain([self.count]);
@@ -68,7 +68,7 @@ impl Shapes {
             0 => self.patched(&context.state),
             _ => self.buffer.clone(),
         };
-        let columns = Columns { buffer: &buffer, count: self.count, part };
+        let columns = Columns { buffer: &buffer, count: self.count, range: part };
         crate::calls::vertex::immediate::draw_columns(context, self.topology, columns, |location| {
             self.columns.iter().position(|column| column.location == location)
         })

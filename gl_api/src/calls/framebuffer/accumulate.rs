@@ -7,9 +7,9 @@ use crate::base::types::*;
 use crate::calls::framebuffer::blit::edit;
 use crate::calls::framebuffer::read;
 use crate::context::Context;
-use crate::context::feedback::Mode;
-use crate::draw::area::drawn_area;
-use crate::draw::complete::{Readable, draw_pass};
+use crate::context::feedback::RenderMode;
+use crate::draw::completeness::{Readable, draw_pass};
+use crate::draw::pass::drawn_area;
 use crate::pixel::convert::Conversion;
 use rasterizer::driver::{Rect, SrgbWrite};
 use texunit::lanes::LANES;
@@ -99,7 +99,7 @@ pub(crate) fn accum(context: &mut Context, op: GLenum, value: GLfloat) -> Result
         );
     }
     let area = drawn_area(context, &pass);
-    if context.feedback.mode != Mode::Render || context.queries.discards() {
+    if context.feedback.mode != RenderMode::Render || context.queries.discards() {
         return Ok(());
     }
     match operation {

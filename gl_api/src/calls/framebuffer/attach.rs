@@ -6,7 +6,7 @@ use crate::base::limits;
 use crate::base::types::*;
 use crate::calls::framebuffer::names::bound;
 use crate::context::Context;
-use crate::draw::complete::{completeness, selects_nothing};
+use crate::draw::completeness::{completeness, selects_nothing};
 use crate::objects::attachments::{Point, point};
 use crate::objects::framebuffers::{Attached, FRAMEBUFFER_TARGET, Framebuffer, Planes, Source};
 use crate::objects::target::{FaceTarget, TARGET, TextureTarget, attachable_target};
@@ -245,7 +245,9 @@ pub(crate) fn check_framebuffer_status(context: &mut Context, target: GLenum) ->
             GL_FRAMEBUFFER_COMPLETE
         }
         Err(incomplete) => {
-            context.debug.say(format!("glCheckFramebufferStatus: {}", incomplete.rule(name)));
+            context
+                .debug
+                .warn_each_time(format!("glCheckFramebufferStatus: {}", incomplete.rule(name)));
             incomplete.status
         }
     })

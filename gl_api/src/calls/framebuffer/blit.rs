@@ -11,11 +11,11 @@ use crate::base::types::*;
 use crate::calls::framebuffer::blit::rows::{Aspect, RowConversion};
 use crate::calls::framebuffer::read::{Pixels, same_kind, settled, settled_samples};
 use crate::context::Context;
-use crate::draw::area::drawn_area;
-use crate::draw::complete::{
+use crate::draw::completeness::{
     Readable, checked_complete, draw_pass, draw_planes, read_attachment, read_samples, samples,
 };
-use crate::draw::srgb::srgb_write;
+use crate::draw::pass::drawn_area;
+use crate::draw::pipeline::srgb_write;
 use rasterizer::driver::{Attachment, Rect, SrgbWrite};
 use texunit::format::Format;
 use texunit::image::Level;
@@ -134,7 +134,7 @@ pub(crate) fn edit(
     change: impl Fn(&mut Level, usize, usize),
 ) {
     let image = &attachment.image;
-    crate::draw::settle(context, image);
+    crate::draw::pass::settle(context, image);
     context.outdate_mirror();
     if image.samples() > 1 {
         edit_samples(context, attachment, change);

@@ -5,7 +5,7 @@ use crate::base::error::{Result, invalid_enum, invalid_operation, invalid_value,
 use crate::base::limits;
 use crate::base::types::*;
 use crate::context::Context;
-use crate::draw::complete::attached_format;
+use crate::draw::completeness::attached_format;
 use crate::objects::color_buffers::{Selection, attachment_index};
 use crate::pixel::internal::Component;
 use texunit::format::Format;

@@ -6,10 +6,10 @@ use crate::base::error::{Result, invalid_enum, invalid_operation, invalid_value}
 use crate::base::limits;
 use crate::base::types::*;
 use crate::context::Context;
-use crate::context::feedback::Mode;
-use crate::draw::area::drawn_area;
-use crate::draw::complete::{draw_pass, draw_planes};
-use crate::draw::srgb::srgb_write;
+use crate::context::feedback::RenderMode;
+use crate::draw::completeness::{draw_pass, draw_planes};
+use crate::draw::pass::drawn_area;
+use crate::draw::pipeline::srgb_write;
 use crate::state::enable::Flag;
 use crate::state::fragment::ClearColor;
 use rasterizer::driver::{Attachment, ClearValue, Command, DepthWrite, PassDesc, texel_words};
@@ -55,7 +55,7 @@ fn stencil(context: &Context, value: GLint) -> Option<ClearValue> {
 
 /// Whether clears have an effect now.
 fn is_effective(context: &Context) -> bool {
-    context.feedback.mode == Mode::Render
+    context.feedback.mode == RenderMode::Render
         && !context.queries.discards()
         && !context.state.enables.has(Flag::RasterizerDiscard)
 }
@@ -68,10 +68,10 @@ fn record(context: &mut Context, pass: PassDesc, clears: Vec<ClearValue>) {
     if context.state.bindings.draw_framebuffer == 0 {
         context.window.depths.clear(&clears);
     }
-    let watched = crate::draw::note::is_watched(context, &pass);
-    crate::draw::begin_pass(context, pass);
+    let watched = crate::draw::watched_pixel::is_watched(context, &pass);
+    crate::draw::pass::begin_pass(context, pass);
     if watched {
-        crate::draw::note::watch_clear(context);
+        crate::draw::watched_pixel::watch_clear(context);
     }
     for value in clears {
         context.recorder.push(Command::Clear { value, area });

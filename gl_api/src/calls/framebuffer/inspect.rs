@@ -6,7 +6,7 @@ use crate::base::error::{Result, Table, invalid_enum, invalid_operation};
 use crate::base::types::*;
 use crate::calls::framebuffer::names::bound;
 use crate::context::Context;
-use crate::draw::complete::attached_format;
+use crate::draw::completeness::attached_format;
 use crate::objects::attachments::{Point, point};
 use crate::objects::framebuffers::{Attached, FRAMEBUFFER_TARGET, Framebuffer, Source};
 use crate::objects::target::{FACE_TARGET, TextureTarget};

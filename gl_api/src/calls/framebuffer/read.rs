@@ -7,8 +7,8 @@ use crate::base::types::*;
 use crate::calls::texture::specify::kinds_match;
 use crate::context::Context;
 use crate::context::window::{Region, Visible, format_of};
-use crate::draw::complete::{Readable, read_attachment};
-use crate::draw::hints::sight;
+use crate::draw::completeness::{Readable, read_attachment};
+use crate::draw::warnings::visibility;
 use crate::pixel::client::Pixel;
 use crate::pixel::client::format::{ClientFormat, LuminanceOf};
 use crate::pixel::convert::{Conversion, Final};
@@ -51,14 +51,14 @@ impl Pixels {
 
 /// The pixels of an attachment as everything recorded leaves them.
 pub(crate) fn settled(context: &mut Context, attachment: &Attachment) -> Option<Pixels> {
-    crate::draw::settle(context, &attachment.image);
+    crate::draw::pass::settle(context, &attachment.image);
     Pixels::of(&context.recorder.device(), attachment)
 }
 
 /// The pixels of every sample of an attachment, as everything recorded leaves them.
 pub(crate) fn settled_samples(context: &mut Context, attachment: &Attachment) -> Vec<Pixels> {
     let Attachment { image, face, level } = attachment;
-    crate::draw::settle(context, image);
+    crate::draw::pass::settle(context, image);
     let Some(level) = image.each_sample(*face, *level).map(Arc::new) else { return Vec::new() };
     (0..level.depth as usize).map(|slice| Pixels { level: Arc::clone(&level), slice }).collect()
 }
@@ -126,7 +126,7 @@ fn nothing_there(context: &Context, what: Readable) -> String {
 /// Refuses to read from several samples a pixel (`EXT_framebuffer_multisample`, section 4.3.2).
 fn check_samples(context: &Context) -> Result<()> {
     let name = context.state.bindings.read_framebuffer;
-    if name != 0 && crate::draw::complete::samples(context, name) > 0 {
+    if name != 0 && crate::draw::completeness::samples(context, name) > 0 {
         return invalid_operation(
             "EXT_framebuffer_multisample, section 4.3.2",
             format!("framebuffer {name} has several samples a pixel: call glBlitFramebuffer first"),
@@ -177,10 +177,10 @@ pub(crate) fn read_pixels(
     let transfer = context.state.transfer;
     let mut last = Final::of(from, LuminanceOf::Sum);
     if !pixel.format.is_depth() && !from.is_integer() {
-        last.clamp = crate::draw::clamp::of_reading(context, from);
+        last.clamp = crate::draw::color_clamp::of_reading(context, from);
     }
-    crate::draw::settle(context, &attachment.image);
-    sight::picture(context);
+    crate::draw::pass::settle(context, &attachment.image);
+    visibility::picture(context);
     let device = context.recorder.device();
     let isa = context.recorder.isa();
     // Pixels outside are left as they are.

@@ -149,7 +149,7 @@ pub(crate) fn renderbuffer_storage_multisample(
     };
     let image = bound(context)?.image.clone();
     // What was recorded draws to the image as it was.
-    crate::draw::settle(context, &image);
+    crate::draw::pass::settle(context, &image);
     let samples = if samples > 0 { limits::MAX_SAMPLES } else { 1 };
     image.replace(texels, samples, Rows::Resolved);
     bound(context)?.requested = internalformat;

@@ -4,10 +4,10 @@ use crate::base::args::Data;
 use crate::base::error::{Result, not_negative};
 use crate::base::types::*;
 use crate::context::Context;
-use crate::context::feedback::Mode;
-use crate::context::feedback::record::Kind;
-use crate::draw::bitmaps::{Bitmap, draw};
-use crate::draw::complete::checked_drawable;
+use crate::context::feedback::RenderMode;
+use crate::context::feedback::record::PrimitiveToken;
+use crate::draw::completeness::checked_drawable;
+use crate::draw::pending_bitmaps::{Bitmap, draw};
 use crate::pixel::client::Pixel;
 use crate::pixel::layout::{Extent, Layout};
 
@@ -32,7 +32,7 @@ pub(crate) fn bitmap(
     bitmap: Data<'_>,
 ) -> Result<()> {
     // Draws do not depend on the raster position, and are told anew what a bitmap was drawn with.
-    context.changes.nothing();
+    context.state_changes.no_change();
     let width = not_negative(SECTION, "width", width.into())?;
     let height = not_negative(SECTION, "height", height.into())?;
     checked_drawable(context)?;
@@ -47,7 +47,7 @@ pub(crate) fn bitmap(
         layout.check_length(source.bytes().len(), "GL_UNPACK_ALIGNMENT")?;
     }
     // An empty one is a bitmap, too (section 5.3).
-    if crate::draw::feedback::pixels::pixels(context, Kind::Bitmap) != Mode::Render {
+    if crate::context::feedback::pixels(context, PrimitiveToken::Bitmap) != RenderMode::Render {
         crate::calls::pixels::position::advance(context, [xmove, ymove]);
         return Ok(());
     }

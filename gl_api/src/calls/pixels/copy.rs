@@ -6,11 +6,11 @@ use crate::base::types::*;
 use crate::calls::framebuffer::read;
 use crate::calls::pixels::draw::{DEPTHS, rows, scratch};
 use crate::calls::pixels::stencil;
-use crate::context::feedback::Mode;
-use crate::context::recorder::rectangle::Holds;
+use crate::context::feedback::RenderMode;
+use crate::context::recorder::pixel_rectangle::ReplacedValue;
 use crate::context::window::Region;
 use crate::context::{Context, feedback};
-use crate::draw::complete::{Readable, checked_drawable, draw_planes};
+use crate::draw::completeness::{Readable, checked_drawable, draw_planes};
 use crate::pixel::convert;
 use crate::pixel::convert::Conversion;
 use texunit::format::Format;
@@ -93,8 +93,7 @@ pub(crate) fn copy_pixels(
             "integers are not copied: call glBlitFramebuffer",
         );
     }
-    if crate::draw::feedback::pixels::pixels(context, feedback::record::Kind::CopyPixels)
-        != Mode::Render
+    if feedback::pixels(context, feedback::record::PrimitiveToken::CopyPixels) != RenderMode::Render
     {
         return Ok(());
     }
@@ -110,16 +109,16 @@ pub(crate) fn copy_pixels(
                     false => Format::Rgba32F,
                 };
             let texels = as_format(to);
-            crate::draw::rectangle::draw(
+            crate::draw::pixel_rectangle::draw(
                 context,
                 size,
-                (Holds::Color, to),
+                (ReplacedValue::Color, to),
                 &rows(&texels, width * to.bytes()),
             )
         }
         CopiedBuffer::Depth => {
             let texels = as_format(Format::D32F);
-            crate::draw::rectangle::draw(context, size, DEPTHS, &rows(&texels, width * 4))
+            crate::draw::pixel_rectangle::draw(context, size, DEPTHS, &rows(&texels, width * 4))
         }
         CopiedBuffer::Stencil => {
             let mut stencils = scratch(Format::R8UI, width, height)?;

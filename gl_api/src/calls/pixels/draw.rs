@@ -6,9 +6,9 @@ use crate::base::error::{Result, invalid_operation, not_negative};
 use crate::base::types::*;
 use crate::calls::pixels::stencil;
 use crate::context::Context;
-use crate::context::feedback::{Mode, record};
-use crate::context::recorder::rectangle::Holds;
-use crate::draw::complete::{checked_drawable, draw_planes};
+use crate::context::feedback::{RenderMode, record};
+use crate::context::recorder::pixel_rectangle::ReplacedValue;
+use crate::draw::completeness::{checked_drawable, draw_planes};
 use crate::pixel::client::Pixel;
 use crate::pixel::client::format::{ClientFormat, FORMAT, Numbers};
 use crate::pixel::convert;
@@ -26,7 +26,7 @@ pub(crate) fn rows<'a>(texels: &'a [u8], row_bytes: usize) -> impl Fn(usize) -> 
 }
 
 /// The format of a rectangle of depths, which its fragments read as red.
-pub(crate) const DEPTHS: (Holds, Format) = (Holds::Depth, Format::R32F);
+pub(crate) const DEPTHS: (ReplacedValue, Format) = (ReplacedValue::Depth, Format::R32F);
 
 /// Memory for the pixels of a rectangle.
 pub(crate) fn scratch(format: Format, width: usize, height: usize) -> Result<Vec<u8>> {
@@ -85,7 +85,9 @@ pub(crate) fn draw_pixels(
     else {
         return Ok(());
     };
-    if crate::draw::feedback::pixels::pixels(context, record::Kind::DrawPixels) != Mode::Render {
+    if crate::context::feedback::pixels(context, record::PrimitiveToken::DrawPixels)
+        != RenderMode::Render
+    {
         return Ok(());
     }
     let kind = pixel.format.kind();
@@ -130,9 +132,9 @@ pub(crate) fn draw_pixels(
             let depth = context.state.fragment.depth_write;
             stencil::draw(context, size, &all()?, depth)
         }
-        Kind::Depth => crate::draw::rectangle::draw(context, size, DEPTHS, &rows),
+        Kind::Depth => crate::draw::pixel_rectangle::draw(context, size, DEPTHS, &rows),
         Kind::Color | Kind::ColorIndex => {
-            crate::draw::rectangle::draw(context, size, (Holds::Color, format), &rows)
+            crate::draw::pixel_rectangle::draw(context, size, (ReplacedValue::Color, format), &rows)
         }
     }
 }

@@ -4,17 +4,18 @@ use crate::base::convert::unit;
 use crate::base::error::{Result, invalid_operation};
 use crate::base::limits;
 use crate::context::Context;
-use crate::context::feedback::Mode;
-use crate::context::raster_passed::Passed;
+use crate::context::feedback::RenderMode;
 use crate::context::recorder::stages::Stages;
-use crate::context::recorder::vertex_stage::{Outputs, Ready, Shaded, Vertices};
-use crate::draw::repeat::is_plain;
-use crate::draw::viewport::depth_clip;
+use crate::context::recorder::vertex_stage::{
+    Outputs, PreparedStage, RasterPositionStage, Shaded, Vertices,
+};
+use crate::draw::draw_reuse::allows_reuse;
+use crate::draw::pipeline::depth_clip;
 use crate::interface::*;
 use crate::state::fog::FogSource;
 use crate::state::raster_position::RasterPosition;
 use crate::state::viewport::within;
-use rasterizer::driver::{DepthClip, Rim, VertexBinding, VertexSource};
+use rasterizer::driver::{Antialiasing, DepthClip, VertexBinding, VertexSource};
 use rasterizer::ir::{Input, Output};
 use texunit::lanes::U32s;
 
@@ -46,7 +47,7 @@ fn is_clipped(shaded: Shaded<'_>, depth_clip: DepthClip) -> bool {
     outside || shaded.clip_distances().any(|distance| distance < 0.0)
 }
 
-impl Passed {
+impl RasterPositionStage {
     fn new(context: &mut Context, position: [f32; 4]) -> Result<Self> {
         let vertices: Vec<VertexBinding> = (0..)
             .zip(&context.state.current)
@@ -55,16 +56,16 @@ impl Passed {
                 VertexBinding { location, source: VertexSource::Constant(value) }
             })
             .collect();
-        let stages = crate::draw::stages::choose(context, &vertices, Rim::Aliased)?;
+        let stages = crate::draw::stages::choose(context, &vertices, Antialiasing::Aliased)?;
         let outputs = Outputs::Units(moved_units(&stages));
-        let ready = Ready::new(context, stages, outputs);
-        Ok(Self { at: context.changes.calls, ready })
+        let ready = PreparedStage::new(context, stages, outputs);
+        Ok(Self { at: context.state_changes.calls, ready })
     }
 
     /// That of the raster position before, if nothing but numbers has changed since.
     fn again(context: &mut Context) -> Option<Self> {
-        let Self { at, ready } = context.feedback.passed.take()?;
-        if context.changes.state > at || !is_plain(context) {
+        let Self { at, ready } = context.feedback.raster_position_stage.take()?;
+        if context.state_changes.last_state_change > at || !allows_reuse(context) {
             return None;
         }
         Some(Self { at, ready: ready.again(context)? })
@@ -88,9 +89,9 @@ fn moved_units(stages: &Stages) -> u8 {
 
 /// Runs the vertex stage of the state for one vertex.
 pub(crate) fn shade(context: &mut Context, position: [f32; 4]) -> Result<Vertices> {
-    let passed = match Passed::again(context) {
+    let passed = match RasterPositionStage::again(context) {
         Some(passed) => passed,
-        None => Passed::new(context, position)?,
+        None => RasterPositionStage::new(context, position)?,
     };
     let current = &context.state.current;
     let machine = (context.recorder.isa(), &mut context.feedback.machine);
@@ -112,7 +113,7 @@ pub(crate) fn shade(context: &mut Context, position: [f32; 4]) -> Result<Vertice
         };
         *out = U32s::splat(number.to_bits());
     });
-    context.feedback.passed = Some(passed);
+    context.feedback.raster_position_stage = Some(passed);
     vertices
 }
 
@@ -127,7 +128,7 @@ pub(crate) fn distance(context: &Context, depth: f32, coordinate: f32) -> f32 {
 
 /// A valid raster position is a hit (GL 2.1, section 5.2).
 fn select(context: &mut Context) {
-    if context.feedback.mode == Mode::Select {
+    if context.feedback.mode == RenderMode::Select {
         context.feedback.select.hit(context.state.raster_position.window[2]);
     }
 }
@@ -135,7 +136,7 @@ fn select(context: &mut Context) {
 /// `glRasterPos`: the position goes through the vertex stage.
 pub(crate) fn raster(context: &mut Context, position: [f64; 4]) -> Result<()> {
     // Draws do not depend on raster positions.
-    context.changes.nothing();
+    context.state_changes.no_change();
     let vertices = shade(context, position.map(|c| c as f32))?;
     let shaded = vertices.vertex(0);
     let depth_clip = depth_clip(context);
@@ -158,7 +159,7 @@ pub(crate) fn raster(context: &mut Context, position: [f64; 4]) -> Result<()> {
         },
         w,
     ];
-    let clamp = crate::draw::clamp::of_vertices(context);
+    let clamp = crate::draw::color_clamp::of_vertices(context);
     let current = |location: u8| context.state.current[usize::from(location)];
     let mut tex_coords = [[0.0; 4]; MAX_TEXTURE_UNITS as usize];
     for (unit, coords) in (0..).zip(&mut tex_coords) {
@@ -183,11 +184,11 @@ pub(crate) fn raster(context: &mut Context, position: [f64; 4]) -> Result<()> {
 /// `glWindowPos`: the position is one of the window, and nothing is transformed or lit. Only `MESA_window_pos` has a `w`
 /// other than 1, which nobody but a query reads.
 pub(crate) fn window(context: &mut Context, position: [f64; 4]) -> Result<()> {
-    context.changes.nothing();
+    context.state_changes.no_change();
     let [x, y, z, w] = position;
     let [near, far] = context.state.viewport.depth;
     let depth = near + unit(z) * (far - near);
-    let clamp = crate::draw::clamp::of_vertices(context);
+    let clamp = crate::draw::color_clamp::of_vertices(context);
     let current = |location: u8| context.state.current[usize::from(location)];
     let mut tex_coords = [[0.0; 4]; MAX_TEXTURE_UNITS as usize];
     for (unit, coords) in (0..).zip(&mut tex_coords) {

@@ -159,10 +159,10 @@ pub(crate) fn link_program(context: &mut Context, name: GLuint) -> Result<()> {
     program.validated = false;
     if program.link == LinkStatus::Failed {
         let text = format!("glLinkProgram: program {name} did not link:\n{}", program.log);
-        context.debug.say(text);
+        context.debug.warn_each_time(text);
     } else if !program.log.is_empty() {
         let text = format!("glLinkProgram: program {name} linked:\n{}", program.log);
-        context.debug.say(text);
+        context.debug.warn_each_time(text);
     }
     Ok(())
 }
@@ -179,7 +179,7 @@ pub(crate) fn use_program(context: &mut Context, name: GLuint) -> Result<()> {
     let now = objects.programs.hold(name);
     let before = std::mem::replace(&mut context.state.bindings.program, now).name();
     if before == name {
-        context.changes.nothing();
+        context.state_changes.no_change();
         return Ok(());
     }
     sweep(objects);

@@ -79,14 +79,14 @@ pub(crate) fn shader_source(
 }
 
 pub(crate) fn compile_shader(context: &mut Context, name: GLuint) -> Result<()> {
-    let options = glsl::Options { repairs: context.repairs };
+    let options = glsl::Options { fix_its: context.fix_its };
     let shader = shader(context, name)?;
     let compiled = glsl::compile(shader.stage, &shader.source, &options);
     shader.compiled = compiled.shader;
     shader.log = compiled.log;
     if shader.compiled.is_none() {
         let text = format!("glCompileShader: shader {name} did not compile:\n{}", shader.log);
-        context.debug.say(text);
+        context.debug.warn_each_time(text);
     }
     Ok(())
 }

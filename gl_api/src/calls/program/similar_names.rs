@@ -6,7 +6,7 @@
 
 use crate::base::types::GLuint;
 use crate::context::Context;
-use crate::context::said::Hint;
+use crate::context::warnings::DrawWarning;
 use crate::glsl::spelling::edit_distance;
 use crate::interface::MAX_VERTEX_ATTRIBS;
 use crate::objects::programs::ShaderOrProgram;
@@ -23,14 +23,14 @@ pub(crate) enum NamedResource {
 #[inline(never)]
 pub(crate) fn not_found(context: &mut Context, program: GLuint, of: NamedResource, asked: &str) {
     let (hint, call, what) = match of {
-        NamedResource::Uniform => (Hint::NoUniform, "glGetUniformLocation", "uniform"),
-        NamedResource::Attribute => (Hint::NoAttribute, "glGetAttribLocation", "attribute"),
+        NamedResource::Uniform => (DrawWarning::NoUniform, "glGetUniformLocation", "uniform"),
+        NamedResource::Attribute => (DrawWarning::NoAttribute, "glGetAttribLocation", "attribute"),
     };
     // Asked for in each frame, it is looked at once.
     let subject = asked.bytes().fold(program, |hash, byte| {
         (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193).rotate_left(5)
     });
-    if !context.is_news(hint, subject) || is_declared(context, asked) {
+    if !context.is_first_warning(hint, subject) || is_declared(context, asked) {
         return;
     }
     let Some(near) = nearest(context, program, of, asked) else { return };

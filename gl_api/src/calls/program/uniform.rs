@@ -96,8 +96,8 @@ fn store(
         *place = word;
     }
     match differs {
-        0 => context.changes.nothing(),
-        _ => context.changes.only_numbers(),
+        0 => context.state_changes.no_change(),
+        _ => context.state_changes.values_only(),
     }
     Ok(())
 }

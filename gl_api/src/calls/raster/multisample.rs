@@ -6,7 +6,7 @@ use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_value};
 use crate::base::types::*;
 use crate::context::Context;
-use crate::draw::complete::samples;
+use crate::draw::completeness::samples;
 use crate::state::multisample::{MAX_SAMPLE_MASK_WORDS, Multisample};
 use rasterizer::driver::sample_positions;
 

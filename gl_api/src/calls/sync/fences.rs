@@ -5,7 +5,7 @@ use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation, invalid_value, not_negative};
 use crate::base::types::*;
 use crate::context::Context;
-use crate::draw::submit;
+use crate::draw::pass::submit;
 use crate::objects::syncs::Status;
 
 const SECTION: &str = "ARB_sync, section 5.3";

@@ -6,7 +6,7 @@ use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation};
 use crate::base::types::*;
 use crate::context::Context;
-use crate::draw::submit;
+use crate::draw::pass::submit;
 use crate::objects::listed;
 use crate::objects::queries::{Query, QueryTarget, TARGET, timestamp};
 use rasterizer::driver::Counter;

@@ -7,7 +7,7 @@ use crate::calls::texture::specify::{ImageRequest, store_level};
 use crate::calls::texture::sub::{checked_area, scratch, write_area};
 use crate::context::Context;
 use crate::context::window::Region;
-use crate::draw::complete::Readable;
+use crate::draw::completeness::Readable;
 use crate::objects::target::{Dimensions, ImageTarget};
 use crate::pixel::internal::{COMPRESSED_FORMAT, INTERNAL_FORMAT, format_name};
 use crate::pixel::storage_error::storage_error;

@@ -85,7 +85,7 @@ fn set_env(context: &mut Context, target: GLenum, pname: GLenum, params: &Params
         Parameter::CoordReplace => *coord_replace = params.truth(),
     }
     if now == before {
-        context.changes.nothing();
+        context.state_changes.no_change();
         return Ok(());
     }
     let unit = context.state.units.active_mut();
@@ -100,7 +100,7 @@ fn get_env(context: &Context, target: GLenum, pname: GLenum) -> Result<Value> {
     match parameter(target, pname)? {
         Parameter::Mode => table::symbol(MODE.encode(unit.mode)),
         Parameter::Color => {
-            table::unit(&crate::draw::clamp::of_fragments(context).color(unit.color))
+            table::unit(&crate::draw::color_clamp::of_fragments(context).color(unit.color))
         }
         Parameter::Combiner(parameter) => {
             crate::state::env::combine::get(&unit.combiners, parameter)

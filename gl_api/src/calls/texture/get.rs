@@ -65,7 +65,7 @@ pub(crate) fn get_tex_image(
     let level = checked_level(SECTION, target.target, level)?;
     let pixel = asked_for(SECTION, format, ty)?;
     let image = bound(context, target.target).image.clone();
-    crate::draw::settle(context, &image);
+    crate::draw::pass::settle(context, &image);
     let texels = bound(context, target.target).image.texels();
     let Some(level) = texels.level(target.face.into(), level) else { return Ok(()) };
     readable(pixel, level.format)?;

@@ -50,7 +50,7 @@ impl TexelBox {
         let level = checked_level(SECTION, target, level)?;
         let offset = checked(["xoffset", "yoffset", "zoffset"], offset)?;
         let size = checked(["width", "height", "depth"], size)?;
-        crate::draw::settle(context, &image);
+        crate::draw::pass::settle(context, &image);
         let texels = image.texels();
         let faces = texels.shape().faces();
         let kind = |face| texels.level(face, level).map(|level| (level.size(), level.format));

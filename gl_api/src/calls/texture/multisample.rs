@@ -116,7 +116,7 @@ fn store(context: &mut Context, request: &ImageRequest, lifetime: Lifetime) -> R
     texels.set_level(0, 0, request.storage()?).map_err(|error| storage_error(SECTION, &error))?;
     let image = bound(context, target).image.clone();
     // What was recorded draws to the image as it was.
-    crate::draw::settle(context, &image);
+    crate::draw::pass::settle(context, &image);
     image.replace(texels, limits::MAX_SAMPLES, Rows::EachSample);
     let texture = bound_mut(context, target);
     texture.samples = request.samples;

@@ -64,7 +64,7 @@ pub(crate) fn bind_texture(context: &mut Context, target: GLenum, texture: GLuin
     context.objects.textures.create(texture, || Texture::new(target));
     let bound = context.objects.textures.hold(texture);
     if context.state.units.active().bound[target as usize] == bound {
-        context.changes.nothing();
+        context.state_changes.no_change();
         return Ok(());
     }
     context.state.units.active_mut().bound[target as usize] = bound;

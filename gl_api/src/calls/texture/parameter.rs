@@ -174,7 +174,7 @@ fn set(
     }
     let is_sampling = !matches!(parameter, Parameter::Priority | Parameter::GenerateMipmap);
     if is_sampling && texture.state == before {
-        context.changes.nothing();
+        context.state_changes.no_change();
     }
     Ok(())
 }
@@ -273,9 +273,9 @@ pub(crate) fn tex_parameter_i_uiv(
 /// (`ARB_color_buffer_float`, section 6.1.2).
 pub(crate) fn clamped(context: &Context, answer: Answer) -> Answer {
     match answer {
-        Answer::Color(Border::Float(color)) => {
-            Answer::Color(Border::Float(crate::draw::clamp::of_fragments(context).color(color)))
-        }
+        Answer::Color(Border::Float(color)) => Answer::Color(Border::Float(
+            crate::draw::color_clamp::of_fragments(context).color(color),
+        )),
         Answer::Color(Border::Sint(_) | Border::Uint(_)) | Answer::Numbers(_) => answer,
     }
 }

@@ -240,7 +240,7 @@ pub(crate) fn store_level(
     texels: Level,
 ) -> Result<()> {
     let image = bound(context, target.target).image.clone();
-    crate::draw::settle(context, &image);
+    crate::draw::pass::settle(context, &image);
     let isa = context.recorder.isa();
     let texture = bound_mut(context, target.target);
     let face = usize::from(target.face);

@@ -135,7 +135,7 @@ fn store(
         }
     }
     let image = bound(context, target).image.clone();
-    crate::draw::settle(context, &image);
+    crate::draw::pass::settle(context, &image);
     let texture = bound_mut(context, target);
     texture.image.update(|image| *image = all);
     for requested in &mut texture.requested {

@@ -80,12 +80,12 @@ pub(crate) fn checked_area(
 pub(crate) fn write_area(context: &mut Context, area: &Area, texels: &[u8]) -> Result<()> {
     let target = area.target;
     let image = bound(context, target.target).image.clone();
-    crate::draw::settle(context, &image);
+    crate::draw::pass::settle(context, &image);
     let isa = context.recorder.isa();
     // Its plan reads the texels: while it is there they would be copied first.
     bound_mut(context, target.target).texels_changed();
     if image.update(|image| is_dear(image.level(target.face.into(), area.level))) {
-        crate::draw::submit(context);
+        crate::draw::pass::submit(context);
     }
     let texture = bound_mut(context, target.target);
     let written = texture.image.update(|image| {

@@ -20,7 +20,7 @@ const SECTION: &str = "GL 2.1, section 2.11.2";
 fn stack(context: &mut Context) -> Result<&mut Stack> {
     let matrices = &mut context.state.matrices;
     match matrices.mode {
-        MatrixMode::ModelView | MatrixMode::Projection => context.changes.only_numbers(),
+        MatrixMode::ModelView | MatrixMode::Projection => context.state_changes.values_only(),
         // Whether there is one decides what is generated.
         MatrixMode::Texture | MatrixMode::Program(_) => {}
     }
@@ -70,7 +70,7 @@ pub(crate) fn matrix<T: Copy + Into<f64>>(m: &[T]) -> Result<DMat4> {
 
 pub(crate) fn matrix_mode(context: &mut Context, mode: GLenum) -> Result<()> {
     context.state.matrices.mode = MATRIX_MODE.decode("mode", mode)?;
-    context.changes.nothing();
+    context.state_changes.no_change();
     Ok(())
 }
 

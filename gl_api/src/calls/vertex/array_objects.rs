@@ -72,7 +72,7 @@ pub(crate) fn bind_vertex_array(context: &mut Context, array: GLuint) -> Result<
     if array != context.state.bindings.vertex_array {
         switch(context, array);
     }
-    context.changes.only_numbers();
+    context.state_changes.values_only();
     Ok(())
 }
 

@@ -177,7 +177,7 @@ fn set(
     array.stride = stride;
     array.source = source;
     array.count = 0;
-    context.changes.only_numbers();
+    context.state_changes.values_only();
     Ok(())
 }
 
@@ -302,18 +302,18 @@ pub(crate) fn vertex_attrib_divisor(
     divisor: GLuint,
 ) -> Result<()> {
     context.state.arrays.by_location[usize::from(generic(index)?)].divisor = divisor;
-    context.changes.only_numbers();
+    context.state_changes.values_only();
     Ok(())
 }
 
 pub(crate) fn enable_vertex_attrib_array(context: &mut Context, index: GLuint) -> Result<()> {
     context.state.arrays.by_location[usize::from(generic(index)?)].enabled = true;
-    context.changes.only_numbers();
+    context.state_changes.values_only();
     Ok(())
 }
 
 pub(crate) fn disable_vertex_attrib_array(context: &mut Context, index: GLuint) -> Result<()> {
     context.state.arrays.by_location[usize::from(generic(index)?)].enabled = false;
-    context.changes.only_numbers();
+    context.state_changes.values_only();
     Ok(())
 }

@@ -12,10 +12,12 @@ use crate::context::immediate::Slot;
 use crate::context::recorder::elements::Elements;
 use crate::draw::array_names::{array_of, extent};
 use crate::draw::assembly_words::has_vertex_program;
-use crate::draw::hints;
-use crate::draw::reach::{Reach, reads_parts, vertex_source, vertices_apart};
-use crate::draw::repeat::{keep, repeat};
-use crate::draw::translate::{constants_asked, draw};
+use crate::draw::batching::{batch, keep};
+use crate::draw::record::{constants_needed, draw};
+use crate::draw::vertex_range::{
+    VertexRange, needs_vertex_range, scattered_vertices, vertex_source,
+};
+use crate::draw::warnings;
 use crate::interface::ATTRIB_VERTEX;
 use rasterizer::driver::{IndexType, Indices, Topology, VertexBinding, VertexSource};
 use std::ops::Range;
@@ -29,28 +31,28 @@ fn indexed_reach(
     bytes: &[u8],
     (ty, base_vertex): (IndexType, GLint),
     instances: u32,
-) -> Reach<'static> {
-    let mut reach = Reach { first: 0, last: 0, instances, apart: None };
-    if reads_parts(context) {
+) -> VertexRange<'static> {
+    let mut vertex_range = VertexRange { first: 0, last: 0, instances, scattered: None };
+    if needs_vertex_range(context) {
         let indices = bytes.chunks_exact(ty.size());
         let indices = indices.map(IndexType::index);
         let (low, high) =
             indices.fold((u32::MAX, 0), |(low, high), index| (low.min(index), high.max(index)));
-        reach.last = high.saturating_add_signed(base_vertex);
-        reach.first = low.saturating_add_signed(base_vertex).min(reach.last);
+        vertex_range.last = high.saturating_add_signed(base_vertex);
+        vertex_range.first = low.saturating_add_signed(base_vertex).min(vertex_range.last);
     }
-    reach
+    vertex_range
 }
 
 /// Where every attribute of an array draw comes from, of those that matter.
-fn bindings(context: &mut Context, reach: Reach<'_>) -> Result<Vec<VertexBinding>> {
-    let mut bindings = context.recorder.no_bindings();
+fn bindings(context: &mut Context, vertex_range: VertexRange<'_>) -> Result<Vec<VertexBinding>> {
+    let mut bindings = context.recorder.empty_bindings();
     let arrays = &context.state.arrays.by_location;
-    let constants = constants_asked(context);
+    let constants = constants_needed(context);
     for location in 0..LOCATIONS {
         let from = array_of(context, location);
         let source = if arrays[from].enabled {
-            vertex_source(context, from, reach)?
+            vertex_source(context, from, vertex_range)?
         } else if constants >> location & 1 == 1 {
             VertexSource::Constant(context.state.current[location])
         } else {
@@ -66,7 +68,7 @@ pub(crate) fn has_positions(context: &mut Context, topology: Topology) -> bool {
     let arrays = &context.state.arrays.by_location;
     let program = context.state.bindings.program.name() != 0;
     if program && !arrays.iter().any(|array| array.enabled) {
-        hints::arrays::none(context, topology);
+        warnings::arrays::none(context, topology);
         return true;
     }
     let any = program
@@ -120,8 +122,8 @@ pub(crate) fn check_arrays(context: &mut Context, first: GLint, count: GLsizei) 
     let first = not_negative(SECTION, "first", first.into())?;
     let count = not_negative(SECTION, "count", count.into())?;
     let last = (first + count - 1) as u32;
-    let reach = Reach { first: last, last, instances: 1, apart: None };
-    let vertices = bindings(context, reach)?;
+    let vertex_range = VertexRange { first: last, last, instances: 1, scattered: None };
+    let vertices = bindings(context, vertex_range)?;
     let checked = check_range(context, &vertices, first, count);
     context.recorder.bindings = vertices;
     checked
@@ -134,7 +136,7 @@ fn draw_or_record(
     vertices: Vec<VertexBinding>,
     elements: Elements,
 ) -> Result<()> {
-    let (before, is_whole) = (context.recorder.draws, !reads_parts(context));
+    let (before, is_whole) = (context.recorder.draws, !needs_vertex_range(context));
     let (count, _) = elements.counts();
     if let Some((vertices, elements)) = context.record_arrays(topology, vertices, elements) {
         draw(context, topology, vertices, &elements)?;
@@ -189,10 +191,11 @@ fn draw_ranges(
         let (last, instances) = ((first + count - 1) as u32, instances as u32);
         let range = (first as u32, count as u32);
         let elements = Elements::Range { first: range.0, count: range.1, instances: 0..instances };
-        if repeat(context, topology, &elements) {
+        if batch(context, topology, &elements) {
             return Ok(());
         }
-        let vertices = bindings(context, Reach { first: range.0, last, instances, apart: None })?;
+        let vertices =
+            bindings(context, VertexRange { first: range.0, last, instances, scattered: None })?;
         check_range(context, &vertices, first, count)?;
         return draw_or_record(context, topology, vertices, elements);
     }
@@ -227,11 +230,11 @@ pub(crate) fn draw_indexed(
     let runs = crate::calls::vertex::restart::runs(context, &buffer, offset, ty, count);
     let indexed =
         |run: &Range<usize>| &buffer.bytes()[offset..][run.start * ty.size()..run.end * ty.size()];
-    let reach =
+    let vertex_range =
         |context: &Context, run| indexed_reach(context, indexed(run), (ty, base_vertex), instances);
     // What several runs read is taken once.
-    let all = runs.iter().map(|run| reach(context, run)).reduce(Reach::and);
-    let all = all.filter(|all| runs.len() > 1 && all.is_near(count));
+    let all = runs.iter().map(|run| vertex_range(context, run)).reduce(VertexRange::union);
+    let all = all.filter(|all| runs.len() > 1 && all.is_dense(count));
     let shared = all.map(|all| bindings(context, all)).transpose()?;
     // ARB_draw_instanced: each instance is drawn whole, all its runs, before the next one.
     let step = if runs.len() > 1 { 1 } else { instances };
@@ -241,20 +244,21 @@ pub(crate) fn draw_indexed(
             let indices = Indices { buffer: buffer.clone(), offset, ty, base_vertex };
             let (count, last) = (run.len() as u32, first + step);
             let mut elements = Elements::Indexed { indices, count, instances: first..last };
-            if repeat(context, topology, &elements) {
+            if batch(context, topology, &elements) {
                 continue;
             }
             if let Some(vertices) = &shared {
                 draw_or_record(context, topology, vertices.clone(), elements)?;
                 continue;
             }
-            let mut reach = reach(context, run);
-            let apart = vertices_apart(context, indexed(run), (ty, base_vertex), reach);
-            if apart.is_some() {
+            let mut vertex_range = vertex_range(context, run);
+            let scattered =
+                scattered_vertices(context, indexed(run), (ty, base_vertex), vertex_range);
+            if scattered.is_some() {
                 elements = Elements::Range { first: 0, count, instances: first..last };
             }
-            reach.apart = apart.as_deref();
-            let vertices = bindings(context, reach)?;
+            vertex_range.scattered = scattered.as_deref();
+            let vertices = bindings(context, vertex_range)?;
             draw_or_record(context, topology, vertices, elements)?;
         }
     }
@@ -324,14 +328,14 @@ pub(crate) fn array_element(context: &mut Context, index: GLint) -> Result<()> {
     let arrays = &context.state.arrays.by_location;
     let enabled: Vec<usize> = (0..LOCATIONS).filter(|&at| arrays[at].enabled).collect();
     let position = usize::from(ATTRIB_VERTEX);
-    let reach = Reach { first: index, last: index, instances: 1, apart: None };
+    let vertex_range = VertexRange { first: index, last: index, instances: 1, scattered: None };
     let of_position = |location: &usize| *location == 0 || *location == position;
     for &location in enabled.iter().filter(|location| !of_position(location)) {
-        let value = vertex_source(context, location, reach)?.read(index);
+        let value = vertex_source(context, location, vertex_range)?.read(index);
         attribute(context, Slot::Location(location as u8), value)?;
     }
     if let Some(&location) = enabled.iter().find(|location| of_position(location)) {
-        let value = vertex_source(context, location, reach)?.read(index);
+        let value = vertex_source(context, location, vertex_range)?.read(index);
         attribute(context, Slot::Vertex, value)?;
     }
     Ok(())

@@ -9,15 +9,15 @@ use crate::base::limits::LOCATIONS;
 use crate::base::topology::topology;
 use crate::base::types::*;
 use crate::context::Context;
-use crate::context::ended::Ended;
 use crate::context::immediate::{
     COLUMNS, Column, Columns, Immediate, NO_COLUMN, Slot, VALUE, current, location,
 };
+use crate::context::pending_primitives::PendingPrimitives;
 use crate::context::recorder::elements::Elements;
 use crate::draw::assembly_words as assembly;
-use crate::draw::complete::checked_drawable;
-use crate::draw::ended::{draw_ended, joins, keep_for_more};
-use crate::draw::translate::{constants_asked, draw};
+use crate::draw::completeness::checked_drawable;
+use crate::draw::pending_primitives::{append_pending, draw_pending, keep_pending};
+use crate::draw::record::{constants_needed, draw};
 use crate::interface::{
     ATTRIB_COLOR, ATTRIB_EDGE_FLAG, ATTRIB_MATERIAL, ATTRIB_TEX_COORD, ATTRIB_VERTEX,
 };
@@ -52,7 +52,7 @@ impl Immediate {
         }
         context.recorder.hold(bytes.len());
         let buffer = Buffer::new(bytes);
-        let columns = Columns { buffer: &buffer, count, part: 0..count };
+        let columns = Columns { buffer: &buffer, count, range: 0..count };
         draw_columns(context, self.topology, columns, |location| self.column_of(location))
     }
 }
@@ -82,10 +82,10 @@ fn finish(context: &mut Context) -> Result<()> {
     let Some(mut immediate) = context.immediate.take() else {
         return invalid_operation(SECTION, "no glBegin is open: it was not called, or was refused");
     };
-    if joins(context, &mut immediate) {
+    if append_pending(context, &mut immediate) {
         return Ok(());
     }
-    draw_ended(context);
+    draw_pending(context);
     if immediate.positions.is_empty() {
         return checked_drawable(context);
     }
@@ -101,7 +101,7 @@ fn finish(context: &mut Context) -> Result<()> {
     let result = immediate.draw(context);
     exchange(context);
     if result.is_ok() && materials.is_none() {
-        keep_for_more(context, immediate);
+        keep_pending(context, immediate);
     }
     result
 }
@@ -114,11 +114,11 @@ fn finish(context: &mut Context) -> Result<()> {
 pub(crate) fn draw_columns(
     context: &mut Context,
     topology: Topology,
-    Columns { buffer, count, part }: Columns<'_>,
+    Columns { buffer, count, range: part }: Columns<'_>,
     column_of: impl Fn(usize) -> Option<usize>,
 ) -> Result<()> {
-    let mut vertices = context.recorder.no_bindings();
-    let constants = constants_asked(context);
+    let mut vertices = context.recorder.empty_bindings();
+    let constants = constants_needed(context);
     for location in 0..COLUMNS {
         let index = match location == 0 || location == usize::from(ATTRIB_VERTEX) {
             true => Some(0),
@@ -157,11 +157,11 @@ pub(crate) fn attribute(context: &mut Context, slot: Slot, value: [f32; 4]) -> R
         return vertex(context, value);
     };
     if let Some(immediate) = &mut context.immediate
-        && immediate.places[location] == NO_COLUMN
+        && immediate.column_by_location[location] == NO_COLUMN
     {
         // The vertices so far had the value from before.
         let values = vec![current(&context.state, location); immediate.positions.len()];
-        immediate.places[location] = immediate.columns.len() as u8;
+        immediate.column_by_location[location] = immediate.columns.len() as u8;
         immediate.columns.push(Column { location, values });
         if location >= LOCATIONS && immediate.materials.is_none() {
             immediate.materials = Some(Box::new(context.state.materials.clone()));
@@ -173,14 +173,14 @@ pub(crate) fn attribute(context: &mut Context, slot: Slot, value: [f32; 4]) -> R
 
 /// Changes the current value of an attribute, or of a part of a material.
 pub(crate) fn set_current(context: &mut Context, location: usize, value: [f32; 4]) {
-    if let Some(Ended::Vertices(ended)) = &context.ended
+    if let Some(PendingPrimitives::Vertices(ended)) = &context.pending
         && ended.column_of(location).is_none()
     {
         end_before_change(context, location, value);
     }
-    context.changes.count();
+    context.state_changes.count_call();
     if is_number(context, location, value) {
-        context.changes.only_numbers();
+        context.state_changes.values_only();
     }
     match context.state.current.get_mut(location) {
         Some(current) => *current = value,
@@ -204,7 +204,7 @@ fn is_number(context: &Context, location: usize, value: [f32; 4]) -> bool {
 /// What ended has the value from before as a constant.
 fn end_before_change(context: &mut Context, location: usize, value: [f32; 4]) {
     if current(&context.state, location).map(f32::to_bits) != value.map(f32::to_bits) {
-        draw_ended(context);
+        draw_pending(context);
     }
 }
 

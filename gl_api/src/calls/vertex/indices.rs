@@ -6,7 +6,7 @@ use crate::base::error::{Result, Table, invalid_operation, not_negative};
 use crate::base::types::*;
 use crate::calls::vertex::draws::SECTION;
 use crate::context::Context;
-use crate::draw::reach::small_part;
+use crate::draw::vertex_range::small_range;
 use rasterizer::driver::{Buffer, IndexType};
 
 pub(crate) const INDEX_TYPE: Table<IndexType> = Table {
@@ -101,7 +101,7 @@ pub(crate) fn index_buffer(
     let object = context.objects.buffers.bound(&context.state.bindings.element_array_buffer);
     let buffer = object.map(|object| object.buffer().clone()).unwrap_or_default();
     let is_rewritten = object.is_some_and(|object| object.is_rewritten(&context.recorder));
-    let part = is_rewritten.then(|| small_part(&buffer, offset..offset + needed)).flatten();
+    let part = is_rewritten.then(|| small_range(&buffer, offset..offset + needed)).flatten();
     Ok(part.map_or((buffer, offset), |part| (part, 0)))
 }
 

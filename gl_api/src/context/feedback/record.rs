@@ -1,11 +1,11 @@
-//! What feedback writes: GL 2.1, section 5.3 and figure 5.1.
+//! Feedback: the numbers that are written of each primitive (GL 2.1, section 5.3 and figure 5.1).
 
 use crate::base::constants::*;
 use crate::base::error::Table;
 use crate::base::types::*;
 use crate::context::feedback::{Corner, Target};
 
-/// What is written of each corner (GL 2.1, table 5.2).
+/// `GL_FEEDBACK_BUFFER_TYPE`: what is written of each vertex (GL 2.1, table 5.2).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum FeedbackType {
     /// x, y.
@@ -36,7 +36,7 @@ impl FeedbackType {
 
 /// What a primitive is written as.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub(crate) enum PrimitiveToken {
     Point,
     Line,
     /// A line that begins the stipple anew.
@@ -47,7 +47,7 @@ pub(crate) enum Kind {
     CopyPixels,
 }
 
-impl Kind {
+impl PrimitiveToken {
     fn token(self) -> GLenum {
         match self {
             Self::Point => GL_POINT_TOKEN,
@@ -71,14 +71,14 @@ pub(crate) struct Record {
     state: Filling,
 }
 
-/// How full the buffer is.
+/// The fill state of the buffer.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 enum Filling {
     /// Nothing of this feedback is in it yet.
     #[default]
     Fresh,
     Some,
-    /// More came than it holds.
+    /// More was written than it holds.
     Overflowed,
 }
 
@@ -141,9 +141,9 @@ impl Record {
         self.put(token.into());
     }
 
-    pub fn primitive(&mut self, kind: Kind, corners: &[Corner]) {
+    pub fn primitive(&mut self, kind: PrimitiveToken, corners: &[Corner]) {
         self.put(kind.token().into());
-        if kind == Kind::Polygon {
+        if kind == PrimitiveToken::Polygon {
             self.put(corners.len() as f64);
         }
         for corner in corners {

@@ -1,25 +1,25 @@
 //! Display lists: GL 2.1, section 5.4.
 //!
 //! While a list is compiled, an entry point records its call with copies of its arguments instead
-//! of carrying it out; which calls are never compiled is in the table of entry points, and in [`proxy`].
+//! of carrying it out; which calls are never compiled is in the table of entry points, and in `record/proxy.rs`.
 //! The vertices between `glBegin` and `glEnd` become one buffer, and a draw of vertex arrays keeps the
 //! buffers it would have read, so that calling a list costs what drawing from buffers costs.
 
-pub(crate) mod shapes;
+pub(crate) mod primitives;
 
 use crate::base::begin_end::BeginEnd;
 use crate::base::error::Result;
 use crate::base::types::*;
 use crate::context::Context;
 use crate::context::immediate::Slot;
-use crate::context::lists::shapes::{Open, Shapes};
+use crate::context::lists::primitives::{ListPrimitives, OpenPrimitives};
 use crate::context::recorder::elements::Elements;
 use crate::pixel::store::PixelStore;
 use rasterizer::driver::{Topology, VertexBinding};
 use std::fmt;
 
 /// A recorded call with its arguments.
-pub(crate) type Run = Box<dyn Fn(&mut Context) -> Result<()> + Send + Sync>;
+pub(crate) type RecordedCall = Box<dyn Fn(&mut Context) -> Result<()> + Send + Sync>;
 
 /// A draw of vertex arrays, with what it would have read. Constants are the current values of
 /// when the list is called.
@@ -30,14 +30,19 @@ pub(crate) struct ArrayDraw {
     pub elements: Elements,
 }
 
-/// What a list does, one thing after the other.
+/// A step of a list.
 pub(crate) enum Step {
     /// Any call. Pixels were taken when the list was compiled, and are unpacked as they lay then.
-    Call { name: &'static str, begin_end: BeginEnd, unpack: Option<Box<PixelStore>>, run: Run },
+    Call {
+        name: &'static str,
+        begin_end: BeginEnd,
+        unpack: Option<Box<PixelStore>>,
+        run: RecordedCall,
+    },
     /// An attribute on its own.
     Attribute(Slot, [f32; 4]),
     /// Everything from `glBegin` to `glEnd`.
-    Shapes(Shapes),
+    Primitives(ListPrimitives),
     /// A draw of vertex arrays.
     Arrays(ArrayDraw),
 }
@@ -47,7 +52,7 @@ impl fmt::Debug for Step {
         match self {
             Self::Call { name, .. } => f.write_str(name),
             Self::Attribute(slot, value) => write!(f, "{slot:?} {value:?}"),
-            Self::Shapes(shapes) => write!(f, "{shapes:?}"),
+            Self::Primitives(shapes) => write!(f, "{shapes:?}"),
             Self::Arrays(draw) => write!(f, "{draw:?}"),
         }
     }
@@ -59,13 +64,13 @@ pub(crate) struct List {
     pub steps: Vec<Step>,
 }
 
-/// Where `glCallLists` counts from, and how far the calls of lists have come.
+/// `GL_LIST_BASE`, and the nesting of the calls of lists that run.
 #[derive(Debug, Default)]
 pub(crate) struct Lists {
     pub base: GLuint,
     /// How deep calls of lists are nested now.
     pub depth: usize,
-    /// How many more lists the outermost call may call.
+    /// How many more lists the outermost call may still call.
     pub budget: usize,
 }
 
@@ -83,7 +88,7 @@ impl Lists {
 
 /// Whether a list is also carried out while it is compiled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Mode {
+pub(crate) enum ListMode {
     Compile,
     CompileAndExecute,
 }
@@ -92,13 +97,11 @@ pub(crate) enum Mode {
 #[derive(Debug)]
 pub(crate) struct Compiling {
     pub name: GLuint,
-    pub mode: Mode,
+    pub mode: ListMode,
     pub steps: Vec<Step>,
-    /// Since `glBegin`, as long as nothing but attributes followed.
-    pub open: Option<Open>,
+    /// The attributes since `glBegin`, as long as nothing else followed.
+    pub open: Option<OpenPrimitives>,
     /// Whether a `glBegin` is recorded by itself: vertices after another, which is refused when the
     /// list is called, are the first one's (GL 2.1, section 2.5).
     pub begun: bool,
 }
-
-impl ArrayDraw {}

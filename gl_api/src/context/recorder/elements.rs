@@ -1,6 +1,5 @@
-//! From validated state to commands of the driver.
+//! Which vertices a draw takes: a range of them, or indices.
 
-use crate::context::recorder::Told;
 use rasterizer::driver::{IndexType, Indices};
 use std::ops::Range;
 
@@ -33,14 +32,6 @@ impl Elements {
                 index.wrapping_add_signed(indices.base_vertex)
             }
         }
-    }
-}
-
-impl Told {
-    /// The attributes that draws read, bit by location.
-    pub(crate) fn attributes_read(&self) -> u64 {
-        let edge_flag = self.raster.as_ref().and_then(|raster| raster.polygon.edge_flag);
-        self.attributes | edge_flag.map_or(0, bit)
     }
 }
 

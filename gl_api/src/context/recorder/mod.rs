@@ -1,29 +1,26 @@
-//! Drawing: from calls to commands of the driver.
+//! The recorder: the commands that are recorded and not submitted, and what draws keep for those that follow.
 //!
-//! The modules in the order in which vertices pass through them: arrays and immediate mode collect
-//! them, the draw calls check them, the stages are chosen, and the translation records commands.
+//! These are the data; [`crate::draw`] has what works on them, in modules of the same names.
 
-pub(crate) mod again;
-pub(crate) mod depths;
+pub(crate) mod batching;
 pub(crate) mod elements;
-pub(crate) mod fixed_words;
-pub(crate) mod keys;
-pub(crate) mod rectangle;
-pub(crate) mod repeat;
+pub(crate) mod emitted_state;
+pub(crate) mod fixed_function;
+pub(crate) mod pixel_rectangle;
 pub(crate) mod stages;
 pub(crate) mod vertex_stage;
 
 use crate::context::debug::Output;
-use crate::context::recorder::fixed_words::FixedWords;
-use crate::context::recorder::keys::UnitsSeen;
-use crate::context::recorder::rectangle::RectangleModules;
+use crate::context::recorder::emitted_state::EmittedState;
+use crate::context::recorder::fixed_function::{FixedWords, UnitSummary};
+use crate::context::recorder::pixel_rectangle::PixelRectangleModules;
 use crate::context::recorder::stages::Textures;
-use crate::context::recorder::vertex_stage::{Outputs, Single};
+use crate::context::recorder::vertex_stage::{Outputs, StandaloneStage};
 use crate::generate::fixed::FixedModules;
 use crate::objects::buffers::WaitingDraws;
 use rasterizer::driver::{
-    Command, CommandBuffer, Counter, Device, Image, PassDesc, Pipeline, PipelineDesc, RasterState,
-    Rect, ShaderModule, Sight, VertexBinding, Viewport,
+    Command, CommandBuffer, Counter, Device, Image, PassDesc, Pipeline, PipelineDesc, ShaderModule,
+    VertexBinding, Visibility,
 };
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -31,8 +28,8 @@ use texunit::lanes::Isa;
 
 /// A command buffer of this many commands is submitted.
 const MAX_COMMANDS: usize = 1 << 14;
-/// So is one that holds so many bytes of textures and vertices that are new with it: they may be
-/// deleted or replaced already, and then nothing but the waiting draws needs them.
+/// So is one that holds this many bytes of textures and vertices that are new since the last submission: they may be
+/// deleted or replaced already, and are kept for the recorded draws alone.
 const MAX_HELD: usize = 1 << 26;
 
 /// What has been recorded and not submitted, and what was compiled for it.
@@ -48,54 +45,36 @@ pub(crate) struct Recorder {
     pub draws: u64,
     /// The bytes that the recorded commands hold, of those that came since the last submission.
     pub held: usize,
-    /// What the open pass was last told.
-    pub told: Told,
+    /// The state that was last emitted to the open pass.
+    pub emitted: EmittedState,
     pub pipelines: HashMap<PipelineDesc, Pipeline>,
     pub fixed: FixedModules,
     pub fixed_words: FixedWords,
-    /// What stages without textures have.
+    /// The textures of a stage that samples none.
     pub no_textures: Textures,
-    pub units_seen: UnitsSeen,
-    /// The version of the units, and where messages went, when it was last looked whether a texture
-    /// is bound though nothing is switched on.
+    pub unit_summary: UnitSummary,
+    /// The version of the units, and whether messages were logged, at the last check for textures that are bound while no
+    /// unit is enabled.
     pub nothing_enabled: Option<(u64, Output)>,
-    /// The memory of a draw's uniform words.
+    /// The uniform words of the last draw, whose memory is used again.
     pub words: Vec<u32>,
-    /// The memory of a draw's bindings.
+    /// Empty; the memory of the last draw's bindings, which is used again.
     pub bindings: Vec<VertexBinding>,
     pub variants: HashMap<stages::VariantKey, ShaderModule>,
     pub vertex_variants: HashMap<stages::VertexVariantKey, ShaderModule>,
-    /// Stages of assembly programs, by what their uniform words are moved by.
+    /// Relocated stages of assembly programs: the module, its first uniform word, and the relocated module.
     pub moved: Vec<(ShaderModule, u32, ShaderModule)>,
-    /// Whether anything is seen of what was submitted since the last picture was taken.
-    pub sight: Sight,
-    /// What counts the samples of draws.
+    /// Whether anything is visible of what was submitted since the last picture was taken.
+    pub sight: Visibility,
+    /// The counter of the active occlusion query.
     pub counter: Option<Counter>,
-    pub rectangles: RectangleModules,
-    /// Vertex stages that were compiled for what is not drawn.
-    single: HashMap<(ShaderModule, Outputs), Arc<Single>>,
+    pub rectangles: PixelRectangleModules,
+    /// Vertex stages that were compiled to run by themselves.
+    standalone: HashMap<(ShaderModule, Outputs), Arc<StandaloneStage>>,
 }
 
-/// More vertex stages of what is not drawn than this are forgotten and compiled again.
-const KEPT_SINGLE: usize = 64;
-
-/// State that holds until the end of a pass and need not be recorded again.
-#[derive(Debug, Default)]
-pub(crate) struct Told {
-    pub pipeline: Option<PipelineDesc>,
-    /// The attributes that the pipeline reads, bit by location.
-    pub attributes: u64,
-    pub words: Option<Arc<[u32]>>,
-    /// Of the vertex and of the fragment stage.
-    pub textures: Option<[Textures; 2]>,
-    pub raster: Option<Arc<RasterState>>,
-    pub viewport: Option<Viewport>,
-    pub scissor: Option<Option<Rect>>,
-    pub counter: Option<Counter>,
-    /// The draw before, which others may repeat.
-    pub repeat: Option<repeat::Repeat>,
-    pub decided: Option<again::Decided>,
-}
+/// When there are this many stages that run by themselves, all are dropped.
+const MAX_STANDALONE: usize = 64;
 
 impl WaitingDraws for Recorder {
     fn hold(&mut self, bytes: usize) {
@@ -116,32 +95,36 @@ impl Recorder {
             written: Vec::new(),
             draws: 0,
             held: 0,
-            told: Told::default(),
+            emitted: EmittedState::default(),
             pipelines: HashMap::new(),
             fixed: FixedModules::default(),
             fixed_words: FixedWords::default(),
             no_textures: Arc::new([]),
-            units_seen: UnitsSeen::default(),
+            unit_summary: UnitSummary::default(),
             nothing_enabled: None,
             words: Vec::new(),
             bindings: Vec::new(),
             variants: HashMap::new(),
             vertex_variants: HashMap::new(),
             moved: Vec::new(),
-            sight: Sight::default(),
+            sight: Visibility::default(),
             counter: None,
-            rectangles: RectangleModules::default(),
-            single: HashMap::new(),
+            rectangles: PixelRectangleModules::default(),
+            standalone: HashMap::new(),
         }
     }
 
-    /// A vertex stage with some of its outputs, to run it for what is not drawn.
-    pub fn single_vertex(&mut self, module: &ShaderModule, outputs: Outputs) -> Arc<Single> {
-        if self.single.len() >= KEPT_SINGLE {
-            self.single.clear();
+    /// A vertex stage with some of its outputs, to be run by itself.
+    pub fn standalone_stage(
+        &mut self,
+        module: &ShaderModule,
+        outputs: Outputs,
+    ) -> Arc<StandaloneStage> {
+        if self.standalone.len() >= MAX_STANDALONE {
+            self.standalone.clear();
         }
-        let stage = self.single.entry((module.clone(), outputs));
-        Arc::clone(stage.or_insert_with(|| Arc::new(Single::new(module, outputs))))
+        let stage = self.standalone.entry((module.clone(), outputs));
+        Arc::clone(stage.or_insert_with(|| Arc::new(StandaloneStage::new(module, outputs))))
     }
 
     /// The device that commands are submitted to.
@@ -159,7 +142,7 @@ impl Recorder {
         self.device.desc().isa
     }
 
-    /// Notes that what is recorded next holds so many bytes that nothing recorded before it does.
+    /// Adds to the bytes that recorded commands hold, which none recorded before does.
     pub fn hold(&mut self, bytes: usize) {
         self.held = self.held.saturating_add(bytes);
     }
@@ -170,20 +153,20 @@ impl Recorder {
         !self.commands.commands.is_empty()
     }
 
-    /// Whether what waits is enough.
+    /// Whether so much is recorded that it is to be submitted.
     pub(crate) fn is_full(&self) -> bool {
         self.commands.commands.len() >= MAX_COMMANDS || self.held >= MAX_HELD
     }
 
-    /// The memory of uniform words, without any in it.
-    pub(crate) fn no_words(&mut self) -> Vec<u32> {
+    /// An empty vector for uniform words, with memory of the last one.
+    pub(crate) fn empty_words(&mut self) -> Vec<u32> {
         let mut words = std::mem::take(&mut self.words);
         words.clear();
         words
     }
 
-    /// The memory of bindings, without any in it.
-    pub(crate) fn no_bindings(&mut self) -> Vec<VertexBinding> {
+    /// An empty vector for bindings, with memory of the last one.
+    pub(crate) fn empty_bindings(&mut self) -> Vec<VertexBinding> {
         let mut bindings = std::mem::take(&mut self.bindings);
         bindings.clear();
         bindings
@@ -198,6 +181,6 @@ impl Recorder {
         if self.pass.take().is_some() {
             self.commands.push(Command::EndPass);
         }
-        self.told = Told::default();
+        self.emitted = EmittedState::default();
     }
 }

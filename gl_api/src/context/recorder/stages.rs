@@ -1,11 +1,10 @@
-//! Which shaders a draw runs, with which textures: the program in use, or the fixed function for
-//! each stage that it lacks.
+//! The stages of a draw and what they read; `draw/stages.rs` chooses them.
 
 use crate::base::clamp::Clamp;
 use crate::base::error::{ErrorCode, GlError};
-use crate::context::draw_note::DrawNote;
-use crate::context::recorder::fixed_words::Keys;
-use rasterizer::driver::{Rim, ShaderModule};
+use crate::context::recorder::fixed_function::StageKeys;
+use crate::context::watched_pixel::DrawNote;
+use rasterizer::driver::{Antialiasing, ShaderModule};
 use rasterizer::ir::{Interpolation, IrError};
 use std::sync::Arc;
 use texunit::plan::SamplePlan;
@@ -14,40 +13,40 @@ use texunit::sampler::Compare;
 /// The texture of each slot of a stage.
 pub(crate) type Textures = Arc<[Option<Arc<SamplePlan>>]>;
 
-/// What a draw runs.
+/// The stages of a draw, and what they read.
 pub(crate) struct Stages {
     pub vertex: ShaderModule,
     pub fragment: ShaderModule,
     pub reads: Reads,
 }
 
-/// What stages read beside vertices.
+/// What stages read besides vertices.
 pub(crate) struct Reads {
     pub words: Vec<u32>,
     pub vertex_textures: Textures,
     pub fragment_textures: Textures,
-    /// What the words are made by, where nothing else is.
-    pub keys: Option<Keys>,
-    /// What it means, if a pixel is watched.
+    /// What the words are made by, if they can be made again by it alone.
+    pub keys: Option<StageKeys>,
+    /// Names for the explanation of a watched pixel, if there is one.
     pub note: Option<DrawNote>,
 }
 
-/// A program's fragment stage with state of the context built in.
+/// The key of a program's fragment stage with GL state compiled in.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct VariantKey {
     pub module: ShaderModule,
     pub shade_model: Interpolation,
-    /// What the shaders say of the colours' interpolation.
-    pub said: [Option<Interpolation>; 2],
+    /// The interpolation of colours that the shaders declare.
+    pub color_interpolation: [Option<Interpolation>; 2],
     /// The alpha test and the word of its reference.
     pub alpha: Option<(Compare, u32)>,
     pub sides: Sides,
-    pub rim: Rim,
+    pub antialiasing: Antialiasing,
     /// Whether its colours are clamped.
     pub clamp: Clamp,
 }
 
-/// A program's vertex stage with state of the context built in.
+/// The key of a program's vertex stage with user clip planes compiled in.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct VertexVariantKey {
     pub module: ShaderModule,
@@ -64,6 +63,7 @@ pub(crate) enum Sides {
     Two,
 }
 
+/// A generated module that the IR refuses: a bug, reported as an error of the call.
 pub(crate) fn internal(error: &IrError) -> GlError {
     GlError::new(
         ErrorCode::InvalidOperation,

@@ -1,8 +1,8 @@
-//! Vertices through the vertex stage of the state, for what is not drawn: selection, feedback,
-//! transform feedback, raster positions.
+//! The vertex stage run by itself, for vertices that are not drawn: selection, feedback, transform feedback and raster
+//! positions. `draw/vertex_stage.rs` runs it for the vertices of a draw.
 
 use crate::base::error::{Result, invalid_operation};
-use crate::context::recorder::fixed_words::Keys;
+use crate::context::recorder::fixed_function::StageKeys;
 use crate::context::recorder::stages::Textures;
 use crate::interface::{MAX_TEXTURE_UNITS, VARYING_BACK_COLOR, VARYING_COLOR, VARYING_TEX_COORD};
 use rasterizer::driver::ShaderModule;
@@ -14,21 +14,21 @@ use texunit::lanes::{Isa, LANES, U32s};
 
 /// Which vertex of which instance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Id {
+pub(crate) struct VertexInstance {
     pub vertex: u32,
     pub instance: u32,
 }
 
-/// Which outputs of the stage are looked at.
+/// Which outputs of the stage are used.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Outputs {
     /// All of them.
     All,
-    /// All but the texture coordinates of other units than these, bit by unit.
+    /// All but the texture coordinates of units whose bit is not set.
     Units(u8),
-    /// What feedback writes and clips by.
+    /// Those that feedback writes, and those that clip.
     Corners,
-    /// What clips.
+    /// Those that clip.
     Positions,
 }
 
@@ -57,19 +57,19 @@ impl Outputs {
     }
 }
 
-/// A vertex stage with the outputs that are looked at.
+/// A vertex stage with the outputs that are used.
 #[derive(Debug)]
-pub(crate) struct Single {
+pub(crate) struct StandaloneStage {
     pub program: Program,
     /// How many outputs it has.
     outputs: usize,
-    /// Where each varying is among [`Program::outputs`], by its slot.
+    /// The index of each varying among [`Program::outputs`], by its slot.
     varyings: Vec<Option<usize>>,
-    /// Where others are.
+    /// The indices of other outputs.
     others: Vec<(Output, usize)>,
 }
 
-impl Single {
+impl StandaloneStage {
     pub fn new(module: &ShaderModule, outputs: Outputs) -> Self {
         let program = Program::new(module.module(), |output| outputs.has(output));
         let (mut varyings, mut others) = (Vec::new(), Vec::new());
@@ -87,9 +87,9 @@ impl Single {
     }
 }
 
-/// What the vertex stage made of vertices.
+/// Shaded vertices: the outputs of the stage.
 pub(crate) struct Vertices {
-    stage: Arc<Single>,
+    stage: Arc<StandaloneStage>,
     /// The outputs of the first 64 vertices, then those of the next: each output of all of them.
     values: Vec<f32>,
     len: usize,
@@ -101,25 +101,25 @@ impl Vertices {
         self.len
     }
 
-    /// Which of the outputs this is, if the stage has it.
-    pub fn place(&self, wanted: Output) -> Option<usize> {
+    /// The index of an output, if the stage has it.
+    pub fn output_index(&self, wanted: Output) -> Option<usize> {
         if let Output::Varying(slot) = wanted {
             return self.stage.varyings.get(usize::from(slot)).copied().flatten();
         }
         self.stage.others.iter().find(|(output, _)| *output == wanted).map(|(_, place)| *place)
     }
 
-    /// The places of the clip coordinates.
+    /// The indices of the clip coordinates.
     pub fn position(&self) -> [Option<usize>; 4] {
-        [0, 1, 2, 3].map(|i| self.place(Output::Position(i)))
+        [0, 1, 2, 3].map(|i| self.output_index(Output::Position(i)))
     }
 
-    /// The places of four varyings from a slot on.
+    /// The indices of four varyings from a slot on.
     pub fn varyings(&self, first: u16) -> [Option<usize>; 4] {
-        [0, 1, 2, 3].map(|i| self.place(Output::Varying(first + i)))
+        [0, 1, 2, 3].map(|i| self.output_index(Output::Varying(first + i)))
     }
 
-    /// The output at a [`Self::place`], of vertex `at`.
+    /// The output of an index ([`Self::output_index`]), of vertex `at`.
     pub fn value(&self, at: usize, place: usize) -> f32 {
         let (first, lane) = (at - at % LANES, at % LANES);
         let lanes = self.len.saturating_sub(first).min(LANES);
@@ -138,7 +138,7 @@ impl Vertices {
     }
 }
 
-/// What the vertex stage made of a vertex.
+/// A shaded vertex.
 #[derive(Clone, Copy)]
 pub(crate) struct Shaded<'a> {
     vertices: &'a Vertices,
@@ -148,10 +148,10 @@ pub(crate) struct Shaded<'a> {
 impl Shaded<'_> {
     /// An output, if the stage has it.
     pub fn get(&self, wanted: Output) -> Option<f32> {
-        self.vertices.place(wanted).map(|place| self.vertices.value(self.at, place))
+        self.vertices.output_index(wanted).map(|place| self.vertices.value(self.at, place))
     }
 
-    /// The distances from what clips.
+    /// The distances from the user clip planes.
     pub fn clip_distances(self) -> impl Iterator<Item = f32> {
         let clips = |of: &(Output, usize)| matches!(of.0, Output::ClipDistance(_)).then_some(of.1);
         let places = self.vertices.stage.others.iter().filter_map(clips);
@@ -169,19 +169,19 @@ impl Shaded<'_> {
     }
 }
 
-/// A vertex stage that is ready to run.
+/// A vertex stage with its uniform words and textures, ready to run.
 #[derive(Debug)]
-pub(crate) struct Ready {
-    pub stage: Arc<Single>,
+pub(crate) struct PreparedStage {
+    pub stage: Arc<StandaloneStage>,
     pub prepared: Prepared,
     pub textures: Textures,
     pub words: Vec<u32>,
-    /// What the words are made by, where nothing else is.
-    pub keys: Option<Keys>,
+    /// What the words are made by, if they can be made again by it alone.
+    pub keys: Option<StageKeys>,
 }
 
-impl Ready {
-    /// Runs it for so many vertices; `fill` gives an input of up to 64 of them.
+impl PreparedStage {
+    /// Runs the stage for `len` vertices; `fill` gives an input of up to 64 of them.
     ///
     /// # Errors
     /// Where the shader runs too long.
@@ -220,4 +220,12 @@ impl Ready {
         }
         Ok(Vertices { stage: Arc::clone(stage), values, len })
     }
+}
+
+/// The vertex stage that transformed the last raster position, kept for the next.
+#[derive(Debug)]
+pub(crate) struct RasterPositionStage {
+    /// [`crate::context::state_changes::StateChanges::calls`] when it was chosen.
+    pub at: u64,
+    pub ready: PreparedStage,
 }

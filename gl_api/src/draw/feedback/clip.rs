@@ -1,19 +1,19 @@
-//! Clipping in homogeneous coordinates: GL 2.1, section 2.12. What lies between two vertices is
-//! mixed linearly there (section 2.14.8).
+//! Clipping of primitives in homogeneous coordinates (GL 2.1, section 2.12), in `f64`. Values between two vertices are
+//! interpolated linearly there (section 2.14.8).
 
 use rasterizer::driver::DepthClip;
 use std::borrow::Cow;
 
-/// Most planes of the user.
+/// The number of user clip planes.
 const USER_PLANES: usize = 8;
-/// The sides of the view volume, and the planes of the user.
+/// The planes of the view volume, then the user clip planes.
 const PLANES: usize = 6 + USER_PLANES;
 
 /// A vertex before the division by w.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Vertex {
     pub clip: [f64; 4],
-    /// From the planes of the user; 1 for those that are off.
+    /// The distances from the user clip planes; 1 for those that are off.
     pub distances: [f64; USER_PLANES],
     /// Colour of the front, of the back, texture coordinates of unit 0.
     pub values: [[f64; 4]; 3],
@@ -24,7 +24,7 @@ pub(crate) struct Vertex {
 }
 
 impl Vertex {
-    /// How far inside of a plane it lies.
+    /// The distance from a plane, positive inside.
     fn inside(&self, plane: usize) -> f64 {
         let [x, y, z, w] = self.clip;
         match plane {
@@ -39,8 +39,8 @@ impl Vertex {
         }
     }
 
-    /// Where the line to another vertex meets a plane.
-    fn meet(&self, to: &Self, plane: usize) -> Self {
+    /// The intersection of the line to another vertex with a plane.
+    fn intersect(&self, to: &Self, plane: usize) -> Self {
         let (here, there) = (self.inside(plane), to.inside(plane));
         let part = here / (here - there);
         let mix = |a: f64, b: f64| a + (b - a) * part;
@@ -55,8 +55,8 @@ impl Vertex {
     }
 }
 
-/// Whether a point is inside of everything. Coordinates that are no numbers are not.
-pub(crate) fn holds(point: &Vertex) -> bool {
+/// Whether a point is inside of all planes; one with a coordinate that is NaN is not.
+pub(crate) fn is_inside(point: &Vertex) -> bool {
     (0..PLANES).all(|plane| point.inside(plane) >= 0.0)
 }
 
@@ -65,8 +65,8 @@ pub(crate) fn line([mut a, mut b]: [Vertex; 2]) -> Option<[Vertex; 2]> {
     for plane in 0..PLANES {
         match (a.inside(plane) >= 0.0, b.inside(plane) >= 0.0) {
             (true, true) => {}
-            (true, false) => b = a.meet(&b, plane),
-            (false, true) => a = a.meet(&b, plane),
+            (true, false) => b = a.intersect(&b, plane),
+            (false, true) => a = a.intersect(&b, plane),
             (false, false) => return None,
         }
     }
@@ -76,7 +76,7 @@ pub(crate) fn line([mut a, mut b]: [Vertex; 2]) -> Option<[Vertex; 2]> {
 /// The part of a polygon that is inside; no corners where there is none. The edges that clipping
 /// makes are edges of the polygon.
 pub(crate) fn polygon(corners: Cow<'_, [Vertex]>) -> Cow<'_, [Vertex]> {
-    match corners.iter().all(holds) {
+    match corners.iter().all(is_inside) {
         true => corners,
         false => Cow::Owned(cut(corners.into_owned())),
     }
@@ -93,8 +93,10 @@ fn cut(corners: Vec<Vertex>) -> Vec<Vertex> {
                 inside.push(*corner);
             }
             match (is_in, next.inside(plane) >= 0.0) {
-                (true, false) => inside.push(Vertex { edge: true, ..corner.meet(next, plane) }),
-                (false, true) => inside.push(corner.meet(next, plane)),
+                (true, false) => {
+                    inside.push(Vertex { edge: true, ..corner.intersect(next, plane) })
+                }
+                (false, true) => inside.push(corner.intersect(next, plane)),
                 (true, true) | (false, false) => {}
             }
         }
@@ -135,11 +137,11 @@ mod tests {
         let cut = line([at(-3.0, 0.0), at(3.0, 0.0)]).expect("it crosses the volume");
         assert_eq!(cut.map(|v| v.clip[0]), [-1.0, 1.0]);
         assert_eq!(line([at(-3.0, 2.0), at(3.0, 2.0)]), None);
-        assert!(holds(&at(1.0, 1.0)));
-        assert!(!holds(&at(1.5, 0.0)));
-        assert!(!holds(&at(f64::NAN, 0.0)));
+        assert!(is_inside(&at(1.0, 1.0)));
+        assert!(!is_inside(&at(1.5, 0.0)));
+        assert!(!is_inside(&at(f64::NAN, 0.0)));
         let mut behind = at(0.0, 0.0);
         behind.distances[3] = -1.0;
-        assert!(!holds(&behind), "planes of the user count");
+        assert!(!is_inside(&behind), "planes of the user count");
     }
 }

@@ -1,21 +1,19 @@
-//! From a draw to the primitives that selection and feedback see: assembled (GL 2.1, section
-//! 2.6.1), clipped, culled, and drawn as the polygon mode says (section 3.5).
-
-pub(crate) mod pixels;
+//! A draw in selection and feedback: primitives are assembled (GL 2.1, section 2.6.1), clipped, culled, and drawn as the
+//! polygon mode says (section 3.5); what becomes of them is in [`crate::context::feedback`].
 
 pub(crate) mod clip;
 
 use crate::base::error::{ErrorCode, GlError, Result};
 use crate::context::Context;
-use crate::context::ended::vertices_of_primitive;
-use crate::context::feedback::record::Kind;
-use crate::context::feedback::{Corner, Mode};
+use crate::context::feedback::record::PrimitiveToken;
+use crate::context::feedback::{Corner, RenderMode};
+use crate::context::pending_primitives::vertices_of_primitive;
 use crate::context::recorder::elements::Elements;
-use crate::context::recorder::vertex_stage::{Id, Outputs, Vertices};
+use crate::context::recorder::vertex_stage::{Outputs, VertexInstance, Vertices};
 use crate::draw::assembly_words::has_vertex_program;
 use crate::draw::feedback::clip::Vertex;
+use crate::draw::pipeline::depth_clip;
 use crate::draw::vertex_stage::shade;
-use crate::draw::viewport::depth_clip;
 use crate::interface::*;
 use crate::state::enable::Flag;
 use crate::state::viewport::within;
@@ -27,16 +25,16 @@ use std::borrow::Cow;
 use std::ops::Range;
 use texunit::lanes::LANES;
 
-/// More vertices than this are not taken at once.
+/// The size of a chunk, at most.
 const MAX_VERTICES: u64 = 1 << 24;
 
-/// Vertices that are taken at once: whole batches, and whole primitives of any kind that shares none.
+/// Vertices of a chunk: whole batches of lanes, and whole primitives of every topology that shares no vertices.
 const CHUNK: u32 = 12 * LANES as u32;
 
-/// Takes a draw.
+/// Carries out a draw.
 ///
 /// # Errors
-/// As the draw.
+/// As any draw.
 pub(crate) fn draw(
     context: &mut Context,
     topology: Topology,
@@ -52,20 +50,20 @@ pub(crate) fn draw(
             format!("a draw of {total} vertices: at most {MAX_VERTICES} here"),
         ));
     }
-    // Primitives that share no vertices are taken few enough at a time to stay in the cache.
+    // Primitives that share no vertices go in chunks that stay in the cache.
     let at_once = match vertices_of_primitive(topology) {
         Some(_) => CHUNK,
         None => count.max(1),
     };
     let outputs = match context.feedback.mode {
-        Mode::Select => Outputs::Positions,
-        Mode::Feedback | Mode::Render => Outputs::Corners,
+        RenderMode::Select => Outputs::Positions,
+        RenderMode::Feedback | RenderMode::Render => Outputs::Corners,
     };
     for instance in instances {
         for first in (0..count.max(1)).step_by(at_once as usize) {
             let end = count.min(first.saturating_add(at_once));
-            let id = |at| Id { vertex: elements.number(at), instance };
-            let ids: Vec<Id> = (first..end).map(id).collect();
+            let id = |at| VertexInstance { vertex: elements.number(at), instance };
+            let ids: Vec<VertexInstance> = (first..end).map(id).collect();
             let shaded = shade(context, vertices, &ids, outputs)?;
             let corners = clip_vertices(context, vertices, &ids, &shaded);
             assemble(context, topology, &corners);
@@ -77,13 +75,13 @@ pub(crate) fn draw(
 fn clip_vertices(
     context: &Context,
     vertices: &[VertexBinding],
-    ids: &[Id],
+    ids: &[VertexInstance],
     shaded: &Vertices,
 ) -> Vec<Vertex> {
     let current = |location: u8| context.state.current[usize::from(location)];
     let depth_clip = depth_clip(context);
     let flags = vertices.iter().find(|binding| binding.location == ATTRIB_EDGE_FLAG);
-    let edge = |id: &Id| match flags.map(|flags| &flags.source) {
+    let edge = |id: &VertexInstance| match flags.map(|flags| &flags.source) {
         Some(VertexSource::Constant(flag)) => flag[0] != 0.0,
         Some(array @ VertexSource::Array { .. }) => array.read(id.vertex)[0] != 0.0,
         None => true,
@@ -92,8 +90,9 @@ fn clip_vertices(
     let coords = shaded.varyings(VARYING_TEX_COORD);
     let [color, coord] = [ATTRIB_COLOR, ATTRIB_TEX_COORD].map(current);
     let position = shaded.position();
-    let planes = [0, 1, 2, 3, 4, 5, 6, 7].map(|plane| shaded.place(Output::ClipDistance(plane)));
-    let vertex = |(at, id): (usize, &Id)| {
+    let planes =
+        [0, 1, 2, 3, 4, 5, 6, 7].map(|plane| shaded.output_index(Output::ClipDistance(plane)));
+    let vertex = |(at, id): (usize, &VertexInstance)| {
         let front = shaded.four(at, colors[0], color);
         let back = shaded.four(at, colors[1], front);
         let values = [front, back, shaded.four(at, coords, coord)];
@@ -109,12 +108,12 @@ fn clip_vertices(
     ids.iter().enumerate().map(vertex).collect()
 }
 
-/// Takes the primitives that vertices make.
+/// Assembles the primitives of a topology.
 fn assemble(context: &mut Context, topology: Topology, vertices: &[Vertex]) {
     let count = vertices.len();
     let at = |index: usize| vertices[index];
     let convention = context.state.raster.provoking;
-    let provoking = |first, last| &vertices[chosen(convention, first, last)];
+    let provoking = |first, last| &vertices[provoking_vertex(convention, first, last)];
     let line = |context: &mut Context, ends: [usize; 2], kind| {
         emit_line(context, ends.map(at), provoking(ends[0], ends[1]), kind);
     };
@@ -122,16 +121,16 @@ fn assemble(context: &mut Context, topology: Topology, vertices: &[Vertex]) {
         Topology::Points => vertices.iter().for_each(|vertex| point(context, vertex)),
         Topology::Lines => {
             for first in (0..count.saturating_sub(1)).step_by(2) {
-                line(context, [first, first + 1], Kind::LineReset);
+                line(context, [first, first + 1], PrimitiveToken::LineReset);
             }
         }
         Topology::LineStrip | Topology::LineLoop => {
             for last in 1..count {
-                let kind = if last == 1 { Kind::LineReset } else { Kind::Line };
+                let kind = if last == 1 { PrimitiveToken::LineReset } else { PrimitiveToken::Line };
                 line(context, [last - 1, last], kind);
             }
             if topology == Topology::LineLoop && count > 1 {
-                line(context, [count - 1, 0], Kind::Line);
+                line(context, [count - 1, 0], PrimitiveToken::Line);
             }
         }
         Topology::Triangles => polygons(context, vertices, 3),
@@ -160,8 +159,8 @@ fn assemble(context: &mut Context, topology: Topology, vertices: &[Vertex]) {
     }
 }
 
-/// The first vertex of a primitive, or the last.
-fn chosen(convention: Provoking, first: usize, last: usize) -> usize {
+/// The provoking vertex of a primitive: its first or its last.
+fn provoking_vertex(convention: Provoking, first: usize, last: usize) -> usize {
     match convention {
         Provoking::First => first,
         Provoking::Last => last,
@@ -174,13 +173,13 @@ fn edged(vertex: Vertex) -> Vertex {
 }
 
 fn polygons(context: &mut Context, vertices: &[Vertex], corners: usize) {
-    let provoking = chosen(context.state.raster.provoking, 0, corners - 1);
+    let provoking = provoking_vertex(context.state.raster.provoking, 0, corners - 1);
     for corners in vertices.chunks_exact(corners) {
         polygon(context, corners, &corners[provoking]);
     }
 }
 
-/// Gives vertices the colours of the one that provokes, where shading is flat.
+/// Gives vertices the colours of the provoking one, where shading is flat.
 fn shade_flat<'a>(
     context: &Context,
     vertices: &'a [Vertex],
@@ -196,7 +195,7 @@ fn shade_flat<'a>(
     Cow::Owned(vertices)
 }
 
-/// Which of a vertex's colours count.
+/// Which of a vertex's colours are used.
 #[derive(Clone, Copy)]
 enum Facing {
     Front,
@@ -230,13 +229,13 @@ fn corner(context: &Context, vertex: &Vertex, facing: Facing) -> Corner {
 }
 
 fn point(context: &mut Context, vertex: &Vertex) {
-    if clip::holds(vertex) {
+    if clip::is_inside(vertex) {
         let corner = corner(context, vertex, Facing::Front);
-        context.feedback.primitive(Kind::Point, &[corner]);
+        context.feedback.primitive(PrimitiveToken::Point, &[corner]);
     }
 }
 
-fn emit_line(context: &mut Context, ends: [Vertex; 2], provoking: &Vertex, kind: Kind) {
+fn emit_line(context: &mut Context, ends: [Vertex; 2], provoking: &Vertex, kind: PrimitiveToken) {
     let ends = shade_flat(context, &ends, provoking);
     if let Some(ends) = clip::line([ends[0], ends[1]]) {
         let corners = ends.map(|end| corner(context, &end, Facing::Front));
@@ -289,18 +288,18 @@ fn polygon(context: &mut Context, vertices: &[Vertex], provoking: &Vertex) {
     }
     let mode = raster.polygons.mode[usize::from(!is_front)];
     match mode {
-        PolygonMode::Fill => context.feedback.primitive(Kind::Polygon, &corners),
+        PolygonMode::Fill => context.feedback.primitive(PrimitiveToken::Polygon, &corners),
         PolygonMode::Line => {
-            let mut kind = Kind::LineReset;
+            let mut kind = PrimitiveToken::LineReset;
             for at in (0..corners.len()).filter(|&at| clipped[at].edge) {
                 let ends = [corners[at], corners[(at + 1) % corners.len()]];
                 context.feedback.primitive(kind, &ends);
-                kind = Kind::Line;
+                kind = PrimitiveToken::Line;
             }
         }
         PolygonMode::Point => {
             for at in (0..corners.len()).filter(|&at| clipped[at].edge) {
-                context.feedback.primitive(Kind::Point, &corners[at..=at]);
+                context.feedback.primitive(PrimitiveToken::Point, &corners[at..=at]);
             }
         }
     }

@@ -9,7 +9,7 @@ use crate::generate::fixed::environment::{Environment, apply};
 use crate::generate::fixed::fog::{FogKey, fog};
 use crate::generate::fixed::word;
 use crate::interface::*;
-use rasterizer::driver::Rim;
+use rasterizer::driver::Antialiasing;
 use rasterizer::ir::{
     Builder, Expr, Input, Interpolation, Lod, Module, Op, Output, Stage, Stmt, TextureDecl, Ty,
     Value,
@@ -57,7 +57,7 @@ pub(crate) struct FragmentKey {
     /// The alpha test, unless it lets everything through.
     pub alpha: Option<Compare>,
     /// Whether coverage changes alpha.
-    pub rim: Rim,
+    pub antialiasing: Antialiasing,
     /// Whether colours are clamped, from the first to what is written.
     pub clamp: Clamp,
 }
@@ -84,7 +84,7 @@ pub(crate) fn module(key: &FragmentKey) -> Module {
     let mut module = b.finish();
     module.varyings = vec![Interpolation::Smooth; usize::from(VARYING_USER)];
     set_shade_model(&mut module, key.shade_model, [None; 2]);
-    if key.rim == Rim::Smooth {
+    if key.antialiasing == Antialiasing::Smooth {
         crate::generate::fixed::rewrite::add_coverage(&mut module);
     }
     if let Some(compare) = key.alpha {

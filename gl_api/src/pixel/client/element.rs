@@ -7,7 +7,7 @@ use crate::base::types::*;
 use crate::pixel::client::format::Numbers;
 use crate::pixel::packed::{PACKED, Packed};
 use texunit::format::Field;
-use texunit::pixel::{ByteOrder, Code, Record};
+use texunit::pixel::{ByteOrder, NumberEncoding, PixelLayout};
 
 /// How the components of a pixel are written (GL 2.1, table 3.5).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -103,36 +103,39 @@ impl ClientType {
 
     /// How a pixel of so many components lies in memory, whose integers mean `numbers`. Bits are taken apart to bytes
     /// before.
-    pub fn record(self, components: usize, numbers: Numbers, order: ByteOrder) -> Record {
+    pub fn record(self, components: usize, numbers: Numbers, order: ByteOrder) -> PixelLayout {
         let (unsigned, signed) = match numbers {
-            Numbers::Fixed => (Code::Unorm, Code::Fixed),
-            Numbers::SignedNormalized => (Code::Unorm, Code::Snorm),
-            Numbers::Integer => (Code::Uint, Code::Sint),
+            Numbers::Fixed => (NumberEncoding::Unorm, NumberEncoding::Fixed),
+            Numbers::SignedNormalized => (NumberEncoding::Unorm, NumberEncoding::Snorm),
+            Numbers::Integer => (NumberEncoding::Uint, NumberEncoding::Sint),
         };
         let field = |word, shift, bits| Field { word, shift, bits };
-        let uniform = |code| Record::uniform(components, self.size(), code, order);
-        let packed = |words, numbers: &[_]| Record::packed(self.size(), words, order, numbers);
+        let uniform = |code| PixelLayout::uniform(components, self.size(), code, order);
+        let packed = |words, numbers: &[_]| PixelLayout::packed(self.size(), words, order, numbers);
         match self {
             Self::Bit | Self::U8 | Self::U16 | Self::U32 => uniform(unsigned),
             Self::I8 | Self::I16 | Self::I32 => uniform(signed),
-            Self::F16 | Self::F32 => uniform(Code::Float),
+            Self::F16 | Self::F32 => uniform(NumberEncoding::Float),
             Self::Packed(packed) => {
                 let fields = [0, 1, 2, 3].map(|index| (packed.field(index), unsigned));
-                Record::packed(self.size(), 1, order, &fields[..packed.bits.len()])
+                PixelLayout::packed(self.size(), 1, order, &fields[..packed.bits.len()])
             }
-            Self::Rgb9E5 => {
-                packed(1, &[0, 9, 18].map(|shift| (field(0, shift, 9), Code::SharedExponent)))
-            }
+            Self::Rgb9E5 => packed(
+                1,
+                &[0, 9, 18].map(|shift| (field(0, shift, 9), NumberEncoding::SharedExponent)),
+            ),
             Self::R11G11B10F => {
                 let fields = [field(0, 0, 11), field(0, 11, 11), field(0, 22, 10)];
-                packed(1, &fields.map(|field| (field, Code::Float)))
+                packed(1, &fields.map(|field| (field, NumberEncoding::Float)))
             }
-            Self::Depth24Stencil8 => {
-                packed(1, &[(field(0, 8, 24), Code::Unorm), (field(0, 0, 8), Code::Uint)])
-            }
-            Self::Depth32FStencil8 => {
-                packed(2, &[(field(0, 0, 32), Code::Float), (field(1, 0, 8), Code::Uint)])
-            }
+            Self::Depth24Stencil8 => packed(
+                1,
+                &[(field(0, 8, 24), NumberEncoding::Unorm), (field(0, 0, 8), NumberEncoding::Uint)],
+            ),
+            Self::Depth32FStencil8 => packed(
+                2,
+                &[(field(0, 0, 32), NumberEncoding::Float), (field(1, 0, 8), NumberEncoding::Uint)],
+            ),
         }
     }
 }

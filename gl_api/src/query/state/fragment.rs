@@ -8,7 +8,7 @@ use crate::base::types::*;
 use crate::calls::fragment::clamp::WHEN;
 use crate::calls::framebuffer::buffers::drawn_format;
 use crate::context::Context;
-use crate::draw::clamp::of_fragments;
+use crate::draw::color_clamp::of_fragments;
 use crate::pixel::internal::{Component, component_bits};
 use crate::state::masks::LOGIC_OP;
 use crate::state::stencil::{ACTIVE_FACE, Face, STENCIL_OP, Side};

@@ -17,7 +17,7 @@ pub(super) const ROWS: &[Row] = rows! {
     GL_FOG_END: Float(|c| c.state.fog.end);
     GL_FOG_INDEX: Float(|c| c.state.fog.index);
     GL_FOG_COLOR: Fractions(|c| {
-        doubles(&crate::draw::clamp::of_fragments(c).color(c.state.fog.color))
+        doubles(&crate::draw::color_clamp::of_fragments(c).color(c.state.fog.color))
     });
     GL_FOG_COORD_SRC: Word(|c| FOG_SOURCE.encode(c.state.fog.source));
     GL_COLOR_SUM: Enabled;

@@ -3,20 +3,20 @@
 
 use super::super::batch::{Batch, BlockOf, EarlyTests, is_dense, moved_quad, quads_of};
 use super::super::block::BlockAt;
-use super::super::broad::{self, bits};
-use super::super::cover::Cover;
-use super::super::coverage;
+use super::super::block_run::Level;
+use super::super::edge_functions;
 use super::super::job::{Chunk, DrawJob, PassJob, TileJob};
-use super::super::pack::PackBroad;
-use super::super::run::Level;
-use super::super::samples::SampleMasks;
+use super::super::large_triangles::{self, bits};
+use super::super::pack_pixels::PackBroad;
 use super::super::shading::early_tests;
-use super::super::small::Window;
+use super::super::shape_cover::Cover;
+use super::super::small_triangles::Window;
 use super::Worker;
+use crate::desc::Facing;
 use crate::output::Tests;
-use crate::plan::{DrawPlan, Packing, Shading, Timing};
-use crate::primitive::{Facing, Kind, Shape};
-use crate::target::TILE;
+use crate::plan::{DrawPlan, Packing, SampleMasks, Shading, TestTiming};
+use crate::primitive::{Shape, ShapeKind};
+use crate::sizes::TILE;
 use texunit::lanes::{F32s, Isa};
 
 /// What a shape has in a block.
@@ -85,8 +85,8 @@ impl Worker {
         let Some(range) = block_range(shape, tile.x, tile.y) else { return };
         let first = [tile.x, tile.y];
         let blocks = (range[1][0] - range[0][0] + 1) * (range[1][1] - range[0][1] + 1);
-        let is_broad = blocks >= broad::WORTH_IT
-            && shape.kind == Kind::Triangle
+        let is_broad = blocks >= large_triangles::WORTH_IT
+            && shape.kind == ShapeKind::Triangle
             && plan.covers_by_outline()
             && tile.watched.is_none();
         if is_broad {
@@ -101,9 +101,9 @@ impl Worker {
             return;
         }
         let (area, stipple) = match shape.kind {
-            Kind::Triangle => (job.area, plan.stipple.as_ref()),
+            ShapeKind::Triangle => (job.area, plan.stipple.as_ref()),
             // Their outlines do not know where the view volume ends.
-            Kind::Line { .. } | Kind::Point { .. } => (pixels(&shape.bounds), None),
+            ShapeKind::Line { .. } | ShapeKind::Point { .. } => (pixels(&shape.bounds), None),
         };
         if plan.reads_coverage {
             self.parts = F32s::splat(1.0);
@@ -115,7 +115,7 @@ impl Worker {
                 if touched >> at.number() & 1 == 0 {
                     continue;
                 }
-                let mut inside = coverage::inside_area(&area, at);
+                let mut inside = edge_functions::inside_area(&area, at);
                 if let Some(stipple) = stipple {
                     inside &=
                         stipple.block([first[0] / 8 + bx, first[1] / 8 + by].map(|at| at as u32));
@@ -157,11 +157,12 @@ impl Worker {
             plan.packing,
             (&self.group, lane),
         );
-        if !coverage::is_inside_area(&job.area, tile.x, tile.y, TILE as i32) {
-            let inside = |block| coverage::inside_area(&job.area, BlockAt::numbered(first, block));
+        if !edge_functions::is_inside_area(&job.area, tile.x, tile.y, TILE as i32) {
+            let inside =
+                |block| edge_functions::inside_area(&job.area, BlockAt::numbered(first, block));
             self.broad.cut(plan.packing, inside);
         }
-        // What waits of other shapes goes first, as in `make_way`. No block of a shape is in another's way.
+        // Waiting fragments of other shapes run first, as in `make_way`. Blocks of one shape do not overlap.
         if !self.waiting.is_empty() && self.broad.any(|of, lanes| self.waiting.holds(of, lanes)) {
             self.flush_quads(pass, job, tile);
         }
@@ -181,15 +182,15 @@ impl Worker {
             left = self.broad.dense;
             self.pack_broad(pass, job, tile, shape.facing);
         }
-        let ready = if plan.timing == Timing::Never { self.broad.dense } else { tested };
+        let ready = if plan.timing == TestTiming::Never { self.broad.dense } else { tested };
         self.level = self.level_of(plan, lane);
         self.broad.steps(&mut self.planes);
         for block in bits(left) {
             let lanes = self.broad.covered[block];
             let is_ready = ready >> block & 1 == 1;
-            if is_ready && plan.together > 1 && is_alone(plan.packing, lanes) {
+            if is_ready && plan.blocks_per_run > 1 && is_alone(plan.packing, lanes) {
                 self.run.push(self.broad.at(block), shape.facing, block, lanes, self.level);
-                if self.run.len() == plan.together {
+                if self.run.len() == plan.blocks_per_run {
                     self.flush_run(pass, job, tile);
                 }
             } else if lanes != 0 {
@@ -220,7 +221,7 @@ impl Worker {
     fn test_broad(&mut self, pass: &PassJob, job: &DrawJob, tile: &mut TileJob) -> u64 {
         let plan = &job.plan;
         let Tests { stencil: None, depth: Some(test) } = plan.tests else { return 0 };
-        let (Timing::Early, Some(plane), None) =
+        let (TestTiming::Early, Some(plane), None) =
             (plan.timing, plan.depth_plane, plan.samples.offset(0))
         else {
             return 0;
@@ -238,7 +239,8 @@ impl Worker {
         blocks
     }
 
-    /// A number of the shape in this lane of the group for what is the same all over it: then no run of its blocks has
+    /// A number of the shape in this lane of the group for what is the same all over it: then no run of its blocks
+    /// has
     /// to look. No other shape has it.
     fn level_of(&mut self, plan: &DrawPlan, lane: usize) -> Level {
         let Some(product) = &plan.product else { return Level::default() };
@@ -305,11 +307,11 @@ impl Worker {
         let coverage = plan.reads_coverage.then_some(&self.parts);
         let mut of = BlockOf { planes: &self.planes, facing, tests, block, x, y, coverage };
         let is_eager = is_alone(packing, covered) || tile.watched.is_some();
-        let shades_one = plan.together == 1 || tile.watched.is_some();
+        let shades_one = plan.blocks_per_run == 1 || tile.watched.is_some();
         if is_eager && shades_one {
             tile.prefetch(plan, std::iter::once(block));
         }
-        if is_eager && is_due && plan.timing == Timing::Early {
+        if is_eager && is_due && plan.timing == TestTiming::Early {
             let watched = tile.watched.as_ref();
             let watched = watched.filter(|spot| spot.is_in(block, covered));
             let before = watched.map(|_| tile.watched_depth());
@@ -325,7 +327,7 @@ impl Worker {
             } else {
                 let planes = self.planes.iter().copied();
                 self.run.push(planes, facing, block, masks.any(), self.level);
-                if self.run.len() == plan.together {
+                if self.run.len() == plan.blocks_per_run {
                     self.flush_run(pass, job, tile);
                 }
             }

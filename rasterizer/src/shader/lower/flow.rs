@@ -20,15 +20,15 @@ pub(super) enum OpenScope {
     Alike(Vec<usize>),
 }
 
-/// A way out of the innermost loop, its body, or the innermost scope.
+/// An exit of the innermost loop, its body, or the innermost scope.
 #[derive(Clone, Copy)]
-enum Way {
+enum ExitKind {
     Break,
     Continue,
     Leave,
 }
 
-impl Way {
+impl ExitKind {
     fn of(stmt: &Stmt) -> Option<Self> {
         match stmt {
             Stmt::Break => Some(Self::Break),
@@ -45,9 +45,9 @@ impl Way {
     }
 }
 
-/// How lanes go a way.
+/// How lanes take an exit.
 enum Exit<'a> {
-    /// To this slot, each when it comes.
+    /// To this slot, each lane at its own time.
     To(Slot),
     /// All by a jump, of which note is taken here.
     Together(&'a mut Vec<usize>),
@@ -55,7 +55,7 @@ enum Exit<'a> {
 
 /// Where every lane that still belongs to the innermost loop executes.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) struct Turn {
+pub(super) struct LoopPosition {
     nesting: u32,
     scopes: usize,
 }
@@ -90,9 +90,9 @@ impl Lowering<'_> {
                 Stmt::If { condition, accept, reject } => self.branch(*condition, accept, reject),
                 Stmt::Loop { body, continuing } => self.repeat(body, continuing),
                 Stmt::Scope(body) => self.scope(body),
-                Stmt::Break => return self.leave(Way::Break),
-                Stmt::Continue => return self.leave(Way::Continue),
-                Stmt::Leave => return self.leave(Way::Leave),
+                Stmt::Break => return self.leave(ExitKind::Break),
+                Stmt::Continue => return self.leave(ExitKind::Continue),
+                Stmt::Leave => return self.leave(ExitKind::Leave),
                 Stmt::Discard => {
                     self.straight = false;
                     self.out.discards = true;
@@ -110,21 +110,21 @@ impl Lowering<'_> {
         }
     }
 
-    fn place(&self) -> Turn {
-        Turn { nesting: self.nesting, scopes: self.scopes.len() }
+    fn place(&self) -> LoopPosition {
+        LoopPosition { nesting: self.nesting, scopes: self.scopes.len() }
     }
 
-    fn exit(&mut self, way: Way) -> Option<Exit<'_>> {
+    fn exit(&mut self, way: ExitKind) -> Option<Exit<'_>> {
         Some(match way {
-            Way::Break => match self.loops.last_mut()? {
+            ExitKind::Break => match self.loops.last_mut()? {
                 OpenLoop::Masked { exit, .. } => Exit::To(*exit),
                 OpenLoop::Alike { breaks, .. } => Exit::Together(breaks),
             },
-            Way::Continue => match self.loops.last_mut()? {
+            ExitKind::Continue => match self.loops.last_mut()? {
                 OpenLoop::Masked { again, .. } => Exit::To(*again),
                 OpenLoop::Alike { continues, .. } => Exit::Together(continues),
             },
-            Way::Leave => match self.scopes.last_mut()? {
+            ExitKind::Leave => match self.scopes.last_mut()? {
                 OpenScope::Masked(slot) => {
                     self.straight = false;
                     Exit::To(*slot)
@@ -134,7 +134,7 @@ impl Lowering<'_> {
         })
     }
 
-    fn leave(&mut self, way: Way) {
+    fn leave(&mut self, way: ExitKind) {
         let here = self.out.code.len();
         let inst = match self.exit(way) {
             Some(Exit::To(slot)) => Inst::Leave { slot },
@@ -202,11 +202,11 @@ impl Lowering<'_> {
         self.slots -= 1;
     }
 
-    /// A branch that all lanes take alike: no mask is looked at.
+    /// A uniform branch: no mask is read.
     fn branch_together(&mut self, test: Test, accept: &Block, reject: &Block) {
         let branch = self.emit(Inst::Unless { test, to: Target(0) });
         if let ([], [jump]) = (&accept[..], &reject[..])
-            && let Some(way) = Way::of(jump)
+            && let Some(way) = ExitKind::of(jump)
             && let Some(Exit::Together(jumps)) = self.exit(way)
         {
             jumps.push(branch);
@@ -223,7 +223,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// A side of a branch that all lanes take alike.
+    /// A side of a uniform branch.
     fn side(&mut self, block: &Block) {
         self.joins.push(Vec::new());
         self.block(block);
@@ -237,7 +237,7 @@ impl Lowering<'_> {
             ([], [jump]) => (When::Fails, jump),
             _ => return None,
         };
-        match self.exit(Way::of(jump)?)? {
+        match self.exit(ExitKind::of(jump)?)? {
             Exit::To(slot) => Some((when, slot)),
             Exit::Together(_) => None,
         }
@@ -256,7 +256,7 @@ impl Lowering<'_> {
         self.emit(Inst::Open { slot: again });
         let head = self.here();
         self.loops.push(OpenLoop::Masked { exit, again });
-        let inside = Turn { nesting: self.nesting + 1, ..self.place() };
+        let inside = LoopPosition { nesting: self.nesting + 1, ..self.place() };
         let turn = (lone && !continues(body)).then_some(inside);
         let outside = std::mem::replace(&mut self.turn, turn);
         self.nested(body);
@@ -279,7 +279,7 @@ impl Lowering<'_> {
         self.slots -= 2;
     }
 
-    /// A loop whose turns all lanes take alike.
+    /// A loop that all lanes iterate equally often.
     fn repeat_together(&mut self, body: &Block, continuing: &Block) {
         let head = self.here();
         self.loops.push(OpenLoop::Alike { breaks: Vec::new(), continues: Vec::new() });

@@ -1,22 +1,25 @@
 //! A run that is written down for one lane: the same instructions over the same registers, one at a
 //! time.
 
-use super::{Interpreter, Machine, Run, back, lod};
+use super::Machine;
+use super::interpreter::{Interpreter, back};
+use super::lookup::lod;
 use crate::ir::{Access, Ty};
 use crate::shader::inst::{Inst, Reg, SampleInst};
+use crate::shader::run::Run;
 use crate::shader::{OverBudget, Program};
 use crate::trace::{Expression, Lookup, MAX_STEPS, Name, Operand, Step};
-use texunit::plan::Points;
+use texunit::sample::Points;
 use texunit::trace::SampleTrace;
 
-/// The steps of a lane, and where the values in its registers come from.
+/// The steps of a lane, and the origin of the values in its registers.
 pub struct Tracer {
     lane: usize,
     /// By register.
     names: Vec<Name>,
     /// In the order of the source.
     pub steps: Vec<Step>,
-    /// How many were not kept.
+    /// How many were not recorded.
     pub more: usize,
     next: u32,
     /// Those of the present straight run of code, with their places, in the order of execution.
@@ -24,7 +27,7 @@ pub struct Tracer {
 }
 
 impl Tracer {
-    /// Before the first instruction of `program`.
+    /// OperandsBefore the first instruction of `program`.
     pub fn new(program: &Program, lane: usize) -> Self {
         let mut names = vec![Name::Draw; program.layout.registers as usize];
         for (index, input) in program.inputs.iter().enumerate() {
@@ -84,7 +87,7 @@ impl Tracer {
 }
 
 /// What is known of an instruction before it runs.
-enum Before {
+enum OperandsBefore {
     /// It computes a value.
     Value { out: Reg, ty: Ty, expression: Expression },
     /// It samples.
@@ -93,7 +96,7 @@ enum Before {
     Copy { out: Reg, name: Name },
     /// It writes zeros.
     Zero { out: Reg, len: u32 },
-    /// It decides where the program goes on.
+    /// It is a jump.
     Control,
 }
 
@@ -113,7 +116,8 @@ impl Machine {
             let place = run.program.places[pc];
             let executes =
                 !run.program.masked || !self.exec.is_empty() && self.exec.lanes[tracer.lane] != 0;
-            let before = if executes { self.look(&run, inst, tracer) } else { Before::Control };
+            let before =
+                if executes { self.look(&run, inst, tracer) } else { OperandsBefore::Control };
             pc = match *inst {
                 Inst::Again { head, exit } => self.again(head, exit, pc + 1, &mut left)?,
                 Inst::Repeat { head } => back(head, pc + 1, &mut left)?,
@@ -141,7 +145,7 @@ impl Machine {
                         machine: self,
                         run: &run,
                         code,
-                        banks: 1,
+                        files: 1,
                         pc,
                         left,
                     })?
@@ -155,32 +159,32 @@ impl Machine {
         Ok(run.active & !self.discarded.bits())
     }
 
-    fn look(&self, run: &Run<'_>, inst: &Inst, tracer: &Tracer) -> Before {
+    fn look(&self, run: &Run<'_>, inst: &Inst, tracer: &Tracer) -> OperandsBefore {
         let operand = |reg: Reg, ty: Ty| Expression::Operand(tracer.operand(self, reg, ty));
         let name = |reg: Reg| tracer.names[reg.0 as usize];
         match inst {
             Inst::Compute { what, out, args } => {
                 let expression = what.expression(&|at, ty| operand(args[at], ty));
-                Before::Value { out: *out, ty: what.result(), expression }
+                OperandsBefore::Value { out: *out, ty: what.result(), expression }
             }
             Inst::Derivative { axis, out, from } => {
                 let expression =
                     Expression::Derivative(*axis, tracer.operand(self, *from, Ty::F32));
-                Before::Value { out: *out, ty: Ty::F32, expression }
+                OperandsBefore::Value { out: *out, ty: Ty::F32, expression }
             }
             Inst::Move { out, from } | Inst::Store { out, from } => {
-                Before::Copy { out: *out, name: name(*from) }
+                OperandsBefore::Copy { out: *out, name: name(*from) }
             }
             Inst::LoadAt { out, base, len, index } => {
                 let at = self.reg(*index)[tracer.lane].min(len - 1);
-                Before::Copy { out: *out, name: name(Reg(base.0 + at)) }
+                OperandsBefore::Copy { out: *out, name: name(Reg(base.0 + at)) }
             }
             Inst::StoreAt { base, len, index, from } => {
                 let at = self.reg(*index)[tracer.lane].min(len - 1);
-                Before::Copy { out: Reg(base.0 + at), name: name(*from) }
+                OperandsBefore::Copy { out: Reg(base.0 + at), name: name(*from) }
             }
-            Inst::UniformAt { out, .. } => Before::Copy { out: *out, name: Name::Draw },
-            Inst::Zero { out, len } => Before::Zero { out: *out, len: *len },
+            Inst::UniformAt { out, .. } => OperandsBefore::Copy { out: *out, name: Name::Draw },
+            Inst::Zero { out, len } => OperandsBefore::Zero { out: *out, len: *len },
             Inst::Sample(sample) => self.look_at_sample(run, sample, tracer),
             Inst::Unless { .. }
             | Inst::Jump { .. }
@@ -193,11 +197,16 @@ impl Machine {
             | Inst::LeaveIf { .. }
             | Inst::Discard
             | Inst::SkipEmpty { .. }
-            | Inst::Again { .. } => Before::Control,
+            | Inst::Again { .. } => OperandsBefore::Control,
         }
     }
 
-    fn look_at_sample(&self, run: &Run<'_>, sample: &SampleInst, tracer: &Tracer) -> Before {
+    fn look_at_sample(
+        &self,
+        run: &Run<'_>,
+        sample: &SampleInst,
+        tracer: &Tracer,
+    ) -> OperandsBefore {
         let plan = run.textures.get(sample.texture as usize).and_then(Option::as_ref);
         let coords = sample.coords.map(|reg| self.reg(reg).as_f32());
         let [layer, reference] =
@@ -216,21 +225,21 @@ impl Machine {
         };
         let texture = plan.map_or_else(|| "no texture".into(), |plan| plan.describe());
         let coords = sample.coords.map(|reg| tracer.operand(self, reg, ty));
-        Before::Sample { coords, texture, trace }
+        OperandsBefore::Sample { coords, texture, trace }
     }
 
-    fn note(&self, inst: &Inst, place: u32, before: Before, tracer: &mut Tracer) {
+    fn note(&self, inst: &Inst, place: u32, before: OperandsBefore, tracer: &mut Tracer) {
         match (before, inst) {
-            (Before::Value { out, ty, expression }, _) => {
+            (OperandsBefore::Value { out, ty, expression }, _) => {
                 let (number, bits) = (tracer.number(), self.reg(out)[tracer.lane]);
                 tracer.names[out.0 as usize] = Name::Step(number);
                 tracer.run.push((place, Step::Value { number, expression, ty, bits }));
             }
-            (Before::Copy { out, name }, _) => tracer.names[out.0 as usize] = name,
-            (Before::Zero { out, len }, _) => {
+            (OperandsBefore::Copy { out, name }, _) => tracer.names[out.0 as usize] = name,
+            (OperandsBefore::Zero { out, len }, _) => {
                 tracer.names[out.0 as usize..][..len as usize].fill(Name::Draw);
             }
-            (Before::Sample { coords, texture, trace }, Inst::Sample(sample)) => {
+            (OperandsBefore::Sample { coords, texture, trace }, Inst::Sample(sample)) => {
                 let number = tracer.number();
                 let word = |reg: Reg| self.reg(reg)[tracer.lane];
                 let result = sample.out.map(|reg| reg.map(word));
@@ -250,8 +259,8 @@ impl Machine {
                 };
                 tracer.run.push((place, Step::Lookup(Box::new(lookup))));
             }
-            (Before::Control, Inst::Discard) => tracer.run.push((place, Step::Discard)),
-            (Before::Sample { .. } | Before::Control, _) => {}
+            (OperandsBefore::Control, Inst::Discard) => tracer.run.push((place, Step::Discard)),
+            (OperandsBefore::Sample { .. } | OperandsBefore::Control, _) => {}
         }
     }
 }

@@ -10,7 +10,7 @@ use crate::ir::{
 };
 
 /// Moves maps of the fragment module: gives the vertex module with what it then brings, if there is any.
-pub fn leave_to(vertex: &Module, fragment: &mut Module) -> Option<Module> {
+pub fn hoist_to_vertex(vertex: &Module, fragment: &mut Module) -> Option<Module> {
     let groups = Search::new(fragment).groups();
     let written = |slot: u16| {
         let mut outputs = vertex.outputs.iter();

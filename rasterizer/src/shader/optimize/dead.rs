@@ -1,4 +1,4 @@
-//! What no output depends on goes: values, stores, and control flow around nothing.
+//! Dead code elimination: values, stores, and empty control flow on which no output depends.
 //!
 //! Marks backwards from the outputs and the discards. A construct is needed when something needed
 //! stands in it; then so are its condition, and every jump to its end. A loop that nothing leaves
@@ -8,7 +8,7 @@ use crate::ir::{Block, Expr, Module, Stmt, Value, Var};
 
 /// Runs the pass.
 pub(super) fn run(module: &mut Module) {
-    let mut marking = Marking {
+    let mut marking = Marker {
         module,
         nodes: vec![Node::default()],
         writes: vec![Vec::new(); module.variables.len()],
@@ -17,7 +17,7 @@ pub(super) fn run(module: &mut Module) {
         work: Vec::new(),
     };
     let mut roots = Vec::new();
-    marking.build(&module.body, Around { node: 0, in_loop: 0, in_scope: 0 }, &mut roots);
+    marking.build(&module.body, EnclosingNodes { node: 0, in_loop: 0, in_scope: 0 }, &mut roots);
     for at in 0..marking.nodes.len() {
         if marking.nodes[at].is_loop && !marking.nodes[at].is_left {
             roots.push(at);
@@ -26,7 +26,7 @@ pub(super) fn run(module: &mut Module) {
     marking.work.extend(roots.into_iter().map(Item::Node));
     marking.work.extend(module.outputs.iter().map(|(_, var)| Item::Variable(*var)));
     marking.run();
-    let Marking { nodes, values, variables, .. } = marking;
+    let Marker { nodes, values, variables, .. } = marking;
     let mut next = 1;
     let mut body = std::mem::take(&mut module.body);
     sweep(&mut body, &nodes, &values, &variables, &mut next);
@@ -38,7 +38,7 @@ pub(super) fn run(module: &mut Module) {
 struct Node {
     parent: usize,
     condition: Option<Value>,
-    /// The nodes in which a jump to the end of this one, or to its next turn, stands.
+    /// The nodes that contain a jump to the end of this one, or to its next iteration.
     jumps: Vec<usize>,
     is_loop: bool,
     /// Whether anything leaves the loop.
@@ -62,15 +62,15 @@ enum Item {
     Variable(Var),
 }
 
-/// Nodes around a statement; 0 where there is none.
+/// The nodes that enclose a statement; 0 for none.
 #[derive(Clone, Copy)]
-struct Around {
+struct EnclosingNodes {
     node: usize,
     in_loop: usize,
     in_scope: usize,
 }
 
-struct Marking<'a> {
+struct Marker<'a> {
     module: &'a Module,
     nodes: Vec<Node>,
     /// By variable.
@@ -82,13 +82,13 @@ struct Marking<'a> {
     work: Vec<Item>,
 }
 
-impl Marking<'_> {
+impl Marker<'_> {
     fn open(&mut self, parent: usize, condition: Option<Value>) -> usize {
         self.nodes.push(Node { parent, condition, ..Node::default() });
         self.nodes.len() - 1
     }
 
-    fn build(&mut self, block: &Block, around: Around, discards: &mut Vec<usize>) {
+    fn build(&mut self, block: &Block, around: EnclosingNodes, discards: &mut Vec<usize>) {
         let node = around.node;
         for stmt in block {
             match stmt {
@@ -102,21 +102,25 @@ impl Marking<'_> {
                 }
                 Stmt::If { condition, accept, reject } => {
                     let inner = self.open(node, Some(*condition));
-                    self.build(accept, Around { node: inner, ..around }, discards);
-                    self.build(reject, Around { node: inner, ..around }, discards);
+                    self.build(accept, EnclosingNodes { node: inner, ..around }, discards);
+                    self.build(reject, EnclosingNodes { node: inner, ..around }, discards);
                     self.nodes[inner].end = self.nodes.len();
                 }
                 Stmt::Loop { body, continuing } => {
                     let inner = self.open(node, None);
                     self.nodes[inner].is_loop = true;
-                    let around = Around { node: inner, in_loop: inner, ..around };
+                    let around = EnclosingNodes { node: inner, in_loop: inner, ..around };
                     self.build(body, around, discards);
                     self.build(continuing, around, discards);
                     self.nodes[inner].end = self.nodes.len();
                 }
                 Stmt::Scope(body) => {
                     let inner = self.open(node, None);
-                    self.build(body, Around { node: inner, in_scope: inner, ..around }, discards);
+                    self.build(
+                        body,
+                        EnclosingNodes { node: inner, in_scope: inner, ..around },
+                        discards,
+                    );
                     self.nodes[inner].end = self.nodes.len();
                 }
                 Stmt::Break => {

@@ -30,8 +30,8 @@ impl Flatten<'_> {
                     let cost = self.cost(&accept).zip(self.cost(&reject));
                     if cost.is_some_and(|(accept, reject)| accept + reject <= BRANCH) {
                         self.changed = true;
-                        self.select(condition, Side::Accept, accept, &mut out);
-                        self.select(condition, Side::Reject, reject, &mut out);
+                        self.select(condition, BranchSide::Accept, accept, &mut out);
+                        self.select(condition, BranchSide::Reject, reject, &mut out);
                     } else {
                         out.push(Stmt::If { condition, accept, reject });
                     }
@@ -79,7 +79,7 @@ impl Flatten<'_> {
         costs.sum()
     }
 
-    fn select(&mut self, condition: Value, side: Side, block: Block, out: &mut Block) {
+    fn select(&mut self, condition: Value, side: BranchSide, block: Block, out: &mut Block) {
         for stmt in block {
             let Stmt::Store { var, value } = stmt else {
                 out.push(stmt);
@@ -87,8 +87,8 @@ impl Flatten<'_> {
             };
             let old = self.eval(Expr::Load(var), out);
             let args = match side {
-                Side::Accept => [condition, value, old],
-                Side::Reject => [condition, old, value],
+                BranchSide::Accept => [condition, value, old],
+                BranchSide::Reject => [condition, old, value],
             };
             let value = self.eval(Expr::Op { op: self.select_of(var), args }, out);
             out.push(Stmt::Store { var, value });
@@ -113,7 +113,7 @@ impl Flatten<'_> {
 }
 
 #[derive(Clone, Copy)]
-enum Side {
+enum BranchSide {
     Accept,
     Reject,
 }

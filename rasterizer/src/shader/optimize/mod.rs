@@ -27,7 +27,7 @@ mod slopes;
 mod stores;
 mod unroll;
 
-pub(super) use affine::leave_to;
+pub(super) use affine::hoist_to_vertex;
 
 use crate::ir::Module;
 
@@ -50,7 +50,7 @@ pub(super) fn optimize(module: &mut Module) {
     dead::run(module);
 }
 
-/// The passes that come last.
+/// The final passes.
 pub(super) fn finish(module: &mut Module) {
     if slopes::run(module) {
         simplify::run(module);

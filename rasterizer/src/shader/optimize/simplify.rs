@@ -54,7 +54,7 @@ impl Walk<'_> {
         self.instead[value.0 as usize]
     }
 
-    /// Uses an equal value that is there already; says whether there is one.
+    /// Replaces a value by an equal earlier one; returns whether there is one.
     fn share(&mut self, value: Value) -> bool {
         let found = self.common.find(self.module.expr(value), value);
         if let Some(found) = found {

@@ -1,14 +1,13 @@
-//! Stores that are overwritten before anybody reads them go: liveness of variables, backwards.
+//! Dead store elimination: liveness of variables, backwards.
 //!
-//! A lane that stores here has its own way from here on, so liveness is that of one lane's control
-//! flow; masks play no part.
+//! Each lane follows its own control flow, so liveness is that of a single lane and does not depend on masks.
 
 use crate::ir::{Block, Expr, Module, Stmt, Var};
 
 /// Runs the pass.
 pub(super) fn run(module: &mut Module) {
     let mut body = std::mem::take(&mut module.body);
-    let mut live = Live(vec![0; module.variables.len().div_ceil(64)]);
+    let mut live = LiveVariables(vec![0; module.variables.len().div_ceil(64)]);
     for (_, var) in &module.outputs {
         live.insert(*var);
     }
@@ -19,9 +18,9 @@ pub(super) fn run(module: &mut Module) {
 
 /// A set of variables.
 #[derive(Clone)]
-struct Live(Vec<u64>);
+struct LiveVariables(Vec<u64>);
 
-impl Live {
+impl LiveVariables {
     fn contains(&self, var: Var) -> bool {
         self.0[var.0 as usize / 64] >> (var.0 % 64) & 1 != 0
     }
@@ -39,21 +38,21 @@ impl Live {
 }
 
 /// What is live where a loop's jumps go.
-struct Turn {
-    at_break: Live,
-    at_continue: Live,
+struct LoopLiveness {
+    at_break: LiveVariables,
+    at_continue: LiveVariables,
 }
 
 struct Walk<'a> {
     module: &'a Module,
-    loops: Vec<Turn>,
+    loops: Vec<LoopLiveness>,
     /// What is live at the end of each open scope.
-    scopes: Vec<Live>,
+    scopes: Vec<LiveVariables>,
 }
 
 impl Walk<'_> {
     /// Takes what is live at the end of a block, gives what is live at its start.
-    fn block(&mut self, block: &mut Block, mut live: Live) -> Live {
+    fn block(&mut self, block: &mut Block, mut live: LiveVariables) -> LiveVariables {
         let mut kept = Vec::with_capacity(block.len());
         for mut stmt in block.drain(..).rev() {
             match &mut stmt {
@@ -94,13 +93,18 @@ impl Walk<'_> {
         live
     }
 
-    fn jump(&self, live: &mut Live, to: impl Fn(&Self) -> Option<&Live>) {
+    fn jump(&self, live: &mut LiveVariables, to: impl Fn(&Self) -> Option<&LiveVariables>) {
         if let Some(there) = to(self) {
             live.clone_from(there);
         }
     }
 
-    fn repeat(&mut self, body: &mut Block, continuing: &mut Block, after: Live) -> Live {
+    fn repeat(
+        &mut self,
+        body: &mut Block,
+        continuing: &mut Block,
+        after: LiveVariables,
+    ) -> LiveVariables {
         // More than is live when the loop comes round: all it reads, and all that is live wherever
         // it is left.
         let mut around = after.clone();
@@ -116,7 +120,7 @@ impl Walk<'_> {
                 }
             });
         }
-        self.loops.push(Turn { at_break: after, at_continue: around.clone() });
+        self.loops.push(LoopLiveness { at_break: after, at_continue: around.clone() });
         let at_continue = self.block(continuing, around);
         if let Some(turn) = self.loops.last_mut() {
             turn.at_continue.clone_from(&at_continue);

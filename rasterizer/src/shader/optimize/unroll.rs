@@ -1,4 +1,4 @@
-//! Loops whose turns can be counted become that many copies of their body.
+//! Loop unrolling: a loop whose iterations can be counted becomes that many copies of its body.
 //!
 //! A loop is tried out: its statements run on what is known where it begins, until the one `break`
 //! at its outermost level is taken. So any counter, step and condition will do. Loops with other
@@ -25,7 +25,7 @@ pub(super) fn run(
     let mut size = 0;
     turn.iter().for_each(|stmt| stmt.walk(&mut |_| size += 1));
     let turns =
-        Trial { module, known, variable, values: HashMap::new(), variables: HashMap::new() }
+        TrialRun { module, known, variable, values: HashMap::new(), variables: HashMap::new() }
             .turns(&turn, exit, LARGEST.min(room) / size)?;
     let mut out = Vec::with_capacity(turns * turn.len() + exit);
     for at in 0..=turns {
@@ -68,17 +68,17 @@ fn cuts(stmt: &Stmt) -> bool {
 }
 
 /// A loop that is run on what is known.
-struct Trial<'a, K, V> {
+struct TrialRun<'a, K, V> {
     module: &'a Module,
     known: K,
     variable: V,
-    /// What this turn's values are.
+    /// The values of this iteration.
     values: HashMap<Value, Option<u32>>,
     /// What the loop has stored.
     variables: HashMap<Var, Option<u32>>,
 }
 
-impl<K, V> Trial<'_, K, V>
+impl<K, V> TrialRun<'_, K, V>
 where
     K: Fn(&Module, Value) -> Option<u32>,
     V: Fn(&Module, Var) -> Option<u32>,
@@ -142,7 +142,7 @@ where
     }
 }
 
-/// A copy of a turn, with values of its own.
+/// A copy of an iteration, with values of its own.
 struct Copy<'a> {
     module: &'a mut Module,
     of: HashMap<Value, Value>,

@@ -7,7 +7,7 @@ use crate::ir::{
 };
 use crate::shader::compute::Compute;
 use crate::shader::inst::{Inst, Reg};
-use crate::shader::{BANKS, Fusing, OverBudget, Program};
+use crate::shader::{Fusing, MAX_REGISTER_FILES, OverBudget, Program};
 use texunit::image::Shape;
 use texunit::lanes::{Isa, LANES, U32s, lane_x, lane_y};
 
@@ -50,7 +50,7 @@ fn what_has_no_control_flow_runs_in_banks() {
     let value = b.op(Op::Sqrt, &[x]);
     b.store(red, value);
     let straight = b.finish();
-    assert_eq!(Program::new(&straight, |_| true).banks(), BANKS);
+    assert_eq!(Program::new(&straight, |_| true).register_files(), MAX_REGISTER_FILES);
     check(&straight, &[], by_lane);
 
     let (mut b, red) = fragment();
@@ -59,7 +59,7 @@ fn what_has_no_control_flow_runs_in_banks() {
     let zero = b.float(0.0);
     let condition = b.op(Op::Less, &[x, zero]);
     b.push(Stmt::If { condition, accept: vec![Stmt::Discard], reject: Vec::new() });
-    assert_eq!(Program::new(&b.finish(), |_| true).banks(), 1);
+    assert_eq!(Program::new(&b.finish(), |_| true).register_files(), 1);
 }
 
 struct OneOp<'a>(Op, &'a mut [U32s; 4]);

@@ -70,12 +70,12 @@ pub(super) fn check(module: &Module, uniforms: &[u32], input: impl Fn(Input, usi
                 };
                 assert_eq!(got[lane].as_ref(), want, "{} lane {lane}\n{module}", isa.name());
             }
-            if program.banks() > 1 {
-                for (bank, got) in run_banks(isa, &program, uniforms, input).iter().enumerate() {
+            if program.register_files() > 1 {
+                for (file, got) in run_files(isa, &program, uniforms, input).iter().enumerate() {
                     for (lane, got) in got.iter().enumerate() {
-                        let want = &want[(lane + bank) % LANES];
+                        let want = &want[(lane + file) % LANES];
                         let Outcome::Done(want) = want else { panic!("{want:?}\n{module}") };
-                        assert_eq!(got, want, "{} bank {bank} lane {lane}\n{module}", isa.name());
+                        assert_eq!(got, want, "{} file {file} lane {lane}\n{module}", isa.name());
                     }
                 }
             }
@@ -83,9 +83,9 @@ pub(super) fn check(module: &Module, uniforms: &[u32], input: impl Fn(Input, usi
     }
 }
 
-/// What each bank makes of a module: by lane, its outputs. The inputs of a bank's lane are those of
-/// the lane as many further on as there are banks before it.
-fn run_banks(
+/// What each register file makes of a module: by lane, its outputs. The inputs of a register file's lane are those of
+/// the lane as many further on as there are files before it.
+fn run_files(
     isa: Isa,
     program: &Program,
     uniforms: &[u32],
@@ -94,17 +94,19 @@ fn run_banks(
     let prepared = &program.prepare(isa, uniforms, &[]);
     let mut machine = Machine::default();
     machine.begin(program);
-    for bank in 0..program.banks() {
+    for file in 0..program.register_files() {
         for (index, wanted) in program.inputs().iter().enumerate() {
-            let lanes = U32s::from_fn(|lane| input(*wanted, (lane + bank) % LANES));
-            machine.inputs_of(bank)[index] = lanes;
+            let lanes = U32s::from_fn(|lane| input(*wanted, (lane + file) % LANES));
+            machine.inputs_of(file)[index] = lanes;
         }
     }
     let run = Run { isa, program, prepared, textures: &[], active: !0, budget: 10_000_000 };
-    machine.run_banks(run, program.banks()).expect("the budget is large");
-    let of = |bank, lane: usize| {
+    machine.run_files(run, program.register_files()).expect("the budget is large");
+    let of = |file, lane: usize| {
         let outputs = 0..program.outputs().len();
-        outputs.map(|index| any_nan(machine.output_of(bank, index)[lane])).collect()
+        outputs.map(|index| any_nan(machine.output_of(file, index)[lane])).collect()
     };
-    (0..program.banks()).map(|bank| (0..LANES).map(|lane| of(bank, lane)).collect()).collect()
+    (0..program.register_files())
+        .map(|file| (0..LANES).map(|lane| of(file, lane)).collect())
+        .collect()
 }

@@ -5,7 +5,7 @@ use super::reference::{self, Outcome};
 use crate::ir::{
     Block, Builder, Expr, Input, Interpolation, Op, Output, Stage, Stmt, Ty, Value, Var,
 };
-use crate::shader::Draft;
+use crate::shader::OptimizedModule;
 use proptest::prelude::*;
 
 const TYPES: [Ty; 4] = [Ty::F32, Ty::I32, Ty::U32, Ty::Bool];
@@ -15,9 +15,9 @@ const FUSED: [Op; 8] =
 const UNIFORMS: u32 = 8;
 
 /// Draws decisions from a list of random numbers; zeros when it is used up.
-struct Dice<'a>(std::slice::Iter<'a, u32>);
+struct RandomSource<'a>(std::slice::Iter<'a, u32>);
 
-impl Dice<'_> {
+impl RandomSource<'_> {
     fn below(&mut self, count: usize) -> usize {
         self.0.next().map_or(0, |roll| *roll as usize % count)
     }
@@ -28,7 +28,7 @@ impl Dice<'_> {
 }
 
 struct Generator<'a> {
-    dice: Dice<'a>,
+    dice: RandomSource<'a>,
     b: Builder,
     scalars: Vec<Var>,
     arrays: Vec<Var>,
@@ -62,7 +62,7 @@ pub fn module(rolls: &[u32]) -> crate::ir::Module {
     }
     visible.extend([b.float(1.0), b.float(-0.0), b.int(1), b.uint(!0), b.boolean(true)]);
     let mut g = Generator {
-        dice: Dice(rolls.iter()),
+        dice: RandomSource(rolls.iter()),
         b,
         scalars,
         arrays,
@@ -276,8 +276,8 @@ proptest! {
         let uniforms = uniforms(seed);
         let given = |slot: u16| word(seed, 8 + usize::from(slot));
         let fragment = module(&rolls);
-        let mut draft = Draft::new(&fragment, |_| true);
-        let Some(vertex) = draft.leave_to(&passing()) else { return Ok(()) };
+        let mut draft = OptimizedModule::new(&fragment, |_| true);
+        let Some(vertex) = draft.hoist_to_vertex(&passing()) else { return Ok(()) };
         vertex.validate().unwrap();
         draft.module.validate().unwrap();
         let brought = reference::run(&vertex, &uniforms, 20_000, |input| match input {

@@ -113,7 +113,7 @@ fn what_is_read_outside_of_a_branch_is_not_alike() {
     check_turns(&b.finish());
 }
 
-/// The counter of an inner loop lives on from turn to turn of the outer one, in which some lanes
+/// The counter of an inner loop is live across iterations of the outer one, in which some lanes
 /// skip it.
 #[test]
 fn what_comes_again_in_a_loop_is_not_alike() {

@@ -7,6 +7,7 @@
 
 use super::interpolated::{self, Ends};
 use super::{CHANNELS, Palette, Part, SIXTHS, color_sixths, color_weights, is_srgb_block};
+use crate::format::words::bytes_of;
 use crate::format::{Format, srgb};
 use crate::lanes::math::{clamp, round_even};
 
@@ -52,7 +53,7 @@ pub fn encode(format: Format, texels: &[[f32; 4]; 16]) -> [u8; 16] {
         });
         [words[first], words[first + 1]] = fit_colors(&colors, &transparent, palette);
     }
-    crate::format::convert::bytes_of(words)
+    bytes_of(words)
 }
 
 /// The nearest of 0 to `largest`; clamps, NaN gives 0.

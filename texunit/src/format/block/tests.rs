@@ -1,7 +1,7 @@
 //! Blocks against the extensions' tables in `f64`, lanes against single texels, and compression.
 
 use super::*;
-use crate::format::{BaseFormat, convert};
+use crate::format::BaseFormat;
 use crate::lanes::{Isa, Kernel};
 
 /// A small generator (splitmix64).
@@ -167,8 +167,8 @@ fn lanes_decode_as_single_texels_on_every_instruction_set() {
     let blocks = blocks(&mut random);
     for format in compressed() {
         for batch in blocks.chunks_exact(LANES) {
-            let words = [0, 1, 2, 3]
-                .map(|word| U32s::from_fn(|lane| convert::words_of(format, &batch[lane])[word]));
+            let words =
+                [0, 1, 2, 3].map(|word| U32s::from_fn(|lane| words_of(format, &batch[lane])[word]));
             let within = U32s::from_fn(|_| (random.bits() & 15) as u32);
             for isa in Isa::available() {
                 let got = isa.run(Decode(format, &words, &within));

@@ -1,6 +1,9 @@
 //! Conversions against `f64`, there and back, and lanes against single texels.
 
+use super::encode::to_snorm;
 use super::*;
+use crate::format::BaseFormat;
+use crate::format::words::bytes_of;
 use crate::lanes::{Isa, Kernel, math};
 
 struct Decode<'a>(Format, &'a [U32s; 4]);

@@ -1,9 +1,9 @@
 //! Gathers of AVX2 and AVX-512.
 //!
-//! The processors' own gathers are slower than the loads that they stand for: on AMD's by half, on Intel's by a
-//! little (on some older ones it is the other way round). So words are loaded one by one, and put together on the way.
+//! Gather instructions are slower than the loads that they replace (`docs/performance.md`), so words are loaded one by one
+//! and combined by shuffles.
 
-use super::super::isa::{Avx2, Avx512};
+use super::super::isa::x86::{Avx2, Avx512};
 use super::{LANES, U32s, check};
 use std::arch::x86_64::{
     __m128, __m128i, __m256, __m256i, __m512, __m512i, _mm_castpd_ps, _mm_cvtsi32_si128,
@@ -17,7 +17,7 @@ use std::arch::x86_64::{
 /// The word at every `index * SCALE`.
 ///
 /// # Safety
-/// AVX2 is there.
+/// The processor must have AVX2.
 #[inline(always)]
 pub unsafe fn avx2<const SCALE: usize>(bytes: &[u8], indices: &U32s) -> U32s {
     check::<Avx2>(bytes.len(), indices, SCALE as u64, 4);
@@ -35,7 +35,7 @@ pub unsafe fn avx2<const SCALE: usize>(bytes: &[u8], indices: &U32s) -> U32s {
 /// The word at every `index * SCALE`.
 ///
 /// # Safety
-/// AVX-512 is there.
+/// The processor must have AVX-512.
 #[inline(always)]
 pub unsafe fn avx512<const SCALE: usize>(bytes: &[u8], indices: &U32s) -> U32s {
     check::<Avx512>(bytes.len(), indices, SCALE as u64, 4);
@@ -55,7 +55,7 @@ pub unsafe fn avx512<const SCALE: usize>(bytes: &[u8], indices: &U32s) -> U32s {
 /// The pair at every offset.
 ///
 /// # Safety
-/// AVX2 is there.
+/// The processor must have AVX2.
 #[inline(always)]
 pub unsafe fn avx2_pairs(bytes: &[u8], offsets: &U32s) -> [U32s; 2] {
     check::<Avx2>(bytes.len(), offsets, 1, 8);
@@ -70,9 +70,9 @@ pub unsafe fn avx2_pairs(bytes: &[u8], offsets: &U32s) -> [U32s; 2] {
 /// The pair at every offset, and the one `apart` bytes further.
 ///
 /// # Safety
-/// AVX2 is there.
+/// The processor must have AVX2.
 #[inline(always)]
-pub unsafe fn avx2_squares(bytes: &[u8], offsets: &U32s, apart: u32, out: &mut [U32s; 4]) {
+pub unsafe fn avx2_quads(bytes: &[u8], offsets: &U32s, apart: u32, out: &mut [U32s; 4]) {
     // There are as many bytes for pairs above which `apart` more are left.
     let len = bytes.len().saturating_sub(apart as usize);
     check::<Avx2>(len, offsets, 1, 8);
@@ -90,7 +90,7 @@ pub unsafe fn avx2_squares(bytes: &[u8], offsets: &U32s, apart: u32, out: &mut [
 /// The first and the second words of the pairs of eight lanes from `first` on.
 ///
 /// # Safety
-/// AVX2 is there, the eight bytes at the lanes' offsets can be read, and `first` is a multiple of 8 below [`LANES`].
+/// The processor must have AVX2, the eight bytes at the lanes' offsets can be read, and `first` is a multiple of 8 below [`LANES`].
 #[inline(always)]
 unsafe fn store_pairs(base: *const u8, offsets: &U32s, first: usize, out: [&mut U32s; 2]) {
     // SAFETY: the caller vouches for the bytes; batches are 64-byte aligned and have 8 words from `first` on.
@@ -109,7 +109,7 @@ unsafe fn store_pairs(base: *const u8, offsets: &U32s, first: usize, out: [&mut 
 /// The pair at every offset.
 ///
 /// # Safety
-/// AVX-512 is there.
+/// The processor must have AVX-512.
 #[inline(always)]
 pub unsafe fn avx512_pairs(bytes: &[u8], offsets: &U32s) -> [U32s; 2] {
     check::<Avx512>(bytes.len(), offsets, 1, 8);
@@ -131,7 +131,7 @@ pub unsafe fn avx512_pairs(bytes: &[u8], offsets: &U32s) -> [U32s; 2] {
 /// The four words at every offset.
 ///
 /// # Safety
-/// AVX2 is there.
+/// The processor must have AVX2.
 #[inline(always)]
 pub unsafe fn avx2_fours(bytes: &[u8], offsets: &U32s) -> [U32s; 4] {
     check::<Avx2>(bytes.len(), offsets, 1, 16);
@@ -143,7 +143,7 @@ pub unsafe fn avx2_fours(bytes: &[u8], offsets: &U32s) -> [U32s; 4] {
             let q = two_fours(bytes.as_ptr(), offsets, first + 1);
             let r = two_fours(bytes.as_ptr(), offsets, first + 2);
             let s = two_fours(bytes.as_ptr(), offsets, first + 3);
-            // A matrix of 4×4 in each 128 bits: turned.
+            // Transposes a 4×4 matrix in each 128 bits.
             let (pq, rs) = (_mm256_unpacklo_ps(p, q), _mm256_unpacklo_ps(r, s));
             let first_word = _mm256_shuffle_ps::<0b01_00_01_00>(pq, rs);
             let second = _mm256_shuffle_ps::<0b11_10_11_10>(pq, rs);
@@ -161,7 +161,7 @@ pub unsafe fn avx2_fours(bytes: &[u8], offsets: &U32s) -> [U32s; 4] {
 /// The four words at every offset.
 ///
 /// # Safety
-/// AVX-512 is there.
+/// The processor must have AVX-512.
 #[inline(always)]
 pub unsafe fn avx512_fours(bytes: &[u8], offsets: &U32s) -> [U32s; 4] {
     check::<Avx512>(bytes.len(), offsets, 1, 16);
@@ -173,7 +173,7 @@ pub unsafe fn avx512_fours(bytes: &[u8], offsets: &U32s) -> [U32s; 4] {
             let q = four_fours(bytes.as_ptr(), offsets, first + 1);
             let r = four_fours(bytes.as_ptr(), offsets, first + 2);
             let s = four_fours(bytes.as_ptr(), offsets, first + 3);
-            // A matrix of 4×4 in each 128 bits: turned.
+            // Transposes a 4×4 matrix in each 128 bits.
             let (pq, rs) = (_mm512_unpacklo_ps(p, q), _mm512_unpacklo_ps(r, s));
             let first_word = _mm512_shuffle_ps::<0b01_00_01_00>(pq, rs);
             let second = _mm512_shuffle_ps::<0b11_10_11_10>(pq, rs);
@@ -188,23 +188,22 @@ pub unsafe fn avx512_fours(bytes: &[u8], offsets: &U32s) -> [U32s; 4] {
     out
 }
 
-/// Where the bytes of a lane are. Read from memory by itself: it would be taken out of a vector otherwise,
-/// which is slower.
+/// The address of a lane's bytes. The offset is loaded from memory: extracting it from a vector is slower.
 #[inline(always)]
 unsafe fn at<const SCALE: usize>(base: *const u8, indices: &U32s, lane: usize) -> *const u8 {
-    // SAFETY: a reference is good for a read; the caller vouches for the bytes.
+    // SAFETY: a reference is good for a read; the caller guarantees the bytes.
     unsafe { base.add(std::ptr::read_volatile(&raw const indices.0[lane]) as usize * SCALE) }
 }
 
 #[inline(always)]
 unsafe fn word<const SCALE: usize>(base: *const u8, indices: &U32s, lane: usize) -> i32 {
-    // SAFETY: the caller vouches for the bytes.
+    // SAFETY: the caller guarantees the bytes.
     unsafe { at::<SCALE>(base, indices, lane).cast::<i32>().read_unaligned() }
 }
 
 #[inline(always)]
 unsafe fn four_words<const SCALE: usize>(base: *const u8, indices: &U32s, first: usize) -> __m128i {
-    // SAFETY: the caller vouches for the bytes.
+    // SAFETY: the caller guarantees the bytes.
     unsafe {
         let words = _mm_cvtsi32_si128(word::<SCALE>(base, indices, first));
         let words = _mm_insert_epi32::<1>(words, word::<SCALE>(base, indices, first + 1));
@@ -214,14 +213,14 @@ unsafe fn four_words<const SCALE: usize>(base: *const u8, indices: &U32s, first:
 }
 
 /// # Safety
-/// AVX2 is there, and the four bytes at `index * SCALE` of eight lanes from `first` on can be read.
+/// The processor must have AVX2, and the four bytes at `index * SCALE` of eight lanes from `first` on can be read.
 #[inline(always)]
 pub unsafe fn eight_words<const SCALE: usize>(
     base: *const u8,
     indices: &U32s,
     first: usize,
 ) -> __m256i {
-    // SAFETY: the caller vouches for the bytes.
+    // SAFETY: the caller guarantees the bytes.
     unsafe {
         let low = _mm256_castsi128_si256(four_words::<SCALE>(base, indices, first));
         _mm256_inserti128_si256::<1>(low, four_words::<SCALE>(base, indices, first + 4))
@@ -230,7 +229,7 @@ pub unsafe fn eight_words<const SCALE: usize>(
 
 #[inline(always)]
 unsafe fn two_pairs(base: *const u8, offsets: &U32s, first: usize) -> __m128 {
-    // SAFETY: the caller vouches for the bytes.
+    // SAFETY: the caller guarantees the bytes.
     unsafe {
         let low = at::<1>(base, offsets, first).cast::<f64>().read_unaligned();
         let high = at::<1>(base, offsets, first + 1).cast::<f64>().read_unaligned();
@@ -241,10 +240,10 @@ unsafe fn two_pairs(base: *const u8, offsets: &U32s, first: usize) -> __m128 {
 /// The pairs of lanes `first`, the next, and the two that are four further.
 ///
 /// # Safety
-/// AVX2 is there, and the eight bytes at their offsets can be read.
+/// The processor must have AVX2, and the eight bytes at their offsets can be read.
 #[inline(always)]
 pub unsafe fn four_pairs(base: *const u8, offsets: &U32s, first: usize) -> __m256 {
-    // SAFETY: the caller vouches for the bytes.
+    // SAFETY: the caller guarantees the bytes.
     unsafe {
         let low = _mm256_castps128_ps256(two_pairs(base, offsets, first));
         _mm256_insertf128_ps::<1>(low, two_pairs(base, offsets, first + 4))
@@ -254,10 +253,10 @@ pub unsafe fn four_pairs(base: *const u8, offsets: &U32s, first: usize) -> __m25
 /// [`four_pairs`], and those of eight lanes further.
 ///
 /// # Safety
-/// AVX-512F is there, and the eight bytes at their offsets can be read.
+/// The processor must have AVX-512F, and the eight bytes at their offsets can be read.
 #[inline(always)]
 pub unsafe fn eight_pairs(base: *const u8, offsets: &U32s, first: usize) -> __m512 {
-    // SAFETY: the caller vouches for the bytes.
+    // SAFETY: the caller guarantees the bytes.
     unsafe {
         let low = _mm256_castps_pd(four_pairs(base, offsets, first));
         let high = _mm256_castps_pd(four_pairs(base, offsets, first + 8));
@@ -267,14 +266,14 @@ pub unsafe fn eight_pairs(base: *const u8, offsets: &U32s, first: usize) -> __m5
 
 #[inline(always)]
 unsafe fn four(base: *const u8, offsets: &U32s, lane: usize) -> __m128 {
-    // SAFETY: the caller vouches for the bytes.
+    // SAFETY: the caller guarantees the bytes.
     unsafe { _mm_loadu_ps(at::<1>(base, offsets, lane).cast::<f32>()) }
 }
 
 /// The four words of lane `first`, and of the one that is four further.
 #[inline(always)]
 unsafe fn two_fours(base: *const u8, offsets: &U32s, first: usize) -> __m256 {
-    // SAFETY: the caller vouches for the bytes.
+    // SAFETY: the caller guarantees the bytes.
     unsafe {
         let low = _mm256_castps128_ps256(four(base, offsets, first));
         _mm256_insertf128_ps::<1>(low, four(base, offsets, first + 4))
@@ -284,7 +283,7 @@ unsafe fn two_fours(base: *const u8, offsets: &U32s, first: usize) -> __m256 {
 /// [`two_fours`], and those of eight lanes further.
 #[inline(always)]
 unsafe fn four_fours(base: *const u8, offsets: &U32s, first: usize) -> __m512 {
-    // SAFETY: the caller vouches for the bytes.
+    // SAFETY: the caller guarantees the bytes.
     unsafe {
         let low = _mm256_castps_pd(two_fours(base, offsets, first));
         let high = _mm256_castps_pd(two_fours(base, offsets, first + 8));

@@ -3,6 +3,7 @@
 use super::*;
 use crate::lanes::LANES;
 use crate::lanes::math;
+use crate::lanes::{F32s, Simd, U32s};
 
 struct Largest<'a>(&'a U32s);
 impl Kernel for Largest<'_> {

@@ -1,0 +1,126 @@
+//! The checks: one file for each chapter of formulas.
+//!
+//! A check makes its cases (the same in every run), computes each with the oracle and with the driver, and keeps the
+//! largest error. [`CHAPTERS`] lists all of them, in the order of the pipeline; no other file of this layer names it.
+//!
+//! To add a check: write the formula as an [`oracle`](crate::oracle), with a unit test from values computed by hand;
+//! write a file here that makes cases and calls [`Harness::compare`](crate::check::Harness::compare); add it to
+//! [`CHAPTERS`]; and add the mistakes that it must detect to [`MUTATIONS`](crate::mutation::MUTATIONS), each of which
+//! a test builds in.
+
+mod anisotropy;
+mod blend;
+mod builtin;
+mod combine;
+mod compressed;
+mod coverage;
+mod cube;
+mod cube_array;
+mod depth_test;
+mod env;
+mod filter;
+mod format;
+mod fragment;
+mod integer;
+mod interpolation;
+mod lecture;
+mod level;
+mod lod;
+mod lookup;
+mod mipmap;
+mod pixel;
+mod projection;
+mod pyramid;
+mod seamless;
+mod shadow;
+mod shadow_array;
+mod srgb;
+mod target;
+mod texel_mode;
+mod vertex;
+mod wrap;
+
+use crate::check::Check;
+
+/// A heading, and the checks under it.
+pub type Chapter = (&'static str, &'static [Check]);
+
+/// Every check, chapter by chapter, in the order of the pipeline.
+pub const CHAPTERS: &[Chapter] = &[
+    ("The client's pixels", &[pixel::UNPACK, pixel::PACK, pixel::STORE, pixel::TRANSFER]),
+    (
+        "Texel formats",
+        &[
+            format::SAMPLED,
+            format::QUERIED,
+            format::INTEGERS,
+            integer::SAMPLED,
+            compressed::COMPRESSED,
+            srgb::DECODE,
+            texel_mode::DEPTH_MODE,
+            texel_mode::SWIZZLE,
+        ],
+    ),
+    ("Mipmaps", &[mipmap::GENERATED, mipmap::FLOATS, mipmap::GLU]),
+    (
+        "Rasterization",
+        &[
+            coverage::COVERAGE,
+            coverage::SHARED_EDGES,
+            interpolation::PERSPECTIVE,
+            interpolation::DEPTH,
+        ],
+    ),
+    (
+        "Sampling",
+        &[
+            projection::PROJECTIVE,
+            cube::FACE,
+            cube::FILTER,
+            seamless::SEAMLESS,
+            cube_array::FILTER,
+            lod::LOD,
+            lod::BIAS_CLAMP,
+            lookup::LOD,
+            lookup::GRAD,
+            pyramid::LAMBDA,
+            pyramid::CUBE_GRAD,
+            level::LEVEL,
+            wrap::NEAREST,
+            wrap::LINEAR,
+            target::FILTERED,
+            target::OFFSET,
+            target::PROJECTED,
+            target::FETCH,
+            pyramid::SIZE,
+            filter::NEAREST,
+            filter::BILINEAR,
+            anisotropy::ANISOTROPY,
+            shadow::COMPARE,
+            texel_mode::COMPARE_LINEAR,
+            shadow_array::COMPARE,
+        ],
+    ),
+    ("Vertices", &[vertex::TEXGEN, vertex::LIGHTING]),
+    (
+        "Fragments",
+        &[
+            env::ENVIRONMENT,
+            combine::COMBINE,
+            combine::FOG,
+            fragment::ALPHA,
+            fragment::STENCIL,
+            depth_test::TEST,
+            blend::BLEND,
+            fragment::LOGIC,
+        ],
+    ),
+    ("The lectures", &[lecture::LECTURES]),
+    ("Built-in functions", &builtin::ULP),
+    ("Where built-in functions end", &[builtin::EXTREMES]),
+];
+
+/// Every check.
+pub fn checks() -> impl Iterator<Item = &'static Check> + Clone {
+    CHAPTERS.iter().flat_map(|(_, checks)| checks.iter())
+}

@@ -1,0 +1,87 @@
+//! The errors of the cases of a check.
+
+use super::unit::Unit;
+
+/// Expected and measured values of the comparison that contains the worst case; the report shows them as pictures.
+#[derive(Clone, Debug, Default)]
+pub struct ComparedCases {
+    /// Expected and measured value of each case.
+    pub values: Vec<[[f64; 4]; 2]>,
+    /// Error of each case, in the check's unit.
+    pub errors: Vec<f64>,
+}
+
+/// Counts cases and keeps the one with the largest error.
+#[derive(Clone, Debug)]
+pub struct Tally {
+    unit: Unit,
+    cases: u64,
+    largest: f64,
+    worst: String,
+    compared: ComparedCases,
+}
+
+impl Tally {
+    /// A tally without cases.
+    pub fn new(unit: Unit) -> Self {
+        Self {
+            unit,
+            cases: 0,
+            largest: 0.0,
+            worst: String::new(),
+            compared: ComparedCases::default(),
+        }
+    }
+
+    /// The unit of errors.
+    pub(super) fn unit(&self) -> Unit {
+        self.unit
+    }
+
+    /// Adds a case, with its error in the check's unit.
+    pub fn add(&mut self, error: f64, case: impl FnOnce() -> String) {
+        self.cases += 1;
+        if error > self.largest {
+            self.largest = error;
+            self.worst = case();
+        }
+    }
+
+    /// Keeps the comparison if it raised the largest error above `before`, or is the first.
+    pub(super) fn keep(&mut self, compared: ComparedCases, before: f64) {
+        if self.compared.errors.is_empty() || self.largest > before {
+            self.compared = compared;
+        }
+    }
+
+    /// The number of cases.
+    pub fn cases(&self) -> u64 {
+        self.cases
+    }
+
+    /// The largest error, in the check's unit.
+    pub fn largest(&self) -> f64 {
+        self.largest
+    }
+
+    /// A description of the case with the largest error, and the values that were compared with it.
+    pub fn into_worst(self) -> (String, ComparedCases) {
+        (self.worst, self.compared)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_worst_case_is_kept() {
+        let mut tally = Tally::new(Unit::Bytes);
+        tally.add(0.0, || "equal".to_owned());
+        assert_eq!((tally.cases(), tally.largest()), (1, 0.0));
+        tally.add(2.0, || "two off".to_owned());
+        tally.add(1.0, || "one off".to_owned());
+        assert_eq!((tally.cases(), tally.largest()), (3, 2.0));
+        assert_eq!(tally.into_worst().0, "two off");
+    }
+}

@@ -1,0 +1,229 @@
+//! The HTML pages: formulas, error and run time, extremes.
+
+use super::case_pictures;
+use super::page::{PageError, escaped, page, write, write_picture};
+use super::tables::quantity;
+use crate::chapters::CHAPTERS;
+use crate::check::{Outcome, Verdict};
+use crate::plot::{Caption, Line, log_log};
+use crate::sweep::SweepOutcome;
+use crate::tradeoff::functions::FunctionRow;
+use crate::tradeoff::{Measured, Picture, Row, lines, overall};
+use std::fmt::Write;
+use std::path::Path;
+
+/// Writes `index.html`: a table a chapter, each row with its tolerance's reason and worst case, and
+/// pictures of driver, formula and difference side by side.
+///
+/// # Errors
+/// When a file cannot be written.
+pub fn checks_page(
+    folder: &Path,
+    outcomes: &[Outcome],
+    comparisons: &[[Picture; 3]],
+) -> Result<(), PageError> {
+    let mut body = String::from(
+        "<p>Each formula stands a second time in <code>f64</code>, written from the specification; \
+         the driver is held against it through GL alone. The small pictures show, one case a pixel, \
+         the comparison that holds a check's worst case: what the driver gave, what the formula \
+         gives, and the error, in which black is none and white is the tolerance.</p>",
+    );
+    write(folder, "index.html", "")?;
+    for (title, checks) in CHAPTERS {
+        let of: Vec<&Outcome> = outcomes
+            .iter()
+            .filter(|outcome| checks.iter().any(|check| check.name == outcome.name))
+            .collect();
+        if of.is_empty() {
+            continue;
+        }
+        let _ = write!(
+            body,
+            "<h2>{}</h2><table><tr><th>check<th>what<th>cases<th>largest error<th>tolerance<th><th>time",
+            escaped(title)
+        );
+        for outcome in of {
+            let pictures = case_pictures::pictures(outcome);
+            for picture in &pictures {
+                write_picture(folder, picture)?;
+            }
+            body.push_str(&check_row(outcome, &pictures));
+        }
+        body.push_str("</table>");
+    }
+    if !comparisons.is_empty() {
+        body.push_str("<h2>Pictures</h2><p>Driver, formula, and 64 times their difference.</p>");
+    }
+    for row in comparisons {
+        body.push_str("<div>");
+        for picture in row {
+            write_picture(folder, picture)?;
+            body.push_str(&figure(&picture.name));
+        }
+        body.push_str("</div>");
+    }
+    write(folder, "index.html", &page("DetGL against the formulas", &body))
+}
+
+fn check_row(outcome: &Outcome, pictures: &[Picture]) -> String {
+    let (class, word) = match outcome.verdict {
+        Verdict::Pass => ("pass", "pass"),
+        Verdict::Fail => ("fail", "FAIL"),
+        Verdict::Broken(_) => ("fail", "BROKEN"),
+    };
+    let worst = match &outcome.verdict {
+        Verdict::Broken(reason) => reason,
+        Verdict::Pass | Verdict::Fail => &outcome.worst,
+    };
+    let thumbs: String = pictures.iter().map(|picture| thumb(&picture.name)).collect();
+    format!(
+        "<tr><td><b>{}</b><br><small>{}</small><td>{}<br><small>tolerance: {}</small><div>{thumbs}</div>\
+         <details><summary><small>worst case</small></summary><small>{}</small></details>\
+         <td class=n>{}<td class=n>{}<td class=n>{}<td class={class}>{word}<td class=n>{:.2} s",
+        escaped(outcome.name),
+        escaped(outcome.citation),
+        escaped(outcome.what),
+        escaped(outcome.why),
+        escaped(worst),
+        outcome.cases,
+        quantity(outcome.largest_error, outcome),
+        quantity(outcome.tolerance, outcome),
+        outcome.seconds
+    )
+}
+
+/// A picture in a row of a table, with its caption.
+fn thumb(name: &str) -> String {
+    let name = escaped(name);
+    let of = name.rsplit('-').next().unwrap_or_default();
+    format!(
+        "<figure class=thumb><img src=\"{name}.png\" alt=\"{name}\"><figcaption>{of}</figcaption></figure>"
+    )
+}
+
+fn figure(name: &str) -> String {
+    let name = escaped(name);
+    format!("<figure><img src=\"{name}.png\" alt=\"\"><figcaption>{name}</figcaption></figure>")
+}
+
+/// The work-precision plot of some rows.
+///
+/// # Errors
+/// When it cannot be drawn.
+fn work_precision(title: &str, rows: &[Row]) -> Result<String, PageError> {
+    let caption = Caption { title, x: "nanoseconds a pixel", y: "RMS error" };
+    Ok(log_log(caption, &lines(rows), None)?)
+}
+
+/// Writes `error-vs-time.html`, its plots and pictures.
+///
+/// # Errors
+/// When a file cannot be written or a plot cannot be drawn.
+pub fn tradeoff_page(
+    folder: &Path,
+    measured: &Measured,
+    functions: &[FunctionRow],
+) -> Result<(), PageError> {
+    let all = overall(&measured.rows);
+    let plot = work_precision("Error against run time, all scenes", &all)?;
+    write(folder, "error-vs-time.svg", &plot)?;
+    let mut body = format!(
+        "<p>Against the exact area integral of the bilinearly reconstructed texture. Bytes alone \
+         cost an RMS error of 0.0011. Of supersampling, the time is that of all samples.</p>{plot}{}",
+        rows_table(&all)
+    );
+    let mut names: Vec<&str> = measured.rows.iter().map(|row| row.scene).collect();
+    names.dedup();
+    for name in names {
+        let rows: Vec<Row> =
+            measured.rows.iter().filter(|row| row.scene == name).cloned().collect();
+        let _ = write!(body, "<h2>{}</h2>{}", escaped(name), work_precision(name, &rows)?);
+        body.push_str(&rows_table(&rows));
+        body.push_str("<details><summary>pictures, and 4 times the difference</summary>");
+        let of = measured.pictures.iter().filter(|p| p.name.starts_with(&format!("{name}-")));
+        for picture in of {
+            write_picture(folder, picture)?;
+            body.push_str(&figure(&picture.name));
+        }
+        body.push_str("</details>");
+    }
+    body.push_str("<h2>Built-in functions</h2>");
+    let points = functions.iter().filter(|row| row.ulp > 0.0 && row.nanoseconds > 0.0).map(|row| {
+        Line { name: row.function.to_owned(), points: vec![(row.nanoseconds, row.ulp)] }
+    });
+    let caption =
+        Caption { title: "Built-in functions", x: "nanoseconds a call", y: "largest error, ULP" };
+    let dots: Vec<Line> = points.take(24).collect();
+    let _ = write!(body, "{}", log_log(caption, &dots, None)?);
+    body.push_str("<table><tr><th>function<th>largest error, ULP<th>ns a call");
+    for row in functions {
+        let _ = write!(
+            body,
+            "<tr><td>{}<td class=n>{:.3}<td class=n>{:.2}",
+            escaped(row.function),
+            row.ulp,
+            row.nanoseconds
+        );
+    }
+    body.push_str("</table>");
+    write(folder, "error-vs-time.html", &page("Error against run time", &body))
+}
+
+fn rows_table(rows: &[Row]) -> String {
+    let mut text = String::from("<table><tr><th>mode<th>mean<th>RMS<th>max<th>ꟻLIP<th>ns a pixel");
+    for row in rows {
+        let _ = write!(
+            text,
+            "<tr><td>{}<td class=n>{:.4}<td class=n>{:.4}<td class=n>{:.3}<td class=n>{:.3}<td class=n>{:.1}",
+            escaped(&row.mode),
+            row.mean,
+            row.rms,
+            row.max,
+            row.flip,
+            row.nanoseconds
+        );
+    }
+    text.push_str("</table>");
+    text
+}
+
+/// Writes `extremes.html` with a plot a sweep.
+///
+/// # Errors
+/// When a file cannot be written or a plot cannot be drawn.
+pub fn sweeps_page(folder: &Path, swept: &[SweepOutcome]) -> Result<(), PageError> {
+    let mut body =
+        String::from("<p>Each to where arithmetic breaks, with the bound that holds.</p>");
+    for sweep in swept {
+        let (class, word) = if sweep.passes() { ("pass", "pass") } else { ("fail", "FAIL") };
+        let lines: Vec<Line> = sweep
+            .lines
+            .iter()
+            .map(|(name, points)| Line { name: name.clone(), points: points.clone() })
+            .chain((!sweep.before.is_empty()).then(|| Line {
+                name: "before the driver was changed".to_owned(),
+                points: sweep.before.to_vec(),
+            }))
+            .collect();
+        let caption = Caption { title: sweep.name, x: sweep.parameter, y: sweep.unit };
+        let _ = write!(
+            body,
+            "<h2>{} <span class={class}>{word}</span></h2><p>{}<br>Largest error {:.3e} {} at \
+             {:.1e}; bound {:.3e}: {}</p>",
+            escaped(sweep.name),
+            escaped(sweep.what),
+            sweep.largest,
+            escaped(sweep.unit),
+            sweep.at,
+            sweep.bound,
+            escaped(sweep.broken.as_deref().unwrap_or(sweep.why)),
+        );
+        if sweep.largest > 0.0 {
+            let bound = (sweep.bound > 0.0).then_some(sweep.bound);
+            body.push_str(&log_log(caption, &lines, bound)?);
+        } else {
+            body.push_str("<p>The error is 0 at every parameter.</p>");
+        }
+    }
+    write(folder, "extremes.html", &page("Stiff and extreme cases", &body))
+}

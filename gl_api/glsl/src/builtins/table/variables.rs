@@ -1,0 +1,272 @@
+//! The variables (GLSL 1.30 chapter 7): name, type, stages, availability, access, what it stands for.
+
+use crate::builtins::variable::Access::{ReadOnly, ReadWrite};
+use crate::builtins::variable::Builtin::{
+    self, ClipDistance, ClipVertex, FragColor, FragCoord, FragData, FragDepth, FragStencilRef,
+    FrontFacing, InstanceId, PointCoord, PointSize, Position, PrimitiveId, State, Varying,
+    VertexId,
+};
+use crate::builtins::variable::StateArray::{self, EnvColor, TextureMatrix};
+use crate::builtins::variable::VariableType::{
+    self, Bool, Int, Mat, Mat4Array, Struct, StructArray, UnsizedFloats, Vec, Vec4Array,
+};
+use crate::builtins::variable::{Access, Structure, VariableRow};
+use crate::interface::MatrixForm::{Inverse, InverseTranspose, Plain, Transpose};
+use crate::interface::Side::{Back, Front};
+use crate::interface::StateMatrix::{ModelView, ModelViewProjection, Projection};
+use crate::interface::StateVar::{
+    self, DepthRange, Fog, LightModel, LightModelProduct, Material, Matrix, NormalMatrix,
+    NormalScale, Point,
+};
+use crate::interface::TexCoord::{Q, R, S, T};
+use crate::interface::TexGenPlane::{Eye, Object};
+use crate::interface::{
+    ATTRIB_COLOR, ATTRIB_FOG_COORD, ATTRIB_NORMAL, ATTRIB_SECONDARY_COLOR, ATTRIB_TEX_COORD,
+    ATTRIB_VERTEX, VARYING_BACK_COLOR, VARYING_COLOR, VARYING_FOG, VARYING_SECONDARY_COLOR,
+    VARYING_TEX_COORD,
+};
+use crate::language::Stages::{self, Any, Fragment, Vertex};
+use crate::language::{Availability, Extension};
+use crate::limits::{
+    MAX_CLIP_DISTANCES, MAX_CLIP_PLANES, MAX_COMBINED_TEXTURE_IMAGE_UNITS, MAX_DRAW_BUFFERS,
+    MAX_LIGHTS, MAX_TEXTURE_IMAGE_UNITS, MAX_TEXTURE_UNITS, MAX_UNIFORM_COMPONENTS,
+    MAX_VARYING_FLOATS, MAX_VERTEX_ATTRIBS, TEXEL_OFFSETS,
+};
+
+const ALL: Availability = Availability::ALL;
+const V110: Availability = Availability::V110;
+const V120: Availability = Availability::V120;
+const V130: Availability = Availability::V130;
+const ES: Availability = Availability::ES;
+/// Not in the core profile.
+const COMPATIBILITY: Availability = V110.in_compatibility();
+const GPU_SHADER4: Availability = Availability::extension(Extension::GpuShader4);
+const DRAW_INSTANCED: Availability = Availability::extension(Extension::DrawInstanced);
+const INSTANCE_ID: Availability =
+    Availability::V140.or(Extension::DrawInstanced).or(Extension::GpuShader4);
+const STENCIL_EXPORT: Availability = Availability::extension(Extension::ShaderStencilExport);
+
+/// A `vec4` for each texture unit.
+const PER_UNIT: VariableType = Vec4Array(MAX_TEXTURE_UNITS);
+
+const POINT: Structure = Structure {
+    name: "gl_PointParameters",
+    members: &[
+        ("size", 1),
+        ("sizeMin", 1),
+        ("sizeMax", 1),
+        ("fadeThresholdSize", 1),
+        ("distanceConstantAttenuation", 1),
+        ("distanceLinearAttenuation", 1),
+        ("distanceQuadraticAttenuation", 1),
+    ],
+};
+const MATERIAL: Structure = Structure {
+    name: "gl_MaterialParameters",
+    members: &[("emission", 4), ("ambient", 4), ("diffuse", 4), ("specular", 4), ("shininess", 1)],
+};
+const LIGHT_MODEL: Structure =
+    Structure { name: "gl_LightModelParameters", members: &[("ambient", 4)] };
+const LIGHT_MODEL_PRODUCT: Structure =
+    Structure { name: "gl_LightModelProducts", members: &[("sceneColor", 4)] };
+const FOG: Structure = Structure {
+    name: "gl_FogParameters",
+    members: &[("color", 4), ("density", 1), ("start", 1), ("end", 1), ("scale", 1)],
+};
+const LIGHT_SOURCE: Structure = Structure {
+    name: "gl_LightSourceParameters",
+    members: &[
+        ("ambient", 4),
+        ("diffuse", 4),
+        ("specular", 4),
+        ("position", 4),
+        ("halfVector", 4),
+        ("spotDirection", 3),
+        ("spotExponent", 1),
+        ("spotCutoff", 1),
+        ("spotCosCutoff", 1),
+        ("constantAttenuation", 1),
+        ("linearAttenuation", 1),
+        ("quadraticAttenuation", 1),
+    ],
+};
+const LIGHT_PRODUCT: Structure = Structure {
+    name: "gl_LightProducts",
+    members: &[("ambient", 4), ("diffuse", 4), ("specular", 4)],
+};
+const DEPTH_RANGE: Structure =
+    Structure { name: "gl_DepthRangeParameters", members: &[("near", 1), ("far", 1), ("diff", 1)] };
+
+const fn row(
+    name: &'static str,
+    ty: VariableType,
+    stages: Stages,
+    availability: Availability,
+    access: Access,
+    builtin: Builtin,
+) -> VariableRow {
+    VariableRow { name, ty, stages, availability, access, builtin }
+}
+
+/// A conventional attribute of so many floats.
+const fn attribute(name: &'static str, size: u8, location: u8) -> VariableRow {
+    row(name, Vec(size), Vertex, COMPATIBILITY, ReadOnly, Builtin::Attribute(location))
+}
+
+/// A piece of state.
+const fn state(name: &'static str, ty: VariableType, state: StateVar) -> VariableRow {
+    row(name, ty, Any, COMPATIBILITY, ReadOnly, State(state))
+}
+
+/// State of each texture unit, light or plane.
+const fn states(name: &'static str, ty: VariableType, states: StateArray) -> VariableRow {
+    row(name, ty, Any, COMPATIBILITY, ReadOnly, Builtin::States(states))
+}
+
+/// A constant.
+const fn limit(name: &'static str, value: i32, availability: Availability) -> VariableRow {
+    row(name, Int, Any, availability, ReadOnly, Builtin::Limit(value))
+}
+
+/// Every variable, of both stages.
+pub static VARIABLES: [VariableRow; 97] = [
+    row("gl_Position", Vec(4), Vertex, ALL, ReadWrite, Position),
+    row("gl_PointSize", Vec(1), Vertex, ALL, ReadWrite, PointSize),
+    row("gl_ClipVertex", Vec(4), Vertex, COMPATIBILITY, ReadWrite, ClipVertex),
+    row("gl_VertexID", Int, Vertex, V130.or(Extension::GpuShader4), ReadOnly, VertexId),
+    row("gl_InstanceIDARB", Int, Vertex, DRAW_INSTANCED, ReadOnly, InstanceId),
+    row("gl_InstanceID", Int, Vertex, INSTANCE_ID, ReadOnly, InstanceId),
+    row("gl_ClipDistance", UnsizedFloats, Vertex, V130, ReadWrite, ClipDistance),
+    row("gl_ClipDistance", UnsizedFloats, Fragment, V130, ReadOnly, ClipDistance),
+    // Conventional attributes
+    attribute("gl_Vertex", 4, ATTRIB_VERTEX),
+    attribute("gl_Normal", 3, ATTRIB_NORMAL),
+    attribute("gl_Color", 4, ATTRIB_COLOR),
+    attribute("gl_SecondaryColor", 4, ATTRIB_SECONDARY_COLOR),
+    attribute("gl_FogCoord", 1, ATTRIB_FOG_COORD),
+    attribute("gl_MultiTexCoord0", 4, ATTRIB_TEX_COORD),
+    attribute("gl_MultiTexCoord1", 4, ATTRIB_TEX_COORD + 1),
+    attribute("gl_MultiTexCoord2", 4, ATTRIB_TEX_COORD + 2),
+    attribute("gl_MultiTexCoord3", 4, ATTRIB_TEX_COORD + 3),
+    attribute("gl_MultiTexCoord4", 4, ATTRIB_TEX_COORD + 4),
+    attribute("gl_MultiTexCoord5", 4, ATTRIB_TEX_COORD + 5),
+    attribute("gl_MultiTexCoord6", 4, ATTRIB_TEX_COORD + 6),
+    attribute("gl_MultiTexCoord7", 4, ATTRIB_TEX_COORD + 7),
+    // Built-in varyings
+    row("gl_FrontColor", Vec(4), Vertex, COMPATIBILITY, ReadWrite, Varying(VARYING_COLOR)),
+    row("gl_BackColor", Vec(4), Vertex, COMPATIBILITY, ReadWrite, Varying(VARYING_BACK_COLOR)),
+    row(
+        "gl_FrontSecondaryColor",
+        Vec(4),
+        Vertex,
+        COMPATIBILITY,
+        ReadWrite,
+        Varying(VARYING_SECONDARY_COLOR),
+    ),
+    row(
+        "gl_BackSecondaryColor",
+        Vec(4),
+        Vertex,
+        COMPATIBILITY,
+        ReadWrite,
+        Varying(VARYING_BACK_COLOR + 4),
+    ),
+    row("gl_TexCoord", PER_UNIT, Vertex, COMPATIBILITY, ReadWrite, Varying(VARYING_TEX_COORD)),
+    row("gl_FogFragCoord", Vec(1), Vertex, COMPATIBILITY, ReadWrite, Varying(VARYING_FOG)),
+    row("gl_Color", Vec(4), Fragment, COMPATIBILITY, ReadOnly, Varying(VARYING_COLOR)),
+    row(
+        "gl_SecondaryColor",
+        Vec(4),
+        Fragment,
+        COMPATIBILITY,
+        ReadOnly,
+        Varying(VARYING_SECONDARY_COLOR),
+    ),
+    row("gl_TexCoord", PER_UNIT, Fragment, COMPATIBILITY, ReadOnly, Varying(VARYING_TEX_COORD)),
+    row("gl_FogFragCoord", Vec(1), Fragment, COMPATIBILITY, ReadOnly, Varying(VARYING_FOG)),
+    // The fragment stage
+    row("gl_FragCoord", Vec(4), Fragment, ALL, ReadOnly, FragCoord),
+    row("gl_PrimitiveID", Int, Fragment, GPU_SHADER4, ReadOnly, PrimitiveId),
+    row("gl_FrontFacing", Bool, Fragment, ALL, ReadOnly, FrontFacing),
+    row("gl_PointCoord", Vec(2), Fragment, V120.and_es(), ReadOnly, PointCoord),
+    row("gl_FragColor", Vec(4), Fragment, ALL, ReadWrite, FragColor),
+    row("gl_FragData", Vec4Array(MAX_DRAW_BUFFERS), Fragment, ALL, ReadWrite, FragData),
+    row("gl_FragDepth", Vec(1), Fragment, V110, ReadWrite, FragDepth),
+    row("gl_FragStencilRefARB", Int, Fragment, STENCIL_EXPORT, ReadWrite, FragStencilRef),
+    // State of the context (GLSL 1.30 section 7.4)
+    state("gl_ModelViewMatrix", Mat(4), Matrix(ModelView, Plain)),
+    state("gl_ModelViewMatrixInverse", Mat(4), Matrix(ModelView, Inverse)),
+    state("gl_ModelViewMatrixTranspose", Mat(4), Matrix(ModelView, Transpose)),
+    state("gl_ModelViewMatrixInverseTranspose", Mat(4), Matrix(ModelView, InverseTranspose)),
+    state("gl_ProjectionMatrix", Mat(4), Matrix(Projection, Plain)),
+    state("gl_ProjectionMatrixInverse", Mat(4), Matrix(Projection, Inverse)),
+    state("gl_ProjectionMatrixTranspose", Mat(4), Matrix(Projection, Transpose)),
+    state("gl_ProjectionMatrixInverseTranspose", Mat(4), Matrix(Projection, InverseTranspose)),
+    state("gl_ModelViewProjectionMatrix", Mat(4), Matrix(ModelViewProjection, Plain)),
+    state("gl_ModelViewProjectionMatrixInverse", Mat(4), Matrix(ModelViewProjection, Inverse)),
+    state("gl_ModelViewProjectionMatrixTranspose", Mat(4), Matrix(ModelViewProjection, Transpose)),
+    state(
+        "gl_ModelViewProjectionMatrixInverseTranspose",
+        Mat(4),
+        Matrix(ModelViewProjection, InverseTranspose),
+    ),
+    state("gl_NormalMatrix", Mat(3), NormalMatrix),
+    state("gl_NormalScale", Vec(1), NormalScale),
+    state("gl_Point", Struct(&POINT), Point),
+    state("gl_FrontMaterial", Struct(&MATERIAL), Material(Front)),
+    state("gl_BackMaterial", Struct(&MATERIAL), Material(Back)),
+    state("gl_LightModel", Struct(&LIGHT_MODEL), LightModel),
+    state("gl_FrontLightModelProduct", Struct(&LIGHT_MODEL_PRODUCT), LightModelProduct(Front)),
+    state("gl_BackLightModelProduct", Struct(&LIGHT_MODEL_PRODUCT), LightModelProduct(Back)),
+    state("gl_Fog", Struct(&FOG), Fog),
+    states("gl_TextureMatrix", Mat4Array(MAX_TEXTURE_UNITS), TextureMatrix(Plain)),
+    states("gl_TextureMatrixInverse", Mat4Array(MAX_TEXTURE_UNITS), TextureMatrix(Inverse)),
+    states("gl_TextureMatrixTranspose", Mat4Array(MAX_TEXTURE_UNITS), TextureMatrix(Transpose)),
+    states(
+        "gl_TextureMatrixInverseTranspose",
+        Mat4Array(MAX_TEXTURE_UNITS),
+        TextureMatrix(InverseTranspose),
+    ),
+    states("gl_TextureEnvColor", PER_UNIT, EnvColor),
+    states("gl_ClipPlane", Vec4Array(MAX_CLIP_PLANES), StateArray::ClipPlane),
+    states("gl_EyePlaneS", PER_UNIT, StateArray::TexGen(Eye, S)),
+    states("gl_EyePlaneT", PER_UNIT, StateArray::TexGen(Eye, T)),
+    states("gl_EyePlaneR", PER_UNIT, StateArray::TexGen(Eye, R)),
+    states("gl_EyePlaneQ", PER_UNIT, StateArray::TexGen(Eye, Q)),
+    states("gl_ObjectPlaneS", PER_UNIT, StateArray::TexGen(Object, S)),
+    states("gl_ObjectPlaneT", PER_UNIT, StateArray::TexGen(Object, T)),
+    states("gl_ObjectPlaneR", PER_UNIT, StateArray::TexGen(Object, R)),
+    states("gl_ObjectPlaneQ", PER_UNIT, StateArray::TexGen(Object, Q)),
+    states("gl_LightSource", StructArray(&LIGHT_SOURCE, MAX_LIGHTS), StateArray::Light),
+    states(
+        "gl_FrontLightProduct",
+        StructArray(&LIGHT_PRODUCT, MAX_LIGHTS),
+        StateArray::LightProduct(Front),
+    ),
+    states(
+        "gl_BackLightProduct",
+        StructArray(&LIGHT_PRODUCT, MAX_LIGHTS),
+        StateArray::LightProduct(Back),
+    ),
+    row("gl_DepthRange", Struct(&DEPTH_RANGE), Any, ALL, ReadOnly, State(DepthRange)),
+    // Implementation limits
+    limit("gl_MaxLights", MAX_LIGHTS as i32, COMPATIBILITY),
+    limit("gl_MaxClipPlanes", MAX_CLIP_PLANES as i32, COMPATIBILITY),
+    limit("gl_MaxTextureUnits", MAX_TEXTURE_UNITS as i32, COMPATIBILITY),
+    limit("gl_MaxTextureCoords", MAX_TEXTURE_UNITS as i32, COMPATIBILITY),
+    limit("gl_MaxVertexAttribs", MAX_VERTEX_ATTRIBS as i32, ALL),
+    limit("gl_MaxVertexUniformComponents", MAX_UNIFORM_COMPONENTS, V110),
+    limit("gl_MaxVaryingFloats", MAX_VARYING_FLOATS as i32, V110),
+    limit("gl_MaxVertexTextureImageUnits", MAX_TEXTURE_IMAGE_UNITS as i32, ALL),
+    limit("gl_MaxCombinedTextureImageUnits", MAX_COMBINED_TEXTURE_IMAGE_UNITS as i32, ALL),
+    limit("gl_MaxTextureImageUnits", MAX_TEXTURE_IMAGE_UNITS as i32, ALL),
+    limit("gl_MaxFragmentUniformComponents", MAX_UNIFORM_COMPONENTS, V110),
+    limit("gl_MaxDrawBuffers", MAX_DRAW_BUFFERS as i32, ALL),
+    limit("gl_MaxVaryingComponents", MAX_VARYING_FLOATS as i32, V130),
+    limit("gl_MaxClipDistances", MAX_CLIP_DISTANCES as i32, V130),
+    limit("gl_MaxVertexUniformVectors", MAX_UNIFORM_COMPONENTS / 4, ES),
+    limit("gl_MaxFragmentUniformVectors", MAX_UNIFORM_COMPONENTS / 4, ES),
+    limit("gl_MaxVaryingVectors", MAX_VARYING_FLOATS as i32 / 4, ES),
+    limit("gl_MinProgramTexelOffset", *TEXEL_OFFSETS.start(), V130),
+    limit("gl_MaxProgramTexelOffset", *TEXEL_OFFSETS.end(), V130),
+];

@@ -1,0 +1,194 @@
+//! Uniform blocks and their layouts (ARB_uniform_buffer_object, section 4.3.5).
+//!
+//! A block becomes one uniform whose type is a structure of its members; the name of a member
+//! stands for the member of that structure.
+
+use super::Checker;
+use super::scope::Symbol;
+use crate::ast::{self, BlockLayout, Qualifier};
+use crate::hir::{Block, BlockPacking, Expr, ExprKind, Storage, VarRef};
+use crate::language::Availability;
+use crate::limits::MAX_SCALARS;
+use crate::text::diagnostics::Diagnostic;
+use crate::text::source::Span;
+use crate::types::{MatrixOrder, Struct, Type};
+use std::sync::Arc;
+
+const BLOCKS: &str = "ARB_uniform_buffer_object, section 4.3.5.1";
+const LAYOUTS: &str = "ARB_uniform_buffer_object, section 4.3.5.2";
+
+/// A block layout: packing and matrix order.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct BlockDefaults {
+    packing: BlockPacking,
+    order: MatrixOrder,
+}
+
+impl Default for BlockDefaults {
+    fn default() -> Self {
+        Self { packing: BlockPacking::Shared, order: MatrixOrder::Columns }
+    }
+}
+
+impl BlockDefaults {
+    /// Applies a qualifier, which overrides those that it contradicts.
+    fn set(&mut self, layout: BlockLayout) {
+        match layout {
+            BlockLayout::Shared => self.packing = BlockPacking::Shared,
+            BlockLayout::Packed => self.packing = BlockPacking::Packed,
+            BlockLayout::Std140 => self.packing = BlockPacking::Std140,
+            BlockLayout::RowMajor => self.order = MatrixOrder::Rows,
+            BlockLayout::ColumnMajor => self.order = MatrixOrder::Columns,
+        }
+    }
+}
+
+impl Checker<'_> {
+    fn against(&mut self, span: Span, rule: &str, message: impl Into<String>) {
+        self.log.push(Diagnostic::error(span, message).rule(rule));
+    }
+
+    /// The layout qualifiers; all other qualifiers must be `expected`.
+    fn layouts(
+        &mut self,
+        words: &[(Qualifier, Span)],
+        others: &[Qualifier],
+        message: &str,
+    ) -> Vec<(BlockLayout, Span)> {
+        let mut layouts = Vec::new();
+        for &(qualifier, span) in words {
+            if let Qualifier::Block(layout) = qualifier {
+                layouts.push((layout, span));
+            } else if !others.contains(&qualifier) {
+                self.against(span, BLOCKS, message);
+            }
+        }
+        layouts
+    }
+
+    /// The layout of a block with these qualifiers, over the default.
+    fn layout_of(&mut self, words: &[(Qualifier, Span)]) -> BlockDefaults {
+        let message = "before a uniform block stand `layout(...)` and `uniform`";
+        let mut defaults = self.block_layout;
+        for (layout, _) in self.layouts(words, &[Qualifier::Uniform], message) {
+            defaults.set(layout);
+        }
+        defaults
+    }
+
+    /// `layout(std140) uniform;`.
+    pub(super) fn block_defaults(&mut self, words: &[(Qualifier, Span)]) {
+        self.block_layout = self.layout_of(words);
+    }
+
+    /// The matrix order of a member.
+    fn order_of(&mut self, words: &[(Qualifier, Span)], order: MatrixOrder) -> MatrixOrder {
+        let message = "a member of a uniform block takes `layout(...)` and `uniform`";
+        let others = [Qualifier::Uniform, Qualifier::Precision];
+        let mut order = order;
+        for (layout, span) in self.layouts(words, &others, message) {
+            match layout {
+                BlockLayout::RowMajor => order = MatrixOrder::Rows,
+                BlockLayout::ColumnMajor => order = MatrixOrder::Columns,
+                BlockLayout::Shared | BlockLayout::Packed | BlockLayout::Std140 => {
+                    let message = "`shared`, `packed` and `std140` are of a whole block";
+                    self.against(span, LAYOUTS, message);
+                }
+            }
+        }
+        order
+    }
+
+    /// A uniform block.
+    pub(super) fn uniform_block(&mut self, declared: &ast::BlockDecl) {
+        let ast::BlockDecl { qualifiers, name, members } = declared;
+        if let Some(extension) = self.language.warns(Availability::UNIFORM_BLOCKS) {
+            let message = format!("uniform blocks come from {}", extension.name());
+            self.log.push(Diagnostic::warning(name.span, message));
+        }
+        let layout = self.layout_of(qualifiers);
+        self.check_new(name);
+        self.scopes.add(name.text.clone(), Symbol::Block);
+        let var = VarRef::Global(self.unit.globals.len() as u32);
+        let whole = ast::Declarator { name: name.clone(), array: Vec::new(), init: None };
+        let mut variable = self.new_variable(&whole, Type::Error, Storage::Uniform);
+        // A name that no variable can have.
+        variable.name = format!("block {}", name.text).into();
+        self.unit.globals.push(variable);
+        let mut fields: Vec<(Arc<str>, Type)> = Vec::new();
+        let mut orders = Vec::new();
+        for declaration in members {
+            if self.log.is_full() {
+                break;
+            }
+            let order = self.order_of(&declaration.ty.qualifiers, layout.order);
+            self.check_precision(&declaration.ty);
+            if declaration.names.is_empty() {
+                self.against(declaration.ty.ty.span, BLOCKS, "a member needs a name");
+            }
+            for member in &declaration.names {
+                let ty = self.type_of(&declaration.ty.ty, &member.array);
+                self.check_member(member, &ty);
+                self.check_new(&member.name);
+                let index = fields.len() as u32;
+                self.scopes.add(member.name.text.clone(), Symbol::Member(var, index));
+                fields.push((member.name.text.clone(), ty));
+                orders.push(order);
+            }
+        }
+        if fields.is_empty() {
+            self.against(name.span, BLOCKS, "a uniform block needs a member");
+        }
+        let structure = Struct::new(name.text.clone(), fields);
+        if structure.scalars > MAX_SCALARS {
+            let message = format!("the block has more than {MAX_SCALARS} components");
+            self.against(name.span, BLOCKS, message);
+        }
+        let ty = Type::Struct(Arc::new(structure));
+        let block = Block { name: name.text.clone(), packing: layout.packing, orders };
+        let variable = self.variable_mut(var);
+        variable.ty = ty;
+        variable.block = Some(Arc::new(block));
+    }
+
+    /// Reports a type or qualifier that a member cannot have.
+    fn check_member(&mut self, member: &ast::Declarator, ty: &Type) {
+        let (name, span) = (&member.name.text, member.name.span);
+        if member.init.is_some() {
+            let message = format!("`{name}` takes no value: its buffer has it");
+            self.against(span, BLOCKS, message);
+        }
+        if ty.has_sampler() {
+            self.against(span, BLOCKS, format!("`{name}`: a uniform block has no samplers"));
+        }
+        if *ty == Type::Void {
+            self.against(span, BLOCKS, format!("`{name}` cannot be void"));
+        }
+        if ty.is_unsized() {
+            self.against(span, BLOCKS, format!("`{name}`: an array in a block needs a size"));
+        }
+    }
+
+    /// A member of a block, as an expression.
+    pub(super) fn member(&mut self, block: VarRef, index: u32, span: Span) -> Expr {
+        self.note_use(block);
+        let ty = self.variable(block).ty.clone();
+        let Type::Struct(structure) = &ty else { return Expr::error(span) };
+        let Some((_, member)) = structure.fields.get(index as usize) else {
+            return Expr::error(span);
+        };
+        let member = member.clone();
+        let kind = ExprKind::Var(block);
+        let whole = Expr { ty, span, constant: false, kind };
+        let kind = ExprKind::Field(Box::new(whole), index);
+        Expr { ty: member, span, constant: false, kind }
+    }
+
+    /// Reports block layouts on other declarations.
+    pub(super) fn no_block_layout(&mut self, words: &[(Qualifier, Span)]) {
+        let layout = words.iter().find(|(word, _)| matches!(word, Qualifier::Block(_)));
+        if let Some(&(_, span)) = layout {
+            self.against(span, LAYOUTS, "only uniform blocks have this layout");
+        }
+    }
+}

@@ -1,0 +1,187 @@
+//! The checked shader: all names resolved, all expressions typed, all conversions explicit.
+
+mod expr;
+mod function;
+mod recursion;
+mod stmt;
+
+use crate::builtins::variable::Builtin;
+use crate::language::Version;
+use crate::text::source::Span;
+use crate::types::{MatrixOrder, Type};
+pub use expr::{Expr, ExprKind};
+pub use function::Function;
+use rasterizer::ir::{Interpolation, Stage};
+pub use recursion::recursive_call;
+use std::sync::Arc;
+pub use stmt::{Case, Loop, Stmt};
+
+/// A checked shader.
+#[derive(Clone, Debug)]
+pub struct Unit {
+    /// Its stage.
+    pub stage: Stage,
+    /// The version it is written in.
+    pub version: Version,
+    /// Whether `#pragma STDGL invariant(all)` makes all outputs invariant.
+    pub all_invariant: bool,
+    /// Its global variables, with the built-in variables that it references.
+    pub globals: Vec<Variable>,
+    /// Its functions, prototypes among them.
+    pub functions: Vec<Function>,
+    /// The functions that initializers of globals call.
+    pub calls: Vec<u32>,
+}
+
+/// A variable.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum VarRef {
+    /// A global of the unit.
+    Global(u32),
+    /// A local of the function; the parameters come first.
+    Local(u32),
+}
+
+/// The direction of a parameter.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Direction {
+    /// `in`.
+    In,
+    /// `out`.
+    Out,
+    /// `inout`.
+    Inout,
+}
+
+/// Where a variable is stored, or what it stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Storage {
+    /// A variable that is read and written.
+    Plain,
+    /// `const`.
+    Const,
+    /// A parameter.
+    Parameter(Direction),
+    /// `uniform`.
+    Uniform,
+    /// `attribute`, or `in` of the vertex stage.
+    Attribute,
+    /// `varying` of the vertex stage, or its `out`.
+    Output(Interpolation),
+    /// `varying` of the fragment stage, or its `in`.
+    Input(Interpolation),
+    /// `out` of the fragment stage.
+    FragmentOutput,
+    /// A built-in variable.
+    Builtin(Builtin),
+}
+
+/// Interpolation, invariance and layout qualifiers, as written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct InterfaceQualifiers {
+    /// `smooth`, `flat` or `noperspective`.
+    pub interpolation: Option<Interpolation>,
+    /// `invariant`.
+    pub invariant: bool,
+    /// `centroid`.
+    pub centroid: bool,
+    /// `layout(origin_upper_left)`.
+    pub origin_upper_left: bool,
+    /// `layout(pixel_center_integer)`.
+    pub pixel_center_integer: bool,
+    /// `layout(location = n)`.
+    pub location: Option<u32>,
+}
+
+/// The packing of a uniform block (ARB_uniform_buffer_object, section 4.3.5.2). All are laid out
+/// like `std140`; blocks that are `packed` and not referenced are not active.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BlockPacking {
+    /// `shared`.
+    Shared,
+    /// `packed`.
+    Packed,
+    /// `std140`.
+    Std140,
+}
+
+/// The block of a uniform whose type is the structure of the block's members.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Block {
+    /// The block's name.
+    pub name: Arc<str>,
+    /// Its packing.
+    pub packing: BlockPacking,
+    /// The matrix order of each member.
+    pub orders: Vec<MatrixOrder>,
+}
+
+/// A variable.
+#[derive(Clone, Debug)]
+pub struct Variable {
+    /// Its name.
+    pub name: Arc<str>,
+    /// Its type.
+    pub ty: Type,
+    /// Where it is stored.
+    pub storage: Storage,
+    /// Where its name is declared.
+    pub span: Span,
+    /// Where its type stands, if this is the only name of the declaration.
+    pub type_span: Option<Span>,
+    /// Whether anything but its initializer writes it.
+    pub written: bool,
+    /// Whether an index that is not constant selects an element.
+    pub dynamically_indexed: bool,
+    /// Of an array: one more than the largest constant index.
+    pub min_len: u32,
+    /// How many references to it there are.
+    pub references: u32,
+    /// How many of these select an element of an array by a constant index.
+    pub constant_index_references: u32,
+    /// Its interpolation, invariance and layout qualifiers.
+    pub interface_qualifiers: InterfaceQualifiers,
+    /// Whether the size of the array comes from its largest index alone.
+    pub implicitly_sized: bool,
+    /// The uniform block that it is.
+    pub block: Option<Arc<Block>>,
+    /// Its words, if it is a constant.
+    pub constant: Option<Arc<[u32]>>,
+    /// The initializer of a global.
+    pub init: Option<Expr>,
+}
+
+impl Variable {
+    /// A variable without references, declared at `span`.
+    pub fn new(name: Arc<str>, ty: Type, storage: Storage, span: Span) -> Self {
+        Self {
+            name,
+            ty,
+            storage,
+            span,
+            type_span: None,
+            written: false,
+            dynamically_indexed: false,
+            min_len: 0,
+            references: 0,
+            constant_index_references: 0,
+            interface_qualifiers: InterfaceQualifiers::default(),
+            implicitly_sized: false,
+            block: None,
+            constant: None,
+            init: None,
+        }
+    }
+
+    /// Whether its initializer has effects, so that it must run even if nothing references the
+    /// variable.
+    pub fn has_effects(&self) -> bool {
+        self.storage == Storage::Plain && self.init.as_ref().is_some_and(Expr::has_effects)
+    }
+
+    /// The number of elements of an array that are used, from the first one on (GL 2.1, section
+    /// 2.15.3: the highest index used, plus one); `None` if all may be.
+    pub fn used_elements(&self) -> Option<u32> {
+        (self.references == self.constant_index_references).then_some(self.min_len)
+    }
+}

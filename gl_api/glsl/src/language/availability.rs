@@ -1,0 +1,115 @@
+//! Availability: versions, profiles, extensions and stages that have something.
+
+use super::{Extension, Version};
+use rasterizer::ir::Stage;
+
+/// A profile of desktop GLSL, from 1.40 on. Up to 1.30 there is one language.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Profile {
+    /// Without what GLSL 1.40 has left to `GL_ARB_compatibility`. No context has it yet.
+    Core,
+    /// With everything.
+    Compatibility,
+}
+
+/// Which profiles of desktop GLSL have something.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Profiles {
+    /// Both.
+    All,
+    /// The compatibility profile alone.
+    Compatibility,
+}
+
+/// Which versions, profiles and extensions have something.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Availability {
+    /// The first version of desktop GLSL that has it; `None` if none has.
+    pub(super) desktop: Option<Version>,
+    /// The profiles of desktop GLSL that have it.
+    pub(super) profiles: Profiles,
+    /// Whether GLSL ES 1.00 has it.
+    pub(super) es: bool,
+    /// The bits of the extensions each of which adds it.
+    pub(super) extensions: u32,
+}
+
+impl Availability {
+    /// Every version.
+    pub const ALL: Self = Self { es: true, ..Self::V110 };
+    /// Every version but that of OpenGL ES.
+    pub const V110: Self = Self::from_version(Version::V110);
+    /// From GLSL 1.20 on.
+    pub const V120: Self = Self::from_version(Version::V120);
+    /// From GLSL 1.30 on.
+    pub const V130: Self = Self::from_version(Version::V130);
+    /// From GLSL 1.40 on.
+    pub const V140: Self = Self::from_version(Version::V140);
+    /// GLSL ES 1.00 alone.
+    pub const ES: Self = Self { desktop: None, profiles: Profiles::All, es: true, extensions: 0 };
+
+    /// Integers: their types, operators and functions.
+    pub const INTEGERS: Self = Self::V130.or(Extension::GpuShader4);
+    /// Uniform blocks and their layouts.
+    pub const UNIFORM_BLOCKS: Self = Self::V140.or(Extension::UniformBufferObject);
+
+    const fn from_version(version: Version) -> Self {
+        Self { desktop: Some(version), profiles: Profiles::All, es: false, extensions: 0 }
+    }
+
+    /// An extension alone.
+    pub const fn extension(extension: Extension) -> Self {
+        Self { desktop: None, profiles: Profiles::All, es: false, extensions: extension.bit() }
+    }
+
+    /// An extension too.
+    pub const fn or(self, extension: Extension) -> Self {
+        Self { extensions: self.extensions | extension.bit(), ..self }
+    }
+
+    /// GLSL ES 1.00 too.
+    pub const fn and_es(self) -> Self {
+        Self { es: true, ..self }
+    }
+
+    /// From GLSL 1.40 on only in the compatibility profile.
+    pub const fn in_compatibility(self) -> Self {
+        Self { profiles: Profiles::Compatibility, ..self }
+    }
+
+    /// The extensions that add it.
+    pub fn extensions(self) -> impl Iterator<Item = Extension> {
+        let all = Extension::ALL.into_iter().map(|(extension, _)| extension);
+        all.filter(move |extension| self.extensions & extension.bit() != 0)
+    }
+}
+
+/// The stages that have a name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stages {
+    /// Both.
+    Any,
+    /// The vertex stage.
+    Vertex,
+    /// The fragment stage.
+    Fragment,
+}
+
+impl Stages {
+    /// Whether `stage` is among them.
+    pub fn has(self, stage: Stage) -> bool {
+        match self {
+            Self::Any => true,
+            Self::Vertex => stage == Stage::Vertex,
+            Self::Fragment => stage == Stage::Fragment,
+        }
+    }
+}
+
+/// The name of a stage in messages.
+pub fn stage_name(stage: Stage) -> &'static str {
+    match stage {
+        Stage::Vertex => "vertex",
+        Stage::Fragment => "fragment",
+    }
+}

@@ -1,0 +1,117 @@
+//! The extensions that `#extension` can enable.
+
+use super::Version;
+
+/// An extension that a shader can enable.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Extension {
+    /// `GL_ARB_arrays_of_arrays`: arrays of more than one dimension.
+    ArraysOfArrays,
+    /// `GL_ARB_compatibility`: what GLSL 1.40 has removed, available with or without it.
+    Compatibility,
+    /// `GL_ARB_draw_buffers`: `gl_FragData`, which every version has.
+    DrawBuffers,
+    /// `GL_ARB_draw_instanced`: `gl_InstanceIDARB`.
+    DrawInstanced,
+    /// `GL_ARB_explicit_attrib_location`: `layout(location = n)`.
+    ExplicitAttribLocation,
+    /// `GL_ARB_fragment_coord_conventions`: `layout(...)` of `gl_FragCoord`.
+    FragmentCoordConventions,
+    /// `GL_ARB_shader_bit_encoding`: `floatBitsToInt` and the like.
+    ShaderBitEncoding,
+    /// `GL_ARB_shader_stencil_export`: `gl_FragStencilRefARB`.
+    ShaderStencilExport,
+    /// `GL_ARB_shader_texture_lod`: explicit levels and gradients in both stages.
+    ShaderTextureLod,
+    /// `GL_ARB_texture_cube_map_array`: `samplerCubeArray`.
+    TextureCubeMapArray,
+    /// `GL_ARB_texture_gather`: `textureGather`.
+    TextureGather,
+    /// `GL_ARB_texture_multisample`: `sampler2DMS`.
+    TextureMultisample,
+    /// `GL_ARB_texture_query_lod`: `textureQueryLOD`.
+    TextureQueryLod,
+    /// `GL_ARB_texture_rectangle`: `sampler2DRect`.
+    TextureRectangle,
+    /// `GL_ARB_uniform_buffer_object`: uniform blocks.
+    UniformBufferObject,
+    /// `GL_EXT_gpu_shader4`: the part that GLSL 1.30 has adopted.
+    GpuShader4,
+    /// `GL_EXT_texture_array`: `sampler1DArray`, `sampler2DArray`.
+    TextureArray,
+    /// `GL_OES_standard_derivatives`: `dFdx`, `dFdy`, `fwidth` of GLSL ES.
+    StandardDerivatives,
+}
+
+impl Extension {
+    /// Every extension and its name.
+    pub const ALL: [(Self, &'static str); 18] = [
+        (Self::ArraysOfArrays, "GL_ARB_arrays_of_arrays"),
+        (Self::Compatibility, "GL_ARB_compatibility"),
+        (Self::DrawBuffers, "GL_ARB_draw_buffers"),
+        (Self::DrawInstanced, "GL_ARB_draw_instanced"),
+        (Self::ExplicitAttribLocation, "GL_ARB_explicit_attrib_location"),
+        (Self::FragmentCoordConventions, "GL_ARB_fragment_coord_conventions"),
+        (Self::ShaderBitEncoding, "GL_ARB_shader_bit_encoding"),
+        (Self::ShaderStencilExport, "GL_ARB_shader_stencil_export"),
+        (Self::ShaderTextureLod, "GL_ARB_shader_texture_lod"),
+        (Self::TextureCubeMapArray, "GL_ARB_texture_cube_map_array"),
+        (Self::TextureGather, "GL_ARB_texture_gather"),
+        (Self::TextureMultisample, "GL_ARB_texture_multisample"),
+        (Self::TextureQueryLod, "GL_ARB_texture_query_lod"),
+        (Self::TextureRectangle, "GL_ARB_texture_rectangle"),
+        (Self::UniformBufferObject, "GL_ARB_uniform_buffer_object"),
+        (Self::GpuShader4, "GL_EXT_gpu_shader4"),
+        (Self::TextureArray, "GL_EXT_texture_array"),
+        (Self::StandardDerivatives, "GL_OES_standard_derivatives"),
+    ];
+
+    /// The extension of that name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.iter().find(|row| row.1 == name).map(|row| row.0)
+    }
+
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        Self::ALL.iter().find(|row| row.0 == self).map_or("", |row| row.1)
+    }
+
+    /// Whether shaders of a version can enable it.
+    pub fn is_in(self, version: Version) -> bool {
+        match self {
+            Self::StandardDerivatives => version == Version::Es100,
+            Self::Compatibility => version >= Version::V140,
+            Self::ArraysOfArrays
+            | Self::DrawBuffers
+            | Self::DrawInstanced
+            | Self::ExplicitAttribLocation
+            | Self::FragmentCoordConventions
+            | Self::ShaderBitEncoding
+            | Self::ShaderStencilExport
+            | Self::ShaderTextureLod
+            | Self::UniformBufferObject
+            | Self::TextureCubeMapArray
+            | Self::TextureGather
+            | Self::TextureMultisample
+            | Self::TextureQueryLod
+            | Self::TextureRectangle
+            | Self::GpuShader4
+            | Self::TextureArray => version != Version::Es100,
+        }
+    }
+
+    pub(super) const fn bit(self) -> u32 {
+        1 << self as u32
+    }
+}
+
+/// What `#extension` asks for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Behaviour {
+    /// `require` or `enable`.
+    Enable,
+    /// `warn`: enabled, but uses are reported.
+    Warn,
+    /// `disable`, the default.
+    Disable,
+}

@@ -1,0 +1,160 @@
+//! Locations of attributes and fragment outputs, which the application can choose (GL 2.1 section
+//! 2.15.3, GLSL 1.30 section 7.2).
+
+use super::stage::{BindingMap, StageUnits};
+use crate::builtins::variable::Builtin;
+use crate::hir::{Storage, Variable};
+use crate::interface::ATTRIB_VERTEX;
+use crate::limits::{MAX_DRAW_BUFFERS, MAX_VERTEX_ATTRIBS};
+use crate::lower::Binding;
+use crate::program::{Attribute, Bindings};
+use crate::text::diagnostics::{Diagnostic, Log};
+
+/// Gives attributes their locations: first those with an explicit or bound location, then the
+/// others in order.
+pub fn attributes(
+    vertex: &StageUnits<'_>,
+    bindings: &Bindings,
+    locations: &mut BindingMap,
+    log: &mut Log,
+) -> Vec<Attribute> {
+    let used = vertex.with(|storage| storage == Storage::Attribute);
+    let columns = |variable: &Variable| variable.ty.columns().unwrap_or(1);
+    let conventional = conventional(vertex);
+    // Generic attribute 0 is gl_Vertex.
+    let position = conventional.iter().any(|attribute| attribute.location == ATTRIB_VERTEX);
+    let mut taken = [false; MAX_VERTEX_ATTRIBS as usize];
+    taken[0] = position;
+    let mut found: Vec<Option<u8>> = Vec::new();
+    for variable in &used {
+        // `layout(location = n)` overrides `glBindAttribLocation`.
+        let explicit = variable
+            .interface_qualifiers
+            .location
+            .map(|explicit| u8::try_from(explicit).unwrap_or(u8::MAX));
+        let bound = explicit.or_else(|| bindings.attributes.get(&*variable.name).copied());
+        found.push(bound);
+        if position && bound == Some(0) {
+            let message = format!(
+                "attribute `{}` is bound to location 0, which is gl_Vertex, and the shader reads \
+                 both",
+                variable.name
+            );
+            log.push(Diagnostic::link_error(message).rule("GL 2.1 section 2.15.3"));
+        }
+        if let Some(first) = bound {
+            let end = usize::from(first) + usize::from(columns(variable));
+            match taken.get_mut(usize::from(first)..end) {
+                Some(range) => range.fill(true),
+                None => {
+                    let message = format!(
+                        "attribute `{}` is bound to location {first} and does not fit below {}",
+                        variable.name, MAX_VERTEX_ATTRIBS
+                    );
+                    log.push(Diagnostic::link_error(message).rule("GL 2.1 section 2.15.3"));
+                }
+            }
+        }
+    }
+    let mut attributes = Vec::new();
+    for (variable, bound) in used.iter().zip(found) {
+        let count = usize::from(columns(variable));
+        let location = bound.or_else(|| {
+            let free = taken.windows(count).position(|range| !range.contains(&true))?;
+            taken[free..free + count].fill(true);
+            Some(free as u8)
+        });
+        let Some(location) = location else {
+            let message = format!(
+                "attribute `{}` finds no location: there are {MAX_VERTEX_ATTRIBS}",
+                variable.name
+            );
+            log.push(Diagnostic::link_error(message).rule("GL 2.1 section 2.15.3"));
+            continue;
+        };
+        locations.insert(variable.name.clone(), Binding::Attribute(location));
+        if let Some(ty) = variable.ty.data_type() {
+            attributes.push(Attribute { name: variable.name.to_string(), ty, location });
+        }
+    }
+    attributes.extend(conventional);
+    attributes
+}
+
+/// The conventional attributes that the stage reads.
+fn conventional(vertex: &StageUnits<'_>) -> Vec<Attribute> {
+    let attribute = |variable: &&Variable| {
+        let Storage::Builtin(Builtin::Attribute(location)) = variable.storage else { return None };
+        let ty = variable.ty.data_type()?;
+        Some(Attribute { name: variable.name.to_string(), ty, location })
+    };
+    vertex.used.iter().filter_map(attribute).collect()
+}
+
+/// Gives the outputs of the fragment stage their colour attachments: name and attachment of each.
+pub fn targets(
+    fragment: &StageUnits<'_>,
+    bindings: &Bindings,
+    locations: &mut BindingMap,
+    log: &mut Log,
+) -> Vec<(String, u8)> {
+    let outputs = fragment.with(|storage| storage == Storage::FragmentOutput);
+    let builtin = ["gl_FragColor", "gl_FragData"];
+    let old = fragment.used.iter().find(|v| v.written && builtin.contains(&&*v.name));
+    if let (Some(old), Some(new)) = (old, outputs.first()) {
+        let message = format!("both `{}` and the output `{}` are written", old.name, new.name);
+        log.push(Diagnostic::link_error(message).rule("GLSL 1.30 section 7.2"));
+    }
+    let mut taken = [false; MAX_DRAW_BUFFERS as usize];
+    // An array takes an attachment for each element.
+    let colors = |variable: &Variable| {
+        (variable.ty.scalars() / variable.ty.base().scalars().max(1)) as usize
+    };
+    let bound = |variable: &Variable| {
+        let explicit = variable
+            .interface_qualifiers
+            .location
+            .map(|explicit| u8::try_from(explicit).unwrap_or(u8::MAX));
+        explicit.or_else(|| bindings.frag_data.get(&*variable.name).copied())
+    };
+    for output in &outputs {
+        let Some(target) = bound(output) else { continue };
+        let first = usize::from(target);
+        match taken.get_mut(first..first + colors(output)) {
+            Some(taken) if !taken.contains(&true) => taken.fill(true),
+            Some(_) => {
+                let message = format!("two outputs are bound to colour {target}");
+                log.push(Diagnostic::link_error(message));
+            }
+            None => {
+                let message = format!(
+                    "output `{}` is bound to colour {target}; there are {MAX_DRAW_BUFFERS}",
+                    output.name
+                );
+                log.push(Diagnostic::link_error(message));
+            }
+        }
+        locations.insert(output.name.clone(), Binding::Target(target));
+    }
+    for output in &outputs {
+        if bound(output).is_some() {
+            continue;
+        }
+        let count = colors(output);
+        match taken.windows(count).position(|range| !range.contains(&true)) {
+            Some(free) => {
+                taken[free..free + count].fill(true);
+                locations.insert(output.name.clone(), Binding::Target(free as u8));
+            }
+            None => {
+                let message = format!("more than {MAX_DRAW_BUFFERS} outputs");
+                log.push(Diagnostic::link_error(message));
+            }
+        }
+    }
+    let color = |output: &&Variable| match locations.get(&output.name) {
+        Some(Binding::Target(color)) => Some((output.name.to_string(), *color)),
+        Some(Binding::Attribute(_) | Binding::Uniform(_) | Binding::Varying(_)) | None => None,
+    };
+    outputs.iter().filter_map(color).collect()
+}

@@ -1,0 +1,156 @@
+//! Transform feedback (GL 3.0 section 2.15): the varyings to capture become outputs of the vertex
+//! stage.
+
+use super::stage::{BindingMap, StageUnits};
+use crate::builtins::variable::Builtin;
+use crate::hir::{Storage, Variable};
+use crate::limits::{
+    MAX_TRANSFORM_FEEDBACK_INTERLEAVED_COMPONENTS, MAX_TRANSFORM_FEEDBACK_SEPARATE_COMPONENTS,
+};
+use crate::lower::{Binding, varying_slots};
+use crate::program::{BufferMode, Capture, CaptureRequest, Captured, CapturedScalar};
+use crate::text::diagnostics::{Diagnostic, Log};
+use crate::types::Type;
+use rasterizer::ir::{Output, Ty};
+
+const RULE: &str = "GL 3.0 section 2.15";
+
+/// Finds the varyings to capture; those that the fragment stage does not read get slots from `next`
+/// on.
+pub fn captured(
+    vertex: Option<&StageUnits<'_>>,
+    request: &Capture,
+    mut next: u16,
+    in_vertex: &mut BindingMap,
+    log: &mut Log,
+) -> Vec<Captured> {
+    let mut all: Vec<Captured> = Vec::new();
+    for wanted in &request.varyings {
+        let found = find(vertex, wanted, &mut next, in_vertex);
+        let twice = all.iter().any(|other| other.name == wanted.to_string());
+        match found {
+            Ok(_) if twice => {
+                let message = format!("transform feedback captures `{wanted}` twice");
+                log.push(Diagnostic::link_error(message).rule(RULE));
+            }
+            Ok(captured) => all.push(captured),
+            Err(why) => {
+                let message = format!("transform feedback cannot capture `{wanted}`: {why}");
+                log.push(Diagnostic::link_error(message).rule(RULE));
+            }
+        }
+    }
+    let (counts, limit): (Vec<usize>, usize) = match request.mode {
+        BufferMode::Interleaved => (
+            vec![all.iter().map(|captured| captured.scalars.len()).sum()],
+            MAX_TRANSFORM_FEEDBACK_INTERLEAVED_COMPONENTS,
+        ),
+        BufferMode::Separate => (
+            all.iter().map(|captured| captured.scalars.len()).collect(),
+            MAX_TRANSFORM_FEEDBACK_SEPARATE_COMPONENTS,
+        ),
+    };
+    if let Some(count) = counts.into_iter().find(|count| *count > limit) {
+        let message =
+            format!("transform feedback captures {count} components for a buffer, at most {limit}");
+        log.push(Diagnostic::link_error(message).rule(RULE));
+    }
+    all
+}
+
+/// The variable, or element of an array, that a name stands for.
+fn find(
+    vertex: Option<&StageUnits<'_>>,
+    wanted: &CaptureRequest,
+    next: &mut u16,
+    in_vertex: &mut BindingMap,
+) -> Result<Captured, String> {
+    let Some(vertex) = vertex else { return Err("there is no vertex shader".to_owned()) };
+    let named = |variable: &&Variable| *variable.name == *wanted.variable;
+    let is_output = |variable: &&Variable| matches!(variable.storage, Storage::Output(_));
+    let declared = vertex.declared().filter(is_output).find(named);
+    let Some(variable) = declared.or_else(|| vertex.used.iter().copied().find(named)) else {
+        return Err("the vertex shader has no such output".to_owned());
+    };
+    let native = match variable.storage {
+        Storage::Output(_) => None,
+        Storage::Builtin(Builtin::Varying(first)) => Some(first),
+        Storage::Builtin(
+            Builtin::Position | Builtin::PointSize | Builtin::ClipVertex | Builtin::ClipDistance,
+        ) => None,
+        Storage::Builtin(
+            Builtin::InstanceId
+            | Builtin::VertexId
+            | Builtin::Attribute(_)
+            | Builtin::FragCoord
+            | Builtin::FrontFacing
+            | Builtin::PointCoord
+            | Builtin::PrimitiveId
+            | Builtin::FragColor
+            | Builtin::FragData
+            | Builtin::FragDepth
+            | Builtin::FragStencilRef
+            | Builtin::State(_)
+            | Builtin::States(_)
+            | Builtin::Limit(_),
+        )
+        | Storage::Plain
+        | Storage::Const
+        | Storage::Parameter(_)
+        | Storage::Uniform
+        | Storage::Attribute
+        | Storage::Input(_)
+        | Storage::FragmentOutput => {
+            return Err("it is no output of the vertex shader".to_owned());
+        }
+    };
+    let types = variable.ty.flat();
+    let first = native.unwrap_or_else(|| match in_vertex.get(&variable.name) {
+        Some(Binding::Varying(Some(first))) => *first,
+        Some(
+            Binding::Varying(None)
+            | Binding::Attribute(_)
+            | Binding::Uniform(_)
+            | Binding::Target(_),
+        )
+        | None => {
+            let first = *next;
+            *next = next.saturating_add(varying_slots(&types));
+            in_vertex.insert(variable.name.clone(), Binding::Varying(Some(first)));
+            first
+        }
+    });
+    let mut scalars = scalars(&types, first);
+    let (element_ty, mut size) = match &variable.ty {
+        Type::Array(element, size) => (&**element, size.unwrap_or(0)),
+        ty => (ty, 1),
+    };
+    if let Some(element) = wanted.element {
+        if !matches!(variable.ty, Type::Array(..)) {
+            return Err("it is no array".to_owned());
+        }
+        if element >= size {
+            return Err(format!("the array has {size} elements"));
+        }
+        let each = element_ty.scalars() as usize;
+        scalars = scalars.split_off(element as usize * each);
+        scalars.truncate(each);
+        size = 1;
+    }
+    let Some(ty) = element_ty.data_type() else { return Err(format!("it is of {element_ty}")) };
+    Ok(Captured { name: wanted.to_string(), ty, size, scalars })
+}
+
+/// The outputs of scalars of these types, from a slot on.
+fn scalars(types: &[Ty], first: u16) -> Vec<CapturedScalar> {
+    let mut next = first;
+    let mut take = || {
+        next += 1;
+        Output::Varying(next - 1)
+    };
+    let scalar = |ty: &Ty| match ty {
+        Ty::F32 => CapturedScalar::Float(take()),
+        Ty::I32 | Ty::U32 | Ty::Bool => CapturedScalar::Word { low: take(), high: take() },
+    };
+    types.iter().map(scalar).collect()
+}

@@ -1,0 +1,194 @@
+//! Keywords, reserved words and names (GLSL 1.30 section 3.6).
+
+use crate::ast::{BlockLayout, Qualifier};
+use crate::language::{Availability, Extension, Language, Version};
+use crate::types::Type;
+
+const ALWAYS: Availability = Availability::ALL;
+const V120: Availability = Availability::V120;
+const V130: Availability = Availability::V130;
+/// Precision qualifiers.
+const PRECISION: Availability = V130.and_es();
+
+/// `layout`: of `gl_FragCoord`, of attributes and outputs, of uniform blocks; a keyword from GLSL 1.40 on.
+const LAYOUT: Availability = Availability::V140
+    .or(Extension::FragmentCoordConventions)
+    .or(Extension::ExplicitAttribLocation);
+
+/// The layout qualifiers of uniform blocks.
+const BLOCK_LAYOUTS: [(&str, BlockLayout); 5] = [
+    ("shared", BlockLayout::Shared),
+    ("packed", BlockLayout::Packed),
+    ("std140", BlockLayout::Std140),
+    ("row_major", BlockLayout::RowMajor),
+    ("column_major", BlockLayout::ColumnMajor),
+];
+
+/// The class of a word.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum WordClass {
+    /// An identifier.
+    Name,
+    /// The name of a type.
+    Type,
+    /// Any other keyword.
+    Keyword,
+    /// Reserved: an error wherever it stands.
+    Reserved,
+}
+
+/// Keywords that name no types, and their availability.
+const KEYWORDS: [(&str, Availability); 32] = [
+    ("attribute", ALWAYS),
+    ("const", ALWAYS),
+    ("uniform", ALWAYS),
+    ("varying", ALWAYS),
+    ("break", ALWAYS),
+    ("continue", ALWAYS),
+    ("do", ALWAYS),
+    ("for", ALWAYS),
+    ("while", ALWAYS),
+    ("if", ALWAYS),
+    ("else", ALWAYS),
+    ("in", ALWAYS),
+    ("out", ALWAYS),
+    ("inout", ALWAYS),
+    ("true", ALWAYS),
+    ("false", ALWAYS),
+    ("discard", ALWAYS),
+    ("return", ALWAYS),
+    ("struct", ALWAYS),
+    ("centroid", V120.or(Extension::GpuShader4)),
+    ("invariant", V120.and_es()),
+    ("flat", V130.or(Extension::GpuShader4)),
+    ("smooth", V130),
+    ("noperspective", V130.or(Extension::GpuShader4)),
+    ("switch", V130),
+    ("case", V130),
+    ("default", ALWAYS),
+    ("lowp", PRECISION),
+    ("mediump", PRECISION),
+    ("precision", PRECISION),
+    ("layout", LAYOUT),
+    ("layout", Availability::UNIFORM_BLOCKS),
+];
+
+/// Qualifiers, and their availability.
+const QUALIFIERS: [(&str, Qualifier, Availability); 15] = [
+    ("const", Qualifier::Const, ALWAYS),
+    ("attribute", Qualifier::Attribute, ALWAYS),
+    ("varying", Qualifier::Varying, ALWAYS),
+    ("uniform", Qualifier::Uniform, ALWAYS),
+    ("in", Qualifier::In, ALWAYS),
+    ("out", Qualifier::Out, ALWAYS),
+    ("inout", Qualifier::Inout, ALWAYS),
+    ("centroid", Qualifier::Centroid, V120.or(Extension::GpuShader4)),
+    ("invariant", Qualifier::Invariant, V120.and_es()),
+    ("smooth", Qualifier::Smooth, V130),
+    ("flat", Qualifier::Flat, V130.or(Extension::GpuShader4)),
+    ("noperspective", Qualifier::NoPerspective, V130.or(Extension::GpuShader4)),
+    ("lowp", Qualifier::Precision, PRECISION),
+    ("mediump", Qualifier::Precision, PRECISION),
+    ("highp", Qualifier::Precision, PRECISION),
+];
+
+/// Words that every version reserves.
+#[rustfmt::skip]
+const RESERVED: [&str; 39] = [
+    "asm", "class", "union", "enum", "typedef", "template",
+    "this", "packed", "goto", "inline", "noinline", "volatile",
+    "public", "static", "extern", "external", "interface", "long",
+    "short", "double", "half", "fixed", "unsigned",
+    "input", "output", "hvec2", "hvec3", "hvec4", "dvec2",
+    "dvec3", "dvec4", "fvec2", "fvec3", "fvec4", "sampler3DRect",
+    "sizeof", "cast", "namespace", "using",
+];
+
+/// Words that only these versions reserve, from the first to the last.
+const RESERVED_EARLY: [(&str, Version, Version); 6] = [
+    ("switch", Version::V110, Version::V120),
+    ("superp", Version::Es100, Version::Es100),
+    ("lowp", Version::V120, Version::V120),
+    ("mediump", Version::V120, Version::V120),
+    ("highp", Version::V120, Version::V120),
+    ("precision", Version::V120, Version::V120),
+];
+
+/// Words that GLSL 1.30 reserves too, and 1.40 unless it uses them.
+#[rustfmt::skip]
+const RESERVED_130: [&str; 34] = [
+    "common", "partition", "active", "filter", "image1D", "image2D",
+    "image3D", "imageCube", "image1DArray", "image2DArray", "image1DShadow", "image2DShadow",
+    "image1DArrayShadow", "image2DArrayShadow", "imageBuffer", "iimage1D", "iimage2D", "iimage3D",
+    "iimageCube", "iimage1DArray", "iimage2DArray", "iimageBuffer", "uimage1D", "uimage2D",
+    "uimage3D", "uimageCube", "uimage1DArray", "uimage2DArray", "uimageBuffer", "samplerBuffer",
+    "sampler2DRect", "sampler2DRectShadow", "row_major", "superp",
+];
+
+/// The class of a word in a version.
+pub fn classify(word: &str, language: Language) -> WordClass {
+    if Type::named(word, language).is_some() {
+        return WordClass::Type;
+    }
+    let keyword = KEYWORDS.iter().any(|row| row.0 == word && language.has(row.1))
+        || QUALIFIERS.iter().any(|row| row.0 == word && language.has(row.2));
+    if keyword {
+        return WordClass::Keyword;
+    }
+    let later = language.version >= Version::V130 && RESERVED_130.contains(&word);
+    let early = |row: &(&str, Version, Version)| {
+        row.0 == word && (row.1..=row.2).contains(&language.version)
+    };
+    if RESERVED.contains(&word) || later || RESERVED_EARLY.iter().any(early) {
+        return WordClass::Reserved;
+    }
+    WordClass::Name
+}
+
+/// The qualifier that a word is.
+pub fn qualifier(word: &str, language: Language) -> Option<Qualifier> {
+    let row = QUALIFIERS.iter().find(|row| row.0 == word && language.has(row.2));
+    row.map(|row| row.1)
+}
+
+/// The availability of a qualifier that the language of the shader does not have.
+pub fn missing_qualifier(word: &str, language: Language) -> Option<Availability> {
+    QUALIFIERS.iter().find(|row| row.0 == word && !language.has(row.2)).map(|row| row.2)
+}
+
+/// Whether the language has `layout(...)`.
+pub fn has_layout(language: Language) -> bool {
+    language.has(LAYOUT) || has_blocks(language)
+}
+
+/// Whether the language has uniform blocks.
+pub fn has_blocks(language: Language) -> bool {
+    language.has(Availability::UNIFORM_BLOCKS)
+}
+
+/// The layout of uniform blocks that a word is.
+pub fn block_layout(word: &str, language: Language) -> Option<BlockLayout> {
+    let row = BLOCK_LAYOUTS.iter().find(|row| row.0 == word && has_blocks(language));
+    row.map(|row| row.1)
+}
+
+/// Whether the language has unsigned integers.
+pub fn has_unsigned(language: Language) -> bool {
+    language.has(V130.or(Extension::GpuShader4))
+}
+
+/// Whether the language spells `uint` as `unsigned int` too.
+pub fn has_unsigned_int(language: Language) -> bool {
+    language.enabled(Extension::GpuShader4)
+}
+
+/// Whether the language has `precision` statements.
+pub fn has_precision(language: Language) -> bool {
+    language.has(PRECISION)
+}
+
+/// Every keyword of a version, for spelling suggestions.
+pub fn known(language: Language) -> impl Iterator<Item = &'static str> {
+    let words = KEYWORDS.iter().filter(move |row| language.has(row.1)).map(|row| row.0);
+    words.chain(Type::names(language))
+}

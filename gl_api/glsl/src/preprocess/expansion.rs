@@ -1,0 +1,326 @@
+//! Macro expansion (GLSL 1.30 section 3.3).
+
+use super::macros::Macros;
+use crate::language::Version;
+use crate::lex::{Token, TokenKind};
+use crate::limits::{MAX_EXPANDED_TOKENS, MAX_MACRO_DEPTH};
+use crate::text::diagnostics::Diagnostic;
+use crate::text::source::{Source, Span};
+use std::collections::BTreeSet;
+use std::sync::Arc;
+
+/// A token during the expansion, or the end of a macro's expansion.
+enum ExpansionItem {
+    Token(Token),
+    /// The name of a macro inside its own expansion: never expanded again.
+    Painted(Token),
+    /// The expansion of this macro ends here.
+    EndOf(Arc<str>),
+}
+
+/// The context of an expansion.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum ExpansionContext {
+    /// The program, or the numbers of `#line`.
+    Text,
+    /// The condition of `#if` or `#elif`.
+    Condition,
+}
+
+/// The state of one expansion.
+struct Expansion<'a> {
+    macros: &'a Macros,
+    context: ExpansionContext,
+    source: &'a Source,
+    version: Version,
+    /// The macros that are being expanded.
+    active: BTreeSet<Arc<str>>,
+    produced: &'a mut usize,
+}
+
+/// Expands every macro in `tokens`. `produced` counts the tokens of all expansions of the shader.
+pub fn expand(
+    macros: &Macros,
+    context: ExpansionContext,
+    tokens: Vec<Token>,
+    source: &Source,
+    version: Version,
+    produced: &mut usize,
+) -> Result<Vec<Token>, Box<Diagnostic>> {
+    let active = BTreeSet::new();
+    let mut expansion = Expansion { macros, context, source, version, active, produced };
+    let items = tokens.into_iter().map(ExpansionItem::Token).collect();
+    let result = expansion.run(items, None, 0)?;
+    let plain = |item| match item {
+        ExpansionItem::Token(token) | ExpansionItem::Painted(token) => Some(token),
+        ExpansionItem::EndOf(_) => None,
+    };
+    Ok(result.into_iter().filter_map(plain).collect())
+}
+
+impl Expansion<'_> {
+    /// Expands tokens. `call` is the span of the outermost macro call, which the result gets.
+    fn run(
+        &mut self,
+        items: Vec<ExpansionItem>,
+        call: Option<Span>,
+        depth: usize,
+    ) -> Result<Vec<ExpansionItem>, Box<Diagnostic>> {
+        let mut work: Vec<ExpansionItem> = items.into_iter().rev().collect();
+        let mut output = Vec::new();
+        while let Some(item) = work.pop() {
+            let token = match item {
+                ExpansionItem::Token(token) => token,
+                ExpansionItem::Painted(token) => {
+                    output.push(ExpansionItem::Painted(token));
+                    continue;
+                }
+                ExpansionItem::EndOf(name) => {
+                    self.active.remove(&name);
+                    continue;
+                }
+            };
+            let at = call.unwrap_or(token.span);
+            let Some(name) = token.word().cloned() else {
+                output.push(ExpansionItem::Token(token));
+                continue;
+            };
+            if let Some(number) = self.predefined(&name, at) {
+                let kind = TokenKind::Number(number.to_string().into());
+                output.push(ExpansionItem::Token(Token { kind, span: at }));
+                continue;
+            }
+            if self.context == ExpansionContext::Condition && &*name == "defined" {
+                output.push(ExpansionItem::Token(self.defined(&mut work, &token)?));
+                continue;
+            }
+            let Some(found) = self.macros.get(&name) else {
+                output.push(ExpansionItem::Token(token));
+                continue;
+            };
+            if self.active.contains(&name) {
+                output.push(ExpansionItem::Painted(token));
+                continue;
+            }
+            let body = match &found.parameters {
+                None => self.paste(&found.body, &[], &[], &[], token.span)?,
+                Some(parameters) => {
+                    let next =
+                        work.iter().rev().find(|item| !matches!(item, ExpansionItem::EndOf(_)));
+                    if !matches!(next, Some(ExpansionItem::Token(next)) if next.is("(")) {
+                        output.push(ExpansionItem::Token(token));
+                        continue;
+                    }
+                    if depth >= MAX_MACRO_DEPTH {
+                        let message = "macro calls are nested too deeply";
+                        return Err(Diagnostic::error(token.span, message).into());
+                    }
+                    let raw = self.arguments(&mut work, &token)?;
+                    let count = if raw.len() == 1 && raw[0].is_empty() && parameters.is_empty() {
+                        0
+                    } else {
+                        raw.len()
+                    };
+                    if count != parameters.len() {
+                        let message = format!(
+                            "macro `{name}` takes {} argument(s), not {count}",
+                            parameters.len()
+                        );
+                        return Err(Diagnostic::error(token.span, message).into());
+                    }
+                    let mut arguments = Vec::new();
+                    for argument in &raw {
+                        let items = argument.iter().cloned().map(ExpansionItem::Token).collect();
+                        let active = self.active.clone();
+                        arguments.push(self.run(items, None, depth + 1)?);
+                        self.active = active;
+                    }
+                    self.paste(&found.body, parameters, &raw, &arguments, token.span)?
+                }
+            };
+            *self.produced += body.len() + 1;
+            if *self.produced > MAX_EXPANDED_TOKENS {
+                return Err(too_many_tokens(token.span));
+            }
+            self.active.insert(name.clone());
+            work.push(ExpansionItem::EndOf(name));
+            work.extend(body.into_iter().rev());
+        }
+        Ok(output)
+    }
+
+    /// The value of `__LINE__` and the like.
+    fn predefined(&self, name: &str, at: Span) -> Option<i64> {
+        match name {
+            "__LINE__" => Some(self.source.line_of(at.start).1),
+            "__FILE__" => Some(self.source.line_of(at.start).0),
+            "__VERSION__" => Some(i64::from(self.version.number())),
+            _ => None,
+        }
+    }
+
+    /// Consumes the operand of `defined`, with its parentheses, if it has some.
+    fn defined(
+        &mut self,
+        work: &mut Vec<ExpansionItem>,
+        operator: &Token,
+    ) -> Result<Token, Box<Diagnostic>> {
+        let mut next = || loop {
+            match work.pop() {
+                Some(ExpansionItem::Token(token) | ExpansionItem::Painted(token)) => {
+                    return Some(token);
+                }
+                Some(ExpansionItem::EndOf(name)) => drop(self.active.remove(&name)),
+                None => return None,
+            }
+        };
+        let (open, name) = match next() {
+            Some(open) if open.is("(") => (Some(open), next()),
+            name => (None, name),
+        };
+        if let Some(open) = open
+            && !next().is_some_and(|close| close.is(")"))
+        {
+            let problem = Diagnostic::error(open.span, "`defined(` takes one name and a `)`");
+            return Err(problem.rule("GLSL 1.30 section 3.3").into());
+        }
+        match name.as_ref().map(|name| (name.word(), name.span)) {
+            Some((Some(word), _)) => {
+                let value = if self.macros.is_defined(word) { "1" } else { "0" };
+                Ok(Token { kind: TokenKind::Number(value.into()), span: operator.span })
+            }
+            other => {
+                let at = other.map_or(operator.span, |(_, span)| span);
+                Err(Diagnostic::error(at, "`defined` needs a name").into())
+            }
+        }
+    }
+
+    /// Consumes the arguments of a call, with both parentheses.
+    fn arguments(
+        &mut self,
+        work: &mut Vec<ExpansionItem>,
+        name: &Token,
+    ) -> Result<Vec<Vec<Token>>, Box<Diagnostic>> {
+        let mut arguments = vec![Vec::new()];
+        let mut depth = 0usize;
+        while let Some(item) = work.pop() {
+            let token = match item {
+                ExpansionItem::Token(token) | ExpansionItem::Painted(token) => token,
+                ExpansionItem::EndOf(name) => {
+                    self.active.remove(&name);
+                    continue;
+                }
+            };
+            if token.is("(") {
+                depth += 1;
+                if depth == 1 {
+                    continue;
+                }
+            } else if token.is(")") {
+                depth -= 1;
+                if depth == 0 {
+                    return Ok(arguments);
+                }
+            } else if token.is(",") && depth == 1 {
+                arguments.push(Vec::new());
+                continue;
+            }
+            if let Some(last) = arguments.last_mut() {
+                last.push(token);
+            }
+        }
+        let message = format!("the call of macro {} is not closed by `)`", name.describe());
+        Err(Diagnostic::error(name.span, message).into())
+    }
+
+    /// The body with arguments in place of parameters and `##` applied (GLSL 1.30 section 3.3).
+    /// Operands of `##` are the arguments as written; elsewhere they are `expanded`.
+    fn paste(
+        &self,
+        body: &[Token],
+        parameters: &[Arc<str>],
+        written: &[Vec<Token>],
+        expanded: &[Vec<ExpansionItem>],
+        at: Span,
+    ) -> Result<Vec<ExpansionItem>, Box<Diagnostic>> {
+        let mut output: Vec<ExpansionItem> = Vec::new();
+        let mut joining = false;
+        // Whether the left operand of `##` gave a token: an empty argument gives none.
+        let mut before = false;
+        for (index, token) in body.iter().enumerate() {
+            if token.is("##") {
+                if self.version < Version::V130 {
+                    return Err(nothing_to_join(token));
+                }
+                joining = true;
+                continue;
+            }
+            let parameter = token.word().and_then(|w| parameters.iter().position(|p| p == w));
+            let joined = joining || body.get(index + 1).is_some_and(|next| next.is("##"));
+            let start = output.len();
+            match parameter {
+                Some(index) if joined => {
+                    output.extend(written[index].iter().cloned().map(ExpansionItem::Token));
+                }
+                Some(index) => {
+                    for item in &expanded[index] {
+                        match item {
+                            ExpansionItem::Token(t) => output.push(ExpansionItem::Token(t.clone())),
+                            ExpansionItem::Painted(t) => {
+                                output.push(ExpansionItem::Painted(t.clone()))
+                            }
+                            ExpansionItem::EndOf(_) => {}
+                        }
+                    }
+                }
+                None => {
+                    output.push(ExpansionItem::Token(Token { kind: token.kind.clone(), span: at }))
+                }
+            }
+            if *self.produced + output.len() > MAX_EXPANDED_TOKENS {
+                return Err(too_many_tokens(at));
+            }
+            let given = start < output.len();
+            if joining && before && given {
+                join(&mut output, start, at)?;
+            }
+            before = given || joining && before;
+            joining = false;
+        }
+        Ok(output)
+    }
+}
+
+fn too_many_tokens(at: Span) -> Box<Diagnostic> {
+    let message = format!("macros expand to more than {MAX_EXPANDED_TOKENS} tokens");
+    Diagnostic::error(at, message).into()
+}
+
+/// Joins the tokens at `start - 1` and `start` into one.
+fn join(output: &mut Vec<ExpansionItem>, start: usize, at: Span) -> Result<(), Box<Diagnostic>> {
+    let text = |item: &ExpansionItem| match item {
+        ExpansionItem::Token(token) | ExpansionItem::Painted(token) => match &token.kind {
+            TokenKind::Word(text) | TokenKind::Number(text) => text.to_string(),
+            TokenKind::Punct(text) => (*text).to_owned(),
+            TokenKind::Stray(_) | TokenKind::Newline | TokenKind::End => String::new(),
+        },
+        ExpansionItem::EndOf(_) => String::new(),
+    };
+    let joined = format!("{}{}", text(&output[start - 1]), text(&output[start]));
+    match &crate::lex::tokens(&joined).tokens[..] {
+        [one, _, _] => {
+            output[start - 1] = ExpansionItem::Token(Token { kind: one.kind.clone(), span: at });
+            output.remove(start);
+            Ok(())
+        }
+        _ => Err(Diagnostic::error(at, format!("`##` gives `{joined}`, which is no token")).into()),
+    }
+}
+
+/// The error for a `##` without an operand.
+pub fn nothing_to_join(at: &Token) -> Box<Diagnostic> {
+    Diagnostic::error(at.span, "`##` has nothing to join here")
+        .rule("GLSL 1.30 section 3.3: `##` joins two tokens, from version 130 on")
+        .into()
+}

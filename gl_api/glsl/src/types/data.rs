@@ -1,0 +1,49 @@
+//! Types as GL reports them, of uniforms and attributes.
+
+use super::Sampler;
+use rasterizer::ir::Ty;
+
+/// The type of a uniform or attribute as GL reports it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum DataType {
+    /// A scalar or vector: its scalar type, and 1 to 4 components.
+    Vector(Scalar, u8),
+    /// A matrix: columns, rows.
+    Matrix(u8, u8),
+    /// A sampler.
+    Sampler(Sampler),
+}
+
+/// The scalar type of a vector.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Scalar {
+    /// `float`.
+    Float,
+    /// `int`.
+    Int,
+    /// `uint`.
+    Uint,
+    /// `bool`.
+    Bool,
+}
+
+/// The order of a matrix in a buffer (ARB_uniform_buffer_object, section 2.15.3.1.1).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MatrixOrder {
+    /// Column-major.
+    Columns,
+    /// Row-major.
+    Rows,
+}
+
+impl Scalar {
+    /// The type in the IR.
+    pub fn ty(self) -> Ty {
+        match self {
+            Self::Float => Ty::F32,
+            Self::Int => Ty::I32,
+            Self::Uint => Ty::U32,
+            Self::Bool => Ty::Bool,
+        }
+    }
+}

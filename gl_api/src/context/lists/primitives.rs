@@ -1,0 +1,188 @@
+//! `glBegin` to `glEnd` in a display list: one buffer, filled when the list is compiled. Where several follow one another
+//! whose primitives share no vertices, they are joined in one buffer and one draw: it costs what many vertices do.
+
+use crate::base::limits::LOCATIONS;
+use crate::base::topology::topology;
+use crate::base::types::*;
+use crate::context::immediate;
+use crate::context::immediate::{Slot, VALUE};
+use crate::context::lists::Step;
+use crate::context::pending_primitives::vertices_of_primitive;
+use crate::state::State;
+use rasterizer::driver::{Buffer, Topology};
+
+/// Attributes since `glBegin`, in order.
+#[derive(Debug)]
+pub(crate) struct OpenPrimitives {
+    pub mode: GLenum,
+    pub log: Vec<(Slot, [f32; 4])>,
+}
+
+impl OpenPrimitives {
+    pub fn new(mode: GLenum) -> Self {
+        Self { mode, log: Vec::new() }
+    }
+
+    pub fn push(&mut self, slot: Slot, value: [f32; 4]) {
+        self.log.push((slot, value));
+    }
+}
+
+/// An attribute that the list sets between `glBegin` and `glEnd`.
+#[derive(Debug)]
+pub(crate) struct Column {
+    pub location: usize,
+    /// The vertices before it have the value from before the list.
+    inherited: usize,
+    /// What is current in the end.
+    pub last: [f32; 4],
+}
+
+/// The vertices of a `glBegin` and `glEnd`, or of several.
+#[derive(Debug)]
+pub(crate) struct ListPrimitives {
+    pub topology: Topology,
+    pub count: usize,
+    /// Where each `glBegin` but the first stands among the vertices.
+    pub begins: Vec<usize>,
+    /// Positions, then a column for each of `columns`.
+    pub buffer: Buffer,
+    pub columns: Vec<Column>,
+}
+
+impl ListPrimitives {
+    /// `None` where a call is not valid.
+    pub(crate) fn new(open: &OpenPrimitives) -> Option<Self> {
+        let topology = topology(open.mode).ok()?;
+        let mut positions: Vec<[f32; 4]> = Vec::new();
+        let mut columns: Vec<(Column, Vec<[f32; 4]>)> = Vec::new();
+        for &(slot, value) in &open.log {
+            match immediate::location(slot).ok()? {
+                None => {
+                    positions.push(value);
+                    for (column, values) in &mut columns {
+                        values.push(column.last);
+                    }
+                }
+                Some(location) => {
+                    match columns.iter_mut().find(|(column, _)| column.location == location) {
+                        Some((column, _)) => column.last = value,
+                        None => {
+                            let inherited = positions.len();
+                            let column = Column { location, inherited, last: value };
+                            columns.push((column, vec![[0.0; 4]; inherited]));
+                        }
+                    }
+                }
+            }
+        }
+        let mut bytes = Vec::with_capacity((columns.len() + 1) * positions.len() * VALUE);
+        bytes.extend_from_slice(bytemuck::cast_slice(&positions));
+        for (_, values) in &columns {
+            bytes.extend_from_slice(bytemuck::cast_slice(values));
+        }
+        Some(Self {
+            topology,
+            count: positions.len(),
+            begins: Vec::new(),
+            buffer: Buffer::new(bytes),
+            columns: columns.into_iter().map(|(column, _)| column).collect(),
+        })
+    }
+
+    /// The buffer with the values that the first vertices inherit.
+    pub(crate) fn patched(&self, state: &State) -> Buffer {
+        if self.columns.iter().all(|column| column.inherited == 0) {
+            return self.buffer.clone();
+        }
+        let mut bytes = self.buffer.bytes().to_vec();
+        for (index, column) in self.columns.iter().enumerate() {
+            let first = (index + 1) * self.count * VALUE;
+            let inherited = &mut bytes[first..first + column.inherited * VALUE];
+            let current = immediate::current(state, column.location);
+            for value in inherited.chunks_exact_mut(VALUE) {
+                value.copy_from_slice(bytemuck::cast_slice(&current));
+            }
+        }
+        Buffer::new(bytes)
+    }
+
+    /// Whether `next` can be joined, without `glEnd` and `glBegin` in between: primitives share no vertices, and the same
+    /// attributes vary.
+    fn can_join(&self, next: &Self) -> bool {
+        let has = |location: usize| next.columns.iter().any(|column| column.location == location);
+        vertices_of_primitive(self.topology).is_some_and(|each| {
+            let is_whole = |count: usize| count > 0 && count.is_multiple_of(each);
+            self.topology == next.topology && is_whole(self.count) && is_whole(next.count)
+        }) && self.columns.len() == next.columns.len()
+            // What glMaterial changes within glBegin and glEnd counts from glEnd on.
+            && self.columns.iter().all(|column| column.location < LOCATIONS && has(column.location))
+    }
+
+    /// Joins primitives that can be joined; `None` where there are none.
+    fn joined(mut run: Vec<Self>) -> Option<Self> {
+        if run.len() < 2 {
+            return run.pop();
+        }
+        let first = &run[0];
+        let count = run.iter().map(|shapes| shapes.count).sum();
+        let mut bytes = Vec::with_capacity((first.columns.len() + 1) * count * VALUE);
+        let mut begins = Vec::with_capacity(run.len());
+        let mut begin = 0;
+        for shapes in &run {
+            begins.push(begin);
+            begin += shapes.count;
+            bytes.extend_from_slice(&shapes.buffer.bytes()[..shapes.count * VALUE]);
+        }
+        begins.remove(0);
+        let mut columns = Vec::with_capacity(first.columns.len());
+        for &Column { location, inherited, .. } in &first.columns {
+            let mut last: Option<[f32; 4]> = None;
+            for shapes in &run {
+                let Some(index) = shapes.columns.iter().position(|own| own.location == location)
+                else {
+                    continue;
+                };
+                let column = &shapes.columns[index];
+                let values = &shapes.buffer.bytes()[(index + 1) * shapes.count * VALUE..];
+                let (before, own) =
+                    values[..shapes.count * VALUE].split_at(column.inherited * VALUE);
+                match last {
+                    None => bytes.extend_from_slice(before),
+                    Some(last) => (0..column.inherited).for_each(|_| {
+                        bytes.extend_from_slice(bytemuck::cast_slice::<f32, u8>(&last))
+                    }),
+                }
+                bytes.extend_from_slice(own);
+                last = Some(column.last);
+            }
+            columns.push(Column { location, inherited, last: last? });
+        }
+        Some(Self { topology: first.topology, count, begins, buffer: Buffer::new(bytes), columns })
+    }
+}
+
+/// The steps of a list, with primitives joined that can be.
+pub(crate) fn join(steps: Vec<Step>) -> Vec<Step> {
+    let mut joined = Vec::with_capacity(steps.len());
+    let mut run: Vec<ListPrimitives> = Vec::new();
+    for step in steps {
+        match step {
+            Step::Primitives(shapes) => {
+                if run.last().is_some_and(|last| !last.can_join(&shapes)) {
+                    joined.extend(
+                        ListPrimitives::joined(std::mem::take(&mut run)).map(Step::Primitives),
+                    );
+                }
+                run.push(shapes);
+            }
+            Step::Call { .. } | Step::Attribute(..) | Step::Arrays(_) => {
+                joined
+                    .extend(ListPrimitives::joined(std::mem::take(&mut run)).map(Step::Primitives));
+                joined.push(step);
+            }
+        }
+    }
+    joined.extend(ListPrimitives::joined(run).map(Step::Primitives));
+    joined
+}

@@ -1,0 +1,84 @@
+//! Vertices after `glEnd`, and bitmaps, that wait to be batched with more of their kind into one draw.
+//!
+//! A program that draws face by face calls `glBegin` and `glEnd` by the thousand, and a draw costs what hundreds of
+//! vertices do. So `glEnd` draws only the first of primitives that follow one another. As long as nothing but vertices
+//! follows, the state is the same and no error is possible: the vertices wait until something else happens.
+//! [`crate::draw::pending_primitives`] decides which wait, and draws them.
+
+use crate::context::immediate::Immediate;
+use crate::context::pending_bitmaps::{PendingBitmaps, bitmaps_survive};
+use rasterizer::driver::Topology;
+
+/// What is pending.
+#[derive(Debug)]
+pub(crate) enum PendingPrimitives {
+    /// Vertices of one topology, with one set of attributes that vary.
+    Vertices(Immediate),
+    /// Pixels of bitmaps.
+    Bitmaps(Box<PendingBitmaps>),
+}
+
+impl PendingPrimitives {
+    /// Whether they may stay pending during a call that may not stand between `glBegin` and `glEnd`.
+    pub fn survives(&self, call: &str) -> bool {
+        match self {
+            Self::Vertices(_) => false,
+            Self::Bitmaps(_) => bitmaps_survive(call),
+        }
+    }
+}
+
+/// How many vertices a primitive has; `None` where primitives of the topology share vertices.
+pub(crate) fn vertices_of_primitive(topology: Topology) -> Option<usize> {
+    match topology {
+        Topology::Points => Some(1),
+        Topology::Lines => Some(2),
+        Topology::Triangles => Some(3),
+        Topology::Quads => Some(4),
+        Topology::LineStrip
+        | Topology::LineLoop
+        | Topology::TriangleStrip
+        | Topology::TriangleFan
+        | Topology::QuadStrip
+        | Topology::Polygon => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::base::constants::*;
+    use crate::context::{Context, ContextDesc};
+    use rasterizer::driver::Command;
+
+    fn ten_points(c: &mut Context) {
+        for x in 0..10 {
+            c.begin(GL_POINTS);
+            c.color_3f(1.0, 0.0, 0.0);
+            c.vertex_2f(x as f32 / 10.0, 0.0);
+            c.end();
+        }
+    }
+
+    fn draws(c: &Context) -> Vec<u32> {
+        let commands = c.recorder.commands.commands.iter();
+        let counts = commands.filter_map(|command| match command {
+            Command::Draw { count, .. } => Some(*count),
+            _ => None,
+        });
+        counts.collect()
+    }
+
+    #[test]
+    fn what_follows_the_first_is_one_draw_and_a_list_is_one() {
+        let mut c = Context::new(ContextDesc::default()).expect("a device");
+        ten_points(&mut c);
+        assert_eq!(draws(&c), [1]);
+        c.matrix_mode(GL_PROJECTION);
+        assert_eq!(draws(&c), [1, 9]);
+        c.new_list(1, GL_COMPILE);
+        ten_points(&mut c);
+        c.end_list();
+        c.call_list(1);
+        assert_eq!(draws(&c), [1, 9, 10]);
+    }
+}

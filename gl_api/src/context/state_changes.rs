@@ -1,0 +1,36 @@
+//! Which calls may have changed the state that draws depend on.
+
+/// Counts the calls that may not stand between `glBegin` and `glEnd`, and other calls that change what draws depend
+/// on. Each counts as a change of any state, unless it says otherwise with [`Self::no_change`] or
+/// [`Self::values_only`].
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct StateChanges {
+    /// How many calls there were.
+    pub calls: u64,
+    /// The number of the last call that may have changed state by which shaders, pipelines and textures are chosen.
+    pub last_state_change: u64,
+    /// [`Self::last_state_change`] before the last call.
+    previous_state_change: u64,
+    /// The number of the last call that may have changed what does not affect those choices: values of uniform words,
+    /// and where vertices are read from.
+    pub last_value_change: u64,
+}
+
+impl StateChanges {
+    /// Counts a call, as one that may change any state.
+    pub fn count_call(&mut self) {
+        self.calls += 1;
+        self.previous_state_change = std::mem::replace(&mut self.last_state_change, self.calls);
+    }
+
+    /// The last call has changed no state that draws depend on.
+    pub fn no_change(&mut self) {
+        self.last_state_change = self.previous_state_change;
+    }
+
+    /// The last call has changed nothing but values: uniform words, and where vertices are read from.
+    pub fn values_only(&mut self) {
+        self.no_change();
+        self.last_value_change = self.calls;
+    }
+}

@@ -1,0 +1,391 @@
+//! Framebuffer completeness (`ARB_framebuffer_object`, section 4.4.4): whether a framebuffer can be used, the pass that a
+//! draw framebuffer is drawn in, and what is read from a read framebuffer.
+
+use crate::base::constants::*;
+use crate::base::error::{ErrorCode, GlError, Result};
+use crate::base::types::*;
+use crate::context::Context;
+use crate::context::window::{Presence, whole};
+use crate::objects::color_buffers::attachment_index;
+use crate::objects::framebuffers::{Attached, Framebuffer, Planes, Source};
+use crate::objects::target::TextureTarget;
+use crate::pixel::internal::format_name;
+use crate::pixel::texel::is_renderable;
+use rasterizer::driver::{Attachment, LevelInfo, PassDesc};
+use texunit::format::Format;
+
+const SECTION: &str = "ARB_framebuffer_object, section 4.4.4";
+
+/// Why a framebuffer cannot be used.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Incomplete {
+    /// What `glCheckFramebufferStatus` answers.
+    pub status: GLenum,
+    pub reason: String,
+}
+
+impl Incomplete {
+    /// The reason, with the name of the framebuffer.
+    pub fn rule(&self, name: GLuint) -> String {
+        match name {
+            0 => self.reason.clone(),
+            _ => format!("framebuffer {name} is incomplete: {}", self.reason),
+        }
+    }
+}
+
+/// The image of an attachment, with its properties.
+pub(crate) struct AttachedImage {
+    pub format: Format,
+    pub width: u32,
+    pub height: u32,
+    pub samples: u8,
+    pub attachment: Attachment,
+}
+
+/// The level that is attached, if there is one.
+fn level_info(attached: &Attached) -> Option<LevelInfo> {
+    match attached.source {
+        Source::Texture { target, level, .. } => attached.image.level(target.face.into(), level),
+        Source::Renderbuffer(_) => attached.image.level(0, 0),
+    }
+}
+
+/// The format of what is attached, if it has one.
+pub(crate) fn attached_format(attached: &Attached) -> Option<Format> {
+    level_info(attached).map(|info| info.format)
+}
+
+/// The image behind an attachment, or what is missing.
+fn find(attached: &Attached) -> std::result::Result<AttachedImage, String> {
+    let info = level_info(attached).filter(|info| !info.size.contains(&0));
+    let image = attached.image.clone();
+    let found = |info: LevelInfo, attachment| AttachedImage {
+        format: info.format,
+        width: info.size[0],
+        height: info.size[1],
+        samples: info.samples,
+        attachment,
+    };
+    match (attached.source, info) {
+        (Source::Texture { name, level, .. }, None) => Err(format!(
+            "texture {name} has no image at level {level}: call glTexImage2D with a size"
+        )),
+        (Source::Texture { name, level, .. }, Some(info)) if info.border != [0; 3] => {
+            Err(format!("texture {name} has a border at level {level}, which cannot be drawn to"))
+        }
+        (Source::Texture { name, level, slice, .. }, Some(info))
+            if u32::from(slice) >= info.size[2] =>
+        {
+            Err(format!(
+                "texture {name} has {} slices or layers at level {level}, number {slice} is none",
+                info.size[2]
+            ))
+        }
+        (Source::Texture { target, level, slice, .. }, Some(info)) => {
+            let face = match target.target {
+                TextureTarget::Cube => target.face.into(),
+                TextureTarget::D1
+                | TextureTarget::D2
+                | TextureTarget::D3
+                | TextureTarget::Rect
+                | TextureTarget::D1Array
+                | TextureTarget::D2Array
+                | TextureTarget::CubeArray
+                | TextureTarget::D2Multisample
+                | TextureTarget::D2MultisampleArray
+                | TextureTarget::Buffer => slice,
+            };
+            Ok(found(info, Attachment { image, face, level: level as u8 }))
+        }
+        (Source::Renderbuffer(name), None) => {
+            Err(format!("renderbuffer {name} has no image: call glRenderbufferStorage with a size"))
+        }
+        (Source::Renderbuffer(_), Some(info)) => Ok(found(info, whole(&image))),
+    }
+}
+
+/// `GL_TEXTURE_FIXED_SAMPLE_LOCATIONS` of an attachment, which is true for renderbuffers; `None` for a texture that was
+/// deleted.
+fn fixed_locations(context: &Context, attached: &Attached) -> Option<bool> {
+    match attached.source {
+        Source::Renderbuffer(_) => Some(true),
+        Source::Texture { name, .. } => {
+            let texture = context.objects.textures.get(name);
+            let texture = texture.filter(|texture| texture.image.same(&attached.image))?;
+            Some(texture.samples.is_none_or(|samples| samples.fixed_locations))
+        }
+    }
+}
+
+/// What is drawn to an attachment point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum AttachmentUse {
+    Color,
+    Depth,
+    Stencil,
+}
+
+/// Why an image cannot be at a point, if so.
+fn unsuitable(attached: &Attached, wants: AttachmentUse, found: &AttachedImage) -> Option<String> {
+    let format = found.format;
+    if !is_renderable(format) {
+        return Some(format!("nothing is drawn to images of {}", format_name(format)));
+    }
+    match wants {
+        AttachmentUse::Color if format.is_depth() => {
+            Some("a depth format cannot be a colour".to_owned())
+        }
+        AttachmentUse::Depth if !(format.is_depth() && attached.planes.depth) => {
+            Some("its format has no depth".to_owned())
+        }
+        AttachmentUse::Stencil if !(format.has_stencil() && attached.planes.stencil) => {
+            Some("its format has no stencil".to_owned())
+        }
+        AttachmentUse::Color | AttachmentUse::Depth | AttachmentUse::Stencil => None,
+    }
+}
+
+/// Whether a framebuffer (0 is the default one, which is complete) can be used.
+pub(crate) fn completeness(context: &Context, name: GLuint) -> std::result::Result<(), Incomplete> {
+    let incomplete = |status, reason: String| Err(Incomplete { status, reason });
+    let Some(object) = context.objects.framebuffers.get(name) else {
+        return match context.window.presence {
+            Presence::Present => Ok(()),
+            Presence::Absent => incomplete(
+                GL_FRAMEBUFFER_UNDEFINED,
+                "the context is current without a surface: bind a framebuffer object".into(),
+            ),
+        };
+    };
+    let (mut samples, mut locations) = (None, None);
+    let colors = object
+        .colors
+        .iter()
+        .enumerate()
+        .map(|(index, attached)| (attached, AttachmentUse::Color, index));
+    let others =
+        [(&object.depth, AttachmentUse::Depth, 0), (&object.stencil, AttachmentUse::Stencil, 0)];
+    for (attached, wants, index) in colors.chain(others) {
+        let Some(attached) = attached else { continue };
+        let point = || match wants {
+            AttachmentUse::Color => format!("GL_COLOR_ATTACHMENT{index}"),
+            AttachmentUse::Depth => "GL_DEPTH_ATTACHMENT".to_owned(),
+            AttachmentUse::Stencil => "GL_STENCIL_ATTACHMENT".to_owned(),
+        };
+        let reason = match find(attached) {
+            Ok(found) => {
+                let first = *samples.get_or_insert(found.samples);
+                if first != found.samples {
+                    return incomplete(
+                        GL_FRAMEBUFFER_INCOMPLETE_MULTISAMPLE,
+                        format!(
+                            "{} has {} samples a pixel, the attachments before have {first}",
+                            point(),
+                            found.samples
+                        ),
+                    );
+                }
+                if let Some(fixed) = fixed_locations(context, attached)
+                    && *locations.get_or_insert(fixed) != fixed
+                {
+                    return incomplete(
+                        GL_FRAMEBUFFER_INCOMPLETE_MULTISAMPLE,
+                        format!(
+                            "{}: fixedsamplelocations differs from that of others (renderbuffers \
+                             have GL_TRUE)",
+                            point()
+                        ),
+                    );
+                }
+                unsuitable(attached, wants, &found)
+            }
+            Err(reason) => Some(reason),
+        };
+        if let Some(reason) = reason {
+            // An image with a border is a complete attachment by EXT_framebuffer_object, section 4.4.4.1.
+            let has_border = level_info(attached).is_some_and(|info| info.border != [0; 3]);
+            let status = match has_border {
+                true => GL_FRAMEBUFFER_UNSUPPORTED,
+                false => GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT,
+            };
+            return incomplete(status, format!("{}: {reason}", point()));
+        }
+    }
+    if samples.is_none() {
+        return incomplete(
+            GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT,
+            "nothing is attached: call glFramebufferTexture2D or glFramebufferRenderbuffer".into(),
+        );
+    }
+    if let (Some(depth), Some(stencil)) = (&object.depth, &object.stencil)
+        && !depth.same(stencil)
+    {
+        return incomplete(
+            GL_FRAMEBUFFER_UNSUPPORTED,
+            "depth and stencil must be one image, of GL_DEPTH24_STENCIL8 or \
+             GL_DEPTH32F_STENCIL8: attach it to GL_DEPTH_STENCIL_ATTACHMENT"
+                .to_owned(),
+        );
+    }
+    Ok(())
+}
+
+/// The draw or read buffer that is selected but has no attachment, if there is one. Such a framebuffer is complete by
+/// OpenGL 4.1, and in drivers of all versions; what is drawn there is dropped. `ARB_framebuffer_object` calls it incomplete.
+pub(crate) fn selects_nothing(object: &Framebuffer) -> Option<String> {
+    let absent = |buffer: GLenum| {
+        attachment_index(buffer).is_some_and(|index| object.colors[index].is_none())
+    };
+    if let Some(&buffer) = object.selection.draw.iter().find(|&&buffer| absent(buffer)) {
+        return Some(format!(
+            "{} is drawn to, but nothing is attached there; without colours call \
+             glDrawBuffer(GL_NONE)",
+            enum_name(buffer)
+        ));
+    }
+    absent(object.selection.read).then(|| {
+        format!(
+            "{} is read from, but nothing is attached there; without colours call \
+             glReadBuffer(GL_NONE)",
+            enum_name(object.selection.read)
+        )
+    })
+}
+
+/// [`completeness`] as the error of a call that needs it.
+pub(crate) fn checked_complete(context: &Context, name: GLuint) -> Result<()> {
+    completeness(context, name).map_err(|incomplete| {
+        GlError::new(ErrorCode::InvalidFramebufferOperation, SECTION, incomplete.rule(name))
+    })
+}
+
+/// Checks that the draw framebuffer can be drawn to, for calls that need no [`draw_pass`].
+///
+/// # Errors
+/// `GL_INVALID_FRAMEBUFFER_OPERATION` where it is incomplete.
+pub(crate) fn checked_drawable(context: &Context) -> Result<()> {
+    checked_complete(context, context.state.bindings.draw_framebuffer)
+}
+
+/// Which of depth and stencil the draw framebuffer has.
+pub(crate) fn draw_planes(context: &Context) -> Planes {
+    match context.objects.framebuffers.get(context.state.bindings.draw_framebuffer) {
+        Some(object) => Planes { depth: object.depth.is_some(), stencil: object.stencil.is_some() },
+        None => context.window.planes,
+    }
+}
+
+/// The formats of all colour buffers that are drawn to.
+pub(crate) fn drawn_formats(context: &Context) -> impl Iterator<Item = Format> {
+    let object = context.objects.framebuffers.get(context.state.bindings.draw_framebuffer);
+    let attached = object.into_iter().flat_map(|object| {
+        let indices = object.selection.draw.iter().filter_map(|&buffer| attachment_index(buffer));
+        indices.filter_map(|index| attached_format(object.colors[index].as_ref()?))
+    });
+    let window = &context.window;
+    let draws = object.is_none() && window.selection.draw[0] != GL_NONE;
+    attached.chain(draws.then_some(window.format))
+}
+
+/// Whether the first colour that is drawn to is of integers.
+pub(crate) fn draws_integers(context: &Context) -> bool {
+    let object = context.objects.framebuffers.get(context.state.bindings.draw_framebuffer);
+    let format = object.and_then(|object| {
+        let index = attachment_index(object.selection.draw[0])?;
+        attached_format(object.colors[index].as_ref()?)
+    });
+    format.is_some_and(Format::is_integer)
+}
+
+/// The pass that the draw framebuffer is drawn in; colours by fragment output. Whether depth and
+/// stencil are there is said by [`draw_planes`].
+///
+/// # Errors
+/// `GL_INVALID_FRAMEBUFFER_OPERATION` where it is incomplete.
+pub(crate) fn draw_pass(context: &Context) -> Result<PassDesc> {
+    checked_drawable(context)?;
+    let name = context.state.bindings.draw_framebuffer;
+    let Some(object) = context.objects.framebuffers.get(name) else {
+        let window = &context.window;
+        let color = (window.selection.draw[0] != GL_NONE).then(|| whole(&window.color));
+        return Ok(PassDesc {
+            colors: vec![color],
+            depth: window.depth.as_ref().map(whole),
+            width: window.width,
+            height: window.height,
+        });
+    };
+    // Of attachments of different sizes, the pixels that all have are drawn to.
+    let (mut width, mut height) = (u32::MAX, u32::MAX);
+    for found in object.attached().filter_map(|attached| find(attached).ok()) {
+        width = width.min(found.width);
+        height = height.min(found.height);
+    }
+    let found = |attached: &Option<Attached>| Some(find(attached.as_ref()?).ok()?.attachment);
+    let mut colors: Vec<_> = object
+        .selection
+        .draw
+        .iter()
+        .map(|&buffer| attachment_index(buffer).and_then(|index| found(&object.colors[index])))
+        .collect();
+    let used = colors.iter().rposition(Option::is_some).map_or(0, |last| last + 1);
+    colors.truncate(used);
+    let depth = found(&object.depth).or_else(|| found(&object.stencil));
+    Ok(PassDesc { colors, depth, width, height })
+}
+
+/// What can be read from a framebuffer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Readable {
+    Color,
+    Depth,
+    Stencil,
+}
+
+/// The image that is read from, if there is one.
+pub(crate) fn read_attachment(context: &Context, what: Readable) -> Result<Option<Attachment>> {
+    let name = context.state.bindings.read_framebuffer;
+    checked_complete(context, name)?;
+    let Some(object) = context.objects.framebuffers.get(name) else {
+        let window = context.read_window();
+        let depth = |there: bool| window.depth.as_ref().filter(|_| there).map(whole);
+        return Ok(match what {
+            Readable::Color => {
+                (context.window.selection.read != GL_NONE).then(|| whole(&window.color))
+            }
+            Readable::Depth => depth(window.planes.depth),
+            Readable::Stencil => depth(window.planes.stencil),
+        });
+    };
+    let attached = match what {
+        Readable::Color => {
+            attachment_index(object.selection.read).and_then(|index| object.colors[index].as_ref())
+        }
+        Readable::Depth => object.depth.as_ref(),
+        Readable::Stencil => object.stencil.as_ref(),
+    };
+    Ok(attached.and_then(|attached| find(attached).ok()).map(|found| found.attachment))
+}
+
+/// The number of samples of a framebuffer, 0 if it is not multisampled or incomplete.
+pub(crate) fn samples(context: &Context, name: GLuint) -> u8 {
+    let samples = match context.objects.framebuffers.get(name) {
+        Some(object) => object
+            .attached()
+            .next()
+            .and_then(|attached| find(attached).ok())
+            .map_or(1, |found| found.samples),
+        None => context.window.color.samples(),
+    };
+    if samples > 1 { samples } else { 0 }
+}
+
+/// [`samples`] of the read framebuffer.
+pub(crate) fn read_samples(context: &Context) -> u8 {
+    match (context.state.bindings.read_framebuffer, &context.read_window) {
+        (0, Some(window)) if window.color.samples() > 1 => window.color.samples(),
+        (0, Some(_)) => 0,
+        (name, _) => samples(context, name),
+    }
+}

@@ -1,0 +1,65 @@
+//! Draws that differ from the draw before in nothing but values (uniform words, as matrices are, and where vertices are
+//! read from): they use its shaders, pipeline and textures, which `context/recorder/emitted_state.rs` keeps.
+
+use crate::context::Context;
+use crate::context::recorder::batching::is_whole;
+use crate::context::recorder::elements::Elements;
+use crate::context::recorder::emitted_state::{DrawDecisions, arrays};
+use crate::context::recorder::fixed_function::StageKeys;
+use rasterizer::driver::{Topology, VertexBinding};
+
+impl DrawDecisions {
+    /// The decisions of the draw of this call.
+    pub fn new(
+        context: &Context,
+        topology: Topology,
+        vertices: &[VertexBinding],
+        keys: StageKeys,
+    ) -> Self {
+        Self {
+            call: context.state_changes.calls,
+            topology,
+            arrays: arrays(vertices).collect(),
+            keys,
+        }
+    }
+}
+
+/// The attributes that the draw before read, bit by location, if this draw may use its decisions.
+pub(crate) fn attributes(context: &Context) -> Option<u64> {
+    let emitted = &context.recorder.emitted;
+    let decided = emitted.decisions.as_ref()?;
+    let may_be_alike =
+        context.state_changes.last_state_change <= decided.call && context.compiling.is_none();
+    may_be_alike.then(|| emitted.attributes_read())
+}
+
+/// The uniform words of a draw that uses the decisions of the one before; `None` where it has to be decided anew.
+pub(crate) fn words(
+    context: &mut Context,
+    topology: Topology,
+    vertices: &[VertexBinding],
+    elements: &Elements,
+) -> Option<Vec<u32>> {
+    let decided = context.recorder.emitted.decisions.take()?;
+    let is_alike = context.state_changes.last_state_change <= decided.call
+        && topology == decided.topology
+        // Else there is a warning to give.
+        && is_whole(topology, elements.counts().0)
+        && arrays(vertices).eq(decided.arrays.iter().copied())
+        && allows_reuse(context)
+        && !context.queries.discards()
+        && !context.recorder.is_full();
+    let words = if is_alike { crate::draw::stages::words(context, &decided.keys) } else { None };
+    context.recorder.emitted.decisions = Some(decided);
+    words
+}
+
+/// Whether a draw may take over what was decided for the one before: no other context changes objects, and no list, watch
+/// or transform feedback needs each draw by itself.
+pub(crate) fn allows_reuse(context: &Context) -> bool {
+    context.is_unshared()
+        && context.compiling.is_none()
+        && context.watched.is_none()
+        && !context.transform_feedback.is_active()
+}

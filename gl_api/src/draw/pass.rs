@@ -1,0 +1,99 @@
+//! The pass that draws are recorded into: when another one begins, when what is recorded is submitted, and which pixels of
+//! its attachments draws reach.
+
+use crate::context::Context;
+use crate::context::window::Region;
+use crate::draw::pending_primitives::draw_pending;
+use crate::state::enable::Flag;
+use rasterizer::driver::{Attachment, Command, Image, PassDesc, Rect};
+
+fn same_attachment(a: Option<&Attachment>, b: Option<&Attachment>) -> bool {
+    match (a, b) {
+        (Some(a), Some(b)) => a.image.same(&b.image) && a.face == b.face && a.level == b.level,
+        (None, None) => true,
+        (Some(_), None) | (None, Some(_)) => false,
+    }
+}
+
+fn same_pass(a: &PassDesc, b: &PassDesc) -> bool {
+    (a.width, a.height, a.colors.len()) == (b.width, b.height, b.colors.len())
+        && same_attachment(a.depth.as_ref(), b.depth.as_ref())
+        && a.colors.iter().zip(&b.colors).all(|(a, b)| same_attachment(a.as_ref(), b.as_ref()))
+}
+
+/// Keeps the open pass if it draws to the same attachments, else begins one.
+pub(crate) fn begin_pass(context: &mut Context, pass: PassDesc) {
+    let recorder = &mut context.recorder;
+    if recorder.is_full() {
+        submit(context);
+    } else if recorder.pass.as_ref().is_some_and(|open| same_pass(open, &pass)) {
+        return;
+    }
+    let recorder = &mut context.recorder;
+    recorder.end_pass();
+    for attachment in pass.colors.iter().chain([&pass.depth]).flatten() {
+        if !recorder.written.iter().any(|image| image.same(&attachment.image)) {
+            recorder.written.push(attachment.image.clone());
+        }
+    }
+    recorder.push(Command::BeginPass(pass.clone()));
+    recorder.pass = Some(pass);
+}
+
+/// Submits what was recorded, if it writes to an image that is about to be read or changed.
+pub(crate) fn settle(context: &mut Context, image: &Image) {
+    if context.recorder.written.iter().any(|written| written.same(image)) {
+        submit(context);
+    }
+}
+
+/// Draws what is pending and submits everything that was recorded.
+pub(crate) fn submit(context: &mut Context) {
+    draw_pending(context);
+    context.recorder.end_pass();
+    context.objects.syncs.signal();
+    let mut commands = std::mem::take(&mut context.recorder.commands);
+    context.recorder.held = 0;
+    if commands.commands.is_empty() {
+        return;
+    }
+    context.outdate_mirror();
+    let result = context.recorder.device.submit(&commands);
+    // Their memory is used again.
+    commands.commands.clear();
+    context.recorder.commands = commands;
+    match result {
+        Ok(report) => {
+            context.recorder.sight.add(report.visibility);
+            if !report.over_budget.is_empty() {
+                context.debug.warn(
+                    "a shader ran so long that its draw was left out: look for a loop that does \
+                     not end"
+                        .into(),
+                );
+            }
+        }
+        Err(error) => context.debug.warn(format!("the driver refused recorded draws: {error}")),
+    }
+    let written = std::mem::take(&mut context.recorder.written);
+    context.objects.images_changed(|image| written.iter().any(|other| other.same(image)));
+}
+
+/// The pixels that fragments reach: the attachments' area within the scissor rectangle.
+pub(crate) fn drawn_area(context: &Context, pass: &PassDesc) -> Rect {
+    let all = Rect { x: 0, y: 0, width: pass.width, height: pass.height };
+    if !context.state.enables.has(Flag::ScissorTest) {
+        return all;
+    }
+    let scissor = context.state.fragment.scissor;
+    let region = Region::new(scissor.x, scissor.y, scissor.width as usize, scissor.height as usize);
+    match region.within(pass.width, pass.height) {
+        Some(visible) => Rect {
+            x: visible.x as i32,
+            y: visible.y as i32,
+            width: visible.width as u32,
+            height: visible.height as u32,
+        },
+        None => Rect { x: 0, y: 0, width: 0, height: 0 },
+    }
+}

@@ -1,0 +1,177 @@
+//! The steps of a draw, in order: checks, transform feedback, other render modes, stages, pipeline, commands.
+
+use crate::base::error::{Result, invalid_operation};
+use crate::context::Context;
+use crate::context::feedback::RenderMode;
+use crate::context::recorder::elements::{Elements, bit};
+use crate::context::recorder::pixel_rectangle::PixelRectangle;
+use crate::context::recorder::stages::{Reads, Stages, internal};
+use crate::draw::completeness::{draw_pass, drawn_formats};
+use crate::draw::emitted_state::{PreparedDraw, emit, emit_vertices, emit_words};
+use crate::draw::pending_primitives::draw_pending;
+use crate::draw::pipeline::{pipeline_desc, rectangle_viewport, viewport};
+use crate::draw::raster_state::{multisample_state, raster_state, smoothness};
+use crate::draw::{assembly_words, warnings};
+use crate::interface::ATTRIB_EDGE_FLAG;
+use crate::state::enable::Flag;
+use rasterizer::driver::{
+    Antialiasing, Cull, FrontFace, PassDesc, PipelineDesc, PolygonState, Provoking, RasterState,
+    SampleRule, Topology, VertexBinding, VertexSource,
+};
+use texunit::format::Format;
+
+/// The attributes whose current values a draw may read, bit by location. While a list is compiled that is all of them, as
+/// it is drawn with whatever program is in use when it is called.
+fn constants_read(context: &Context) -> u64 {
+    let linked = context.objects.linked_program(context.state.bindings.program.name());
+    match linked.filter(|linked| linked.vertex.is_some() && context.compiling.is_none()) {
+        Some(linked) => linked.attributes | 1 << ATTRIB_EDGE_FLAG,
+        None => u64::MAX,
+    }
+}
+
+/// The attributes whose current values a draw is to be given: those that the draw before read, where it may use its
+/// decisions.
+pub(crate) fn constants_needed(context: &Context) -> u64 {
+    crate::draw::draw_reuse::attributes(context).unwrap_or_else(|| constants_read(context))
+}
+
+/// Adds the current values that a draw was not given, as it is decided anew.
+fn add_constants(context: &Context, vertices: &mut Vec<VertexBinding>) {
+    let given = vertices.iter().fold(0, |all, binding| all | bit(binding.location));
+    let missing = constants_read(context) & !given;
+    let before = vertices.len();
+    for (location, value) in (0..).zip(&context.state.current) {
+        if missing & bit(location) != 0 {
+            vertices.push(VertexBinding { location, source: VertexSource::Constant(*value) });
+        }
+    }
+    if vertices.len() > before {
+        vertices.sort_unstable_by_key(|binding| binding.location);
+    }
+}
+
+/// Records a draw.
+///
+/// # Errors
+/// When the framebuffer is incomplete or the program in use is not linked.
+pub(crate) fn draw(
+    context: &mut Context,
+    topology: Topology,
+    mut vertices: Vec<VertexBinding>,
+    elements: &Elements,
+) -> Result<()> {
+    draw_pending(context);
+    if let Some(words) = crate::draw::draw_reuse::words(context, topology, &vertices, elements) {
+        // Counts primitives; nothing is captured.
+        crate::draw::capture::draw(context, topology, &[], elements)?;
+        emit_words(&mut context.recorder, words);
+        emit_vertices(context, vertices, elements);
+        return Ok(());
+    }
+    add_constants(context, &mut vertices);
+    let pass = checked_pass(context)?;
+    if context.queries.discards() {
+        return Ok(());
+    }
+    crate::draw::capture::draw(context, topology, &vertices, elements)?;
+    if !is_rasterized(context, topology, &vertices, elements)? {
+        return Ok(());
+    }
+    let antialiasing = smoothness(context, topology);
+    // This may submit what was recorded, if a texture of this draw was drawn to.
+    let Stages { vertex, fragment, reads } =
+        crate::draw::stages::choose(context, &vertices, antialiasing)?;
+    let viewport = viewport(context);
+    let mut raster = raster_state(context, topology, &vertices);
+    raster.multisample = multisample_state(context, SampleRule::Each);
+    let desc = pipeline_desc(context, &pass, topology, vertex, fragment);
+    warnings::state::check(context, &pass, &desc, elements);
+    emit(context, PreparedDraw { pass, desc, raster, viewport, reads }, vertices, elements)
+}
+
+/// Records the draw of rectangles of pixels: four vertices of each in clip coordinates of the whole
+/// framebuffer.
+///
+/// # Errors
+/// As [`draw`].
+pub(crate) fn draw_rectangle(
+    context: &mut Context,
+    vertices: Vec<VertexBinding>,
+    elements: &Elements,
+    rectangle: &PixelRectangle,
+) -> Result<()> {
+    let topology = Topology::Quads;
+    draw_pending(context);
+    let pass = checked_pass(context)?;
+    if context.queries.discards() || !is_rasterized(context, topology, &vertices, elements)? {
+        return Ok(());
+    }
+    let mut stages = crate::draw::stages::choose(context, &vertices, Antialiasing::Aliased)?;
+    rectangle.apply(context, &mut stages).map_err(|error| internal(&error))?;
+    let Stages { vertex, fragment, reads } = stages;
+    let reads = Reads { keys: None, ..reads };
+    let viewport = rectangle_viewport(&pass, rectangle.depth);
+    let multisample = multisample_state(context, SampleRule::Center);
+    let polygon = PolygonState { stipple: rectangle.stipple(), ..PolygonState::default() };
+    let raster = RasterState { polygon, multisample, ..RasterState::default() };
+    let desc = PipelineDesc {
+        cull: Cull::None,
+        front_face: FrontFace::Ccw,
+        provoking: Provoking::Last,
+        ..pipeline_desc(context, &pass, topology, vertex, fragment)
+    };
+    emit(context, PreparedDraw { pass, desc, raster, viewport, reads }, vertices, elements)
+}
+
+/// The pass of the draw framebuffer, if a draw is valid with the state.
+///
+/// # Errors
+/// As [`draw`].
+fn checked_pass(context: &mut Context) -> Result<PassDesc> {
+    let pass = draw_pass(context)?;
+    let program = context.state.bindings.program.name();
+    let linked = context.objects.linked_program(program);
+    let is_shaded = linked.is_some_and(|linked| linked.fragment.is_some());
+    if program != 0 && linked.is_none() {
+        return invalid_operation(
+            "GL 2.1, section 2.15.3",
+            format!("program {program} is in use but not linked: see glGetProgramInfoLog"),
+        );
+    }
+    assembly_words::check(context)?;
+    if !is_shaded {
+        no_integers(context)?;
+    }
+    Ok(pass)
+}
+
+/// Refuses to draw to integers without a fragment shader, which alone writes them.
+fn no_integers(context: &Context) -> Result<()> {
+    if drawn_formats(context).any(Format::is_integer) {
+        return invalid_operation(
+            "EXT_texture_integer, section 2.6",
+            "a colour buffer that is drawn to holds integers, which only a fragment shader writes: \
+             call glUseProgram with one",
+        );
+    }
+    Ok(())
+}
+
+/// Whether a draw makes fragments. In selection and feedback it makes none, and is carried out here.
+fn is_rasterized(
+    context: &mut Context,
+    topology: Topology,
+    vertices: &[VertexBinding],
+    elements: &Elements,
+) -> Result<bool> {
+    if context.state.enables.has(Flag::RasterizerDiscard) {
+        return Ok(false);
+    }
+    if context.feedback.mode != RenderMode::Render {
+        crate::draw::feedback::draw(context, topology, vertices, elements)?;
+        return Ok(false);
+    }
+    warnings::textures::nothing_enabled(context);
+    Ok(true)
+}

@@ -1,0 +1,37 @@
+//! The sampler state of a unit and target.
+
+use crate::context::Context;
+use crate::objects::target::TextureTarget;
+use crate::state::enable::Flag;
+use texunit::sampler::{Border, Sampler, Seamless};
+
+/// The sampler state of a unit and target: that of the bound sampler object or else the texture's,
+/// with the unit's bias.
+pub(crate) fn sampler(context: &Context, unit: u8, target: TextureTarget) -> Sampler {
+    let state = &context.state.units.units[usize::from(unit)];
+    let texture = context.objects.texture(target, &state.bound[target as usize]);
+    let own = texture.sampler();
+    // Multisample textures ignore sampler objects.
+    let object = context.objects.samplers.bound(&state.sampler);
+    let mut sampler = match object.filter(|_| !target.is_multisample()) {
+        Some(object) => Sampler {
+            base_level: own.base_level,
+            max_level: own.max_level,
+            depth_mode: own.depth_mode,
+            swizzle: own.swizzle,
+            ..object.sampler.clone()
+        },
+        None => own,
+    };
+    if context.state.enables.has(Flag::SeamlessCubeMaps) {
+        sampler.seamless = Seamless::On;
+    }
+    // GL 2.1, section 3.8.4: the border is clamped to [0, 1], except for floats and integers.
+    if !texture.has_wide_texels() {
+        let fractions =
+            sampler.border.floats().map(|c| crate::base::convert::unit(c.into()) as f32);
+        sampler.border = Border::Float(fractions);
+    }
+    sampler.lod_bias = crate::base::convert::lod_bias(sampler.lod_bias + state.lod_bias);
+    sampler
+}

@@ -1,0 +1,196 @@
+//! Warnings of state with which a draw changes nothing, or everything is black.
+
+use crate::context::Context;
+use crate::context::recorder::elements::Elements;
+use crate::context::warnings::DrawWarning;
+use crate::draw::assembly_words::has_vertex_program;
+use crate::draw::material::material;
+use crate::interface::Side;
+use crate::state::enable::Flag;
+use crate::state::stencil::Face;
+use rasterizer::driver::{DepthWrite, PassDesc, PipelineDesc, Topology};
+use rasterizer::ir::Output;
+use texunit::sampler::Compare;
+
+/// Checks the state of a draw.
+pub(crate) fn check(
+    context: &mut Context,
+    pass: &PassDesc,
+    desc: &PipelineDesc,
+    elements: &Elements,
+) {
+    let state = &context.state;
+    let enables = &state.enables;
+    let lights = enables.has(Flag::Lighting).then_some(&state.lights);
+    let no_light = lights.is_some_and(|lights| lights.enabled == 0);
+    let [viewport, scissor] = [
+        [state.viewport.width, state.viewport.height],
+        [state.fragment.scissor.width as i32, state.fragment.scissor.height as i32],
+    ];
+    let no_scissor = enables.has(Flag::ScissorTest) && scissor == [0, 0];
+    let no_depth = enables.has(Flag::DepthTest)
+        && desc.depth.is_none()
+        && state.fragment.depth_func != Compare::Always;
+    let no_stencil = enables.has(Flag::StencilTest)
+        && desc.output.stencil.is_none()
+        && state.fragment.stencil.faces.iter().any(|face: &Face| face.func != Compare::Always);
+    if viewport.contains(&0) {
+        no_viewport(context, viewport);
+    }
+    if no_scissor {
+        say(context, DrawWarning::NoScissor, NO_SCISSOR);
+    }
+    if no_light {
+        without_light(context);
+    }
+    if no_depth {
+        missing(context, DrawWarning::NoDepth, ["GL_DEPTH_TEST", "depth", "EGL_DEPTH_SIZE"]);
+    }
+    if no_stencil {
+        missing(
+            context,
+            DrawWarning::NoStencil,
+            ["GL_STENCIL_TEST", "stencil", "EGL_STENCIL_SIZE"],
+        );
+    }
+    if let Some(remainder) = remainder(desc.topology, elements) {
+        left_out(context, remainder);
+    }
+    colors(context, pass, desc);
+    crate::draw::warnings::stale_depth::check(context, desc.depth.as_ref());
+}
+
+const NO_SCISSOR: &str = "draw: GL_SCISSOR_TEST is enabled and the scissor box is 0×0, so nothing is \
+    drawn: call glScissor, or glDisable(GL_SCISSOR_TEST) (GL 2.1, section 4.1.2)";
+const NO_LIGHT: &str = "draw: GL_LIGHTING is enabled and no light is, so nearly everything is black: \
+    call glEnable(GL_LIGHT0), or glDisable(GL_LIGHTING) (GL 2.1, section 2.14.1)";
+const MASKED: &str = "draw: glColorMask lets no colour through, and neither depth nor stencil is \
+    written, so nothing changes: call glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE) (GL 2.1, \
+    section 4.2.2)";
+const NO_COLOR_BUFFER: &str = "draw: no colour buffer is drawn to, as glDrawBuffer has GL_NONE or a \
+    point where nothing is attached, and neither depth nor stencil is written, so nothing changes: \
+    call glDrawBuffer (GL 3.0, section 4.2.1)";
+
+#[cold]
+#[inline(never)]
+fn say(context: &mut Context, hint: DrawWarning, text: &str) {
+    if context.is_first_warning(hint, 0) {
+        context.debug.warn(text.to_owned());
+    }
+}
+
+#[cold]
+#[inline(never)]
+fn no_viewport(context: &mut Context, [width, height]: [i32; 2]) {
+    if context.is_first_warning(DrawWarning::NoViewport, 0) {
+        context.debug.warn(format!(
+            "draw: the viewport is {width}×{height}, so nothing is drawn: call glViewport (it is 0×0 \
+             at first where a context has no surface) (GL 2.1, section 2.11.1)"
+        ));
+    }
+}
+
+/// Warns of lighting without lights, unless materials emit light or the ambient colour of the scene was set.
+#[cold]
+#[inline(never)]
+fn without_light(context: &mut Context) {
+    let ambient = context.state.lights.model.ambient;
+    let emission = material(context, Side::Front).emission;
+    let shines = ambient != [0.2, 0.2, 0.2, 1.0] || emission[..3] != [0.0; 3];
+    if !shines && !has_vertex_program(context) {
+        say(context, DrawWarning::NoLight, NO_LIGHT);
+    }
+}
+
+/// Warns of a test without a buffer for it, once for all framebuffers: it is legal, and usual in post-processing.
+#[cold]
+#[inline(never)]
+fn missing(context: &mut Context, hint: DrawWarning, [test, buffer, size]: [&str; 3]) {
+    if !context.is_first_warning(hint, 0) {
+        return;
+    }
+    let (place, fix) = match context.state.bindings.draw_framebuffer {
+        0 => ("the default framebuffer".to_owned(), format!("choose a config with {size}")),
+        name => (format!("framebuffer {name}"), "attach one".to_owned()),
+    };
+    context.debug.warn(format!(
+        "draw: {test} is enabled, but {place} has no {buffer} buffer, so every fragment passes: if it \
+         should not, {fix} (GL 2.1, section 4.1)"
+    ));
+}
+
+/// Vertices that are left over by whole primitives.
+struct Remainder {
+    mode: &'static str,
+    each: u32,
+    count: u32,
+}
+
+/// The vertices of a draw that are left over; of topologies whose primitives share no vertices.
+fn remainder(topology: Topology, elements: &Elements) -> Option<Remainder> {
+    let (mode, each) = match topology {
+        Topology::Lines => ("GL_LINES", 2),
+        Topology::Triangles => ("GL_TRIANGLES", 3),
+        Topology::Quads => ("GL_QUADS", 4),
+        Topology::Points
+        | Topology::LineStrip
+        | Topology::LineLoop
+        | Topology::TriangleStrip
+        | Topology::TriangleFan
+        | Topology::QuadStrip
+        | Topology::Polygon => return None,
+    };
+    let (count, _) = elements.counts();
+    (!count.is_multiple_of(each)).then_some(Remainder { mode, each, count })
+}
+
+#[cold]
+#[inline(never)]
+fn left_out(context: &mut Context, Remainder { mode, each, count }: Remainder) {
+    if context.is_first_warning(DrawWarning::Remainder, each) {
+        let rest = count % each;
+        context.debug.warn(format!(
+            "draw: {mode} takes {each} vertices each, so of {count} the last {rest} are left out (GL \
+             2.1, section 2.6.1)"
+        ));
+    }
+}
+
+/// Warns of a draw that writes neither colours nor anything else.
+fn colors(context: &mut Context, pass: &PassDesc, desc: &PipelineDesc) {
+    let writes_depth = desc.depth.as_ref().is_some_and(|depth| depth.write == DepthWrite::On);
+    let counts = context.recorder.counter.is_some();
+    if writes_depth
+        || desc.output.stencil.is_some()
+        || counts
+        || context.transform_feedback.is_active()
+    {
+        return;
+    }
+    let mut written = pass.colors.iter().zip(&desc.colors);
+    if !written.any(|(color, state)| color.is_some() && state.mask.contains(&true)) {
+        let masked = pass.colors.iter().any(Option::is_some);
+        let (hint, text) = match masked {
+            true => (DrawWarning::NoColor, MASKED),
+            false => (DrawWarning::NoColorBuffer, NO_COLOR_BUFFER),
+        };
+        say(context, hint, text);
+        return;
+    }
+    let outputs = &desc.fragment.module().outputs;
+    if !outputs.iter().any(|(output, _)| matches!(output, Output::Color { .. })) {
+        without_color(context);
+    }
+}
+
+#[cold]
+#[inline(never)]
+fn without_color(context: &mut Context) {
+    let program = context.state.bindings.program.name();
+    if context.is_first_warning(DrawWarning::NoColorOfShader, program) {
+        context.debug.warn(format!(
+            "draw: the fragment stage of program {program} writes no colour, so that of what is drawn \
+             is undefined: write gl_FragColor, or an out variable (GLSL 1.30, section 7.2)"
+        ));
+    }
+}

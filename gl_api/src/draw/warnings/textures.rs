@@ -1,0 +1,249 @@
+//! Warnings of textures: bound where a draw does not sample, incomplete, not compared, or sampled while drawn to.
+
+use crate::base::constants::*;
+use crate::base::types::GLuint;
+use crate::context::Context;
+use crate::context::warnings::DrawWarning;
+use crate::draw::assembly_words::has_fragment_program;
+use crate::interface::MAX_COMBINED_TEXTURE_IMAGE_UNITS;
+use crate::objects::bound::Bound;
+use crate::objects::color_buffers::attachment_index;
+use crate::objects::framebuffers::{Attached, Source};
+use crate::objects::target::{TARGET, TextureTarget};
+use crate::state::enable::{CAPABILITY, Flag};
+use crate::state::env::Unit;
+use rasterizer::driver::{DepthWrite, Image};
+use rasterizer::ir::TextureDecl;
+use texunit::sampler::{Mipmap, Sampler};
+
+/// GL's name of a target.
+fn target_name(target: TextureTarget) -> String {
+    enum_name(TARGET.encode(target))
+}
+
+/// Where a texture is bound that a draw looks for at another target or unit.
+enum Elsewhere {
+    /// To another target of the unit.
+    Target(GLuint, TextureTarget),
+    /// To the target of another unit.
+    Unit(GLuint, u8),
+    Nowhere,
+}
+
+/// Where the texture may be bound that was meant for a target of a unit; `None` if something is bound there.
+fn elsewhere(context: &Context, unit: u8, target: TextureTarget) -> Option<Elsewhere> {
+    let units = &context.state.units.units;
+    let name = |unit: &Unit, target: TextureTarget| unit.bound[target as usize].name();
+    let own = &units[usize::from(unit)];
+    let default = context.objects.texture(target, &Bound::default());
+    let has_image = target != TextureTarget::Buffer && default.image.level(0, 0).is_some();
+    if name(own, target) != 0 || has_image {
+        return None;
+    }
+    if let Some(other) = TextureTarget::ALL.into_iter().find(|other| name(own, *other) != 0) {
+        return Some(Elsewhere::Target(name(own, other), other));
+    }
+    let others = units.iter().zip(0..MAX_COMBINED_TEXTURE_IMAGE_UNITS);
+    let mut others = others.map(|(state, other)| (name(state, target), other));
+    let found = others.find(|&(name, _)| name != 0);
+    Some(found.map_or(Elsewhere::Nowhere, |(name, other)| Elsewhere::Unit(name, other)))
+}
+
+/// Warns of an incomplete texture that the fixed function would sample: the unit is as if disabled.
+#[cold]
+#[inline(never)]
+pub(crate) fn incomplete(context: &mut Context, unit: u8, target: TextureTarget, reason: &str) {
+    let name = context.state.units.units[usize::from(unit)].bound[target as usize].name();
+    let asked = target_name(target);
+    let text = match elsewhere(context, unit, target) {
+        None => format!(
+            "draw: texture {name} on {asked} of unit {unit} is incomplete: {reason} (GL 2.1, section \
+             3.8.10)"
+        ),
+        Some(Elsewhere::Target(other, place)) => {
+            let place = target_name(place);
+            format!(
+                "draw: {asked} is enabled on unit {unit}, where it has no texture; texture {other} is \
+                 bound to {place} there: call glEnable({place})"
+            )
+        }
+        Some(Elsewhere::Unit(other, place)) => format!(
+            "draw: {asked} is enabled on unit {unit}, where no texture is bound; texture {other} is \
+             bound to {asked} of unit {place}: call glActiveTexture(GL_TEXTURE{unit}) before \
+             glBindTexture, or glActiveTexture(GL_TEXTURE{place}) before glEnable"
+        ),
+        Some(Elsewhere::Nowhere) => format!(
+            "draw: {asked} is enabled on unit {unit}, where no texture is bound: call glBindTexture"
+        ),
+    };
+    context.debug.warn(text);
+}
+
+/// Warns of a sampler uniform whose unit has no complete texture, or one that is not compared.
+pub(crate) fn sampler(
+    context: &mut Context,
+    unit: u8,
+    target: TextureTarget,
+    word: u32,
+    decl: TextureDecl,
+) {
+    let bound = &context.state.units.units[usize::from(unit)].bound[target as usize];
+    let state = crate::draw::sampler::sampler(context, unit, target);
+    match context.objects.texture(target, bound).incomplete_reason(&state) {
+        Some(reason) => reads_black(context, unit, target, word, &reason),
+        None if decl.compare && state.compare.is_none() => {
+            let name = bound.name();
+            uncompared(context, name, target, word);
+        }
+        None => {}
+    }
+}
+
+#[cold]
+#[inline(never)]
+fn reads_black(context: &mut Context, unit: u8, target: TextureTarget, word: u32, reason: &str) {
+    let name = context.state.units.units[usize::from(unit)].bound[target as usize].name();
+    let uniform = uniform_name(context, word);
+    let asked = target_name(target);
+    let who = match uniform.is_empty() {
+        true => "the assembly program".to_owned(),
+        false => format!("sampler{uniform}"),
+    };
+    let reads = format!("draw: {who} samples {asked} of unit {unit}");
+    let text = match elsewhere(context, unit, target) {
+        None => format!(
+            "draw: {who} reads black, as texture {name} on {asked} of unit {unit} is \
+             incomplete: {reason} (GL 2.1, section 3.8.10)"
+        ),
+        Some(Elsewhere::Target(other, place)) => format!(
+            "{reads}, where nothing is bound; texture {other} is bound to {} there",
+            target_name(place)
+        ),
+        Some(Elsewhere::Unit(mut other, mut place)) => {
+            let units = context.state.units.units.iter();
+            let mut units = units.zip(0..MAX_COMBINED_TEXTURE_IMAGE_UNITS);
+            let is_name = |at: GLuint| unit != 0 && at == GLuint::from(unit);
+            let named = units.find(|(at, _)| is_name(at.bound[target as usize].name()));
+            let mut advice = String::new();
+            if !uniform.is_empty() {
+                if let Some((_, at)) = named {
+                    (other, place) = (unit.into(), at);
+                    advice =
+                        "a sampler takes the unit's number, not the texture's name: ".to_owned();
+                }
+                advice.push_str(&format!("call glUniform1i(location of{uniform}, {place}), or "));
+            }
+            format!(
+                "{reads}, which has no texture; texture {other} is bound to {asked} of unit {place}: \
+                 {advice}call glActiveTexture(GL_TEXTURE{unit}) before glBindTexture"
+            )
+        }
+        Some(Elsewhere::Nowhere) => {
+            format!("{reads}, which has no texture, and reads black: call glBindTexture")
+        }
+    };
+    context.debug.warn(text);
+}
+
+/// Warns of a shadow sampler with a texture that is not compared.
+#[cold]
+#[inline(never)]
+fn uncompared(context: &mut Context, name: GLuint, target: TextureTarget, word: u32) {
+    if !context.is_first_warning(DrawWarning::NoComparison, name) {
+        return;
+    }
+    let (uniform, target) = (uniform_name(context, word), target_name(target));
+    context.debug.warn(format!(
+        "draw: sampler{uniform} compares, but GL_TEXTURE_COMPARE_MODE of texture {name} is GL_NONE, so \
+         what it reads is undefined: call glTexParameteri({target}, GL_TEXTURE_COMPARE_MODE, \
+         GL_COMPARE_REF_TO_TEXTURE) (GLSL 1.20, section 8.7)"
+    ));
+}
+
+/// The uniform of the program in use that has this word, quoted, after a space.
+fn uniform_name(context: &Context, word: u32) -> String {
+    let program = context.objects.linked_program(context.state.bindings.program.name());
+    program.map_or_else(String::new, |linked| linked.quoted_name(word))
+}
+
+/// Warns of a texture that a draw samples and may draw to (GL 3.1, section 4.4.3).
+pub(crate) fn feedback_loop(
+    context: &mut Context,
+    place: (u8, TextureTarget),
+    image: &Image,
+    sampler: &Sampler,
+) {
+    let framebuffer = context.state.bindings.draw_framebuffer;
+    let Some(object) = context.objects.framebuffers.get(framebuffer) else { return };
+    if object.attached().any(|attached| attached.image.same(image)) {
+        maybe_loop(context, place, image, sampler);
+    }
+}
+
+/// It is a feedback loop if a level that is sampled is drawn to. `glTextureBarrierNV` counts as the warning given.
+#[cold]
+#[inline(never)]
+fn maybe_loop(
+    context: &mut Context,
+    (unit, target): (u8, TextureTarget),
+    image: &Image,
+    sampler: &Sampler,
+) {
+    let framebuffer = context.state.bindings.draw_framebuffer;
+    let Some(object) = context.objects.framebuffers.get(framebuffer) else { return };
+    let last = if sampler.mipmap == Mipmap::None { sampler.base_level } else { sampler.max_level };
+    let levels = sampler.base_level as usize..=last as usize;
+    let sampled = |attached: &Option<Attached>| {
+        attached.as_ref().is_some_and(|attached| match attached.source {
+            Source::Texture { level, .. } => attached.image.same(image) && levels.contains(&level),
+            Source::Renderbuffer(_) => false,
+        })
+    };
+    let fragment = &context.state.fragment;
+    let drawn = object.selection.draw.iter().zip(&fragment.buffers);
+    let mut drawn = drawn.filter(|(_, state)| state.mask.contains(&true));
+    let color = drawn.any(|(&buffer, _)| {
+        attachment_index(buffer).is_some_and(|index| sampled(&object.colors[index]))
+    });
+    let tests = context.state.enables.has(Flag::DepthTest);
+    let depth = tests && fragment.depth_write == DepthWrite::On && sampled(&object.depth);
+    if (color || depth) && context.is_first_warning(DrawWarning::FeedbackLoop, 0) {
+        let name = context.state.units.units[usize::from(unit)].bound[target as usize].name();
+        context.debug.warn(format!(
+            "draw: texture {name} is sampled and drawn to, as it is attached to framebuffer \
+             {framebuffer}: what is read is undefined, but for what glTextureBarrierNV promises; draw to \
+             another texture, or call glBindFramebuffer (GL 3.1, section 4.4.3)"
+        ));
+    }
+}
+
+/// Warns of textures that are bound while no unit is enabled and no program is in use. It is checked
+/// again only when the units have changed.
+pub(crate) fn nothing_enabled(context: &mut Context) {
+    if context.state.bindings.program.name() != 0 || has_fragment_program(context) {
+        return;
+    }
+    let units = &context.state.units.units;
+    let now = (units.version(), context.debug.output);
+    if context.recorder.nothing_enabled.replace(now) == Some(now) {
+        return;
+    }
+    if units.iter().any(|unit| unit.enabled.contains(&true)) {
+        return;
+    }
+    let bound = units.iter().zip(0..MAX_COMBINED_TEXTURE_IMAGE_UNITS).find_map(|(unit, number)| {
+        // Targets that cannot be enabled are for shaders alone.
+        let target = TextureTarget::ALL.into_iter().find(|&target| {
+            unit.bound[target as usize].name() != 0
+                && CAPABILITY.get(TARGET.encode(target)).is_some()
+        })?;
+        Some((number, target, unit.bound[target as usize].name()))
+    });
+    if let Some((unit, target, name)) = bound {
+        let target = target_name(target);
+        context.debug.warn(format!(
+            "draw: texture {name} is bound to {target} of unit {unit}, but texturing is off: call \
+             glEnable({target})"
+        ));
+    }
+}

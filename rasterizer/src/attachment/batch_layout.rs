@@ -1,0 +1,161 @@
+//! The positions of a batch's pixels in a tile, and loads and stores of their words.
+
+use super::{BLOCKS, WordPlane};
+use texunit::lanes::{Isa, Kernel, LANES, QUADS, Simd, U32s};
+
+/// The positions of a batch's pixels in a tile.
+#[derive(Clone, Copy)]
+pub enum BatchLayout<'a> {
+    /// All of one block.
+    Block(usize),
+    /// The block and quad of each of its quads.
+    Quads(&'a [u8], &'a [u8]),
+    /// Each pixel by itself: its block times 64 and its lane there; and these blocks, bit by block. No pixel occurs
+    /// twice; unused lanes hold any valid index.
+    Pixels(&'a [u16; LANES], u64),
+}
+
+/// Pixels of a tile.
+const PIXELS: usize = BLOCKS * LANES;
+
+/// Whether words are loaded before they are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LoadOp {
+    /// They are loaded.
+    Load,
+    /// They are not: all bits of each word are written.
+    DontCare,
+}
+
+/// Lets `change` see the words of a batch's pixels as lanes, and puts those of `mask` back; it changes
+/// no others. (A quad may be in a batch more than once, with other pixels each time.)
+pub fn with_words<R>(
+    isa: Isa,
+    plane: &mut WordPlane,
+    layout: &BatchLayout<'_>,
+    mask: u64,
+    load_op: LoadOp,
+    change: impl FnOnce(&mut U32s) -> R,
+) -> R {
+    if let BatchLayout::Block(block) = *layout {
+        return change(plane.block_mut(block));
+    }
+    let mut words = match load_op {
+        LoadOp::Load => load(isa, plane, layout),
+        LoadOp::DontCare => U32s::ZERO,
+    };
+    let result = change(&mut words);
+    store(plane, layout, mask, &words);
+    result
+}
+
+/// [`with_words`] for texels of up to four words, each in a plane of its own: of words that there are
+/// `change` sees one batch.
+pub fn with_texels(
+    isa: Isa,
+    planes: &mut [WordPlane],
+    layout: &BatchLayout<'_>,
+    mask: u64,
+    load_op: LoadOp,
+    change: impl FnOnce([&mut [U32s]; 4]),
+) {
+    let mut texels = [U32s::ZERO; 4];
+    let is_read = match layout {
+        // Put back whole.
+        BatchLayout::Block(_) => true,
+        BatchLayout::Quads(..) | BatchLayout::Pixels(..) => load_op == LoadOp::Load,
+    };
+    if is_read {
+        for (words, plane) in texels.iter_mut().zip(&mut *planes) {
+            *words = load(isa, plane, layout);
+        }
+    }
+    let mut words = <[&mut [U32s]; 4]>::default();
+    for (words, batch) in words.iter_mut().zip(texels.chunks_mut(1)).take(planes.len()) {
+        *words = batch;
+    }
+    change(words);
+    for (words, plane) in texels.iter().zip(planes) {
+        store(plane, layout, mask, words);
+    }
+}
+
+fn load(isa: Isa, plane: &mut WordPlane, layout: &BatchLayout<'_>) -> U32s {
+    match *layout {
+        BatchLayout::Block(block) => plane.block(block),
+        BatchLayout::Quads(of, quads) => gather(plane.blocks_mut(set_of(of)), of, quads),
+        BatchLayout::Pixels(at, of) => isa.run(Gather { blocks: plane.blocks_mut(of), at }),
+    }
+}
+
+fn store(plane: &mut WordPlane, layout: &BatchLayout<'_>, mask: u64, words: &U32s) {
+    match *layout {
+        BatchLayout::Block(block) => *plane.block_mut(block) = *words,
+        BatchLayout::Quads(of, quads) => {
+            scatter(plane.blocks_mut(set_of(of)), of, quads, mask, words)
+        }
+        BatchLayout::Pixels(at, of) => scatter_pixels(plane.blocks_mut(of), at, mask, words),
+    }
+}
+
+/// Blocks as a set, bit by block.
+fn set_of(blocks: &[u8]) -> u64 {
+    blocks.iter().fold(0, |set, &block| set | 1 << (usize::from(block) % BLOCKS))
+}
+
+fn gather(blocks: &[U32s], of: &[u8], quads: &[u8]) -> U32s {
+    let mut words = U32s::ZERO;
+    for (at, (&block, &quad)) in of.iter().zip(quads).enumerate() {
+        let from = &blocks[usize::from(block)];
+        for e in 0..4 {
+            words[e * QUADS + at] = from[e * QUADS + usize::from(quad)];
+        }
+    }
+    words
+}
+
+fn scatter(blocks: &mut [U32s], of: &[u8], quads: &[u8], mask: u64, words: &U32s) {
+    for (at, (&block, &quad)) in of.iter().zip(quads).enumerate() {
+        let to = &mut blocks[usize::from(block)];
+        for e in 0..4 {
+            let to = &mut to[e * QUADS + usize::from(quad)];
+            let lane = e * QUADS + at;
+            *to = if mask >> lane & 1 == 1 { words[lane] } else { *to };
+        }
+    }
+}
+
+/// The words of single pixels.
+struct Gather<'a> {
+    blocks: &'a [U32s],
+    at: &'a [u16; LANES],
+}
+
+impl Kernel for Gather<'_> {
+    type Output = U32s;
+    #[inline(always)]
+    fn run<S: Simd>(self) -> U32s {
+        let mut offsets = U32s::ZERO;
+        for lane in 0..LANES {
+            offsets[lane] = u32::from(self.at[lane]) % PIXELS as u32 * 4;
+        }
+        S::gather(bytemuck::cast_slice(self.blocks), &offsets)
+    }
+}
+
+fn scatter_pixels(blocks: &mut [U32s], at: &[u16; LANES], mask: u64, words: &U32s) {
+    let pixels = bytemuck::cast_slice_mut::<_, u32>(blocks);
+    let Ok(pixels) = <&mut [u32; PIXELS]>::try_from(pixels) else { return };
+    if mask == !0 {
+        for lane in 0..LANES {
+            pixels[usize::from(at[lane]) % PIXELS] = words[lane];
+        }
+        return;
+    }
+    let mut left = mask;
+    while left != 0 {
+        let lane = left.trailing_zeros() as usize;
+        left &= left - 1;
+        pixels[usize::from(at[lane]) % PIXELS] = words[lane];
+    }
+}

@@ -1,0 +1,17 @@
+//! What a pass draws into: attachments as tiles of 64×64 words in lane order.
+
+mod batch_layout;
+mod depth_format;
+mod encode;
+mod plane;
+mod resolve;
+mod surface;
+mod words;
+
+pub use batch_layout::{BatchLayout, LoadOp, with_texels, with_words};
+pub use depth_format::{DepthFormat, LARGEST_16, LARGEST_24, depth_word};
+pub use encode::{decode_color, encode_color, texel_color, texel_words};
+pub use plane::{BLOCKS, WordPlane};
+pub use surface::{Part, Put, Slices, StoreContext, Surface, TileTarget};
+pub(crate) use words::is_attachable;
+pub use words::{WordMask, all_bits, component_bits};

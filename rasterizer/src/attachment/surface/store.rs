@@ -1,0 +1,267 @@
+//! Texels from tiles to rows: those of a level, or of a client that reads a part of a picture.
+
+use super::{
+    Level, Slices, StoreContext, Surface, WORTH_THREADS, WordPlane, attachment_words,
+    is_attachable, row_of,
+};
+use crate::attachment::resolve::resolve_tile;
+use crate::attachment::words::texel_of;
+use crate::sizes::TILE;
+use bytemuck::Pod;
+use std::iter::once;
+use texunit::format::Format;
+use texunit::lanes::Isa;
+
+/// A region of an image, given by its first pixel and its width.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Part {
+    /// The first column.
+    pub x: u32,
+    /// The first row.
+    pub y: u32,
+    /// Pixels across.
+    pub width: u32,
+}
+
+/// How a row of texels is written to a client's memory.
+#[derive(Clone, Copy)]
+pub enum Put<'a> {
+    /// Copied.
+    AsStored,
+    /// Converted by this function: the texels, and the row of the client.
+    By(&'a (dyn Fn(&[u8], &mut [u8]) + Sync)),
+}
+
+impl Put<'_> {
+    /// Writes a row of texels.
+    pub(crate) fn row(self, texels: &[u8], to: &mut [u8]) {
+        match self {
+            Put::AsStored => to[..texels.len()].copy_from_slice(texels),
+            Put::By(put) => put(texels, to),
+        }
+    }
+}
+
+/// Which samples of a pixel are written to a texel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Stored {
+    /// All samples, resolved.
+    All,
+    /// This sample.
+    One(usize),
+}
+
+impl Surface {
+    /// Writes the tiles back into slices of the level they came from.
+    pub fn store(&self, level: &mut Level, slices: Slices, context: StoreContext<'_>) {
+        let all = Part { x: 0, y: 0, width: self.width };
+        self.store_rows(all, self.height, level, slices, context);
+    }
+
+    /// Writes `height` rows of a region into slices of the level that the tiles came from.
+    pub(super) fn store_rows(
+        &self,
+        part: Part,
+        height: u32,
+        level: &mut Level,
+        slices: Slices,
+        context: StoreContext<'_>,
+    ) {
+        debug_assert_eq!((self.width, self.height), (level.width, level.height));
+        let (row_bytes, size) = (level.row_bytes(), self.format.bytes());
+        let slices: Vec<(Stored, usize)> = match slices {
+            Slices::One(slice) => vec![(Stored::All, slice)],
+            Slices::Each(first) => {
+                let samples = 0..self.samples.into();
+                samples.map(|sample| (Stored::One(sample), first + sample)).collect()
+            }
+        };
+        for (what, slice) in slices {
+            let slice = level.origin() + slice * level.slice_bytes();
+            let first = slice + part.y as usize * row_bytes;
+            let texels = &mut level.texels[first..first + height as usize * row_bytes];
+            let rows = texels.chunks_mut(row_bytes.max(1));
+            let mut rows: Vec<_> = rows.map(|row| &mut row[part.x as usize * size..]).collect();
+            self.store_part(what, part, &mut rows, Put::AsStored, context);
+        }
+    }
+
+    /// Puts the texels of a part, samples resolved, where a client has its rows.
+    pub fn read(
+        &self,
+        part: Part,
+        rows: &mut [&mut [u8]],
+        put: Put<'_>,
+        context: StoreContext<'_>,
+    ) {
+        self.store_part(Stored::All, part, rows, put, context);
+    }
+
+    fn store_part(
+        &self,
+        what: Stored,
+        part: Part,
+        rows: &mut [&mut [u8]],
+        put: Put<'_>,
+        context: StoreContext<'_>,
+    ) {
+        if !is_attachable(self.format) || rows.is_empty() {
+            return;
+        }
+        let pixels = rows.len() * part.width as usize;
+        // A band is what lies in one row of tiles.
+        let second = (part.y / TILE + 1) * TILE;
+        let (first, rest) = rows.split_at_mut(rows.len().min((second - part.y) as usize));
+        let rest = (second..).step_by(TILE as usize).zip(rest.chunks_mut(TILE as usize));
+        let mut bands: Vec<_> = once((part.y, first)).chain(rest).collect();
+        let is_much = pixels >= WORTH_THREADS * (TILE * TILE) as usize;
+        let least = if is_much { 1 } else { bands.len() };
+        let isa = context.isa;
+        context.thread_pool.for_each_chunk(
+            &mut bands,
+            least,
+            || (),
+            |(), bands| {
+                for (y, rows) in bands {
+                    self.store_band(isa, what, Part { y: *y, ..part }, rows, put);
+                }
+            },
+        );
+    }
+
+    /// Puts rows that lie in one row of tiles.
+    fn store_band(&self, isa: Isa, what: Stored, part: Part, rows: &mut [&mut [u8]], put: Put<'_>) {
+        let (size, words) = (self.format.bytes(), attachment_words(self.format));
+        let row_of_tiles = (part.y / TILE * self.tiles_across()) as usize;
+        let (from, to) = (part.x / TILE, (part.x + part.width).div_ceil(TILE));
+        let tiles = &self.tiles[row_of_tiles + from as usize..row_of_tiles + to as usize];
+        let [x, y, width] = [part.x % TILE, part.y % TILE, part.width].map(|at| at as usize);
+        let resolved: Vec<Vec<WordPlane>>;
+        let planes: Vec<&[WordPlane]> = match what {
+            Stored::All if self.samples > 1 => {
+                let blocks = y / 8..(y + rows.len()).div_ceil(8);
+                let resolve = |tile: &Vec<WordPlane>| {
+                    resolve_tile(isa, self.format, self.samples, tile, blocks.clone())
+                };
+                resolved = tiles.iter().map(resolve).collect();
+                resolved.iter().map(Vec::as_slice).collect()
+            }
+            Stored::All => tiles.iter().map(Vec::as_slice).collect(),
+            Stored::One(sample) => {
+                tiles.iter().map(|tile| &tile[sample * words..][..words]).collect()
+            }
+        };
+        // What is stored begins at a column of eight.
+        let skipped = x % 8;
+        let mut texels = vec![0; (skipped + width) * size];
+        for (y, row) in (y..).zip(rows) {
+            let from = Start { column: x / 8, y };
+            match put {
+                Put::AsStored if skipped == 0 => {
+                    store_tiles(self.format, &planes, from, &mut row[..width * size]);
+                }
+                Put::AsStored | Put::By(_) => {
+                    store_tiles(self.format, &planes, from, &mut texels);
+                    put.row(&texels[skipped * size..], row);
+                }
+            }
+        }
+    }
+}
+
+/// A row of tiles side by side into the texels of one row, from a place in the first on.
+fn store_tiles(format: Format, tiles: &[&[WordPlane]], from: Start, row: &mut [u8]) {
+    let tile_bytes = TILE as usize * format.bytes();
+    let left = tile_bytes - from.column * 8 * format.bytes();
+    let (first, rest) = row.split_at_mut(left.min(row.len()));
+    let rest = rest.chunks_mut(tile_bytes).map(|row| (Start { column: 0, ..from }, row));
+    for (planes, (from, row)) in tiles.iter().zip(once((from, first)).chain(rest)) {
+        store_row(format, planes, from, row);
+    }
+}
+
+/// From where on a row of a tile is stored.
+#[derive(Clone, Copy)]
+struct Start {
+    /// Columns of eight pixels before it.
+    column: usize,
+    y: usize,
+}
+
+impl Start {
+    /// The words of a column of eight from here on.
+    #[inline(always)]
+    fn words(self, plane: &WordPlane, column: usize) -> [u32; 8] {
+        match plane.held(self.y / 8 * 8 + self.column + column) {
+            Ok(words) => row_of(words, self.y % 8),
+            Err(word) => [word; 8],
+        }
+    }
+}
+
+/// A row of a tile into the texels of one row.
+fn store_row(format: Format, planes: &[WordPlane], from: Start, row: &mut [u8]) {
+    let size = format.bytes();
+    // Texels whose bytes are those of their words.
+    let done = match (planes, size) {
+        ([a], 1) => put_columns(row, |column| from.words(a, column).map(|word| word as u8)),
+        ([a], 2) => {
+            put_columns(row, |column| from.words(a, column).map(|word| (word as u16).to_le()))
+        }
+        ([a], 3) => put_columns(row, |column| from.words(a, column).map(first_three)),
+        ([a], 4) => put_columns(row, |column| from.words(a, column).map(u32::to_le)),
+        // Depth and stencil.
+        ([a, b], 4) => put_columns(row, |column| {
+            let (depths, stencils) = (from.words(a, column), from.words(b, column));
+            std::array::from_fn(|x| (depths[x] << 8 | stencils[x] & 0xFF).to_le())
+        }),
+        ([a, b], 8) => {
+            put_columns(row, |column| interleave([from.words(a, column), from.words(b, column)]))
+        }
+        // Not `map`, which stays a call for each.
+        ([a, b, c, d], 16) => put_columns(row, |column| {
+            let [a, b] = [from.words(a, column), from.words(b, column)];
+            interleave([a, b, from.words(c, column), from.words(d, column)])
+        }),
+        _ => 0,
+    };
+    for (column, texels) in row.chunks_mut(8 * size).enumerate().skip(done) {
+        let mut all = [[0; 8]; 4];
+        for (to, plane) in all.iter_mut().zip(planes) {
+            *to = from.words(plane, column);
+        }
+        for (x, texel) in texels.chunks_exact_mut(size).enumerate() {
+            texel_of(format, all.map(|words| words[x]), texel);
+        }
+    }
+}
+
+/// The bytes of a texel that has three.
+#[inline(always)]
+fn first_three(word: u32) -> [u8; 3] {
+    let [r, g, b, _] = word.to_le_bytes();
+    [r, g, b]
+}
+
+/// The texels of eight pixels from their words, plane by plane.
+#[inline(always)]
+fn interleave<const WORDS: usize>(planes: [[u32; 8]; WORDS]) -> [[u32; WORDS]; 8] {
+    let mut texels = [[0; WORDS]; 8];
+    for (x, texel) in texels.iter_mut().enumerate() {
+        for (word, plane) in texel.iter_mut().zip(&planes) {
+            *word = plane[x].to_le();
+        }
+    }
+    texels
+}
+
+/// Writes whole columns of eight texels into a row. Says how many there are.
+#[inline(always)]
+fn put_columns<T: Pod>(row: &mut [u8], column: impl Fn(usize) -> [T; 8]) -> usize {
+    let columns = row.chunks_exact_mut(size_of::<[T; 8]>());
+    let count = columns.len();
+    for (number, texels) in columns.enumerate() {
+        texels.copy_from_slice(bytemuck::bytes_of(&column(number)));
+    }
+    count
+}

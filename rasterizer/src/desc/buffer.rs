@@ -1,0 +1,73 @@
+//! Bytes for vertices and indices, shared with the draws that read them, copied only when written
+//! meanwhile.
+
+use std::sync::{Arc, Weak};
+
+/// Bytes that draws read. Cloning shares them.
+#[derive(Clone, Debug, Default)]
+pub struct Buffer(Arc<Vec<u8>>);
+
+impl Buffer {
+    /// A buffer that holds these bytes.
+    pub fn new(bytes: Vec<u8>) -> Self {
+        Self(Arc::new(bytes))
+    }
+
+    /// What it holds.
+    pub fn bytes(&self) -> &[u8] {
+        &self.0
+    }
+
+    /// Whether anything else has it, such as a draw that was recorded.
+    pub fn is_shared(&self) -> bool {
+        Arc::strong_count(&self.0) > 1
+    }
+
+    /// How many bytes are there for this handle alone.
+    pub fn own_bytes(&self) -> usize {
+        if self.is_shared() { 0 } else { self.0.len() }
+    }
+
+    /// The version of its bytes, which differs after a write.
+    pub fn version(&self) -> Version {
+        Version(Arc::downgrade(&self.0))
+    }
+
+    /// Its bytes for writing. Draws that were recorded earlier keep what they saw.
+    pub fn bytes_mut(&mut self) -> &mut Vec<u8> {
+        Arc::make_mut(&mut self.0)
+    }
+}
+
+/// A weak reference to the bytes that a [`Buffer`] had. A write moves the bytes elsewhere, as
+/// [`Arc::make_mut`] moves them away from what is still watched.
+#[derive(Clone, Debug, Default)]
+pub struct Version(Weak<Vec<u8>>);
+
+impl Version {
+    /// Whether the buffer has not been written to since.
+    pub fn is_of(&self, buffer: &Buffer) -> bool {
+        std::ptr::eq(self.0.as_ptr(), Arc::as_ptr(&buffer.0))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_version_is_that_of_the_bytes_until_somebody_writes() {
+        let mut buffer = Buffer::new(vec![1, 2]);
+        let first = buffer.version();
+        assert!(first.is_of(&buffer) && first.is_of(&buffer.clone()));
+        assert!(!first.is_of(&Buffer::new(vec![1, 2])));
+        assert!(!Version::default().is_of(&buffer));
+        // Alone, the bytes move; shared, they are copied.
+        buffer.bytes_mut()[0] = 3;
+        assert!(!first.is_of(&buffer) && !buffer.is_shared());
+        let (second, other) = (buffer.version(), buffer.clone());
+        buffer.bytes_mut()[0] = 4;
+        assert!(second.is_of(&other) && !second.is_of(&buffer));
+        assert_eq!((buffer.bytes(), other.bytes()), (&[4, 2][..], &[3, 2][..]));
+    }
+}

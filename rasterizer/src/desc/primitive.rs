@@ -1,0 +1,67 @@
+//! How vertices make primitives, and which sides of polygons are drawn.
+
+/// How vertices form primitives (GL 2.1, section 2.6.1).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Topology {
+    /// Each vertex a point.
+    Points,
+    /// Each pair a line.
+    Lines,
+    /// Each vertex joined to the next.
+    LineStrip,
+    /// As [`Self::LineStrip`], and the last vertex joined to the first.
+    LineLoop,
+    /// Each three a triangle.
+    Triangles,
+    /// Each vertex with the two before it.
+    TriangleStrip,
+    /// Each two consecutive vertices with the first.
+    TriangleFan,
+    /// Each four a quadrilateral.
+    Quads,
+    /// Each pair with the pair before it.
+    QuadStrip,
+    /// All vertices one convex polygon.
+    Polygon,
+}
+
+/// Which faces are not drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Cull {
+    /// All are drawn.
+    None,
+    /// Front faces are not drawn.
+    Front,
+    /// Back faces are not drawn.
+    Back,
+    /// No polygon is drawn; points and lines are.
+    Both,
+}
+
+/// Which winding, seen in the window with y up, is the front.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum FrontFace {
+    /// Counter-clockwise.
+    Ccw,
+    /// Clockwise.
+    Cw,
+}
+
+/// Which vertex flat varyings come from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Provoking {
+    /// GL's default.
+    Last,
+    /// Vulkan's default.
+    First,
+}
+
+/// The facing of a primitive.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Facing {
+    /// Front faces, points and lines.
+    #[default]
+    Front,
+    /// Back faces.
+    Back,
+}

@@ -1,0 +1,203 @@
+//! A draw of a pass: its plan, its chunks, and when bins are emptied.
+
+use super::{Pass, SMALL_DRAW};
+use crate::attachment::DepthFormat;
+use crate::driver::bound::DrawDecisions;
+use crate::driver::chunk::{DrawState, MergedDraws, RUN};
+use crate::driver::report::SubmitReport;
+use crate::driver::resources::Resources;
+use crate::driver::visibility::Visibility;
+use crate::plan::{Counting, DrawPlan, Pipeline, PlanInput, sprite_slots};
+use crate::primitive::Setup;
+use crate::raster::DrawJob;
+use crate::shader::{OverBudget, Prepared};
+use crate::vertex::{VertexIds, primitives};
+use std::ops::Range;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, OnceLock};
+
+/// The number of binned shapes at which tiles run before the pass ends. The next chunks then reuse memory that is in
+/// the cache.
+const BINS_FULL: usize = 1 << 15;
+
+/// The most plans that a pass keeps for reuse by later draws.
+const KEPT_PLANS: usize = 8;
+
+impl Pass<'_> {
+    pub(super) fn draw(
+        &mut self,
+        command: usize,
+        ids: &VertexIds<'_>,
+        count: u32,
+        instances: &Range<u32>,
+        report: &mut SubmitReport,
+    ) {
+        let Some(pipeline) = self.bound.pipeline.clone() else { return };
+        let pipeline = match sprite_slots(pipeline.desc(), &self.bound.raster) {
+            [] => pipeline,
+            _ => pipeline.of_sprites(),
+        };
+        let area = self.area(self.bound.scissor);
+        if area[0][0] >= area[1][0] || area[0][1] >= area[1][1] {
+            return;
+        }
+        let inner = self.inner_area(area);
+        let (plan, vertex) = match &self.bound.decided {
+            Some(DrawDecisions { plan, vertex }) => (plan.clone(), vertex.clone()),
+            None => self.decide(&pipeline),
+        };
+        let raster = plan.raster.clone();
+        let draw = self.job.draws.len();
+        let (counter, stopped) = (self.bound.counter.clone(), AtomicBool::new(false));
+        let label = self.bound.label;
+        self.job.draws.push(DrawJob { plan, area: inner, counter, stopped, label });
+        self.commands.push(command);
+
+        let compiled = pipeline.compiled();
+        let desc = pipeline.desc();
+        let resolution =
+            self.depth_format().and_then(DepthFormat::of).and_then(DepthFormat::resolution);
+        let primitives = primitives(desc.topology, desc.provoking, count);
+        let vertices = self.bound.vertices.clone();
+        let textures = self.bound.vertex_textures.clone();
+        let mut state = DrawState {
+            draw,
+            isa: self.job.isa,
+            budget: self.job.budget,
+            thread_pool: self.thread_pool,
+            machines: &self.resources.machines,
+            geometries: &self.resources.geometries,
+            lists: &self.resources.lists,
+            pipeline: &pipeline,
+            ids,
+            primitives,
+            bindings: &vertices,
+            textures: &textures,
+            stipple: 0,
+            instances: instances.clone(),
+            asked: report.visibility.reasons_left(),
+            unseen: OnceLock::new(),
+            prepared: vertex,
+            slots: &compiled.slots,
+            setup: Setup {
+                isa: self.job.isa,
+                viewport: self.bound.viewport,
+                cull: desc.cull,
+                front_face: desc.front_face,
+                raster: &raster,
+                edge_flags: primitives.edge_flags(),
+                area,
+                inner,
+                resolution,
+            },
+        };
+        // Edge flags belong to one draw, and so do lines that only advance a stipple.
+        let is_small = raster.polygon.edge_flag.is_none()
+            && raster.line.stipple.is_none()
+            && self.job.watch.is_none()
+            && (1..=SMALL_DRAW).contains(&(primitives.len as usize * instances.len()))
+            && instances.len() <= state.at_once() as usize;
+        let drawn = match is_small {
+            true => self.gather(&state),
+            false => self.draw_in_own_chunks(&mut state, report),
+        };
+        let Ok(is_seen) = drawn else {
+            self.job.draws[draw].stopped.store(true, Ordering::Relaxed);
+            return;
+        };
+        if self.shapes >= BINS_FULL {
+            self.run_tiles(report);
+        }
+        report.visibility.add(match (is_seen, state.unseen.into_inner()) {
+            (true, _) => Visibility::Visible,
+            (false, None) => Visibility::NothingDrawn,
+            (false, Some(reasons)) => Visibility::Invisible(reasons),
+        });
+    }
+
+    /// Puts a small draw into one chunk with those before it, where that is the same; says whether it has shapes.
+    fn gather(&mut self, state: &DrawState<'_>) -> Result<bool, OverBudget> {
+        let draws = &self.job.draws;
+        let goes_on =
+            |all: &MergedDraws| !all.is_full() && draws[all.draw].gathers(&draws[state.draw]);
+        if !self.merged.as_ref().is_some_and(goes_on) {
+            self.bin_merged();
+        }
+        let Resources { geometries, lists, .. } = self.resources;
+        let new = || MergedDraws::new(state.draw, geometries.take(), lists.take());
+        let all = self.merged.get_or_insert_with(new);
+        let before = all.len();
+        state.gather(all)?;
+        Ok(all.len() > before)
+    }
+
+    /// Divides a draw into its own chunks; returns whether it has shapes.
+    fn draw_in_own_chunks(
+        &mut self,
+        state: &mut DrawState<'_>,
+        report: &mut SubmitReport,
+    ) -> Result<bool, OverBudget> {
+        self.bin_merged();
+        let mut is_seen = false;
+        let (instances, at_once) = (state.instances.clone(), state.at_once());
+        for first in instances.clone().step_by(at_once as usize) {
+            state.instances = first..instances.end.min(first.saturating_add(at_once));
+            state.stipple = 0;
+            let mut start = 0;
+            while start < state.primitives.len {
+                let range = start..state.primitives.len.min(start + RUN);
+                start = range.end;
+                is_seen |= self.take(state.chunks(range)?);
+                if self.shapes >= BINS_FULL {
+                    self.run_tiles(report);
+                }
+            }
+        }
+        Ok(is_seen)
+    }
+
+    /// Decides how to draw with what is bound.
+    fn decide(&mut self, pipeline: &Pipeline) -> (Arc<DrawPlan>, Arc<Prepared>) {
+        let (isa, depth, bound) = (self.job.isa, self.depth_format(), &mut self.bound);
+        let compiled = pipeline.compiled();
+        let surface = self.colors.iter().flatten().chain(&self.depth).next();
+        let samples = surface.map_or(1, |surface| surface.samples);
+        let input = PlanInput {
+            isa,
+            colors: &self.formats,
+            depth,
+            samples,
+            uniforms: &bound.uniforms,
+            textures: bound.fragment_textures.clone(),
+            viewport: bound.viewport,
+            raster: bound.raster.clone().for_samples(samples),
+            counting: match bound.counter {
+                Some(_) => Counting::On,
+                None => Counting::Off,
+            },
+            vertices: &bound.vertices,
+        };
+        // Uniforms, such as matrices, are mostly not the fragments'.
+        let fragment = &compiled.fragment;
+        let prepared = fragment
+            .depends_on_uniforms()
+            .then(|| fragment.prepare(isa, &bound.uniforms, &bound.fragment_textures));
+        let mut recent = self.recent.iter().rev();
+        let plan = match recent.find(|plan| plan.is_of(pipeline, &input, prepared.as_ref())) {
+            Some(plan) => plan.clone(),
+            None => {
+                let plan = Arc::new(DrawPlan::new(pipeline, input));
+                if self.recent.len() == KEPT_PLANS {
+                    self.recent.remove(0);
+                }
+                self.recent.push(plan.clone());
+                plan
+            }
+        };
+        self.resources.explain(&|| plan.describe());
+        let vertex = compiled.vertex.prepare(isa, &bound.uniforms, &bound.vertex_textures);
+        let vertex = Arc::new(vertex);
+        bound.decided = Some(DrawDecisions { plan: plan.clone(), vertex: vertex.clone() });
+        (plan, vertex)
+    }
+}

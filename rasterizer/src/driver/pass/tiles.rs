@@ -1,0 +1,129 @@
+//! Binning, and running the tiles of a pass.
+
+use super::{Pass, SMALL_DRAW};
+use crate::attachment::{DepthFormat, Surface};
+use crate::driver::chunk::TileRun;
+use crate::driver::report::SubmitReport;
+use crate::primitive::Shape;
+use crate::raster::{Chunk, ClearJob, Entry, Formats, TileJob, WatchedPixel};
+use crate::sizes::TILE;
+use std::sync::Arc;
+use std::sync::atomic::Ordering;
+
+/// Pixels that a short program shades before another thread would wake.
+const SMALL_WORK_PIXELS: u64 = 1 << 14;
+
+impl Pass<'_> {
+    /// Puts an entry into the tiles from pixel `low` to pixel `high`, both inside the pass.
+    pub(super) fn bin(&mut self, low: [i32; 2], high: [i32; 2], entry: Entry) {
+        if low[0] > high[0] || low[1] > high[1] {
+            return;
+        }
+        for ty in low[1] / TILE as i32..=high[1] / TILE as i32 {
+            for tx in low[0] / TILE as i32..=high[0] / TILE as i32 {
+                self.bins[ty as usize * self.across as usize + tx as usize].push(entry);
+            }
+        }
+    }
+
+    /// Puts chunks into the bins of their tiles; says whether there are any shapes.
+    pub(super) fn take(&mut self, chunks: Vec<(Chunk, Vec<TileRun>)>) -> bool {
+        let before = self.shapes;
+        for (chunk, runs) in chunks {
+            let index = self.job.chunks.len() as u32;
+            for TileRun { tile: [x, y], first, end } in runs {
+                let bin = &mut self.bins[(y * self.across + x) as usize];
+                bin.push(Entry::Shapes { chunk: index, first, end });
+            }
+            self.shapes += chunk.lists.shapes.len();
+            self.job.chunks.push(chunk);
+        }
+        self.shapes > before
+    }
+
+    /// Puts small draws into bins.
+    pub(super) fn bin_merged(&mut self) {
+        if let Some(all) = self.merged.take() {
+            self.take(vec![all.finish()]);
+        }
+    }
+
+    /// Whether the tiles finish before another thread would wake: whole clears, and shapes of few pixels.
+    fn is_small_work(&self) -> bool {
+        let Self { job, shapes, .. } = self;
+        let is_whole = |clear: &ClearJob| clear.is_whole(job.width, job.height);
+        let cost = |chunk: &Chunk| {
+            let pixels: u64 = chunk.lists.shapes.iter().map(Shape::pixels).sum();
+            // What runs by itself is long.
+            if job.draws[chunk.draw].plan.blocks_per_run > 1 { pixels } else { 16 * pixels }
+        };
+        *shapes <= SMALL_DRAW
+            && job.clears.iter().all(is_whole)
+            && job.chunks.iter().map(cost).sum::<u64>() <= SMALL_WORK_PIXELS
+    }
+
+    /// Runs every tile that has something to do, and empties the bins.
+    pub(super) fn run_tiles(&mut self, report: &mut SubmitReport) {
+        self.bin_merged();
+        let formats = Formats {
+            colors: self.formats.clone(),
+            depth: self.depth_format().and_then(DepthFormat::of),
+        };
+        let mut tiles = Vec::new();
+        let mut homes = Vec::new();
+        for (index, bin) in self.bins.iter_mut().enumerate() {
+            if bin.is_empty() {
+                continue;
+            }
+            let (tx, ty) = (index as u32 % self.across, index as u32 / self.across);
+            let take = |surface: &mut Surface| {
+                let at = (ty * surface.tiles_across() + tx) as usize;
+                surface.take(at)
+            };
+            tiles.push(TileJob {
+                x: (tx * TILE) as i32,
+                y: (ty * TILE) as i32,
+                colors: self.colors.iter_mut().map(|color| color.as_mut().map(take)).collect(),
+                depth: self.depth.as_mut().map(take),
+                watched: self
+                    .job
+                    .watch
+                    .as_ref()
+                    .and_then(|watch| WatchedPixel::new(watch, [tx, ty], &formats)),
+                entries: std::mem::take(bin),
+            });
+            homes.push((tx, ty));
+        }
+        let (job, workers) = (&self.job, &self.resources.workers);
+        let least = if self.is_small_work() { tiles.len().max(1) } else { 1 };
+        self.thread_pool.for_each_chunk(
+            &mut tiles,
+            least,
+            || workers.borrow(),
+            |worker, tiles| tiles.iter_mut().for_each(|tile| worker.get().run(job, tile)),
+        );
+        for (tile, (tx, ty)) in tiles.into_iter().zip(homes) {
+            let surfaces = self.colors.iter_mut().chain([&mut self.depth]);
+            for (surface, target) in surfaces.zip(tile.colors.into_iter().chain([tile.depth])) {
+                if let (Some(surface), Some(target)) = (surface, target) {
+                    let at = (ty * surface.tiles_across() + tx) as usize;
+                    surface.tiles[at] = target.planes;
+                }
+            }
+        }
+        for (draw, &command) in self.job.draws.iter().zip(&self.commands) {
+            if draw.stopped.load(Ordering::Relaxed) && !report.over_budget.contains(&command) {
+                report.over_budget.push(command);
+            }
+        }
+        // The draws stay: one of them may still be adding chunks.
+        for chunk in self.job.chunks.drain(..) {
+            self.resources.lists.give(chunk.lists);
+            if let Some(geometry) = Arc::into_inner(chunk.geometry) {
+                self.resources.geometries.give(geometry);
+            }
+        }
+        self.job.clears.clear();
+        self.shapes = 0;
+    }
+}

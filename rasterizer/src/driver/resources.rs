@@ -1,0 +1,116 @@
+//! What passes of a device use: its description, pools of reusable objects, explanations of plans.
+
+use super::report::DeviceError;
+use crate::raster::{ShapeLists, Worker};
+use crate::shader::Machine;
+use crate::threads::ObjectPool;
+use crate::vertex::Geometry;
+use parking_lot::Mutex;
+use std::collections::BTreeSet;
+use texunit::lanes::Isa;
+
+/// What a device is made from.
+#[derive(Clone, Copy, Debug)]
+pub struct DeviceDesc {
+    /// The instruction set of every kernel.
+    pub isa: Isa,
+    /// How many threads shade tiles, with the one that asks; at least 1.
+    pub threads: usize,
+    /// How many instructions a batch of a shader may run before its draw is dropped.
+    pub budget: u64,
+    /// Whether each draw's plan is printed.
+    pub explain: Explain,
+}
+
+/// Whether each draw's plan is printed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Explain {
+    /// It is not.
+    #[default]
+    Off,
+    /// Each different plan once, to standard error.
+    Print,
+    /// Different plans are recorded for [`super::Device::take_explanations`].
+    Keep,
+}
+
+impl DeviceDesc {
+    /// The default budget.
+    pub const BUDGET: u64 = 1 << 26;
+
+    /// From `DETGL_ISA`, `DETGL_THREADS` and `DETGL_EXPLAIN`, else the widest instruction set,
+    /// every core, and silence.
+    ///
+    /// # Errors
+    /// When a variable names something that this machine does not have.
+    pub fn from_env() -> Result<Self, DeviceError> {
+        let isa = Isa::from_env()?;
+        let threads = match std::env::var("DETGL_THREADS") {
+            Ok(text) => text
+                .parse()
+                .ok()
+                .filter(|n| (1..=1024).contains(n))
+                .ok_or(DeviceError::Threads(text))?,
+            Err(_) => std::thread::available_parallelism().map_or(1, usize::from),
+        };
+        let explain = match std::env::var("DETGL_EXPLAIN") {
+            Ok(text) if text != "0" => Explain::Print,
+            Ok(_) | Err(_) => Explain::Off,
+        };
+        Ok(Self { isa, threads, budget: Self::BUDGET, explain })
+    }
+}
+
+/// What passes of a device use.
+#[derive(Debug)]
+pub(super) struct Resources {
+    pub desc: DeviceDesc,
+    /// Interpreters of vertex programs.
+    pub machines: ObjectPool<Machine>,
+    /// Memory for shaded vertices.
+    pub geometries: ObjectPool<Geometry>,
+    /// Memory for shapes.
+    pub lists: ObjectPool<ShapeLists>,
+    /// Scratch of the threads that run tiles.
+    pub workers: ObjectPool<Worker>,
+    /// The plans seen so far.
+    explained: Mutex<BTreeSet<String>>,
+    kept: Mutex<Vec<String>>,
+}
+
+impl Resources {
+    /// Nothing in use yet.
+    pub fn new(desc: DeviceDesc) -> Self {
+        Self {
+            desc,
+            machines: ObjectPool::default(),
+            geometries: ObjectPool::default(),
+            lists: ObjectPool::default(),
+            workers: ObjectPool::default(),
+            explained: Mutex::default(),
+            kept: Mutex::default(),
+        }
+    }
+
+    /// The plans recorded since the last call, without duplicates ([`Explain::Keep`]).
+    pub fn take_explanations(&self) -> Vec<String> {
+        self.explained.lock().clear();
+        std::mem::take(&mut self.kept.lock())
+    }
+
+    /// Takes note of a draw's plan.
+    pub fn explain(&self, plan: &dyn Fn() -> String) {
+        if self.desc.explain == Explain::Off {
+            return;
+        }
+        let text = plan();
+        if !self.explained.lock().insert(text.clone()) {
+            return;
+        }
+        match self.desc.explain {
+            Explain::Off => {}
+            Explain::Print => eprintln!("draw\n{text}"),
+            Explain::Keep => self.kept.lock().push(text),
+        }
+    }
+}

@@ -1,0 +1,98 @@
+//! What a shader reads from the pipeline and writes to it.
+
+use super::types::{Axis, Ty};
+
+/// Which stage of the pipeline a module is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Stage {
+    /// Runs once a vertex.
+    Vertex,
+    /// Runs once a fragment.
+    Fragment,
+}
+
+/// What a shader reads from the pipeline, one scalar at a time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Input {
+    /// Component 0 to 3 of the vertex attribute at a location (`f32`).
+    Attribute {
+        /// Attribute location.
+        location: u8,
+        /// 0 to 3 for x, y, z, w.
+        component: u8,
+    },
+    /// The index of the vertex (`i32`).
+    VertexId,
+    /// The index of the instance (`i32`).
+    InstanceId,
+    /// A scalar that the vertex stage wrote to the same slot, interpolated (`f32`).
+    Varying(u16),
+    /// How that scalar changes from pixel to pixel, at this pixel: the exact derivative of its
+    /// interpolation, from the planes of the primitive (`f32`).
+    Slope {
+        /// Of which varying.
+        slot: u16,
+        /// Along which axis.
+        axis: Axis,
+    },
+    /// `gl_FragCoord`: window x, y, depth, and `1/w` (`f32`).
+    FragCoord(u8),
+    /// Whether the primitive faces the viewer (`bool`).
+    FrontFacing,
+    /// Where in a point sprite the fragment is, 0 to 1 (`f32`).
+    PointCoord(u8),
+    /// The part of the pixel that the primitive covers, 0 to 1; 1 unless it is antialiased (`f32`).
+    Coverage,
+}
+
+/// What a shader writes to the pipeline, one scalar at a time. All are `f32`, but the stencil's reference (`i32`) and
+/// colours for attachments of integers, which are `i32` or `u32`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Output {
+    /// `gl_Position`, in clip coordinates.
+    Position(u8),
+    /// `gl_PointSize`, in pixels.
+    PointSize,
+    /// Distance to a user clip plane; negative is cut away.
+    ClipDistance(u8),
+    /// A scalar for the fragment stage.
+    Varying(u16),
+    /// Component 0 to 3 of a colour for a render target.
+    Color {
+        /// Which colour attachment.
+        target: u8,
+        /// 0 to 3 for red, green, blue, alpha.
+        component: u8,
+    },
+    /// `gl_FragDepth`.
+    Depth,
+    /// `gl_FragStencilRefARB`: stands in for the reference of the stencil test, of either face; its lowest 8 bits count.
+    StencilReference,
+}
+
+/// How a varying is interpolated over a primitive.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Interpolation {
+    /// Perspective-correct.
+    Smooth,
+    /// Linear in window coordinates.
+    NoPerspective,
+    /// The value at the provoking vertex.
+    Flat,
+}
+
+impl Input {
+    /// The type of the scalar.
+    pub fn ty(self) -> Ty {
+        match self {
+            Self::VertexId | Self::InstanceId => Ty::I32,
+            Self::FrontFacing => Ty::Bool,
+            Self::Attribute { .. }
+            | Self::Varying(_)
+            | Self::Slope { .. }
+            | Self::FragCoord(_)
+            | Self::PointCoord(_)
+            | Self::Coverage => Ty::F32,
+        }
+    }
+}

@@ -1,0 +1,169 @@
+//! Pipelines: shaders and fixed state, checked and compiled once, immutable ever after.
+
+use crate::desc::{PipelineDesc, PipelineError, ShaderModule};
+use crate::ir::{Input, Interpolation, Output, Stage};
+use crate::shader::{OptimizedModule, Program};
+use crate::threads::stack::with_large_stack;
+use std::sync::{Arc, OnceLock};
+
+/// So many blocks deep, a module is compiled on any stack.
+const SHALLOW: usize = 16;
+
+/// Shaders and state, checked, optimized for each other and compiled. Cloning shares it.
+#[derive(Clone, Debug)]
+pub struct Pipeline(Arc<Compiled>);
+
+/// What a pipeline holds.
+#[derive(Debug)]
+pub(crate) struct Compiled {
+    pub desc: PipelineDesc,
+    /// The vertex program: without varyings that the fragment program does not read, with what was hoisted from it.
+    pub vertex: Program,
+    /// The fragment program, without outputs that are not used.
+    pub fragment: Program,
+    /// The varying slots that the fragment program reads, ascending, and how each is interpolated.
+    pub varyings: Vec<(u16, Interpolation)>,
+    /// Their slots alone.
+    pub slots: Vec<u16>,
+    /// How many varying slots the vertex module writes.
+    pub written_varyings: usize,
+    /// How many varyings hold what the fragment module makes of others.
+    pub hoisted: usize,
+    /// See [`Pipeline::of_sprites`].
+    of_sprites: OnceLock<Pipeline>,
+}
+
+impl Pipeline {
+    /// The locations of the attributes that the vertex program reads; bindings of others do nothing.
+    pub fn attributes(&self) -> impl Iterator<Item = u8> {
+        self.0.vertex.inputs().iter().filter_map(|input| match *input {
+            Input::Attribute { location, .. } => Some(location),
+            Input::VertexId
+            | Input::InstanceId
+            | Input::Varying(_)
+            | Input::Slope { .. }
+            | Input::FragCoord(_)
+            | Input::FrontFacing
+            | Input::PointCoord(_)
+            | Input::Coverage => None,
+        })
+    }
+
+    /// Checks and compiles.
+    ///
+    /// # Errors
+    /// When the stages are not of their kind.
+    pub fn new(desc: PipelineDesc) -> Result<Self, PipelineError> {
+        let (vertex, fragment) = (desc.vertex.module(), desc.fragment.module());
+        if vertex.stage != Stage::Vertex {
+            return Err(PipelineError("`vertex` must be a module of the vertex stage".into()));
+        }
+        if fragment.stage != Stage::Fragment {
+            return Err(PipelineError("`fragment` must be a module of the fragment stage".into()));
+        }
+        Ok(Self(Arc::new(Compiled::new(desc, VaryingHoisting::On))))
+    }
+
+    /// The pipeline where sprites replace varyings, which are not there at the vertices: what fragments make of them
+    /// stays with the fragments.
+    pub(crate) fn of_sprites(&self) -> Self {
+        if self.0.hoisted == 0 {
+            return self.clone();
+        }
+        let of_sprites = self.0.of_sprites.get_or_init(|| {
+            Self(Arc::new(Compiled::new(self.0.desc.clone(), VaryingHoisting::Off)))
+        });
+        of_sprites.clone()
+    }
+
+    /// Whether it is the same one, not an equal one.
+    pub(crate) fn is_same(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
+
+    /// What it was made of.
+    pub fn desc(&self) -> &PipelineDesc {
+        &self.0.desc
+    }
+
+    pub(crate) fn compiled(&self) -> &Compiled {
+        &self.0
+    }
+}
+
+/// Who computes what fragments make of varyings.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum VaryingHoisting {
+    /// The vertex stage, where that is as good.
+    On,
+    /// The fragment stage.
+    Off,
+}
+
+impl Compiled {
+    /// Compiles modules that are of their stages.
+    fn new(desc: PipelineDesc, hoisting: VaryingHoisting) -> Self {
+        let is_deep = |stage: &ShaderModule| stage.module().nests_deeper_than(SHALLOW);
+        if is_deep(&desc.vertex) || is_deep(&desc.fragment) {
+            with_large_stack(|| Self::on_this_stack(desc, hoisting))
+        } else {
+            Self::on_this_stack(desc, hoisting)
+        }
+    }
+
+    fn on_this_stack(desc: PipelineDesc, hoisting: VaryingHoisting) -> Self {
+        let mut fragment = OptimizedModule::new(desc.fragment.module(), |output| match output {
+            Output::Color { target, component } => desc
+                .colors
+                .get(usize::from(target))
+                .is_some_and(|color| color.needs(usize::from(component))),
+            Output::Depth => desc.depth.is_some(),
+            Output::StencilReference => desc.output.stencil.is_some(),
+            Output::Position(_)
+            | Output::PointSize
+            | Output::ClipDistance(_)
+            | Output::Varying(_) => false,
+        });
+        let vertex = desc.vertex.module();
+        let extended_vertex = match hoisting {
+            VaryingHoisting::On => fragment.hoist_to_vertex(vertex),
+            VaryingHoisting::Off => None,
+        };
+        let hoisted =
+            extended_vertex.as_ref().map_or(0, |more| more.outputs.len() - vertex.outputs.len());
+        let modes = fragment.module.varyings.clone();
+        let fragment = fragment.finish();
+        let mut varyings: Vec<(u16, Interpolation)> = fragment
+            .inputs()
+            .iter()
+            .filter_map(|input| match *input {
+                Input::Varying(slot) | Input::Slope { slot, .. } => {
+                    let mode = modes.get(usize::from(slot)).copied();
+                    Some((slot, mode.unwrap_or(Interpolation::Smooth)))
+                }
+                Input::Attribute { .. }
+                | Input::VertexId
+                | Input::InstanceId
+                | Input::FragCoord(_)
+                | Input::FrontFacing
+                | Input::PointCoord(_)
+                | Input::Coverage => None,
+            })
+            .collect();
+        varyings.sort_unstable_by_key(|&(slot, _)| slot);
+        varyings.dedup();
+        let written_varyings =
+            vertex.outputs.iter().filter(|(o, _)| matches!(o, Output::Varying(_))).count();
+        let vertex = extended_vertex.as_ref().unwrap_or(vertex);
+        let vertex = Program::new(vertex, |output| match output {
+            Output::Position(_) => true,
+            // Any topology can end as points, and what is written to clip distances cuts.
+            Output::PointSize | Output::ClipDistance(_) => true,
+            Output::Varying(slot) => varyings.iter().any(|&(read, _)| read == slot),
+            Output::Color { .. } | Output::Depth | Output::StencilReference => false,
+        });
+        let of_sprites = OnceLock::new();
+        let slots = varyings.iter().map(|&(slot, _)| slot).collect();
+        Self { desc, vertex, fragment, varyings, slots, written_varyings, hoisted, of_sprites }
+    }
+}

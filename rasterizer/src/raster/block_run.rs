@@ -1,0 +1,156 @@
+//! A run: up to four blocks that are shaded together, each with a register file of its own.
+//!
+//! Inputs, each straight part of the program, and colours are computed for all blocks of a run, one block after the
+//! other. Decisions and look-ups are shared, and the instructions of one block fill the latencies of another.
+
+use super::batch::{BlockOf, EarlyTests};
+use super::block::BlockAt;
+use crate::desc::Facing;
+use crate::shader::MAX_REGISTER_FILES;
+
+/// Blocks of shapes of one draw, whose early tests are done. No pixel is in two of them.
+#[derive(Debug, Default)]
+pub struct BlockRun {
+    /// The planes of the first block, then those of the next.
+    planes: Vec<[f32; 3]>,
+    blocks: [Covered; MAX_REGISTER_FILES],
+    len: usize,
+    /// What all blocks are of, see [`Self::level`].
+    level: Level,
+}
+
+/// What is the same all over a shape: the shape's number, where it is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Level {
+    /// The factors of a product.
+    pub factors: Option<u64>,
+    /// The levels that its lookups read.
+    pub details: Option<u64>,
+}
+
+impl Level {
+    /// What is so of both, where they are of one shape.
+    fn and(self, other: Self) -> Self {
+        Self {
+            factors: self.factors.filter(|_| self.factors == other.factors),
+            details: self.details.filter(|_| self.details == other.details),
+        }
+    }
+}
+
+/// What a shape covers of a block.
+#[derive(Clone, Copy, Debug, Default)]
+struct Covered {
+    block: u8,
+    facing: Facing,
+    lanes: u64,
+}
+
+impl BlockRun {
+    /// How many blocks there are.
+    pub fn len(&self) -> usize {
+        self.len
+    }
+
+    /// Whether any of these lanes of a block waits here: later fragments must not overtake it.
+    #[inline(always)]
+    pub fn holds(&self, block: usize, lanes: u64) -> bool {
+        let waiting = |covered: &Covered| {
+            if usize::from(covered.block) == block { covered.lanes } else { 0 }
+        };
+        self.blocks.iter().take(self.len).any(|covered| waiting(covered) & lanes != 0)
+    }
+
+    /// The number of the shape that all blocks are of, by what is the same all over it.
+    pub fn level(&self) -> Level {
+        self.level
+    }
+
+    /// Whether a plane is 1 all over the blocks.
+    pub fn is_one(&self, plane: usize) -> bool {
+        self.planes().all(|planes| planes[plane] == [1.0, 0.0, 0.0])
+    }
+
+    /// Whether these planes are the same all over the blocks; adds the bits of what they are.
+    pub fn shares(&self, planes: &[usize], values: &mut Vec<u32>) -> bool {
+        let mut blocks = self.planes();
+        let Some(first) = blocks.next() else { return false };
+        for &index in planes {
+            let [value, a, b] = first[index];
+            // What lies between is rounded to the same.
+            if value + 7.0 * a != value || value + 7.0 * b != value {
+                return false;
+            }
+            values.push(value.to_bits());
+        }
+        let is_first = |block: &[[f32; 3]], index: usize| {
+            block[index][0].to_bits() == first[index][0].to_bits()
+        };
+        blocks.all(|block| planes.iter().all(|&index| is_first(block, index)))
+    }
+
+    /// Whether these planes are 1 all over the blocks once they are divided: where they are the denominator's.
+    pub fn shares_ones(&self, planes: &[usize], denominator: usize, values: &mut Vec<u32>) -> bool {
+        values.extend(planes.iter().map(|_| 1.0_f32.to_bits()));
+        self.planes().all(|block| planes.iter().all(|&index| block[index] == block[denominator]))
+    }
+
+    /// The planes of each block.
+    fn planes(&self) -> impl Iterator<Item = &[[f32; 3]]> {
+        self.planes.chunks_exact((self.planes.len() / self.len.max(1)).max(1))
+    }
+
+    /// Forgets them.
+    pub fn clear(&mut self) {
+        self.planes.clear();
+        self.len = 0;
+    }
+
+    /// Adds a block of a shape, of which these lanes are left. There is room for [`MAX_REGISTER_FILES`]. `level` is
+    /// what is the
+    /// same all over the shape.
+    #[inline]
+    pub fn push(
+        &mut self,
+        planes: impl Iterator<Item = [f32; 3]>,
+        facing: Facing,
+        block: usize,
+        lanes: u64,
+        level: Level,
+    ) {
+        self.level = if self.len == 0 { level } else { self.level.and(level) };
+        self.planes.extend(planes);
+        self.blocks[self.len] = Covered { block: block as u8, facing, lanes };
+        self.len += 1;
+    }
+
+    /// The blocks, of the tile whose first pixel is `tile`.
+    pub fn blocks(&self, tile: [i32; 2]) -> impl Iterator<Item = BlockOf<'_>> {
+        let planes = self.planes.len() / self.len.max(1);
+        self.blocks[..self.len].iter().enumerate().map(move |(at, covered)| {
+            let block = usize::from(covered.block);
+            let [x, y] = BlockAt::numbered(tile, block).first();
+            BlockOf {
+                planes: &self.planes[at * planes..][..planes],
+                facing: covered.facing,
+                tests: EarlyTests::Done,
+                block,
+                x,
+                y,
+                coverage: None,
+            }
+        })
+    }
+
+    /// The block of each register file.
+    pub fn numbers(&self) -> impl Iterator<Item = usize> + Clone {
+        self.blocks[..self.len].iter().map(|covered| usize::from(covered.block))
+    }
+
+    /// The block of a register file and its lanes.
+    #[inline]
+    pub fn covered(&self, file: usize) -> (usize, u64) {
+        let Covered { block, lanes, .. } = self.blocks[file];
+        (usize::from(block), lanes)
+    }
+}

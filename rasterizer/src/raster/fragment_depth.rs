@@ -1,0 +1,112 @@
+//! The depth of fragments before anything is shaded: the same numbers as [`super::inputs`] gives.
+
+use super::batch::{Batch, BatchPixels};
+use super::inputs::Places;
+use super::large_triangles::bits;
+use super::perspective::{evaluate_plane, value_at};
+use crate::attachment::BLOCKS;
+use crate::output::{DepthPlan, DepthTest};
+use crate::plan::moved;
+use texunit::lanes::{F32s, Kernel, LANES, Simd, U32s, lane_x, lane_y};
+
+/// Window depth lies within bounds, [0, 1] or closer ones, whatever the planes and offsets gave (GL 2.1,
+/// section 2.11.1; `ARB_depth_clamp`).
+#[inline(always)]
+pub fn clamp_depth(depth: &mut F32s, [low, high]: [f32; 2]) {
+    for lane in 0..LANES {
+        depth[lane] = texunit::lanes::math::clamp(depth[lane], low, high);
+    }
+}
+
+/// The depth of a block of one shape.
+pub struct BlockDepth {
+    /// At the first pixel, per pixel across, per pixel up.
+    pub plane: [f32; 3],
+    /// What depths are held within.
+    pub depths: [f32; 2],
+}
+
+impl Kernel for BlockDepth {
+    type Output = F32s;
+    #[inline(always)]
+    fn run<S: Simd>(self) -> F32s {
+        let mut out = F32s::ZERO;
+        for lane in 0..LANES {
+            out[lane] = value_at(self.plane, [lane_x(lane) as f32, lane_y(lane) as f32]);
+        }
+        clamp_depth(&mut out, self.depths);
+        out
+    }
+}
+
+/// The depth test of blocks of one shape, one after the other: leaves the lanes that pass.
+pub struct TestBlocks<'a> {
+    /// What is tested.
+    pub plan: DepthPlan,
+    /// What depths are held within.
+    pub depths: [f32; 2],
+    /// The depth at the first pixel of each block.
+    pub corners: &'a F32s,
+    /// Per pixel across, per pixel up.
+    pub steps: [f32; 2],
+    /// The attachment's words, block by block.
+    pub words: &'a mut [U32s],
+    /// Which blocks, bit by block.
+    pub blocks: u64,
+    /// The lanes of each.
+    pub lanes: &'a mut [u64; BLOCKS],
+}
+
+impl Kernel for TestBlocks<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Simd>(self) {
+        let Self { plan, depths, corners, steps: [a, b], words, blocks, lanes } = self;
+        for block in bits(blocks) {
+            let Some(stored) = words.get_mut(block) else { return };
+            let depth = &BlockDepth { plane: [corners[block], a, b], depths }.run::<S>();
+            lanes[block] = DepthTest { plan, depth, stored, mask: lanes[block] }.run::<S>();
+        }
+    }
+}
+
+/// The depth of a batch at a sample: the same numbers as [`BlockDepth`] gives for a plane that was
+/// moved there.
+pub struct BatchDepth<'a> {
+    /// The quads.
+    pub batch: &'a Batch<'a>,
+    /// The plane of depth.
+    pub plane: usize,
+    /// From the pixel's centre to the sample, in pixels; `None` for the centre itself.
+    pub offset: Option<[f32; 2]>,
+    /// What depths are held within.
+    pub depths: [f32; 2],
+    /// Receives the depth.
+    pub depth: &'a mut F32s,
+}
+
+impl Kernel for BatchDepth<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Simd>(self) {
+        match self.batch.quads {
+            BatchPixels::Block(block) => self.fill(block),
+            BatchPixels::Packed(packed) => self.fill(packed),
+            BatchPixels::Pixels(pixels) => self.fill(pixels),
+        }
+    }
+}
+
+impl BatchDepth<'_> {
+    #[inline(always)]
+    fn fill(self, places: &impl Places) {
+        let Self { plane, offset, depths, depth, .. } = self;
+        let plane = places.plane(plane);
+        let mut out = match offset {
+            None => evaluate_plane(places, plane),
+            Some(by) => evaluate_plane(places, |e, q| moved(plane(e, q), Some(by))),
+        };
+        clamp_depth(&mut out, depths);
+        *depth = out;
+    }
+}

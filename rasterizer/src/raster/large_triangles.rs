@@ -1,0 +1,259 @@
+//! A triangle that covers many blocks of a tile: what it covers of them, and its planes there, computed over lanes
+//! that are blocks. The numbers are those of [`super::edge_functions::block`] and [`PlaneGroup::at`].
+
+use super::batch::is_dense;
+use super::edge_functions::{Edge, Within, edges};
+use super::fragment_depth::TestBlocks;
+use super::plane_group::PlaneGroup;
+use crate::attachment::{BLOCKS, WordPlane};
+use crate::output::DepthPlan;
+use crate::plan::Packing;
+use crate::sizes::TILE;
+use std::ops::Range;
+use texunit::lanes::{F32s, Isa, Kernel, LANES, Simd, U32s};
+
+/// Blocks that a triangle may cover from which on they are looked at together.
+pub const WORTH_IT: i32 = 3;
+
+/// Blocks along a side of a tile.
+const SIDE: usize = TILE as usize / 8;
+const _: () = assert!(BLOCKS == LANES && SIDE * SIDE == LANES, "lanes are the blocks of a tile");
+
+/// The blocks of a tile as a triangle sees them.
+#[derive(Debug)]
+pub struct LargeTriangle {
+    /// Those of which it covers anything, bit by block.
+    pub touched: u64,
+    /// Those of which it covers so much that they do not wait for others.
+    pub dense: u64,
+    /// The lanes that it covers, of those that it touches.
+    pub covered: [u64; BLOCKS],
+    planes: Vec<Over>,
+}
+
+impl Default for LargeTriangle {
+    fn default() -> Self {
+        Self { touched: 0, dense: 0, covered: [0; BLOCKS], planes: Vec::new() }
+    }
+}
+
+/// The blocks of a set.
+#[inline(always)]
+pub fn bits(mut set: u64) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        let bit = (set != 0).then(|| set.trailing_zeros() as usize % BLOCKS);
+        set &= set.wrapping_sub(1);
+        bit
+    })
+}
+
+/// A plane over the tile.
+#[derive(Clone, Debug)]
+struct Over {
+    /// At the first pixel of each block.
+    corners: F32s,
+    /// Per pixel across, per pixel up.
+    steps: [f32; 2],
+}
+
+impl LargeTriangle {
+    /// Looks at those `rows` of blocks that the triangle's bounds reach of the tile whose first pixel is `tile`,
+    /// given its corners and the lane of the group that holds its planes.
+    pub fn compute(
+        &mut self,
+        isa: Isa,
+        tile: [i32; 2],
+        (corners, rows): (&[[i32; 2]; 3], Range<usize>),
+        packing: Packing,
+        (group, lane): (&PlaneGroup, usize),
+    ) {
+        isa.run(Blocks { tile, corners, rows, packing, group, lane, out: self });
+    }
+
+    /// Leaves what lies in an area, of which `inside` gives the lanes of a block.
+    pub fn cut(&mut self, packing: Packing, inside: impl Fn(usize) -> u64) {
+        let touched = std::mem::take(&mut self.touched);
+        self.dense = 0;
+        for block in bits(touched) {
+            self.covered[block] &= inside(block);
+            self.note(packing, block);
+        }
+    }
+
+    /// Whether a waiting batch holds any of the covered lanes of a block.
+    #[inline]
+    pub fn any(&self, holds: impl Fn(usize, u64) -> bool) -> bool {
+        bits(self.touched).any(|block| holds(block, self.covered[block]))
+    }
+
+    /// Notes what is covered of a block.
+    #[inline(always)]
+    fn note(&mut self, packing: Packing, block: usize) {
+        let lanes = self.covered[block];
+        self.touched |= u64::from(lanes != 0) << block;
+        self.dense |= u64::from(is_dense(packing, lanes)) << block;
+    }
+
+    /// Tests the depth of some blocks, bit by block, which `of` is the plane of, and leaves the lanes that pass.
+    pub fn test(
+        &mut self,
+        isa: Isa,
+        plan: DepthPlan,
+        (of, depths): (usize, [f32; 2]),
+        stored: &mut WordPlane,
+        blocks: u64,
+    ) {
+        let Over { corners, steps } = &self.planes[of];
+        let (words, lanes) = (stored.blocks_mut(blocks), &mut self.covered);
+        isa.run(TestBlocks { plan, depths, corners, steps: *steps, words, blocks, lanes });
+    }
+
+    /// The planes' steps, which are those of every block; their values are left alone.
+    pub fn steps(&self, out: &mut [[f32; 3]]) {
+        for ([_, a, b], plane) in out.iter_mut().zip(&self.planes) {
+            [*a, *b] = plane.steps;
+        }
+    }
+
+    /// The planes of a block.
+    #[inline(always)]
+    pub fn at(&self, block: usize) -> impl Iterator<Item = [f32; 3]> + Clone {
+        let block = block % BLOCKS;
+        self.planes.iter().map(move |plane| {
+            let [a, b] = plane.steps;
+            [plane.corners[block], a, b]
+        })
+    }
+
+    /// The planes' values at the first pixel of a block; their steps are left alone.
+    #[inline]
+    pub fn corners(&self, block: usize, out: &mut [[f32; 3]]) {
+        let block = block % BLOCKS;
+        for ([corner, ..], plane) in out.iter_mut().zip(&self.planes) {
+            *corner = plane.corners[block];
+        }
+    }
+}
+
+struct Blocks<'a> {
+    tile: [i32; 2],
+    corners: &'a [[i32; 2]; 3],
+    rows: Range<usize>,
+    packing: Packing,
+    group: &'a PlaneGroup,
+    lane: usize,
+    out: &'a mut LargeTriangle,
+}
+
+impl Kernel for Blocks<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Simd>(self) {
+        let Self { tile, corners, rows, packing, group, lane, out } = self;
+        out.cover::<S>(&edges(corners, tile[0], tile[1]), rows.clone(), packing);
+        let origin = group.origin(lane);
+        // From the planes' origin to the first pixel of each column and row of blocks.
+        let along = |axis: usize| {
+            let mut along = [0.0; SIDE];
+            for (number, along) in along.iter_mut().enumerate() {
+                *along = f64::from(tile[axis] + 8 * number as i32) + 0.5 - origin[axis];
+            }
+            along
+        };
+        let (dx, dy) = (along(0), along(1));
+        const NONE: Over = Over { corners: F32s::ZERO, steps: [0.0; 2] };
+        out.planes.resize(group.len(), NONE);
+        for ([a, b, c], out) in group.of(lane).zip(&mut out.planes) {
+            out.steps = [a as f32, b as f32];
+            for row in rows.clone() {
+                let up = dy[row] * b;
+                for (column, dx) in dx.iter().enumerate() {
+                    out.corners[row * SIDE + column] = ((dx * a + up) + c) as f32;
+                }
+            }
+        }
+    }
+}
+
+impl LargeTriangle {
+    /// What lies within the edges of each block.
+    #[inline(always)]
+    fn cover<S: Simd>(&mut self, edges: &[Edge; 3], rows: Range<usize>, packing: Packing) {
+        let [touched, full] = blocks::<S>(edges, rows);
+        (self.touched, self.dense) = (full, full);
+        self.covered = [!0; BLOCKS];
+        let within = Within::of(edges);
+        for block in bits(touched & !full) {
+            let at = [block % SIDE, block / SIDE].map(|at| at as i32);
+            self.covered[block] = within.lanes::<S>(at);
+            self.note(packing, block);
+        }
+    }
+}
+
+/// The blocks that no edge leaves out, and those that all edges hold whole.
+#[inline(always)]
+fn blocks<S: Simd>(edges: &[Edge; 3], rows: Range<usize>) -> [u64; 2] {
+    let (mut outside, mut crossed) = (U32s::ZERO, U32s::ZERO);
+    let within = !0 << (SIDE * rows.start) & !0 >> (LANES - SIDE * rows.end.clamp(1, SIDE));
+    for edge in edges {
+        let (x, y) = (i64::from(edge.x), i64::from(edge.y));
+        let most = 7 * (x.max(0) + y.max(0));
+        let least = 7 * (x.min(0) + y.min(0));
+        let mut across = [0; SIDE];
+        for (number, across) in across.iter_mut().enumerate() {
+            *across = edge.value + 8 * x * number as i64;
+        }
+        for row in rows.clone() {
+            let up = 8 * y * row as i64;
+            for column in 0..SIDE {
+                let first = across[column] + up;
+                // The sign is in the upper word.
+                outside[row * SIDE + column] |= ((first + most) >> 32) as u32 & 1 << 31;
+                crossed[row * SIDE + column] |= ((first + least) >> 32) as u32 & 1 << 31;
+            }
+        }
+    }
+    [within & !S::nonzero(&outside), within & !S::nonzero(&crossed)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::edge_functions::{block, edges};
+    use super::*;
+    use proptest::prelude::*;
+
+    struct CoverOf<'a>(&'a [Edge; 3], Packing);
+
+    impl Kernel for CoverOf<'_> {
+        type Output = LargeTriangle;
+        #[inline(always)]
+        fn run<S: Simd>(self) -> LargeTriangle {
+            let mut broad = LargeTriangle::default();
+            broad.cover::<S>(self.0, 0..SIDE, self.1);
+            broad
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn blocks_are_covered_as_each_by_itself_is(
+            corners in prop::array::uniform3(prop::array::uniform2(
+                prop_oneof![-8_000..24_000i32, -8_388_608..=8_388_608i32])),
+        ) {
+            let edges = edges(&corners, 0, 0);
+            let packings = [Packing::Pixels, Packing::Quads];
+            for (isa, packing) in Isa::available().into_iter().flat_map(|isa| packings.map(|by| (isa, by))) {
+                let broad = isa.run(CoverOf(&edges, packing));
+                for at in 0..LANES {
+                    let want = block(isa, &edges, at as i32 % 8, at as i32 / 8).lanes();
+                    let is_in = |blocks: u64| blocks >> at & 1 == 1;
+                    let lanes = if is_in(broad.touched) { broad.covered[at] } else { 0 };
+                    prop_assert_eq!(lanes, want, "{} block {}", isa.name(), at);
+                    prop_assert_eq!(is_in(broad.touched), want != 0, "{} block {}", isa.name(), at);
+                    prop_assert_eq!(is_in(broad.dense), is_dense(packing, want), "{} block {}", isa.name(), at);
+                }
+            }
+        }
+    }
+}

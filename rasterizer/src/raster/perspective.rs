@@ -1,0 +1,257 @@
+//! Planes at the pixels of a batch, over the denominator's where they lie in perspective (GL 2.1, equation 3.6), and
+//! how the quotients change from pixel to pixel.
+
+use super::inputs::Places;
+use crate::ir::Axis;
+use texunit::lanes::{F32s, Kernel, LANES, QUADS, Simd, U32s};
+
+/// Column of each pixel of a quad.
+pub const X: [f32; 4] = [0.0, 1.0, 0.0, 1.0];
+/// Row of each pixel of a quad.
+pub const Y: [f32; 4] = [0.0, 0.0, 1.0, 1.0];
+
+/// A plane over the denominator's, given its inverse. Where both are the same plane that is 1: what is 1 at all
+/// vertices is so in between.
+#[inline(always)]
+pub fn divided<S: Simd>(
+    places: &impl Places,
+    [plane, denominator]: [usize; 2],
+    inverse: &F32s,
+) -> F32s {
+    let mut out = evaluate::<S>(places, plane);
+    if !places.may_agree::<S>([plane, denominator]) {
+        for lane in 0..LANES {
+            out[lane] *= inverse[lane];
+        }
+        return out;
+    }
+    let (of, by) = (places.plane(plane), places.plane(denominator));
+    let is_one = |e, q| of(e, q) == by(e, q);
+    let [a, b, c, d] = pixels(&mut out);
+    divide_pixel(is_one, 0, inverse, a);
+    divide_pixel(is_one, 1, inverse, b);
+    divide_pixel(is_one, 2, inverse, c);
+    divide_pixel(is_one, 3, inverse, d);
+    out
+}
+
+/// One pixel of each quad times the inverse, or 1.
+#[inline(always)]
+fn divide_pixel(
+    is_one: impl Fn(usize, usize) -> bool,
+    e: usize,
+    inverse: &F32s,
+    out: &mut [f32; QUADS],
+) {
+    for (q, out) in out.iter_mut().enumerate() {
+        let quotient = *out * inverse[e * QUADS + q];
+        *out = if is_one(e, q) { 1.0 } else { quotient };
+    }
+}
+
+/// [`divided`], and how it changes across and up. One loop, as all three are made of the same quotient.
+#[inline(always)]
+pub fn with_slopes<S: Simd>(places: &impl Places, planes: [usize; 2], inverse: &F32s) -> [F32s; 3] {
+    S::outlined_unless_wide(WithSlopes { places, planes, inverse })
+}
+
+struct WithSlopes<'a, P> {
+    places: &'a P,
+    planes: [usize; 2],
+    inverse: &'a F32s,
+}
+
+impl<P: Places> Kernel for WithSlopes<'_, P> {
+    type Output = [F32s; 3];
+    #[inline(always)]
+    fn run<S: Simd>(self) -> [F32s; 3] {
+        let Self { places, planes: [plane, denominator], inverse } = self;
+        let mut all = [F32s::ZERO; 3];
+        let [value, across, up] = all.each_mut().map(pixels);
+        let planes = (places.plane(plane), places.plane(denominator));
+        for e in 0..4 {
+            let out = (&mut value[e], &mut across[e], &mut up[e]);
+            with_slopes_pixel(places, &planes, e, inverse, out);
+        }
+        all
+    }
+}
+
+/// One pixel of each quad of it, and of its slopes.
+#[inline(always)]
+fn with_slopes_pixel(
+    places: &impl Places,
+    (of, by): &(impl Fn(usize, usize) -> [f32; 3], impl Fn(usize, usize) -> [f32; 3]),
+    e: usize,
+    inverse: &F32s,
+    (value, across, up): (&mut [f32; QUADS], &mut [f32; QUADS], &mut [f32; QUADS]),
+) {
+    for q in 0..QUADS {
+        let (of, by, inverse) = (of(e, q), by(e, q), inverse[e * QUADS + q]);
+        let quotient = value_at(of, places.within(e, q)) * inverse;
+        value[q] = if of == by { 1.0 } else { quotient };
+        across[q] = slope(along(Axis::X, of), along(Axis::X, by), quotient, inverse);
+        up[q] = slope(along(Axis::Y, of), along(Axis::Y, by), quotient, inverse);
+    }
+}
+
+/// How a plane changes along an axis.
+#[inline(always)]
+pub fn along(axis: Axis, [_, a, b]: [f32; 3]) -> f32 {
+    match axis {
+        Axis::X => a,
+        Axis::Y => b,
+    }
+}
+
+/// The inverse of each lane; without perspective all are equal, and one division suffices.
+#[inline(always)]
+pub fn invert<S: Simd>(lanes: &mut F32s) {
+    let first = lanes[0].to_bits();
+    let mut different = U32s::ZERO;
+    for lane in 0..LANES {
+        different[lane] = lanes[lane].to_bits() ^ first;
+    }
+    if !S::any(&different) {
+        *lanes = F32s::splat(1.0 / lanes[0]);
+        return;
+    }
+    for lane in 0..LANES {
+        lanes[lane] = 1.0 / lanes[lane];
+    }
+}
+
+/// A plane at every lane.
+#[inline(always)]
+pub fn evaluate<S: Simd>(places: &impl Places, plane: usize) -> F32s {
+    S::outlined_unless_wide(Evaluate { places, plane })
+}
+
+struct Evaluate<'a, P> {
+    places: &'a P,
+    plane: usize,
+}
+
+impl<P: Places> Kernel for Evaluate<'_, P> {
+    type Output = F32s;
+    #[inline(always)]
+    fn run<S: Simd>(self) -> F32s {
+        evaluate_plane(self.places, self.places.plane(self.plane))
+    }
+}
+
+/// [`evaluate`], of planes that the caller has.
+#[inline(always)]
+pub fn evaluate_plane(places: &impl Places, plane: impl Fn(usize, usize) -> [f32; 3]) -> F32s {
+    let mut out = F32s::ZERO;
+    let [first, second, third, fourth] = pixels(&mut out);
+    evaluate_pixel(places, &plane, 0, first);
+    evaluate_pixel(places, &plane, 1, second);
+    evaluate_pixel(places, &plane, 2, third);
+    evaluate_pixel(places, &plane, 3, fourth);
+    out
+}
+
+/// A plane at one pixel of each quad.
+#[inline(always)]
+fn evaluate_pixel(
+    places: &impl Places,
+    plane: &impl Fn(usize, usize) -> [f32; 3],
+    e: usize,
+    out: &mut [f32; QUADS],
+) {
+    for (q, out) in out.iter_mut().enumerate() {
+        *out = value_at(plane(e, q), places.within(e, q));
+    }
+}
+
+/// A plane at a place in its block.
+#[inline(always)]
+pub fn value_at([corner, a, b]: [f32; 3], [dx, dy]: [f32; 2]) -> f32 {
+    (corner + dx * a) + dy * b
+}
+
+/// The derivative of the quotient of two planes, given the steps of both:
+/// `(n / d)' = (n' - n / d · d') / d`, of `n / d` and `1 / d`.
+#[inline(always)]
+fn slope(of: f32, by: f32, quotient: f32, inverse: f32) -> f32 {
+    (of - quotient * by) * inverse
+}
+
+/// A plane at every lane, moved so far across and up from the pixel's centre.
+#[inline(always)]
+pub fn within<S: Simd>(places: &impl Places, plane: usize, [x, y]: &[F32s; 2]) -> F32s {
+    let mut out = evaluate::<S>(places, plane);
+    let plane = places.plane(plane);
+    for lane in 0..LANES {
+        let [_, a, b] = plane(lane / QUADS, lane % QUADS);
+        out[lane] += x[lane] * a + y[lane] * b;
+    }
+    out
+}
+
+/// The lanes by pixel of the quad. A loop over pixels around a loop over quads would be vectorized
+/// the wrong way round, with scattered stores.
+#[inline(always)]
+fn pixels(lanes: &mut F32s) -> &mut [[f32; QUADS]; 4] {
+    bytemuck::cast_mut(&mut lanes.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::batch::{BlockOf, EarlyTests};
+    use super::*;
+    use crate::desc::Facing;
+    use proptest::prelude::*;
+    use texunit::lanes::Isa;
+
+    /// A plane over another one: alone, and with its slopes.
+    struct Both<'a>(&'a BlockOf<'a>, [usize; 2]);
+
+    impl Kernel for Both<'_> {
+        type Output = (F32s, F32s, [F32s; 3]);
+        fn run<S: Simd>(self) -> Self::Output {
+            let Self(block, planes) = self;
+            let mut inverse = evaluate::<S>(block, planes[1]);
+            invert::<S>(&mut inverse);
+            let alone = divided::<S>(block, planes, &inverse);
+            (inverse, alone, with_slopes::<S>(block, planes, &inverse))
+        }
+    }
+
+    fn number() -> impl Strategy<Value = f32> {
+        prop_oneof![-2.0..2.0f32, Just(0.0), Just(-0.0), Just(1.0), -1e30..1e30f32]
+    }
+
+    proptest! {
+        #[test]
+        fn slopes_come_with_the_same_quotient(
+            of in prop::array::uniform3(number()), by in prop::array::uniform3(number()), same: bool,
+        ) {
+            let planes = [if same { by } else { of }, by];
+            let block = BlockOf {
+                planes: &planes,
+                facing: Facing::Front,
+                tests: EarlyTests::Due,
+                block: 0,
+                x: 0,
+                y: 0,
+                coverage: None,
+            };
+            for isa in Isa::available() {
+                let (inverse, alone, [value, across, up]) = isa.run(Both(&block, [0, 1]));
+                for lane in 0..LANES {
+                    let at = block.within(lane / QUADS, lane % QUADS);
+                    let quotient = value_at(planes[0], at) * inverse[lane];
+                    let slope = |axis: usize| {
+                        (planes[0][axis] - quotient * planes[1][axis]) * inverse[lane]
+                    };
+                    let is_same = |a: f32, b: f32| a.to_bits() == b.to_bits() || a.is_nan() && b.is_nan();
+                    prop_assert!(is_same(value[lane], alone[lane]), "{} lane {lane}", isa.name());
+                    prop_assert!(is_same(across[lane], slope(1)), "{} lane {lane}", isa.name());
+                    prop_assert!(is_same(up[lane], slope(2)), "{} lane {lane}", isa.name());
+                }
+            }
+        }
+    }
+}

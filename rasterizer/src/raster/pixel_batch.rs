@@ -1,0 +1,178 @@
+//! A batch of fragments that have nothing to do with their neighbours: up to 64 pixels of anywhere in
+//! a tile.
+//!
+//! Where nothing that a draw computes depends on the other pixels of a quad, there is no reason to
+//! shade those that are not covered: a triangle of five pixels is five lanes, not four quads.
+
+use super::batch::{Batch, BatchPixels, EachPlane};
+use crate::attachment::{BLOCKS, BatchLayout};
+use crate::desc::Facing;
+use crate::plan::SampleMasks;
+use texunit::lanes::{F32s, Isa, Kernel, LANES, Simd};
+
+/// Lanes that are written at once: those after the last pixel are written over by the next.
+const AT_ONCE: usize = 8;
+/// Room for that.
+const ROOM: usize = LANES + AT_ONCE;
+/// A number in each of the four `u16` of a word.
+const EACH: u64 = 0x0001_0001_0001_0001;
+
+/// The pixels that are to be shaded together.
+#[derive(Debug)]
+pub struct Pixels {
+    /// How many.
+    len: usize,
+    /// Where each is: its block of the tile times 64, and its lane there.
+    at: [u16; ROOM],
+    /// The occupied lanes, once it is a batch.
+    masks: SampleMasks,
+    /// Those of back faces, bit by lane.
+    pub back: u64,
+    pub planes: Vec<EachPlane<ROOM>>,
+    /// Column and row of each in its block.
+    pub within: [F32s; 2],
+    /// The first pixel of that.
+    pub block: [F32s; 2],
+    /// By block: the lanes that wait in this batch.
+    waiting: [u64; BLOCKS],
+    /// The blocks of which any wait.
+    blocks: u64,
+}
+
+impl Default for Pixels {
+    fn default() -> Self {
+        Self {
+            len: 0,
+            at: [0; ROOM],
+            masks: SampleMasks::none(1),
+            back: 0,
+            planes: Vec::new(),
+            within: [F32s::ZERO; 2],
+            block: [F32s::ZERO; 2],
+            waiting: [0; BLOCKS],
+            blocks: 0,
+        }
+    }
+}
+
+impl Pixels {
+    /// Whether nothing waits.
+    pub fn is_empty(&self) -> bool {
+        self.len == 0
+    }
+
+    /// Whether no pixel fits any more.
+    #[inline(always)]
+    pub fn is_full(&self) -> bool {
+        self.len == LANES
+    }
+
+    /// Whether any of these lanes of a block waits here: later fragments must not overtake it.
+    #[inline(always)]
+    pub fn holds(&self, block: usize, lanes: u64) -> bool {
+        self.waiting[block % BLOCKS] & lanes != 0
+    }
+
+    /// The occupied lanes.
+    #[inline(always)]
+    fn mask(&self) -> u64 {
+        !0 >> (LANES - self.len.clamp(1, LANES))
+    }
+
+    /// What waits, in the tile whose first pixel is `tile`.
+    pub fn batch(&mut self, isa: Isa, tile: [i32; 2]) -> Batch<'_> {
+        isa.run(Find { pixels: self, tile });
+        self.masks = SampleMasks::one(self.mask());
+        Batch { quads: BatchPixels::Pixels(self), masks: &self.masks, tested: 0 }
+    }
+
+    /// Where they are.
+    pub fn place(&self) -> BatchLayout<'_> {
+        BatchLayout::Pixels(self.at.first_chunk().unwrap_or(&[0; LANES]), self.blocks)
+    }
+
+    /// Removes all pixels, and prepares for a draw with `planes` planes.
+    pub fn clear(&mut self, planes: usize) {
+        while self.blocks != 0 {
+            self.waiting[self.blocks.trailing_zeros() as usize % BLOCKS] = 0;
+            self.blocks &= self.blocks - 1;
+        }
+        (self.len, self.back) = (0, 0);
+        if self.planes.len() != planes {
+            self.planes.resize(planes, EachPlane::NONE);
+        }
+    }
+
+    /// Adds lanes of a block of one shape, as many as fit; returns the rest. `planes` are, of each plane,
+    /// its value at the first pixel of the block and its steps across and up.
+    #[inline(always)]
+    pub fn push(
+        &mut self,
+        block: usize,
+        lanes: u64,
+        facing: Facing,
+        planes: impl Iterator<Item = [f32; 3]> + Clone,
+    ) -> u64 {
+        let first = self.len % LANES;
+        let room = LANES - first;
+        let (mut count, mut rest) = (lanes.count_ones() as usize, 0);
+        if count > room {
+            (count, rest) = (room, lanes);
+            for _ in 0..room {
+                rest &= rest - 1;
+            }
+        }
+        let mut left = lanes & !rest;
+        self.len = first + count;
+        self.waiting[block % BLOCKS] |= left;
+        self.blocks |= 1 << (block % BLOCKS);
+        let block = (block * LANES) as u64 * EACH;
+        for at in (first..self.len).step_by(AT_ONCE) {
+            // Which it is; so that nothing is checked.
+            let at = at % LANES;
+            for to in self.at[at..at + AT_ONCE].as_chunks_mut::<4>().0 {
+                let mut next = || {
+                    let lane = u64::from(left.trailing_zeros());
+                    left &= left.wrapping_sub(1);
+                    lane
+                };
+                // One after the other into one word: as a loop over lanes this becomes a detour.
+                let four = block | next() | next() << 16 | next() << 32 | next() << 48;
+                *to = [four as u16, (four >> 16) as u16, (four >> 32) as u16, (four >> 48) as u16];
+            }
+            for (plane, [corner, a, b]) in self.planes.iter_mut().zip(planes.clone()) {
+                plane.corner[at..at + AT_ONCE].fill(corner);
+                plane.a[at..at + AT_ONCE].fill(a);
+                plane.b[at..at + AT_ONCE].fill(b);
+            }
+        }
+        if facing == Facing::Back {
+            self.back |= self.mask() & !0 << first;
+        }
+        rest
+    }
+}
+
+/// Finds out where in their blocks pixels are, and where these are.
+struct Find<'a> {
+    pixels: &'a mut Pixels,
+    /// The first pixel of the tile.
+    tile: [i32; 2],
+}
+
+impl Kernel for Find<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Simd>(self) {
+        let Self { pixels: Pixels { at, within, block, .. }, tile } = self;
+        let ([x, y], [left, low]) = (within, block);
+        for lane in 0..LANES {
+            let (block, lane_there) = (i32::from(at[lane]) / 64, i32::from(at[lane]) % 64);
+            let (pixel, quad) = (lane_there / 16, lane_there % 16);
+            x[lane] = (quad % 4 * 2 + pixel % 2) as f32;
+            y[lane] = (quad / 4 * 2 + pixel / 2) as f32;
+            left[lane] = (tile[0] + block % 8 * 8) as f32;
+            low[lane] = (tile[1] + block / 8 * 8) as f32;
+        }
+    }
+}

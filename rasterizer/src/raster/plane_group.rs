@@ -1,0 +1,329 @@
+//! The planes of up to 64 shapes of a chunk, computed together: the arithmetic of
+//! [`super::interpolate`], in the same order, over lanes of triangles.
+
+use super::interpolate::{PlaneSetup, Planes};
+use super::plane_weights::{PlaneLanes, Weights, sum, to_depth};
+use super::shape_lanes::ShapeLanes;
+use super::small_triangles::{REACHED, Windows};
+use crate::plan::{FactorPlanes, PlaneSource};
+use crate::primitive::Shape;
+use crate::sizes::SUBPIXEL;
+use crate::vertex::{Geometry, VARYINGS};
+use texunit::lanes::{F32s, F64s, Isa, Kernel, LANES, Simd, U32s};
+
+/// Fewer shapes than this are computed one by one.
+const WORTH_IT: usize = 6;
+
+/// The planes of up to 64 shapes.
+#[derive(Debug, Default)]
+pub struct PlaneGroup {
+    /// In the order of [`PlaneSetup::sources`].
+    planes: Vec<PlaneLanes>,
+    /// The same planes in the blocks of the shapes' windows.
+    windows: Vec<WindowPlane>,
+    single: Planes,
+    lanes: Box<Lanes>,
+}
+
+/// A plane of each shape in the blocks that its window reaches into.
+#[derive(Clone, Debug)]
+struct WindowPlane {
+    /// At the first pixel of each of the blocks, row by row.
+    corners: [F32s; REACHED * REACHED],
+    /// Per pixel across.
+    a: F32s,
+    /// Per pixel up.
+    b: F32s,
+}
+
+/// What the kernels read and write.
+#[derive(Debug)]
+struct Lanes {
+    origin: [F64s; 2],
+    /// Four values that planes interpolate, by vertex.
+    values: [[F32s; 4]; 3],
+    weights: Weights,
+    /// Not zero where the general computation must do it.
+    general: [u64; LANES],
+}
+
+impl Default for Lanes {
+    fn default() -> Self {
+        Self {
+            origin: [F64s::ZERO; 2],
+            values: [[F32s::ZERO; 4]; 3],
+            weights: Weights::default(),
+            general: [0; LANES],
+        }
+    }
+}
+
+impl PlaneGroup {
+    /// What the planes of the shape `lane` count from, in pixels.
+    #[inline(always)]
+    pub fn origin(&self, lane: usize) -> [f64; 2] {
+        let [x, y] = &self.lanes.origin;
+        [x[lane % LANES], y[lane % LANES]]
+    }
+
+    /// How many planes there are.
+    #[inline(always)]
+    pub fn len(&self) -> usize {
+        self.planes.len()
+    }
+
+    /// The planes of the shape `lane`: per pixel across, per pixel up, at the origin.
+    #[inline(always)]
+    pub fn of(&self, lane: usize) -> impl Iterator<Item = [f64; 3]> {
+        let lane = lane % LANES;
+        self.planes.iter().map(move |[a, b, c]| [a[lane], b[lane], c[lane]])
+    }
+
+    /// Whether what factors depend on is the same all over the shape `lane`: planes that do not rise, or that are
+    /// the denominator they are divided by.
+    pub fn is_level(&self, lane: usize, of: &FactorPlanes, denominator: Option<usize>) -> bool {
+        let plane = |index: usize| self.plane(lane, index);
+        // The sign of a zero may change between the origin and a block.
+        let rests = |index: &usize| {
+            let [a, b, c] = plane(*index);
+            a == 0.0 && b == 0.0 && !is_minus_zero(c)
+        };
+        let by = denominator.map(plane);
+        let is_one = by.is_none_or(|by| by == [0.0, 0.0, 1.0]);
+        of.linear.iter().all(rests)
+            && of.smooth.iter().all(|index| by == Some(plane(*index)) || is_one && rests(index))
+    }
+
+    /// Whether the quotients of these planes rise by the same steps all over the shape `lane`: if they are divided by
+    /// one.
+    pub fn rises_evenly(&self, lane: usize, of: &[usize], denominator: Option<usize>) -> bool {
+        let plane = |index: usize| self.plane(lane, index);
+        // Taking away what is nothing may change the sign of a zero, and of what is infinite it is not nothing.
+        let rises = |index: &usize| {
+            let [a, b, c] = plane(*index);
+            let is_far_from_infinite = [a, b, c].iter().all(|number| number.abs() < 1e30);
+            !is_minus_zero(a) && !is_minus_zero(b) && is_far_from_infinite
+        };
+        of.is_empty()
+            || denominator.is_some_and(|by| plane(by) == [0.0, 0.0, 1.0]) && of.iter().all(rises)
+    }
+
+    /// `a`, `b` and `c` of a plane of the shape `lane`.
+    fn plane(&self, lane: usize, index: usize) -> [f64; 3] {
+        self.planes[index].each_ref().map(|numbers| numbers[lane % LANES])
+    }
+
+    /// The value of each plane at the centre of pixel `(x, y)` and its steps, of the shape `lane`.
+    #[inline]
+    pub fn at(&self, lane: usize, x: i32, y: i32, out: &mut [[f32; 3]]) {
+        let origin = self.origin(lane);
+        let dx = f64::from(x) + 0.5 - origin[0];
+        let dy = f64::from(y) + 0.5 - origin[1];
+        for (out, [a, b, c]) in out.iter_mut().zip(self.of(lane)) {
+            *out = [((dx * a + dy * b) + c) as f32, a as f32, b as f32];
+        }
+    }
+
+    /// As [`Self::at`], of the first pixel of one of the blocks that the window of the shape `lane`
+    /// may reach into.
+    #[inline(always)]
+    pub fn in_window(&self, lane: usize, block: usize) -> impl Iterator<Item = [f32; 3]> + Clone {
+        let (lane, block) = (lane % LANES, block.min(REACHED * REACHED - 1));
+        self.windows
+            .iter()
+            .map(move |plane| [plane.corners[block][lane], plane.a[lane], plane.b[lane]])
+    }
+
+    /// Computes the planes of `shapes`, which `lanes` holds.
+    pub fn compute<'a>(
+        &mut self,
+        isa: Isa,
+        setup: &PlaneSetup<'_>,
+        geometry: &Geometry,
+        lanes: &ShapeLanes,
+        shapes: impl Iterator<Item = &'a Shape>,
+    ) {
+        self.planes.resize(setup.sources.len(), [F64s::ZERO; 3]);
+        let plain = setup.depth.offset.is_none()
+            && setup.sources.iter().all(|source| match source {
+                PlaneSource::Depth
+                | PlaneSource::Denominator
+                | PlaneSource::Smooth(_)
+                | PlaneSource::Flat(_) => true,
+                PlaneSource::InverseW
+                | PlaneSource::NoPerspective(_)
+                | PlaneSource::PointCoord(_)
+                | PlaneSource::Sprite(..) => false,
+            });
+        let mut general = !0;
+        if plain && lanes.len >= WORTH_IT {
+            let (planes, out) = (&mut self.planes, &mut *self.lanes);
+            general = isa.run(ComputePlanes { setup, geometry, shapes: lanes, lanes: out, planes });
+            // The planes of a cut triangle are those of thick ones, whatever it looks like.
+            general |= !lanes.whole;
+        }
+        if general & !0 >> (LANES - lanes.len.clamp(1, LANES)) == 0 {
+            return;
+        }
+        for (lane, shape) in shapes.enumerate().take(LANES) {
+            if general >> lane & 1 == 0 {
+                continue;
+            }
+            self.single.compute(setup, geometry, shape);
+            for axis in 0..2 {
+                self.lanes.origin[axis][lane] = self.single.origin[axis];
+            }
+            for (lanes, plane) in self.planes.iter_mut().zip(&self.single.planes) {
+                (lanes[0][lane], lanes[1][lane], lanes[2][lane]) = (plane.a, plane.b, plane.c);
+            }
+        }
+    }
+
+    /// Evaluates the planes in the blocks of windows of the tile whose first pixel is `tile`.
+    pub fn enter(&mut self, isa: Isa, tile: [i32; 2], windows: &Windows) {
+        const NONE: WindowPlane =
+            WindowPlane { corners: [F32s::ZERO; REACHED * REACHED], a: F32s::ZERO, b: F32s::ZERO };
+        self.windows.resize(self.planes.len(), NONE);
+        let Self { planes, windows: out, lanes, .. } = self;
+        isa.run(Enter { tile, windows, origin: &lanes.origin, planes, out });
+    }
+}
+
+/// Whether a number becomes -0 as an `f32`.
+fn is_minus_zero(number: f64) -> bool {
+    (number as f32).to_bits() == (-0.0_f32).to_bits()
+}
+
+/// The planes of 64 shapes; gives the lanes that the general computation must do.
+struct ComputePlanes<'a> {
+    setup: &'a PlaneSetup<'a>,
+    geometry: &'a Geometry,
+    shapes: &'a ShapeLanes,
+    lanes: &'a mut Lanes,
+    planes: &'a mut [PlaneLanes],
+}
+
+impl Kernel for ComputePlanes<'_> {
+    type Output = u64;
+    #[inline(always)]
+    fn run<S: Simd>(self) -> u64 {
+        let Self { setup, geometry, shapes, lanes, planes } = self;
+        for axis in 0..2 {
+            for lane in 0..LANES {
+                let origin = f64::from(shapes.corners[0][axis][lane]) / f64::from(SUBPIXEL);
+                lanes.origin[axis][lane] = origin;
+            }
+        }
+        lanes.general = [0; LANES];
+        gather::<S>(geometry, shapes, 0, &mut lanes.values);
+        let Lanes { values, origin, weights, general } = lanes;
+        weights.compute::<S>(values, origin, &setup.depth.viewport, general);
+        let mut four = 0;
+        for (source, out) in setup.sources.iter().zip(planes) {
+            let (weights, at) = match *source {
+                PlaneSource::Depth => (weights.projective(), 2),
+                PlaneSource::Smooth(at) => (weights.smooth(), VARYINGS + at),
+                PlaneSource::Denominator => {
+                    *out = weights.denominator();
+                    continue;
+                }
+                PlaneSource::Flat(at) => {
+                    let [a, b, c] = out;
+                    (*a, *b) = (F64s::ZERO, F64s::ZERO);
+                    for (c, &vertex) in c.0.iter_mut().zip(&shapes.provoking.0) {
+                        let values = &geometry.values[vertex as usize * geometry.stride..];
+                        *c = values[VARYINGS + at].into();
+                    }
+                    continue;
+                }
+                PlaneSource::NoPerspective(_)
+                | PlaneSource::Sprite(..)
+                | PlaneSource::InverseW
+                | PlaneSource::PointCoord(_) => continue,
+            };
+            if at / 4 != four {
+                four = at / 4;
+                gather::<S>(geometry, shapes, four, values);
+            }
+            sum(weights, values, at % 4, out, general);
+            if *source == PlaneSource::Depth {
+                let (near, far) =
+                    (f64::from(setup.depth.viewport.near), f64::from(setup.depth.viewport.far));
+                to_depth(out, (far - near) * 0.5, (near + far) * 0.5);
+            }
+        }
+        let mut marked = U32s::ZERO;
+        for lane in 0..LANES {
+            marked[lane] = u32::from(general[lane] != 0);
+        }
+        S::nonzero(&marked)
+    }
+}
+
+/// Four values, from `4 four` on, of the three vertices of each shape.
+#[inline(always)]
+fn gather<S: Simd>(
+    geometry: &Geometry,
+    shapes: &ShapeLanes,
+    four: usize,
+    out: &mut [[F32s; 4]; 3],
+) {
+    let values: &[u8] = bytemuck::cast_slice(&geometry.values);
+    let [stride, first] = [geometry.stride, 4 * four].map(|values| 4 * values as u32);
+    for (vertices, out) in shapes.vertices.iter().zip(out) {
+        let mut offsets = U32s::ZERO;
+        for lane in 0..LANES {
+            offsets[lane] = vertices[lane] * stride + first;
+        }
+        let [a, b, c, d] = S::gather_fours(values, &offsets);
+        *out = [*a.as_f32(), *b.as_f32(), *c.as_f32(), *d.as_f32()];
+    }
+}
+
+/// [`PlaneGroup::at`] of the blocks of all windows.
+struct Enter<'a> {
+    tile: [i32; 2],
+    windows: &'a Windows,
+    origin: &'a [F64s; 2],
+    planes: &'a [PlaneLanes],
+    out: &'a mut [WindowPlane],
+}
+
+impl Kernel for Enter<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Simd>(self) {
+        let Self { tile, windows, origin, planes, out } = self;
+        let further = windows.further.map(|blocks| blocks.min(REACHED - 1));
+        // Here and below on the stack, where the compiler sees that nothing overlaps: from the origin to the first
+        // pixel of each column of blocks that a window reaches into, and of each row.
+        let mut to_block = [[F64s::ZERO; REACHED]; 2];
+        for axis in 0..2 {
+            for (block, to) in to_block[axis].iter_mut().enumerate().take(further[axis] + 1) {
+                for lane in 0..LANES {
+                    let first = 2 * (windows.quads[axis][lane] & !3) + 8 * block as i32;
+                    to[lane] = f64::from(tile[axis] + first) + 0.5 - origin[axis][lane];
+                }
+            }
+        }
+        let [x, y] = &to_block;
+        let [across, up] = further;
+        for (&[a, b, c], out) in planes.iter().zip(out) {
+            for lane in 0..LANES {
+                out.a[lane] = a[lane] as f32;
+                out.b[lane] = b[lane] as f32;
+            }
+            for (row, y) in y.iter().enumerate().take(up + 1) {
+                for (column, x) in x.iter().enumerate().take(across + 1) {
+                    let to = &mut out.corners[row * REACHED + column];
+                    for lane in 0..LANES {
+                        to[lane] = ((x[lane] * a[lane] + y[lane] * b[lane]) + c[lane]) as f32;
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,186 @@
+//! The watched fragment: its inputs, steps, tests and writes.
+
+use super::super::batch::Batch;
+use super::Stored;
+use crate::desc::{Facing, StencilFace};
+use crate::output::{ColorPlan, blend_factors};
+use crate::plan::{DrawPlan, FragmentInput, SampleMasks};
+use crate::shader::{Machine, OverBudget, Run, Tracer};
+use crate::trace::{Blending, Fate, Fragment, InputSource, InputValue, Test, When, Write};
+use texunit::lanes::{F32s, math};
+
+/// What is known of tests once they are made.
+pub struct Tested<'a> {
+    /// When.
+    pub when: When,
+    /// By sample.
+    pub depths: &'a [f32],
+    /// What the shader wrote for stencils to be compared with, if it did.
+    pub reference: Option<u8>,
+    /// By sample.
+    pub before: &'a Stored,
+    /// By sample.
+    pub after: &'a Stored,
+}
+
+impl Tested<'_> {
+    /// The tests of a lane's samples, which passed where `masks` are left.
+    pub(super) fn tests(
+        &self,
+        plan: &DrawPlan,
+        facing: Facing,
+        masks: &SampleMasks,
+        lane: usize,
+    ) -> impl Iterator<Item = Test> {
+        let face = plan.tests.stencil.map(|stencil| match facing {
+            Facing::Front => stencil.front,
+            Facing::Back => stencil.back,
+        });
+        let face = face.map(|face| {
+            let reference = self.reference.unwrap_or(face.reference);
+            StencilFace { reference, ..face }
+        });
+        masks.iter().enumerate().filter_map(move |(sample, mask)| {
+            Some(Test {
+                sample,
+                when: self.when,
+                depth: *self.depths.get(sample)?,
+                depth_test: plan.tests.depth.map(|plan| (plan.test, plan.write)),
+                stencil: face,
+                before: *self.before.get(sample)?,
+                after: *self.after.get(sample)?,
+                passed: mask >> lane & 1 == 1,
+            })
+        })
+    }
+}
+
+/// The watched fragment while it is shaded.
+#[derive(Debug)]
+pub struct Shaded {
+    pub(super) event: usize,
+    /// Its lane of the batch.
+    pub lane: usize,
+    /// Its record.
+    pub fragment: Box<Fragment>,
+    /// By plane: the values at the vertices, of varyings.
+    pub(super) values: Vec<Vec<f32>>,
+}
+
+impl Shaded {
+    /// This is how it ends, unless a mask has it.
+    pub fn ends_unless_in(&mut self, masks: &SampleMasks, fate: Fate) {
+        if masks.iter().all(|mask| mask >> self.lane & 1 == 0) {
+            self.fragment.fate = fate;
+        }
+    }
+
+    /// Runs the fragment program with its steps written down.
+    ///
+    /// # Errors
+    /// When it runs over its budget.
+    pub fn run(
+        &mut self,
+        machine: &mut Machine,
+        plan: &DrawPlan,
+        batch: &Batch<'_>,
+        run: Run<'_>,
+    ) -> Result<u64, OverBudget> {
+        self.fragment.fate = if plan.colors.is_empty() { Fate::NoColor } else { Fate::Written };
+        self.interpolated(plan, batch, machine);
+        let mut tracer = Tracer::new(run.program, self.lane);
+        let kept = machine.run_traced(run, &mut tracer);
+        for (index, output) in run.program.outputs().enumerate() {
+            self.fragment.outputs.push((output, tracer.output(machine, index)));
+        }
+        (self.fragment.steps, self.fragment.more_steps) = (tracer.steps, tracer.more);
+        if kept.is_err() {
+            self.fragment.fate = Fate::OverBudget;
+        }
+        kept
+    }
+
+    /// Its inputs were interpolated.
+    fn interpolated(&mut self, plan: &DrawPlan, batch: &Batch<'_>, machine: &Machine) {
+        let of_program = plan.pipeline.compiled().fragment.inputs();
+        let centroids = plan.samples.centroids(batch.masks);
+        let within = |plane: usize| batch.at_moved(plane, self.lane, &centroids);
+        for (index, (&input, from)) in of_program.iter().zip(&plan.inputs).enumerate() {
+            let values = |plane: usize| self.values.get(plane).cloned().unwrap_or_default();
+            let source = match *from {
+                FragmentInput::Smooth(plane) => InputSource::Perspective {
+                    vertices: values(plane),
+                    numerator: batch.at(plane, self.lane),
+                    denominator: plan.denominator_plane.map_or(1.0, |at| batch.at(at, self.lane)),
+                },
+                FragmentInput::SmoothWithin(plane) => InputSource::Perspective {
+                    vertices: values(plane),
+                    numerator: within(plane),
+                    denominator: plan.denominator_plane.map_or(1.0, within),
+                },
+                FragmentInput::Linear(plane) | FragmentInput::LinearWithin(plane) => {
+                    InputSource::Linear(values(plane))
+                }
+                FragmentInput::Flat(_) => InputSource::Flat,
+                FragmentInput::SmoothSlope(..) | FragmentInput::LinearSlope(..) => {
+                    InputSource::Slope
+                }
+                FragmentInput::X
+                | FragmentInput::Y
+                | FragmentInput::Depth
+                | FragmentInput::Front
+                | FragmentInput::Coverage
+                | FragmentInput::Zero => InputSource::Pixel,
+            };
+            let bits = machine.input(index)[self.lane];
+            self.fragment.inputs.push(InputValue { input, bits, source });
+        }
+    }
+
+    /// Its samples were tested after shading: `masks` are left.
+    pub fn tested(&mut self, plan: &DrawPlan, of: &Tested<'_>, masks: &SampleMasks) {
+        self.fragment.tests.extend(of.tests(plan, self.fragment.facing, masks, self.lane));
+    }
+
+    /// Its colour was written to the samples of `masks`.
+    pub fn written(
+        &mut self,
+        plan: &ColorPlan,
+        rgba: [&F32s; 4],
+        masks: &[u64],
+        [before, after]: [&Stored; 2],
+    ) {
+        let color = rgba.map(|values| values[self.lane]);
+        for (sample, (before, after)) in before.iter().zip(after).enumerate() {
+            if masks.get(sample).is_none_or(|mask| mask >> self.lane & 1 == 0) {
+                continue;
+            }
+            let blend = plan.blend.map(|state| {
+                let range = plan.format.info().encoding.range();
+                let clamped =
+                    color.map(|c| range.map_or(c, |[low, high]| math::clamp(c, low, high)));
+                let [source_factor, destination_factor, result] =
+                    blend_factors(&state, clamped, before.color, range);
+                Blending {
+                    state,
+                    source: clamped,
+                    destination: before.color,
+                    source_factor,
+                    destination_factor,
+                    result,
+                }
+            });
+            self.fragment.writes.push(Write {
+                target: plan.target,
+                sample,
+                format: plan.format,
+                color,
+                blend,
+                logic_op: plan.logic_op,
+                mask: plan.write,
+                before: *before,
+                after: *after,
+            });
+        }
+    }
+}

@@ -1,0 +1,291 @@
+//! A compiled stage, and what of it a draw computes once.
+
+use super::allocate::Layout;
+use super::attribute_dependencies::{self, AttributeSet};
+use super::inst::{Inst, SampleInst};
+use super::preamble::Preamble;
+use super::product::TexelProduct;
+use super::repeated_lookups::Repeat;
+use super::{allocate, fuse, lower, optimize, repeated_lookups, schedule};
+use crate::ir::{Input, Module, Output};
+use std::fmt::Write;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+use texunit::lanes::Isa;
+use texunit::plan::SamplePlan;
+use texunit::sample::Addresses;
+
+/// A compiled stage.
+#[derive(Debug)]
+pub struct Program {
+    /// Unlike any other program's.
+    pub(super) id: u64,
+    /// Of the module before and after it was optimized.
+    pub(super) statements: [usize; 2],
+    pub(super) code: Vec<Inst>,
+    /// By instruction: its place in the order of the source.
+    pub(super) places: Vec<u32>,
+    pub(super) layout: Layout,
+    pub(super) preamble: Preamble,
+    pub(super) inputs: Vec<Input>,
+    /// And the attribute components that each depends on.
+    pub(super) outputs: Vec<(Output, AttributeSet)>,
+    pub(super) textures: Vec<u32>,
+    pub(super) slots: u32,
+    pub(super) discards: bool,
+    pub(super) queries_lod: bool,
+    pub(super) reads_uniforms: bool,
+    /// Whether it matters which lanes execute.
+    pub(super) masked: bool,
+    /// Register files that one run may fill.
+    pub(super) files: usize,
+    pub(super) product: Option<TexelProduct>,
+    /// The lookups that may keep what the one before found.
+    pub(super) repeats: Vec<Repeat>,
+}
+
+/// The most register files: batches that run together.
+pub const MAX_REGISTER_FILES: usize = 4;
+
+/// As many registers as files may have together, so that they stay in the first cache.
+const MAX_TOTAL_REGISTERS: usize = 96;
+
+/// The values of a program that are computed once per draw: its uniform words, and every value that depends on
+/// nothing else.
+#[derive(Debug)]
+pub struct Prepared {
+    /// Unlike any other draw's.
+    pub(super) id: u64,
+    /// By word of the preamble.
+    pub(super) words: Vec<u32>,
+    /// The draw's uniform words, if the program indexes them per lane.
+    pub(super) uniforms: Vec<u32>,
+    /// Which of the program's repeated lookups keep what the one before found, bit by number.
+    pub(super) alike: u64,
+}
+
+impl Prepared {
+    /// Unlike any other draw's.
+    pub fn id(&self) -> u64 {
+        self.id
+    }
+
+    /// Whether the texel addresses of a lookup are computed or reused.
+    #[inline(always)]
+    pub(super) fn places(&self, sample: &SampleInst) -> Addresses {
+        match sample.repeat {
+            Some(number) if self.alike >> number & 1 == 1 => Addresses::Reuse,
+            Some(_) | None => Addresses::Compute,
+        }
+    }
+
+    /// Whether a program finds the same in both.
+    pub fn has_values_of(&self, other: &Self) -> bool {
+        (&self.words, &self.uniforms, self.alike) == (&other.words, &other.uniforms, other.alike)
+    }
+}
+
+/// A module that is optimized by itself, and not lowered.
+pub(crate) struct OptimizedModule {
+    pub module: Module,
+    /// How many statements it had before.
+    given: usize,
+}
+
+impl OptimizedModule {
+    /// Optimizes `module`, keeping only the outputs for which `keep` holds. The module has been validated.
+    pub fn new(module: &Module, keep: impl Fn(Output) -> bool) -> Self {
+        let mut module = module.clone();
+        let given = statements(&module);
+        module.outputs.retain(|(output, _)| keep(*output));
+        optimize::optimize(&mut module);
+        Self { module, given }
+    }
+
+    /// Leaves what vertices can do as well to `vertex`, the module of the vertex stage that this one runs with;
+    /// `None`
+    /// where there is nothing.
+    pub fn hoist_to_vertex(&mut self, vertex: &Module) -> Option<Module> {
+        optimize::hoist_to_vertex(vertex, &mut self.module)
+    }
+
+    /// Lowers it.
+    pub fn finish(mut self) -> Program {
+        optimize::finish(&mut self.module);
+        let left = statements(&self.module);
+        Program { statements: [self.given, left], ..Program::lowered(&self.module, Fusing::On) }
+    }
+}
+
+/// How many statements a module has.
+fn statements(module: &Module) -> usize {
+    let mut count = 0;
+    module.body.iter().for_each(|stmt| stmt.walk(&mut |_| count += 1));
+    count
+}
+
+/// Whether operations are fused.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Fusing {
+    On,
+    #[cfg(test)]
+    Off,
+}
+
+/// Tells programs and draws apart, so that a machine knows what its registers hold. Never 0.
+fn identity() -> u64 {
+    static NEXT: AtomicU64 = AtomicU64::new(1);
+    NEXT.fetch_add(1, Ordering::Relaxed)
+}
+
+impl Program {
+    /// Optimizes and lowers `module`, keeping only the outputs for which `keep` holds.
+    /// The module has been validated.
+    pub fn new(module: &Module, keep: impl Fn(Output) -> bool) -> Self {
+        OptimizedModule::new(module, keep).finish()
+    }
+
+    /// Lowers `module` as it stands.
+    pub(super) fn lowered(module: &Module, fusing: Fusing) -> Self {
+        let mut lowered = lower::lower(module);
+        lowered.places = (0..lowered.code.len() as u32).collect();
+        if fusing == Fusing::On {
+            fuse::run(&mut lowered);
+            schedule::run(&mut lowered);
+        }
+        let mut layout = allocate::allocate(&mut lowered);
+        let outputs = lowered.outputs.iter().map(|&(output, _)| output);
+        let product = TexelProduct::of(&lowered.code, &mut layout, outputs);
+        let repeats = repeated_lookups::find(&mut lowered.code);
+        Self {
+            id: identity(),
+            statements: [0; 2],
+            product,
+            masked: lowered.code.iter().any(Inst::uses_mask),
+            files: files(&lowered.code, &layout),
+            code: lowered.code,
+            places: lowered.places,
+            layout,
+            preamble: lowered.preamble,
+            inputs: lowered.inputs,
+            outputs: attribute_dependencies::of_outputs(module),
+            textures: lowered.textures,
+            slots: lowered.slots,
+            discards: lowered.discards,
+            queries_lod: lowered.queries_lod,
+            reads_uniforms: lowered.reads_uniforms,
+            repeats,
+        }
+    }
+
+    /// The inputs that the program reads, each once. Their order is that of [`crate::shader::Machine::input_mut`].
+    pub fn inputs(&self) -> &[Input] {
+        &self.inputs
+    }
+
+    /// The outputs that the program writes, each once. Their order is that of [`crate::shader::Machine::output`].
+    pub fn outputs(&self) -> impl ExactSizeIterator<Item = Output> {
+        self.outputs.iter().map(|&(output, _)| output)
+    }
+
+    /// Where this output is among [`Self::outputs`].
+    pub fn output(&self, wanted: Output) -> Option<usize> {
+        self.outputs().position(|output| output == wanted)
+    }
+
+    /// Whether a varying that it writes is the same at every vertex, if those of `arrays` are all the
+    /// components of attributes that vertices have for themselves. One that it does not write is.
+    pub(crate) fn is_constant(&self, slot: u16, arrays: AttributeSet) -> bool {
+        let sources = self.outputs.iter().find(|(output, _)| *output == Output::Varying(slot));
+        sources.is_none_or(|(_, sources)| !sources.meet(arrays))
+    }
+
+    /// Whether all of it runs once, whatever lanes hold.
+    pub fn is_straight(&self) -> bool {
+        self.code.iter().all(Inst::is_straight)
+    }
+
+    /// Whether what it computes depends on uniform words.
+    pub fn depends_on_uniforms(&self) -> bool {
+        self.reads_uniforms || self.preamble.reads_uniforms()
+    }
+
+    /// How many batches may run together, see [`crate::shader::Machine::run_files`].
+    pub fn register_files(&self) -> usize {
+        self.files
+    }
+
+    /// What it is the product of, if it is one.
+    pub fn product(&self) -> Option<&TexelProduct> {
+        self.product.as_ref()
+    }
+
+    /// Whether any lane can be thrown away.
+    pub fn discards(&self) -> bool {
+        self.discards
+    }
+
+    /// Whether it queries levels of detail, which must then be exact even if no texture of the draw needs them.
+    pub fn queries_lod(&self) -> bool {
+        self.queries_lod
+    }
+
+    /// The texture slots that the program samples, ascending.
+    pub fn texture_slots(&self) -> &[u32] {
+        &self.textures
+    }
+
+    /// Whether what it computes in a lane depends on the neighbours in the quad; `needs_lod` says
+    /// which texture slots need a level of detail.
+    pub fn reads_neighbours(&self, needs_lod: impl Fn(u32) -> bool) -> bool {
+        self.code.iter().any(|inst| {
+            matches!(inst, Inst::Derivative { .. })
+                || matches!(inst, Inst::Sample(sample) if sample.reads_neighbours(&needs_lod))
+        })
+    }
+
+    /// One line that says what the program became.
+    pub fn describe(&self) -> String {
+        let mut line = format!(
+            "{} statements, {} optimized, {} instructions, {} registers, {} values once per draw",
+            self.statements[0],
+            self.statements[1],
+            self.code.len(),
+            self.layout.registers,
+            self.preamble.operations(),
+        );
+        for slot in &self.textures {
+            let _ = write!(line, ", samples slot {slot}");
+        }
+        line
+    }
+
+    /// Computes what depends on uniforms only, and decides what depends on textures: those of the runs. Missing words
+    /// read as zero.
+    pub fn prepare(
+        &self,
+        isa: Isa,
+        uniforms: &[u32],
+        textures: &[Option<Arc<SamplePlan>>],
+    ) -> Prepared {
+        // Scalar steps are the same on every instruction set.
+        let _ = isa;
+        Prepared {
+            alike: repeated_lookups::alike(&self.repeats, textures),
+            id: identity(),
+            words: self.preamble.run(uniforms),
+            uniforms: if self.reads_uniforms { uniforms.to_vec() } else { Vec::new() },
+        }
+    }
+}
+
+/// How many batches a program may run for together: where instructions depend on which lanes execute, or
+/// on what lanes hold, on their own.
+fn files(code: &[Inst], layout: &Layout) -> usize {
+    match code.iter().all(Inst::is_straight) {
+        true => {
+            (MAX_TOTAL_REGISTERS / layout.registers.max(1) as usize).clamp(1, MAX_REGISTER_FILES)
+        }
+        false => 1,
+    }
+}

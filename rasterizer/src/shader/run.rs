@@ -1,0 +1,28 @@
+//! What one run of a program is given, and how it can fail.
+
+use super::program::{Prepared, Program};
+use std::sync::Arc;
+use texunit::lanes::Isa;
+use texunit::plan::SamplePlan;
+
+/// What one run needs besides the registers.
+#[derive(Clone, Copy)]
+pub struct Run<'a> {
+    /// The instruction set.
+    pub isa: Isa,
+    /// The program that [`crate::shader::Machine::begin`] was given.
+    pub program: &'a Program,
+    /// Its values of this draw.
+    pub prepared: &'a Prepared,
+    /// By slot; a slot without a texture samples as (0, 0, 0, 1).
+    pub textures: &'a [Option<Arc<SamplePlan>>],
+    /// Which lanes run, bit by lane. For fragments: whole quads.
+    pub active: u64,
+    /// How many instructions may run: the program's length, plus each loop's length for each iteration after the
+    /// first.
+    pub budget: u64,
+}
+
+/// A run that would not end within its budget.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct OverBudget;

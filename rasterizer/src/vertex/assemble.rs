@@ -1,0 +1,285 @@
+//! Which vertices make which primitive (GL 2.1, section 2.6.1), as arithmetic, so that a draw can
+//! be cut into chunks anywhere.
+
+use crate::desc::{Provoking, Topology};
+
+/// Whether the edge flags of vertices count.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum EdgeFlags {
+    /// All edges are boundaries.
+    AllSet,
+    /// Those are whose first vertex says so.
+    ByVertex,
+}
+
+/// One primitive: the ordinals of its vertices within the draw, and which of them provokes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Primitive {
+    /// A point.
+    Point(u32),
+    /// A line; the index of the provoking vertex.
+    Line([u32; 2], u8),
+    /// A triangle; the index of the provoking vertex; which of its edges are edges of the polygon
+    /// that it is a part of, bit `i` for the one from vertex `i` on.
+    Triangle([u32; 3], u8, u8),
+}
+
+/// All three edges of a triangle.
+const ALL_EDGES: u8 = 0b111;
+
+/// The primitives that `count` vertices make.
+#[derive(Clone, Copy, Debug)]
+pub struct Primitives {
+    topology: Topology,
+    provoking: Provoking,
+    vertices: u32,
+    /// How many primitives.
+    pub len: u32,
+}
+
+/// The primitives that `vertices` vertices make. Incomplete ones at the end are left out.
+pub fn primitives(topology: Topology, provoking: Provoking, vertices: u32) -> Primitives {
+    let n = vertices;
+    let len = match topology {
+        Topology::Points => n,
+        Topology::Lines => n / 2,
+        Topology::LineStrip => n.saturating_sub(1),
+        Topology::LineLoop => {
+            if n < 2 {
+                0
+            } else {
+                n
+            }
+        }
+        Topology::Triangles => n / 3,
+        Topology::TriangleStrip | Topology::TriangleFan | Topology::Polygon => n.saturating_sub(2),
+        Topology::Quads => n / 4 * 2,
+        Topology::QuadStrip => (n / 2).saturating_sub(1) * 2,
+    };
+    Primitives { topology, provoking, vertices, len }
+}
+
+impl Primitives {
+    /// The primitive `i`.
+    #[inline]
+    pub fn get(&self, i: u32) -> Primitive {
+        let line = |a, b| match self.provoking {
+            Provoking::Last => Primitive::Line([a, b], 1),
+            Provoking::First => Primitive::Line([a, b], 0),
+        };
+        // Cut so that both halves hold the vertex that provokes: from the second to the fourth, or
+        // from the first to the third.
+        let quad = |[a, b, c, d]: [u32; 4], half: u32| match (self.provoking, half) {
+            (Provoking::Last, 0) => Primitive::Triangle([a, b, d], 2, 0b101),
+            (Provoking::Last, _) => Primitive::Triangle([b, c, d], 2, 0b011),
+            (Provoking::First, 0) => Primitive::Triangle([a, b, c], 0, 0b011),
+            (Provoking::First, _) => Primitive::Triangle([a, c, d], 0, 0b110),
+        };
+        // The same triangle from whichever vertex: the one that provokes is at its end.
+        let triangle = |last: [u32; 3], first: [u32; 3]| match self.provoking {
+            Provoking::Last => Primitive::Triangle(last, 2, ALL_EDGES),
+            Provoking::First => Primitive::Triangle(first, 0, ALL_EDGES),
+        };
+        match self.topology {
+            Topology::Points => Primitive::Point(i),
+            Topology::Lines => line(2 * i, 2 * i + 1),
+            Topology::LineStrip => line(i, i + 1),
+            Topology::LineLoop => line(i, if i + 1 == self.vertices { 0 } else { i + 1 }),
+            Topology::Triangles => {
+                let own = [3 * i, 3 * i + 1, 3 * i + 2];
+                triangle(own, own)
+            }
+            Topology::TriangleStrip if i.is_multiple_of(2) => {
+                triangle([i, i + 1, i + 2], [i, i + 1, i + 2])
+            }
+            Topology::TriangleStrip => triangle([i + 1, i, i + 2], [i, i + 2, i + 1]),
+            Topology::TriangleFan => triangle([0, i + 1, i + 2], [i + 1, i + 2, 0]),
+            Topology::Polygon => {
+                let (first, last) = (i == 0, i + 3 == self.vertices);
+                let edges = u8::from(first) | 0b010 | u8::from(last) << 2;
+                Primitive::Triangle([0, i + 1, i + 2], 0, edges)
+            }
+            Topology::Quads => {
+                let first = i / 2 * 4;
+                quad([first, first + 1, first + 2, first + 3], i % 2)
+            }
+            Topology::QuadStrip => {
+                let first = i / 2 * 2;
+                // Around the quadrilateral, so that its last vertex (2i + 3) comes last, or its first
+                // one (2i) first.
+                match self.provoking {
+                    Provoking::Last => quad([first + 2, first, first + 1, first + 3], i % 2),
+                    Provoking::First => quad([first, first + 1, first + 3, first + 2], i % 2),
+                }
+            }
+        }
+    }
+
+    /// The number that a shader has for primitive `i`: halves of a quadrilateral have one, and so have
+    /// the parts of a polygon (`EXT_gpu_shader4`). No vertex provokes two that differ in it.
+    pub fn number(&self, i: u32) -> u32 {
+        match self.topology {
+            Topology::Points
+            | Topology::Lines
+            | Topology::LineStrip
+            | Topology::LineLoop
+            | Topology::Triangles
+            | Topology::TriangleStrip
+            | Topology::TriangleFan => i,
+            Topology::Quads | Topology::QuadStrip => i / 2,
+            Topology::Polygon => 0,
+        }
+    }
+
+    /// Which vertex provokes, where primitive `i` is the triangle of ordinals `3 i` to `3 i + 2`.
+    pub fn triples(&self) -> Option<u8> {
+        (self.topology == Topology::Triangles).then_some(match self.provoking {
+            Provoking::Last => 2,
+            Provoking::First => 0,
+        })
+    }
+
+    /// Whether they are triangles.
+    pub fn are_triangles(&self) -> bool {
+        match self.topology {
+            Topology::Points | Topology::Lines | Topology::LineStrip | Topology::LineLoop => false,
+            Topology::Triangles
+            | Topology::TriangleStrip
+            | Topology::TriangleFan
+            | Topology::Quads
+            | Topology::QuadStrip
+            | Topology::Polygon => true,
+        }
+    }
+
+    /// Whether the edge flags of vertices count: of strips and fans all edges are boundaries (section
+    /// 2.6.2).
+    pub fn edge_flags(&self) -> EdgeFlags {
+        match self.topology {
+            Topology::Triangles | Topology::Quads | Topology::Polygon => EdgeFlags::ByVertex,
+            Topology::Points
+            | Topology::Lines
+            | Topology::LineStrip
+            | Topology::LineLoop
+            | Topology::TriangleStrip
+            | Topology::TriangleFan
+            | Topology::QuadStrip => EdgeFlags::AllSet,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn triangles(topology: Topology, vertices: u32) -> Vec<[u32; 3]> {
+        let all = primitives(topology, Provoking::Last, vertices);
+        (0..all.len)
+            .map(|i| match all.get(i) {
+                Primitive::Triangle(v, ..) => v,
+                other => panic!("{other:?}"),
+            })
+            .collect()
+    }
+
+    #[test]
+    fn each_topology_makes_its_primitives() {
+        assert_eq!(triangles(Topology::Triangles, 7), [[0, 1, 2], [3, 4, 5]]);
+        assert_eq!(triangles(Topology::TriangleStrip, 5), [[0, 1, 2], [2, 1, 3], [2, 3, 4]]);
+        assert_eq!(triangles(Topology::TriangleFan, 5), [[0, 1, 2], [0, 2, 3], [0, 3, 4]]);
+        assert_eq!(triangles(Topology::Quads, 7), [[0, 1, 3], [1, 2, 3]]);
+        assert_eq!(triangles(Topology::QuadStrip, 5), [[2, 0, 3], [0, 1, 3]]);
+        for (topology, vertices) in [
+            (Topology::Points, 0),
+            (Topology::Lines, 1),
+            (Topology::LineStrip, 1),
+            (Topology::LineLoop, 1),
+            (Topology::Triangles, 2),
+            (Topology::Polygon, 2),
+            (Topology::Quads, 3),
+            (Topology::QuadStrip, 3),
+        ] {
+            assert_eq!(primitives(topology, Provoking::Last, vertices).len, 0, "{topology:?}");
+        }
+        let looped = primitives(Topology::LineLoop, Provoking::Last, 3);
+        assert_eq!(looped.get(2), Primitive::Line([2, 0], 1));
+    }
+
+    #[test]
+    fn every_edge_of_a_polygon_is_in_one_of_its_triangles() {
+        let cases = [
+            (Topology::Quads, Provoking::Last, 4),
+            (Topology::Quads, Provoking::First, 4),
+            (Topology::Polygon, Provoking::Last, 7),
+        ];
+        for (topology, convention, count) in cases {
+            let all = primitives(topology, convention, count);
+            let mut edges = Vec::new();
+            for i in 0..all.len {
+                let Primitive::Triangle(v, _, mask) = all.get(i) else { panic!() };
+                let own = (0..3).filter(|k| mask >> k & 1 == 1);
+                edges.extend(own.map(|k| (v[k], v[(k + 1) % 3])));
+            }
+            edges.sort_unstable();
+            let want: Vec<_> = (0..count).map(|k| (k, (k + 1) % count)).collect();
+            assert_eq!(edges, want, "{topology:?}");
+        }
+    }
+
+    /// A strip of quadrilaterals winds like the triangles of a strip over the same vertices.
+    #[test]
+    fn the_provoking_vertex_of_a_quad_is_in_both_halves() {
+        for topology in [Topology::Quads, Topology::QuadStrip] {
+            for (convention, vertex) in [(Provoking::Last, 3), (Provoking::First, 0)] {
+                let all = primitives(topology, convention, 4);
+                for i in 0..2 {
+                    let Primitive::Triangle(v, provoking, _) = all.get(i) else { panic!() };
+                    assert_eq!(v[usize::from(provoking)], vertex, "{topology:?}");
+                }
+            }
+        }
+    }
+
+    /// What each convention of `ARB_provoking_vertex` chooses. The triangles are the same
+    /// ones, wound the same way.
+    #[test]
+    fn either_convention_chooses_its_vertex() {
+        let cases: [(Topology, u32, &[u32], &[u32]); 9] = [
+            (Topology::Lines, 4, &[0, 2], &[1, 3]),
+            (Topology::LineStrip, 4, &[0, 1, 2], &[1, 2, 3]),
+            (Topology::LineLoop, 3, &[0, 1, 2], &[1, 2, 0]),
+            (Topology::Triangles, 6, &[0, 3], &[2, 5]),
+            (Topology::TriangleStrip, 6, &[0, 1, 2, 3], &[2, 3, 4, 5]),
+            (Topology::TriangleFan, 5, &[1, 2, 3], &[2, 3, 4]),
+            (Topology::Quads, 8, &[0, 0, 4, 4], &[3, 3, 7, 7]),
+            (Topology::QuadStrip, 6, &[0, 0, 2, 2], &[3, 3, 5, 5]),
+            (Topology::Polygon, 5, &[0, 0, 0], &[0, 0, 0]),
+        ];
+        for (topology, count, first, last) in cases {
+            for (convention, want) in [(Provoking::First, first), (Provoking::Last, last)] {
+                let all = primitives(topology, convention, count);
+                let chosen = (0..all.len).map(|i| match all.get(i) {
+                    Primitive::Point(vertex) => vertex,
+                    Primitive::Line(vertices, at) => vertices[usize::from(at)],
+                    Primitive::Triangle(vertices, at, _) => vertices[usize::from(at)],
+                });
+                assert_eq!(chosen.collect::<Vec<_>>(), want, "{topology:?} {convention:?}");
+            }
+        }
+        // From its least vertex on, each triangle of a strip or a fan is the same.
+        for topology in [Topology::TriangleStrip, Topology::TriangleFan] {
+            let rotated = |convention, i| match primitives(topology, convention, 6).get(i) {
+                Primitive::Triangle(mut v, ..) => {
+                    while v[0] > v[1] || v[0] > v[2] {
+                        v.rotate_left(1);
+                    }
+                    v
+                }
+                other => panic!("{other:?}"),
+            };
+            for i in 0..4 {
+                assert_eq!(rotated(Provoking::First, i), rotated(Provoking::Last, i));
+            }
+        }
+    }
+}

@@ -1,0 +1,89 @@
+//! The shaded vertices of a chunk of a draw.
+
+use super::viewport::Outcode;
+use crate::desc::Viewport;
+
+/// The vertices of a chunk of a draw.
+#[derive(Debug, Default)]
+pub struct Geometry {
+    /// `stride` for each vertex: x, y, z and w in clip coordinates, and its varyings.
+    pub values: Vec<f32>,
+    /// Values of a vertex, padded to a multiple of four.
+    pub stride: usize,
+    /// Window coordinates on the subpixel grid; meaningless unless `w > 0`.
+    pub snapped: Vec<[i32; 2]>,
+    /// The [`Outcode`] of each vertex.
+    pub outcodes: Vec<u32>,
+    /// `gl_PointSize` of each vertex; empty where it does not matter.
+    pub(super) point_sizes: Vec<f32>,
+    /// `planes` clip distances for each vertex.
+    pub(super) distances: Vec<f32>,
+    /// Clip distances of a vertex.
+    pub(super) planes: usize,
+    /// The edge flag of each vertex; empty where all are set.
+    pub(super) edge_flags: Vec<f32>,
+}
+
+/// Where the varyings of a vertex begin among its values.
+pub const VARYINGS: usize = 4;
+
+impl Geometry {
+    /// How many vertices there are.
+    pub fn len(&self) -> usize {
+        self.outcodes.len()
+    }
+
+    /// Takes all vertices away.
+    pub fn clear(&mut self) {
+        self.values.clear();
+        self.snapped.clear();
+        self.outcodes.clear();
+        self.point_sizes.clear();
+        self.distances.clear();
+        self.edge_flags.clear();
+    }
+
+    fn values_of(&self, vertex: u32) -> &[f32] {
+        &self.values[vertex as usize * self.stride..][..self.stride]
+    }
+
+    /// The clip coordinates of a vertex.
+    pub fn clip(&self, vertex: u32) -> [f32; 4] {
+        self.values_of(vertex).first_chunk().copied().unwrap_or_default()
+    }
+
+    /// The varyings of a vertex.
+    pub fn varyings_of(&self, vertex: u32) -> &[f32] {
+        &self.values_of(vertex)[VARYINGS..]
+    }
+
+    /// Sets a varying of a vertex that the vertex stage does not write.
+    pub fn set_varying(&mut self, vertex: u32, varying: usize, value: f32) {
+        self.values[vertex as usize * self.stride + VARYINGS + varying] = value;
+    }
+
+    /// Window x and y of a vertex; meaningless unless `w > 0`.
+    pub fn window(&self, viewport: &Viewport, vertex: u32) -> [f64; 2] {
+        viewport.window(&self.clip(vertex).map(f64::from))
+    }
+
+    /// On which sides of the clip volume a vertex is out.
+    pub fn outcode(&self, vertex: u32) -> Outcode {
+        Outcode(self.outcodes[vertex as usize])
+    }
+
+    /// The size that the vertex stage gave a point, if it did.
+    pub fn point_size(&self, vertex: u32) -> Option<f32> {
+        self.point_sizes.get(vertex as usize).copied()
+    }
+
+    /// The clip distances of a vertex.
+    pub fn distances(&self, vertex: u32) -> &[f32] {
+        &self.distances[vertex as usize * self.planes..][..self.planes]
+    }
+
+    /// Whether a boundary edge begins at a vertex (GL 2.1, section 2.6.2).
+    pub fn begins_boundary(&self, vertex: u32) -> bool {
+        self.edge_flags.get(vertex as usize).is_none_or(|&flag| flag != 0.0)
+    }
+}

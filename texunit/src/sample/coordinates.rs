@@ -1,0 +1,68 @@
+//! Coordinates of a batch: the cube face, the layer, and the coordinates to filter along.
+
+use super::recorder::Recorder;
+use super::{cube, wrap};
+use crate::image::Shape;
+use crate::lanes::{F32s, U32s};
+use crate::plan::Texture;
+use crate::trace::SampleStep;
+
+/// The point that each lane samples.
+pub(crate) struct Coordinates<'a> {
+    /// s, t, r as given; of a cube, the direction.
+    pub given: [&'a F32s; 3],
+    /// The face of a cube, else 0.
+    pub face: U32s,
+    /// The layer of an array, else 0.
+    pub layer: U32s,
+    /// s, t on the face of a cube.
+    pub st: Option<[F32s; 2]>,
+}
+
+impl<'a> Coordinates<'a> {
+    /// Of a texture without faces and layers.
+    #[inline(always)]
+    pub fn in_plane(given: [&'a F32s; 3]) -> Self {
+        Self { given, face: U32s::ZERO, layer: U32s::ZERO, st: None }
+    }
+
+    #[inline(always)]
+    pub fn new(
+        texture: &Texture,
+        given: [&'a F32s; 3],
+        layer: Option<&F32s>,
+        recorder: &mut impl Recorder,
+    ) -> Self {
+        let mut at = Self::in_plane(given);
+        match texture.shape {
+            Shape::D1 | Shape::D2 | Shape::Rect | Shape::D3 => {}
+            Shape::D1Array => at.layer = wrap::layer(given[1], texture.layers()),
+            Shape::D2Array => at.layer = wrap::layer(given[2], texture.layers()),
+            Shape::Cube | Shape::CubeArray => {
+                let projected = cube::project(given);
+                recorder.record(|lane| SampleStep::Face {
+                    face: projected.face[lane],
+                    st: projected.st.map(|coord| coord[lane]),
+                });
+                at.face = projected.face;
+                at.st = Some(projected.st);
+                if let Some(layer) = layer {
+                    at.layer = wrap::layer(layer, texture.layers());
+                }
+            }
+        }
+        if texture.is_array() {
+            recorder.record(|lane| SampleStep::Layer(at.layer[lane]));
+        }
+        at
+    }
+
+    /// The coordinates to filter along.
+    #[inline(always)]
+    pub fn filtered(&self) -> [&F32s; 3] {
+        match &self.st {
+            Some([s, t]) => [s, t, self.given[2]],
+            None => self.given,
+        }
+    }
+}

@@ -1,0 +1,128 @@
+//! The nearest and the linear filter of the fast path.
+
+use super::channels::{channels_of_quad, channels_of_texel};
+use super::offsets::word_offsets;
+use super::quad::{Addresses, QuadLoad, TexelQuad, gather_words, load_quad};
+use super::quad_position::quad_position;
+use crate::lanes::math::index;
+use crate::lanes::{F32s, LANES, Simd, U32s};
+use crate::plan::{Alpha, TexelClass};
+use crate::sample::level_view::LevelView;
+use crate::sampler::Filter;
+
+/// The nearest texel; `false` where the fast path does not apply.
+#[inline(always)]
+pub fn nearest<S: Simd>(
+    view: &LevelView<'_>,
+    class: TexelClass,
+    at: [&F32s; 3],
+    out: &mut [F32s; 4],
+) -> bool {
+    let Some(offsets) = texel_offsets::<S>(view, at) else { return false };
+    let (texels, format) = (&view.level.texels, view.level.format);
+    let mut second = U32s::ZERO;
+    for word in 0..format.words() {
+        let words = match word % 2 {
+            0 if word + 1 < format.words() => {
+                let pair = S::gather_pairs(texels, &word_offsets(&offsets, word));
+                second = pair[1];
+                pair[0]
+            }
+            0 => S::gather(texels, &word_offsets(&offsets, word)),
+            _ => second,
+        };
+        channels_of_texel::<S>(class, format.channels(), word, &words, out);
+    }
+    true
+}
+
+/// Byte offsets of the nearest texels; `None` where the fast path does not apply.
+#[inline(always)]
+fn texel_offsets<S: Simd>(view: &LevelView<'_>, at: [&F32s; 3]) -> Option<U32s> {
+    if view.texture.reaches_border(Filter::Nearest) {
+        return None;
+    }
+    let (s, t) = (view.axis(0), view.axis(1));
+    let (u, v) = (s.texel_coordinate::<S>(at[0]), t.texel_coordinate::<S>(at[1]));
+    let level = view.level;
+    let (bytes, row) = (level.format.bytes() as u32, level.row_bytes() as u32);
+    let origin = level.origin() as u32;
+    let (last_s, last_t) = ((s.size - 1) as f32, (t.size - 1) as f32);
+    let mut offsets = U32s::ZERO;
+    for lane in 0..LANES {
+        // A coordinate may be rounded up to the size.
+        let (x, y) = (index(u[lane], last_s), index(v[lane], last_t));
+        offsets[lane] = y.wrapping_mul(row).wrapping_add(x.wrapping_mul(bytes)) + origin;
+    }
+    Some(offsets)
+}
+
+/// The nearest texels of one word each; `None` where the fast path does not apply.
+#[inline(always)]
+pub fn texels<S: Simd>(view: &LevelView<'_>, at: [&F32s; 3]) -> Option<U32s> {
+    let offsets = texel_offsets::<S>(view, at)?;
+    Some(S::gather_inline(&view.level.texels, &offsets))
+}
+
+/// The weighted mean of 2×2 texels; `false` where the fast path does not apply.
+#[inline(always)]
+pub fn linear<S: Simd>(
+    view: &LevelView<'_>,
+    class: TexelClass,
+    at: [&F32s; 3],
+    out: &mut [F32s; 4],
+) -> bool {
+    let (words, channels) = (view.level.format.words(), view.level.format.channels());
+    if words == 1 {
+        let mut found = TexelQuad::default();
+        if load_quad::<S>(view, at, Addresses::Compute, &mut found) == QuadLoad::NotApplicable {
+            return false;
+        }
+        let TexelQuad { words, weights, .. } = &found;
+        let alpha = view.texture.alpha;
+        channels_of_quad::<S>(
+            class,
+            (channels, alpha),
+            0,
+            words.each_ref(),
+            weights.each_ref(),
+            out,
+        );
+        return true;
+    }
+    let Some(position) = quad_position::<S>(view, at) else { return false };
+    let corners = position.corners(view);
+    let level = view.level;
+    let weights = position.weights.each_ref();
+    let mut word = 0;
+    while word + 1 < words {
+        let a = S::gather_pairs(&level.texels, &word_offsets(&corners[0], word));
+        let b = S::gather_pairs(&level.texels, &word_offsets(&corners[1], word));
+        let c = S::gather_pairs(&level.texels, &word_offsets(&corners[2], word));
+        let d = S::gather_pairs(&level.texels, &word_offsets(&corners[3], word));
+        for half in 0..2 {
+            let corners = [&a[half], &b[half], &c[half], &d[half]];
+            channels_of_quad::<S>(
+                class,
+                (channels, Alpha::Stored),
+                word + half,
+                corners,
+                weights,
+                out,
+            );
+        }
+        word += 2;
+    }
+    if word < words {
+        let words = gather_words::<S>(view, &corners, word);
+        channels_of_quad::<S>(
+            class,
+            (channels, Alpha::Stored),
+            word,
+            words.each_ref(),
+            weights,
+            out,
+        );
+    }
+    true
+}

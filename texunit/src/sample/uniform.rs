@@ -1,0 +1,89 @@
+//! The kernel of most batches: a two-dimensional texture that has a fast path ([`super::fast`]) and one filter for
+//! magnification and minification, where all lanes read the same level, or the same two.
+//!
+//! It is separate from [`super::general`], so that it has neither the stack nor the branches of probes, faces, layers
+//! and lanes that read different levels. The functions that compute are the same, and so are the bits.
+
+use super::call::SampleCall;
+use super::compare::{compare, unit_range};
+use super::fast::Addresses;
+use super::interpolate::mix;
+use super::recorder::NoRecorder;
+use super::scratch::{LevelScratch, QuadScratch, SelectedLevels};
+use super::uniform_levels::{UniformLevels, plane_view, select};
+use super::{expand, fast, fused};
+use crate::lanes::{F32s, Kernel, Simd};
+use crate::plan::TexelClass;
+use crate::sampler::Filter;
+
+/// One call: 64 samples of a texture with texels of this class.
+pub(crate) struct UniformCall<'s, 'a, F> {
+    pub sample: &'s mut SampleCall<'a, NoRecorder, F>,
+    pub class: TexelClass,
+    pub addresses: Addresses,
+    pub quads: &'s mut QuadScratch,
+    pub levels: &'s mut LevelScratch,
+}
+
+/// Whether the kernel applied.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Outcome {
+    /// The result is stored.
+    Sampled,
+    /// Lanes read different levels, or texels without a fast path: no result is stored.
+    NotUniform,
+}
+
+impl<F> Kernel for UniformCall<'_, '_, F> {
+    type Output = Outcome;
+
+    #[inline(always)]
+    fn run<S: Simd>(self) -> Outcome {
+        let Self { sample, class, addresses, quads, levels: selected } = self;
+        let texture = sample.texture;
+        let LevelScratch { levels: uniform, weight } = selected;
+        if addresses == Addresses::Compute {
+            *uniform = select::<S>(texture, sample.coords, sample.lod, weight);
+        }
+        let Some(UniformLevels { filter, levels }) = *uniform else { return Outcome::NotUniform };
+        if texture.is_fusible && filter == Filter::Linear {
+            let consumer = fused::WriteLanes(&mut *sample.out);
+            let selected = SelectedLevels { levels: *uniform, weight, addresses };
+            let result =
+                fused::sample_fused::<S, _>(texture, *sample.coords, selected, quads, consumer);
+            return if result.is_ok() { Outcome::Sampled } else { Outcome::NotUniform };
+        }
+        // Initialized only where there is a second level.
+        let mut second = None;
+        let is_mixed = levels[0] != levels[1];
+        for (index, number) in levels.into_iter().take(1 + usize::from(is_mixed)).enumerate() {
+            let view = plane_view(texture, filter, number);
+            let out = match index {
+                0 => &mut *sample.out,
+                _ => second.get_or_insert([F32s::ZERO; 4]),
+            };
+            let is_done = match filter {
+                Filter::Nearest => fast::nearest::<S>(&view, class, *sample.coords, out),
+                Filter::Linear => fast::linear::<S>(&view, class, *sample.coords, out),
+            };
+            if !is_done {
+                return Outcome::NotUniform;
+            }
+            // Compared before the filter, so this path has one texel per lane.
+            if let Some(op) = texture.compare {
+                let reference = unit_range(sample.reference.unwrap_or(sample.coords[2]));
+                compare(op, &reference, &mut out[0]);
+            }
+        }
+        if let Some(second) = &second {
+            let channels = texture.format.channels();
+            for (out, second) in sample.out.iter_mut().zip(second).take(channels) {
+                let first = *out;
+                mix(&first, second, weight, out);
+            }
+        }
+        expand::expand(texture.format, texture.depth_mode, sample.out);
+        expand::swizzle(texture.format, texture.swizzle, sample.out);
+        Outcome::Sampled
+    }
+}
