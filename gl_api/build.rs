@@ -1,6 +1,6 @@
 //! Generates `constants.rs` from the Khronos registry: every `GL_*` constant, the names of the
 //! values for messages, and the name and arity of every command. `availability.rs`: which versions and
-//! extensions of which API have a command.
+//! extensions of which API have a command, or an enum of OpenGL or of an implemented extension.
 
 #[path = "build/availability.rs"]
 mod availability;
@@ -37,7 +37,9 @@ fn main() {
         std::fs::write(Path::new(&directory).join(file), text).expect("OUT_DIR is writable");
     };
     write("constants.rs", text);
-    write("availability.rs", availability::table(&xml));
+    let enums = implemented.enums.iter().chain(&later.enums);
+    let enums = enums.map(|value| value.ident.as_str()).collect();
+    write("availability.rs", availability::tables(&xml, &enums));
 }
 
 /// An attribute of an XML element that is on one line.

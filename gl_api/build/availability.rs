@@ -1,13 +1,13 @@
-//! Which versions and extensions of which API have a command: the registry's features and extensions, read line by
-//! line.
+//! Which versions and extensions of which API have a command or an enum: the registry's features and extensions,
+//! read line by line.
 
 use super::attribute;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
 type Version = (u8, u8);
 
-/// What is found of a command.
+/// What is found of a command or an enum.
 #[derive(Default)]
 struct Found<'a> {
     compatibility: Option<Version>,
@@ -28,7 +28,7 @@ enum Group<'a> {
     Other,
 }
 
-/// What a block says of the commands in it.
+/// What a block says of the commands and enums in it.
 #[derive(Clone, Copy)]
 enum Block<'a> {
     /// They are there, in one API or profile or in all.
@@ -37,9 +37,10 @@ enum Block<'a> {
     Remove,
 }
 
-/// The table, in Rust.
-pub fn table(xml: &str) -> String {
+/// The tables, in Rust: of all commands, and of the enums of these names, which have `GL_` in front in the table.
+pub fn tables(xml: &str, enums_wanted: &BTreeSet<&str>) -> String {
     let mut commands: BTreeMap<&str, Found<'_>> = BTreeMap::new();
+    let mut enums: BTreeMap<&str, Found<'_>> = BTreeMap::new();
     let (mut group, mut block) = (Group::Other, Block::Remove);
     for line in xml.lines().map(str::trim_start) {
         let named = |name| attribute(line, name);
@@ -65,9 +66,17 @@ pub fn table(xml: &str) -> String {
             && let Some(found) = named("name").and_then(|name| commands.get_mut(name))
         {
             found.note(&group, block);
+        } else if line.starts_with("<enum ")
+            && let Some(name) = named("name")
+            && name.strip_prefix("GL_").is_some_and(|name| enums_wanted.contains(name))
+        {
+            // Outside of features and extensions it is the enum's definition.
+            enums.entry(name).or_default().note(&group, block);
         }
     }
-    text(&commands)
+    let commands =
+        text("/// What the registry says of its commands, by name.", "COMMANDS", &commands);
+    commands + &text("/// What the registry says of its enums, by name.", "ENUMS", &enums)
 }
 
 /// The name in a line `<proto>void <name>glAccum</name></proto>`.
@@ -131,16 +140,16 @@ impl<'a> Found<'a> {
     }
 }
 
-fn text(commands: &BTreeMap<&str, Found<'_>>) -> String {
-    let mut text = String::from("/// What the registry says of its commands, by name.\n");
+fn text(doc: &str, table: &str, rows: &BTreeMap<&str, Found<'_>>) -> String {
+    let mut text = format!("{doc}\n");
     let version = |(major, minor): Version| format!("Version::new({major}, {minor})");
     let optional = |found: Option<Version>| match found {
         Some(found) => format!("Some({})", version(found)),
         None => "None".into(),
     };
-    writeln!(text, "static REGISTRY: [(&str, Availability); {}] = [", commands.len())
+    writeln!(text, "static {table}: [(&str, Availability); {}] = [", rows.len())
         .expect("a String takes everything");
-    for (name, found) in commands {
+    for (name, found) in rows {
         let core = match found.core {
             Some((from, end)) => {
                 let (from, end) = (version(from), optional(end));

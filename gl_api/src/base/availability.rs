@@ -1,15 +1,15 @@
-//! Which versions and extensions of which API have a command or an internal format; of commands, by the Khronos
-//! registry.
+//! Which versions and extensions of which API have a command, an enum or an internal format; of commands and enums,
+//! by the Khronos registry.
 
 use std::cmp::Ordering;
 use std::fmt;
 
-/// An API and profile, as the registry distinguishes them.
+/// A family of versions, as the registry tells them apart.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Api {
     /// OpenGL, with everything that later versions deprecate: 1.0 and later.
     Compatibility,
-    /// The core profile of OpenGL: 3.2 and later. Earlier versions are `Compatibility`.
+    /// The core profile of OpenGL: 3.2 and later. Of what it leaves out, earlier versions are asked as `Compatibility`.
     Core,
     /// OpenGL ES 1.0 and 1.1.
     Es1,
@@ -44,7 +44,7 @@ impl fmt::Display for Version {
 pub struct CoreVersions {
     /// The first.
     pub from: Version,
-    /// The first version that no longer has it.
+    /// The first without it again.
     pub removed_in: Option<Version>,
 }
 
@@ -99,18 +99,29 @@ include!(concat!(env!("OUT_DIR"), "/availability.rs"));
 
 /// Every command of the registry, by name.
 pub fn registry() -> impl Iterator<Item = (&'static str, &'static Availability)> {
-    REGISTRY.iter().map(|(name, availability)| (*name, availability))
+    COMMANDS.iter().map(|(name, availability)| (*name, availability))
 }
 
 /// The availability of the command of that name; `None` if the registry has none.
 pub const fn of(name: &str) -> Option<Availability> {
-    let (mut low, mut high) = (0, REGISTRY.len());
+    find(&COMMANDS, name)
+}
+
+/// Where there is an enum of that name, with `GL_`; `None` if no version of OpenGL and no implemented
+/// extension has it. An enum with several uses is there from the version of the first of them.
+pub const fn of_enum(name: &str) -> Option<Availability> {
+    find(&ENUMS, name)
+}
+
+/// The row of that name, by bisection.
+const fn find(rows: &[(&str, Availability)], name: &str) -> Option<Availability> {
+    let (mut low, mut high) = (0, rows.len());
     while low < high {
         let middle = usize::midpoint(low, high);
-        match order(REGISTRY[middle].0.as_bytes(), name.as_bytes()) {
+        match order(rows[middle].0.as_bytes(), name.as_bytes()) {
             Ordering::Less => low = middle + 1,
             Ordering::Greater => high = middle,
-            Ordering::Equal => return Some(REGISTRY[middle].1),
+            Ordering::Equal => return Some(rows[middle].1),
         }
     }
     None

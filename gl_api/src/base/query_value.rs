@@ -20,10 +20,6 @@ pub(crate) fn flag(value: bool) -> Result<QueryValue> {
     Ok(QueryValue::Bools(vec![value]))
 }
 
-pub(crate) fn int(value: impl TryInto<i32>) -> Result<QueryValue> {
-    Ok(QueryValue::Ints(vec![value.try_into().unwrap_or(i32::MAX)]))
-}
-
 pub(crate) fn symbol(value: GLenum) -> Result<QueryValue> {
     Ok(QueryValue::Word(value))
 }

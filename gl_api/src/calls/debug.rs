@@ -1,4 +1,4 @@
-//! The entry points of `KHR_debug`.
+//! The calls of `KHR_debug`.
 
 use crate::base::args::TextOut;
 use crate::base::constants::*;

@@ -1,4 +1,4 @@
-//! How every call runs: the share group's objects are fetched, what ended is drawn, errors are noted.
+//! How every call runs: the objects of the share group are fetched, pending immediate mode is drawn, errors are recorded.
 
 use crate::base::begin_end::BeginEnd;
 use crate::base::error::{ErrorCode, GlError, Result};

@@ -1,4 +1,4 @@
-//! What can be switched on and off: `glEnable` and `glEnableClientState`.
+//! `glEnable`, `glDisable`, `glEnableClientState` and `glDisableClientState`.
 
 use crate::base::constants::*;
 use crate::base::error::{Result, invalid_enum};
@@ -12,7 +12,7 @@ use crate::state::enable::{CAPABILITY, CLIENT_ARRAY, Capability, Flag, Switch};
 use crate::state::evaluators::MAP;
 
 /// A capability of any kind.
-fn capability(cap: GLenum) -> Result<Capability> {
+pub(crate) fn capability(cap: GLenum) -> Result<Capability> {
     if let Some(map) = MAP.get(cap) {
         return Ok(Capability::Map(map));
     }
@@ -100,34 +100,8 @@ pub(crate) fn disable(context: &mut Context, cap: GLenum) -> Result<()> {
     switch(context, cap, Switch::Off)
 }
 
-pub(crate) fn is_enabled(context: &mut Context, cap: GLenum) -> Result<bool> {
-    is_on(context, cap)
-}
-
-/// Whether a capability or a client array is on.
-pub(crate) fn is_on(context: &Context, cap: GLenum) -> Result<bool> {
-    if cap == GL_PRIMITIVE_RESTART_NV {
-        return Ok(context.state.enables.has(Flag::PrimitiveRestart));
-    }
-    if let Some(location) = CLIENT_ARRAY.get(cap) {
-        return Ok(context.state.arrays.by_location[client_location(context, location)].enabled);
-    }
-    Ok(match capability(cap)? {
-        Capability::Flag(flag) => context.state.enables.has(flag),
-        Capability::Texture(target) => context.state.units.active().enabled[target as usize],
-        Capability::DebugOutput => context.debug.output == Output::On,
-        Capability::TexGen(coord) => {
-            context.state.units.active_coordinates("GL 2.1, section 6.1.1")?;
-            context.state.units.active().generate[coord as usize].enabled
-        }
-        Capability::Light(light) => context.state.lights.enabled >> light & 1 == 1,
-        Capability::ClipPlane(plane) => context.state.clip.enabled >> plane & 1 == 1,
-        Capability::Map(map) => context.state.evaluators.has(map),
-    })
-}
-
 /// The location with the client's active texture unit applied.
-fn client_location(context: &Context, location: u8) -> usize {
+pub(crate) fn client_location(context: &Context, location: u8) -> usize {
     let unit = if location == ATTRIB_TEX_COORD { context.state.units.client_active } else { 0 };
     usize::from(location + unit)
 }

@@ -6,8 +6,7 @@
 use crate::context::stale_depth::DepthHistory;
 use crate::context::{Context, SurfaceDesc};
 use crate::objects::color_buffers::Selection;
-use crate::objects::framebuffers::Accumulation;
-use crate::objects::framebuffers::Planes;
+use crate::objects::framebuffers::{Accumulation, Planes};
 use crate::state::State;
 use rasterizer::driver::{Attachment, Image};
 use texunit::format::Format;

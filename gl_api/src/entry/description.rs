@@ -1,8 +1,9 @@
-//! What the table says of an entry point.
+//! What the tables say of an entry point, and of the state that `glGet` answers.
 
 use crate::base::availability;
 use crate::base::availability::{Api, Availability, Version};
 pub use crate::base::begin_end::BeginEnd;
+pub use crate::query::state::{StateAvailability, StateDescription, ValueType, states};
 
 /// An entry point, under all of its names.
 #[derive(Clone, Copy, Debug)]

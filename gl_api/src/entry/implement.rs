@@ -73,15 +73,15 @@ macro_rules! implement {
     (@record $context:ident $begin_end:ident $module:ident $method:ident $gl:ident
         [$($param:ident)*] [] []) => {
         if $context.compiling.is_some() {
-            let integers: &[i64] = &[$($crate::record::keep::Keep::integer(&$param)),*];
+            let integers: &[i64] = &[$($crate::record::arguments::RecordArgument::integer(&$param)),*];
             let name = stringify!($gl);
             if $crate::record::proxy::asks_proxy(name, integers) {
                 // Carried out below.
             } else if let (Some(()), $(Some($param),)*) =
-                (Some(()), $($crate::record::keep::Keep::keep(&$param, $context, name, integers),)*)
+                (Some(()), $($crate::record::arguments::RecordArgument::record(&$param, $context, name, integers),)*)
             {
                 let run = move |context: &mut $crate::context::Context| {
-                    $module::$method(context $(, $crate::record::keep::Lend::lend(&$param))*)
+                    $module::$method(context $(, $crate::record::arguments::RecordedArgument::argument(&$param))*)
                 };
                 return $context.record(name, $crate::base::begin_end::BeginEnd::$begin_end, Box::new(run));
             }

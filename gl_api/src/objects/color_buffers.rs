@@ -35,10 +35,3 @@ pub(crate) fn attachment_index(buffer: GLenum) -> Option<usize> {
     let index = buffer.checked_sub(GL_COLOR_ATTACHMENT0)? as usize;
     (index < limits::MAX_COLOR_ATTACHMENTS).then_some(index)
 }
-
-/// Framebuffer state, as `glGet` reads it.
-pub(crate) enum Answer {
-    Symbol(GLenum),
-    Number(i32),
-    Flag(bool),
-}

@@ -217,17 +217,3 @@ pub(crate) const PARAMETER: Table<Parameter> = Table {
         (GL_INDEX_OFFSET, Parameter::IndexOffset),
     ],
 };
-
-impl Transfer {
-    /// The value of a parameter.
-    pub fn get(&self, parameter: Parameter) -> f32 {
-        match parameter {
-            Parameter::Scale(which) => self.linear[usize::from(which)].scale,
-            Parameter::Bias(which) => self.linear[usize::from(which)].bias,
-            Parameter::MapColor => f32::from(u8::from(self.map_color)),
-            Parameter::MapStencil => f32::from(u8::from(self.map_stencil)),
-            Parameter::IndexShift => self.index_shift as f32,
-            Parameter::IndexOffset => self.index_offset as f32,
-        }
-    }
-}

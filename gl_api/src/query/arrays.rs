@@ -1,89 +1,21 @@
-//! What is known of vertex arrays: GL 2.1, tables 6.6 to 6.9, and sections 6.1.11 and 6.1.14.
+//! `glGetVertexAttrib` and the pointers of vertex arrays: GL 2.1, sections 6.1.11 and 6.1.14. Other state of arrays is in
+//! [`crate::query::state`].
 
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation};
 use crate::base::query_value::put;
-use crate::base::query_value::{QueryValue, int, symbol};
 use crate::base::types::*;
 use crate::context::Context;
 use crate::interface::*;
 use crate::objects::arrays::{ANY_TYPE, Array, Source, generic};
 use rasterizer::driver::VertexFormat;
 
-/// What `glGet` reads of a conventional array.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Part {
-    Size,
-    Type,
-    Stride,
-    Buffer,
-    Count,
-}
-
-/// The conventional arrays' state, by location.
-const STATE: Table<(u8, Part)> = Table {
-    section: "GL 2.1, tables 6.6 to 6.9",
-    rows: &[
-        (GL_VERTEX_ARRAY_SIZE, (ATTRIB_VERTEX, Part::Size)),
-        (GL_VERTEX_ARRAY_TYPE, (ATTRIB_VERTEX, Part::Type)),
-        (GL_VERTEX_ARRAY_STRIDE, (ATTRIB_VERTEX, Part::Stride)),
-        (GL_VERTEX_ARRAY_BUFFER_BINDING, (ATTRIB_VERTEX, Part::Buffer)),
-        (GL_VERTEX_ARRAY_COUNT_EXT, (ATTRIB_VERTEX, Part::Count)),
-        (GL_NORMAL_ARRAY_TYPE, (ATTRIB_NORMAL, Part::Type)),
-        (GL_NORMAL_ARRAY_STRIDE, (ATTRIB_NORMAL, Part::Stride)),
-        (GL_NORMAL_ARRAY_BUFFER_BINDING, (ATTRIB_NORMAL, Part::Buffer)),
-        (GL_NORMAL_ARRAY_COUNT_EXT, (ATTRIB_NORMAL, Part::Count)),
-        (GL_COLOR_ARRAY_SIZE, (ATTRIB_COLOR, Part::Size)),
-        (GL_COLOR_ARRAY_TYPE, (ATTRIB_COLOR, Part::Type)),
-        (GL_COLOR_ARRAY_STRIDE, (ATTRIB_COLOR, Part::Stride)),
-        (GL_COLOR_ARRAY_BUFFER_BINDING, (ATTRIB_COLOR, Part::Buffer)),
-        (GL_COLOR_ARRAY_COUNT_EXT, (ATTRIB_COLOR, Part::Count)),
-        (GL_SECONDARY_COLOR_ARRAY_SIZE, (ATTRIB_SECONDARY_COLOR, Part::Size)),
-        (GL_SECONDARY_COLOR_ARRAY_TYPE, (ATTRIB_SECONDARY_COLOR, Part::Type)),
-        (GL_SECONDARY_COLOR_ARRAY_STRIDE, (ATTRIB_SECONDARY_COLOR, Part::Stride)),
-        (GL_SECONDARY_COLOR_ARRAY_BUFFER_BINDING, (ATTRIB_SECONDARY_COLOR, Part::Buffer)),
-        (GL_INDEX_ARRAY_TYPE, (ATTRIB_INDEX, Part::Type)),
-        (GL_INDEX_ARRAY_STRIDE, (ATTRIB_INDEX, Part::Stride)),
-        (GL_INDEX_ARRAY_BUFFER_BINDING, (ATTRIB_INDEX, Part::Buffer)),
-        (GL_INDEX_ARRAY_COUNT_EXT, (ATTRIB_INDEX, Part::Count)),
-        (GL_FOG_COORD_ARRAY_TYPE, (ATTRIB_FOG_COORD, Part::Type)),
-        (GL_FOG_COORD_ARRAY_STRIDE, (ATTRIB_FOG_COORD, Part::Stride)),
-        (GL_FOG_COORD_ARRAY_BUFFER_BINDING, (ATTRIB_FOG_COORD, Part::Buffer)),
-        (GL_EDGE_FLAG_ARRAY_STRIDE, (ATTRIB_EDGE_FLAG, Part::Stride)),
-        (GL_EDGE_FLAG_ARRAY_BUFFER_BINDING, (ATTRIB_EDGE_FLAG, Part::Buffer)),
-        (GL_EDGE_FLAG_ARRAY_COUNT_EXT, (ATTRIB_EDGE_FLAG, Part::Count)),
-        (GL_TEXTURE_COORD_ARRAY_SIZE, (ATTRIB_TEX_COORD, Part::Size)),
-        (GL_TEXTURE_COORD_ARRAY_TYPE, (ATTRIB_TEX_COORD, Part::Type)),
-        (GL_TEXTURE_COORD_ARRAY_STRIDE, (ATTRIB_TEX_COORD, Part::Stride)),
-        (GL_TEXTURE_COORD_ARRAY_BUFFER_BINDING, (ATTRIB_TEX_COORD, Part::Buffer)),
-        (GL_TEXTURE_COORD_ARRAY_COUNT_EXT, (ATTRIB_TEX_COORD, Part::Count)),
-    ],
-};
-
 /// The name of the buffer object that an array lies in, or 0.
-fn buffer(array: &Array) -> GLuint {
+pub(crate) fn buffer(array: &Array) -> GLuint {
     match &array.source {
         Source::Object { buffer, .. } => buffer.name(),
         Source::Client(_) | Source::Pointer(_) => 0,
     }
-}
-
-/// State of a conventional array by its name; of texture coordinates, the client's active unit's;
-/// and of no array, the index that restarts a primitive (GL 3.1, table 6.4).
-pub(crate) fn state_value(context: &Context, pname: GLenum) -> Option<Result<QueryValue>> {
-    if let GL_PRIMITIVE_RESTART_INDEX | GL_PRIMITIVE_RESTART_INDEX_NV = pname {
-        return Some(symbol(context.state.restart_index));
-    }
-    let (location, part) = STATE.get(pname)?;
-    let unit = if location == ATTRIB_TEX_COORD { context.state.units.client_active } else { 0 };
-    let array = &context.state.arrays.by_location[usize::from(location + unit)];
-    Some(match part {
-        Part::Size => symbol(array.given_size()),
-        Part::Type => symbol(ANY_TYPE.encode(array.ty)),
-        Part::Stride => int(array.stride),
-        Part::Buffer => symbol(buffer(array)),
-        Part::Count => int(array.count),
-    })
 }
 
 /// Where an array begins: an offset into its buffer, or an address.

@@ -1,4 +1,4 @@
-//! What is asked of generic attributes (GL 2.1, section 6.1.14).
+//! `glGetVertexAttrib` in doubles and in integers: GL 2.1, section 6.1.14.
 
 use crate::base::constants::GL_CURRENT_VERTEX_ATTRIB;
 use crate::base::error::Result;

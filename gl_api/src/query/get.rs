@@ -1,11 +1,11 @@
-//! `glGetError` and the conversions of `glGet`: GL 2.1, section 6.1.2.
+//! `glGetError`, and `glGet` in each type: GL 2.1, sections 2.5 and 6.1.2.
 
 use crate::base::constants::*;
 use crate::base::error::Result;
 use crate::base::query_value::{put_bools, put_doubles, put_floats, put_ints, put_longs};
 use crate::base::types::*;
 use crate::context::Context;
-use crate::query::table::state_value;
+use crate::query::state::state_value;
 
 /// Between `glBegin` and `glEnd` this is refused like any other call, which sets the flag.
 pub(crate) fn get_error(context: &mut Context) -> Result<GLenum> {

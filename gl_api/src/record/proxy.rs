@@ -1,4 +1,4 @@
-//! Calls that ask a proxy texture: GL 2.1, section 5.4 has them carried out at once.
+//! Which calls ask about a proxy texture: they are carried out at once while a list is compiled (GL 2.1, section 5.4).
 
 use crate::base::constants::*;
 use crate::base::types::GLenum;

@@ -1,9 +1,8 @@
-//! `glRenderMode`, and where the buffers of its modes are.
+//! `glRenderMode`, `glSelectBuffer` and `glFeedbackBuffer`, and the stack of names: GL 2.1, sections 5.2 and 5.3.
 
 use crate::base::args::DataOut;
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation, not_negative};
-use crate::base::query_value::{QueryValue, int, symbol};
 use crate::base::types::*;
 use crate::context::Context;
 use crate::context::feedback::record::{FeedbackType, Record};
@@ -12,7 +11,7 @@ use crate::context::feedback::{RenderMode, Target};
 const SELECTION: &str = "GL 2.1, section 5.2";
 const FEEDBACK: &str = "GL 2.1, section 5.3";
 
-const MODE: Table<RenderMode> = Table {
+pub(crate) const MODE: Table<RenderMode> = Table {
     section: SELECTION,
     rows: &[
         (GL_RENDER, RenderMode::Render),
@@ -168,20 +167,6 @@ impl Context {
     pub fn feedback(&self) -> &[GLfloat] {
         self.feedback.record.values()
     }
-}
-
-/// What `glGet` reads.
-pub(crate) fn state_value(context: &Context, pname: GLenum) -> Option<Result<QueryValue>> {
-    let feedback = &context.feedback;
-    Some(match pname {
-        GL_RENDER_MODE => symbol(MODE.encode(feedback.mode)),
-        GL_NAME_STACK_DEPTH => int(feedback.select.depth()),
-        GL_MAX_NAME_STACK_DEPTH => int(crate::context::feedback::select::MAX_NAME_STACK_DEPTH),
-        GL_SELECTION_BUFFER_SIZE => int(feedback.select.size()),
-        GL_FEEDBACK_BUFFER_SIZE => int(feedback.record.size()),
-        GL_FEEDBACK_BUFFER_TYPE => symbol(FeedbackType::TABLE.encode(feedback.record.ty())),
-        _ => return None,
-    })
 }
 
 /// Where a buffer begins, by the name that `glGetPointerv` has for it.

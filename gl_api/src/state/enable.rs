@@ -2,14 +2,12 @@
 
 use crate::base::constants::*;
 use crate::base::error::Table;
-use crate::base::types::*;
 use crate::interface::{
     ATTRIB_COLOR, ATTRIB_EDGE_FLAG, ATTRIB_FOG_COORD, ATTRIB_INDEX, ATTRIB_NORMAL,
     ATTRIB_SECONDARY_COLOR, ATTRIB_TEX_COORD, ATTRIB_VERTEX, TexCoord,
 };
 use crate::objects::target::TextureTarget;
 use crate::state::evaluators::EvaluatorName;
-use crate::state::evaluators::MAP;
 
 /// A capability that is one flag; its bit in [`Enables`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -147,14 +145,6 @@ pub(crate) const CAPABILITY: Table<Capability> = Table {
         (GL_CLIP_DISTANCE7, Capability::ClipPlane(7)),
     ],
 };
-
-/// Whether `glIsEnabled` and `glGet` know a capability.
-pub(crate) fn is_capability(cap: GLenum) -> bool {
-    CAPABILITY.get(cap).is_some()
-        || MAP.get(cap).is_some()
-        || CLIENT_ARRAY.get(cap).is_some()
-        || cap == GL_PRIMITIVE_RESTART_NV
-}
 
 /// The flags that are enabled.
 #[derive(Clone, Debug)]

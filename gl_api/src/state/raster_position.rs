@@ -15,10 +15,3 @@ pub(crate) struct RasterPosition {
     pub index: f32,
     pub tex_coords: [[f32; 4]; MAX_TEXTURE_UNITS as usize],
 }
-
-/// Raster position state, as `glGet` reads it.
-pub(crate) enum Answer {
-    Floats(Vec<f64>),
-    Color([f32; 4]),
-    Flag(bool),
-}

@@ -1,4 +1,4 @@
-//! Buffer objects: GL 2.1, section 2.9.
+//! The names, bindings and contents of buffer objects: GL 2.1, section 2.9.
 
 use crate::base::args::{Data, DataOut, Located, LocatedOut};
 use crate::base::constants::*;

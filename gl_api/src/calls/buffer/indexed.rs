@@ -1,5 +1,4 @@
-//! Buffers that are bound to numbers: `glBindBufferRange`, `glBindBufferBase` (GL 3.0, section
-//! 2.15; ARB_uniform_buffer_object, section 2.15.3.2).
+//! `glBindBufferRange` and `glBindBufferBase`: GL 3.0, section 2.15; `ARB_uniform_buffer_object`, section 2.15.3.2.
 
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_value};
@@ -13,7 +12,7 @@ const SECTION: &str = "GL 3.1, section 2.9.1";
 
 /// A target with numbered bindings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Numbered {
+pub(crate) enum Numbered {
     TransformFeedback,
     Uniform,
 }
@@ -137,45 +136,14 @@ pub(crate) fn bind_buffer_base(
     bind(context, target, index, buffer, [None, None])
 }
 
-/// What of a numbered binding is asked for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Property {
-    Name,
-    Start,
-    Size,
-}
-
-/// What `glGetIntegeri_v` reads of a numbered binding; `None` if `pname` is of something else.
+/// The range that is bound to a number.
 ///
 /// # Errors
 /// `GL_INVALID_VALUE` for an index that there is not.
-pub(crate) fn indexed_value(
-    context: &Context,
-    pname: GLenum,
-    index: GLuint,
-) -> Option<Result<GLint64>> {
-    const PROPERTY: Table<(Numbered, Property)> = Table {
-        section: SECTION,
-        rows: &[
-            (GL_TRANSFORM_FEEDBACK_BUFFER_BINDING, (Numbered::TransformFeedback, Property::Name)),
-            (GL_TRANSFORM_FEEDBACK_BUFFER_START, (Numbered::TransformFeedback, Property::Start)),
-            (GL_TRANSFORM_FEEDBACK_BUFFER_SIZE, (Numbered::TransformFeedback, Property::Size)),
-            (GL_UNIFORM_BUFFER_BINDING, (Numbered::Uniform, Property::Name)),
-            (GL_UNIFORM_BUFFER_START, (Numbered::Uniform, Property::Start)),
-            (GL_UNIFORM_BUFFER_SIZE, (Numbered::Uniform, Property::Size)),
-        ],
-    };
-    let (numbered, property) = PROPERTY.get(pname)?;
+pub(crate) fn range(context: &Context, numbered: Numbered, index: GLuint) -> Result<&BufferRange> {
     let ranges = numbered.ranges(context);
-    let Some(range) = ranges.get(index as usize) else {
-        return Some(invalid_value(
-            SECTION,
-            format!("index = {index} must be below {}", ranges.len()),
-        ));
-    };
-    Some(Ok(match property {
-        Property::Name => range.buffer.name().into(),
-        Property::Start => range.offset as GLint64,
-        Property::Size => range.size.unwrap_or(0) as GLint64,
-    }))
+    match ranges.get(index as usize) {
+        Some(range) => Ok(range),
+        None => invalid_value(SECTION, format!("index = {index} must be below {}", ranges.len())),
+    }
 }

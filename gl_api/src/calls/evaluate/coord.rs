@@ -1,5 +1,5 @@
-//! `glEvalCoord`: the attributes that the maps give at a point, and its vertex (GL 2.1, section
-//! 5.1). The current values are those from before when it ends.
+//! `glEvalCoord`: evaluates the enabled maps at a point and emits its vertex (GL 2.1, section 5.1). The current values
+//! are restored afterwards.
 
 use crate::base::error::{Result, invalid_operation};
 use crate::base::types::*;

@@ -2,7 +2,6 @@
 
 use crate::base::constants::*;
 use crate::base::error::{ErrorCode, GlError, Result, Table, invalid_value};
-use crate::base::query_value::{QueryValue, int};
 use crate::base::types::*;
 use crate::calls::evaluate::coord::point;
 use crate::calls::vertex::immediate::{begin, end};
@@ -173,18 +172,4 @@ pub(crate) fn eval_mesh2(
         }
     }
     Ok(())
-}
-
-/// What `glGet` reads.
-pub(crate) fn state_value(context: &Context, pname: GLenum) -> Option<Result<QueryValue>> {
-    let evaluators = &context.state.evaluators;
-    let [u, v] = evaluators.grid_2;
-    Some(match pname {
-        GL_MAX_EVAL_ORDER => int(crate::state::evaluators::MAX_EVAL_ORDER),
-        GL_MAP1_GRID_DOMAIN => Ok(QueryValue::Floats(evaluators.grid_1.domain.to_vec())),
-        GL_MAP1_GRID_SEGMENTS => int(evaluators.grid_1.segments),
-        GL_MAP2_GRID_DOMAIN => Ok(QueryValue::Floats([u.domain, v.domain].concat())),
-        GL_MAP2_GRID_SEGMENTS => Ok(QueryValue::Ints(vec![u.segments, v.segments])),
-        _ => return None,
-    })
 }

@@ -5,8 +5,7 @@ use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation, invalid_value};
 use crate::base::types::*;
 use crate::context::Context;
-use crate::state::evaluators::{Dimension, EvaluatorName};
-use crate::state::evaluators::{EvaluatorMap, MAP, MAX_EVAL_ORDER};
+use crate::state::evaluators::{Dimension, EvaluatorMap, EvaluatorName, MAP, MAX_EVAL_ORDER};
 
 const SECTION: &str = "GL 2.1, section 5.1";
 

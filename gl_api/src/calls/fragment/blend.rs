@@ -1,5 +1,4 @@
-//! Blending: GL 2.1, section 4.1.8; each draw buffer by a formula of its own:
-//! `ARB_draw_buffers_blend`.
+//! The calls of blending: GL 2.1, section 4.1.8; by draw buffer: `ARB_draw_buffers_blend`.
 
 use crate::base::error::Result;
 use crate::base::types::*;

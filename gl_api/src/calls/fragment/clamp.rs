@@ -1,16 +1,12 @@
-//! Which colours are clamped to [0, 1]: `glClampColor` (`ARB_color_buffer_float`).
+//! `glClampColor` (`ARB_color_buffer_float`).
 //!
-//! Colours of the state (fog, environments, the alpha reference, blending, clearing, borders) are kept
-//! as they are given, and clamped where they are used or asked for.
+//! Colours of the state (fog, environments, the alpha reference, blending, clearing, borders) are kept as they are given,
+//! and clamped where they are used or queried.
 
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_enum};
-use crate::base::query_value::{QueryValue, flag, symbol};
 use crate::base::types::*;
-use crate::calls::framebuffer::buffers::drawn_format;
 use crate::context::Context;
-use crate::draw::completeness::drawn_formats;
-use crate::pixel::component_bits::Component;
 use crate::state::clamp::When;
 use texunit::format::{BaseFormat, Encoding, Format};
 
@@ -32,7 +28,7 @@ const TARGET: Table<Target> = Table {
     ],
 };
 
-const WHEN: Table<When> = Table {
+pub(crate) const WHEN: Table<When> = Table {
     section: SECTION,
     rows: &[(GL_TRUE, When::Always), (GL_FALSE, When::Never), (GL_FIXED_ONLY, When::Fixed)],
 };
@@ -55,7 +51,7 @@ pub(crate) fn clamp_color(context: &mut Context, target: GLenum, clamp: GLenum) 
 }
 
 /// Which of red, green, blue and alpha can be negative (`EXT_packed_float`, table 6.33).
-fn signed_components(format: Format) -> [bool; 4] {
+pub(crate) fn signed_components(format: Format) -> [bool; 4] {
     let info = format.info();
     let is_signed = match info.encoding {
         Encoding::Snorm | Encoding::Sint => true,
@@ -77,24 +73,4 @@ fn signed_components(format: Format) -> [bool; 4] {
         BaseFormat::Depth => [false; 4],
     };
     there.map(|there| is_signed && there)
-}
-
-/// What `glGet` answers.
-pub(crate) fn state_value(context: &Context, pname: GLenum) -> Option<Result<QueryValue>> {
-    let state = &context.state.clamp;
-    Some(match pname {
-        GL_RGBA_FLOAT_MODE_ARB => {
-            let is_float = |format: Format| format.info().encoding == Encoding::Float;
-            flag(drawn_formats(context).any(is_float))
-        }
-        GL_RGBA_SIGNED_COMPONENTS_EXT => {
-            let format = drawn_format(context, Component::Red);
-            Ok(QueryValue::Bools(format.map_or([false; 4], signed_components).to_vec()))
-        }
-        _ => match TARGET.get(pname)? {
-            Target::Vertex => symbol(WHEN.encode(state.vertex)),
-            Target::Fragment => symbol(WHEN.encode(state.fragment)),
-            Target::Read => symbol(WHEN.encode(state.read)),
-        },
-    })
 }

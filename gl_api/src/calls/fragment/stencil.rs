@@ -1,4 +1,4 @@
-//! The stencil test: GL 2.1, section 4.1.5, and `EXT_stencil_two_side`.
+//! The calls of the stencil test: GL 2.1, section 4.1.5, and `EXT_stencil_two_side`.
 
 use crate::base::compare::COMPARE;
 use crate::base::constants::*;

@@ -1,4 +1,5 @@
-//! Per-fragment operations: GL 2.1, section 4.1; masks and clear values: section 4.2.
+//! The calls of the alpha test, the depth test and the scissor test (GL 2.1, section 4.1), the depth mask and the values
+//! that `glClear` writes (section 4.2).
 
 use crate::base::compare::COMPARE;
 use crate::base::convert::unit;

@@ -1,9 +1,8 @@
-//! The accumulation buffer of the default framebuffer: GL 2.1, section 4.2.4. Its components are
-//! `f32`; it has memory from when it is first used.
+//! `glAccum`: the accumulation buffer of the default framebuffer (GL 2.1, section 4.2.4). Its components are
+//! `f32`; its memory is allocated when it is first used.
 
 use crate::base::constants::*;
 use crate::base::error::{ErrorCode, GlError, Result, Table, invalid_operation};
-use crate::base::query_value::{QueryValue, int, unit};
 use crate::base::types::*;
 use crate::calls::framebuffer::blit::edit;
 use crate::calls::framebuffer::read;
@@ -18,7 +17,7 @@ use texunit::lanes::LANES;
 const SECTION: &str = "GL 2.1, section 4.2.4";
 
 /// Bits of a component.
-const BITS: i32 = 32;
+pub(crate) const BITS: i32 = 32;
 
 /// What `glAccum` does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -170,15 +169,4 @@ fn give_back(context: &mut Context, area: Rect, factor: f32) -> Result<()> {
     }
     context.window.accumulation.0 = sums;
     Ok(())
-}
-
-/// What `glGet` reads.
-pub(crate) fn state_value(context: &Context, pname: GLenum) -> Option<Result<QueryValue>> {
-    Some(match pname {
-        GL_ACCUM_RED_BITS | GL_ACCUM_GREEN_BITS | GL_ACCUM_BLUE_BITS | GL_ACCUM_ALPHA_BITS => {
-            int(if context.state.bindings.draw_framebuffer == 0 { BITS } else { 0 })
-        }
-        GL_ACCUM_CLEAR_VALUE => unit(&context.state.clear.accumulation),
-        _ => return None,
-    })
 }

@@ -7,8 +7,9 @@ use crate::base::types::*;
 use crate::calls::framebuffer::names::bound;
 use crate::context::Context;
 use crate::draw::completeness::{completeness, selects_nothing};
-use crate::objects::framebuffers::{Attached, FRAMEBUFFER_TARGET, Framebuffer, Planes, Source};
-use crate::objects::framebuffers::{AttachmentPoint, attachment_point};
+use crate::objects::framebuffers::{
+    Attached, AttachmentPoint, FRAMEBUFFER_TARGET, Framebuffer, Planes, Source, attachment_point,
+};
 use crate::objects::target::{FaceTarget, TARGET, TextureTarget, attachable_target};
 use rasterizer::driver::Image;
 

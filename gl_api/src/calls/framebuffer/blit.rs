@@ -8,7 +8,7 @@ pub(crate) mod rows;
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation, invalid_value};
 use crate::base::types::*;
-use crate::calls::framebuffer::blit::rows::Way;
+use crate::calls::framebuffer::blit::rows::{Aspect, RowConversion};
 use crate::calls::framebuffer::read::{Pixels, same_kind, settled, settled_samples};
 use crate::context::Context;
 use crate::draw::completeness::{
@@ -27,7 +27,7 @@ const SECTION: &str = "ARB_framebuffer_object, section 4.3.3";
 const FILTER: Table<Filter> =
     Table { section: SECTION, rows: &[(GL_NEAREST, Filter::Nearest), (GL_LINEAR, Filter::Linear)] };
 
-/// The way along one axis: from where to where, on both sides.
+/// The conversion along one axis: from where to where, on both sides.
 #[derive(Clone, Copy)]
 struct Axis {
     src: [GLint; 2],
@@ -101,17 +101,9 @@ struct Blit {
     srgb: SrgbWrite,
 }
 
-/// What part of a texel is copied.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Part {
-    Color,
-    Depth,
-    Stencil,
-}
-
 impl Blit {
     /// Copies to one attachment, from what every sample has or from a sample each.
-    fn write(&self, context: &mut Context, from: &[Pixels], to: &Attachment, part: Part) {
+    fn write(&self, context: &mut Context, from: &[Pixels], to: &Attachment, aspect: Aspect) {
         let Some([width, height]) = from.first().map(Pixels::size) else { return };
         let (area, isa) = (self.area, context.recorder.isa());
         let columns = self.axes[0].taps(area.x, area.width, width, self.filter);
@@ -122,12 +114,13 @@ impl Blit {
         edit(context, to, |level, first, sample| {
             let Some(from) = from.get(sample).or(from.first()) else { return };
             let (format, row_bytes) = (level.format, level.row_bytes());
-            let mut way = Way::new(isa, (part, filter), [from.format(), format], self.srgb);
+            let mut conversion =
+                RowConversion::new(isa, (aspect, filter), [from.format(), format], self.srgb);
             let column = (area.x as usize + columns.before) * format.bytes();
             for (y, &tap) in (area.y as usize + rows.before..).zip(&rows.taps) {
                 let texels = &mut level.texels[first + y * row_bytes + column..];
                 let used = columns.taps.len() * format.bytes();
-                way.write(from, &columns.taps, tap, &mut texels[..used]);
+                conversion.write(from, &columns.taps, tap, &mut texels[..used]);
             }
         });
     }
@@ -176,34 +169,34 @@ fn edit_slice(attachment: &Attachment, change: impl FnOnce(&mut Level, usize)) {
 }
 
 /// What of a framebuffer a mask names, in the order in which it is copied.
-const PARTS: [(GLbitfield, Part, Readable); 3] = [
-    (GL_COLOR_BUFFER_BIT, Part::Color, Readable::Color),
-    (GL_DEPTH_BUFFER_BIT, Part::Depth, Readable::Depth),
-    (GL_STENCIL_BUFFER_BIT, Part::Stencil, Readable::Stencil),
+const PARTS: [(GLbitfield, Aspect, Readable); 3] = [
+    (GL_COLOR_BUFFER_BIT, Aspect::Color, Readable::Color),
+    (GL_DEPTH_BUFFER_BIT, Aspect::Depth, Readable::Depth),
+    (GL_STENCIL_BUFFER_BIT, Aspect::Stencil, Readable::Stencil),
 ];
 
-/// Where a part is copied from and to.
+/// Where an aspect is copied from and to.
 struct Copy {
-    part: Part,
+    aspect: Aspect,
     /// Of one sample, or of each.
     from: Vec<Pixels>,
     to: Vec<Attachment>,
 }
 
-/// The attachments of the draw framebuffer that a part goes to.
-fn destinations(context: &Context, part: Part) -> Result<Vec<Attachment>> {
+/// The attachments of the draw framebuffer that an aspect goes to.
+fn destinations(context: &Context, aspect: Aspect) -> Result<Vec<Attachment>> {
     let (pass, planes) = (draw_pass(context)?, draw_planes(context));
     let depth = |there: bool| pass.depth.clone().filter(|_| there).into_iter().collect();
-    Ok(match part {
-        Part::Color => pass.colors.into_iter().flatten().collect(),
-        Part::Depth => depth(planes.depth),
-        Part::Stencil => depth(planes.stencil),
+    Ok(match aspect {
+        Aspect::Color => pass.colors.into_iter().flatten().collect(),
+        Aspect::Depth => depth(planes.depth),
+        Aspect::Stencil => depth(planes.stencil),
     })
 }
 
-/// Whether a part can go from one format to another with a filter.
-fn check_formats(part: Part, from: Format, to: Format, filter: Filter) -> Result<()> {
-    if part != Part::Color {
+/// Whether an aspect can go from one format to another with a filter.
+fn check_formats(aspect: Aspect, from: Format, to: Format, filter: Filter) -> Result<()> {
+    if aspect != Aspect::Color {
         if from != to {
             return invalid_operation(
                 SECTION,
@@ -260,12 +253,12 @@ pub(crate) fn blit_framebuffer(
     let pass = draw_pass(context)?;
     check_samples(context, axes)?;
     let mut copies = Vec::new();
-    for (bit, part, readable) in PARTS {
+    for (bit, aspect, readable) in PARTS {
         if mask & bit == 0 {
             continue;
         }
         // What is missing on either side is left out (section 4.3.3).
-        let to = destinations(context, part)?;
+        let to = destinations(context, aspect)?;
         let Some(attachment) = read_attachment(context, readable)?.filter(|_| !to.is_empty())
         else {
             continue;
@@ -274,7 +267,7 @@ pub(crate) fn blit_framebuffer(
         for (from, to) in
             to.iter().filter_map(|to| format.zip(crate::context::window::format_of(to)))
         {
-            check_formats(part, from, to, filter)?;
+            check_formats(aspect, from, to, filter)?;
         }
         let several = |attachment: &Attachment| attachment.image.samples() > 1;
         let from = if several(&attachment) && to.iter().any(several) {
@@ -282,16 +275,16 @@ pub(crate) fn blit_framebuffer(
         } else {
             settled(context, &attachment).into_iter().collect()
         };
-        copies.push(Copy { part, from, to });
+        copies.push(Copy { aspect, from, to });
     }
     if context.queries.discards() {
         return Ok(());
     }
     let Some(area) = covered(axes, drawn_area(context, &pass)) else { return Ok(()) };
     let blit = Blit { axes, filter, area, srgb: srgb_write(context) };
-    for Copy { part, from, to } in &copies {
+    for Copy { aspect, from, to } in &copies {
         for to in to {
-            blit.write(context, from, to, *part);
+            blit.write(context, from, to, *aspect);
         }
     }
     Ok(())

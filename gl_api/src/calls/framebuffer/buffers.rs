@@ -1,13 +1,13 @@
-//! Which buffers are drawn to and read from: GL 2.1, sections 4.2.1 and 4.3.2.
+//! `glDrawBuffers` and `glReadBuffer`, and the formats of the buffers that they select: GL 2.1, sections 4.2.1 and 4.3.2.
 
 use crate::base::constants::*;
 use crate::base::error::{Result, invalid_enum, invalid_operation, invalid_value, not_negative};
 use crate::base::limits;
 use crate::base::types::*;
 use crate::context::Context;
-use crate::draw::completeness::{attached_format, samples};
-use crate::objects::color_buffers::{Answer, Selection, attachment_index};
-use crate::pixel::component_bits::{Component, component_bits};
+use crate::draw::completeness::attached_format;
+use crate::objects::color_buffers::{Selection, attachment_index};
+use crate::pixel::component_bits::Component;
 use texunit::format::Format;
 
 const DRAW: &str = "GL 2.1, section 4.2.1";
@@ -147,41 +147,6 @@ pub(crate) fn read_buffer(context: &mut Context, src: GLenum) -> Result<()> {
     checked(READ, framebuffer, "src", src)?;
     selection_mut(context, framebuffer).read = src;
     Ok(())
-}
-
-/// Reads state by its name, if it is a framebuffer's.
-pub(crate) fn state_value(context: &Context, pname: GLenum) -> Option<Answer> {
-    let of = |framebuffer: GLuint| selection(context, framebuffer);
-    let name = context.state.bindings.draw_framebuffer;
-    let draw = of(name);
-    let bits = |component| {
-        let format = drawn_format(context, component);
-        Answer::Number(format.map_or(0, |format| component_bits(format, component)))
-    };
-    Some(match pname {
-        GL_DRAW_BUFFER => Answer::Symbol(draw.draw[0]),
-        GL_READ_BUFFER => Answer::Symbol(of(context.state.bindings.read_framebuffer).read),
-        _ if (GL_DRAW_BUFFER0..GL_DRAW_BUFFER0 + 8).contains(&pname) => {
-            Answer::Symbol(draw.draw[(pname - GL_DRAW_BUFFER0) as usize])
-        }
-        GL_RED_BITS => bits(Component::Red),
-        GL_GREEN_BITS => bits(Component::Green),
-        GL_BLUE_BITS => bits(Component::Blue),
-        GL_ALPHA_BITS => bits(Component::Alpha),
-        GL_DEPTH_BITS => bits(Component::Depth),
-        GL_STENCIL_BITS => bits(Component::Stencil),
-        GL_SAMPLES => Answer::Number(samples(context, name).into()),
-        GL_SAMPLE_BUFFERS => Answer::Number((samples(context, name) > 0).into()),
-        GL_FRAMEBUFFER_SRGB_CAPABLE_EXT => {
-            Answer::Flag(drawn_format(context, Component::Red).is_some_and(Format::is_srgb))
-        }
-        GL_RGBA_INTEGER_MODE_EXT => {
-            Answer::Flag(drawn_format(context, Component::Red).is_some_and(Format::is_integer))
-        }
-        GL_IMPLEMENTATION_COLOR_READ_FORMAT => Answer::Symbol(GL_RGBA),
-        GL_IMPLEMENTATION_COLOR_READ_TYPE => Answer::Symbol(GL_UNSIGNED_BYTE),
-        _ => return None,
-    })
 }
 
 /// The format of the first buffer that is drawn to, or of depth or stencil.

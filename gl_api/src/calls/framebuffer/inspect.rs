@@ -1,4 +1,4 @@
-//! What is known of an attachment: `ARB_framebuffer_object`, section 6.1.13.
+//! `glGetFramebufferAttachmentParameteriv`: `ARB_framebuffer_object`, section 6.1.13.
 
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_enum, invalid_operation};
@@ -7,8 +7,9 @@ use crate::base::types::*;
 use crate::calls::framebuffer::names::bound;
 use crate::context::Context;
 use crate::draw::completeness::attached_format;
-use crate::objects::framebuffers::{Attached, FRAMEBUFFER_TARGET, Framebuffer, Source};
-use crate::objects::framebuffers::{AttachmentPoint, attachment_point};
+use crate::objects::framebuffers::{
+    Attached, AttachmentPoint, FRAMEBUFFER_TARGET, Framebuffer, Source, attachment_point,
+};
 use crate::objects::target::{FACE_TARGET, TextureTarget};
 use crate::pixel::component_bits::{Component, component_bits};
 use texunit::format::{Encoding, Format};

@@ -1,4 +1,4 @@
-//! Framebuffer objects: names and bindings (`ARB_framebuffer_object`, section 4.4.1).
+//! The names and bindings of framebuffer objects: `ARB_framebuffer_object`, section 4.4.1.
 
 use crate::base::error::Result;
 use crate::base::types::*;

@@ -1,11 +1,10 @@
-//! Fog: GL 2.1, section 3.10.
+//! `glFog`: GL 2.1, section 3.10.
 
 use crate::base::constants::*;
 use crate::base::error::{Result, Table};
 use crate::base::params::{Params, at_least_zero};
-use crate::base::query_value::{QueryValue, float, symbol, unit};
 use crate::base::types::*;
-use crate::calls::params::parameter_calls;
+use crate::calls::parameter_forms::parameter_calls;
 use crate::context::Context;
 use crate::state::fog::{FOG_MODE, FOG_SOURCE};
 
@@ -52,17 +51,3 @@ fn set_fog(context: &mut Context, pname: GLenum, params: &Params) -> Result<()> 
 }
 
 parameter_calls!(set_fog(pname): fogf, fogi, fogfv, fogiv);
-
-/// What `glGet` answers.
-pub(crate) fn state_value(context: &Context, pname: GLenum) -> Option<Result<QueryValue>> {
-    let fog = &context.state.fog;
-    Some(match PARAMETER.get(pname)? {
-        Parameter::Mode => symbol(FOG_MODE.encode(fog.mode)),
-        Parameter::Density => float(fog.density),
-        Parameter::Start => float(fog.start),
-        Parameter::End => float(fog.end),
-        Parameter::Index => float(fog.index),
-        Parameter::Color => unit(&crate::draw::color_clamp::of_fragments(context).color(fog.color)),
-        Parameter::Source => symbol(FOG_SOURCE.encode(fog.source)),
-    })
-}

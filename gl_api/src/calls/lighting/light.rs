@@ -1,11 +1,11 @@
-//! Lights and the lighting model: GL 2.1, section 2.14.1, table 2.10.
+//! `glLight` and `glLightModel`: GL 2.1, section 2.14.1, table 2.10.
 
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_value};
 use crate::base::params::{Params, at_least_zero};
-use crate::base::query_value::{QueryValue, flag, float, symbol, unit};
+use crate::base::query_value::{QueryValue, float, unit};
 use crate::base::types::*;
-use crate::calls::params::{parameter_calls, parameter_queries};
+use crate::calls::parameter_forms::{parameter_calls, parameter_queries};
 use crate::context::Context;
 use crate::state::light::{COLOR_CONTROL, Derived, index};
 use glam::{DMat3, DVec4};
@@ -146,14 +146,3 @@ fn set_model(context: &mut Context, pname: GLenum, params: &Params) -> Result<()
 }
 
 parameter_calls!(set_model(pname): light_modelf, light_modeli, light_modelfv, light_modeliv);
-
-/// What `glGet` answers.
-pub(crate) fn state_value(context: &Context, pname: GLenum) -> Option<Result<QueryValue>> {
-    let model = &context.state.lights.model;
-    Some(match MODEL_PARAMETER.get(pname)? {
-        ModelParameter::Ambient => unit(&model.ambient),
-        ModelParameter::LocalViewer => flag(model.local_viewer),
-        ModelParameter::TwoSide => flag(model.two_side),
-        ModelParameter::ColorControl => symbol(COLOR_CONTROL.encode(model.color_control)),
-    })
-}

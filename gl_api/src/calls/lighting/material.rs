@@ -1,11 +1,11 @@
-//! Materials and colour material: GL 2.1, sections 2.14.2 and 2.14.3.
+//! `glMaterial` and `glColorMaterial`: GL 2.1, sections 2.14.2 and 2.14.3.
 
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_value};
 use crate::base::params::Params;
 use crate::base::query_value::{QueryValue, float, floats, unit};
 use crate::base::types::*;
-use crate::calls::params::{parameter_calls, parameter_queries};
+use crate::calls::parameter_forms::{parameter_calls, parameter_queries};
 use crate::calls::vertex::immediate::attribute;
 use crate::context::Context;
 use crate::context::immediate::Slot;

@@ -4,7 +4,7 @@ use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation, not_negative};
 use crate::base::types::*;
 use crate::calls::framebuffer::read;
-use crate::calls::pixels::draw::{DEPTHS, room, rows};
+use crate::calls::pixels::draw::{DEPTHS, rows, scratch};
 use crate::calls::pixels::stencil;
 use crate::context::feedback::RenderMode;
 use crate::context::recorder::pixel_rectangle::ReplacedValue;
@@ -19,27 +19,27 @@ const SECTION: &str = "GL 2.1, section 4.3.3";
 
 /// What is copied.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
+enum CopiedBuffer {
     Color,
     Depth,
     Stencil,
     DepthStencil,
 }
 
-const KIND: Table<Kind> = Table {
+const BUFFER: Table<CopiedBuffer> = Table {
     section: SECTION,
     rows: &[
-        (GL_COLOR, Kind::Color),
-        (GL_DEPTH, Kind::Depth),
-        (GL_STENCIL, Kind::Stencil),
-        (GL_DEPTH_STENCIL, Kind::DepthStencil),
+        (GL_COLOR, CopiedBuffer::Color),
+        (GL_DEPTH, CopiedBuffer::Depth),
+        (GL_STENCIL, CopiedBuffer::Stencil),
+        (GL_DEPTH_STENCIL, CopiedBuffer::DepthStencil),
     ],
 };
 
 /// The texels of a region of what is read; zeros where it lies outside.
 fn texels(from: &read::Pixels, region: Region) -> Result<Vec<u8>> {
     let size = from.format().bytes();
-    let mut out = room(from.format(), region.width, region.height)?;
+    let mut out = scratch(from.format(), region.width, region.height)?;
     let [width, height] = from.size();
     if let Some(visible) = region.within(width, height) {
         for y in visible.y..visible.y + visible.height {
@@ -63,14 +63,14 @@ pub(crate) fn copy_pixels(
 ) -> Result<()> {
     let width = not_negative(SECTION, "width", width.into())?;
     let height = not_negative(SECTION, "height", height.into())?;
-    let kind = KIND.decode("type", ty)?;
+    let kind = BUFFER.decode("type", ty)?;
     checked_drawable(context)?;
     let planes = draw_planes(context);
     let missing = match kind {
-        Kind::Color => false,
-        Kind::Depth => !planes.depth,
-        Kind::Stencil => !planes.stencil,
-        Kind::DepthStencil => !planes.depth || !planes.stencil,
+        CopiedBuffer::Color => false,
+        CopiedBuffer::Depth => !planes.depth,
+        CopiedBuffer::Stencil => !planes.stencil,
+        CopiedBuffer::DepthStencil => !planes.depth || !planes.stencil,
     };
     if missing {
         return invalid_operation(
@@ -79,10 +79,10 @@ pub(crate) fn copy_pixels(
         );
     }
     let from = match kind {
-        Kind::Color => read::source(context, Readable::Color)?,
-        Kind::Depth => read::source(context, Readable::Depth)?,
-        Kind::Stencil => read::source(context, Readable::Stencil)?,
-        Kind::DepthStencil => {
+        CopiedBuffer::Color => read::source(context, Readable::Color)?,
+        CopiedBuffer::Depth => read::source(context, Readable::Depth)?,
+        CopiedBuffer::Stencil => read::source(context, Readable::Stencil)?,
+        CopiedBuffer::DepthStencil => {
             read::source(context, Readable::Stencil)?;
             read::source(context, Readable::Depth)?
         }
@@ -102,7 +102,7 @@ pub(crate) fn copy_pixels(
     let (isa, transfer) = (context.recorder.isa(), &context.state.transfer);
     let as_format = |to: Format| convert::transcode(isa, from.format(), &stored, to, transfer);
     match kind {
-        Kind::Color => {
+        CopiedBuffer::Color => {
             let to =
                 match Conversion::between(isa, from.format(), Format::Rgba8, transfer).is_moved() {
                     true => Format::Rgba8,
@@ -116,16 +116,16 @@ pub(crate) fn copy_pixels(
                 &rows(&texels, width * to.bytes()),
             )
         }
-        Kind::Depth => {
+        CopiedBuffer::Depth => {
             let texels = as_format(Format::D32F);
             crate::draw::pixel_rectangle::draw(context, size, DEPTHS, &rows(&texels, width * 4))
         }
-        Kind::Stencil => {
-            let mut stencils = room(Format::R8UI, width, height)?;
+        CopiedBuffer::Stencil => {
+            let mut stencils = scratch(Format::R8UI, width, height)?;
             Conversion::stencils(isa, from.format(), transfer).run(&stored, &mut stencils);
             stencil::draw_stencils(context, size, &stencils)
         }
-        Kind::DepthStencil => {
+        CopiedBuffer::DepthStencil => {
             let Some(to) = stencil::target(context)? else { return Ok(()) };
             let (texels, depth) = (as_format(to), context.state.fragment.depth_write);
             stencil::draw(context, size, &texels, depth)

@@ -29,8 +29,8 @@ pub(crate) fn rows<'a>(texels: &'a [u8], row_bytes: usize) -> impl Fn(usize) -> 
 pub(crate) const DEPTHS: (ReplacedValue, Format) = (ReplacedValue::Depth, Format::R32F);
 
 /// Memory for the pixels of a rectangle.
-pub(crate) fn room(format: Format, width: usize, height: usize) -> Result<Vec<u8>> {
-    crate::calls::texture::sub::room(format, [width, height, 1])
+pub(crate) fn scratch(format: Format, width: usize, height: usize) -> Result<Vec<u8>> {
+    crate::calls::texture::sub::scratch(format, [width, height, 1])
 }
 
 /// Whether what is drawn to takes these pixels.
@@ -111,7 +111,7 @@ pub(crate) fn draw_pixels(
     };
     let (size, bytes) = ([width, height], source.bytes());
     let all = || -> Result<Vec<u8>> {
-        let mut texels = room(format, width, height)?;
+        let mut texels = scratch(format, width, height)?;
         convert::unpack(isa, &layout, bytes, format, &transfer, &mut texels);
         Ok(texels)
     };

@@ -1,5 +1,4 @@
-//! The look-up tables of pixel transfer: `glPixelMap` and `glGetPixelMap` (GL 2.1, sections 3.6.3
-//! and 6.1.3, table 3.3).
+//! `glPixelMap` and `glGetPixelMap`: GL 2.1, sections 3.6.3 and 6.1.3, table 3.3.
 
 use crate::base::args::{Data, DataOut};
 use crate::base::constants::*;
@@ -8,7 +7,7 @@ use crate::base::error::{Result, Table, invalid_operation, invalid_value};
 use crate::base::types::*;
 use crate::calls::pixels::memory::{source, write_bytes};
 use crate::context::Context;
-use crate::pixel::map::{MAX_PIXEL_MAP_TABLE, PixelMap, PixelMapName, PixelMaps};
+use crate::pixel::map::{MAX_PIXEL_MAP_TABLE, PixelMap, PixelMapName};
 
 const SECTION: &str = "GL 2.1, section 3.6.3";
 
@@ -27,30 +26,6 @@ const NAME: Table<PixelMapName> = Table {
         (GL_PIXEL_MAP_A_TO_A, PixelMapName::AToA),
     ],
 };
-
-/// What `glGet` is asked for the size of each table.
-const SIZE: Table<PixelMapName> = Table {
-    section: "GL 2.1, table 6.22",
-    rows: &[
-        (GL_PIXEL_MAP_I_TO_I_SIZE, PixelMapName::IToI),
-        (GL_PIXEL_MAP_S_TO_S_SIZE, PixelMapName::SToS),
-        (GL_PIXEL_MAP_I_TO_R_SIZE, PixelMapName::IToR),
-        (GL_PIXEL_MAP_I_TO_G_SIZE, PixelMapName::IToG),
-        (GL_PIXEL_MAP_I_TO_B_SIZE, PixelMapName::IToB),
-        (GL_PIXEL_MAP_I_TO_A_SIZE, PixelMapName::IToA),
-        (GL_PIXEL_MAP_R_TO_R_SIZE, PixelMapName::RToR),
-        (GL_PIXEL_MAP_G_TO_G_SIZE, PixelMapName::GToG),
-        (GL_PIXEL_MAP_B_TO_B_SIZE, PixelMapName::BToB),
-        (GL_PIXEL_MAP_A_TO_A_SIZE, PixelMapName::AToA),
-    ],
-};
-
-impl PixelMaps {
-    /// The size of the table that a query names.
-    pub fn size(&self, pname: GLenum) -> Option<usize> {
-        SIZE.get(pname).map(|name| self.map(name).entries().len())
-    }
-}
 
 /// How a call has the entries: bytes of each, from bytes to a number, and back.
 struct Entry {

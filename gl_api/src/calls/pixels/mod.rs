@@ -1,8 +1,8 @@
-//! Pixel rectangles as fragments: GL 2.1, sections 2.13, 3.6.4, 3.6.5, 3.7 and 4.3.3.
+//! The calls of pixel rectangles: GL 2.1, sections 2.13, 3.6, 3.7 and 4.3.3.
 //!
-//! The modules in the order in which pixels pass through them: the raster position says where they
-//! go, `glDrawPixels`, `glCopyPixels` and `glBitmap` bring them, zoom says which of them each
-//! pixel of the window gets, and a rectangle of fragments takes its colour or depth from there.
+//! In the order in which pixels pass through them: [`memory`] finds them in the client's memory or a buffer,
+//! [`position`] says where they go, [`draw`], [`copy`] and [`bitmap`] make fragments of them, [`zoom`] sets how many
+//! pixels of the window each becomes, and [`stencil`] writes those that are no fragments.
 
 pub(crate) mod bitmap;
 pub(crate) mod copy;

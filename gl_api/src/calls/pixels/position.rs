@@ -1,10 +1,8 @@
-//! The current raster position: GL 2.1, section 2.13, and `glWindowPos`.
+//! `glRasterPos` and `glWindowPos`: GL 2.1, section 2.13.
 
-use crate::base::constants::*;
 use crate::base::convert::unit;
 use crate::base::error::{Result, invalid_operation};
 use crate::base::limits;
-use crate::base::types::GLenum;
 use crate::context::Context;
 use crate::context::feedback::RenderMode;
 use crate::context::recorder::stages::Stages;
@@ -15,7 +13,7 @@ use crate::draw::draw_reuse::allows_reuse;
 use crate::draw::pipeline::depth_clip;
 use crate::interface::*;
 use crate::state::fog::FogSource;
-use crate::state::raster_position::{Answer, RasterPosition};
+use crate::state::raster_position::RasterPosition;
 use crate::state::viewport::within;
 use rasterizer::driver::{Antialiasing, DepthClip, VertexBinding, VertexSource};
 use rasterizer::ir::{Input, Output};
@@ -207,21 +205,6 @@ pub(crate) fn window(context: &mut Context, position: [f64; 4]) -> Result<()> {
     };
     select(context);
     Ok(())
-}
-
-/// Reads state by its name, if it is the raster position's.
-pub(crate) fn state_value(context: &Context, pname: GLenum) -> Option<Answer> {
-    let position = &context.state.raster_position;
-    Some(match pname {
-        GL_CURRENT_RASTER_POSITION => Answer::Floats(position.window.to_vec()),
-        GL_CURRENT_RASTER_POSITION_VALID => Answer::Flag(position.valid),
-        GL_CURRENT_RASTER_DISTANCE => Answer::Floats(vec![position.distance.into()]),
-        GL_CURRENT_RASTER_COLOR => Answer::Color(position.color),
-        GL_CURRENT_RASTER_SECONDARY_COLOR => Answer::Color(position.secondary_color),
-        GL_ZOOM_X => Answer::Floats(vec![context.state.pixel_zoom[0].into()]),
-        GL_ZOOM_Y => Answer::Floats(vec![context.state.pixel_zoom[1].into()]),
-        _ => return None,
-    })
 }
 
 /// Moves the raster position, as `glBitmap` does.

@@ -1,4 +1,4 @@
-//! How pixels lie in the client's memory: GL 2.1, section 3.6.1 and table 3.1.
+//! `glPixelStore`: GL 2.1, section 3.6.1 and table 3.1.
 
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_value};

@@ -1,6 +1,5 @@
-//! Pixel transfer: what is done to every pixel on its way in and out: scale and bias, and the
-//! look-up tables of [`super::pixel_map`], and the shift and offset of indices (GL 2.1, sections
-//! 3.6.3 and 3.6.5).
+//! `glPixelTransfer` (GL 2.1, section 3.6.3). What it sets is [`crate::pixel::transfer`]; the look-up tables are those of
+//! [`super::map`].
 
 use crate::base::constants::*;
 use crate::base::error::{Result, invalid_value};

@@ -1,4 +1,4 @@
-//! Pixel zoom: which pixel of a rectangle each pixel of the window gets (GL 2.1, section 3.6.4).
+//! `glPixelZoom`: GL 2.1, section 3.6.4.
 
 use crate::base::error::{Result, invalid_value};
 use crate::base::types::*;

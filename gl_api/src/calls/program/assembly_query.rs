@@ -6,7 +6,6 @@ use crate::base::assembly_limits as limits;
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_enum, invalid_operation};
 use crate::base::query_value::put;
-use crate::base::query_value::{QueryValue, int};
 use crate::base::types::*;
 use crate::calls::program::assembly::parameters;
 use crate::context::Context;
@@ -187,26 +186,4 @@ pub(crate) fn kept(text: &str) -> &'static str {
     let new: &'static str = String::leak(text.to_owned());
     kept.push(new);
     new
-}
-
-/// What `glGet` answers of assembly programs.
-pub(crate) fn state_value(context: &Context, pname: GLenum) -> Option<Result<QueryValue>> {
-    let elements = |transposed: bool| {
-        let top = crate::calls::transform::matrix::current(context)?.top;
-        let matrix = if transposed { top.transpose() } else { top };
-        Ok(QueryValue::Floats(matrix.to_cols_array().to_vec()))
-    };
-    Some(match pname {
-        GL_PROGRAM_ERROR_POSITION_ARB => {
-            int(context.state.assembly.error.map_or(-1, |(position, _)| position))
-        }
-        GL_MAX_PROGRAM_MATRICES_ARB => int(limits::MAX_PROGRAM_MATRICES),
-        GL_MAX_PROGRAM_MATRIX_STACK_DEPTH_ARB => int(limits::MAX_PROGRAM_MATRIX_STACK_DEPTH),
-        GL_CURRENT_MATRIX_ARB => elements(false),
-        GL_TRANSPOSE_CURRENT_MATRIX_ARB => elements(true),
-        GL_CURRENT_MATRIX_STACK_DEPTH_ARB => {
-            crate::calls::transform::matrix::current(context).and_then(|stack| int(stack.depth()))
-        }
-        _ => return None,
-    })
 }

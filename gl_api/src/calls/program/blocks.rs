@@ -1,5 +1,5 @@
-//! What is known of uniform blocks, and of uniforms in them: ARB_uniform_buffer_object, section
-//! 2.15.3.
+//! Queries of uniform blocks and of the uniforms in them, and `glUniformBlockBinding`: `ARB_uniform_buffer_object`,
+//! section 2.15.3.
 
 use crate::base::args::{Names, TextOut};
 use crate::base::constants::*;

@@ -1,4 +1,4 @@
-//! What is known of a program: GL 2.1, sections 2.15.3 and 6.1.14.
+//! Queries of programs: active uniforms and attributes, locations, parameters, logs (GL 2.1, sections 2.15.3 and 6.1.14).
 
 use crate::base::args::TextOut;
 use crate::base::constants::*;
@@ -6,9 +6,9 @@ use crate::base::error::{Result, Table, invalid_operation, invalid_value, not_ne
 use crate::base::query_value::put;
 use crate::base::types::*;
 use crate::calls::program::data_type::gl_type;
-use crate::calls::program::near;
-use crate::calls::program::near::Of;
 use crate::calls::program::programs::program;
+use crate::calls::program::similar_names;
+use crate::calls::program::similar_names::NamedResource;
 use crate::calls::program::uniform::{at_location, element_words};
 use crate::calls::program::varyings::BUFFER_MODE;
 use crate::context::Context;
@@ -256,7 +256,7 @@ pub(crate) fn get_uniform_location(
     };
     let location = whole.or_else(element);
     if location.is_none() {
-        near::not_found(context, name, Of::Uniform, uniform);
+        similar_names::not_found(context, name, NamedResource::Uniform, uniform);
     }
     Ok(location.map_or(-1, |location| location as GLint))
 }
@@ -272,7 +272,7 @@ pub(crate) fn get_attrib_location(
         .find(|found| found.name == attribute && found.location < MAX_VERTEX_ATTRIBS);
     let location = found.map(|found| found.location);
     if location.is_none() {
-        near::not_found(context, name, Of::Attribute, attribute);
+        similar_names::not_found(context, name, NamedResource::Attribute, attribute);
     }
     Ok(location.map_or(-1, GLint::from))
 }

@@ -1,4 +1,4 @@
-//! Uniforms: GL 2.1, section 2.15.3.
+//! `glUniform` and `glGetUniform`: GL 2.1, section 2.15.3.
 
 use crate::base::constants::enum_name;
 use crate::base::error::{Result, invalid_operation, invalid_value, not_negative};

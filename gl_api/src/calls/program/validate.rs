@@ -1,4 +1,4 @@
-//! Whether a program could run: GL 2.1, section 2.15.4.
+//! `glValidateProgram`: GL 2.1, section 2.15.4.
 
 use crate::base::error::Result;
 use crate::base::types::*;

@@ -1,4 +1,4 @@
-//! What a program captures: `glTransformFeedbackVaryings` and what the last link made of it.
+//! `glTransformFeedbackVaryings`, and the query of the varyings that the last link captures.
 
 use crate::base::args::{Names, TextOut};
 use crate::base::constants::*;

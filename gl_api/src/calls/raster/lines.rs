@@ -1,4 +1,5 @@
-//! How primitives become fragments: GL 2.1, sections 3.4 and 3.5, and 2.14.7.
+//! The calls of lines and of what all primitives have: culling, shading model, provoking vertex, hints (GL 2.1, sections
+//! 2.14.1, 2.14.7, 3.4, 3.5.1 and 5.6).
 
 use crate::base::constants::*;
 use crate::base::error::{Result, Table};

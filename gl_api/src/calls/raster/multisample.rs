@@ -1,5 +1,5 @@
-//! Several samples a pixel: GL 2.1, sections 3.2.1 and 4.1.3; `ARB_texture_multisample`, sections
-//! 3.3.1 and 4.1.3.
+//! `glSampleCoverage`, `glSampleMaski` and `glGetMultisamplefv`: GL 2.1, sections 3.2.1 and 4.1.3;
+//! `ARB_texture_multisample`, sections 3.3.1 and 4.1.3.
 
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_value};
@@ -18,7 +18,7 @@ pub(crate) fn sample_coverage(context: &mut Context, value: GLclampf, invert: bo
 }
 
 /// A word of the sample mask.
-fn checked_word(argument: &str, index: GLuint) -> Result<()> {
+pub(crate) fn checked_word(argument: &str, index: GLuint) -> Result<()> {
     if index < MAX_SAMPLE_MASK_WORDS {
         return Ok(());
     }
@@ -38,18 +38,6 @@ pub(crate) fn sample_maski(
     checked_word("maskNumber", mask_number)?;
     context.state.raster.multisample.mask = mask;
     Ok(())
-}
-
-/// What `glGetIntegeri_v` answers, if it is asked for a word of the mask.
-pub(crate) fn indexed_value(
-    context: &Context,
-    target: GLenum,
-    index: GLuint,
-) -> Option<Result<GLint>> {
-    (target == GL_SAMPLE_MASK_VALUE).then(|| {
-        checked_word("index", index)?;
-        Ok(context.state.raster.multisample.mask as GLint)
-    })
 }
 
 /// Where the samples of the draw framebuffer lie in their pixel.

@@ -1,4 +1,4 @@
-//! Points and their sprites: GL 2.1, section 3.3.
+//! The calls of points and point sprites: GL 2.1, section 3.3.
 
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_enum, invalid_operation, invalid_value};

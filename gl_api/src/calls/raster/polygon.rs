@@ -1,4 +1,4 @@
-//! Polygons: their modes, stipple and edge flags: GL 2.1, sections 2.6.2 and 3.5.
+//! The calls of polygons (mode, offset, stipple) and `glEdgeFlag`: GL 2.1, sections 2.6.2 and 3.5.
 
 use crate::base::args::{Data, DataOut};
 use crate::base::error::{Result, invalid_operation};

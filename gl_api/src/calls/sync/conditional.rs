@@ -7,8 +7,7 @@ use crate::base::error::{Result, Table, invalid_operation, invalid_value};
 use crate::base::types::*;
 use crate::context::Context;
 use crate::draw::pass::submit;
-use crate::objects::queries::ConditionalResult;
-use crate::objects::queries::QueryTarget;
+use crate::objects::queries::{ConditionalResult, QueryTarget};
 
 const SECTION: &str = "NV_conditional_render, section 2.X";
 

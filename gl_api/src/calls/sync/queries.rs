@@ -1,4 +1,4 @@
-//! Queries: GL 2.1, section 4.1.7 (samples), GL 3.0, section 2.16 (primitives),
+//! The calls of query objects: GL 2.1, section 4.1.7 (samples), GL 3.0, section 2.16 (primitives),
 //! `ARB_occlusion_query2`, `ARB_timer_query`.
 
 use crate::base::constants::*;

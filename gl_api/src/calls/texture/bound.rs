@@ -1,8 +1,4 @@
-//! Texture images: GL 2.1, section 3.8.
-//!
-//! The modules in the order in which pixels pass through them: how they lie in the client's memory,
-//! scale and bias, which images and internal formats there are, the conversion between both, the
-//! calls that specify images, parameters, mipmaps, and reading back.
+//! The texture that is bound to a target of the active unit.
 
 use crate::context::Context;
 pub(crate) use crate::objects::target::TextureTarget;

@@ -6,7 +6,7 @@ use crate::base::error::{Result, invalid_operation, invalid_value};
 use crate::base::types::*;
 use crate::calls::pixels::memory::{source, write_bytes};
 use crate::calls::texture::bound::bound;
-use crate::calls::texture::specify::{Request, store_level};
+use crate::calls::texture::specify::{ImageRequest, store_level};
 use crate::calls::texture::sub::{checked_area, write_area};
 use crate::context::Context;
 use crate::objects::target::{Dimensions, any_bound, checked_level};
@@ -44,7 +44,7 @@ fn compressed_tex_image(
     if border != 0 {
         return invalid_value(SECTION, format!("border = {border} of compressed images must be 0"));
     }
-    let request = Request::new(image, level, internal, format, given, border)?;
+    let request = ImageRequest::new(image, level, internal, format, given, border)?;
     let Some(target) = request.bound(context)? else { return Ok(()) };
     let bytes = checked_bytes(format, request.size, image_size)?;
     let source = source(context, data, bytes)?;

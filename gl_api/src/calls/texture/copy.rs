@@ -3,8 +3,8 @@
 use crate::base::error::{Result, invalid_operation};
 use crate::base::types::*;
 use crate::calls::framebuffer::read;
-use crate::calls::texture::specify::{Request, store_level};
-use crate::calls::texture::sub::{checked_area, room, write_area};
+use crate::calls::texture::specify::{ImageRequest, store_level};
+use crate::calls::texture::sub::{checked_area, scratch, write_area};
 use crate::context::Context;
 use crate::context::window::Region;
 use crate::draw::completeness::Readable;
@@ -35,7 +35,7 @@ fn copied(context: &mut Context, region: Region, format: Format) -> Result<Vec<u
         return invalid_operation(SECTION, "depth is copied from depth, colours from colours");
     }
     let size = source.format().bytes();
-    let mut texels = room(source.format(), [region.width, region.height, 1])?;
+    let mut texels = scratch(source.format(), [region.width, region.height, 1])?;
     let [width, height] = source.size();
     if let Some(visible) = region.within(width, height) {
         for y in visible.y..visible.y + visible.height {
@@ -65,7 +65,7 @@ fn copy_tex_image(
         Some(format) => format.stored,
         None => UNCOMPRESSED.decode("internalformat", internal)?.stored,
     };
-    let request = Request::new(image, level, internal, format, size, border)?;
+    let request = ImageRequest::new(image, level, internal, format, size, border)?;
     let Some(target) = request.bound(context)? else { return Ok(()) };
     let [width, height, _] = request.given;
     let texels = copied(context, Region::new(x, y, width as usize, height as usize), format)?;

@@ -1,4 +1,4 @@
-//! Texture units and their environments: GL 2.1, sections 2.7, 3.8.12 and 3.8.13.
+//! The calls of texture environments: `glTexEnv` and its queries (GL 2.1, section 3.8.13).
 
 use crate::base::constants::*;
 use crate::base::convert::lod_bias;
@@ -7,7 +7,7 @@ use crate::base::params::Params;
 use crate::base::query_value as table;
 use crate::base::query_value::QueryValue;
 use crate::base::types::*;
-use crate::calls::params::{parameter_calls, parameter_queries};
+use crate::calls::parameter_forms::{parameter_calls, parameter_queries};
 use crate::context::Context;
 use crate::state::texture_units::MODE;
 use crate::state::texture_units::combine::{COMBINER_PARAMETER, CombinerParameter};

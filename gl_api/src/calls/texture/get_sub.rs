@@ -17,7 +17,7 @@ use texunit::image::{Image, Level};
 const SECTION: &str = "ARB_get_texture_sub_image, section 8.11.4";
 
 /// A box of texels of a level; the faces of a cube are its images.
-struct Part {
+struct TexelBox {
     target: TextureTarget,
     level: usize,
     texels: Image,
@@ -27,7 +27,7 @@ struct Part {
     whole: [usize; 3],
 }
 
-impl Part {
+impl TexelBox {
     /// # Errors
     /// Where there is no such texture or level, or the box reaches out of it.
     fn new(
@@ -155,7 +155,7 @@ pub(crate) fn get_texture_sub_image(
     pixels: DataOut<'_>,
 ) -> Result<()> {
     let (offset, size) = ([xoffset, yoffset, zoffset], [width, height, depth]);
-    let part = Part::new(context, texture, level, offset, size)?;
+    let part = TexelBox::new(context, texture, level, offset, size)?;
     let pixel = asked_for(SECTION, format, ty)?;
     let Some(format) = part.format() else { return Ok(()) };
     readable(pixel, format)?;
@@ -199,7 +199,7 @@ pub(crate) fn get_compressed_texture_sub_image(
     pixels: DataOut<'_>,
 ) -> Result<()> {
     let (offset, size) = ([xoffset, yoffset, zoffset], [width, height, depth]);
-    let part = Part::new(context, texture, level, offset, size)?;
+    let part = TexelBox::new(context, texture, level, offset, size)?;
     let Some(format) = part.format() else { return Ok(()) };
     if format.block().is_none() {
         return invalid_operation(SECTION, "the level is not compressed: use glGetTextureSubImage");

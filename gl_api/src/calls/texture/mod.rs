@@ -1,4 +1,4 @@
-//! Texture objects: names, images, parameters, queries.
+//! The calls of texture objects: names, images, parameters, reading back.
 
 pub(crate) mod bound;
 pub(crate) mod buffer;

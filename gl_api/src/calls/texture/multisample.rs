@@ -9,7 +9,7 @@ use crate::base::error::{Result, Table, invalid_enum, invalid_operation, invalid
 use crate::base::limits;
 use crate::base::types::*;
 use crate::calls::texture::bound::{bound, bound_mut};
-use crate::calls::texture::specify::Request;
+use crate::calls::texture::specify::ImageRequest;
 use crate::context::Context;
 use crate::objects::target::{IMAGE_2D_MULTISAMPLE, IMAGE_3D_MULTISAMPLE, ImageTarget};
 use crate::objects::texture::Samples;
@@ -90,7 +90,7 @@ fn specify(
     if lifetime == Lifetime::Immutable {
         checked_storage(context, image, size)?;
     }
-    let mut request = Request::new(image, 0, internal, format, size, 0)?;
+    let mut request = ImageRequest::new(image, 0, internal, format, size, 0)?;
     if samples > limits::MAX_SAMPLES.into() {
         let ImageTarget::Proxy(target) = image else {
             return invalid_operation(
@@ -109,7 +109,7 @@ fn specify(
 }
 
 /// Puts an image of zeros in place of the bound texture's.
-fn store(context: &mut Context, request: &Request, lifetime: Lifetime) -> Result<()> {
+fn store(context: &mut Context, request: &ImageRequest, lifetime: Lifetime) -> Result<()> {
     let target = request.image.target();
     let mut texels = Texels::new(target.shape());
     texels.set_level(0, 0, request.storage()?).map_err(|error| storage_error(SECTION, &error))?;

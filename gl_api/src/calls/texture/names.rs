@@ -1,4 +1,4 @@
-//! Texture names and units: GL 2.1, sections 3.8.12 and 2.7.
+//! The names, bindings and residence of textures, and the active unit: GL 2.1, sections 3.8.12 and 2.7.
 
 use crate::base::constants::*;
 use crate::base::convert::unit;

@@ -1,4 +1,4 @@
-//! Texture parameters: GL 2.1, section 3.8.4 and tables 3.18, 6.17.
+//! `glTexParameter` and its queries: GL 2.1, section 3.8.4 and tables 3.18, 6.17.
 
 use crate::base::constants::*;
 use crate::base::convert::{symbol, unit};

@@ -1,4 +1,4 @@
-//! What is known of a level: GL 2.1, section 6.1.3.
+//! `glGetTexLevelParameter`: GL 2.1, section 6.1.3.
 
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation};

@@ -1,4 +1,5 @@
-//! `glTexImage1D`, `2D` and `3D`: GL 2.1, section 3.8.1.
+//! `glTexImage1D`, `glTexImage2D` and `glTexImage3D` (GL 2.1, section 3.8.1). [`ImageRequest`] is what the calls that
+//! specify a level have checked before they store it.
 
 use crate::base::args::Data;
 use crate::base::constants::*;
@@ -6,7 +7,7 @@ use crate::base::error::{Result, invalid_operation, invalid_value, must_be, not_
 use crate::base::types::*;
 use crate::calls::pixels::memory::pixel_source;
 use crate::calls::texture::bound::{bound, bound_mut};
-use crate::calls::texture::sub::room;
+use crate::calls::texture::sub::scratch;
 use crate::context::Context;
 use crate::objects::target::{Dimensions, FaceTarget, ImageTarget, TextureTarget, checked_level};
 use crate::objects::texture::{Proxy, Samples};
@@ -39,7 +40,7 @@ pub(crate) fn checked_internal(internal: GLenum) -> Result<Format> {
 }
 
 /// A level that a call asks for.
-pub(crate) struct Request {
+pub(crate) struct ImageRequest {
     pub image: ImageTarget,
     pub level: usize,
     pub internal: GLenum,
@@ -56,7 +57,7 @@ pub(crate) struct Request {
     too_large: Option<String>,
 }
 
-impl Request {
+impl ImageRequest {
     /// Checks everything but the pixels.
     pub fn new(
         image: ImageTarget,
@@ -271,7 +272,7 @@ fn tex_image(
     let image = dimensions.image(target)?;
     let internal = internal as GLenum;
     let format = checked_internal(internal)?;
-    let request = Request::new(image, level, internal, format, given, border)?;
+    let request = ImageRequest::new(image, level, internal, format, given, border)?;
     let pixel = Pixel::new(pixels.format, pixels.ty)?;
     kinds_match(pixel, format)?;
     let Some(target) = request.bound(context)? else { return Ok(()) };
@@ -291,7 +292,7 @@ fn tex_image(
             texels
         }
         (Some(source), Some(_)) => {
-            let mut colors = room(blocks::COLORS, size)?;
+            let mut colors = scratch(blocks::COLORS, size)?;
             convert::unpack(isa, &layout, source.bytes(), blocks::COLORS, transfer, &mut colors);
             blocks::compress(format, request.size, &colors)?
         }

@@ -4,7 +4,7 @@ use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_enum, invalid_operation, invalid_value};
 use crate::base::types::*;
 use crate::calls::texture::bound::{bound, bound_mut};
-use crate::calls::texture::specify::Request;
+use crate::calls::texture::specify::ImageRequest;
 use crate::context::Context;
 use crate::objects::target::{FaceTarget, ImageTarget, TextureTarget};
 use crate::pixel::formats::sized_format;
@@ -102,7 +102,7 @@ fn tex_storage(
     let mut side = target.level_box(size.map(|side| side as u32));
     for level in 0..levels {
         let given = target.level_box(side).map(|side| side as GLsizei);
-        let request = Request::new(image, level as GLint, internal, format, given, 0)?;
+        let request = ImageRequest::new(image, level as GLint, internal, format, given, 0)?;
         match request.bound(context)? {
             Some(_) => made.push(request.storage()?),
             None if context.state.proxies[target as usize][level].is_none() => {

@@ -104,7 +104,7 @@ fn is_dear(level: Option<&Arc<Level>>) -> bool {
 }
 
 /// Memory for the texels of a box.
-pub(crate) fn room(format: Format, size: [usize; 3]) -> Result<Vec<u8>> {
+pub(crate) fn scratch(format: Format, size: [usize; 3]) -> Result<Vec<u8>> {
     let sides = size.iter().chain([&format.bytes()]).try_fold(1_usize, |a, &b| a.checked_mul(b));
     let bytes = sides.unwrap_or(usize::MAX);
     texunit::image::zeroed(bytes).ok_or_else(|| {
@@ -145,7 +145,7 @@ fn tex_sub_image(
     if let Some(texels) = convert::as_texels(isa, &layout, source.bytes(), area.format, transfer) {
         return write_area(context, &area, texels);
     }
-    let mut texels = room(format, size)?;
+    let mut texels = scratch(format, size)?;
     convert::unpack(isa, &layout, source.bytes(), format, transfer, &mut texels);
     if area.format.block().is_some() {
         let level = blocks::compress(area.format, area.size, &texels)?;

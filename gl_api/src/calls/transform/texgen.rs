@@ -3,10 +3,9 @@
 use crate::base::constants::*;
 use crate::base::error::{Result, Table};
 use crate::base::params::Params;
-use crate::base::query_value::put_doubles;
-use crate::base::query_value::{QueryValue, symbol};
+use crate::base::query_value::{QueryValue, put_doubles, symbol};
 use crate::base::types::*;
-use crate::calls::params::{parameter_calls, parameter_queries};
+use crate::calls::parameter_forms::{parameter_calls, parameter_queries};
 use crate::calls::transform::clip::eye_plane;
 use crate::context::Context;
 use crate::interface::TexCoord;

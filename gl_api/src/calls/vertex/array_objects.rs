@@ -1,5 +1,5 @@
-//! Vertex array objects (`ARB_vertex_array_object`): the arrays and the element buffer under a
-//! name. The current object's state is in the context; the others' is kept here.
+//! The names and bindings of vertex array objects (`ARB_vertex_array_object`). The state of the bound object is in the
+//! context, that of the others with their names.
 
 use crate::base::error::{Result, invalid_operation};
 use crate::base::types::*;

@@ -1,4 +1,5 @@
-//! Vertex arrays: GL 2.1, section 2.8.
+//! The calls that specify vertex arrays (GL 2.1, section 2.8): `glVertexPointer` and its kin, and which generic arrays
+//! are enabled.
 //!
 //! A slice is copied when the pointer call is made, since it cannot be kept: later writes to it are
 //! not seen. Buffer objects, and pointers of C programs, are read when the draw is made.

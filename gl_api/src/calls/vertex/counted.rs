@@ -1,4 +1,4 @@
-//! The calls of `EXT_vertex_array`: those of GL with the number of elements, which a draw never goes by.
+//! The pointer calls of `EXT_vertex_array`: GL's with a number of elements, which is kept for queries only.
 
 use crate::base::args::Data;
 use crate::base::error::{Result, not_negative};

@@ -1,4 +1,4 @@
-//! The draw calls on vertex arrays: GL 2.1, section 2.8.
+//! `glDrawArrays`, `glDrawElements` and `glArrayElement`: GL 2.1, section 2.8.
 
 use crate::base::args::Data;
 use crate::base::error::{Result, invalid_operation, invalid_value, not_negative};

@@ -1,8 +1,8 @@
-//! Immediate mode: GL 2.1, sections 2.6 and 2.7.
+//! `glBegin`, `glEnd` and the attributes of immediate mode: GL 2.1, sections 2.6 and 2.7.
 //!
 //! `glBegin` opens a collection of vertices: positions, and a column for each attribute that is set
-//! before `glEnd`, which draws them. Attributes that are not set are constants of the draw. One `glEnd`
-//! after the other with nothing else in between is one draw: what has [`ended`](super::ended) waits.
+//! before `glEnd`, which draws them. Attributes that are not set are constants of the draw. Consecutive
+//! `glBegin` to `glEnd` with no other call in between become one draw.
 
 use crate::base::error::{Result, invalid_operation};
 use crate::base::limits::LOCATIONS;

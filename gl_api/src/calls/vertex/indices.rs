@@ -1,4 +1,4 @@
-//! The indices of a draw: GL 2.1, section 2.8.
+//! Where the indices of a draw are read from, and whether they fit into the arrays: GL 2.1, section 2.8.
 
 use crate::base::args::{Data, Located};
 use crate::base::constants::*;

@@ -1,5 +1,5 @@
 //! Primitive restart (`NV_primitive_restart`, GL 3.1): an index that ends a primitive and begins
-//! the next. A draw by index becomes a draw of each run between such indices.
+//! the next. An indexed draw becomes a draw of each run between such indices.
 
 use crate::base::error::{Result, invalid_operation};
 use crate::base::types::*;

@@ -1,5 +1,5 @@
-//! Several draws by one call: `glMultiDrawArrays` and its kin. All are checked before the first is drawn, so
-//! that a call that is refused draws nothing.
+//! `glMultiDrawArrays` and `glMultiDrawElements`: several draws by one call. All are checked before the first is drawn,
+//! so that a call that is refused draws nothing.
 
 use crate::base::args::{Data, Pointers};
 use crate::base::error::{Result, invalid_operation, not_negative};

@@ -1,9 +1,10 @@
 //! Per-fragment operations: GL 2.1, chapter 4.
 
 use crate::base::types::*;
+use crate::calls::color_index;
 use crate::calls::fragment::{blend, clamp, masks, stencil, tests as fragment};
 use crate::calls::framebuffer::{accumulate, clear};
-use crate::calls::index;
+use crate::query::indexed;
 
 #[doc(hidden)]
 #[macro_export]
@@ -79,6 +80,8 @@ macro_rules! entry_points_fragments {
         enablei: glEnablei | glEnableIndexedEXT (target: GLenum, index: GLuint);
         /// Switches a capability of one draw buffer off.
         disablei: glDisablei | glDisableIndexedEXT (target: GLenum, index: GLuint);
+    }
+    Refused in indexed {
         /// Whether a capability of one draw buffer is on.
         is_enabledi: glIsEnabledi | glIsEnabledIndexedEXT (target: GLenum, index: GLuint) -> bool;
         /// Reads state of one draw buffer as truth values.
@@ -112,7 +115,7 @@ macro_rules! entry_points_fragments {
         /// Sets the face that calls without a face are about.
         active_stencil_face_ext: glActiveStencilFaceEXT (face: GLenum);
     }
-    Refused in index {
+    Refused in color_index {
         /// Sets which bits of colour indices are written; kept, not used.
         index_mask: glIndexMask (mask: GLuint);
         /// Sets the colour index that `glClear` writes; kept, not used.

@@ -2,7 +2,7 @@
 //! sections 2.7 and 6.1.14.
 
 use crate::base::types::*;
-use crate::calls::program::attribute;
+use crate::calls::program::generic_attributes;
 use crate::query::attributes;
 
 #[doc(hidden)]
@@ -20,7 +20,7 @@ macro_rules! entry_points_generics {
         get_vertex_attrib_i_uiv: glGetVertexAttribIuiv | glGetVertexAttribIuivEXT
             (index: GLuint, pname: GLenum, params: &'a mut [GLuint]);
     }
-    Allowed in attribute {
+    Allowed in generic_attributes {
         /// Sets a generic attribute, integers as they are; attribute 0 ends the vertex.
         vertex_attrib_4bv: glVertexAttrib4bv | glVertexAttrib4bvARB
             (index: GLuint, v: &'a [GLbyte]), not_compiled;

@@ -1,7 +1,7 @@
 //! Integers that reach shaders as they are: EXT_gpu_shader4, sections 2.7 and 6.1.
 
 use crate::base::types::*;
-use crate::calls::program::{inspect, integer};
+use crate::calls::program::{inspect, integer_attributes};
 
 #[doc(hidden)]
 #[macro_export]
@@ -12,7 +12,7 @@ macro_rules! entry_points_integers {
         get_uniformuiv: glGetUniformuiv | glGetUniformuivEXT
             (program: GLuint, location: GLint, params: &'a mut [GLuint]);
     }
-    Allowed in integer {
+    Allowed in integer_attributes {
         /// Sets a generic attribute to an integer.
         vertex_attrib_i_1i: glVertexAttribI1i | glVertexAttribI1iEXT
             (index: GLuint, x: GLint), not_compiled;

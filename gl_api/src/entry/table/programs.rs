@@ -2,7 +2,9 @@
 
 use crate::base::args::{Data, Strings, TextOut};
 use crate::base::types::*;
-use crate::calls::program::{arb, compiler, inspect, programs, shaders, uniform, validate};
+use crate::calls::program::{
+    es2_compiler, inspect, programs, shader_objects_arb, shaders, uniform, validate,
+};
 
 #[doc(hidden)]
 #[macro_export]
@@ -29,7 +31,7 @@ macro_rules! entry_points_programs {
         get_shader_source: glGetShaderSource | glGetShaderSourceARB
             (shader: GLuint, max_length: GLsizei, length: &'a mut [GLsizei], source: TextOut<'a>);
     }
-    Refused in compiler {
+    Refused in es2_compiler {
         /// Says that no shader is compiled for a while.
         release_shader_compiler: glReleaseShaderCompiler (), not_compiled;
         /// Loads compiled shaders, of which there is no format.
@@ -95,7 +97,7 @@ macro_rules! entry_points_programs {
         /// Reads a uniform.
         get_uniformiv: glGetUniformiv | glGetUniformivARB (program: GLuint, location: GLint, params: &'a mut [GLint]);
     }
-    Refused in arb {
+    Refused in shader_objects_arb {
         /// Reads what is known of a shader or program (`ARB_shader_objects`).
         get_object_parameteriv: glGetObjectParameterivARB
             (object: GLuint, pname: GLenum, params: &'a mut [GLint]);

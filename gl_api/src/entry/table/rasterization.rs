@@ -5,6 +5,7 @@ use crate::base::types::*;
 use crate::calls::enable;
 use crate::calls::raster::{lines as raster, multisample, points, polygon};
 use crate::calls::vertex::arrays;
+use crate::query::enabled;
 
 #[doc(hidden)]
 #[macro_export]
@@ -15,8 +16,12 @@ macro_rules! entry_points_rasterization {
         enable: glEnable (cap: GLenum);
         /// Switches a capability off.
         disable: glDisable (cap: GLenum);
+    }
+    Refused in enabled {
         /// Whether a capability is on.
         is_enabled: glIsEnabled (cap: GLenum) -> bool;
+    }
+    Refused in enable {
         /// Switches a client array on.
         enable_client_state: glEnableClientState (array: GLenum), not_compiled;
         /// Switches a client array off.

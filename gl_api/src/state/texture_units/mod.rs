@@ -84,7 +84,7 @@ impl Unit {
 /// All units, and the active one.
 #[derive(Clone, Debug)]
 pub(crate) struct Units {
-    /// Shared with the attribute stack until one is changed ([`Self::unit_mut`]). Draws examine them only after a
+    /// ShareHandle with the attribute stack until one is changed ([`Self::unit_mut`]). Draws examine them only after a
     /// change of version.
     pub units: Versioned<Box<[Arc<Unit>; MAX_COMBINED_TEXTURE_IMAGE_UNITS as usize]>>,
     pub active: u8,

@@ -1,6 +1,5 @@
-//! How a row of texels becomes a row of what is drawn to.
+//! The conversion of a row of texels of a blit to the format of the destination.
 
-use crate::calls::framebuffer::blit::Part;
 use crate::calls::framebuffer::read::Pixels;
 use crate::pixel::convert::Conversion;
 use crate::pixel::texel;
@@ -14,8 +13,16 @@ use texunit::sampler::Filter;
 /// R, G, B and A of a row of texels.
 type Colors = Vec<[f64; 4]>;
 
-/// How texels are copied.
-pub(crate) enum Way<'a> {
+/// What of a texel is copied.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Aspect {
+    Color,
+    Depth,
+    Stencil,
+}
+
+/// How a row of texels is converted.
+pub(crate) enum RowConversion<'a> {
     /// As they are.
     Same,
     /// As those of another format.
@@ -31,23 +38,23 @@ pub(crate) enum Way<'a> {
     Merge { format: Format, depth: DepthWrite, bits: u8 },
 }
 
-impl Way<'_> {
-    /// How a blit copies a part from one format to another.
+impl RowConversion<'_> {
+    /// How a blit copies an aspect from one format to another.
     pub fn new(
         isa: Isa,
-        (part, filter): (Part, Filter),
+        (aspect, filter): (Aspect, Filter),
         [from, to]: [Format; 2],
         srgb: SrgbWrite,
     ) -> Self {
         let conversion = || Conversion::blit(isa, from, to, srgb);
-        match (part, filter) {
-            (Part::Color, Filter::Nearest) if from == to => Self::Same,
-            (Part::Color, Filter::Nearest) => Self::Convert(conversion()),
-            (Part::Color, Filter::Linear) => {
+        match (aspect, filter) {
+            (Aspect::Color, Filter::Nearest) if from == to => Self::Same,
+            (Aspect::Color, Filter::Nearest) => Self::Convert(conversion()),
+            (Aspect::Color, Filter::Linear) => {
                 Self::Filter { isa, conversion: conversion(), read: Vec::new() }
             }
-            (Part::Depth, _) => Self::Merge { format: to, depth: DepthWrite::On, bits: 0 },
-            (Part::Stencil, _) => Self::Merge { format: to, depth: DepthWrite::Off, bits: !0 },
+            (Aspect::Depth, _) => Self::Merge { format: to, depth: DepthWrite::On, bits: 0 },
+            (Aspect::Stencil, _) => Self::Merge { format: to, depth: DepthWrite::Off, bits: !0 },
         }
     }
 

@@ -1,21 +1,22 @@
-//! Arguments that outlive their call: how each type of parameter is kept in a list, and lent to the
-//! call again.
+//! The arguments of calls in display lists: for each type of parameter, what a list records of it, and how that
+//! becomes the argument again.
 
 use crate::base::args::{Data, DataOut, Located, Names, Pointers, Strings, TextOut};
 use crate::context::sharing::SharedObjectsGuard;
 use crate::context::{Context, GLDEBUGPROC};
-use crate::record::pixels;
+use crate::record::list_memory;
 use std::convert::Infallible;
 use std::marker::PhantomData;
 
-/// A parameter that can be kept.
-pub(crate) trait Keep {
-    /// What is kept.
-    type Kept: Send + Sync + 'static;
+/// A type of parameter that lists record.
+pub(crate) trait RecordArgument {
+    /// What a list has of it.
+    type Recorded: Send + Sync + 'static;
 
     /// A copy of what the argument says or points to, or `None` where the call answers something
     /// through it, and so is not compiled. `integers` are all arguments of the call `name`.
-    fn keep(&self, context: &mut Context, name: &str, integers: &[i64]) -> Option<Self::Kept>;
+    fn record(&self, context: &mut Context, name: &str, integers: &[i64])
+    -> Option<Self::Recorded>;
 
     /// The argument as a number; 0 for pointers.
     fn integer(&self) -> i64 {
@@ -23,23 +24,23 @@ pub(crate) trait Keep {
     }
 }
 
-/// What was kept, as an argument again.
-pub(crate) trait Lend {
+/// What a list has of an argument, which makes it again when the list is called.
+pub(crate) trait RecordedArgument {
     /// The type of the parameter.
-    type Lent<'a>
+    type Argument<'a>
     where
         Self: 'a;
 
     /// The argument.
-    fn lend(&self) -> Self::Lent<'_>;
+    fn argument(&self) -> Self::Argument<'_>;
 }
 
 macro_rules! numbers {
     ($($ty:ty),*) => { $(
-        impl Keep for $ty {
-            type Kept = $ty;
+        impl RecordArgument for $ty {
+            type Recorded = $ty;
 
-            fn keep(&self, _: &mut Context, _: &str, _: &[i64]) -> Option<$ty> {
+            fn record(&self, _: &mut Context, _: &str, _: &[i64]) -> Option<$ty> {
                 Some(*self)
             }
 
@@ -48,10 +49,10 @@ macro_rules! numbers {
             }
         }
 
-        impl Lend for $ty {
-            type Lent<'a> = $ty;
+        impl RecordedArgument for $ty {
+            type Argument<'a> = $ty;
 
-            fn lend(&self) -> $ty {
+            fn argument(&self) -> $ty {
                 *self
             }
         }
@@ -60,67 +61,67 @@ macro_rules! numbers {
 
 numbers!(i8, u8, i16, u16, i32, u32, i64, u64, isize, usize, f32, f64, bool);
 
-impl<T: Copy + Send + Sync + 'static> Keep for &[T] {
-    type Kept = Vec<T>;
+impl<T: Copy + Send + Sync + 'static> RecordArgument for &[T] {
+    type Recorded = Vec<T>;
 
-    fn keep(&self, _: &mut Context, _: &str, _: &[i64]) -> Option<Vec<T>> {
+    fn record(&self, _: &mut Context, _: &str, _: &[i64]) -> Option<Vec<T>> {
         Some(self.to_vec())
     }
 }
 
-impl<T: Copy + Send + Sync + 'static> Lend for Vec<T> {
-    type Lent<'a> = &'a [T];
+impl<T: Copy + Send + Sync + 'static> RecordedArgument for Vec<T> {
+    type Argument<'a> = &'a [T];
 
-    fn lend(&self) -> &[T] {
+    fn argument(&self) -> &[T] {
         self
     }
 }
 
-impl Keep for &str {
-    type Kept = String;
+impl RecordArgument for &str {
+    type Recorded = String;
 
-    fn keep(&self, _: &mut Context, _: &str, _: &[i64]) -> Option<String> {
+    fn record(&self, _: &mut Context, _: &str, _: &[i64]) -> Option<String> {
         Some((*self).to_owned())
     }
 }
 
-impl Lend for String {
-    type Lent<'a> = &'a str;
+impl RecordedArgument for String {
+    type Argument<'a> = &'a str;
 
-    fn lend(&self) -> &str {
+    fn argument(&self) -> &str {
         self
     }
 }
 
 /// Memory that a call reads.
 #[derive(Debug)]
-pub(crate) enum KeptData {
+pub(crate) enum RecordedData {
     Bytes(Vec<u8>),
     Offset(usize),
     Null,
 }
 
-impl Keep for Data<'_> {
-    type Kept = KeptData;
+impl RecordArgument for Data<'_> {
+    type Recorded = RecordedData;
 
-    fn keep(&self, context: &mut Context, name: &str, integers: &[i64]) -> Option<KeptData> {
+    fn record(&self, context: &mut Context, name: &str, integers: &[i64]) -> Option<RecordedData> {
         // The pixels may lie in a buffer, which may be the group's.
         let context = &*SharedObjectsGuard::lock(context).context;
-        Some(match pixels::bytes(context, name, integers, *self) {
-            Some(bytes) => KeptData::Bytes(bytes),
+        Some(match list_memory::bytes(context, name, integers, *self) {
+            Some(bytes) => RecordedData::Bytes(bytes),
             None => match self.locate(0, 0) {
-                Located::Bytes(bytes) => KeptData::Bytes(bytes.to_vec()),
-                Located::Offset(offset) => KeptData::Offset(offset),
-                Located::Null => KeptData::Null,
+                Located::Bytes(bytes) => RecordedData::Bytes(bytes.to_vec()),
+                Located::Offset(offset) => RecordedData::Offset(offset),
+                Located::Null => RecordedData::Null,
             },
         })
     }
 }
 
-impl Lend for KeptData {
-    type Lent<'a> = Data<'a>;
+impl RecordedArgument for RecordedData {
+    type Argument<'a> = Data<'a>;
 
-    fn lend(&self) -> Data<'_> {
+    fn argument(&self) -> Data<'_> {
         match self {
             Self::Bytes(bytes) => Data::Bytes(bytes),
             Self::Offset(offset) => Data::Offset(*offset),
@@ -132,22 +133,22 @@ impl Lend for KeptData {
 /// For parameters through which a call answers: such a call is not compiled, and no value of this
 /// type exists.
 #[derive(Debug)]
-pub(crate) struct Never<T>(Infallible, PhantomData<fn() -> T>);
+pub(crate) struct NotRecorded<T>(Infallible, PhantomData<fn() -> T>);
 
 macro_rules! answers {
     ($([$($generic:tt)*] $ty:ty, $mark:ty => $lent:ty;)*) => { $(
-        impl<$($generic)*> Keep for $ty {
-            type Kept = Never<$mark>;
+        impl<$($generic)*> RecordArgument for $ty {
+            type Recorded = NotRecorded<$mark>;
 
-            fn keep(&self, _: &mut Context, _: &str, _: &[i64]) -> Option<Never<$mark>> {
+            fn record(&self, _: &mut Context, _: &str, _: &[i64]) -> Option<NotRecorded<$mark>> {
                 None
             }
         }
 
-        impl<$($generic)*> Lend for Never<$mark> {
-            type Lent<'a> = $lent;
+        impl<$($generic)*> RecordedArgument for NotRecorded<$mark> {
+            type Argument<'a> = $lent;
 
-            fn lend(&self) -> Self::Lent<'_> {
+            fn argument(&self) -> Self::Argument<'_> {
                 match self.0 {}
             }
         }

@@ -1,11 +1,11 @@
-//! Display lists: GL 2.1, section 5.4.
+//! Recording calls into a display list, and calling it: GL 2.1, section 5.4.
 //!
 //! While a list is compiled, an entry point records its call with copies of its arguments instead
-//! of carrying it out; which calls are never compiled is in the table of entry points, and in [`proxy`].
+//! of carrying it out; which calls are never compiled is in the table of entry points, and in [`crate::record::proxy`].
 //! The vertices between `glBegin` and `glEnd` become one buffer, and a draw of vertex arrays keeps the
 //! buffers it would have read, so that calling a list costs what drawing from buffers costs.
 
-pub(crate) mod shapes;
+pub(crate) mod primitives;
 
 use crate::base::begin_end::BeginEnd;
 use crate::base::error::Result;
@@ -97,7 +97,7 @@ impl Context {
         compiling.begun = false;
         let steps = match compiling.open.take() {
             Some(open) => open.close(),
-            None => vec![shapes::end_step()],
+            None => vec![primitives::end_step()],
         };
         self.keep_steps(steps);
         true

@@ -1,4 +1,4 @@
-//! Memory that a list takes when it is compiled: pixels, wherever they lie, and names of lists.
+//! The client's memory that a list copies when it is compiled: pixels, from memory or a buffer, and names of lists.
 
 use crate::base::args::{Data, Located};
 use crate::base::begin_end::BeginEnd;

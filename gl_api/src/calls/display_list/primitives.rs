@@ -1,5 +1,5 @@
-//! `glBegin` to `glEnd` in a list: one buffer, filled when the list is compiled. Where one such
-//! follows another of its kind, they share a buffer and a draw: it costs what many vertices do.
+//! `glBegin` to `glEnd` in a list: one buffer, filled when the list is compiled. Consecutive ones of the same state share
+//! a buffer and a draw.
 
 use crate::base::begin_end::BeginEnd;
 use crate::base::error::{Result, invalid_operation};

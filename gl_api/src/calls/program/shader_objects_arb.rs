@@ -1,5 +1,5 @@
-//! `ARB_shader_objects`: one kind of handle for shaders and programs. The calls that GL 2.0 has
-//! under other names are rows of the table of entry points; these it has not.
+//! The calls of `ARB_shader_objects`, whose handles are of shaders or programs, that GL 2.0 does not have. Those that
+//! GL 2.0 has under other names are rows of the table of entry points.
 
 use crate::base::args::TextOut;
 use crate::base::constants::*;
@@ -16,15 +16,15 @@ const SECTION: &str = "ARB_shader_objects, section 6.1.12";
 
 /// What a handle is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
+enum ObjectType {
     Shader,
     Program,
 }
 
-fn kind(context: &Context, object: GLuint) -> Result<Kind> {
+fn object_type(context: &Context, object: GLuint) -> Result<ObjectType> {
     match context.objects.programs.get(object) {
-        Some(ShaderOrProgram::Shader(_)) => Ok(Kind::Shader),
-        Some(ShaderOrProgram::Program(_)) => Ok(Kind::Program),
+        Some(ShaderOrProgram::Shader(_)) => Ok(ObjectType::Shader),
+        Some(ShaderOrProgram::Program(_)) => Ok(ObjectType::Program),
         None => invalid_value(SECTION, format!("obj = {object} is no shader and no program")),
     }
 }
@@ -35,16 +35,16 @@ pub(crate) fn get_object_parameteriv(
     pname: GLenum,
     params: &mut [GLint],
 ) -> Result<()> {
-    let kind = kind(context, object)?;
-    match (pname, kind) {
-        (GL_OBJECT_TYPE_ARB, Kind::Shader) => put(params, &[GL_SHADER_OBJECT_ARB as GLint]),
-        (GL_OBJECT_TYPE_ARB, Kind::Program) => put(params, &[GL_PROGRAM_OBJECT_ARB as GLint]),
-        (GL_OBJECT_SUBTYPE_ARB, Kind::Program) => {
+    let object_type = object_type(context, object)?;
+    match (pname, object_type) {
+        (GL_OBJECT_TYPE_ARB, ObjectType::Shader) => put(params, &[GL_SHADER_OBJECT_ARB as GLint]),
+        (GL_OBJECT_TYPE_ARB, ObjectType::Program) => put(params, &[GL_PROGRAM_OBJECT_ARB as GLint]),
+        (GL_OBJECT_SUBTYPE_ARB, ObjectType::Program) => {
             invalid_operation(SECTION, "pname = GL_OBJECT_SUBTYPE_ARB is of shaders alone")
         }
         // The values of the others are GL 2.0's; the subtype is the shader's type.
-        (_, Kind::Shader) => get_shaderiv(context, object, pname, params),
-        (_, Kind::Program) => get_programiv(context, object, pname, params),
+        (_, ObjectType::Shader) => get_shaderiv(context, object, pname, params),
+        (_, ObjectType::Program) => get_programiv(context, object, pname, params),
     }
 }
 
@@ -66,9 +66,9 @@ pub(crate) fn get_info_log(
     length: &mut [GLsizei],
     info_log: TextOut<'_>,
 ) -> Result<()> {
-    match kind(context, object)? {
-        Kind::Shader => get_shader_info_log(context, object, max_length, length, info_log),
-        Kind::Program => get_program_info_log(context, object, max_length, length, info_log),
+    match object_type(context, object)? {
+        ObjectType::Shader => get_shader_info_log(context, object, max_length, length, info_log),
+        ObjectType::Program => get_program_info_log(context, object, max_length, length, info_log),
     }
 }
 
@@ -82,8 +82,8 @@ pub(crate) fn delete_object(context: &mut Context, object: GLuint) -> Result<()>
     if object == 0 {
         return Ok(());
     }
-    match kind(context, object)? {
-        Kind::Shader => delete_shader(context, object),
-        Kind::Program => delete_program(context, object),
+    match object_type(context, object)? {
+        ObjectType::Shader => delete_shader(context, object),
+        ObjectType::Program => delete_program(context, object),
     }
 }

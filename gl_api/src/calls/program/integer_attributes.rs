@@ -1,5 +1,5 @@
-//! Generic attributes that stay integers: EXT_gpu_shader4, section 2.7. They travel as the bits of
-//! floats, which a shader takes as what it declares.
+//! Generic attributes that stay integers: `EXT_gpu_shader4`, section 2.7. They are stored as the bits of
+//! floats, which a shader reads by the type that it declares.
 
 use crate::base::error::{Result, invalid_operation};
 use crate::base::types::*;

@@ -1,6 +1,5 @@
-//! Generic attributes: those of integer types that have a vector form only (GL 2.1, section 2.7; the
-//! other forms are rows of `entry/attributes.rs`), and what is read as other types than `float` and
-//! `int` (section 6.1.14).
+//! The generic attributes of integer types that have a vector form only (GL 2.1, section 2.7). The other forms are rows
+//! of `entry/table/attributes.rs`.
 
 use crate::base::component::{Component, filled};
 use crate::base::error::{Result, invalid_operation};

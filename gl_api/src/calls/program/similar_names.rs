@@ -1,9 +1,8 @@
-//! Names that a program does not have, though it nearly has: `glGetUniformLocation` answers -1 for
-//! them, and a program that goes on sets nothing.
+//! Warnings for names that a program does not have but are similar to one that it has: `glGetUniformLocation` answers -1
+//! for them, and a program that goes on sets nothing.
 //!
-//! Programs also ask for what nothing uses, and ask all their programs for the same names, and rightly:
-//! only a name that no shader at all declares, and that is a slip away from one that there is, is worth a
-//! word.
+//! Programs also ask for uniforms that nothing uses, and ask all their programs for the same names, with good reason. So
+//! only a name that no shader declares at all, at a small edit distance from one that is declared, gets a warning.
 
 use crate::base::types::GLuint;
 use crate::context::Context;
@@ -14,7 +13,7 @@ use crate::objects::programs::ShaderOrProgram;
 
 /// Whose location was asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Of {
+pub(crate) enum NamedResource {
     Uniform,
     Attribute,
 }
@@ -22,10 +21,10 @@ pub(crate) enum Of {
 /// Says once that a name may be misspelt.
 #[cold]
 #[inline(never)]
-pub(crate) fn not_found(context: &mut Context, program: GLuint, of: Of, asked: &str) {
+pub(crate) fn not_found(context: &mut Context, program: GLuint, of: NamedResource, asked: &str) {
     let (hint, call, what) = match of {
-        Of::Uniform => (DrawWarning::NoUniform, "glGetUniformLocation", "uniform"),
-        Of::Attribute => (DrawWarning::NoAttribute, "glGetAttribLocation", "attribute"),
+        NamedResource::Uniform => (DrawWarning::NoUniform, "glGetUniformLocation", "uniform"),
+        NamedResource::Attribute => (DrawWarning::NoAttribute, "glGetAttribLocation", "attribute"),
     };
     // Asked for in each frame, it is looked at once.
     let subject = asked.bytes().fold(program, |hash, byte| {
@@ -58,7 +57,7 @@ fn is_declared(context: &Context, asked: &str) -> bool {
 }
 
 /// The name that was meant, perhaps. Others differ in their numbers alone: elements that there may be.
-fn nearest(context: &Context, program: GLuint, of: Of, asked: &str) -> Option<String> {
+fn nearest(context: &Context, program: GLuint, of: NamedResource, asked: &str) -> Option<String> {
     let slips = match asked.len() {
         ..4 => return None,
         4..8 => 1,
@@ -77,8 +76,8 @@ fn nearest(context: &Context, program: GLuint, of: Of, asked: &str) -> Option<St
         near && letters(name) != letters(asked)
     };
     let mut names: Vec<&String> = match of {
-        Of::Uniform => uniforms.collect(),
-        Of::Attribute => generic.collect(),
+        NamedResource::Uniform => uniforms.collect(),
+        NamedResource::Attribute => generic.collect(),
     };
     names.retain(is_near);
     names.into_iter().min_by_key(|name| edit_distance(asked, name, slips)).cloned()

@@ -1,4 +1,4 @@
-//! The compiler as OpenGL ES asks about it (ARB_ES2_compatibility): it is always there, takes no
+//! The calls of OpenGL ES 2.0 about the compiler (`ARB_ES2_compatibility`): it is always there, takes no
 //! binaries, and calculates with 32 bits whatever precision is written.
 
 use crate::base::args::Data;

@@ -1,0 +1,139 @@
+//! State with an index: of one draw buffer (`EXT_draw_buffers2`), of an indexed buffer (GL 3.1, section 2.15), or
+//! a word of the sample mask (`ARB_texture_multisample`).
+
+use crate::base::constants::*;
+use crate::base::error::{Result, invalid_enum};
+use crate::base::query_value::{QueryValue, put, put_bools, put_ints, put_longs};
+use crate::base::types::*;
+use crate::calls::buffer::indexed::{Numbered, range};
+use crate::calls::fragment::masks::{SECTION, indexed};
+use crate::calls::raster::multisample::checked_word;
+use crate::context::Context;
+use crate::state::blend::Formula;
+use crate::state::draw_buffers::{BufferState, buffer_index};
+use Read::{Flag, Flags, Number};
+
+/// Where an indexed value is, and its type.
+enum Read {
+    /// Of a draw buffer.
+    Flag(fn(&BufferState) -> bool),
+    Flags(fn(&BufferState) -> [bool; 4]),
+    /// A part of a draw buffer's blend formula, by its own name.
+    Formula,
+    /// A number that is checked for its index here.
+    Number(fn(&Context, GLuint) -> Result<GLint64>),
+}
+
+const ROWS: &[(GLenum, Read)] = &[
+    (GL_BLEND, Flag(|buffer| buffer.blend)),
+    (GL_COLOR_WRITEMASK, Flags(|buffer| buffer.mask)),
+    (GL_BLEND_SRC, Read::Formula),
+    (GL_BLEND_SRC_RGB, Read::Formula),
+    (GL_BLEND_SRC_ALPHA, Read::Formula),
+    (GL_BLEND_DST, Read::Formula),
+    (GL_BLEND_DST_RGB, Read::Formula),
+    (GL_BLEND_DST_ALPHA, Read::Formula),
+    (GL_BLEND_EQUATION, Read::Formula),
+    (GL_BLEND_EQUATION_ALPHA, Read::Formula),
+    (
+        GL_SAMPLE_MASK_VALUE,
+        Number(|context, index| {
+            checked_word("index", index)?;
+            Ok((context.state.raster.multisample.mask as GLint).into())
+        }),
+    ),
+    (GL_TRANSFORM_FEEDBACK_BUFFER_BINDING, Number(|c, i| name(c, Numbered::TransformFeedback, i))),
+    (GL_TRANSFORM_FEEDBACK_BUFFER_START, Number(|c, i| start(c, Numbered::TransformFeedback, i))),
+    (GL_TRANSFORM_FEEDBACK_BUFFER_SIZE, Number(|c, i| size(c, Numbered::TransformFeedback, i))),
+    (GL_UNIFORM_BUFFER_BINDING, Number(|c, i| name(c, Numbered::Uniform, i))),
+    (GL_UNIFORM_BUFFER_START, Number(|c, i| start(c, Numbered::Uniform, i))),
+    (GL_UNIFORM_BUFFER_SIZE, Number(|c, i| size(c, Numbered::Uniform, i))),
+];
+
+fn name(context: &Context, numbered: Numbered, index: GLuint) -> Result<GLint64> {
+    Ok(range(context, numbered, index)?.buffer.name().into())
+}
+
+fn start(context: &Context, numbered: Numbered, index: GLuint) -> Result<GLint64> {
+    Ok(range(context, numbered, index)?.offset as GLint64)
+}
+
+fn size(context: &Context, numbered: Numbered, index: GLuint) -> Result<GLint64> {
+    Ok(range(context, numbered, index)?.size.unwrap_or(0) as GLint64)
+}
+
+/// An indexed value before it is converted.
+enum Indexed {
+    Value(QueryValue),
+    /// An offset or a size, which may need 64 bits.
+    Number(GLint64),
+}
+
+impl Indexed {
+    /// Numbers that do not fit are the largest that does.
+    fn value(self) -> QueryValue {
+        match self {
+            Self::Value(value) => value,
+            Self::Number(number) => QueryValue::Ints(vec![number.try_into().unwrap_or(i32::MAX)]),
+        }
+    }
+}
+
+fn indexed_state(context: &Context, target: GLenum, index: GLuint) -> Result<Indexed> {
+    let buffer = || Ok(&context.state.fragment.buffers[buffer_index("index", index)?]);
+    let row = ROWS.iter().find(|row| row.0 == target);
+    Ok(Indexed::Value(match row.map(|row| &row.1) {
+        Some(Flag(read)) => QueryValue::Bools(vec![read(buffer()?)]),
+        Some(Flags(read)) => QueryValue::Bools(read(buffer()?).to_vec()),
+        Some(Read::Formula) => {
+            let formula: &Formula = &buffer()?.formula;
+            QueryValue::Word(formula.get(target).unwrap_or_default())
+        }
+        Some(Number(read)) => return read(context, index).map(Indexed::Number),
+        None => {
+            return invalid_enum(
+                SECTION,
+                format!(
+                    "target = {} must be GL_BLEND, GL_BLEND_SRC_RGB or another part of a blend \
+                     formula, GL_COLOR_WRITEMASK, GL_SAMPLE_MASK_VALUE or an indexed buffer",
+                    enum_name(target)
+                ),
+            );
+        }
+    }))
+}
+
+pub(crate) fn is_enabledi(context: &mut Context, target: GLenum, index: GLuint) -> Result<bool> {
+    let buffer = indexed(target, index)?;
+    Ok(context.state.fragment.buffers[buffer].blend)
+}
+
+pub(crate) fn get_booleani_v(
+    context: &mut Context,
+    target: GLenum,
+    index: GLuint,
+    data: &mut [GLboolean],
+) -> Result<()> {
+    put_bools(data, indexed_state(context, target, index)?.value())
+}
+
+pub(crate) fn get_integeri_v(
+    context: &mut Context,
+    target: GLenum,
+    index: GLuint,
+    data: &mut [GLint],
+) -> Result<()> {
+    put_ints(data, indexed_state(context, target, index)?.value())
+}
+
+pub(crate) fn get_integer64i_v(
+    context: &mut Context,
+    target: GLenum,
+    index: GLuint,
+    data: &mut [GLint64],
+) -> Result<()> {
+    match indexed_state(context, target, index)? {
+        Indexed::Value(value) => put_longs(data, value),
+        Indexed::Number(number) => put(data, &[number]),
+    }
+}
