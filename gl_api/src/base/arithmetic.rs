@@ -1,5 +1,6 @@
-//! How the calling thread computes. It draws too, and what it computes has to be what other threads do, and other
-//! machines: IEEE 754 with rounding to nearest and denormals, as every thread begins.
+//! How the calling thread computes, where `FloatEnv` does not know how to set that. It draws too, and what it computes
+//! has to be what other threads do, and other machines: IEEE 754 with rounding to nearest and denormals, as every thread
+//! begins.
 
 use std::hint::black_box;
 
