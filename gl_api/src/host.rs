@@ -25,6 +25,7 @@ use std::time::Duration;
 pub use crate::base::refused_result::RefusedResult;
 pub use crate::context::mirror::SurfaceMirror;
 pub use crate::entry::current::{call, expect_thread_end, swap_current};
+pub use texunit::lanes::FloatEnv;
 
 /// Limits that hosts check.
 pub mod limits {

@@ -26,7 +26,7 @@ macro_rules! c_function {
                     context.$method($(<$ty as $crate::param::Param<'a>>::lend($param)),*)
                 })
             }
-            let result = $crate::guard::guard(stringify!($gl), || {
+            let result = $crate::guard::guard_method(stringify!($gl), || {
                 let rules = const {
                     $crate::lengths::rules(
                         stringify!($gl),

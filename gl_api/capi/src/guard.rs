@@ -1,12 +1,12 @@
 //! The door: every call from C goes through [`enter`].
 
-use gl_api::host::{self, RefusedResult};
+use gl_api::host::{self, FloatEnv, RefusedResult};
 use gl_api::with_current;
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 /// Runs the body of a C function. What a call needs of the host program, and what it must not let out to it, is dealt
-/// with here and nowhere else: a panic ends here.
+/// with here and nowhere else: a panic ends here. What computes sets the floating-point state ([`enter_computing`]).
 ///
 /// # Errors
 /// What the body panicked with.
@@ -14,8 +14,26 @@ pub(crate) fn enter<R>(body: impl FnOnce() -> R) -> Result<R, Box<dyn Any + Send
     catch_unwind(AssertUnwindSafe(body))
 }
 
+/// As [`enter`], in DetGL's floating-point state.
+///
+/// # Errors
+/// As of [`enter`].
+pub(crate) fn enter_computing<R>(body: impl FnOnce() -> R) -> Result<R, Box<dyn Any + Send>> {
+    let _float_env = FloatEnv::enter();
+    enter(body)
+}
+
 /// Runs a call; a panic becomes a GL error with a message.
 pub(crate) fn guard<R: RefusedResult>(name: &'static str, body: impl FnOnce() -> R) -> R {
+    enter_computing(body).unwrap_or_else(|panic| {
+        failed(name, &*panic);
+        R::refused_result()
+    })
+}
+
+/// As [`guard`], for the methods of a context, which set the floating-point state where they compute: to read it takes as
+/// long as to set an attribute.
+pub(crate) fn guard_method<R: RefusedResult>(name: &'static str, body: impl FnOnce() -> R) -> R {
     enter(body).unwrap_or_else(|panic| {
         failed(name, &*panic);
         R::refused_result()

@@ -1,5 +1,6 @@
-//! The floating-point environment of the calling thread, which draws too: results are the same on all threads and
-//! machines only with IEEE 754 rounding to nearest and with denormals, which is how every thread starts.
+//! Whether the calling thread rounds and flushes as DetGL expects, on processors whose floating-point state `FloatEnv`
+//! does not set: results are the same on all threads and machines only with IEEE 754 rounding to nearest and with
+//! denormals, which is how every thread starts.
 
 use std::hint::black_box;
 

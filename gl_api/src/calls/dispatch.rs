@@ -7,6 +7,7 @@ use crate::calls::flush::flush;
 use crate::context::sharing::{ShareHandle, SharedObjectsGuard};
 use crate::context::{Context, ContextDesc, ContextError};
 use crate::draw::pending_primitives::draw_pending;
+use texunit::lanes::FloatEnv;
 
 impl Context {
     /// A context that shares textures, samplers, buffers, renderbuffers, shaders, programs and
@@ -36,6 +37,19 @@ impl Context {
 
     /// Runs the entry point `name`: an error sets the flag and says why.
     pub(crate) fn call<R: RefusedResult>(
+        &mut self,
+        name: &'static str,
+        begin_end: BeginEnd,
+        f: impl FnOnce(&mut Self) -> Result<R>,
+    ) -> R {
+        let _float_env = FloatEnv::enter();
+        self.call_of_attribute(name, begin_end, f)
+    }
+
+    /// As [`Self::call`], in the host's floating-point state: what sets an attribute is called per vertex, and to
+    /// read that state takes as long as the call. Where it converts, it sets the state itself.
+    #[inline(always)]
+    pub(crate) fn call_of_attribute<R: RefusedResult>(
         &mut self,
         name: &'static str,
         begin_end: BeginEnd,

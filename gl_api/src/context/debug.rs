@@ -13,6 +13,7 @@ use std::ffi::CString;
 use std::io::Write;
 use std::sync::Once;
 use std::{fmt, io};
+use texunit::lanes::FloatEnv;
 
 /// The queue keeps this many messages; older ones are dropped.
 const KEPT: usize = 1024;
@@ -94,7 +95,9 @@ impl Debug {
             at_first: Output::Off,
             echo: if on { Echo::Stderr } else { Echo::Off },
         };
-        float_environment::warning().into_iter().for_each(|text| debug.warn(text));
+        if !FloatEnv::IS_KNOWN {
+            float_environment::warning().into_iter().for_each(|text| debug.warn(text));
+        }
         debug
     }
 
@@ -208,6 +211,7 @@ fn hand_over(procedure: GLDEBUGPROC, user: usize, messages: VecDeque<LogMessage>
         let length = text.len() as GLsizei;
         let bytes = CString::new(text.replace('\0', " ")).unwrap_or_default();
         let (source, ty, severity) = (kind.source, kind.ty, kind.severity);
-        procedure(source, ty, id, severity, length, bytes.as_ptr(), user as *mut GLvoid);
+        let user = user as *mut GLvoid;
+        FloatEnv::in_host(|| procedure(source, ty, id, severity, length, bytes.as_ptr(), user));
     }
 }

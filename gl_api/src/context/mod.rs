@@ -41,6 +41,7 @@ use rasterizer::driver::{Device, DeviceDesc, DeviceError};
 use state_changes::StateChanges;
 use std::sync::{Arc, OnceLock};
 pub use surface::{SurfaceColor, SurfaceDesc};
+use texunit::lanes::FloatEnv;
 use thiserror::Error;
 
 /// How a context is to be made.
@@ -149,6 +150,7 @@ impl Context {
     /// # Errors
     /// When the size is out of range or the device cannot be made.
     pub fn new(desc: ContextDesc) -> Result<Self, ContextError> {
+        let _float_env = FloatEnv::enter();
         let fix_its = desc.fix_its;
         let (device, window) = Self::parts(desc)?;
         Ok(Self::assemble(device, window, fix_its, None))
@@ -215,6 +217,7 @@ impl Context {
         desc: ContextDesc,
         shared: Option<ShareHandle>,
     ) -> Result<Box<Self>, ContextError> {
+        let _float_env = FloatEnv::enter();
         let fix_its = desc.fix_its;
         let (group, device) = shared.map(|shared| (shared.group, shared.device)).unzip();
         let (device, window) = Self::parts(ContextDesc { device: desc.device.or(device), ..desc })?;

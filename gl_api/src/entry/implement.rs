@@ -73,6 +73,7 @@ macro_rules! implement {
     (@record $context:ident $begin_end:ident $module:ident $method:ident $gl:ident
         [$($param:ident)*] [] []) => {
         if $context.compiling.is_some() {
+            let _float_env = texunit::lanes::FloatEnv::enter();
             let integers: &[i64] = &[$($crate::record::arguments::RecordArgument::integer(&$param)),*];
             let name = stringify!($gl);
             if $crate::record::proxy::asks_proxy(name, integers) {
@@ -170,7 +171,9 @@ macro_rules! implement_attribute {
         impl $crate::context::Context {
             #[doc = $doc]
             pub fn $method(&mut self $(, $lead: $lead_ty)? $(, $param: $ty)+) {
-                self.call(stringify!($gl), $crate::base::begin_end::BeginEnd::Allowed, |context| {
+                let _float_env = <$ty as $crate::base::component::Component>::COMPUTES
+                    .then(texunit::lanes::FloatEnv::enter);
+                self.call_of_attribute(stringify!($gl), $crate::base::begin_end::BeginEnd::Allowed, |context| {
                     let value = [$($crate::base::component::Component::$convert($param)),+];
                     $crate::calls::vertex::immediate::attribute(context, $slot, $crate::base::component::filled(value))
                 });
@@ -184,7 +187,9 @@ macro_rules! implement_attribute {
             pub fn $method(&mut self $(, $lead: $lead_ty)?, v: &[$ty]) {
                 const PARAMETERS: &[&str] = &[$(stringify!($param)),+];
                 const NEEDED: usize = PARAMETERS.len();
-                self.call(stringify!($gl), $crate::base::begin_end::BeginEnd::Allowed, |context| {
+                let _float_env = <$ty as $crate::base::component::Component>::COMPUTES
+                    .then(texunit::lanes::FloatEnv::enter);
+                self.call_of_attribute(stringify!($gl), $crate::base::begin_end::BeginEnd::Allowed, |context| {
                     match v.first_chunk::<NEEDED>() {
                         Some(v) => {
                             let value = v.map($crate::base::component::Component::$convert);

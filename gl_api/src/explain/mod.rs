@@ -28,6 +28,7 @@ use crate::context::Context;
 use crate::context::watched_pixel::WatchedPixel;
 pub use crate::explain::explanation::{Explanation, OutsideWindow};
 use rasterizer::driver::Watch;
+use texunit::lanes::FloatEnv;
 
 impl Context {
     /// From now on, until [`Context::explain_pixel`], writes down what happens to pixel `(x, y)` of
@@ -41,6 +42,7 @@ impl Context {
         if x >= width || y >= height {
             return Err(OutsideWindow { x, y, width, height });
         }
+        let _float_env = FloatEnv::enter();
         // What was recorded before is not watched.
         crate::draw::pass::submit(self);
         self.watched = Some(Box::new(WatchedPixel { watch: Watch::new(x, y), notes: Vec::new() }));
@@ -49,6 +51,7 @@ impl Context {
 
     /// What happened to the watched pixel; `None` if none is watched. Ends the watch.
     pub fn explain_pixel(&mut self) -> Option<Explanation> {
+        let _float_env = FloatEnv::enter();
         crate::draw::pass::submit(self);
         let watched = self.watched.take()?;
         let [x, y] = watched.watch.pixel();

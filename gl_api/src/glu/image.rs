@@ -9,6 +9,7 @@ use crate::base::constants::*;
 use crate::base::types::{GLenum, GLint, GLsizei};
 use crate::entry::{Arg, glGetIntegerv, glPixelStorei};
 use crate::pixel::layout::ByteOrder;
+use texunit::lanes::FloatEnv;
 
 /// Scales an image in client memory with GLU's box filter, from the `GL_UNPACK_*` state's layout
 /// to the `GL_PACK_*` state's.
@@ -26,6 +27,7 @@ pub fn gluScaleImage<'a>(
     type_out: impl Arg<GLenum>,
     data_out: impl Arg<DataOut<'a>>,
 ) -> GLenum {
+    let _float_env = FloatEnv::enter();
     let format = format.arg();
     let flat = |store| Store { image_height: 0, skip_images: 0, ..store };
     let unpack = flat(Store::current(&UNPACK));

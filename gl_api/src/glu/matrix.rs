@@ -2,6 +2,7 @@
 
 use crate::base::angle::cotangent_degrees;
 use crate::entry::{Arg, glMultMatrixd, glOrtho, glTranslated};
+use texunit::lanes::FloatEnv;
 
 /// A 4×4 matrix as GL takes it: column by column.
 type Columns = [f64; 16];
@@ -15,6 +16,7 @@ pub fn gluPerspective(
     z_near: impl Arg<f64>,
     z_far: impl Arg<f64>,
 ) {
+    let _float_env = FloatEnv::enter();
     if let Some(matrix) = perspective(fovy.arg(), aspect.arg(), z_near.arg(), z_far.arg()) {
         glMultMatrixd(&matrix);
     }
@@ -33,6 +35,7 @@ pub fn gluLookAt(
     up_y: impl Arg<f64>,
     up_z: impl Arg<f64>,
 ) {
+    let _float_env = FloatEnv::enter();
     let eye = [eye_x.arg(), eye_y.arg(), eye_z.arg()];
     let center = [center_x.arg(), center_y.arg(), center_z.arg()];
     let up = [up_x.arg(), up_y.arg(), up_z.arg()];
@@ -47,6 +50,7 @@ pub fn gluOrtho2D(
     bottom: impl Arg<f64>,
     top: impl Arg<f64>,
 ) {
+    let _float_env = FloatEnv::enter();
     glOrtho(left.arg(), right.arg(), bottom.arg(), top.arg(), -1.0, 1.0);
 }
 

@@ -10,6 +10,7 @@ use crate::base::constants::*;
 use crate::base::types::{GLenum, GLint, GLsizei};
 use crate::entry::{Arg, glTexImage1D, glTexImage2D, glTexImage3D};
 use crate::pixel::convert;
+use texunit::lanes::FloatEnv;
 
 /// Builds every mipmap level of a texture from one image of any size: scales it to powers of two
 /// (the nearest, as libGLU's `closestFit`) no larger than `GL_MAX_TEXTURE_SIZE`, hands that to
@@ -190,6 +191,7 @@ fn build(
     numbers: Numbers,
     data: Data<'_>,
 ) -> GLenum {
+    let _float_env = FloatEnv::enter();
     let Numbers { level, base, max } = numbers;
     if level < 0 || base < level || max < base {
         return GLU_INVALID_VALUE;

@@ -4,6 +4,7 @@
 use crate::base::types::GLint;
 use crate::entry::{Arg, glScaled, glTranslated};
 use glam::{DMat4, DVec3, DVec4};
+use texunit::lanes::FloatEnv;
 
 /// Where a point of an object comes to lie in the window: `x`, `y`, and a depth from 0 to 1.
 /// `model` and `projection` are matrices as `glGetDoublev` gives them, `viewport` as `glGetIntegerv`
@@ -16,6 +17,7 @@ pub fn gluProject(
     projection: &[f64; 16],
     viewport: &[GLint; 4],
 ) -> Option<[f64; 3]> {
+    let _float_env = FloatEnv::enter();
     let object = DVec4::new(x.arg(), y.arg(), z.arg(), 1.0);
     let eye = DMat4::from_cols_array(model) * object;
     let clip = DMat4::from_cols_array(projection) * eye;
@@ -37,6 +39,7 @@ pub fn gluUnProject(
     projection: &[f64; 16],
     viewport: &[GLint; 4],
 ) -> Option<[f64; 3]> {
+    let _float_env = FloatEnv::enter();
     let object = gluUnProject4(x, y, z, 1.0, model, projection, viewport, 0.0, 1.0)?;
     let object = DVec4::from_array(object);
     (object.w != 0.0).then(|| (object.truncate() / object.w).to_array())
@@ -56,6 +59,7 @@ pub fn gluUnProject4(
     near: impl Arg<f64>,
     far: impl Arg<f64>,
 ) -> Option<[f64; 4]> {
+    let _float_env = FloatEnv::enter();
     let [left, bottom, width, height] = viewport.map(f64::from);
     let (near, far) = (near.arg(), far.arg());
     let window = DVec3::new(x.arg(), y.arg(), z.arg());
@@ -77,6 +81,7 @@ pub fn gluPickMatrix(
     height: impl Arg<f64>,
     viewport: &[GLint; 4],
 ) {
+    let _float_env = FloatEnv::enter();
     let (width, height) = (width.arg(), height.arg());
     if width <= 0.0 || height <= 0.0 {
         return;

@@ -8,6 +8,7 @@ use super::revolve::{Bend, Ring, Surface, draw};
 use crate::base::angle::sin_cos_degrees;
 use crate::base::types::{GLboolean, GLenum, GLint};
 use crate::entry::Arg;
+use texunit::lanes::FloatEnv;
 
 /// Normals of each point.
 pub const GLU_SMOOTH: GLenum = 100_000;
@@ -98,7 +99,7 @@ impl GLUquadric {
 
     fn refuse(&self, error: GLenum) {
         if let Some(callback) = self.error {
-            callback(error);
+            FloatEnv::in_host(|| callback(error));
         }
     }
 }
@@ -106,7 +107,7 @@ impl GLUquadric {
 /// Tells of a value that is none of those that there are.
 pub(crate) fn tell(refused: GLUquadricCallback) {
     if let Some(callback) = refused {
-        callback(GLU_INVALID_ENUM);
+        FloatEnv::in_host(|| callback(GLU_INVALID_ENUM));
     }
 }
 
@@ -177,6 +178,7 @@ pub fn gluSphere(
     slices: impl Arg<GLint>,
     stacks: impl Arg<GLint>,
 ) {
+    let _float_env = FloatEnv::enter();
     let (radius, slices, stacks) = (radius.arg(), count(slices.arg()), count(stacks.arg()));
     let possible = radius >= 0.0 && slices >= 2 && stacks >= 1;
     quad.revolve(possible.then(|| {
@@ -201,6 +203,7 @@ pub fn gluCylinder(
     slices: impl Arg<GLint>,
     stacks: impl Arg<GLint>,
 ) {
+    let _float_env = FloatEnv::enter();
     let (base, top, height) = (base.arg(), top.arg(), height.arg());
     let (slices, stacks) = (count(slices.arg()), count(stacks.arg()));
     let possible = base >= 0.0 && top >= 0.0 && height >= 0.0 && slices >= 2 && stacks >= 1;
@@ -243,6 +246,7 @@ pub fn gluPartialDisk(
     start: impl Arg<f64>,
     sweep: impl Arg<f64>,
 ) {
+    let _float_env = FloatEnv::enter();
     let (inner, outer) = (inner.arg(), outer.arg());
     let (slices, loops) = (count(slices.arg()), count(loops.arg()));
     let (start, sweep) = (start.arg(), sweep.arg().clamp(-360.0, 360.0));

@@ -9,6 +9,7 @@ use crate::attachment::{Part, Put, StoreContext};
 use crate::threads::{ForkAwarePool, ThreadPool};
 use std::sync::Arc;
 use texunit::image::{Image as Texels, Level};
+use texunit::lanes::FloatEnv;
 
 /// Copies of at least this many bytes use several threads,
 const WORTH_THREADS: usize = 1 << 20;
@@ -43,6 +44,7 @@ impl Device {
     /// When a command breaks a rule, or this process was forked from the device's and cannot start
     /// threads; then nothing was run.
     pub fn submit(&self, commands: &CommandBuffer) -> Result<SubmitReport, SubmitError> {
+        let _float_env = FloatEnv::enter();
         check::check(&commands.commands)?;
         let thread_pool = self.threads.thread_pool().map_err(DeviceError::pool);
         let thread_pool =
@@ -82,6 +84,7 @@ impl Device {
     /// What an attachment names, as everything submitted leaves it, with one sample a pixel, which
     /// several are resolved to: a level, if it exists, and which slice of it.
     pub fn resolved(&self, attachment: &Attachment) -> Option<(Arc<Level>, usize)> {
+        let _float_env = FloatEnv::enter();
         let Attachment { image, face, level } = attachment;
         let context =
             StoreContext { isa: self.resources.desc.isa, thread_pool: &self.thread_pool() };
@@ -95,6 +98,7 @@ impl Device {
     /// # Panics
     /// When a row is too short, or the region is not within the image.
     pub fn read(&self, attachment: &Attachment, part: Part, rows: &mut [&mut [u8]], put: Put<'_>) {
+        let _float_env = FloatEnv::enter();
         let Attachment { image, face, level } = attachment;
         let context =
             StoreContext { isa: self.resources.desc.isa, thread_pool: &self.thread_pool() };
@@ -104,6 +108,7 @@ impl Device {
     /// Puts back what [`Image::each_sample`] gave, changed. Draws that were recorded earlier keep what
     /// they saw.
     pub fn set_each_sample(&self, attachment: &Attachment, samples: &Level) {
+        let _float_env = FloatEnv::enter();
         let Attachment { image, face, level } = attachment;
         image.set_each_sample(*face, *level, samples, self.resources.desc.isa);
     }

@@ -16,7 +16,7 @@ use parking_lot::Mutex;
 use std::sync::Arc;
 use texunit::format::Format;
 use texunit::image::{Image as Texels, ImageError, Level, Shape};
-use texunit::lanes::Isa;
+use texunit::lanes::{FloatEnv, Isa};
 
 /// An image of the driver. Cloning gives another handle to the same image.
 #[derive(Clone, Debug)]
@@ -213,6 +213,7 @@ impl Image {
 
     /// As [`Image::texels`], brought up to date by these ([`super::Device::texels`]).
     pub(super) fn texels_by(&self, thread_pool: &ThreadPool) -> Texels {
+        let _float_env = FloatEnv::enter();
         let mut state = self.0.lock();
         state.resolve(thread_pool);
         state.texels.clone()
@@ -225,6 +226,7 @@ impl Image {
 
     /// Changes its texels. Draws that were recorded earlier keep what they saw.
     pub fn update<R>(&self, change: impl FnOnce(&mut Texels) -> R) -> R {
+        let _float_env = FloatEnv::enter();
         let mut state = self.0.lock();
         state.resolve(&ThreadPool::CALLER_ONLY);
         state.attached = None;
@@ -282,6 +284,7 @@ impl Image {
 
     /// The samples of what an attachment names, each a slice.
     pub fn each_sample(&self, face: u16, level: u8) -> Option<Level> {
+        let _float_env = FloatEnv::enter();
         let mut state = self.0.lock();
         let at = state.place(face, level);
         let surface = state.surface(at)?;

@@ -5,6 +5,7 @@ use crate::ir::{Input, Interpolation, Output, Stage};
 use crate::shader::{OptimizedModule, Program};
 use crate::threads::stack::with_large_stack;
 use std::sync::{Arc, OnceLock};
+use texunit::lanes::FloatEnv;
 
 /// So many blocks deep, a module is compiled on any stack.
 const SHALLOW: usize = 16;
@@ -54,6 +55,7 @@ impl Pipeline {
     /// # Errors
     /// When the stages are not of their kind.
     pub fn new(desc: PipelineDesc) -> Result<Self, PipelineError> {
+        let _float_env = FloatEnv::enter();
         let (vertex, fragment) = (desc.vertex.module(), desc.fragment.module());
         if vertex.stage != Stage::Vertex {
             return Err(PipelineError("`vertex` must be a module of the vertex stage".into()));

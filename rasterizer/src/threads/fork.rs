@@ -9,6 +9,7 @@ use rayon::{ThreadPoolBuildError, ThreadPoolBuilder};
 use std::error::Error;
 use std::sync::Arc;
 use std::{io, process};
+use texunit::lanes::FloatEnv;
 
 /// A number of worker threads, started again in a forked process.
 #[derive(Debug)]
@@ -34,6 +35,8 @@ impl Pool {
         let started = ThreadPoolBuilder::new()
             .num_threads(count)
             .thread_name(|index| format!("detgl-{index}"))
+            // Threads begin with the floating-point state of the one that starts them, or with the system's.
+            .start_handler(|_| FloatEnv::enter_for_good())
             .build();
         match started {
             Ok(threads) => {

@@ -3,6 +3,7 @@
 
 use std::panic::resume_unwind;
 use std::thread::{Builder, scope};
+use texunit::lanes::FloatEnv;
 
 /// Bytes of the stack; pages are committed when touched. The deepest shaders need 1 MB in an optimized build, 8 MB in
 /// an unoptimized one.
@@ -13,7 +14,10 @@ const STACK: usize = 16 << 20;
 pub fn with_large_stack<T: Send>(work: impl FnOnce() -> T + Send) -> T {
     let mut work = Some(work);
     let done = scope(|scope| {
-        let run = || work.take().map(|work| work());
+        let run = || {
+            FloatEnv::enter_for_good();
+            work.take().map(|work| work())
+        };
         let thread = Builder::new().name("detgl shader".into()).stack_size(STACK);
         let thread = thread.spawn_scoped(scope, run).ok()?;
         thread.join().unwrap_or_else(|panic| resume_unwind(panic))

@@ -6,7 +6,8 @@
 //! `#[inline(always)]`, so that it takes on the instruction set of its caller.
 //!
 //! `docs/lanes.md` is the guide to changing a kernel. This module is one of the two places in DetGL where `unsafe` is
-//! allowed (the other is the C ABI): it calls functions compiled for detected instruction sets, and reads unchecked.
+//! allowed (the other is the C ABI): it calls functions compiled for detected instruction sets, reads
+//! unchecked, and sets the floating-point control word ([`FloatEnv`]).
 //!
 //! # Lane order: quad-planar
 //!
@@ -18,6 +19,7 @@
 #![allow(unsafe_code)]
 
 mod batch;
+mod float_env;
 mod gather;
 mod isa;
 mod log2;
@@ -29,6 +31,7 @@ mod simd;
 mod weigh;
 
 pub use batch::{F32s, F64s, I32s, LANES, PerLane, QUADS, U32s, lane_x, lane_y};
+pub use float_env::FloatEnv;
 pub use isa::{Baseline, Isa, IsaError};
 pub use log2::{log2, log2_of_root};
 pub use prefetch::{prefetch, prefetch_at};

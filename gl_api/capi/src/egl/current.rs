@@ -6,7 +6,7 @@ use super::raw::{Handle, Id, Int, handle};
 use super::registry::{Holder, OSMESA, Registry, display, registry};
 use super::thread::{Api, Binding, Thread, ThreadId, this_thread, thread};
 use crate::main_thread::is_main_thread;
-use gl_api::host::{self, Surface, swap_current};
+use gl_api::host::{self, FloatEnv, Surface, swap_current};
 use gl_api::{Context, with_current};
 use std::mem::replace;
 
@@ -146,6 +146,7 @@ fn thread_ended() {
     if is_main_thread() {
         return;
     }
+    let _float_env = FloatEnv::enter();
     // An OSMesa client's memory may have ended with its thread.
     with_current(|context| host::set_mirror(context, None));
     thread(release);

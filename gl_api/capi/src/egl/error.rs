@@ -3,7 +3,7 @@
 use super::constants::*;
 use super::raw::Int;
 use super::thread::thread;
-use crate::guard::enter;
+use crate::guard::enter_computing;
 
 /// The error codes of EGL 1.5, table 3.1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -83,7 +83,8 @@ pub(super) fn say(severity: &str, text: &str) {
 /// Runs a function: sets what `eglGetError` answers, and says why it failed if `DETGL_DEBUG` asks.
 /// A panic is `EGL_BAD_ALLOC`.
 pub(crate) fn call<R: Answer>(name: &str, f: impl FnOnce() -> Result<R>) -> R {
-    let result = enter(f).unwrap_or_else(|_| fail(Code::BadAlloc, "DetGL failed inside this call"));
+    let result = enter_computing(f)
+        .unwrap_or_else(|_| fail(Code::BadAlloc, "DetGL failed inside this call"));
     match result {
         Ok(value) => {
             thread(|thread| thread.error.set(EGL_SUCCESS));

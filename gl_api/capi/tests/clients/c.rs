@@ -140,31 +140,6 @@ fn variables_of_gls_names_are_the_programs_own() {
     }
 }
 
-/// A thread that computes otherwise draws other last bits: it is told so.
-#[test]
-#[cfg_attr(not(target_arch = "x86_64"), ignore = "the program sets x86's control word")]
-fn arithmetic_that_is_not_the_default_is_said() {
-    let test = "arithmetic";
-    let folder = folder(test);
-    let Some(program) = compile(test, &folder, "arithmetic", Against::Ours, &["-lEGL"]) else {
-        return;
-    };
-    for (how, said) in [
-        (None, None),
-        (Some("flush"), Some("flush denormals to zero")),
-        (Some("truncate"), Some("round otherwise than to nearest")),
-    ] {
-        let mut command = detgl();
-        command.args(["run", "--"]).arg(&program).args(how).env("DETGL_DEBUG", "1");
-        let output = run(&mut command).unwrap_or_else(|said| panic!("{said}"));
-        let errors = String::from_utf8_lossy(&output.stderr);
-        match said {
-            Some(said) => assert!(errors.contains(said), "{how:?}: {errors}"),
-            None => assert!(!errors.contains("this thread"), "{errors}"),
-        }
-    }
-}
-
 #[test]
 fn the_systems_libegl_finds_the_library_as_a_vendor() {
     let test = "vendor";

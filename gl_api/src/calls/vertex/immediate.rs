@@ -23,6 +23,7 @@ use crate::interface::{
 };
 use crate::state::enable::Flag;
 use rasterizer::driver::{Buffer, Topology, VertexBinding, VertexFormat, VertexSource, VertexType};
+use texunit::lanes::FloatEnv;
 
 const SECTION: &str = "GL 2.1, section 2.6.3";
 /// More vertices than this between `glBegin` and `glEnd` are an error.
@@ -196,7 +197,9 @@ fn is_number(context: &Context, location: usize, value: [f32; 4]) -> bool {
         Ok(ATTRIB_COLOR) => !is_tracked,
         Ok(ATTRIB_EDGE_FLAG | ATTRIB_MATERIAL..) | Err(_) => false,
         // Whether coordinates are divided depends on the last one.
-        Ok(ATTRIB_TEX_COORD..) => context.state.current[location][3] == value[3],
+        Ok(ATTRIB_TEX_COORD..) => {
+            context.state.current[location][3].to_bits() == value[3].to_bits()
+        }
         Ok(_) => true,
     }
 }
@@ -204,6 +207,8 @@ fn is_number(context: &Context, location: usize, value: [f32; 4]) -> bool {
 /// What ended has the value from before as a constant.
 fn end_before_change(context: &mut Context, location: usize, value: [f32; 4]) {
     if current(&context.state, location).map(f32::to_bits) != value.map(f32::to_bits) {
+        // Attributes are set in the host's floating-point state.
+        let _float_env = FloatEnv::enter();
         draw_pending(context);
     }
 }
