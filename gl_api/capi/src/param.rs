@@ -67,7 +67,8 @@ macro_rules! numbers {
     )* };
 }
 
-numbers!(i8, u8, i16, u16, i32, u32, i64, u64, isize, usize: raw => raw as isize);
+numbers!(i8, u8, i16, u16, i32, u32, i64, u64, usize: raw => raw as isize);
+numbers!(isize: raw => raw);
 // No length depends on them, and the floating-point state is still the host's.
 numbers!(f32, f64: _ => 0);
 

@@ -256,17 +256,15 @@ mod tests {
         // Upward, FTZ and DAZ, division by zero traps, overflow was seen.
         let (host, ours) = (State(0xDDC8), read());
         write(host);
-        let (mut within, mut called, mut nested, mut after) = (host, ours, host, ours);
-        {
-            let _outer = FloatEnv::enter();
-            within = read();
-            FloatEnv::in_host(|| {
-                called = read();
-                let _nested = FloatEnv::enter();
-                nested = read();
-            });
-            FloatEnv::in_host(|| after = read());
-        }
+        let outer = FloatEnv::enter();
+        let within = read();
+        let (called, nested) = FloatEnv::in_host(|| {
+            let called = read();
+            let _nested = FloatEnv::enter();
+            (called, read())
+        });
+        let after = FloatEnv::in_host(read);
+        drop(outer);
         let restored = read();
         write(ours);
         assert_eq!([called, after, restored], [host; 3]);

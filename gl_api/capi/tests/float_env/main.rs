@@ -20,8 +20,10 @@ use std::process::Command;
 /// What a child process does, by names of `MODES` and `WHEN`.
 const ASKED: &str = "DETGL_TEST_FLOAT_ENV";
 
-/// How a host may compute; whether the processor can.
-const MODES: [(&str, fn() -> bool); 6] = [
+/// A way for the host to compute, and what sets it; whether the processor can.
+type Mode = (&'static str, fn() -> bool);
+
+const MODES: [Mode; 6] = [
     ("to nearest", || fesetround(TONEAREST) == 0),
     ("downward", || fesetround(DOWNWARD) == 0),
     ("upward", || fesetround(UPWARD) == 0),
