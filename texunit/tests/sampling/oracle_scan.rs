@@ -1,5 +1,5 @@
 //! The anisotropic filter of images in a plane in scalar `f64`, from the formulas at the top of
-//! `sample/scan.rs`. Rows and columns are walked one texel at a time; nothing is an integer.
+//! `sample/row_scan`. Rows and columns are walked one texel at a time; nothing is an integer.
 
 use crate::oracle::{Answer, Oracle};
 use texunit::image::Shape;
