@@ -190,5 +190,5 @@ fn only_devices_choose_an_instruction_set() {
             choosing.push(path);
         }
     }
-    assert_eq!(choosing, [root.join("rasterizer/src/driver/device.rs")]);
+    assert_eq!(choosing, [root.join("rasterizer/src/driver/resources.rs")]);
 }
