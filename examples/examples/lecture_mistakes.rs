@@ -139,7 +139,7 @@ fn draw(window: &mut Window) {
         initShaders(window, vertex, fragment);
     }
 
-    window.switch_repairs_on();
+    window.apply_fix_its();
     glClearColor(0.08, 0.09, 0.11, 1);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glEnable(GL_DEPTH_TEST);

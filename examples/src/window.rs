@@ -97,7 +97,7 @@ impl Window {
     ///
     /// # Panics
     /// When there is not enough memory for another context of the same size.
-    pub fn switch_repairs_on(&mut self) {
+    pub fn apply_fix_its(&mut self) {
         let desc = ContextDesc { fix_its: FixIts::Apply, ..self.desc.clone() };
         self.current = None;
         let mut context = Context::new(desc).expect("a context of this size was made before");

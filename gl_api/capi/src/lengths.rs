@@ -146,7 +146,7 @@ const fn rule(length: Length) -> Rule {
                 Rule::Computed(map2)
             } else {
                 panic!(
-                    "the length of a pointer is a formula that capi/src/lengths.rs lacks: add it"
+                    "the length of a pointer is a formula that gl_api/capi/src/lengths.rs lacks: add it"
                 )
             }
         }

@@ -9,7 +9,7 @@
 //! |---|---|
 //! | `memory` | the memory behind C's pointers |
 //! | `main_thread` | whether this is the thread that the process began with |
-//! | `param` | C's arguments and results, and ours |
+//! | `param` | C's arguments and results, and Rust's |
 //! | `lengths` | how many elements a typed pointer has |
 //! | `guard` | the door: what every call from C goes through |
 //! | `gl` | the entry points of GL |
