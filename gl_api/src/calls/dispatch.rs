@@ -42,8 +42,14 @@ impl Context {
         begin_end: BeginEnd,
         f: impl FnOnce(&mut Self) -> Result<R>,
     ) -> R {
-        let _float_env = FloatEnv::enter();
-        self.call_of_attribute(name, begin_end, f)
+        let call = ComputingCall::begin(self);
+        let context = &mut *call.objects.context;
+        let result = match begin_end {
+            BeginEnd::Refused if !context.leave_vertices(name) => Ok(R::refused_result()),
+            BeginEnd::Refused | BeginEnd::Allowed => f(context),
+        };
+        call.end();
+        self.answer(name, result)
     }
 
     /// As [`Self::call`], in the host's floating-point state: what sets an attribute is called per vertex, and to
@@ -61,6 +67,12 @@ impl Context {
             BeginEnd::Refused | BeginEnd::Allowed => f(guard.context),
         };
         drop(guard);
+        self.answer(name, result)
+    }
+
+    /// Notes an error of the call `name`, and hands messages to the client's callback.
+    #[inline(always)]
+    fn answer<R: RefusedResult>(&mut self, name: &'static str, result: Result<R>) -> R {
         let result = result.unwrap_or_else(|error: GlError| {
             self.refuse(name, error);
             R::refused_result()
@@ -83,6 +95,24 @@ impl Context {
         self.state_changes.count_call();
         true
     }
+}
+
+/// A call that computes: it has the share group's objects and DetGL's floating-point state, and gives both back when it
+/// ends. Neither end is inlined, as each entry point has an instance of [`Context::call`].
+struct ComputingCall<'a> {
+    objects: SharedObjectsGuard<'a>,
+    _float_env: FloatEnv,
+}
+
+impl<'a> ComputingCall<'a> {
+    #[inline(never)]
+    fn begin(context: &'a mut Context) -> Self {
+        let float_env = FloatEnv::enter();
+        Self { objects: SharedObjectsGuard::lock(context), _float_env: float_env }
+    }
+
+    #[inline(never)]
+    fn end(self) {}
 }
 
 #[cold]

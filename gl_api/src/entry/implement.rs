@@ -73,7 +73,6 @@ macro_rules! implement {
     (@record $context:ident $begin_end:ident $module:ident $method:ident $gl:ident
         [$($param:ident)*] [] []) => {
         if $context.compiling.is_some() {
-            let _float_env = texunit::lanes::FloatEnv::enter();
             let integers: &[i64] = &[$($crate::record::arguments::RecordArgument::integer(&$param)),*];
             let name = stringify!($gl);
             if $crate::record::proxy::asks_proxy(name, integers) {
@@ -172,7 +171,7 @@ macro_rules! implement_attribute {
             #[doc = $doc]
             pub fn $method(&mut self $(, $lead: $lead_ty)? $(, $param: $ty)+) {
                 let _float_env = <$ty as $crate::base::component::Component>::COMPUTES
-                    .then(texunit::lanes::FloatEnv::enter);
+                    .then(texunit::lanes::OutlinedFloatEnv::enter);
                 self.call_of_attribute(stringify!($gl), $crate::base::begin_end::BeginEnd::Allowed, |context| {
                     let value = [$($crate::base::component::Component::$convert($param)),+];
                     $crate::calls::vertex::immediate::attribute(context, $slot, $crate::base::component::filled(value))
@@ -188,7 +187,7 @@ macro_rules! implement_attribute {
                 const PARAMETERS: &[&str] = &[$(stringify!($param)),+];
                 const NEEDED: usize = PARAMETERS.len();
                 let _float_env = <$ty as $crate::base::component::Component>::COMPUTES
-                    .then(texunit::lanes::FloatEnv::enter);
+                    .then(texunit::lanes::OutlinedFloatEnv::enter);
                 self.call_of_attribute(stringify!($gl), $crate::base::begin_end::BeginEnd::Allowed, |context| {
                     match v.first_chunk::<NEEDED>() {
                         Some(v) => {

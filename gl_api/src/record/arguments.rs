@@ -18,7 +18,8 @@ pub(crate) trait RecordArgument {
     fn record(&self, context: &mut Context, name: &str, integers: &[i64])
     -> Option<Self::Recorded>;
 
-    /// The argument as a number; 0 for pointers.
+    /// The argument as a number; 0 for pointers, and for floats: no length depends on one, and converting one would
+    /// compute in the host's floating-point state.
     fn integer(&self) -> i64 {
         0
     }
@@ -36,7 +37,7 @@ pub(crate) trait RecordedArgument {
 }
 
 macro_rules! numbers {
-    ($($ty:ty),*) => { $(
+    ($($ty:ty),*; $integer:expr) => { $(
         impl RecordArgument for $ty {
             type Recorded = $ty;
 
@@ -45,7 +46,8 @@ macro_rules! numbers {
             }
 
             fn integer(&self) -> i64 {
-                *self as i64
+                let integer: fn(&$ty) -> i64 = $integer;
+                integer(self)
             }
         }
 
@@ -59,7 +61,8 @@ macro_rules! numbers {
     )* };
 }
 
-numbers!(i8, u8, i16, u16, i32, u32, i64, u64, isize, usize, f32, f64, bool);
+numbers!(i8, u8, i16, u16, i32, u32, i64, u64, isize, usize, bool; |value| *value as i64);
+numbers!(f32, f64; |_| 0);
 
 impl<T: Copy + Send + Sync + 'static> RecordArgument for &[T] {
     type Recorded = Vec<T>;

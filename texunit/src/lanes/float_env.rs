@@ -6,6 +6,7 @@
 
 use std::cell::Cell;
 use std::marker::PhantomData;
+use std::mem::ManuallyDrop;
 
 cfg_select! {
     // Miri has no inline assembly, and no control word but the default one.
@@ -71,6 +72,28 @@ impl Drop for FloatEnv {
     fn drop(&mut self) {
         if read() != self.found {
             restore(self.found);
+        }
+    }
+}
+
+/// A [`FloatEnv`] for code that is instantiated a thousand times: neither of its ends is inlined.
+#[must_use = "the host's state is restored when this value is dropped"]
+#[derive(Debug)]
+pub struct OutlinedFloatEnv(ManuallyDrop<FloatEnv>);
+
+impl OutlinedFloatEnv {
+    /// As [`FloatEnv::enter`].
+    #[inline(never)]
+    pub fn enter() -> Self {
+        Self(ManuallyDrop::new(FloatEnv::enter()))
+    }
+}
+
+impl Drop for OutlinedFloatEnv {
+    #[inline(never)]
+    fn drop(&mut self) {
+        if read() != self.0.found {
+            restore(self.0.found);
         }
     }
 }

@@ -31,7 +31,7 @@ mod simd;
 mod weigh;
 
 pub use batch::{F32s, F64s, I32s, LANES, PerLane, QUADS, U32s, lane_x, lane_y};
-pub use float_env::FloatEnv;
+pub use float_env::{FloatEnv, OutlinedFloatEnv};
 pub use isa::{Baseline, Isa, IsaError};
 pub use log2::{log2, log2_of_root};
 pub use prefetch::{prefetch, prefetch_at};
