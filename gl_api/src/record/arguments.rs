@@ -61,7 +61,8 @@ macro_rules! numbers {
     )* };
 }
 
-numbers!(i8, u8, i16, u16, i32, u32, i64, u64, isize, usize, bool; |value| *value as i64);
+numbers!(i8, u8, i16, u16, i32, u32, u64, isize, usize, bool; |value| *value as i64);
+numbers!(i64; |value| *value);
 numbers!(f32, f64; |_| 0);
 
 impl<T: Copy + Send + Sync + 'static> RecordArgument for &[T] {
