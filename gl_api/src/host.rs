@@ -8,7 +8,7 @@ use crate::base::error::{ErrorCode, GlError};
 use crate::base::types::{GLenum, GLint, GLuint};
 use crate::calls::framebuffer::read::{ClientRows, Up, read_rows};
 use crate::context::debug::Output;
-use crate::context::sharing::SharedObjectsGuard;
+use crate::context::sharing::CallScope;
 use crate::context::window::{Visible, Window, format_of, whole};
 use crate::context::{Context, ContextDesc, ContextError, SurfaceDesc, sharing};
 use crate::draw::warnings::visibility;
@@ -20,7 +20,6 @@ use crate::pixel::layout::{Extent, Layout};
 use crate::pixel::store::PixelStore;
 use crate::pixel::transfer::Transfer;
 use rasterizer::driver::{Image, Put};
-use std::time::Duration;
 
 pub use crate::base::refused_result::RefusedResult;
 pub use crate::context::mirror::SurfaceMirror;
@@ -63,28 +62,6 @@ impl Surface {
 #[derive(Clone, Debug)]
 pub struct ShareHandle(sharing::ShareHandle);
 
-/// A request to share the objects of a context that is current on another thread. The context answers at its next call,
-/// or when it is released.
-#[derive(Clone, Debug)]
-pub struct ShareRequest(sharing::ShareRequest);
-
-impl ShareRequest {
-    /// The request to a context.
-    pub fn of(context: &Context) -> Self {
-        Self(context.share_request.clone())
-    }
-
-    /// Makes the request; [`Self::wait`] waits for the answer.
-    pub fn open(&self) {
-        self.0.open();
-    }
-
-    /// Waits for the answer; `None` if there is none within `patience`.
-    pub fn wait(&self, patience: Duration) -> Option<ShareHandle> {
-        self.0.wait(patience).map(ShareHandle)
-    }
-}
-
 /// Whether a context logs its messages at first (`KHR_debug`, section 5.5).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DebugOutput {
@@ -111,22 +88,9 @@ pub fn new_context(
     Ok(context)
 }
 
-/// What a new context needs to share this one's objects. Draws what was recorded.
-pub fn share(context: &mut Context) -> ShareHandle {
+/// What a new context needs to share this one's objects. Takes no lock, whatever thread has the context current.
+pub fn share(context: &Context) -> ShareHandle {
     ShareHandle(context.share())
-}
-
-/// As [`share`], where nothing is recorded. Does not wait for calls of other contexts.
-pub fn share_drawn(context: &mut Context) -> ShareHandle {
-    ShareHandle(context.shared())
-}
-
-/// Answers the share request of a context, if there is one. Nothing may be recorded.
-pub fn answer_share_request(context: &mut Context) {
-    if context.share_request.is_open() {
-        let shared = context.shared();
-        context.share_request.answer(shared);
-    }
 }
 
 /// Replaces the default framebuffer. Nothing may be recorded.
@@ -272,8 +236,8 @@ fn copy(
 
 /// How many values the uniform at a location of a program has; 0 if there is none.
 pub fn uniform_values(context: &mut Context, program: GLuint, location: GLint) -> usize {
-    let guard = SharedObjectsGuard::lock(context);
-    match crate::calls::program::inspect::words(guard.context, program, location) {
+    let scope = CallScope { context };
+    match crate::calls::program::inspect::words(scope.context, program, location) {
         Ok((_, words)) => words.len(),
         Err(_) => 0,
     }
@@ -281,8 +245,8 @@ pub fn uniform_values(context: &mut Context, program: GLuint, location: GLint) -
 
 /// How many values `pname` of a uniform block has; 0 if there are none.
 pub fn block_values(context: &mut Context, program: GLuint, index: GLuint, pname: GLenum) -> usize {
-    let guard = SharedObjectsGuard::lock(context);
-    match crate::calls::program::blocks::block_values(guard.context, program, index, pname) {
+    let scope = CallScope { context };
+    match crate::calls::program::blocks::block_values(scope.context, program, index, pname) {
         Ok(values) => values.len(),
         Err(_) => 0,
     }

@@ -230,15 +230,15 @@ pub(crate) fn pop_debug_group(context: &mut Context) -> Result<()> {
 fn exists(context: &Context, identifier: GLenum, name: GLuint) -> Result<()> {
     let objects = &context.objects;
     let exists = match IDENTIFIER.decode("identifier", identifier)? {
-        Labelled::Buffer => objects.buffers.get(name).is_some(),
-        Labelled::Shader | Labelled::Program => objects.programs.get(name).is_some(),
-        Labelled::Texture => objects.textures.get(name).is_some(),
+        Labelled::Buffer => objects.shared.buffers.get(name).is_some(),
+        Labelled::Shader | Labelled::Program => objects.shared.programs.get(name).is_some(),
+        Labelled::Texture => objects.shared.textures.get(name).is_some(),
         Labelled::Framebuffer => objects.framebuffers.get(name).is_some(),
-        Labelled::Renderbuffer => objects.renderbuffers.get(name).is_some(),
+        Labelled::Renderbuffer => objects.shared.renderbuffers.get(name).is_some(),
         Labelled::VertexArray => objects.vertex_arrays.get(name).is_some(),
-        Labelled::Sampler => objects.samplers.get(name).is_some(),
+        Labelled::Sampler => objects.shared.samplers.get(name).is_some(),
         Labelled::Query => objects.queries.get(name).is_some(),
-        Labelled::List => objects.lists.contains(name),
+        Labelled::List => objects.shared.lists.contains(name),
     };
     if exists {
         return Ok(());
@@ -303,7 +303,7 @@ pub(crate) fn get_object_label(
 
 /// The key of a sync object's label.
 fn sync_key(context: &Context, sync: *const GLvoid) -> Result<(GLenum, usize)> {
-    if context.objects.syncs.contains(sync as usize) {
+    if context.objects.shared.syncs.contains(sync as usize) {
         return Ok((GL_SYNC_FENCE, sync as usize));
     }
     invalid_value(SECTION, "ptr is no handle that glFenceSync gave")

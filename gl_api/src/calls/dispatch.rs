@@ -1,10 +1,9 @@
-//! How every call runs: the objects of the share group are fetched, pending immediate mode is drawn, errors are recorded.
+//! How every call runs: pending immediate mode is drawn, errors are recorded, the share group is released.
 
 use crate::base::begin_end::BeginEnd;
 use crate::base::error::{ErrorCode, GlError, Result};
 use crate::base::refused_result::RefusedResult;
-use crate::calls::flush::flush;
-use crate::context::sharing::{ShareHandle, SharedObjectsGuard};
+use crate::context::sharing::CallScope;
 use crate::context::{Context, ContextDesc, ContextError};
 use crate::draw::pending_primitives::draw_pending;
 use texunit::lanes::FloatEnv;
@@ -12,27 +11,12 @@ use texunit::lanes::FloatEnv;
 impl Context {
     /// A context that shares textures, samplers, buffers, renderbuffers, shaders, programs and
     /// display lists with this one (GL 2.1, appendix D), and its device unless `desc` has one. The
-    /// two may be current on different threads; their calls take turns.
+    /// two may be current on different threads.
     ///
     /// # Errors
     /// As [`Context::new`].
-    pub fn new_shared(&mut self, desc: ContextDesc) -> Result<Self, ContextError> {
+    pub fn new_shared(&self, desc: ContextDesc) -> Result<Self, ContextError> {
         Self::boxed(desc, Some(self.share())).map(|context| *context)
-    }
-
-    /// What a new context needs to share this one's objects.
-    pub(crate) fn share(&mut self) -> ShareHandle {
-        // What was recorded is drawn before another thread can change what it reads.
-        self.call("glFlush", BeginEnd::Refused, flush);
-        self.shared()
-    }
-
-    /// Gives another thread what it waits for. Not within a call, whose objects are in use.
-    pub(crate) fn answer_share_request(&mut self) {
-        if self.share_request.is_open() {
-            let shared = self.share();
-            self.share_request.answer(shared);
-        }
     }
 
     /// Runs the entry point `name`: an error sets the flag and says why.
@@ -43,7 +27,7 @@ impl Context {
         f: impl FnOnce(&mut Self) -> Result<R>,
     ) -> R {
         let call = ComputingCall::begin(self);
-        let context = &mut *call.objects.context;
+        let context = &mut *call.scope.context;
         let result = match begin_end {
             BeginEnd::Refused if !context.leave_vertices(name) => Ok(R::refused_result()),
             BeginEnd::Refused | BeginEnd::Allowed => f(context),
@@ -61,12 +45,12 @@ impl Context {
         begin_end: BeginEnd,
         f: impl FnOnce(&mut Self) -> Result<R>,
     ) -> R {
-        let guard = SharedObjectsGuard::lock(self);
+        let scope = CallScope { context: self };
         let result = match begin_end {
-            BeginEnd::Refused if !guard.context.leave_vertices(name) => Ok(R::refused_result()),
-            BeginEnd::Refused | BeginEnd::Allowed => f(guard.context),
+            BeginEnd::Refused if !scope.context.leave_vertices(name) => Ok(R::refused_result()),
+            BeginEnd::Refused | BeginEnd::Allowed => f(scope.context),
         };
-        drop(guard);
+        drop(scope);
         self.answer(name, result)
     }
 
@@ -97,10 +81,10 @@ impl Context {
     }
 }
 
-/// A call that computes: it has the share group's objects and DetGL's floating-point state, and gives both back when it
-/// ends. Neither end is inlined, as each entry point has an instance of [`Context::call`].
+/// A call that computes, in DetGL's floating-point state. Neither end is inlined, as each entry point has an instance of
+/// [`Context::call`].
 struct ComputingCall<'a> {
-    objects: SharedObjectsGuard<'a>,
+    scope: CallScope<'a>,
     _float_env: FloatEnv,
 }
 
@@ -108,7 +92,7 @@ impl<'a> ComputingCall<'a> {
     #[inline(never)]
     fn begin(context: &'a mut Context) -> Self {
         let float_env = FloatEnv::enter();
-        Self { objects: SharedObjectsGuard::lock(context), _float_env: float_env }
+        Self { scope: CallScope { context }, _float_env: float_env }
     }
 
     #[inline(never)]

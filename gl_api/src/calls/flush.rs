@@ -3,12 +3,12 @@
 use crate::base::error::Result;
 use crate::context::Context;
 use crate::context::warnings::DrawWarning;
-use crate::objects::Sweep;
+use crate::objects::name_table::Sweep;
 
 pub(crate) fn flush(context: &mut Context) -> Result<()> {
-    crate::draw::pass::submit(context);
+    crate::draw::pass::submit_unlocked(context);
     // Another context may have been the last that held something.
-    context.objects.sweep(Sweep::Flushed);
+    context.objects.shared.sweep(Sweep::Flushed);
     context.show_mirror();
     Ok(())
 }

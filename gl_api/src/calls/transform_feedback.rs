@@ -15,7 +15,8 @@ pub(crate) fn begin_transform_feedback(context: &mut Context, mode: GLenum) -> R
             "transform feedback is active: glEndTransformFeedback is missing",
         );
     }
-    let Some(linked) = context.objects.linked_program(context.state.bindings.program.name()) else {
+    let Some(linked) = context.objects.shared.linked_program(context.state.bindings.program.name())
+    else {
         return invalid_operation(SECTION, "no program is in use: call glUseProgram");
     };
     let count = linked.program.captured.len();

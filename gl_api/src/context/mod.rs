@@ -23,12 +23,13 @@ use crate::context::immediate::Immediate;
 use crate::context::lists::{Compiling, Lists};
 use crate::context::pending_primitives::PendingPrimitives;
 use crate::context::recorder::Recorder;
-use crate::context::sharing::{GroupLock, ShareGroup, ShareHandle, ShareRequest};
+use crate::context::sharing::ShareHandle;
 use crate::context::watched_pixel::WatchedPixel;
 use crate::context::window::Window;
 use crate::glsl::FixIts;
 use crate::objects::Objects;
 use crate::objects::queries::ActiveQueries;
+use crate::objects::shared::ShareGroup;
 use crate::state::State;
 use crate::state::attrib::AttribStacks;
 use crate::state::evaluators::EvaluatorMaps;
@@ -120,13 +121,7 @@ pub struct Context {
     pub(crate) feedback: Feedback,
     pub(crate) transform_feedback: TransformFeedback,
     pub(crate) uniform_buffers: UniformBuffers,
-    /// The share group, if there is one.
-    group: Option<ShareGroup>,
-    /// Where another thread asks to share objects.
-    pub(crate) share_request: ShareRequest,
     pub(crate) state_changes: StateChanges,
-    /// Whether the lock of the group is held.
-    pub(crate) group_lock: GroupLock,
     pub(crate) fix_its: FixIts,
     /// The client memory that gets the picture.
     pub(crate) mirror: Option<Mirror>,
@@ -153,7 +148,7 @@ impl Context {
         let _float_env = FloatEnv::enter();
         let fix_its = desc.fix_its;
         let (device, window) = Self::parts(desc)?;
-        Ok(Self::assemble(device, window, fix_its, None))
+        Ok(Self::assemble(device, window, fix_its, ShareGroup::default()))
     }
 
     /// The parts that may fail to be made: the device and the default framebuffer.
@@ -175,15 +170,10 @@ impl Context {
     }
 
     /// Puts a context together; viewport and scissor have the window's size.
-    fn assemble(
-        device: Arc<Device>,
-        window: Window,
-        fix_its: FixIts,
-        group: Option<ShareGroup>,
-    ) -> Self {
+    fn assemble(device: Arc<Device>, window: Window, fix_its: FixIts, group: ShareGroup) -> Self {
         Self {
             state: State::new(window.width, window.height),
-            objects: Objects::default(),
+            objects: Objects::new(group),
             window,
             read_window: None,
             debug: debug::Debug::from_env(device.desc()),
@@ -199,17 +189,14 @@ impl Context {
             feedback: Feedback::default(),
             transform_feedback: TransformFeedback::default(),
             uniform_buffers: UniformBuffers::default(),
-            group,
-            share_request: ShareRequest::default(),
             state_changes: StateChanges::default(),
-            group_lock: GroupLock::NotHeld,
             fix_its,
             mirror: None,
             watched: None,
         }
     }
 
-    /// As [`Context::new`], sharing what another context gave with [`Self::share`]. On the heap: a
+    /// As [`Context::new`], in the group of [`Self::share`]. On the heap: a
     /// context is too large to be moved about on the stack of a client's thread, where there may be
     /// as little as 128 KB.
     #[inline(never)]
@@ -219,16 +206,17 @@ impl Context {
     ) -> Result<Box<Self>, ContextError> {
         let _float_env = FloatEnv::enter();
         let fix_its = desc.fix_its;
-        let (group, device) = shared.map(|shared| (shared.group, shared.device)).unzip();
+        let (group, device) = match shared {
+            Some(ShareHandle { group, device }) => (group.join(), Some(device)),
+            None => (ShareGroup::default(), None),
+        };
         let (device, window) = Self::parts(ContextDesc { device: desc.device.or(device), ..desc })?;
         Ok(Box::new(Self::assemble(device, window, fix_its, group)))
     }
 
-    /// What a new context needs to share this one's objects. Nothing may be recorded. Does not wait for the lock.
-    pub(crate) fn shared(&mut self) -> ShareHandle {
-        let objects = &mut self.objects;
-        let group = self.group.get_or_insert_with(|| ShareGroup::of(objects)).clone();
-        ShareHandle { group, device: self.recorder.device() }
+    /// What a new context needs to share this one's objects. Takes no lock.
+    pub(crate) fn share(&self) -> ShareHandle {
+        ShareHandle { group: self.objects.shared.group().clone(), device: self.recorder.device() }
     }
 
     /// Takes the queued messages, oldest first.
@@ -239,16 +227,6 @@ impl Context {
     /// Width and height of the default framebuffer.
     pub fn size(&self) -> (u32, u32) {
         (self.window.width, self.window.height)
-    }
-
-    /// Whether it has no share group.
-    pub(crate) fn is_unshared(&self) -> bool {
-        self.group.is_none()
-    }
-
-    /// The group whose lock a call has to take; `None` without a group, or within a call that holds it.
-    pub(crate) fn group_to_lock(&self) -> Option<&ShareGroup> {
-        self.group.as_ref().filter(|_| self.group_lock == GroupLock::NotHeld)
     }
 
     /// Reports an error of a call: the flag and the message.

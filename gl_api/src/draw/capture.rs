@@ -79,7 +79,8 @@ struct Layout {
 impl Layout {
     /// What the program in use captures.
     fn of(context: &Context) -> Option<Self> {
-        let linked = context.objects.linked_program(context.state.bindings.program.name())?;
+        let linked =
+            context.objects.shared.linked_program(context.state.bindings.program.name())?;
         let scalars = |captured: &Captured| captured.scalars.clone();
         let all = linked.program.captured.iter();
         Some(Self {
@@ -93,7 +94,7 @@ impl Layout {
     /// Checks that the buffers can be written to.
     fn check(&self, context: &Context) -> Result<()> {
         for range in context.transform_feedback.buffers.iter().take(self.buffers.len()) {
-            let object = context.objects.buffers.bound(&range.buffer);
+            let object = context.objects.shared.buffers.bound(&range.buffer);
             if object.is_some_and(|object| object.map.is_some()) {
                 return invalid_operation(
                     SECTION,
@@ -110,7 +111,7 @@ impl Layout {
         let ranges = &context.transform_feedback.buffers;
         let mut fit = vertices.len() / corners;
         for ((range, scalars), written) in ranges.iter().zip(&self.buffers).zip(active.written) {
-            let buffer = context.objects.buffers.bound(&range.buffer);
+            let buffer = context.objects.shared.buffers.bound(&range.buffer);
             let bytes = buffer.map_or(0, |object| object.buffer().bytes().len());
             let room = bytes.saturating_sub(range.offset).min(range.size.unwrap_or(usize::MAX));
             let each = corners * scalars.len() * 4;
@@ -118,7 +119,9 @@ impl Layout {
         }
         for ((range, scalars), written) in ranges.iter().zip(&self.buffers).zip(&mut active.written)
         {
-            let Some(object) = context.objects.buffers.bound_mut(&range.buffer) else { continue };
+            let Some(object) = context.objects.shared.buffers.bound_mut(&range.buffer) else {
+                continue;
+            };
             let indices = scalars.iter().map(|scalar| CapturedIndex::of(vertices, *scalar));
             let indices: Vec<CapturedIndex> = indices.collect();
             let first = range.offset + *written;

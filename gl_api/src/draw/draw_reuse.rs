@@ -58,7 +58,7 @@ pub(crate) fn words(
 /// Whether a draw may take over what was decided for the one before: no other context changes objects, and no list,
 /// watch or transform feedback needs each draw by itself.
 pub(crate) fn allows_reuse(context: &Context) -> bool {
-    context.is_unshared()
+    context.objects.shared.is_exclusive()
         && context.compiling.is_none()
         && context.watched.is_none()
         && !context.transform_feedback.is_active()

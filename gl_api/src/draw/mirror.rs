@@ -2,7 +2,7 @@
 
 use crate::context::Context;
 use crate::context::mirror::Copied;
-use crate::context::sharing::SharedObjectsGuard;
+use crate::context::sharing::CallScope;
 use crate::draw::warnings::visibility;
 
 impl Context {
@@ -19,9 +19,9 @@ impl Context {
     /// Submits everything and removes the mirror, as the context is current no more. A picture that the client has
     /// already is not copied again: it may have freed the memory.
     pub(crate) fn end_mirror(&mut self) {
-        let guard = SharedObjectsGuard::lock(self);
-        crate::draw::pass::submit(guard.context);
-        drop(guard);
+        let scope = CallScope { context: self };
+        crate::draw::pass::submit_unlocked(scope.context);
+        drop(scope);
         if let Some(mirror) = self.mirror.take().filter(|mirror| mirror.copied == Copied::No) {
             mirror.surface.update(self);
         }

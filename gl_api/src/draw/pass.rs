@@ -50,15 +50,27 @@ pub(crate) fn settle(context: &mut Context, image: &Image) {
 /// Draws what is pending and submits everything that was recorded.
 pub(crate) fn submit(context: &mut Context) {
     draw_pending(context);
+    execute(context);
+}
+
+/// As [`submit`], at the end of a call: other contexts can use the share group's objects meanwhile.
+pub(crate) fn submit_unlocked(context: &mut Context) {
+    draw_pending(context);
+    context.objects.shared.release();
+    execute(context);
+}
+
+fn execute(context: &mut Context) {
     context.recorder.end_pass();
-    context.objects.syncs.signal();
     let mut commands = std::mem::take(&mut context.recorder.commands);
     context.recorder.held = 0;
     if commands.commands.is_empty() {
+        context.recorder.fences.signal();
         return;
     }
     context.outdate_mirror();
     let result = context.recorder.device.submit(&commands);
+    context.recorder.fences.signal();
     // Their memory is used again.
     commands.commands.clear();
     context.recorder.commands = commands;

@@ -96,7 +96,7 @@ pub(crate) fn draw(context: &mut Context, bitmap: &Bitmap<'_>) -> Result<()> {
         overdraw: Overdraw::of(context),
     };
     bitmaps.try_add(&bitmap.blocks(bitmaps.area));
-    if context.is_unshared() && can_batch(context) {
+    if context.objects.shared.is_exclusive() && can_batch(context) {
         context.pending = Some(PendingPrimitives::Bitmaps(Box::new(bitmaps)));
         return Ok(());
     }

@@ -57,7 +57,11 @@ fn is_whole(immediate: &Immediate) -> bool {
 /// Keeps what was just drawn without an error, emptied of its vertices, so that others like it can be pending.
 pub(crate) fn keep_pending(context: &mut Context, mut immediate: Immediate) {
     let constant = immediate.columns.iter().all(|column| column.location < LOCATIONS);
-    if constant && is_whole(&immediate) && context.is_unshared() && can_batch(context) {
+    if constant
+        && is_whole(&immediate)
+        && context.objects.shared.is_exclusive()
+        && can_batch(context)
+    {
         immediate.positions.clear();
         immediate.columns.iter_mut().for_each(|column| column.values.clear());
         context.pending = Some(PendingPrimitives::Vertices(immediate));

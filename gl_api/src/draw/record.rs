@@ -23,7 +23,7 @@ use texunit::format::Format;
 /// The attributes whose current values a draw may read, bit by location. While a list is compiled that is all of them,
 /// as it is drawn with whatever program is in use when it is called.
 fn constants_read(context: &Context) -> u64 {
-    let linked = context.objects.linked_program(context.state.bindings.program.name());
+    let linked = context.objects.shared.linked_program(context.state.bindings.program.name());
     match linked.filter(|linked| linked.vertex.is_some() && context.compiling.is_none()) {
         Some(linked) => linked.attributes | 1 << ATTRIB_EDGE_FLAG,
         None => u64::MAX,
@@ -131,7 +131,7 @@ pub(crate) fn draw_rectangle(
 fn checked_pass(context: &mut Context) -> Result<PassDesc> {
     let pass = draw_pass(context)?;
     let program = context.state.bindings.program.name();
-    let linked = context.objects.linked_program(program);
+    let linked = context.objects.shared.linked_program(program);
     let is_shaded = linked.is_some_and(|linked| linked.fragment.is_some());
     if program != 0 && linked.is_none() {
         return invalid_operation(

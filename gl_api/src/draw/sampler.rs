@@ -12,7 +12,7 @@ pub(crate) fn sampler(context: &Context, unit: u8, target: TextureTarget) -> Sam
     let texture = context.objects.texture(target, &state.bound[target as usize]);
     let own = texture.sampler();
     // Multisample textures ignore sampler objects.
-    let object = context.objects.samplers.bound(&state.sampler);
+    let object = context.objects.shared.samplers.bound(&state.sampler);
     let mut sampler = match object.filter(|_| !target.is_multisample()) {
         Some(object) => Sampler {
             base_level: own.base_level,

@@ -47,7 +47,7 @@ impl Programs {
     /// The program in use, and assembly programs for the stages that it lacks.
     fn new(context: &mut Context, name: u32) -> Result<Self> {
         let mut programs = Self { words: context.recorder.empty_words(), ..Self::default() };
-        if let Some(linked) = context.objects.linked_program(name) {
+        if let Some(linked) = context.objects.shared.linked_program(name) {
             if let Err(problem) = runnable(linked) {
                 return invalid_operation("GL 2.1, section 2.15.4", problem);
             }
@@ -136,7 +136,9 @@ fn put_words(context: &Context, words: &mut Vec<u32>, linked: &Linked) {
 /// The words of a draw with the stages of the draw before; `None` where samplers have changed.
 pub(crate) fn words(context: &mut Context, keys: &StageKeys) -> Option<Vec<u32>> {
     let mut words = context.recorder.empty_words();
-    if let Some(linked) = context.objects.linked_program(context.state.bindings.program.name()) {
+    if let Some(linked) =
+        context.objects.shared.linked_program(context.state.bindings.program.name())
+    {
         put_words(context, &mut words, linked);
         let emitted = context.recorder.emitted.words.as_deref()?;
         let is_same =

@@ -15,7 +15,7 @@ const SECTION: &str = "GL 3.1, section 3.8.4";
 
 /// The length of the buffer that a store reads; mapped or not.
 pub(crate) fn length(context: &Context, store: &DataStore) -> usize {
-    context.objects.buffers.bound(&store.buffer).map_or(0, BufferObject::len)
+    context.objects.shared.buffers.bound(&store.buffer).map_or(0, BufferObject::len)
 }
 
 /// How a draw fetches the texels of the texture that is bound to `GL_TEXTURE_BUFFER` of a unit.
@@ -25,7 +25,7 @@ pub(crate) fn length(context: &Context, store: &DataStore) -> usize {
 pub(crate) fn plan(context: &mut Context, unit: u8) -> Result<Arc<SamplePlan>> {
     let bound = &context.state.units.units[usize::from(unit)].bound[TextureTarget::Buffer as usize];
     let store = &context.objects.texture(TextureTarget::Buffer, bound).store;
-    let buffer = match context.objects.buffers.bound(&store.buffer) {
+    let buffer = match context.objects.shared.buffers.bound(&store.buffer) {
         Some(object) if object.map.is_some() => {
             let (buffer, name) = (store.buffer.name(), bound.name());
             let rule = format!("buffer {buffer} of texture {name} is mapped: call glUnmapBuffer");

@@ -15,7 +15,8 @@ use rasterizer::ir::TRUE;
 /// # Errors
 /// `GL_INVALID_OPERATION` if a buffer that it reads is mapped.
 pub(crate) fn refresh(context: &mut Context, name: GLuint) -> Result<()> {
-    let program = match context.objects.programs.get_mut(name) {
+    let objects = &mut *context.objects.shared;
+    let program = match objects.programs.get_mut(name) {
         Some(ShaderOrProgram::Program(program)) => program.executable.as_mut(),
         Some(ShaderOrProgram::Shader(_)) | None => None,
     };
@@ -25,7 +26,7 @@ pub(crate) fn refresh(context: &mut Context, name: GLuint) -> Result<()> {
         let Some(word) = block.word else { continue };
         let bound = context.uniform_buffers.buffers.get(state.binding as usize);
         let range = bound.unwrap_or(&none);
-        let object = context.objects.buffers.bound(&range.buffer);
+        let object = objects.buffers.bound(&range.buffer);
         if object.is_some_and(|object| object.map.is_some()) {
             return invalid_operation(
                 SECTION,

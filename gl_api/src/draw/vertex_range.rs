@@ -61,7 +61,7 @@ pub(crate) fn needs_vertex_range(context: &Context) -> bool {
         Source::Client(_) => false,
         Source::Pointer(_) => true,
         Source::Object { buffer, .. } => {
-            let object = context.objects.buffers.bound(buffer);
+            let object = context.objects.shared.buffers.bound(buffer);
             object.is_some_and(|object| object.is_rewritten(&context.recorder))
         }
     })
@@ -76,7 +76,7 @@ pub(crate) fn array_limits(context: &Context) -> [u32; 2] {
             Source::Client(buffer) => buffer.bytes().len(),
             Source::Pointer(_) => limits::MAX_BUFFER_SIZE,
             Source::Object { buffer, offset } => {
-                let object = context.objects.buffers.bound(buffer);
+                let object = context.objects.shared.buffers.bound(buffer);
                 object.map_or(0, |object| object.buffer().bytes().len()).saturating_sub(*offset)
             }
         };
@@ -137,7 +137,7 @@ pub(crate) fn scattered_vertices(
 
 /// Whether the program in use reads its vertices' numbers.
 fn numbers_vertices(context: &Context) -> bool {
-    let linked = context.objects.linked_program(context.state.bindings.program.name());
+    let linked = context.objects.shared.linked_program(context.state.bindings.program.name());
     let values =
         linked.and_then(|linked| linked.vertex.as_ref()).map(|stage| &stage.module().values);
     values.into_iter().flatten().any(|value| matches!(value, Expr::Input(Input::VertexId)))
@@ -151,7 +151,7 @@ fn gathered(context: &Context, array: &Array, vertices: &[u32]) -> Buffer {
         Source::Client(buffer) => (buffer.bytes(), 0),
         Source::Pointer(_) => (&[][..], 0),
         Source::Object { buffer, offset } => {
-            let object = context.objects.buffers.bound(buffer);
+            let object = context.objects.shared.buffers.bound(buffer);
             (object.map_or(&[][..], |object| object.buffer().bytes()), *offset)
         }
     };
@@ -182,18 +182,20 @@ pub(crate) fn vertex_source(
             let (buffer, first) = snapshot(array, *pointer, vertex_range)?;
             (buffer, first, 0)
         }
-        (Source::Object { buffer, offset }, None) => match context.objects.buffers.bound(buffer) {
-            Some(object) if object.map.is_some() => return mapped(buffer.name(), location),
-            Some(object) => {
-                let place = vertex_range.bytes(array, *offset);
-                let part = place.filter(|_| object.is_rewritten(&context.recorder));
-                let part = part.and_then(|(bytes, first)| {
-                    Some((small_range(object.buffer(), bytes)?, first, 0))
-                });
-                part.unwrap_or_else(|| (object.buffer().clone(), 0, *offset))
+        (Source::Object { buffer, offset }, None) => {
+            match context.objects.shared.buffers.bound(buffer) {
+                Some(object) if object.map.is_some() => return mapped(buffer.name(), location),
+                Some(object) => {
+                    let place = vertex_range.bytes(array, *offset);
+                    let part = place.filter(|_| object.is_rewritten(&context.recorder));
+                    let part = part.and_then(|(bytes, first)| {
+                        Some((small_range(object.buffer(), bytes)?, first, 0))
+                    });
+                    part.unwrap_or_else(|| (object.buffer().clone(), 0, *offset))
+                }
+                None => (Buffer::default(), 0, *offset),
             }
-            None => (Buffer::default(), 0, *offset),
-        },
+        }
     };
     Ok(VertexSource::Array {
         buffer,
@@ -216,7 +218,7 @@ mod tests {
 
     /// Where the bytes of the first buffer are.
     fn place(c: &Context) -> *const u8 {
-        c.objects.buffers.get(1).expect("a buffer").buffer().bytes().as_ptr()
+        c.objects.shared.buffers.get(1).expect("a buffer").buffer().bytes().as_ptr()
     }
 
     fn draw_and_write(c: &mut Context) {

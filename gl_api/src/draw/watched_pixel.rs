@@ -19,7 +19,7 @@ impl DrawNote {
         words: &[u32],
     ) -> Self {
         let mut note = Self { title: format!("program {name}"), ..Self::default() };
-        let Some(linked) = context.objects.linked_program(name) else { return note };
+        let Some(linked) = context.objects.shared.linked_program(name) else { return note };
         note.varyings.clone_from(&linked.program.varyings);
         for slot in 0..fragment.module().textures.len() {
             let sampler =

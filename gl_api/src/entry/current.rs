@@ -44,13 +44,12 @@ fn take() -> Option<Taken> {
     swap_current(None).map(Taken::new)
 }
 
-/// The context for an entry point, which may have to let another thread share its objects.
+/// The context for an entry point.
 #[inline(never)]
 fn take_for(name: &str) -> Option<Taken> {
-    let mut taken = swap_current(None).map(Taken::new);
-    match taken.as_mut().and_then(|taken| taken.0.as_deref_mut()) {
-        Some(context) => context.answer_share_request(),
-        None => warn(name),
+    let taken = take();
+    if taken.is_none() {
+        warn(name);
     }
     taken
 }

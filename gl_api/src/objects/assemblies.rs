@@ -48,11 +48,14 @@ impl Assembly {
 impl Objects {
     /// The referenced assembly program; if none is, the target's default one.
     pub fn assembly(&self, target: Target, bound: &Bound) -> &Assembly {
-        self.assemblies.bound(bound).unwrap_or(&self.default_assemblies[target as usize])
+        self.shared.assemblies.bound(bound).unwrap_or(&self.default_assemblies[target as usize])
     }
 
     /// The referenced assembly program, to be changed.
     pub fn assembly_mut(&mut self, target: Target, bound: &Bound) -> &mut Assembly {
-        self.assemblies.bound_mut(bound).unwrap_or(&mut self.default_assemblies[target as usize])
+        self.shared
+            .assemblies
+            .bound_mut(bound)
+            .unwrap_or(&mut self.default_assemblies[target as usize])
     }
 }

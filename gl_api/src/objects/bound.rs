@@ -94,14 +94,16 @@ mod tests {
     use crate::base::args::Data;
     use crate::base::constants::*;
     use crate::base::types::GLuint;
-    use crate::context::sharing::SharedObjectsGuard;
+    use crate::context::sharing::CallScope;
     use crate::context::{Context, ContextDesc};
 
     /// How many deleted buffers, textures and programs there are in a context's group.
     fn deleted(c: &mut Context) -> [usize; 3] {
-        let objects = &SharedObjectsGuard::lock(c).context.objects;
-        let (buffers, textures) = (&objects.buffers.deleted, &objects.textures.deleted);
-        [buffers.len(), textures.len(), objects.doomed_programs.len()]
+        let scope = CallScope { context: c };
+        let objects = &scope.context.objects;
+        let (buffers, textures) =
+            (&objects.shared.buffers.deleted, &objects.shared.textures.deleted);
+        [buffers.len(), textures.len(), objects.shared.doomed_programs.len()]
     }
 
     fn desc() -> ContextDesc {

@@ -3,9 +3,9 @@
 use crate::base::clamp::Clamp;
 use crate::base::types::*;
 use crate::glsl;
-use crate::objects::Objects;
 use crate::objects::blocks::BlockState;
-use crate::objects::shaders::{ShaderObject, forget_if_doomed};
+use crate::objects::shaders::ShaderObject;
+use crate::objects::shared::SharedObjects;
 use rasterizer::driver::ShaderModule;
 
 /// Shaders and programs share one space of names.
@@ -85,7 +85,7 @@ impl Linked {
     }
 }
 
-impl Objects {
+impl SharedObjects {
     /// The executable of a program.
     pub fn linked_program(&self, name: GLuint) -> Option<&Linked> {
         match self.programs.get(name)? {
@@ -93,30 +93,40 @@ impl Objects {
             ShaderOrProgram::Shader(_) => None,
         }
     }
-}
 
-/// Removes programs that are deleted and that no context uses any more, and detaches their shaders.
-pub(crate) fn sweep(objects: &mut Objects) {
-    for name in std::mem::take(&mut objects.doomed_programs) {
-        if objects.programs.is_held(name) {
-            objects.doomed_programs.push(name);
-            continue;
-        }
-        let attached = match objects.programs.get_mut(name) {
-            Some(ShaderOrProgram::Program(program)) => std::mem::take(&mut program.attached),
-            Some(ShaderOrProgram::Shader(_)) | None => Vec::new(),
-        };
-        objects.programs.remove(name);
-        for name in attached {
-            release(objects, name);
+    /// Removes programs that are deleted and that no context uses any more, and detaches their shaders.
+    pub fn sweep_programs(&mut self) {
+        for name in std::mem::take(&mut self.doomed_programs) {
+            if self.programs.is_held(name) {
+                self.doomed_programs.push(name);
+                continue;
+            }
+            let attached = match self.programs.get_mut(name) {
+                Some(ShaderOrProgram::Program(program)) => std::mem::take(&mut program.attached),
+                Some(ShaderOrProgram::Shader(_)) | None => Vec::new(),
+            };
+            self.programs.remove(name);
+            for name in attached {
+                self.detach(name);
+            }
         }
     }
-}
 
-/// Detaches a shader from one program.
-pub(crate) fn release(objects: &mut Objects, name: GLuint) {
-    if let Some(ShaderOrProgram::Shader(shader)) = objects.programs.get_mut(name) {
-        shader.attachments -= 1;
+    /// Detaches a shader from one program.
+    pub fn detach(&mut self, name: GLuint) {
+        if let Some(ShaderOrProgram::Shader(shader)) = self.programs.get_mut(name) {
+            shader.attachments -= 1;
+        }
+        self.remove_unattached(name);
     }
-    forget_if_doomed(objects, name);
+
+    /// Removes a shader that was deleted, once it is attached to no program.
+    pub fn remove_unattached(&mut self, name: GLuint) {
+        if let Some(ShaderOrProgram::Shader(shader)) = self.programs.get(name)
+            && shader.doomed
+            && shader.attachments == 0
+        {
+            self.programs.remove(name);
+        }
+    }
 }

@@ -5,8 +5,6 @@ use crate::base::constants::*;
 use crate::base::error::{Result, Table, not_negative};
 use crate::base::types::*;
 use crate::glsl;
-use crate::objects::Objects;
-use crate::objects::programs::ShaderOrProgram;
 
 const SECTION: &str = "GL 2.1, section 2.15.1";
 
@@ -47,14 +45,4 @@ pub(crate) fn put_text(
         *length = written as GLsizei;
     }
     Ok(())
-}
-
-/// Removes a shader that was deleted, once it is attached to no program.
-pub(crate) fn forget_if_doomed(objects: &mut Objects, name: GLuint) {
-    if let Some(ShaderOrProgram::Shader(shader)) = objects.programs.get(name)
-        && shader.doomed
-        && shader.attachments == 0
-    {
-        objects.programs.remove(name);
-    }
 }

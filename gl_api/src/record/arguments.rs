@@ -2,7 +2,7 @@
 //! becomes the argument again.
 
 use crate::base::args::{Data, DataOut, Located, Names, Pointers, Strings, TextOut};
-use crate::context::sharing::SharedObjectsGuard;
+use crate::context::sharing::CallScope;
 use crate::context::{Context, GLDEBUGPROC};
 use crate::record::list_memory;
 use std::convert::Infallible;
@@ -109,8 +109,9 @@ impl RecordArgument for Data<'_> {
     type Recorded = RecordedData;
 
     fn record(&self, context: &mut Context, name: &str, integers: &[i64]) -> Option<RecordedData> {
-        // The pixels may lie in a buffer, which may be the group's.
-        let context = &*SharedObjectsGuard::lock(context).context;
+        // The pixels may lie in a buffer of the group.
+        let scope = CallScope { context };
+        let context = &*scope.context;
         Some(match list_memory::bytes(context, name, integers, *self) {
             Some(bytes) => RecordedData::Bytes(bytes),
             None => match self.locate(0, 0) {

@@ -108,7 +108,7 @@ pub(crate) fn end_list(context: &mut Context) -> Result<()> {
         return invalid_operation(SECTION, "no list is being compiled: glNewList is missing");
     };
     let list = List { steps: join(compiling.steps) };
-    context.objects.lists.insert(compiling.name, Arc::new(list));
+    context.objects.shared.lists.insert(compiling.name, Arc::new(list));
     Ok(())
 }
 
@@ -117,17 +117,17 @@ pub(crate) fn gen_lists(context: &mut Context, range: GLsizei) -> Result<GLuint>
     if range == 0 {
         return Ok(0);
     }
-    Ok(context.objects.lists.take(range).unwrap_or(0))
+    Ok(context.objects.shared.lists.take(range).unwrap_or(0))
 }
 
 pub(crate) fn delete_lists(context: &mut Context, list: GLuint, range: GLsizei) -> Result<()> {
     let range = not_negative(SECTION, "range", range.into())? as u64;
-    context.objects.lists.remove(list, range);
+    context.objects.shared.lists.remove(list, range);
     Ok(())
 }
 
 pub(crate) fn is_list(context: &mut Context, list: GLuint) -> Result<bool> {
-    Ok(context.objects.lists.contains(list))
+    Ok(context.objects.shared.lists.contains(list))
 }
 
 pub(crate) fn list_base(context: &mut Context, base: GLuint) -> Result<()> {
@@ -137,7 +137,7 @@ pub(crate) fn list_base(context: &mut Context, base: GLuint) -> Result<()> {
 
 pub(crate) fn call_list(context: &mut Context, list: GLuint) -> Result<()> {
     // Of the names that glCallLists is given some may be none: letters that a font leaves out.
-    if list != 0 && !context.objects.lists.contains(list) {
+    if list != 0 && !context.objects.shared.lists.contains(list) {
         not_there(context, list);
     }
     run_list(context, list)
@@ -160,8 +160,13 @@ fn run_list(context: &mut Context, list: GLuint) -> Result<()> {
     if lists.depth == 0 {
         lists.budget = BUDGET;
     }
-    let found =
-        context.objects.lists.get(list).cloned().and_then(|found| found.downcast::<List>().ok());
+    let found = context
+        .objects
+        .shared
+        .lists
+        .get(list)
+        .cloned()
+        .and_then(|found| found.downcast::<List>().ok());
     let Some(found) = found else { return Ok(()) };
     if lists.depth >= MAX_LIST_NESTING || lists.budget == 0 {
         if lists.budget == 0 {

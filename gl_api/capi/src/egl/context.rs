@@ -5,10 +5,9 @@ use super::constants::*;
 use super::error::{Code, Result, fail};
 use super::raw::{Attrib, Handle, Id, Int, handle, put};
 use super::registry::{ContextEntry, Holder, Registry, registry};
-use super::thread::{Api, this_thread, thread};
+use super::thread::{Api, thread};
+use gl_api::ContextDesc;
 use gl_api::host::{self, DebugOutput, ShareHandle, limits};
-use gl_api::{ContextDesc, with_current};
-use std::time::Duration;
 
 impl Registry {
     /// Removes a context, now or when it is current no more.
@@ -115,38 +114,9 @@ fn check(attributes: &[(Int, Attrib)]) -> Result<DebugOutput> {
     Ok(if debug { DebugOutput::On } else { DebugOutput::Off })
 }
 
-/// How long a context that is current on another thread has to make its next call.
-const PATIENCE: Duration = Duration::from_secs(2);
-
 /// What a new context needs to share the objects of another, wherever that is current.
 pub(crate) fn shared_by(display: Id, share: Handle) -> Result<ShareHandle> {
-    let mut registry = registry();
-    let (_, entry) = registry.context(display, share)?;
-    match &mut entry.holder {
-        Holder::Registry(context) => Ok(host::share_drawn(context)),
-        Holder::Thread(thread) if *thread == this_thread() => {
-            drop(registry);
-            match with_current(host::share) {
-                Some(shared) => Ok(shared),
-                None => fail(Code::BadContext, "share_context is current, but inside a call"),
-            }
-        }
-        Holder::Thread(_) => {
-            let share_request = entry.share_request.clone();
-            // Before the registry is let go of: a context that is released from now on answers.
-            share_request.open();
-            drop(registry);
-            match share_request.wait(PATIENCE) {
-                Some(shared) => Ok(shared),
-                None => fail(
-                    Code::BadAccess,
-                    "share_context is current on another thread, which made no GL call for 2 \
-                     seconds, and only its calls can let this one share: create the new context \
-                     there before it waits, or let it release share_context first",
-                ),
-            }
-        }
-    }
+    registry().context(display, share).map(|(_, entry)| entry.share.clone())
 }
 
 pub(super) fn create(

@@ -31,7 +31,6 @@ fn put_back(registry: &mut Registry, binding: Binding, context: Option<Box<Conte
         }
         return;
     };
-    host::answer_share_request(&mut context);
     let read = host::swap_read_surface(&mut context, None);
     registry.lay_down(binding.read, read);
     let drawn = host::swap_surface(&mut context, Surface::absent());

@@ -5,7 +5,7 @@ use super::error::{Code, Result, fail};
 use super::raw::{Handle, Id};
 use super::thread::ThreadId;
 use gl_api::Context;
-use gl_api::host::{ShareRequest, Surface};
+use gl_api::host::{self, ShareHandle, Surface};
 use std::collections::BTreeMap;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
@@ -55,8 +55,8 @@ pub(crate) struct ContextEntry {
     /// `None` was made with `EGL_NO_CONFIG_KHR`.
     pub config: Option<&'static Config>,
     pub holder: Holder,
-    /// How other threads ask it to share while it is current.
-    pub share_request: ShareRequest,
+    /// For those that share its objects, wherever it is current.
+    pub share: ShareHandle,
     /// Destroyed, and gone when it is current no more.
     pub doomed: bool,
     /// Whether viewport and scissor have had their first surface (GL 2.1, section 2.11.1).
@@ -66,9 +66,9 @@ pub(crate) struct ContextEntry {
 impl ContextEntry {
     /// A new one, current nowhere.
     pub fn new(display: Id, config: Option<&'static Config>, context: Box<Context>) -> Self {
-        let share_request = ShareRequest::of(&context);
+        let share = host::share(&context);
         let holder = Holder::Registry(context);
-        Self { display, config, holder, share_request, doomed: false, sized: false }
+        Self { display, config, holder, share, doomed: false, sized: false }
     }
 }
 

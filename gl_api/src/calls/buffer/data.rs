@@ -9,7 +9,7 @@ use crate::context::Context;
 use crate::context::recorder::Recorder;
 use crate::objects::bound::Bound;
 use crate::objects::buffers::{BUFFER_TARGET, BufferObject, BufferTarget, range, unmapped};
-use crate::objects::{Sweep, listed};
+use crate::objects::name_table::{Sweep, listed};
 use bytemuck::allocation::try_zeroed_vec;
 use rasterizer::driver::Buffer;
 
@@ -64,7 +64,7 @@ pub(crate) fn with_recorder(
     target: GLenum,
 ) -> Result<(&mut BufferObject, &mut Recorder)> {
     let bound = binding(context, BUFFER_TARGET.decode("target", target)?).clone();
-    match context.objects.buffers.bound_mut(&bound) {
+    match context.objects.shared.buffers.bound_mut(&bound) {
         Some(object) => Ok((object, &mut context.recorder)),
         None => invalid_operation(
             SECTION,
@@ -74,12 +74,12 @@ pub(crate) fn with_recorder(
 }
 
 pub(crate) fn gen_buffers(context: &mut Context, n: GLsizei, buffers: &mut [GLuint]) -> Result<()> {
-    context.objects.buffers.reserve(SECTION, n, buffers)
+    context.objects.shared.buffers.reserve(SECTION, n, buffers)
 }
 
 pub(crate) fn delete_buffers(context: &mut Context, n: GLsizei, buffers: &[GLuint]) -> Result<()> {
     for &name in listed(SECTION, n, buffers)?.iter().filter(|&&name| name != 0) {
-        let gone = context.objects.buffers.hold(name);
+        let gone = context.objects.shared.buffers.hold(name);
         for target in BufferTarget::ALL {
             binding(context, target).forget(&gone);
         }
@@ -88,19 +88,19 @@ pub(crate) fn delete_buffers(context: &mut Context, n: GLsizei, buffers: &[GLuin
         context.uniform_buffers.forget_buffer(&gone);
         drop(gone);
         // Its mapping ends, whoever has it.
-        if let Some(object) = context.objects.buffers.get_mut(name) {
+        if let Some(object) = context.objects.shared.buffers.get_mut(name) {
             object.unmap();
         }
-        context.objects.buffers.remove(name);
+        context.objects.shared.buffers.remove(name);
     }
-    context.objects.sweep(Sweep::Deleted);
+    context.objects.shared.sweep(Sweep::Deleted);
     Ok(())
 }
 
 pub(crate) fn bind_buffer(context: &mut Context, target: GLenum, buffer: GLuint) -> Result<()> {
     let target = BUFFER_TARGET.decode("target", target)?;
-    context.objects.buffers.create(buffer, BufferObject::new);
-    *binding(context, target) = context.objects.buffers.hold(buffer);
+    context.objects.shared.buffers.create(buffer, BufferObject::new);
+    *binding(context, target) = context.objects.shared.buffers.hold(buffer);
     match target {
         // Calls look there for what they are given.
         BufferTarget::Array | BufferTarget::ElementArray => context.state_changes.no_change(),
@@ -116,7 +116,7 @@ pub(crate) fn bind_buffer(context: &mut Context, target: GLenum, buffer: GLuint)
 }
 
 pub(crate) fn is_buffer(context: &mut Context, buffer: GLuint) -> Result<bool> {
-    Ok(context.objects.buffers.get(buffer).is_some())
+    Ok(context.objects.shared.buffers.get(buffer).is_some())
 }
 
 pub(crate) fn buffer_data(

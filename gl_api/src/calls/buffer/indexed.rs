@@ -96,7 +96,7 @@ fn bind(
         not_while_active(context)?;
     }
     crate::calls::buffer::data::bind_buffer(context, target, buffer)?;
-    range.buffer = context.objects.buffers.hold(buffer);
+    range.buffer = context.objects.shared.buffers.hold(buffer);
     numbered.ranges_mut(context)[index as usize] = range;
     Ok(())
 }

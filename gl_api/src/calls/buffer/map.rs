@@ -143,7 +143,7 @@ impl Context {
     /// `glMapBuffer` gives. `None` if nothing is bound to the target or it is not mapped.
     pub fn mapped_bytes(&mut self, target: GLenum) -> Option<&mut [u8]> {
         let bound = binding(self, BUFFER_TARGET.get(target)?).clone();
-        let map = self.objects.buffers.bound_mut(&bound)?.map.as_mut()?;
+        let map = self.objects.shared.buffers.bound_mut(&bound)?.map.as_mut()?;
         Some(&mut map.bytes[map.range.clone()])
     }
 }

@@ -63,7 +63,7 @@ fn attach_texture(
     slice: &Slice,
 ) -> Result<()> {
     let &Slice { texture: name, level, slice: (slice, argument) } = slice;
-    let Some(texture) = context.objects.textures.get(name) else {
+    let Some(texture) = context.objects.shared.textures.get(name) else {
         return no_texture(name);
     };
     let image = texture.image.clone();
@@ -112,7 +112,7 @@ fn framebuffer_texture(
         return attach(context, target, point, None);
     }
     let face = attachable_target(axes, textarget)?;
-    let Some(texture) = context.objects.textures.get(slice.texture) else {
+    let Some(texture) = context.objects.shared.textures.get(slice.texture) else {
         return no_texture(slice.texture);
     };
     if texture.target != face.target {
@@ -179,7 +179,9 @@ pub(crate) fn framebuffer_texture_layer(
     if texture == 0 {
         return attach(context, target, point, None);
     }
-    let Some(object) = context.objects.textures.get(texture) else { return no_texture(texture) };
+    let Some(object) = context.objects.shared.textures.get(texture) else {
+        return no_texture(texture);
+    };
     let of = FaceTarget { target: object.target, face: 0 };
     match of.target {
         TextureTarget::D3
@@ -220,7 +222,7 @@ pub(crate) fn framebuffer_renderbuffer(
     if renderbuffer == 0 {
         return attach(context, target, point, None);
     }
-    let Some(object) = context.objects.renderbuffers.get(renderbuffer) else {
+    let Some(object) = context.objects.shared.renderbuffers.get(renderbuffer) else {
         return invalid_operation(
             SECTION,
             format!("renderbuffer = {renderbuffer} is no renderbuffer that was bound"),

@@ -4,7 +4,7 @@ use crate::base::error::Result;
 use crate::base::types::*;
 use crate::context::Context;
 use crate::objects::framebuffers::{Binding, FRAMEBUFFER_TARGET, Framebuffer};
-use crate::objects::listed;
+use crate::objects::name_table::listed;
 
 const SECTION: &str = "ARB_framebuffer_object, section 4.4.1";
 

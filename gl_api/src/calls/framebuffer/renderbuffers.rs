@@ -10,8 +10,8 @@ use crate::base::types::*;
 use crate::calls::framebuffer::attach::detach;
 use crate::context::Context;
 use crate::context::window::texels;
+use crate::objects::name_table::{Sweep, listed};
 use crate::objects::renderbuffers::Renderbuffer;
-use crate::objects::{Sweep, listed};
 use crate::pixel::component_bits::{Component, component_bits};
 use crate::pixel::formats;
 use crate::pixel::formats::{InternalFormat, UNCOMPRESSED};
@@ -27,7 +27,7 @@ pub(crate) fn gen_renderbuffers(
     n: GLsizei,
     renderbuffers: &mut [GLuint],
 ) -> Result<()> {
-    context.objects.renderbuffers.reserve(SECTION, n, renderbuffers)
+    context.objects.shared.renderbuffers.reserve(SECTION, n, renderbuffers)
 }
 
 pub(crate) fn delete_renderbuffers(
@@ -36,16 +36,17 @@ pub(crate) fn delete_renderbuffers(
     renderbuffers: &[GLuint],
 ) -> Result<()> {
     for &name in listed(SECTION, n, renderbuffers)?.iter().filter(|&&name| name != 0) {
-        let gone = context.objects.renderbuffers.hold(name);
+        let gone = context.objects.shared.renderbuffers.hold(name);
         context.state.bindings.renderbuffer.forget(&gone);
         drop(gone);
-        if let Some(image) = context.objects.renderbuffers.get(name).map(|gone| gone.image.clone())
+        if let Some(image) =
+            context.objects.shared.renderbuffers.get(name).map(|gone| gone.image.clone())
         {
             detach(context, &image);
         }
-        context.objects.renderbuffers.remove(name);
+        context.objects.shared.renderbuffers.remove(name);
     }
-    context.objects.sweep(Sweep::Deleted);
+    context.objects.shared.sweep(Sweep::Deleted);
     Ok(())
 }
 
@@ -55,18 +56,18 @@ pub(crate) fn bind_renderbuffer(
     renderbuffer: GLuint,
 ) -> Result<()> {
     RENDERBUFFER_TARGET.decode("target", target)?;
-    context.objects.renderbuffers.create(renderbuffer, Renderbuffer::new);
-    context.state.bindings.renderbuffer = context.objects.renderbuffers.hold(renderbuffer);
+    context.objects.shared.renderbuffers.create(renderbuffer, Renderbuffer::new);
+    context.state.bindings.renderbuffer = context.objects.shared.renderbuffers.hold(renderbuffer);
     Ok(())
 }
 
 pub(crate) fn is_renderbuffer(context: &mut Context, renderbuffer: GLuint) -> Result<bool> {
-    Ok(context.objects.renderbuffers.get(renderbuffer).is_some())
+    Ok(context.objects.shared.renderbuffers.get(renderbuffer).is_some())
 }
 
 /// The bound renderbuffer.
 fn bound(context: &mut Context) -> Result<&mut Renderbuffer> {
-    match context.objects.renderbuffers.bound_mut(&context.state.bindings.renderbuffer) {
+    match context.objects.shared.renderbuffers.bound_mut(&context.state.bindings.renderbuffer) {
         Some(renderbuffer) => Ok(renderbuffer),
         None => invalid_operation(SECTION, "no renderbuffer is bound: call glBindRenderbuffer"),
     }

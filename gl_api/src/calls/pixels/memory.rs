@@ -21,7 +21,7 @@ pub(crate) fn source<'a>(
     let bound = &context.state.bindings.pixel_unpack_buffer;
     let name = bound.name();
     not_mapped(context, bound)?;
-    match (context.objects.buffers.bound(bound), pixels.locate(name, needed)) {
+    match (context.objects.shared.buffers.bound(bound), pixels.locate(name, needed)) {
         (None, Located::Null | Located::Offset(0)) => Ok(None),
         (None, Located::Bytes(bytes)) => Ok(Some(Source::Client(bytes))),
         (None, Located::Offset(offset)) => no_buffer(offset, "GL_PIXEL_UNPACK_BUFFER"),
@@ -89,7 +89,7 @@ pub(crate) fn write_bytes(
     let bound = &context.state.bindings.pixel_pack_buffer;
     let name = bound.name();
     not_mapped(context, bound)?;
-    match (context.objects.buffers.bound_mut(bound), pixels.locate(name, needed)) {
+    match (context.objects.shared.buffers.bound_mut(bound), pixels.locate(name, needed)) {
         (_, LocatedOut::Null | LocatedOut::Offset(0)) if needed == 0 => Ok(()),
         (Some(_), LocatedOut::Offset(_)) if needed == 0 => Ok(()),
         (None, LocatedOut::Bytes(bytes)) => {
@@ -134,7 +134,7 @@ pub(crate) fn write_pixels(
 
 /// Refuses a buffer that the client has mapped.
 fn not_mapped(context: &Context, bound: &Bound) -> Result<()> {
-    match context.objects.buffers.bound(bound) {
+    match context.objects.shared.buffers.bound(bound) {
         Some(object) if object.map.is_some() => invalid_operation(
             SECTION,
             format!("buffer {} is bound for pixels and mapped: call glUnmapBuffer", bound.name()),

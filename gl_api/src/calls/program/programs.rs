@@ -9,14 +9,14 @@ use crate::context::Context;
 use crate::generate::executable::executable;
 use crate::glsl;
 use crate::interface::MAX_VERTEX_ATTRIBS;
-use crate::objects::Sweep;
-use crate::objects::programs::{LinkStatus, ProgramObject, ShaderOrProgram, release, sweep};
+use crate::objects::name_table::Sweep;
+use crate::objects::programs::{LinkStatus, ProgramObject, ShaderOrProgram};
 
 const SECTION: &str = "GL 2.1, section 2.15.2";
 
 /// The program of a name.
 pub(crate) fn program(context: &mut Context, name: GLuint) -> Result<&mut ProgramObject> {
-    match context.objects.programs.get_mut(name) {
+    match context.objects.shared.programs.get_mut(name) {
         Some(ShaderOrProgram::Program(program)) => Ok(program),
         Some(ShaderOrProgram::Shader(_)) => {
             invalid_operation(SECTION, format!("program = {name} is a shader, not a program"))
@@ -26,7 +26,7 @@ pub(crate) fn program(context: &mut Context, name: GLuint) -> Result<&mut Progra
 }
 
 pub(crate) fn create_program(context: &mut Context) -> Result<GLuint> {
-    Ok(context.objects.programs.add(ShaderOrProgram::Program(Box::default())))
+    Ok(context.objects.shared.programs.add(ShaderOrProgram::Program(Box::default())))
 }
 
 pub(crate) fn delete_program(context: &mut Context, name: GLuint) -> Result<()> {
@@ -37,14 +37,14 @@ pub(crate) fn delete_program(context: &mut Context, name: GLuint) -> Result<()> 
         return Ok(());
     }
     // As long as it is part of the state of any context, it is only flagged.
-    context.objects.doomed_programs.push(name);
-    context.objects.sweep(Sweep::Deleted);
+    context.objects.shared.doomed_programs.push(name);
+    context.objects.shared.sweep(Sweep::Deleted);
     Ok(())
 }
 
 pub(crate) fn is_program(context: &mut Context, name: GLuint) -> Result<bool> {
-    sweep(&mut context.objects);
-    Ok(matches!(context.objects.programs.get(name), Some(ShaderOrProgram::Program(_))))
+    context.objects.shared.sweep_programs();
+    Ok(matches!(context.objects.shared.programs.get(name), Some(ShaderOrProgram::Program(_))))
 }
 
 pub(crate) fn attach_shader(context: &mut Context, name: GLuint, added: GLuint) -> Result<()> {
@@ -64,7 +64,7 @@ pub(crate) fn detach_shader(context: &mut Context, name: GLuint, gone: GLuint) -
     match program.attached.iter().position(|attached| *attached == gone) {
         Some(place) => {
             program.attached.remove(place);
-            release(&mut context.objects, gone);
+            context.objects.shared.detach(gone);
             Ok(())
         }
         None => invalid_operation(SECTION, format!("shader {gone} is not attached to it")),
@@ -128,7 +128,8 @@ pub(crate) fn link_program(context: &mut Context, name: GLuint) -> Result<()> {
     let mut log = String::new();
     let mut shaders = Vec::new();
     for &attached in &attached {
-        let Some(ShaderOrProgram::Shader(shader)) = context.objects.programs.get(attached) else {
+        let Some(ShaderOrProgram::Shader(shader)) = context.objects.shared.programs.get(attached)
+        else {
             continue;
         };
         match &shader.compiled {
@@ -138,7 +139,7 @@ pub(crate) fn link_program(context: &mut Context, name: GLuint) -> Result<()> {
     }
     let mut linked = None;
     if log.is_empty() {
-        let bindings = match context.objects.programs.get(name) {
+        let bindings = match context.objects.shared.programs.get(name) {
             Some(ShaderOrProgram::Program(program)) => program.bindings.clone(),
             Some(ShaderOrProgram::Shader(_)) | None => glsl::Bindings::default(),
         };
@@ -149,7 +150,7 @@ pub(crate) fn link_program(context: &mut Context, name: GLuint) -> Result<()> {
             Err(error) => log.push_str(&format!("error: internal: {error}\n")),
         }
     }
-    let in_use = context.objects.programs.is_held(name);
+    let in_use = context.objects.shared.programs.is_held(name);
     let program = program(context, name)?;
     program.link = if linked.is_some() { LinkStatus::Linked } else { LinkStatus::Failed };
     if linked.is_some() || !in_use {
@@ -175,14 +176,14 @@ pub(crate) fn use_program(context: &mut Context, name: GLuint) -> Result<()> {
         );
     }
     not_while_active(context)?;
-    let objects = &mut context.objects;
+    let objects = &mut *context.objects.shared;
     let now = objects.programs.hold(name);
     let before = std::mem::replace(&mut context.state.bindings.program, now).name();
     if before == name {
         context.state_changes.no_change();
         return Ok(());
     }
-    sweep(objects);
+    objects.sweep_programs();
     if !objects.programs.is_held(before)
         && let Some(ShaderOrProgram::Program(before)) = objects.programs.get_mut(before)
         && before.link == LinkStatus::Failed

@@ -22,7 +22,7 @@ enum ObjectType {
 }
 
 fn object_type(context: &Context, object: GLuint) -> Result<ObjectType> {
-    match context.objects.programs.get(object) {
+    match context.objects.shared.programs.get(object) {
         Some(ShaderOrProgram::Shader(_)) => Ok(ObjectType::Shader),
         Some(ShaderOrProgram::Program(_)) => Ok(ObjectType::Program),
         None => invalid_value(SECTION, format!("obj = {object} is no shader and no program")),

@@ -8,13 +8,13 @@ use crate::base::types::*;
 use crate::context::Context;
 use crate::glsl;
 use crate::objects::programs::ShaderOrProgram;
-use crate::objects::shaders::{STAGE, ShaderObject, c_length, forget_if_doomed, put_text};
+use crate::objects::shaders::{STAGE, ShaderObject, c_length, put_text};
 
 const SECTION: &str = "GL 2.1, section 2.15.1";
 
 /// The shader of a name.
 pub(crate) fn shader(context: &mut Context, name: GLuint) -> Result<&mut ShaderObject> {
-    match context.objects.programs.get_mut(name) {
+    match context.objects.shared.programs.get_mut(name) {
         Some(ShaderOrProgram::Shader(shader)) => Ok(shader),
         Some(ShaderOrProgram::Program(_)) => {
             invalid_operation(SECTION, format!("shader = {name} is a program, not a shader"))
@@ -25,7 +25,7 @@ pub(crate) fn shader(context: &mut Context, name: GLuint) -> Result<&mut ShaderO
 
 pub(crate) fn create_shader(context: &mut Context, ty: GLenum) -> Result<GLuint> {
     let stage = STAGE.decode("type", ty)?;
-    Ok(context.objects.programs.add(ShaderOrProgram::Shader(ShaderObject {
+    Ok(context.objects.shared.programs.add(ShaderOrProgram::Shader(ShaderObject {
         stage,
         source: String::new(),
         compiled: None,
@@ -38,13 +38,13 @@ pub(crate) fn create_shader(context: &mut Context, ty: GLenum) -> Result<GLuint>
 pub(crate) fn delete_shader(context: &mut Context, name: GLuint) -> Result<()> {
     if name != 0 {
         shader(context, name)?.doomed = true;
-        forget_if_doomed(&mut context.objects, name);
+        context.objects.shared.remove_unattached(name);
     }
     Ok(())
 }
 
 pub(crate) fn is_shader(context: &mut Context, name: GLuint) -> Result<bool> {
-    Ok(matches!(context.objects.programs.get(name), Some(ShaderOrProgram::Shader(_))))
+    Ok(matches!(context.objects.shared.programs.get(name), Some(ShaderOrProgram::Shader(_))))
 }
 
 /// A length that is missing or negative means: to the end.

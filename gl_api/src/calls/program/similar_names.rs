@@ -42,7 +42,7 @@ pub(crate) fn not_found(context: &mut Context, program: GLuint, of: NamedResourc
 /// Whether any shader declares a name: it is another program's, or not active because nothing uses it.
 fn is_declared(context: &Context, asked: &str) -> bool {
     let base = asked.split(['[', '.']).next().unwrap_or(asked);
-    context.objects.programs.values().any(|object| match object {
+    context.objects.shared.programs.values().any(|object| match object {
         ShaderOrProgram::Shader(shader) => {
             shader.compiled.as_ref().is_some_and(|compiled| compiled.declares(base))
         }
@@ -63,7 +63,7 @@ fn nearest(context: &Context, program: GLuint, of: NamedResource, asked: &str) -
         4..8 => 1,
         8.. => 2,
     };
-    let program = &context.objects.linked_program(program)?.program;
+    let program = &context.objects.shared.linked_program(program)?.program;
     let uniforms = program.uniforms.iter().map(|uniform| &uniform.name);
     let attributes = program.attributes.iter();
     let generic = attributes.filter(|attribute| attribute.location < MAX_VERTEX_ATTRIBS);

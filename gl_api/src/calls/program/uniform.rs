@@ -54,7 +54,7 @@ fn store(
 ) -> Result<()> {
     let count = not_negative(SECTION, "count", count.into())?;
     let name = context.state.bindings.program.name();
-    let program = match context.objects.programs.get_mut(name) {
+    let program = match context.objects.shared.programs.get_mut(name) {
         Some(ShaderOrProgram::Program(program)) => program.executable.as_mut(),
         Some(ShaderOrProgram::Shader(_)) | None => None,
     };

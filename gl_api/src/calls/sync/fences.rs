@@ -1,19 +1,24 @@
-//! Fences: `ARB_sync`, GL 3.2, section 5.3. A fence is signalled once what was recorded before it is
-//! carried out; as submitting carries it out, that is when somebody flushes.
+//! Fences: `ARB_sync`, GL 3.2, section 5.3. A fence is signalled once what was recorded before it has been executed:
+//! by the next flush of the context that made it. That context flushes when it waits; another one waits for the flush.
 
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation, invalid_value, not_negative};
 use crate::base::types::*;
 use crate::context::Context;
 use crate::draw::pass::submit;
-use crate::objects::syncs::Status;
+use crate::objects::syncs::{Fence, Status};
+use std::sync::Arc;
+use std::time::Duration;
 
 const SECTION: &str = "ARB_sync, section 5.3";
 
-/// Where a fence is.
-fn known(context: &Context, sync: GLsync) -> Result<usize> {
-    match context.objects.syncs.position(sync as usize) {
-        Some(at) => Ok(at),
+/// `GL_MAX_SERVER_WAIT_TIMEOUT`, in nanoseconds: how long `glWaitSync` waits for another context's flush.
+pub(crate) const MAX_SERVER_WAIT_TIMEOUT: u64 = 1_000_000_000;
+
+/// The fence of a handle.
+fn fence(context: &Context, sync: GLsync) -> Result<Arc<Fence>> {
+    match context.objects.shared.syncs.get(sync as usize) {
+        Some(fence) => Ok(Arc::clone(fence)),
         None => invalid_value(SECTION, "sync is no handle that glFenceSync gave"),
     }
 }
@@ -29,20 +34,19 @@ pub(crate) fn fence_sync(
     if flags != 0 {
         return invalid_value(SECTION, format!("flags = {flags:#x} must be 0"));
     }
-    let syncs = &mut context.objects.syncs;
-    syncs.last += 1;
-    syncs.fences.push((syncs.last, Status::Unsignaled));
-    Ok(syncs.last as GLsync)
+    let fence = Arc::new(Fence::default());
+    context.recorder.fences.push(Arc::clone(&fence));
+    Ok(context.objects.shared.syncs.add(fence) as GLsync)
 }
 
 pub(crate) fn is_sync(context: &mut Context, sync: GLsync) -> Result<bool> {
-    Ok(context.objects.syncs.contains(sync as usize))
+    Ok(context.objects.shared.syncs.contains(sync as usize))
 }
 
 pub(crate) fn delete_sync(context: &mut Context, sync: GLsync) -> Result<()> {
     if !sync.is_null() {
-        let at = known(context, sync)?;
-        context.objects.syncs.fences.remove(at);
+        fence(context, sync)?;
+        context.objects.shared.syncs.remove(sync as usize);
     }
     Ok(())
 }
@@ -61,19 +65,26 @@ pub(crate) fn client_wait_sync(
 }
 
 fn waited(context: &mut Context, sync: GLsync, flags: GLbitfield, timeout: u64) -> Result<GLenum> {
-    let (_, status) = context.objects.syncs.fences[known(context, sync)?];
+    let fence = fence(context, sync)?;
     if flags & !GL_SYNC_FLUSH_COMMANDS_BIT != 0 {
         return invalid_value(
             SECTION,
             format!("flags = {flags:#x} must be 0 or GL_SYNC_FLUSH_COMMANDS_BIT"),
         );
     }
-    match status {
+    match fence.status() {
         Status::Signaled => Ok(GL_ALREADY_SIGNALED),
-        Status::Unsignaled => {
+        Status::Unsignaled if context.recorder.fences.contains(&fence) => {
             submit(context);
-            // Who does not wait asks after the commands were carried out.
+            // With a timeout of 0 the status is queried, after the commands were executed.
             Ok(if timeout == 0 { GL_ALREADY_SIGNALED } else { GL_CONDITION_SATISFIED })
+        }
+        Status::Unsignaled => {
+            context.objects.shared.release();
+            Ok(match fence.wait(Duration::from_nanos(timeout)) {
+                Status::Signaled => GL_CONDITION_SATISFIED,
+                Status::Unsignaled => GL_TIMEOUT_EXPIRED,
+            })
         }
     }
 }
@@ -84,7 +95,7 @@ pub(crate) fn wait_sync(
     flags: GLbitfield,
     timeout: u64,
 ) -> Result<()> {
-    known(context, sync)?;
+    let fence = fence(context, sync)?;
     if flags != 0 || timeout != GL_TIMEOUT_IGNORED {
         return invalid_value(
             SECTION,
@@ -93,6 +104,19 @@ pub(crate) fn wait_sync(
                  GL_TIMEOUT_IGNORED"
             ),
         );
+    }
+    // What this context has recorded before is executed in order.
+    if !context.recorder.fences.contains(&fence) {
+        context.objects.shared.release();
+        match fence.wait(Duration::from_nanos(MAX_SERVER_WAIT_TIMEOUT)) {
+            Status::Signaled => {}
+            Status::Unsignaled => context.debug.warn(
+                "glWaitSync: the context that made the fence has not called glFlush for a second \
+                 (GL_MAX_SERVER_WAIT_TIMEOUT): call it there after glFenceSync, or what comes now \
+                 may not see what was drawn there (ARB_sync, section 5.3.1)"
+                    .into(),
+            ),
+        }
     }
     Ok(())
 }
@@ -122,12 +146,12 @@ pub(crate) fn get_synciv(
             (GL_SYNC_FLAGS, Property::Flags),
         ],
     };
-    let (_, status) = context.objects.syncs.fences[known(context, sync)?];
+    let fence = fence(context, sync)?;
     let property = PROPERTY.decode("pname", pname)?;
     let room = not_negative(SECTION, "bufSize", room.into())?;
     let value = match property {
         Property::Type => GL_SYNC_FENCE,
-        Property::Status => match status {
+        Property::Status => match fence.status() {
             Status::Signaled => GL_SIGNALED,
             Status::Unsignaled => GL_UNSIGNALED,
         },

@@ -7,7 +7,7 @@ use crate::base::query_value::put;
 use crate::base::types::*;
 use crate::context::Context;
 use crate::draw::pass::submit;
-use crate::objects::listed;
+use crate::objects::name_table::listed;
 use crate::objects::queries::{Query, QueryTarget, TARGET, timestamp};
 use rasterizer::driver::Counter;
 use std::time::Instant;

@@ -40,7 +40,7 @@ fn attach(
             ),
         );
     };
-    let range = match context.objects.buffers.get(buffer) {
+    let range = match context.objects.shared.buffers.get(buffer) {
         _ if buffer == 0 => None,
         Some(object) => range(object.len())?,
         None => {
@@ -49,7 +49,7 @@ fn attach(
             return invalid_operation(SECTION, rule);
         }
     };
-    let buffer = context.objects.buffers.hold(buffer);
+    let buffer = context.objects.shared.buffers.hold(buffer);
     bound_mut(context, TextureTarget::Buffer).store =
         DataStore { internal, format, buffer, range, ..DataStore::default() };
     Ok(())

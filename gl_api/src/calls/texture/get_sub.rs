@@ -37,7 +37,7 @@ impl TexelBox {
         offset: [GLint; 3],
         size: [GLsizei; 3],
     ) -> Result<Self> {
-        let Some(texture) = context.objects.textures.get(name) else {
+        let Some(texture) = context.objects.shared.textures.get(name) else {
             return invalid_operation(SECTION, format!("texture = {name} is no texture"));
         };
         let (target, image) = (texture.target, texture.image.clone());

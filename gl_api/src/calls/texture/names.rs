@@ -9,9 +9,9 @@ use crate::calls::framebuffer::attach::detach;
 use crate::context::Context;
 use crate::interface::MAX_COMBINED_TEXTURE_IMAGE_UNITS;
 use crate::objects::bound::Bound;
+use crate::objects::name_table::{Sweep, listed};
 use crate::objects::target::TARGET;
 use crate::objects::texture::Texture;
-use crate::objects::{Sweep, listed};
 
 const SECTION: &str = "GL 2.1, section 3.8.12";
 
@@ -20,7 +20,7 @@ pub(crate) fn gen_textures(
     n: GLsizei,
     textures: &mut [GLuint],
 ) -> Result<()> {
-    context.objects.textures.reserve(SECTION, n, textures)
+    context.objects.shared.textures.reserve(SECTION, n, textures)
 }
 
 pub(crate) fn delete_textures(
@@ -29,7 +29,7 @@ pub(crate) fn delete_textures(
     textures: &[GLuint],
 ) -> Result<()> {
     for &name in listed(SECTION, n, textures)?.iter().filter(|&&name| name != 0) {
-        let gone = context.objects.textures.hold(name);
+        let gone = context.objects.shared.textures.hold(name);
         let units = &mut context.state.units;
         for at in 0..units.units.len() {
             if gone != Bound::default() && units.units[at].bound.contains(&gone) {
@@ -37,18 +37,20 @@ pub(crate) fn delete_textures(
             }
         }
         drop(gone);
-        if let Some(image) = context.objects.textures.get(name).map(|gone| gone.image.clone()) {
+        if let Some(image) =
+            context.objects.shared.textures.get(name).map(|gone| gone.image.clone())
+        {
             detach(context, &image);
         }
-        context.objects.textures.remove(name);
+        context.objects.shared.textures.remove(name);
     }
-    context.objects.sweep(Sweep::Deleted);
+    context.objects.shared.sweep(Sweep::Deleted);
     Ok(())
 }
 
 pub(crate) fn bind_texture(context: &mut Context, target: GLenum, texture: GLuint) -> Result<()> {
     let target = TARGET.decode("target", target)?;
-    if let Some(object) = context.objects.textures.get(texture)
+    if let Some(object) = context.objects.shared.textures.get(texture)
         && object.target != target
     {
         let (was, is) = (TARGET.encode(object.target), TARGET.encode(target));
@@ -61,8 +63,8 @@ pub(crate) fn bind_texture(context: &mut Context, target: GLenum, texture: GLuin
             ),
         );
     }
-    context.objects.textures.create(texture, || Texture::new(target));
-    let bound = context.objects.textures.hold(texture);
+    context.objects.shared.textures.create(texture, || Texture::new(target));
+    let bound = context.objects.shared.textures.hold(texture);
     if context.state.units.active().bound[target as usize] == bound {
         context.state_changes.no_change();
         return Ok(());
@@ -72,7 +74,7 @@ pub(crate) fn bind_texture(context: &mut Context, target: GLenum, texture: GLuin
 }
 
 pub(crate) fn is_texture(context: &mut Context, texture: GLuint) -> Result<bool> {
-    Ok(context.objects.textures.get(texture).is_some())
+    Ok(context.objects.shared.textures.get(texture).is_some())
 }
 
 pub(crate) fn prioritize_textures(
@@ -86,7 +88,7 @@ pub(crate) fn prioritize_textures(
         return invalid_operation(SECTION, format!("priorities has {} of {n}", priorities.len()));
     }
     for (&name, &priority) in textures.iter().zip(priorities).take(n) {
-        if let Some(texture) = context.objects.textures.get_mut(name) {
+        if let Some(texture) = context.objects.shared.textures.get_mut(name) {
             texture.priority = unit(priority.into()) as f32;
         }
     }
@@ -100,7 +102,7 @@ pub(crate) fn are_textures_resident(
     _: &mut [GLboolean],
 ) -> Result<bool> {
     for &name in listed(SECTION, n, textures)? {
-        if context.objects.textures.get(name).is_none() {
+        if context.objects.shared.textures.get(name).is_none() {
             return invalid_value(SECTION, format!("{name} is no texture"));
         }
     }

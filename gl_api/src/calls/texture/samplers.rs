@@ -8,10 +8,10 @@ use crate::calls::texture::parameter::clamped;
 use crate::context::Context;
 use crate::interface::MAX_COMBINED_TEXTURE_IMAGE_UNITS;
 use crate::objects::bound::Bound;
+use crate::objects::name_table::{Sweep, listed};
 use crate::objects::sampler::{
     Answer, SAMPLER_PARAMETER, SamplerParameter, SamplerState, Values, needs_vector,
 };
-use crate::objects::{Sweep, listed};
 
 const SECTION: &str = "ARB_sampler_objects, section 3.8.2";
 
@@ -20,10 +20,10 @@ pub(crate) fn gen_samplers(
     n: GLsizei,
     samplers: &mut [GLuint],
 ) -> Result<()> {
-    context.objects.samplers.reserve(SECTION, n, samplers)?;
+    context.objects.shared.samplers.reserve(SECTION, n, samplers)?;
     // Generated names are samplers at once, unlike those of textures.
     for &name in samplers.iter().take(n as usize) {
-        context.objects.samplers.create(name, SamplerState::default);
+        context.objects.shared.samplers.create(name, SamplerState::default);
     }
     Ok(())
 }
@@ -34,7 +34,7 @@ pub(crate) fn delete_samplers(
     samplers: &[GLuint],
 ) -> Result<()> {
     for &name in listed(SECTION, n, samplers)?.iter().filter(|&&name| name != 0) {
-        let gone = context.objects.samplers.hold(name);
+        let gone = context.objects.shared.samplers.hold(name);
         let units = &mut context.state.units;
         for at in 0..units.units.len() {
             if gone != Bound::default() && units.units[at].sampler == gone {
@@ -42,14 +42,14 @@ pub(crate) fn delete_samplers(
             }
         }
         drop(gone);
-        context.objects.samplers.remove(name);
+        context.objects.shared.samplers.remove(name);
     }
-    context.objects.sweep(Sweep::Deleted);
+    context.objects.shared.sweep(Sweep::Deleted);
     Ok(())
 }
 
 pub(crate) fn is_sampler(context: &mut Context, sampler: GLuint) -> Result<bool> {
-    Ok(context.objects.samplers.get(sampler).is_some())
+    Ok(context.objects.shared.samplers.get(sampler).is_some())
 }
 
 pub(crate) fn bind_sampler(context: &mut Context, unit: GLuint, sampler: GLuint) -> Result<()> {
@@ -65,12 +65,13 @@ pub(crate) fn bind_sampler(context: &mut Context, unit: GLuint, sampler: GLuint)
     if sampler != 0 {
         found(context, sampler)?;
     }
-    context.state.units.unit_mut(unit as usize).sampler = context.objects.samplers.hold(sampler);
+    context.state.units.unit_mut(unit as usize).sampler =
+        context.objects.shared.samplers.hold(sampler);
     Ok(())
 }
 
 fn found(context: &mut Context, sampler: GLuint) -> Result<&mut SamplerState> {
-    match context.objects.samplers.get_mut(sampler) {
+    match context.objects.shared.samplers.get_mut(sampler) {
         Some(state) => Ok(state),
         None => {
             invalid_operation(SECTION, format!("sampler = {sampler} was not made by glGenSamplers"))

@@ -5,7 +5,7 @@ use crate::base::error::{Result, invalid_operation};
 use crate::base::types::*;
 use crate::context::Context;
 use crate::objects::arrays::VertexArray;
-use crate::objects::{Sweep, listed};
+use crate::objects::name_table::{Sweep, listed};
 
 const SECTION: &str = "ARB_vertex_array_object, section 2.10";
 
@@ -28,7 +28,7 @@ pub(crate) fn delete_vertex_arrays(
         }
         context.objects.vertex_arrays.remove(name);
     }
-    context.objects.sweep(Sweep::Deleted);
+    context.objects.shared.sweep(Sweep::Deleted);
     Ok(())
 }
 

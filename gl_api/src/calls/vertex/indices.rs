@@ -30,7 +30,7 @@ fn located_indices<'a>(
 ) -> Result<Located<'a>> {
     let bound = &context.state.bindings.element_array_buffer;
     let name = bound.name();
-    let object = context.objects.buffers.bound(bound);
+    let object = context.objects.shared.buffers.bound(bound);
     if object.is_some_and(|object| object.map.is_some()) {
         return invalid_operation(
             SECTION,
@@ -98,7 +98,7 @@ pub(crate) fn index_buffer(
         Located::Null => return Ok((Buffer::default(), 0)),
         Located::Offset(offset) => offset,
     };
-    let object = context.objects.buffers.bound(&context.state.bindings.element_array_buffer);
+    let object = context.objects.shared.buffers.bound(&context.state.bindings.element_array_buffer);
     let buffer = object.map(|object| object.buffer().clone()).unwrap_or_default();
     let is_rewritten = object.is_some_and(|object| object.is_rewritten(&context.recorder));
     let part = is_rewritten.then(|| small_range(&buffer, offset..offset + needed)).flatten();

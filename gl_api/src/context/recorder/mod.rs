@@ -18,6 +18,7 @@ use crate::context::recorder::stages::Textures;
 use crate::context::recorder::vertex_stage::{Outputs, StandaloneStage};
 use crate::generate::fixed::FixedModules;
 use crate::objects::buffers::WaitingDraws;
+use crate::objects::syncs::PendingFences;
 use rasterizer::driver::{
     Command, CommandBuffer, Counter, Device, Image, PassDesc, Pipeline, PipelineDesc, ShaderModule,
     VertexBinding, Visibility,
@@ -37,6 +38,8 @@ const MAX_HELD: usize = 1 << 26;
 pub(crate) struct Recorder {
     pub device: Arc<Device>,
     pub commands: CommandBuffer,
+    /// The fences among the recorded commands.
+    pub fences: PendingFences,
     /// The pass that is open.
     pub pass: Option<PassDesc>,
     /// What the recorded passes write to.
@@ -91,6 +94,7 @@ impl Recorder {
         Self {
             device,
             commands: CommandBuffer::new(),
+            fences: PendingFences::default(),
             pass: None,
             written: Vec::new(),
             draws: 0,

@@ -57,7 +57,7 @@ fn last_vertex(context: &Context, elements: &Elements) -> Option<u32> {
 /// Warns of a draw whose vertices are all alike: the program has attributes, and no array is enabled.
 pub(crate) fn none(context: &mut Context, topology: Topology) {
     let name = context.state.bindings.program.name();
-    let linked = context.objects.linked_program(name);
+    let linked = context.objects.shared.linked_program(name);
     // A point may be drawn with constants.
     if topology != Topology::Points
         && linked.is_some_and(|linked| !linked.program.attributes.is_empty())
@@ -70,7 +70,7 @@ pub(crate) fn none(context: &mut Context, topology: Topology) {
 #[cold]
 #[inline(never)]
 fn all_alike(context: &mut Context, name: GLuint) {
-    let Some(linked) = context.objects.linked_program(name) else { return };
+    let Some(linked) = context.objects.shared.linked_program(name) else { return };
     let (Some(vertex), Some(attribute)) = (&linked.vertex, linked.program.attributes.first())
     else {
         return;

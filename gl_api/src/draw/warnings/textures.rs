@@ -162,7 +162,7 @@ fn uncompared(context: &mut Context, name: GLuint, target: TextureTarget, word: 
 
 /// The uniform of the program in use that has this word, quoted, after a space.
 fn uniform_name(context: &Context, word: u32) -> String {
-    let program = context.objects.linked_program(context.state.bindings.program.name());
+    let program = context.objects.shared.linked_program(context.state.bindings.program.name());
     program.map_or_else(String::new, |linked| linked.quoted_name(word))
 }
 

@@ -77,6 +77,7 @@ fn the_whole_table_with_random_arguments_never_panics_and_leaves_a_context_that_
             let before = Instant::now();
             (exercise.run)(&mut c, &mut random);
             let took = before.elapsed();
+            assert!(!c.objects.shared.is_locked(), "{} keeps the group locked", exercise.name);
             assert!(took < Duration::from_secs(10), "{} took {took:?}", exercise.name);
         }
         still_works(&mut c);

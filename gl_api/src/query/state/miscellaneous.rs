@@ -5,6 +5,7 @@ use super::row::Read::*;
 use super::row::{Row, rows, saturated};
 use crate::base::constants::*;
 use crate::base::types::*;
+use crate::calls::sync::fences::MAX_SERVER_WAIT_TIMEOUT;
 use crate::context::Context;
 use crate::context::feedback::record::FeedbackType;
 use crate::context::feedback::select::MAX_NAME_STACK_DEPTH;
@@ -59,7 +60,7 @@ pub(super) const ROWS: &[Row] = rows! {
 
     GL_COPY_READ_BUFFER: Word(|c| c.state.bindings.copy_read_buffer.name());
     GL_COPY_WRITE_BUFFER: Word(|c| c.state.bindings.copy_write_buffer.name());
-    GL_MAX_SERVER_WAIT_TIMEOUT: Integer(|_| 0);
+    GL_MAX_SERVER_WAIT_TIMEOUT: Integer(|_| MAX_SERVER_WAIT_TIMEOUT as i32);
     // A double is exact for a hundred days of nanoseconds.
     GL_TIMESTAMP: Floats(|_| vec![queries::timestamp() as f64]);
 };
