@@ -13,6 +13,7 @@ use crate::context::window::{Visible, Window, format_of, whole};
 use crate::context::{Context, ContextDesc, ContextError, SurfaceDesc, sharing};
 use crate::draw::warnings::visibility;
 use crate::glu::{GLUquadric, GLUquadricCallback};
+use crate::objects::programs::ShaderOrProgram;
 use crate::pixel::client::Pixel;
 use crate::pixel::client::format::LuminanceOf;
 use crate::pixel::convert::{Conversion, Final};
@@ -34,8 +35,22 @@ pub mod limits {
     pub const VERSION: (i32, i32) = crate::base::limits::VERSION;
     /// Pixels of a side of a default framebuffer.
     pub const MAX_VIEWPORT_DIMS: u32 = crate::base::limits::MAX_VIEWPORT_DIMS;
+    /// Environment parameters of an assembly program.
+    pub const MAX_ENV_PARAMETERS: usize = crate::base::assembly_limits::MAX_ENV_PARAMETERS as usize;
+    /// Local parameters of an assembly program.
+    pub const MAX_LOCAL_PARAMETERS: usize =
+        crate::base::assembly_limits::MAX_LOCAL_PARAMETERS as usize;
+    /// Colour outputs of a framebuffer.
+    pub const MAX_DRAW_BUFFERS: usize = crate::base::limits::MAX_COLOR_ATTACHMENTS;
+    /// Components that transform feedback captures into one buffer.
+    pub const MAX_CAPTURED_COMPONENTS: usize =
+        glsl::limits::MAX_TRANSFORM_FEEDBACK_INTERLEAVED_COMPONENTS;
+    /// Elements of an array of uniforms.
+    pub const MAX_UNIFORM_ELEMENTS: usize = glsl::limits::MAX_UNIFORM_WORDS as usize;
     /// Bytes of a label with its final zero.
     pub const MAX_LABEL: usize = context::log::MAX_LABEL;
+    /// Messages of a log.
+    pub const MAX_LOGGED: usize = context::log::MAX_LOGGED;
     /// Bytes of a message with its final zero.
     pub const MAX_LENGTH: usize = context::log::MAX_LENGTH;
     /// The order of an evaluator's map.
@@ -240,6 +255,15 @@ pub fn uniform_values(context: &mut Context, program: GLuint, location: GLint) -
     match crate::calls::program::inspect::words(scope.context, program, location) {
         Ok((_, words)) => words.len(),
         Err(_) => 0,
+    }
+}
+
+/// How many shaders are attached to a program; 0 if there is none.
+pub fn attached_shaders(context: &mut Context, program: GLuint) -> usize {
+    let scope = CallScope { context };
+    match scope.context.objects.shared.programs.get(program) {
+        Some(ShaderOrProgram::Program(program)) => program.attached.len(),
+        Some(ShaderOrProgram::Shader(_)) | None => 0,
     }
 }
 

@@ -5,9 +5,12 @@ use gl_api::*;
 /// The C function of an entry point under each of its names: `c_function!(method [glName …] (parameters) -> result)`.
 macro_rules! c_function {
     ($method:ident [$($gl:ident)+] $params:tt $ret:tt) => {
-        $(c_function!(@one $method $gl $params $ret);)+
+        c_function!(@named $method [$($gl)+] [$($gl)+] $params $ret);
     };
-    (@one $method:ident $gl:ident ($($param:ident: $ty:ty),*) [$($ret:ty)?]) => {
+    (@named $method:ident [$first:ident $($alias:ident)*] [$($gl:ident)+] $params:tt $ret:tt) => {
+        $(c_function!(@one $method $first $gl $params $ret);)+
+    };
+    (@one $method:ident $first:ident $gl:ident ($($param:ident: $ty:ty),*) [$($ret:ty)?]) => {
         #[cfg_attr(feature = "c-names", unsafe(no_mangle))]
         #[allow(
             non_snake_case,
@@ -29,12 +32,29 @@ macro_rules! c_function {
             let result = $crate::guard::guard_method(stringify!($gl), || {
                 let rules = const {
                     $crate::lengths::rules(
+                        stringify!($first),
                         stringify!($gl),
                         [$(<$ty as $crate::param::Param<'a>>::COUNTED),*],
                     )
                 };
                 let _arguments: &[isize] =
                     &[$(<$ty as $crate::param::Param<'a>>::number($param)),*];
+                // Only of what is written it matters where other arguments lie.
+                let extents;
+                let writes_one_of_several = const {
+                    $crate::param::writes_one_of_several(&[$((
+                        <$ty as $crate::param::Param<'a>>::ELEMENT,
+                        <$ty as $crate::param::Param<'a>>::WRITTEN,
+                    )),*])
+                };
+                let extents: &[usize] = if writes_one_of_several {
+                    let sizes = const { &[$(<$ty as $crate::param::Param<'a>>::ELEMENT),*] };
+                    extents = $crate::lengths::extents(&rules, sizes, _arguments);
+                    &extents
+                } else {
+                    &[]
+                };
+                let _call = $crate::param::Arguments { numbers: _arguments, extents };
                 let mut _rules = rules.iter();
                 $(
                     let rule = _rules.next();
@@ -46,7 +66,7 @@ macro_rules! c_function {
                     };
                     // SAFETY: the caller vouches for its pointers, as C's prototypes cannot.
                     let mut $param = unsafe {
-                        <$ty as $crate::param::Param<'a>>::hold($param, length, _arguments)
+                        <$ty as $crate::param::Param<'a>>::hold($param, length, &_call)
                     };
                 )*
                 run($(&mut $param),*)
@@ -96,3 +116,6 @@ pub(crate) fn functions() -> Vec<(&'static str, *const ())> {
     entry_points!(each_row add);
     all
 }
+
+#[cfg(test)]
+mod guard_pages;

@@ -6,7 +6,10 @@
 
 use super::param::{Counted, TERMINATED};
 use gl_api::constants::*;
-use gl_api::host::limits::{MAX_EVAL_ORDER, MAX_LABEL, MAX_LENGTH};
+use gl_api::host::limits::{
+    MAX_CAPTURED_COMPONENTS, MAX_DRAW_BUFFERS, MAX_ENV_PARAMETERS, MAX_EVAL_ORDER, MAX_LABEL,
+    MAX_LENGTH, MAX_LOCAL_PARAMETERS, MAX_LOGGED, MAX_UNIFORM_ELEMENTS,
+};
 use gl_api::{GLenum, host, with_current};
 
 /// What the registry says of a parameter.
@@ -33,6 +36,10 @@ pub(crate) enum Rule {
     Fixed(usize),
     /// An argument, by position, times a number.
     Times(usize, usize),
+    /// The same, of which nothing is read if the argument is larger than a limit: the call refuses it.
+    TimesWithin { argument: usize, factor: usize, limit: usize },
+    /// The same, of which no more is read than of the limit: the call has no use for the rest.
+    TimesAtMost { argument: usize, factor: usize, limit: usize },
     /// As many as the state or parameter of that name has values; its position.
     Named(usize),
     /// Computed from all arguments.
@@ -45,18 +52,16 @@ pub(crate) enum Rule {
     TextBelow(usize, usize),
 }
 
-/// Where the registry is silent, or says the largest of several lengths.
+/// Where the registry is silent, says the largest of several lengths, or where a call has a limit; by the first name of
+/// an entry point, for its other names too.
 const OVERRIDES: &[(&str, usize, Rule)] = &[
     ("glGetVertexAttribfv", 2, Rule::Named(1)),
-    ("glGetVertexAttribfvARB", 2, Rule::Named(1)),
     ("glGetVertexAttribdv", 2, Rule::Named(1)),
-    ("glGetVertexAttribdvARB", 2, Rule::Named(1)),
     ("glGetVertexAttribiv", 2, Rule::Named(1)),
-    ("glGetVertexAttribivARB", 2, Rule::Named(1)),
     ("glGetVertexAttribIiv", 2, Rule::Named(1)),
-    ("glGetVertexAttribIivEXT", 2, Rule::Named(1)),
     ("glGetVertexAttribIuiv", 2, Rule::Named(1)),
-    ("glGetVertexAttribIuivEXT", 2, Rule::Named(1)),
+    // The registry names the array `count`, whose length `drawcount` is.
+    ("glMultiDrawArrays", 1, Rule::Times(3, 1)),
     ("glGetMultisamplefv", 2, Rule::Fixed(2)),
     ("glPolygonStipple", 0, Rule::Fixed(128)),
     ("glGetPolygonStipple", 0, Rule::Fixed(128)),
@@ -64,6 +69,33 @@ const OVERRIDES: &[(&str, usize, Rule)] = &[
     ("glPushDebugGroup", 3, Rule::TextBelow(2, MAX_LENGTH)),
     ("glObjectLabel", 3, Rule::TextBelow(2, MAX_LABEL)),
     ("glObjectPtrLabel", 2, Rule::TextBelow(1, MAX_LABEL)),
+    (
+        "glProgramEnvParameters4fvEXT",
+        3,
+        Rule::TimesWithin { argument: 2, factor: 4, limit: MAX_ENV_PARAMETERS },
+    ),
+    (
+        "glProgramLocalParameters4fvEXT",
+        3,
+        Rule::TimesWithin { argument: 2, factor: 4, limit: MAX_LOCAL_PARAMETERS },
+    ),
+    ("glDrawBuffers", 1, Rule::TimesWithin { argument: 0, factor: 1, limit: MAX_DRAW_BUFFERS }),
+    // Linking fails with one component more than the limit.
+    (
+        "glTransformFeedbackVaryings",
+        2,
+        Rule::TimesAtMost { argument: 1, factor: 1, limit: MAX_CAPTURED_COMPONENTS + 1 },
+    ),
+    ("glGetDebugMessageLog", 2, Rule::TimesAtMost { argument: 0, factor: 1, limit: MAX_LOGGED }),
+    ("glGetDebugMessageLog", 3, Rule::TimesAtMost { argument: 0, factor: 1, limit: MAX_LOGGED }),
+    ("glGetDebugMessageLog", 4, Rule::TimesAtMost { argument: 0, factor: 1, limit: MAX_LOGGED }),
+    ("glGetDebugMessageLog", 5, Rule::TimesAtMost { argument: 0, factor: 1, limit: MAX_LOGGED }),
+    ("glGetDebugMessageLog", 6, Rule::TimesAtMost { argument: 0, factor: 1, limit: MAX_LOGGED }),
+    ("glGetSynciv", 4, Rule::TimesAtMost { argument: 2, factor: 1, limit: 1 }),
+    ("glGetAttachedShaders", 3, Rule::Computed(attached_shaders)),
+    ("glGetAttachedObjectsARB", 3, Rule::Computed(attached_shaders)),
+    ("glGetActiveUniformsiv", 2, Rule::Computed(of_program)),
+    ("glGetActiveUniformsiv", 4, Rule::Computed(of_program)),
 ];
 
 const fn same(a: &str, b: &str) -> bool {
@@ -167,21 +199,68 @@ const fn text_rule(length: Length) -> Rule {
     }
 }
 
-/// The rules of an entry point's parameters; `counted` says which need one.
-pub(crate) const fn rules<const N: usize>(command: &str, counted: [Counted; N]) -> [Rule; N] {
+/// `glUniform*v` takes no more elements than an array of uniforms has.
+const fn limited(command: &str, rule: Rule) -> Rule {
+    match rule {
+        Rule::Times(argument, factor) if begins(command, "glUniform") => {
+            Rule::TimesAtMost { argument, factor, limit: MAX_UNIFORM_ELEMENTS }
+        }
+        rule => rule,
+    }
+}
+
+const fn begins(text: &str, beginning: &str) -> bool {
+    let (text, beginning) = (text.as_bytes(), beginning.as_bytes());
+    let mut at = 0;
+    while at < beginning.len() {
+        if at >= text.len() || text[at] != beginning[at] {
+            return false;
+        }
+        at += 1;
+    }
+    true
+}
+
+/// The rules of the parameters of an entry point, which is named `first` in the table and `command` here; `counted` says
+/// which need one.
+pub(crate) const fn rules<const N: usize>(
+    first: &str,
+    command: &str,
+    counted: [Counted; N],
+) -> [Rule; N] {
     let lengths = registry(command);
     let mut rules = [Rule::None; N];
     let mut at = 0;
     while at < N {
-        rules[at] = match (counted[at], overridden(command, at)) {
+        rules[at] = match (counted[at], overridden(first, at)) {
             (Counted::No, _) => Rule::None,
             (Counted::Elements | Counted::Text, Some(rule)) => rule,
-            (Counted::Elements, None) => rule(lengths[at]),
+            (Counted::Elements, None) => limited(command, rule(lengths[at])),
             (Counted::Text, None) => text_rule(lengths[at]),
         };
         at += 1;
     }
     rules
+}
+
+/// Parameters of an entry point, at most.
+const MAX_PARAMETERS: usize = 16;
+
+/// How many bytes each pointer of a call stands for; `sizes` are those of an element.
+#[inline(never)]
+pub(crate) fn extents(
+    rules: &[Rule],
+    sizes: &[usize],
+    arguments: &[isize],
+) -> [usize; MAX_PARAMETERS] {
+    let mut extents = [0; MAX_PARAMETERS];
+    for (extent, (rule, size)) in extents.iter_mut().zip(rules.iter().zip(sizes)) {
+        *extent = match size {
+            0 => 0,
+            size => rule.length(arguments).saturating_mul(*size),
+        };
+    }
+    extents
 }
 
 impl Rule {
@@ -193,6 +272,13 @@ impl Rule {
             Self::Fixed(count) => count,
             Self::Times(argument, factor) => {
                 usize::try_from(arguments[argument]).unwrap_or(0).saturating_mul(factor)
+            }
+            Self::TimesWithin { argument, factor, limit } => {
+                let count = usize::try_from(arguments[argument]).unwrap_or(0);
+                if count > limit { 0 } else { count * factor }
+            }
+            Self::TimesAtMost { argument, factor, limit } => {
+                usize::try_from(arguments[argument]).unwrap_or(0).min(limit) * factor
             }
             Self::Named(argument) => values(arguments[argument] as GLenum),
             Self::Computed(formula) => formula(arguments),
@@ -279,6 +365,21 @@ fn uniform(arguments: &[isize]) -> usize {
 fn block(arguments: &[isize]) -> usize {
     let [program, index, pname] = [0, 1, 2].map(|at| arguments[at] as u32);
     with_current(|context| host::block_values(context, program, index, pname)).unwrap_or(0)
+}
+
+/// `glGetAttachedShaders`: (program, maxCount, …). No more is written than shaders are attached.
+fn attached_shaders(arguments: &[isize]) -> usize {
+    let (program, most) = (arguments[0] as u32, usize::try_from(arguments[1]).unwrap_or(0));
+    with_current(|context| host::attached_shaders(context, program)).unwrap_or(0).min(most)
+}
+
+/// `glGetActiveUniformsiv`: (program, count, …). Of what is no program nothing is read.
+fn of_program(arguments: &[isize]) -> usize {
+    let [program, count] = [arguments[0] as u32, arguments[1] as u32];
+    match with_current(|context| context.is_program(program)) {
+        Some(true) => i32::try_from(count).map_or(0, |count| count as usize),
+        Some(false) | None => 0,
+    }
 }
 
 /// `glClearBuffer`: (buffer, drawbuffer, value).

@@ -21,6 +21,48 @@ pub(crate) enum Counted {
     Text,
 }
 
+/// The arguments of a call.
+pub(crate) struct Arguments<'a> {
+    /// As numbers, and of pointers the address.
+    pub numbers: &'a [isize],
+    /// How many bytes each pointer stands for, if the call writes to one of several.
+    pub extents: &'a [usize],
+}
+
+impl Arguments<'_> {
+    /// Whether memory that the call writes to, from an address on, is another argument's too.
+    #[inline(never)]
+    fn overlap(&self, address: usize, bytes: usize) -> bool {
+        let overlapping = self.numbers.iter().zip(self.extents).filter(|&(&other, &length)| {
+            let other = other as usize;
+            length > 0
+                && address < other.saturating_add(length)
+                && other < address.saturating_add(bytes)
+        });
+        overlapping.count() > 1
+    }
+}
+
+/// Whether a call writes to the memory of one of several pointers, of these sizes of an element.
+pub(crate) const fn writes_one_of_several(pointers: &[(usize, bool)]) -> bool {
+    let (mut count, mut written, mut at) = (0, false, 0);
+    while at < pointers.len() {
+        count += (pointers[at].0 > 0) as usize;
+        written |= pointers[at].1;
+        at += 1;
+    }
+    written && count > 1
+}
+
+/// What `element` gives, `length` times; nothing if there is no memory for so many.
+fn collect<T>(length: usize, element: impl FnMut(usize) -> T) -> Vec<T> {
+    let mut all = Vec::new();
+    if all.try_reserve_exact(length).is_ok() {
+        all.extend((0..length).map(element));
+    }
+    all
+}
+
 /// Of text: it ends with a zero.
 pub(crate) const TERMINATED: usize = usize::MAX;
 
@@ -32,15 +74,19 @@ pub(crate) trait Param<'a>: Sized {
     type Held: 'static;
     /// Whether C's pointer needs a length from [`lengths`](crate::lengths).
     const COUNTED: Counted = Counted::No;
+    /// Bytes of an element of what C's pointer points to while the call runs; 0 of what is no pointer or was copied.
+    const ELEMENT: usize = 0;
+    /// Whether the call writes to these elements.
+    const WRITTEN: bool = false;
 
     /// The argument as a number, for the lengths of others; of pointers the address.
     fn number(raw: Self::Raw) -> isize;
 
-    /// Takes C's argument: `length` elements if it is a pointer; `arguments` are all of the call.
+    /// Takes C's argument: `length` elements if it is a pointer; `call` has all arguments.
     ///
     /// # Safety
     /// A pointer that is not null has `length` elements, or ends with a zero if it is a string.
-    unsafe fn hold(raw: Self::Raw, length: usize, arguments: &[isize]) -> Self::Held;
+    unsafe fn hold(raw: Self::Raw, length: usize, call: &Arguments<'_>) -> Self::Held;
 
     /// The argument for the method.
     fn lend(held: &'a mut Self::Held) -> Self;
@@ -56,7 +102,7 @@ macro_rules! numbers {
                 $number
             }
 
-            unsafe fn hold(raw: $ty, _: usize, _: &[isize]) -> $ty {
+            unsafe fn hold(raw: $ty, _: usize, _: &Arguments<'_>) -> $ty {
                 raw
             }
 
@@ -80,7 +126,7 @@ impl Param<'_> for bool {
         raw.into()
     }
 
-    unsafe fn hold(raw: u8, _: usize, _: &[isize]) -> bool {
+    unsafe fn hold(raw: u8, _: usize, _: &Arguments<'_>) -> bool {
         raw != 0
     }
 
@@ -100,7 +146,7 @@ macro_rules! opaque {
                 $number
             }
 
-            unsafe fn hold(raw: $ty, _: usize, _: &[isize]) -> $ty {
+            unsafe fn hold(raw: $ty, _: usize, _: &Arguments<'_>) -> $ty {
                 raw
             }
 
@@ -128,22 +174,20 @@ impl<'a, T: Copy + 'static> Param<'a> for &'a [T] {
     type Raw = *const T;
     type Held = Elements<T>;
     const COUNTED: Counted = Counted::Elements;
+    const ELEMENT: usize = size_of::<T>();
 
     fn number(raw: *const T) -> isize {
         // `Strings` makes a pointer of it again.
         raw.expose_provenance() as isize
     }
 
-    unsafe fn hold(raw: *const T, length: usize, _: &[isize]) -> Elements<T> {
+    unsafe fn hold(raw: *const T, length: usize, _: &Arguments<'_>) -> Elements<T> {
         // No memory has more.
         let most = isize::MAX as usize / size_of::<T>().max(1);
         let length = if raw.is_null() { 0 } else { length.min(most) };
-        let copy = if raw.is_aligned() {
-            Vec::new()
-        } else {
-            // SAFETY: promised by the caller; such a read needs no alignment.
-            (0..length).map(|at| unsafe { raw.add(at).read_unaligned() }).collect()
-        };
+        let copied = if raw.is_aligned() { 0 } else { length };
+        // SAFETY: promised by the caller; such a read needs no alignment.
+        let copy = collect(copied, |at| unsafe { raw.add(at).read_unaligned() });
         Elements { pointer: raw, length, copy }
     }
 
@@ -165,12 +209,6 @@ pub(crate) struct ElementsMut<T: Copy> {
     copy: Vec<MaybeUninit<T>>,
 }
 
-/// Whether two arguments are this address.
-#[inline(never)]
-fn is_shared(address: usize, arguments: &[isize]) -> bool {
-    arguments.iter().filter(|&&argument| argument as usize == address).count() > 1
-}
-
 impl<T: Copy> Drop for ElementsMut<T> {
     fn drop(&mut self) {
         for (at, &value) in self.copy.iter().enumerate() {
@@ -184,19 +222,25 @@ impl<'a, T: Copy + 'static> Param<'a> for &'a mut [T] {
     type Raw = *mut T;
     type Held = ElementsMut<T>;
     const COUNTED: Counted = Counted::Elements;
+    const ELEMENT: usize = size_of::<T>();
+    const WRITTEN: bool = true;
 
     fn number(raw: *mut T) -> isize {
         raw.addr() as isize
     }
 
-    unsafe fn hold(raw: *mut T, length: usize, arguments: &[isize]) -> ElementsMut<T> {
-        let length = if raw.is_null() { 0 } else { length };
-        let direct = raw.is_aligned() && !is_shared(raw.addr(), arguments);
-        let copied = if direct { 0 } else { length };
+    unsafe fn hold(raw: *mut T, length: usize, call: &Arguments<'_>) -> ElementsMut<T> {
+        // No memory has more.
+        let most = isize::MAX as usize / size_of::<T>().max(1);
+        let length = if raw.is_null() { 0 } else { length.min(most) };
+        let direct = raw.is_aligned() && !call.overlap(raw.addr(), length * size_of::<T>());
         let from = raw.cast::<MaybeUninit<T>>();
+        if direct {
+            return ElementsMut { pointer: raw, length, copy: Vec::new() };
+        }
         // SAFETY: promised by the caller; such a read needs no alignment.
-        let copy = (0..copied).map(|at| unsafe { from.add(at).read_unaligned() }).collect();
-        ElementsMut { pointer: raw, length, copy }
+        let copy = collect(length, |at| unsafe { from.add(at).read_unaligned() });
+        ElementsMut { pointer: raw, length: copy.len(), copy }
     }
 
     fn lend(held: &'a mut ElementsMut<T>) -> &'a mut [T] {
@@ -218,7 +262,7 @@ impl<'a> Param<'a> for Data<'a> {
         raw.addr() as isize
     }
 
-    unsafe fn hold(raw: *const c_void, _: usize, _: &[isize]) -> ClientPointer<'static> {
+    unsafe fn hold(raw: *const c_void, _: usize, _: &Arguments<'_>) -> ClientPointer<'static> {
         // SAFETY: promised by the caller.
         unsafe { memory::pointer(raw.cast()) }
     }
@@ -236,7 +280,7 @@ impl<'a> Param<'a> for DataOut<'a> {
         raw.addr() as isize
     }
 
-    unsafe fn hold(raw: *mut c_void, _: usize, _: &[isize]) -> ClientPointer<'static> {
+    unsafe fn hold(raw: *mut c_void, _: usize, _: &Arguments<'_>) -> ClientPointer<'static> {
         // SAFETY: promised by the caller.
         unsafe { memory::pointer(raw.cast_const().cast()) }
     }
@@ -246,12 +290,19 @@ impl<'a> Param<'a> for DataOut<'a> {
     }
 }
 
-/// Text of C's; bytes that are no UTF-8 become question marks, so that lengths stay.
+/// Text of C's; bytes that are no UTF-8 become question marks, so that lengths stay. Empty if there is no memory for it.
 fn utf8(bytes: &[u8]) -> String {
-    match std::str::from_utf8(bytes) {
-        Ok(text) => text.to_owned(),
-        Err(_) => bytes.iter().map(|&b| if b.is_ascii() { char::from(b) } else { '?' }).collect(),
+    let mut text = String::new();
+    if text.try_reserve_exact(bytes.len()).is_err() {
+        return text;
     }
+    match std::str::from_utf8(bytes) {
+        Ok(valid) => text.push_str(valid),
+        Err(_) => {
+            text.extend(bytes.iter().map(|&b| if b.is_ascii() { char::from(b) } else { '?' }))
+        }
+    }
+    text
 }
 
 /// `length` bytes of C's, or [`TERMINATED`]; nothing for the null pointer.
@@ -282,7 +333,7 @@ impl<'a> Param<'a> for &'a str {
         raw.addr() as isize
     }
 
-    unsafe fn hold(raw: *const c_char, length: usize, _: &[isize]) -> Cow<'static, str> {
+    unsafe fn hold(raw: *const c_char, length: usize, _: &Arguments<'_>) -> Cow<'static, str> {
         // SAFETY: promised by the caller.
         unsafe { text(raw, length) }
     }
@@ -305,27 +356,25 @@ impl<'a> Param<'a> for Strings<'a> {
     unsafe fn hold(
         raw: *const *const c_char,
         length: usize,
-        arguments: &[isize],
+        call: &Arguments<'_>,
     ) -> Vec<Cow<'static, str>> {
         // Of a name that is no shader's the strings are not looked at.
+        let arguments = call.numbers;
         let shader = arguments.first().map_or(0, |&name| name as u32);
         if raw.is_null() || with_current(|context| context.is_shader(shader)) != Some(true) {
             return Vec::new();
         }
         let lengths = arguments.last().map_or(0, |&lengths| lengths as usize);
         let lengths = std::ptr::with_exposed_provenance::<i32>(lengths);
-        (0..length)
-            .map(|at| {
-                // SAFETY: promised by the caller: `length` pointers, and as many lengths if any.
-                let (text, length) = unsafe {
-                    let length =
-                        if lengths.is_null() { -1 } else { lengths.add(at).read_unaligned() };
-                    (raw.add(at).read_unaligned(), length)
-                };
-                // SAFETY: so many bytes, or a negative length, which says that a zero ends it.
-                unsafe { self::text(text, usize::try_from(length).unwrap_or(TERMINATED)) }
-            })
-            .collect()
+        collect(length, |at| {
+            // SAFETY: promised by the caller: `length` pointers, and as many lengths if any.
+            let (text, length) = unsafe {
+                let length = if lengths.is_null() { -1 } else { lengths.add(at).read_unaligned() };
+                (raw.add(at).read_unaligned(), length)
+            };
+            // SAFETY: so many bytes, or a negative length, which says that a zero ends it.
+            unsafe { self::text(text, usize::try_from(length).unwrap_or(TERMINATED)) }
+        })
     }
 
     fn lend(held: &'a mut Vec<Cow<'static, str>>) -> Self {
@@ -346,19 +395,15 @@ impl<'a> Param<'a> for Names<'a> {
     unsafe fn hold(
         raw: *const *const c_char,
         length: usize,
-        arguments: &[isize],
+        call: &Arguments<'_>,
     ) -> Vec<Cow<'static, str>> {
         // Of a name that is no program's the strings are not looked at.
-        let program = arguments.first().map_or(0, |&name| name as u32);
+        let program = call.numbers.first().map_or(0, |&name| name as u32);
         if raw.is_null() || with_current(|context| context.is_program(program)) != Some(true) {
             return Vec::new();
         }
-        (0..length)
-            .map(|at| {
-                // SAFETY: promised by the caller: `length` pointers to texts that zeros end.
-                unsafe { text(raw.add(at).read_unaligned(), TERMINATED) }
-            })
-            .collect()
+        // SAFETY: promised by the caller: `length` pointers to texts that zeros end.
+        collect(length, |at| unsafe { text(raw.add(at).read_unaligned(), TERMINATED) })
     }
 
     fn lend(held: &'a mut Vec<Cow<'static, str>>) -> Self {
@@ -370,12 +415,13 @@ impl<'a> Param<'a> for TextOut<'a> {
     type Raw = *mut c_char;
     type Held = (*mut c_char, usize);
     const COUNTED: Counted = Counted::Elements;
+    const ELEMENT: usize = 1;
 
     fn number(raw: *mut c_char) -> isize {
         raw.addr() as isize
     }
 
-    unsafe fn hold(raw: *mut c_char, length: usize, _: &[isize]) -> (*mut c_char, usize) {
+    unsafe fn hold(raw: *mut c_char, length: usize, _: &Arguments<'_>) -> (*mut c_char, usize) {
         (raw, length)
     }
 
@@ -400,15 +446,11 @@ impl<'a> Param<'a> for Pointers<'a> {
     unsafe fn hold(
         raw: *const *const c_void,
         length: usize,
-        _: &[isize],
+        _: &Arguments<'_>,
     ) -> Vec<ClientPointer<'static>> {
         let length = if raw.is_null() { 0 } else { length };
-        (0..length)
-            .map(|at| {
-                // SAFETY: promised by the caller: `length` pointers, to what the call reads.
-                unsafe { memory::pointer(raw.add(at).read_unaligned().cast()) }
-            })
-            .collect()
+        // SAFETY: promised by the caller: `length` pointers, to what the call reads.
+        collect(length, |at| unsafe { memory::pointer(raw.add(at).read_unaligned().cast()) })
     }
 
     fn lend(held: &'a mut Vec<ClientPointer<'static>>) -> Self {

@@ -15,6 +15,7 @@ pub mod error;
 pub(crate) mod float_environment;
 pub(crate) mod inverse;
 pub(crate) mod limits;
+pub(crate) mod memory;
 pub(crate) mod params;
 pub(crate) mod query_value;
 pub(crate) mod refused_result;

@@ -38,12 +38,15 @@ pub(crate) fn unit(values: &[f32]) -> Result<QueryValue> {
 
 /// Copies query results to `params`, which must be long enough for all of them.
 pub(crate) fn put<T: Copy>(params: &mut [T], values: &[T]) -> Result<()> {
-    let (needed, has) = (values.len(), params.len());
+    destination(params, values.len())?.copy_from_slice(values);
+    Ok(())
+}
+
+/// The elements of `params` that as many values are written to.
+pub(crate) fn destination<T>(params: &mut [T], needed: usize) -> Result<&mut [T]> {
+    let has = params.len();
     match params.get_mut(..needed) {
-        Some(params) => {
-            params.copy_from_slice(values);
-            Ok(())
-        }
+        Some(params) => Ok(params),
         None => invalid_operation(
             "GL 2.1, section 6.1",
             format!("the answer has {needed} values, params has room for {has}"),

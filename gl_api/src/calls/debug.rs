@@ -5,6 +5,7 @@ use crate::base::constants::*;
 use crate::base::error::{
     ErrorCode, GlError, Result, Table, invalid_operation, invalid_value, not_negative,
 };
+use crate::base::memory::{copied, out_of_memory};
 use crate::base::types::*;
 use crate::context::Context;
 use crate::context::debug::Output;
@@ -104,7 +105,8 @@ pub(crate) fn debug_message_control(
         );
     }
     let kind = MessageClass { source, ty, severity };
-    context.debug.log.add_filter(Filter { kind, ids: ids.to_vec(), on: enabled });
+    let ids = copied(ids).map_err(out_of_memory(SECTION, "a copy of ids"))?;
+    context.debug.log.add_filter(Filter { kind, ids, on: enabled });
     Ok(())
 }
 

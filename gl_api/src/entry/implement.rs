@@ -77,13 +77,21 @@ macro_rules! implement {
             let name = stringify!($gl);
             if $crate::record::proxy::asks_proxy(name, integers) {
                 // Carried out below.
-            } else if let (Some(()), $(Some($param),)*) =
-                (Some(()), $($crate::record::arguments::RecordArgument::record(&$param, $context, name, integers),)*)
-            {
-                let run = move |context: &mut $crate::context::Context| {
-                    $module::$method(context $(, $crate::record::arguments::RecordedArgument::argument(&$param))*)
-                };
-                return $context.record(name, $crate::base::begin_end::BeginEnd::$begin_end, Box::new(run));
+            } else {
+                let recorded = $crate::record::arguments::record_all(|| {
+                    let _ = (&mut *$context, name, integers);
+                    Ok(($($crate::record::arguments::RecordArgument::record(&$param, $context, name, integers)?,)*))
+                });
+                match recorded {
+                    Ok(($($param,)*)) => {
+                        let run = move |context: &mut $crate::context::Context| {
+                            $module::$method(context $(, $crate::record::arguments::RecordedArgument::argument(&$param))*)
+                        };
+                        return $context.record(name, $crate::base::begin_end::BeginEnd::$begin_end, Box::new(run));
+                    }
+                    Err($crate::record::arguments::NotRecorded::NoMemory) => return $context.has_no_memory_to_record(name),
+                    Err($crate::record::arguments::NotRecorded::Answers) => {}
+                }
             }
         }
     };

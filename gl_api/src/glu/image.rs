@@ -6,6 +6,7 @@ use super::pixels::{Layout, Meaning, Storage, Store};
 use super::scale::scale;
 use crate::base::args::{Data, DataOut, Located, LocatedOut};
 use crate::base::constants::*;
+use crate::base::memory::copied;
 use crate::base::types::{GLenum, GLint, GLsizei};
 use crate::entry::{Arg, glGetIntegerv, glPixelStorei};
 use crate::pixel::layout::ByteOrder;
@@ -37,7 +38,7 @@ pub fn gluScaleImage<'a>(
     let result = from.and_then(|from| {
         let to = to?;
         // A copy: C may want the new image where the old one is.
-        let given = bytes(data_in.arg(), &from).to_vec();
+        let given = copied(bytes(data_in.arg(), &from)).map_err(|_| GLU_OUT_OF_MEMORY)?;
         let LocatedOut::Bytes(out) = data_out.arg().locate(0, to.needed()) else {
             return Err(GLU_INVALID_VALUE);
         };

@@ -2,9 +2,11 @@
 //! becomes the argument again.
 
 use crate::base::args::{Data, DataOut, Located, Names, Pointers, Strings, TextOut};
+use crate::base::memory::copied;
 use crate::context::sharing::CallScope;
 use crate::context::{Context, GLDEBUGPROC};
 use crate::record::list_memory;
+use std::collections::TryReserveError;
 use std::convert::Infallible;
 use std::marker::PhantomData;
 
@@ -13,15 +15,43 @@ pub(crate) trait RecordArgument {
     /// What a list has of it.
     type Recorded: Send + Sync + 'static;
 
-    /// A copy of what the argument says or points to, or `None` where the call answers something
-    /// through it, and so is not compiled. `integers` are all arguments of the call `name`.
-    fn record(&self, context: &mut Context, name: &str, integers: &[i64])
-    -> Option<Self::Recorded>;
+    /// A copy of what the argument says or points to. `integers` are all arguments of the call `name`.
+    ///
+    /// # Errors
+    /// Why the call is not recorded.
+    fn record(
+        &self,
+        context: &mut Context,
+        name: &str,
+        integers: &[i64],
+    ) -> Result<Self::Recorded, NotRecorded>;
 
     /// The argument as a number; 0 for pointers, and for floats: no length depends on one, and converting one would
     /// compute in the host's floating-point state.
     fn integer(&self) -> i64 {
         0
+    }
+}
+
+/// Why a call is not recorded.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum NotRecorded {
+    /// It answers something, and so is executed.
+    Answers,
+    /// There is no memory for a copy of what it reads.
+    NoMemory,
+}
+
+/// Records the arguments of a call, until one is not recorded.
+pub(crate) fn record_all<T>(
+    record: impl FnOnce() -> Result<T, NotRecorded>,
+) -> Result<T, NotRecorded> {
+    record()
+}
+
+impl From<TryReserveError> for NotRecorded {
+    fn from(_: TryReserveError) -> Self {
+        Self::NoMemory
     }
 }
 
@@ -41,8 +71,8 @@ macro_rules! numbers {
         impl RecordArgument for $ty {
             type Recorded = $ty;
 
-            fn record(&self, _: &mut Context, _: &str, _: &[i64]) -> Option<$ty> {
-                Some(*self)
+            fn record(&self, _: &mut Context, _: &str, _: &[i64]) -> Result<$ty, NotRecorded> {
+                Ok(*self)
             }
 
             fn integer(&self) -> i64 {
@@ -68,8 +98,8 @@ numbers!(f32, f64; |_| 0);
 impl<T: Copy + Send + Sync + 'static> RecordArgument for &[T] {
     type Recorded = Vec<T>;
 
-    fn record(&self, _: &mut Context, _: &str, _: &[i64]) -> Option<Vec<T>> {
-        Some(self.to_vec())
+    fn record(&self, _: &mut Context, _: &str, _: &[i64]) -> Result<Vec<T>, NotRecorded> {
+        Ok(copied(self)?)
     }
 }
 
@@ -84,8 +114,8 @@ impl<T: Copy + Send + Sync + 'static> RecordedArgument for Vec<T> {
 impl RecordArgument for &str {
     type Recorded = String;
 
-    fn record(&self, _: &mut Context, _: &str, _: &[i64]) -> Option<String> {
-        Some((*self).to_owned())
+    fn record(&self, _: &mut Context, _: &str, _: &[i64]) -> Result<String, NotRecorded> {
+        Ok((*self).to_owned())
     }
 }
 
@@ -108,14 +138,19 @@ pub(crate) enum RecordedData {
 impl RecordArgument for Data<'_> {
     type Recorded = RecordedData;
 
-    fn record(&self, context: &mut Context, name: &str, integers: &[i64]) -> Option<RecordedData> {
+    fn record(
+        &self,
+        context: &mut Context,
+        name: &str,
+        integers: &[i64],
+    ) -> Result<RecordedData, NotRecorded> {
         // The pixels may lie in a buffer of the group.
         let scope = CallScope { context };
         let context = &*scope.context;
-        Some(match list_memory::bytes(context, name, integers, *self) {
+        Ok(match list_memory::bytes(context, name, integers, *self)? {
             Some(bytes) => RecordedData::Bytes(bytes),
             None => match self.locate(0, 0) {
-                Located::Bytes(bytes) => RecordedData::Bytes(bytes.to_vec()),
+                Located::Bytes(bytes) => RecordedData::Bytes(copied(bytes)?),
                 Located::Offset(offset) => RecordedData::Offset(offset),
                 Located::Null => RecordedData::Null,
             },
@@ -138,19 +173,19 @@ impl RecordedArgument for RecordedData {
 /// For parameters through which a call answers: such a call is not compiled, and no value of this
 /// type exists.
 #[derive(Debug)]
-pub(crate) struct NotRecorded<T>(Infallible, PhantomData<fn() -> T>);
+pub(crate) struct Unrecordable<T>(Infallible, PhantomData<fn() -> T>);
 
 macro_rules! answers {
     ($([$($generic:tt)*] $ty:ty, $mark:ty => $lent:ty;)*) => { $(
         impl<$($generic)*> RecordArgument for $ty {
-            type Recorded = NotRecorded<$mark>;
+            type Recorded = Unrecordable<$mark>;
 
-            fn record(&self, _: &mut Context, _: &str, _: &[i64]) -> Option<NotRecorded<$mark>> {
-                None
+            fn record(&self, _: &mut Context, _: &str, _: &[i64]) -> Result<Unrecordable<$mark>, NotRecorded> {
+                Err(NotRecorded::Answers)
             }
         }
 
-        impl<$($generic)*> RecordedArgument for NotRecorded<$mark> {
+        impl<$($generic)*> RecordedArgument for Unrecordable<$mark> {
             type Argument<'a> = $lent;
 
             fn argument(&self) -> Self::Argument<'_> {

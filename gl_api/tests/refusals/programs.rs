@@ -242,18 +242,18 @@ const CASES: &[Case] = &[
     (
         |c| {
             let l = at(c, "fa");
-            c.uniform_1fv(l, 3, &[0.0; 2])
+            c.uniform_1fv(l, 3, &[0.0; 1])
         },
         OPERATION,
-        "has 2",
+        "has 1",
     ),
     (
         |c| {
             let l = at(c, "ma");
-            c.uniform_matrix_4fv(l, 1 << 28, false, &[0.0; 16])
+            c.uniform_matrix_4fv(l, 1 << 28, false, &[0.0; 15])
         },
         OPERATION,
-        "count = 268435456 elements take 4294967",
+        "of count = 268435456 elements take ",
     ),
     (
         |c| {

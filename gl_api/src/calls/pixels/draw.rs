@@ -3,6 +3,7 @@
 use crate::base::args::Data;
 use crate::base::constants::enum_name;
 use crate::base::error::{Result, invalid_operation, not_negative};
+use crate::base::memory::{out_of_memory, zeroed};
 use crate::base::types::*;
 use crate::calls::pixels::stencil;
 use crate::context::Context;
@@ -116,6 +117,8 @@ pub(crate) fn draw_pixels(
         Ok(texels)
     };
     // Row by row: all of them would be written and read once more.
+    zeroed(width.saturating_mul(format.bytes()))
+        .map_err(out_of_memory(SECTION, "a row of pixels"))?;
     let conversion = to(format);
     let rows = |y: usize| {
         let row = &bytes[layout.start + y * layout.stride..][..layout.row_bytes()];

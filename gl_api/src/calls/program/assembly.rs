@@ -65,6 +65,8 @@ fn set_several(
 ) -> Result<()> {
     const SECTION: &str = "EXT_gpu_program_parameters";
     let count = not_negative(SECTION, "count", count.into())?;
+    TARGET.decode("target", target)?;
+    checked(scope, index, count)?;
     let values: Vec<[f32; 4]> =
         params.chunks_exact(4).take(count).map(|chunk| std::array::from_fn(|i| chunk[i])).collect();
     if values.len() < count {

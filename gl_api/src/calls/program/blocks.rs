@@ -5,7 +5,7 @@ use crate::base::args::{Names, TextOut};
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation, invalid_value, not_negative};
 use crate::base::limits::MAX_UNIFORM_BUFFER_BINDINGS;
-use crate::base::query_value::put;
+use crate::base::query_value::{destination, put};
 use crate::base::types::*;
 use crate::calls::program::data_type::gl_type;
 use crate::calls::program::inspect::{Active, active_uniforms, first_member};
@@ -30,12 +30,16 @@ pub(crate) fn get_uniform_indices(
         let message = format!("uniformCount = {count}, but there are {has} names");
         return invalid_operation(SECTION, message);
     };
-    let index = |name: &&str| {
-        let is = |uniform: Active<'_>| uniform.name == *name || uniform.listed() == *name;
+    let index = |name: &str| {
+        let is = |uniform: Active<'_>| uniform.name == name || uniform.listed() == name;
         let found = active_uniforms(object).position(is);
         found.map_or(GL_INVALID_INDEX, |index| index as GLuint)
     };
-    put(uniform_indices, &names.iter().map(index).collect::<Vec<_>>())
+    let indices = destination(uniform_indices, count)?;
+    for (place, name) in indices.iter_mut().zip(names) {
+        *place = index(name);
+    }
+    Ok(())
 }
 
 /// What `glGetActiveUniformsiv` answers.
@@ -107,14 +111,14 @@ pub(crate) fn get_active_uniformsiv(
     };
     let property = OfUniform::TABLE.decode("pname", pname)?;
     let uniforms: Vec<Active<'_>> = active_uniforms(object).collect();
-    let mut values = Vec::with_capacity(count);
-    for (at, &index) in indices.iter().enumerate() {
-        let Some(uniform) = uniforms.get(index as usize) else {
-            return no_uniform(object, &format!("uniformIndices[{at}]"), index);
-        };
-        values.push(property.of(uniform));
+    let is_missing = |index: &GLuint| uniforms.get(*index as usize).is_none();
+    if let Some(at) = indices.iter().position(is_missing) {
+        return no_uniform(object, &format!("uniformIndices[{at}]"), indices[at]);
     }
-    put(params, &values)
+    for (place, &index) in destination(params, count)?.iter_mut().zip(indices) {
+        *place = property.of(&uniforms[index as usize]);
+    }
+    Ok(())
 }
 
 pub(crate) fn get_active_uniform_name(

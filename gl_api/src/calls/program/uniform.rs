@@ -80,11 +80,13 @@ fn store(
     let taken = count.min(uniform.array.unwrap_or(1) as usize - element);
     check(uniform, taken)?;
     let each = element_words(uniform.ty);
-    let needed = count.saturating_mul(each);
+    let needed = taken * each;
     if given < needed {
         return invalid_operation(
             SECTION,
-            format!("count = {count} elements take {needed} numbers, the memory has {given}"),
+            format!(
+                "{taken} of count = {count} elements take {needed} numbers, the memory has {given}"
+            ),
         );
     }
     let first = uniform.word as usize + element * each;

@@ -3,7 +3,9 @@
 use crate::base::args::{Names, TextOut};
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation, invalid_value, not_negative};
-use crate::base::limits::MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS;
+use crate::base::limits::{
+    MAX_TRANSFORM_FEEDBACK_INTERLEAVED_COMPONENTS, MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS,
+};
 use crate::base::query_value::put;
 use crate::base::types::*;
 use crate::calls::program::data_type::gl_type;
@@ -44,6 +46,8 @@ pub(crate) fn transform_feedback_varyings(
             ),
         );
     }
+    // With so many linking fails, whatever they are.
+    let count = count.min(MAX_TRANSFORM_FEEDBACK_INTERLEAVED_COMPONENTS + 1);
     let Some(names) = varyings.0.get(..count) else {
         let has = varyings.0.len();
         return invalid_operation(SECTION, format!("count = {count}, but there are {has} names"));

@@ -7,6 +7,7 @@
 use crate::base::args::Data;
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation, invalid_value, not_negative};
+use crate::base::memory::{copied, out_of_memory};
 use crate::base::types::*;
 use crate::context::Context;
 use crate::draw::array_names::refuse_client_memory;
@@ -151,7 +152,8 @@ fn set(
         }
         Data::Bytes(bytes) => {
             context.recorder.hold(bytes.len());
-            Source::Client(Buffer::new(bytes.to_vec()))
+            let bytes = copied(bytes).map_err(out_of_memory(SECTION, "a copy of the array"))?;
+            Source::Client(Buffer::new(bytes))
         }
         Data::Client(pointer) if name != 0 => Source::Object { buffer, offset: pointer.offset() },
         Data::Client(pointer) if pointer.is_null() => Source::Client(Buffer::default()),

@@ -3,6 +3,7 @@
 use crate::base::args::{Data, Located};
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation, not_negative};
+use crate::base::memory::{copied, out_of_memory};
 use crate::base::types::*;
 use crate::calls::vertex::draws::SECTION;
 use crate::context::Context;
@@ -94,7 +95,10 @@ pub(crate) fn index_buffer(
     needed: usize,
 ) -> Result<(Buffer, usize)> {
     let offset = match located_indices(context, indices, count, needed)? {
-        Located::Bytes(bytes) => return Ok((Buffer::new(bytes.to_vec()), 0)),
+        Located::Bytes(bytes) => {
+            let bytes = copied(bytes).map_err(out_of_memory(SECTION, "a copy of the indices"))?;
+            return Ok((Buffer::new(bytes), 0));
+        }
         Located::Null => return Ok((Buffer::default(), 0)),
         Located::Offset(offset) => offset,
     };
