@@ -87,16 +87,16 @@ fn bits(lanes: F32s) -> [u32; LANES] {
 }
 
 /// A lookup as part of a kernel: its colours, and its bytes, if that is what they are.
-struct Taken<'a> {
+struct FusedLookup<'a> {
     isa: Isa,
     plan: &'a SamplePlan,
     coords: [&'a F32s; 3],
 }
 
 /// Keeps what a lookup gives.
-struct Keep;
+struct KeepTexels;
 
-impl TexelConsumer for Keep {
+impl TexelConsumer for KeepTexels {
     type Output = ([F32s; 4], Option<U32s>);
 
     #[inline(always)]
@@ -113,7 +113,7 @@ impl TexelConsumer for Keep {
     }
 }
 
-impl Kernel for Taken<'_> {
+impl Kernel for FusedLookup<'_> {
     type Output = ([F32s; 4], Option<U32s>);
 
     #[inline(always)]
@@ -127,7 +127,7 @@ impl Kernel for Taken<'_> {
             self.plan.prefetch::<S>([s, t], LevelHint::Uniform(read));
         }
         let known = SelectedLevels { levels: read, weight: &weight, addresses: Addresses::Compute };
-        self.plan.sample_fused::<S, _>(self.isa, self.coords, lod, known, scratch, Keep)
+        self.plan.sample_fused::<S, _>(self.isa, self.coords, lod, known, scratch, KeepTexels)
     }
 }
 
@@ -194,7 +194,7 @@ fn the_short_way_gives_the_bits_of_the_general_one() {
             assert_eq!(want, sample(&plan.general()), "{}", plan.describe());
             if plan.samples_color() {
                 let coords = coords.each_ref();
-                let (colors, bytes) = isa.run(Taken { isa, plan: &plan, coords });
+                let (colors, bytes) = isa.run(FusedLookup { isa, plan: &plan, coords });
                 let got = colors.map(bits);
                 assert_eq!(got, want, "as part of a kernel: {}", plan.describe());
                 for lane in 0..LANES {
