@@ -1,7 +1,7 @@
 //! What passes of a device use: its description, pools of reusable objects, explanations of plans.
 
 use super::report::DeviceError;
-use crate::raster::{ShapeLists, Worker};
+use crate::raster::{ShapeLists, TileRenderer};
 use crate::shader::Machine;
 use crate::threads::ObjectPool;
 use crate::vertex::Geometry;
@@ -72,7 +72,7 @@ pub(super) struct Resources {
     /// Memory for shapes.
     pub lists: ObjectPool<ShapeLists>,
     /// Scratch of the threads that run tiles.
-    pub workers: ObjectPool<Worker>,
+    pub tile_renderers: ObjectPool<TileRenderer>,
     /// The plans seen so far.
     explained: Mutex<BTreeSet<String>>,
     kept: Mutex<Vec<String>>,
@@ -86,7 +86,7 @@ impl Resources {
             machines: ObjectPool::default(),
             geometries: ObjectPool::default(),
             lists: ObjectPool::default(),
-            workers: ObjectPool::default(),
+            tile_renderers: ObjectPool::default(),
             explained: Mutex::default(),
             kept: Mutex::default(),
         }

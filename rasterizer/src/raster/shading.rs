@@ -100,7 +100,7 @@ impl Shader {
         }
     }
 
-    /// Shades a run, whose tests are done, and forgets it. The plan has said that this is all.
+    /// Shades a run, whose early tests are done, and empties it. Its plan has no late tests.
     pub fn shade_run(
         &mut self,
         pass: &PassJob,
@@ -178,7 +178,7 @@ impl Shader {
         }
         let is_done = words.is_some();
         isa.run(Multiply { isa, plan, product, machine, run: blocks, products, words });
-        products.done(blocks);
+        products.finish_run(blocks);
         if !is_done {
             let products = &self.products;
             write_run(isa, job, blocks, tile, |file, _, component| products.color(file, component));
@@ -204,11 +204,11 @@ impl Shader {
         if tile.watched.is_some() {
             self.shade_watched(pass, job, batch, tile);
         } else {
-            self.shade_noting(pass, job, batch, tile, &mut None);
+            self.shade_and_trace(pass, job, batch, tile, &mut None);
         }
     }
 
-    /// As [`Self::shade_noting`], in a tile of which a pixel is watched: apart, since it is never in a hurry.
+    /// As [`Self::shade_and_trace`], in a tile of which a pixel is watched, outlined: its speed does not matter.
     #[cold]
     #[inline(never)]
     fn shade_watched(
@@ -219,16 +219,16 @@ impl Shader {
         tile: &mut TileJob,
     ) {
         let spot = tile.watched.as_mut();
-        let mut shaded = spot.and_then(|spot| spot.begin(batch.place(), batch.masks.any()));
-        self.shade_noting(pass, job, batch, tile, &mut shaded);
+        let mut shaded = spot.and_then(|spot| spot.begin(batch.layout(), batch.masks.any()));
+        self.shade_and_trace(pass, job, batch, tile, &mut shaded);
         if let (Some(spot), Some(shaded)) = (&mut tile.watched, shaded) {
             spot.end(shaded);
         }
     }
 
-    /// Shades; what happens to a pixel that is watched is noted.
+    /// Runs the program, the late tests and the output of a batch; records the steps of the watched fragment in `shaded`.
     #[inline(always)]
-    fn shade_noting(
+    fn shade_and_trace(
         &mut self,
         pass: &PassJob,
         job: &DrawJob,
@@ -242,7 +242,7 @@ impl Shader {
         }
     }
 
-    /// Runs the fragment program; notes the lanes that are left, by sample.
+    /// Runs the fragment program; leaves in `self.left` the lanes that are not discarded, by sample.
     #[inline(always)]
     fn run(
         &mut self,
@@ -276,7 +276,7 @@ impl Shader {
         Ok(())
     }
 
-    /// The tests that had to wait, and the colours.
+    /// The late tests, and the output of colours.
     #[inline(always)]
     fn output(
         &mut self,
@@ -286,7 +286,7 @@ impl Shader {
         tile: &mut TileJob,
         shaded: &mut Option<Shaded>,
     ) {
-        let (isa, plan, place) = (pass.isa, &job.plan, &batch.place());
+        let (isa, plan, place) = (pass.isa, &job.plan, &batch.layout());
         let samples = &plan.samples;
         if let TestTiming::Late(written) = plan.timing
             && self.left.any() != 0
@@ -321,7 +321,7 @@ impl Shader {
         }
     }
 
-    /// The tests that had to wait for the program, which has written some of what is tested.
+    /// The tests after the program, which has `written` some of the tested values.
     fn late_tests(
         &mut self,
         isa: Isa,
@@ -369,7 +369,7 @@ impl Shader {
             Some(output) => Reference::Each(self.machine.output(output)),
             None => Reference::OfFace,
         };
-        let (back, place) = (batch.back(), &batch.place());
+        let (back, place) = (batch.back(), &batch.layout());
         for (sample, mask) in self.left.iter_mut().enumerate() {
             let offset = plan.samples.offset(sample);
             if let (Some(plane), None) = (plan.depth_plane, written.depth)

@@ -30,7 +30,7 @@ pub struct TexelProduct {
     pub lookup_inputs: Vec<usize>,
     /// Which of them its levels of detail depend on, if they depend on nothing else, and nothing else on them:
     /// not on the differences of coordinates.
-    pub detail_inputs: Option<Vec<usize>>,
+    pub lod_inputs: Option<Vec<usize>>,
 }
 
 /// A part of the code before the lookups.
@@ -86,18 +86,18 @@ impl TexelProduct {
         let mut elsewhere = read_by_factors.clone();
         elsewhere.extend(lookups.iter().flat_map(|sample| sample.coords));
         let elsewhere = of(elsewhere);
-        let mut read_by_details = Vec::new();
+        let mut read_by_lods = Vec::new();
         for sample in &lookups {
-            sample.lod.clone().reads(|reg| read_by_details.push(*reg));
+            sample.lod.clone().reads(|reg| read_by_lods.push(*reg));
         }
-        let detail_inputs = of(read_by_details);
-        let are_given = detail_inputs.iter().all(|input| !elsewhere.contains(input))
+        let lod_inputs = of(read_by_lods);
+        let are_given = lod_inputs.iter().all(|input| !elsewhere.contains(input))
             && lookups.iter().all(|sample| !matches!(sample.lod, SampleLod::Implicit { .. }));
-        let detail_inputs = are_given.then_some(detail_inputs);
+        let lod_inputs = are_given.then_some(lod_inputs);
         Some(Self {
             factor_inputs: inputs(layout, read_by_factors, &before_factors),
             lookup_inputs: inputs(layout, read_by_lookups, &before_lookups),
-            detail_inputs,
+            lod_inputs,
             before: steps.before,
             before_factors,
             before_lookups,

@@ -72,7 +72,7 @@ impl Prepared {
 
     /// Whether the texel addresses of a lookup are computed or reused.
     #[inline(always)]
-    pub(super) fn places(&self, sample: &SampleInst) -> Addresses {
+    pub(super) fn addresses(&self, sample: &SampleInst) -> Addresses {
         match sample.repeat {
             Some(number) if self.alike >> number & 1 == 1 => Addresses::Reuse,
             Some(_) | None => Addresses::Compute,

@@ -23,11 +23,11 @@ impl Repeat {
     }
 
     /// Whether the second lookup computes or reuses texel addresses, in a draw with these textures.
-    pub(crate) fn places(&self, textures: &[Option<Arc<SamplePlan>>]) -> Addresses {
+    pub(crate) fn addresses(&self, textures: &[Option<Arc<SamplePlan>>]) -> Addresses {
         let texture = |slot: u32| textures.get(slot as usize)?.as_ref();
-        let [before, here] = self.textures.map(texture);
-        match before.zip(here) {
-            Some((before, here)) if here.shares_addresses_with(before) => Addresses::Reuse,
+        let [before, this] = self.textures.map(texture);
+        match before.zip(this) {
+            Some((before, this)) if this.shares_addresses_with(before) => Addresses::Reuse,
             Some(_) | None => Addresses::Compute,
         }
     }
@@ -87,7 +87,7 @@ fn reads(sample: &mut SampleInst, wanted: Reg) -> bool {
 /// The pairs whose textures are alike, bit by number.
 pub(super) fn alike(repeats: &[Repeat], textures: &[Option<Arc<SamplePlan>>]) -> u64 {
     let bit = |(number, repeat): (usize, &Repeat)| {
-        u64::from(repeat.places(textures) == Addresses::Reuse) << number
+        u64::from(repeat.addresses(textures) == Addresses::Reuse) << number
     };
     repeats.iter().enumerate().map(bit).sum()
 }

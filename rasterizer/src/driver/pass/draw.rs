@@ -118,9 +118,10 @@ impl Pass<'_> {
     /// Puts a small draw into one chunk with those before it, where that is the same; says whether it has shapes.
     fn gather(&mut self, state: &DrawState<'_>) -> Result<bool, OverBudget> {
         let draws = &self.job.draws;
-        let goes_on =
-            |all: &MergedDraws| !all.is_full() && draws[all.draw].gathers(&draws[state.draw]);
-        if !self.merged.as_ref().is_some_and(goes_on) {
+        let can_append = |all: &MergedDraws| {
+            !all.is_full() && draws[all.draw].can_share_chunk(&draws[state.draw])
+        };
+        if !self.merged.as_ref().is_some_and(can_append) {
             self.bin_merged();
         }
         let Resources { geometries, lists, .. } = self.resources;

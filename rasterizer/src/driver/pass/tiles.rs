@@ -94,13 +94,13 @@ impl Pass<'_> {
             });
             homes.push((tx, ty));
         }
-        let (job, workers) = (&self.job, &self.resources.workers);
+        let (job, tile_renderers) = (&self.job, &self.resources.tile_renderers);
         let least = if self.is_small_work() { tiles.len().max(1) } else { 1 };
         self.thread_pool.for_each_chunk(
             &mut tiles,
             least,
-            || workers.borrow(),
-            |worker, tiles| tiles.iter_mut().for_each(|tile| worker.get().run(job, tile)),
+            || tile_renderers.borrow(),
+            |renderer, tiles| tiles.iter_mut().for_each(|tile| renderer.get().run(job, tile)),
         );
         for (tile, (tx, ty)) in tiles.into_iter().zip(homes) {
             let surfaces = self.colors.iter_mut().chain([&mut self.depth]);

@@ -49,8 +49,8 @@ impl Machine {
                     }
                     (Access::Filter { offset }, lod) => {
                         let points = Points { coords, layer, reference };
-                        let places = run.prepared.places(sample);
-                        plan.sample_offset(run.isa, points, offset, lod, places, room);
+                        let addresses = run.prepared.addresses(sample);
+                        plan.sample_offset(run.isa, points, offset, lod, addresses, room);
                     }
                     // Validation wants a level for these.
                     (Access::Fetch { .. } | Access::Size, Lod::Implicit { .. })
