@@ -37,8 +37,8 @@ impl WordPlane {
         (self.word, self.cleared) = (word, !0);
     }
 
-    /// The word that all blocks hold since a clear, if nothing was drawn over it.
-    pub fn alike(&self) -> Option<u32> {
+    /// The word of the clear, if all blocks still hold it.
+    pub fn cleared_word(&self) -> Option<u32> {
         (self.cleared == !0).then_some(self.word)
     }
 
@@ -50,14 +50,14 @@ impl WordPlane {
 
     /// The words of a block, or the one that it is cleared to.
     #[inline(always)]
-    pub fn held(&self, block: usize) -> Result<&U32s, u32> {
+    pub fn block_or_clear(&self, block: usize) -> Result<&U32s, u32> {
         if self.is_cleared(block) { Err(self.word) } else { Ok(&self.words[block]) }
     }
 
     /// The words of a block.
     #[inline]
     pub fn block(&self, block: usize) -> U32s {
-        self.held(block).copied().unwrap_or_else(U32s::splat)
+        self.block_or_clear(block).copied().unwrap_or_else(U32s::splat)
     }
 
     /// A block, for writing.
@@ -110,7 +110,7 @@ impl WordPlane {
         }
     }
 
-    /// Asks for the words of a block that is written soon.
+    /// Prefetches the words of a block.
     #[inline]
     pub fn prefetch(&self, block: usize) {
         if let Some(words) = self.words.get(block) {

@@ -3,7 +3,7 @@
 
 use crate::desc::{Topology, VertexBinding};
 use crate::plan::{Pipeline, Textures};
-use crate::primitive::{Reasons, Setup, Shape, reasons, setup, stipple_lines};
+use crate::primitive::{InvisibleReasons, Setup, Shape, reasons, setup, stipple_lines};
 use crate::raster::{Chunk, ShapeLists};
 use crate::shader::{Machine, OverBudget, Prepared};
 use crate::sizes::TILE;
@@ -45,10 +45,10 @@ pub struct DrawState<'a> {
     pub stipple: u32,
     /// Which instances: several only of [`Self::at_once`].
     pub instances: Range<u32>,
-    /// So many of its primitives are asked why nothing of them is seen, if that is so.
-    pub asked: u32,
+    /// The most primitives for which the reason is recorded, if no primitive is visible.
+    pub max_reasons: u32,
     /// What they say.
-    pub unseen: OnceLock<Reasons>,
+    pub invisible: OnceLock<InvisibleReasons>,
 }
 
 /// The shapes of one tile in a chunk's `binned`.
@@ -207,7 +207,7 @@ impl DrawState<'_> {
         let numbered = self.primitive_id();
         let mut wanted = match numbered {
             [None, None] => VertexList::new(ordinals, self.ids),
-            [Some(_), _] | [None, Some(_)] => VertexList::apart(ordinals, self.ids),
+            [Some(_), _] | [None, Some(_)] => VertexList::without_sharing(ordinals, self.ids),
         };
         wanted.base = first as u32;
         let stage = VertexStage {
@@ -263,10 +263,10 @@ impl DrawState<'_> {
         };
         set_up(wanted);
         (1..self.instances.len() as u32).for_each(|at| set_up(&wanted.of_instance(at)));
-        let is_seen = lists.shapes[before..].iter().any(Shape::is_somewhere);
-        if !is_seen && range.start == 0 && self.asked > 0 {
-            let first = (&self.primitives, 0..range.end.min(self.asked));
-            self.unseen.get_or_init(|| reasons(&self.setup, geometry, first, wanted));
+        let is_visible = lists.shapes[before..].iter().any(Shape::is_somewhere);
+        if !is_visible && range.start == 0 && self.max_reasons > 0 {
+            let first = (&self.primitives, 0..range.end.min(self.max_reasons));
+            self.invisible.get_or_init(|| reasons(&self.setup, geometry, first, wanted));
         }
     }
 }
@@ -359,7 +359,7 @@ mod tests {
             bounds: [low, high],
             vertices: [0; 3],
             provoking: 0,
-            part: Clipping::Whole,
+            clipping: Clipping::Whole,
             kind: ShapeKind::Triangle,
             facing: Facing::Front,
         };

@@ -75,7 +75,7 @@ pub(super) struct Resources {
     pub tile_renderers: ObjectPool<TileRenderer>,
     /// The plans seen so far.
     explained: Mutex<BTreeSet<String>>,
-    kept: Mutex<Vec<String>>,
+    explanations: Mutex<Vec<String>>,
 }
 
 impl Resources {
@@ -88,14 +88,14 @@ impl Resources {
             lists: ObjectPool::default(),
             tile_renderers: ObjectPool::default(),
             explained: Mutex::default(),
-            kept: Mutex::default(),
+            explanations: Mutex::default(),
         }
     }
 
     /// The plans recorded since the last call, without duplicates ([`Explain::Keep`]).
     pub fn take_explanations(&self) -> Vec<String> {
         self.explained.lock().clear();
-        std::mem::take(&mut self.kept.lock())
+        std::mem::take(&mut self.explanations.lock())
     }
 
     /// Takes note of a draw's plan.
@@ -110,7 +110,7 @@ impl Resources {
         match self.desc.explain {
             Explain::Off => {}
             Explain::Print => eprintln!("draw\n{text}"),
-            Explain::Keep => self.kept.lock().push(text),
+            Explain::Keep => self.explanations.lock().push(text),
         }
     }
 }

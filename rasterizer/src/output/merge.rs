@@ -56,13 +56,14 @@ pub fn test(
                         let test = StencilTest { face: &face, reference, stored, mask };
                         (face, mask, isa.run(test))
                     });
-                let passed = front.2 | back.2;
-                let kept = test_depth(isa, tests.depth, depths, place, depth, passed);
+                let stencil_passed = front.2 | back.2;
+                let depth_passed =
+                    test_depth(isa, tests.depth, depths, place, depth, stencil_passed);
                 for (face, mask, passed) in [front, back] {
                     let outcomes = [
                         (face.fail, mask & !passed),
-                        (face.depth_fail, passed & !kept),
-                        (face.pass, passed & kept),
+                        (face.depth_fail, passed & !depth_passed),
+                        (face.pass, passed & depth_passed),
                     ];
                     for (op, mask) in outcomes {
                         if mask != 0 {
@@ -70,7 +71,7 @@ pub fn test(
                         }
                     }
                 }
-                kept
+                depth_passed
             })
         }
         (_, [depths, ..]) => test_depth(isa, tests.depth, depths, place, depth, mask),

@@ -69,8 +69,8 @@ impl ProductPlan {
                     factor_planes.iter_mut().for_each(|planes| planes.smooth.push(plane));
                 }
                 FragmentInput::Zero => {}
-                FragmentInput::SmoothWithin(_)
-                | FragmentInput::LinearWithin(_)
+                FragmentInput::SmoothAtCentroid(_)
+                | FragmentInput::LinearAtCentroid(_)
                 | FragmentInput::SmoothSlope(..)
                 | FragmentInput::LinearSlope(..)
                 | FragmentInput::X
@@ -120,8 +120,8 @@ fn lod_planes(lods: &[usize], inputs: &[FragmentInput]) -> Option<Vec<usize>> {
             FragmentInput::Zero => continue,
             FragmentInput::Smooth(_)
             | FragmentInput::Linear(_)
-            | FragmentInput::SmoothWithin(_)
-            | FragmentInput::LinearWithin(_)
+            | FragmentInput::SmoothAtCentroid(_)
+            | FragmentInput::LinearAtCentroid(_)
             | FragmentInput::Flat(_)
             | FragmentInput::X
             | FragmentInput::Y

@@ -96,7 +96,7 @@ impl Triangles {
                 ],
                 vertices,
                 provoking,
-                part: Clipping::Whole,
+                clipping: Clipping::Whole,
                 kind: ShapeKind::Triangle,
                 facing: if back { Facing::Back } else { Facing::Front },
             });
@@ -160,12 +160,12 @@ impl Kernel for Project<'_> {
             cut[lane] = u32::from(is_cut & !dropped);
             back[lane] = u32::from(!front);
             // Counter-clockwise.
-            let turn = area < 0.0;
+            let is_clockwise = area < 0.0;
             let (b, c) = ([bx[lane], by[lane]], [cx[lane], cy[lane]]);
-            bx[lane] = if turn { c[0] } else { b[0] };
-            by[lane] = if turn { c[1] } else { b[1] };
-            cx[lane] = if turn { b[0] } else { c[0] };
-            cy[lane] = if turn { b[1] } else { c[1] };
+            bx[lane] = if is_clockwise { c[0] } else { b[0] };
+            by[lane] = if is_clockwise { c[1] } else { b[1] };
+            cx[lane] = if is_clockwise { b[0] } else { c[0] };
+            cy[lane] = if is_clockwise { b[1] } else { c[1] };
         }
         // As `setup::bounds` has it.
         let (first, last) = match setup.raster.polygon.antialiasing {

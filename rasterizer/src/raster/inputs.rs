@@ -248,7 +248,7 @@ impl Fill<'_> {
                 }
                 FragmentInput::Smooth(index) => *out.as_f32_mut() = evaluate::<S>(source, index),
                 FragmentInput::Linear(index) => *out.as_f32_mut() = evaluate::<S>(source, index),
-                FragmentInput::SmoothWithin(index) => {
+                FragmentInput::SmoothAtCentroid(index) => {
                     let mut value = evaluate_moved::<S>(source, index, &centroids);
                     let over = evaluate_moved::<S>(source, denominator, &centroids);
                     for lane in 0..LANES {
@@ -256,7 +256,7 @@ impl Fill<'_> {
                     }
                     *out.as_f32_mut() = value;
                 }
-                FragmentInput::LinearWithin(index) => {
+                FragmentInput::LinearAtCentroid(index) => {
                     *out.as_f32_mut() = evaluate_moved::<S>(source, index, &centroids);
                 }
                 FragmentInput::SmoothSlope(index, axis) => {

@@ -264,7 +264,7 @@ mod tests {
                     bounds: [[edge(false, 0), edge(false, 1)], [edge(true, 0), edge(true, 1)]],
                     vertices: [0; 3],
                     provoking: 0,
-                    part: Clipping::Whole,
+                    clipping: Clipping::Whole,
                     kind: ShapeKind::Triangle,
                     facing: Facing::Front,
                 })

@@ -18,7 +18,7 @@ use super::shape_lanes::ShapeLanes;
 use super::small_triangles::Windows;
 use super::window_blocks::{DivideWindows, WindowBlock, WindowBlocks};
 use crate::plan::{FragmentInput, Packing, SampleMasks};
-use crate::primitive::{Across, DepthSetup};
+use crate::primitive::{ConstantDirection, DepthSetup};
 use fill::ShapeBlock;
 use std::sync::atomic::Ordering;
 use texunit::lanes::{F32s, LANES, U32s, prefetch};
@@ -186,7 +186,7 @@ impl TileRenderer {
                 resolution: plan.resolution,
             },
             origin: plan.raster.point.origin,
-            across: Across::of(&plan.raster.line),
+            line_constant: ConstantDirection::of(&plan.raster.line),
         };
         let shapes = group.iter().map(|&index| &chunk.lists.shapes[index as usize]);
         self.shapes.load(shapes.clone());

@@ -131,7 +131,7 @@ impl WatchedPixel {
         let before = before.filter(|other| other.draw == chunk.draw);
         let before: usize = before.map(|other| other.lists.shapes.len()).sum();
         let at = chunk.lists.shapes.iter().position(|other| std::ptr::eq(other, shape));
-        let corners = match (shape.kind, shape.part) {
+        let corners = match (shape.kind, shape.clipping) {
             (ShapeKind::Triangle, _)
             | (ShapeKind::Line { .. } | ShapeKind::Point { .. }, Clipping::Cut) => 3,
             (ShapeKind::Line { .. }, Clipping::Whole) => 2,

@@ -75,8 +75,8 @@ impl Pass<'_> {
             textures: &textures,
             stipple: 0,
             instances: instances.clone(),
-            asked: report.visibility.reasons_left(),
-            unseen: OnceLock::new(),
+            max_reasons: report.visibility.reasons_left(),
+            invisible: OnceLock::new(),
             prepared: vertex,
             slots: &compiled.slots,
             setup: Setup {
@@ -101,14 +101,14 @@ impl Pass<'_> {
             true => self.gather(&state),
             false => self.draw_in_own_chunks(&mut state, report),
         };
-        let Ok(is_seen) = drawn else {
+        let Ok(is_visible) = drawn else {
             self.job.draws[draw].stopped.store(true, Ordering::Relaxed);
             return;
         };
         if self.shapes >= BINS_FULL {
             self.run_tiles(report);
         }
-        report.visibility.add(match (is_seen, state.unseen.into_inner()) {
+        report.visibility.add(match (is_visible, state.invisible.into_inner()) {
             (true, _) => Visibility::Visible,
             (false, None) => Visibility::NothingDrawn,
             (false, Some(reasons)) => Visibility::Invisible(reasons),
@@ -139,7 +139,7 @@ impl Pass<'_> {
         report: &mut SubmitReport,
     ) -> Result<bool, OverBudget> {
         self.bin_merged();
-        let mut is_seen = false;
+        let mut is_visible = false;
         let (instances, at_once) = (state.instances.clone(), state.at_once());
         for first in instances.clone().step_by(at_once as usize) {
             state.instances = first..instances.end.min(first.saturating_add(at_once));
@@ -148,13 +148,13 @@ impl Pass<'_> {
             while start < state.primitives.len {
                 let range = start..state.primitives.len.min(start + RUN);
                 start = range.end;
-                is_seen |= self.take(state.chunks(range)?);
+                is_visible |= self.take(state.chunks(range)?);
                 if self.shapes >= BINS_FULL {
                     self.run_tiles(report);
                 }
             }
         }
-        Ok(is_seen)
+        Ok(is_visible)
     }
 
     /// Decides how to draw with what is bound.

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::desc::{Facing, SpriteOrigin, Viewport};
-use crate::primitive::{Across, Clipping, DepthSetup, ShapeKind};
+use crate::primitive::{Clipping, ConstantDirection, DepthSetup, ShapeKind};
 
 /// A number in [-1, 1) from a counter.
 fn random(state: &mut u64) -> f32 {
@@ -54,7 +54,7 @@ fn have_the_planes_they_have_alone(is_flat: impl Fn(u32) -> bool) {
             bounds: [[0; 2]; 2],
             vertices,
             provoking: 2,
-            part: if n % 11 == 0 { Clipping::Cut } else { Clipping::Whole },
+            clipping: if n % 11 == 0 { Clipping::Cut } else { Clipping::Whole },
             kind: ShapeKind::Triangle,
             facing: Facing::Front,
         });
@@ -69,7 +69,7 @@ fn have_the_planes_they_have_alone(is_flat: impl Fn(u32) -> bool) {
         ],
         depth: DepthSetup { viewport, offset: None, resolution: None },
         origin: SpriteOrigin::UpperLeft,
-        across: Across::Line,
+        line_constant: ConstantDirection::Perpendicular,
     };
     let bits = |group: &PlaneGroup, lane: usize| {
         let mut out = [[0.0; 3]; 5];

@@ -93,7 +93,7 @@ impl TileRenderer {
             return;
         }
         self.outlines.clear();
-        let positions = plan.samples.places().iter();
+        let positions = plan.samples.positions().iter();
         self.outlines
             .extend(positions.map(|&by| Cover::new(plan, &chunk.geometry, shape, first, by)));
         let touched = self.outlines.iter().fold(0, |blocks, cover| blocks | cover.touched(first));
@@ -302,7 +302,7 @@ impl TileRenderer {
             if let Some(cover) = self.outlines.get(sample) {
                 covered = cover.block(isa, plan, shape, at, &mut self.coverage);
             }
-            *mask = if plan.samples.leaves(sample) { covered & inside } else { 0 };
+            *mask = if plan.samples.keeps(sample) { covered & inside } else { 0 };
         }
     }
 

@@ -115,12 +115,12 @@ impl Shaded {
                         .denominator_plane
                         .map_or(1.0, |at| batch.plane_at(at, self.lane)),
                 },
-                FragmentInput::SmoothWithin(plane) => InputSource::Perspective {
+                FragmentInput::SmoothAtCentroid(plane) => InputSource::Perspective {
                     vertices: values(plane),
                     numerator: at_centroid(plane),
                     denominator: plan.denominator_plane.map_or(1.0, at_centroid),
                 },
-                FragmentInput::Linear(plane) | FragmentInput::LinearWithin(plane) => {
+                FragmentInput::Linear(plane) | FragmentInput::LinearAtCentroid(plane) => {
                     InputSource::Linear(values(plane))
                 }
                 FragmentInput::Flat(_) => InputSource::Flat,
