@@ -64,7 +64,7 @@ pub(super) enum Inst {
     /// Goes on at `to` when no lane executes.
     SkipEmpty { to: Target },
     /// The loop's next iteration, or its end: then the lanes of `exit` execute.
-    Again { head: Target, exit: Slot },
+    EndIteration { head: Target, exit: Slot },
 }
 
 /// A word that is the same for every lane.
@@ -166,7 +166,7 @@ impl Inst {
             | Self::Leave { .. }
             | Self::Discard
             | Self::SkipEmpty { .. }
-            | Self::Again { .. } => {}
+            | Self::EndIteration { .. } => {}
         }
     }
 
@@ -204,7 +204,7 @@ impl Inst {
             | Self::LeaveIf { .. }
             | Self::Discard
             | Self::SkipEmpty { .. }
-            | Self::Again { .. } => true,
+            | Self::EndIteration { .. } => true,
             Self::Compute { .. }
             | Self::Move { .. }
             | Self::Zero { .. }
@@ -226,7 +226,7 @@ impl Inst {
             | Self::Else { end: to, .. }
             | Self::SkipEmpty { to }
             | Self::Repeat { head: to }
-            | Self::Again { head: to, .. } => Some(*to),
+            | Self::EndIteration { head: to, .. } => Some(*to),
             Self::Compute { .. }
             | Self::Move { .. }
             | Self::Zero { .. }
@@ -253,7 +253,7 @@ impl Inst {
             | Self::Else { end: to, .. }
             | Self::SkipEmpty { to }
             | Self::Repeat { head: to }
-            | Self::Again { head: to, .. } => Some(to),
+            | Self::EndIteration { head: to, .. } => Some(to),
             Self::Compute { .. }
             | Self::Move { .. }
             | Self::Zero { .. }

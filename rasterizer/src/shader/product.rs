@@ -237,7 +237,7 @@ impl ProductMatcher {
         }
         // Trees that end in a product are taken apart.
         let [a, b, c, d, ..] = args;
-        let (first, last) = if matches!(what, Compute::Mul | Compute::MulSame) {
+        let (first, last) = if matches!(what, Compute::Mul | Compute::MulUniform) {
             (self.value(a)?, b)
         } else if what == Compute::MulMul {
             (self.compute(Compute::Mul, padded([a, b, b]))?, c)
