@@ -43,11 +43,11 @@ pub struct DrawState<'a> {
     pub setup: Setup<'a>,
     /// How far the line stipple has come, in subpixels.
     pub stipple: u32,
-    /// Which instances: several only of [`Self::at_once`].
+    /// Which instances: several only of [`Self::instances_per_chunk`].
     pub instances: Range<u32>,
     /// The most primitives for which the reason is recorded, if no primitive is visible.
     pub max_reasons: u32,
-    /// What they say.
+    /// These reasons.
     pub invisible: OnceLock<InvisibleReasons>,
 }
 
@@ -60,7 +60,7 @@ pub struct TileRun {
     pub end: u32,
 }
 
-/// What of small draws that share a plan becomes one chunk.
+/// Small draws with one plan that are merged into one chunk.
 pub struct MergedDraws {
     /// The first of them.
     pub draw: usize,
@@ -69,7 +69,7 @@ pub struct MergedDraws {
 }
 
 impl MergedDraws {
-    /// Nothing of a draw.
+    /// An empty chunk of a draw.
     pub fn new(draw: usize, mut geometry: Geometry, mut lists: ShapeLists) -> Self {
         geometry.clear();
         lists.shapes.clear();
@@ -81,26 +81,26 @@ impl MergedDraws {
         self.lists.shapes.len()
     }
 
-    /// Whether it is as much as one chunk should be.
+    /// Whether it has the size of a chunk.
     pub fn is_full(&self) -> bool {
         self.len() >= CHUNK as usize || self.geometry.len() >= 4 * CHUNK as usize
     }
 
     /// The chunk.
     pub fn finish(self) -> (Chunk, Vec<TileRun>) {
-        sorted(self.draw, Arc::new(self.geometry), self.lists)
+        chunk_of(self.draw, Arc::new(self.geometry), self.lists)
     }
 }
 
 /// A chunk of these shapes.
-fn sorted(draw: usize, geometry: Arc<Geometry>, mut lists: ShapeLists) -> (Chunk, Vec<TileRun>) {
+fn chunk_of(draw: usize, geometry: Arc<Geometry>, mut lists: ShapeLists) -> (Chunk, Vec<TileRun>) {
     let runs = sort_by_tile(&mut lists);
     (Chunk { draw, geometry, lists }, runs)
 }
 
 impl DrawState<'_> {
-    /// As many instances may be taken at once as make a chunk. Each strip of lines begins its stipple anew.
-    pub fn at_once(&self) -> u32 {
+    /// The number of instances in one chunk. A strip of lines restarts its stipple and has a chunk of its own.
+    pub fn instances_per_chunk(&self) -> u32 {
         if self.is_strip() { 1 } else { (CHUNK / self.primitives.len.max(1)).max(1) }
     }
 
@@ -136,18 +136,18 @@ impl DrawState<'_> {
             VertexIds::Range(_) => None,
         };
         let shapes_of = |start: u32| -> Result<(Arc<Geometry>, ShapeLists), OverBudget> {
-            let part = start..range.end.min(start + CHUNK);
+            let chunk_range = start..range.end.min(start + CHUNK);
             let own;
             let (geometry, wanted) = match &shared {
                 Some(vertices) => vertices,
                 None => {
-                    own = vertices(&part)?;
+                    own = vertices(&chunk_range)?;
                     &own
                 }
             };
             let mut lists = self.lists.take();
             lists.shapes.clear();
-            self.shapes(geometry, wanted, part, &mut lists);
+            self.shapes(geometry, wanted, chunk_range, &mut lists);
             Ok((geometry.clone(), lists))
         };
         let is_strip = self.is_strip();
@@ -157,7 +157,7 @@ impl DrawState<'_> {
             if is_stippled {
                 lists.shapes.retain(Shape::is_somewhere);
             }
-            sorted(draw, geometry, lists)
+            chunk_of(draw, geometry, lists)
         };
         if range.len() <= CHUNK as usize {
             let mut one = shapes_of(range.start)?;

@@ -67,16 +67,16 @@ impl Triangles {
         scratch: &mut Scratch,
         out: &mut Vec<Shape>,
     ) {
-        // What is gathered has to be there in every lane.
+        // Every lane gathers: unused lanes have vertex 0.
         for vertices in &mut self.vertices {
             vertices.0[len..].fill(0);
         }
         let fates = setup.isa.run(Project { triangles: self, setup, geometry });
-        let mut rest = (fates.whole | fates.cut) & !0 >> (LANES - len);
-        out.reserve(rest.count_ones() as usize);
-        while rest != 0 {
-            let lane = rest.trailing_zeros() as usize % LANES;
-            rest &= rest - 1;
+        let mut left = (fates.whole | fates.cut) & !0 >> (LANES - len);
+        out.reserve(left.count_ones() as usize);
+        while left != 0 {
+            let lane = left.trailing_zeros() as usize % LANES;
+            left &= left - 1;
             let [a, b, c] = &self.vertices;
             let vertices = [a[lane], b[lane], c[lane]];
             let provoking = self.provoking[lane];

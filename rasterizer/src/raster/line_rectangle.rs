@@ -75,11 +75,11 @@ impl LineRectangle {
 
     /// The lanes of the block from pixel `first` on whose centres the line holds, where its stipple leaves it.
     pub fn centers(&self, isa: Isa, dashes: Dashes, first: [i32; 2]) -> u64 {
-        let held = isa.run(SamplesHeld { band: self, first: first.map(f64::from) });
+        let covered = isa.run(SamplesCovered { band: self, first: first.map(f64::from) });
         if dashes.is_none() {
-            return held;
+            return covered;
         }
-        let mut left = held;
+        let mut left = covered;
         let mut lanes = 0;
         while left != 0 {
             let lane = left.trailing_zeros() as usize;
@@ -98,18 +98,18 @@ fn center(first: [f64; 2], lane: usize) -> [f64; 2] {
 }
 
 /// The lanes whose centres a line holds. Of its sides those of its start and on its right do not belong to the next.
-struct SamplesHeld<'a> {
+struct SamplesCovered<'a> {
     band: &'a LineRectangle,
     first: [f64; 2],
 }
 
-impl Kernel for SamplesHeld<'_> {
+impl Kernel for SamplesCovered<'_> {
     type Output = u64;
     #[inline(always)]
     fn run<S: Simd>(self) -> u64 {
         let Self { band, first } = self;
         let ([a, _], direction, half) = (band.ends, band.direction, 0.5 * band.width);
-        let mut held = U32s::ZERO;
+        let mut covered = U32s::ZERO;
         for lane in 0..LANES {
             let point = center(first, lane);
             let p = [point[0] - a[0], point[1] - a[1]];
@@ -117,8 +117,8 @@ impl Kernel for SamplesHeld<'_> {
             let across = (direction[0] * p[1] - direction[1] * p[0]) / band.length;
             let inside =
                 (along >= 0.0) & (along < band.length) & (across >= -half) & (across < half);
-            held[lane] = u32::from(inside);
+            covered[lane] = u32::from(inside);
         }
-        S::nonzero(&held)
+        S::nonzero(&covered)
     }
 }

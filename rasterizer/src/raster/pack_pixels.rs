@@ -1,5 +1,5 @@
-//! Small triangles, and blocks that a large one covers sparsely, into the pending batch of pixels: the innermost loop of
-//! fine meshes. Kernels, so that bits are counted and planes copied by what the instruction set has for it.
+//! Puts small triangles, and blocks that a large one covers sparsely, into the pending batch of pixels: the innermost
+//! loop of fine meshes. Kernels, so that bits are counted and planes copied by what the instruction set has for it.
 
 use super::batch::is_dense;
 use super::block_run::BlockRun;

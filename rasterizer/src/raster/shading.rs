@@ -218,15 +218,15 @@ impl Shader {
         batch: &Batch<'_>,
         tile: &mut TileJob,
     ) {
-        let spot = tile.watched.as_mut();
-        let mut shaded = spot.and_then(|spot| spot.begin(batch.layout(), batch.masks.any()));
+        let pixel = tile.watched.as_mut();
+        let mut shaded = pixel.and_then(|pixel| pixel.begin(batch.layout(), batch.masks.any()));
         self.shade_and_trace(pass, job, batch, tile, &mut shaded);
-        if let (Some(spot), Some(shaded)) = (&mut tile.watched, shaded) {
-            spot.end(shaded);
+        if let (Some(pixel), Some(shaded)) = (&mut tile.watched, shaded) {
+            pixel.end(shaded);
         }
     }
 
-    /// Runs the program, the late tests and the output of a batch; records the steps of the watched fragment in `shaded`.
+    /// Runs the program, the late tests and the output of a batch; records the watched fragment in `shaded`.
     #[inline(always)]
     fn shade_and_trace(
         &mut self,
@@ -261,12 +261,12 @@ impl Shader {
             active: batch.active(),
             budget: pass.budget,
         };
-        let kept = match shaded {
+        let alive = match shaded {
             None => self.machine.run(run)?,
             Some(shaded) => shaded.run(&mut self.machine, plan, batch, run)?,
         };
         let samples = &plan.samples;
-        self.left.set(batch.masks, kept);
+        self.left.set(batch.masks, alive);
         if let Some(alpha) = samples.alpha {
             samples.mask_by_alpha(isa, self.machine.output(alpha).as_f32(), &mut self.left);
         }

@@ -136,8 +136,8 @@ impl Kernel for CoverWindows<'_> {
                 origin[axis][lane] = (tile[axis] + first) * SUBPIXEL + SUBPIXEL / 2;
             }
         }
-        let there = !0 >> (LANES - shapes.len.clamp(1, LANES));
-        *small = !S::nonzero(&large) & shapes.triangles & there;
+        let present = !0 >> (LANES - shapes.len.clamp(1, LANES));
+        *small = !S::nonzero(&large) & shapes.triangles & present;
         // Lanes without a small triangle hold anything: hence the wrapping operations.
         for (i, [value, x, y]) in edges.iter_mut().enumerate() {
             let (a, b) = (&corners[i], &corners[(i + 1) % 3]);

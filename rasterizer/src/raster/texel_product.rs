@@ -253,7 +253,8 @@ impl Kernel for Multiply<'_> {
     }
 }
 
-/// Prefetches the texels of a run, at every other pixel of each block. `known` are the levels of the lookups, if reused.
+/// Prefetches the texels of a run, at every other pixel of each block. `known` are the levels of the lookups, where
+/// they are reused.
 #[inline(always)]
 fn prefetch_lookups<S: Simd>(
     plan: &DrawPlan,

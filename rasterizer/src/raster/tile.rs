@@ -65,7 +65,7 @@ impl TileRenderer {
                 Entry::Clear(index) => {
                     self.flush(pass, tile);
                     clear(pass, &pass.clears[index as usize], tile);
-                    tile.note_clear(&pass.clears[index as usize]);
+                    tile.record_clear(&pass.clears[index as usize]);
                 }
                 Entry::Shapes { chunk, first, end } => {
                     let chunk = &pass.chunks[chunk as usize];
@@ -82,8 +82,8 @@ impl TileRenderer {
         }
         self.flush(pass, tile);
         self.draw = None;
-        if let Some(spot) = tile.watched.take() {
-            spot.finish();
+        if let Some(pixel) = tile.watched.take() {
+            pixel.finish();
         }
     }
 

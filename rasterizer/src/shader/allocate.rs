@@ -318,12 +318,12 @@ fn loop_ends(code: &[Inst]) -> Vec<Vec<u32>> {
 /// Drops the removed instructions.
 pub(super) fn compact(lowered: &mut Lowered, removed: &[bool]) {
     let mut moved = Vec::with_capacity(removed.len() + 1);
-    let mut kept = 0;
+    let mut next = 0;
     for removed in removed {
-        moved.push(kept);
-        kept += u32::from(!removed);
+        moved.push(next);
+        next += u32::from(!removed);
     }
-    moved.push(kept);
+    moved.push(next);
     retain(&mut lowered.code, removed);
     retain(&mut lowered.source_order, removed);
     for inst in &mut lowered.code {

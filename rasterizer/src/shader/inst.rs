@@ -172,14 +172,14 @@ impl Inst {
 
     /// Whether it reads or changes which lanes execute. Stores into some of the lanes read it.
     pub fn uses_mask(&self) -> bool {
-        let together =
+        let is_uniform =
             matches!(self, Self::Unless { .. } | Self::Jump { .. } | Self::Repeat { .. });
         let stores = matches!(self, Self::Store { .. } | Self::StoreAt { .. });
-        stores || (self.is_control() && !together)
+        stores || (self.is_control() && !is_uniform)
     }
 
-    /// Whether it takes lanes away from what follows.
-    pub fn empties(&self) -> bool {
+    /// Whether it removes lanes from the execution mask of the next instructions.
+    pub fn removes_lanes(&self) -> bool {
         matches!(self, Self::Leave { .. } | Self::LeaveIf { .. } | Self::Discard)
     }
 

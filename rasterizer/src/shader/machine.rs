@@ -201,7 +201,8 @@ impl Machine {
         self.registers[file + out.0 as usize] = *difference.as_u32();
     }
 
-    /// Ends an iteration of a loop whose last instruction is before `pc`: gives the head of the loop, or `pc` if no lane is left.
+    /// Ends an iteration of a loop whose last instruction is before `pc`. Gives the head of the loop, or `pc` if no lane
+    /// is left.
     #[inline(always)]
     fn end_iteration(
         &mut self,

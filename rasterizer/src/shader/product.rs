@@ -9,7 +9,7 @@ use super::repeated_lookups::Repeat;
 use crate::ir::{Access, Output};
 
 /// The most instructions before the lookups; programs with more use the interpreter.
-const MOST_BEFORE: usize = 16;
+const MAX_CODE_BEFORE: usize = 16;
 
 /// What a product is made of.
 #[derive(Debug)]
@@ -52,13 +52,13 @@ impl TexelProduct {
         layout: &mut Layout,
         mut outputs: impl Iterator<Item = Output>,
     ) -> Option<Self> {
-        let mut steps = ProductMatcher { given: layout.given, ..ProductMatcher::default() };
+        let mut matcher = ProductMatcher { given: layout.given, ..ProductMatcher::default() };
         for inst in code {
-            steps.take(inst)?;
+            matcher.add(inst)?;
         }
         let mut colors = [const { None }; 4];
         for &reg in &layout.outputs {
-            match (outputs.next()?, steps.value(Reg(reg))?) {
+            match (outputs.next()?, matcher.value(Reg(reg))?) {
                 (Output::Color { target: 0, component }, Value::TexelProduct(product)) => {
                     colors[usize::from(component)] = Some(product);
                 }
@@ -76,29 +76,29 @@ impl TexelProduct {
         }
         let factors = colors.each_ref().map(|color| color.factor);
         let lookups: Vec<SampleInst> =
-            lookups.iter().map(|&at| steps.lookups[at].clone()).collect();
+            lookups.iter().map(|&at| matcher.lookups[at].clone()).collect();
         let read_by_lookups: Vec<Reg> = lookups.iter().flat_map(read_by).collect();
-        layout.registers = layout.registers.max(layout.given + steps.before.len() as u32);
+        layout.registers = layout.registers.max(layout.given + matcher.before.len() as u32);
         let read_by_factors: Vec<Reg> = factors.into_iter().flatten().collect();
-        let before_factors = needed(&steps.before, read_by_factors.clone());
-        let before_lookups = needed(&steps.before, read_by_lookups.clone());
-        let of = |read: Vec<Reg>| inputs(layout, read.clone(), &needed(&steps.before, read));
-        let mut elsewhere = read_by_factors.clone();
-        elsewhere.extend(lookups.iter().flat_map(|sample| sample.coords));
-        let elsewhere = of(elsewhere);
+        let before_factors = needed(&matcher.before, read_by_factors.clone());
+        let before_lookups = needed(&matcher.before, read_by_lookups.clone());
+        let of = |read: Vec<Reg>| inputs(layout, read.clone(), &needed(&matcher.before, read));
+        let mut read_by_others = read_by_factors.clone();
+        read_by_others.extend(lookups.iter().flat_map(|sample| sample.coords));
+        let read_by_others = of(read_by_others);
         let mut read_by_lods = Vec::new();
         for sample in &lookups {
             sample.lod.clone().reads(|reg| read_by_lods.push(*reg));
         }
         let lod_inputs = of(read_by_lods);
-        let are_given = lod_inputs.iter().all(|input| !elsewhere.contains(input))
+        let are_separate = lod_inputs.iter().all(|input| !read_by_others.contains(input))
             && lookups.iter().all(|sample| !matches!(sample.lod, SampleLod::Implicit { .. }));
-        let lod_inputs = are_given.then_some(lod_inputs);
+        let lod_inputs = are_separate.then_some(lod_inputs);
         Some(Self {
             factor_inputs: inputs(layout, read_by_factors, &before_factors),
             lookup_inputs: inputs(layout, read_by_lookups, &before_lookups),
             lod_inputs,
-            before: steps.before,
+            before: matcher.before,
             before_factors,
             before_lookups,
             factors,
@@ -159,7 +159,7 @@ impl TexelTerm {
     }
 
     /// Times a lookup by itself.
-    fn times(mut self, other: &Self) -> Option<Self> {
+    fn multiplied(mut self, other: &Self) -> Option<Self> {
         let lookup = other.texel()?;
         let is_new = !self.lookups.contains(&lookup);
         self.lookups.push(lookup);
@@ -181,9 +181,9 @@ struct ProductMatcher {
 
 impl ProductMatcher {
     /// Adds the next instruction; `None` if the program is no product.
-    fn take(&mut self, inst: &Inst) -> Option<()> {
+    fn add(&mut self, inst: &Inst) -> Option<()> {
         if let Inst::Sample(sample) = inst {
-            return self.look_up(sample);
+            return self.add_lookup(sample);
         }
         // Nothing else is part of a product.
         let (out, value) = if let Inst::Compute { what, out, args } = *inst {
@@ -197,7 +197,7 @@ impl ProductMatcher {
         Some(())
     }
 
-    fn look_up(&mut self, sample: &SampleInst) -> Option<()> {
+    fn add_lookup(&mut self, sample: &SampleInst) -> Option<()> {
         let filters = sample.access == Access::Filter { offset: [0; 3] };
         if !filters || sample.layer.is_some() || sample.reference.is_some() {
             return None;
@@ -246,12 +246,12 @@ impl ProductMatcher {
         } else {
             return None;
         };
-        self.times(first, self.value(last)?)
+        self.product(first, self.value(last)?)
     }
 
     /// Computes a number before the lookups.
     fn number(&mut self, what: Compute, args: [Reg; OPERANDS]) -> Option<Value> {
-        if self.before.len() == MOST_BEFORE {
+        if self.before.len() == MAX_CODE_BEFORE {
             return None;
         }
         let out = Reg(self.given + self.before.len() as u32);
@@ -260,7 +260,7 @@ impl ProductMatcher {
     }
 
     /// The product of two values that are not both numbers, in any order.
-    fn times(&self, first: Value, second: Value) -> Option<Value> {
+    fn product(&self, first: Value, second: Value) -> Option<Value> {
         let product = match (first, second) {
             (Value::Number(factor), Value::TexelProduct(term))
             | (Value::TexelProduct(term), Value::Number(factor)) => {
@@ -268,8 +268,8 @@ impl ProductMatcher {
                 is_first.then_some(TexelTerm { factor: Some(factor), ..term })
             }
             (Value::TexelProduct(first), Value::TexelProduct(second)) => match second.texel() {
-                Some(_) => first.times(&second),
-                None => second.times(&first),
+                Some(_) => first.multiplied(&second),
+                None => second.multiplied(&first),
             },
             (Value::Number(_), Value::Number(_)) => None,
         };

@@ -46,8 +46,8 @@ fn read<const N: usize>(
     let first = first.and_then(|at| at.checked_add(indices.offset));
     let bytes = first.and_then(|first| indices.buffer.bytes().get(first..)).unwrap_or_default();
     let vertex = |index: u32| index.wrapping_add_signed(indices.base_vertex);
-    let (there, _) = bytes.as_chunks::<N>();
-    out.extend(there.iter().take(ordinals.len()).map(|&bytes| vertex(convert(bytes))));
+    let (stored, _) = bytes.as_chunks::<N>();
+    out.extend(stored.iter().take(ordinals.len()).map(|&bytes| vertex(convert(bytes))));
     out.resize(end, vertex(0));
 }
 

@@ -17,12 +17,12 @@ impl AxisTaps {
     /// What each texel of a side of `half` covers of one of `size`, the border's on both ends. A
     /// side that is not halved stays.
     pub fn all(size: u32, half: u32, border: u32) -> Vec<Self> {
-        let alone = |first: u32| Self { first: first as usize, weights: [1, 0, 0] };
-        let below = (0..border).map(alone);
-        let above = (0..border).map(|i| alone(border + size + i));
+        let single = |first: u32| Self { first: first as usize, weights: [1, 0, 0] };
+        let below = (0..border).map(single);
+        let above = (0..border).map(|i| single(border + size + i));
         let inner = (0..half).map(|i| {
             if half == size {
-                return alone(border + i);
+                return single(border + i);
             }
             let weights = if size.is_multiple_of(2) { [1, 1, 0] } else { [half - i, half, i + 1] };
             Self { first: (border + 2 * i) as usize, weights }

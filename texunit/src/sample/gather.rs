@@ -102,10 +102,10 @@ impl Kernel for PairOnAxis<'_> {
                 }
             }
             None => {
-                let most = axis.size as f32 + MARGIN;
+                let limit = axis.size as f32 + MARGIN;
                 for lane in 0..LANES {
                     let x = s[lane] * axis.scale;
-                    u[lane] = clamp(if x.is_nan() { 0.0 } else { x }, -most, most);
+                    u[lane] = clamp(if x.is_nan() { 0.0 } else { x }, -limit, limit);
                 }
             }
         }

@@ -96,7 +96,7 @@ impl Pass<'_> {
             && raster.line.stipple.is_none()
             && self.job.watch.is_none()
             && (1..=SMALL_DRAW).contains(&(primitives.len as usize * instances.len()))
-            && instances.len() <= state.at_once() as usize;
+            && instances.len() <= state.instances_per_chunk() as usize;
         let drawn = match is_small {
             true => self.gather(&state),
             false => self.draw_in_own_chunks(&mut state, report),
@@ -140,9 +140,10 @@ impl Pass<'_> {
     ) -> Result<bool, OverBudget> {
         self.bin_merged();
         let mut is_visible = false;
-        let (instances, at_once) = (state.instances.clone(), state.at_once());
-        for first in instances.clone().step_by(at_once as usize) {
-            state.instances = first..instances.end.min(first.saturating_add(at_once));
+        let (instances, instances_per_chunk) =
+            (state.instances.clone(), state.instances_per_chunk());
+        for first in instances.clone().step_by(instances_per_chunk as usize) {
+            state.instances = first..instances.end.min(first.saturating_add(instances_per_chunk));
             state.stipple = 0;
             let mut start = 0;
             while start < state.primitives.len {

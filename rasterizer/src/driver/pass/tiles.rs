@@ -70,7 +70,7 @@ impl Pass<'_> {
             depth: self.depth_format().and_then(DepthFormat::of),
         };
         let mut tiles = Vec::new();
-        let mut homes = Vec::new();
+        let mut positions = Vec::new();
         for (index, bin) in self.bins.iter_mut().enumerate() {
             if bin.is_empty() {
                 continue;
@@ -92,7 +92,7 @@ impl Pass<'_> {
                     .and_then(|watch| WatchedPixel::new(watch, [tx, ty], &formats)),
                 entries: std::mem::take(bin),
             });
-            homes.push((tx, ty));
+            positions.push((tx, ty));
         }
         let (job, tile_renderers) = (&self.job, &self.resources.tile_renderers);
         let least = if self.is_small_work() { tiles.len().max(1) } else { 1 };
@@ -102,7 +102,7 @@ impl Pass<'_> {
             || tile_renderers.borrow(),
             |renderer, tiles| tiles.iter_mut().for_each(|tile| renderer.get().run(job, tile)),
         );
-        for (tile, (tx, ty)) in tiles.into_iter().zip(homes) {
+        for (tile, (tx, ty)) in tiles.into_iter().zip(positions) {
             let surfaces = self.colors.iter_mut().chain([&mut self.depth]);
             for (surface, target) in surfaces.zip(tile.colors.into_iter().chain([tile.depth])) {
                 if let (Some(surface), Some(target)) = (surface, target) {

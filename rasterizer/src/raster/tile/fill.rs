@@ -125,10 +125,10 @@ impl TileRenderer {
                 }
                 self.covered(pass.isa, plan, shape, at, inside, &mut masks);
                 if masks.any() != 0 {
-                    if let Some(spot) = &mut tile.watched
-                        && spot.is_in(at.number(), masks.any())
+                    if let Some(pixel) = &mut tile.watched
+                        && pixel.is_in(at.number(), masks.any())
                     {
-                        spot.covered(pass, chunk, shape, &masks);
+                        pixel.covered(pass, chunk, shape, &masks);
                     }
                     let [x, y] = at.first();
                     self.group.at(lane, x, y, &mut self.planes);
@@ -344,11 +344,11 @@ impl TileRenderer {
         }
         if is_eager && is_due && plan.timing == TestTiming::Early {
             let watched = tile.watched.as_ref();
-            let watched = watched.filter(|spot| spot.is_in(block, covered));
+            let watched = watched.filter(|pixel| pixel.is_in(block, covered));
             let before = watched.map(|_| tile.watched_depth());
             early_tests(pass.isa, plan, &of, masks, tile);
             if let Some(before) = before {
-                tile.note_early(pass.isa, plan, &of, masks, &before);
+                tile.record_early_tests(pass.isa, plan, &of, masks, &before);
             }
             of.tests = EarlyTests::Done;
         }

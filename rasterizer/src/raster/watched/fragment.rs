@@ -89,15 +89,15 @@ impl Shaded {
         self.fragment.fate = if plan.colors.is_empty() { Fate::NoColor } else { Fate::Written };
         self.interpolated(plan, batch, machine);
         let mut tracer = Tracer::new(run.program, self.lane);
-        let kept = machine.run_traced(run, &mut tracer);
+        let alive = machine.run_traced(run, &mut tracer);
         for (index, output) in run.program.outputs().enumerate() {
             self.fragment.outputs.push((output, tracer.output(machine, index)));
         }
         (self.fragment.steps, self.fragment.more_steps) = (tracer.steps, tracer.more);
-        if kept.is_err() {
+        if alive.is_err() {
             self.fragment.fate = Fate::OverBudget;
         }
-        kept
+        alive
     }
 
     /// Its inputs were interpolated.

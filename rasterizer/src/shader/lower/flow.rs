@@ -100,8 +100,8 @@ impl Lowering<'_> {
                     return;
                 }
             }
-            let empties = self.out.code[start..].iter().any(Inst::empties);
-            if i + 1 < block.len() && empties && may_empty(stmt) {
+            let removes_lanes = self.out.code[start..].iter().any(Inst::removes_lanes);
+            if i + 1 < block.len() && removes_lanes && may_empty(stmt) {
                 let jump = self.emit(Inst::SkipEmpty { to: Target(0) });
                 if let Some(join) = self.joins.last_mut() {
                     join.push(jump);

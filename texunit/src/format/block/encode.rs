@@ -142,8 +142,8 @@ fn nearest<T>(palette: &[T], distance: impl Fn(&T) -> f32) -> u32 {
     let Some((first, rest)) = palette.split_first() else { return 0 };
     let first = (distance(first), 0);
     let (_, code) = (1..).zip(rest).fold(first, |best, (code, of)| {
-        let here = distance(of);
-        if here < best.0 { (here, code) } else { best }
+        let current = distance(of);
+        if current < best.0 { (current, code) } else { best }
     });
     code
 }

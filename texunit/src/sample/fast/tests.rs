@@ -269,23 +269,23 @@ fn places_that_are_kept_are_those_that_would_be_found() {
         let points = Points { coords: coords.each_ref(), layer: None, reference: None };
         let lod = Lod::Implicit { bias: None };
         for isa in Isa::available() {
-            let alone = |plan: &SamplePlan| {
+            let unshared = |plan: &SamplePlan| {
                 let mut out = [F32s::ZERO; 4];
                 plan.sample(isa, points.coords, None, lod, &mut out);
                 out.map(bits)
             };
             let mut scratch = LookupScratch::default();
-            let turns = [
+            let lookups = [
                 (&first, Addresses::Compute),
                 (&second, Addresses::Reuse),
                 (&first, Addresses::Reuse),
                 (&second, Addresses::Compute),
                 (&first, Addresses::Reuse),
             ];
-            for (turn, (plan, addresses)) in turns.into_iter().enumerate() {
+            for (number, (plan, addresses)) in lookups.into_iter().enumerate() {
                 plan.sample_offset(isa, points, [0; 3], lod, addresses, &mut scratch);
-                let what = format!("{} turn {turn}: {}", isa.name(), plan.describe());
-                assert_eq!(scratch.lanes.map(bits), alone(plan), "{what}");
+                let what = format!("{} lookup {number}: {}", isa.name(), plan.describe());
+                assert_eq!(scratch.lanes.map(bits), unshared(plan), "{what}");
             }
         }
     }
