@@ -16,7 +16,7 @@ pub struct WordPlane {
     words: Vec<U32s>,
     /// The word of the last clear.
     word: u32,
-    /// The blocks that hold it, whatever stands in `words`: bit by block.
+    /// The blocks that have the word of the clear and no words of their own, bit by block.
     cleared: u64,
 }
 
@@ -63,13 +63,13 @@ impl WordPlane {
     /// A block, for writing.
     #[inline]
     pub fn block_mut(&mut self, block: usize) -> &mut U32s {
-        self.ready(block, LoadOp::Load);
+        self.materialize(block, LoadOp::Load);
         &mut self.words[block]
     }
 
-    /// Makes a block's words its own: those that it holds, or any, if they are about to be written.
+    /// Gives a cleared block words of its own: the word of the clear, or any words with [`LoadOp::DontCare`].
     #[inline]
-    pub fn ready(&mut self, block: usize, old: LoadOp) {
+    pub fn materialize(&mut self, block: usize, old: LoadOp) {
         if self.is_cleared(block) {
             self.fill(block, old);
         }
@@ -86,9 +86,9 @@ impl WordPlane {
         self.cleared &= !(1 << block);
     }
 
-    /// The words of all blocks, of which only those hold what they should that are [`Self::ready`].
+    /// The words of all blocks. Those of cleared blocks are undefined before [`Self::materialize`].
     #[inline]
-    pub fn ready_blocks(&mut self) -> &mut [U32s] {
+    pub fn materialized_blocks(&mut self) -> &mut [U32s] {
         &mut self.words
     }
 

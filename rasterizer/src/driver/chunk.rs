@@ -128,8 +128,8 @@ impl DrawState<'_> {
         // but for the few that strips and fans share.
         let vertices = |range: &Range<u32>| {
             let mut geometry = self.geometries.take();
-            let wanted = self.vertices(range, &mut geometry, 0)?;
-            Ok((Arc::new(geometry), wanted))
+            let vertex_list = self.vertices(range, &mut geometry, 0)?;
+            Ok((Arc::new(geometry), vertex_list))
         };
         let shared = match self.ids {
             VertexIds::Indexed(_) => Some(vertices(&range)?),
@@ -184,15 +184,15 @@ impl DrawState<'_> {
         Ok(all.into_iter().map(chunk).collect())
     }
 
-    /// Puts all of a draw of at most [`CHUNK`] primitives behind those of others.
+    /// Appends a draw of at most [`CHUNK`] primitives to a merged chunk.
     ///
     /// # Errors
     /// When a batch of vertices runs over its budget; then nothing of the draw is appended.
-    pub fn gather(&self, all: &mut MergedDraws) -> Result<(), OverBudget> {
+    pub fn append_to(&self, all: &mut MergedDraws) -> Result<(), OverBudget> {
         let MergedDraws { geometry, lists, .. } = all;
         let range = 0..self.primitives.len;
-        let wanted = self.vertices(&range, geometry, geometry.len())?;
-        self.shapes(geometry, &wanted, range, lists);
+        let vertex_list = self.vertices(&range, geometry, geometry.len())?;
+        self.shapes(geometry, &vertex_list, range, lists);
         Ok(())
     }
 

@@ -52,7 +52,7 @@ impl Device {
         Ok(submit::run(&self.resources, &thread_pool, &commands.commands))
     }
 
-    /// Who stores what was drawn. Without threads the one that asks does it alone.
+    /// The thread pool that stores tiles; without threads the caller does it alone.
     fn thread_pool(&self) -> ThreadPool {
         self.threads.thread_pool().unwrap_or(ThreadPool::CALLER_ONLY)
     }

@@ -40,8 +40,8 @@ pub fn early_tests(
             }
             None => F32s::ZERO,
         };
-        let (place, reference) = (&BatchLayout::Block(of.block), Reference::OfFace);
-        let fragments = Fragments { place, depth: &depth, reference, back, mask: *mask };
+        let (layout, reference) = (&BatchLayout::Block(of.block), Reference::OfFace);
+        let fragments = Fragments { layout, depth: &depth, reference, back, mask: *mask };
         *mask = test(isa, &plan.tests, target, sample, &fragments);
     }
 }
@@ -172,9 +172,9 @@ impl Shader {
         {
             for file in 0..blocks.len() {
                 let (block, mask) = blocks.covered(file);
-                plane.ready(block, color.old_under(mask));
+                plane.materialize(block, color.old_under(mask));
             }
-            words = Some(Words { color, blocks: plane.ready_blocks() });
+            words = Some(Words { color, blocks: plane.materialized_blocks() });
         }
         let is_done = words.is_some();
         isa.run(Multiply { isa, plan, product, machine, run: blocks, products, words });
@@ -286,7 +286,7 @@ impl Shader {
         tile: &mut TileJob,
         shaded: &mut Option<Shaded>,
     ) {
-        let (isa, plan, place) = (pass.isa, &job.plan, &batch.layout());
+        let (isa, plan, layout) = (pass.isa, &job.plan, &batch.layout());
         let samples = &plan.samples;
         if let TestTiming::Late(written) = plan.timing
             && self.left.any() != 0
@@ -312,7 +312,7 @@ impl Shader {
             }
             for (sample, &mask) in masks.iter().enumerate() {
                 if mask != 0 {
-                    write(isa, color, target, sample, place, rgba, mask);
+                    write(isa, color, target, sample, layout, rgba, mask);
                 }
             }
             if let (Some(shaded), Some(before)) = (&mut *shaded, before) {
@@ -350,7 +350,7 @@ impl Shader {
     }
 
     /// The stencil and depth tests of the lanes that are left; leaves those that passed. The program has `written`
-    /// some of what is tested; `see` is shown the depth of each sample.
+    /// some of what is tested; `record_depth` is called with the depth of each sample.
     fn test(
         &mut self,
         isa: Isa,
@@ -358,7 +358,7 @@ impl Shader {
         batch: &Batch<'_>,
         target: &mut TileTarget,
         written: ShaderTestOutputs,
-        mut see: impl FnMut(&F32s),
+        mut record_depth: impl FnMut(&F32s),
     ) {
         let depths = plan.viewport.depths();
         if let Some(output) = written.depth {
@@ -369,7 +369,7 @@ impl Shader {
             Some(output) => Reference::Each(self.machine.output(output)),
             None => Reference::OfFace,
         };
-        let (back, place) = (batch.back(), &batch.layout());
+        let (back, layout) = (batch.back(), &batch.layout());
         for (sample, mask) in self.left.iter_mut().enumerate() {
             let offset = plan.samples.offset(sample);
             if let (Some(plane), None) = (plan.depth_plane, written.depth)
@@ -379,9 +379,9 @@ impl Shader {
                 isa.run(BatchDepth { batch, plane, offset, depths, depth });
             }
             let depth = &self.depth;
-            let fragments = Fragments { place, depth, reference, back, mask: *mask };
+            let fragments = Fragments { layout, depth, reference, back, mask: *mask };
             *mask = test(isa, &plan.tests, target, sample, &fragments);
-            see(&self.depth);
+            record_depth(&self.depth);
         }
     }
 }

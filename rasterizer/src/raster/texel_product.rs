@@ -211,7 +211,7 @@ impl Kernel for Multiply<'_> {
                 Factors::Varying => machine.factors(product, file),
                 Factors::Uniform | Factors::Reused => factors.each_ref(),
             };
-            // What lies here no store of colours can change.
+            // On the stack, so that the compiler sees that no store of colours changes them.
             let (mut read, mut weight) = (None, F32s::ZERO);
             for (at, (stored_levels, &addresses)) in
                 lookup_levels.iter_mut().zip(addresses).enumerate()

@@ -76,8 +76,8 @@ impl WatchedPixel {
     }
 
     /// Its lane in a batch that covers it.
-    pub fn lane_of(&self, place: BatchLayout<'_>, lanes: u64) -> Option<usize> {
-        let lane = match place {
+    pub fn lane_of(&self, layout: BatchLayout<'_>, lanes: u64) -> Option<usize> {
+        let lane = match layout {
             BatchLayout::Block(block) => (block == self.block).then_some(self.lane)?,
             BatchLayout::Quads(blocks, quads) => {
                 // Its quad may be there more than once, the pixel may not.
@@ -192,8 +192,8 @@ impl WatchedPixel {
     }
 
     /// The fragment that is shaded now, if the batch covers the pixel.
-    pub fn begin(&mut self, place: BatchLayout<'_>, lanes: u64) -> Option<Shaded> {
-        let lane = self.lane_of(place, lanes)?;
+    pub fn begin(&mut self, layout: BatchLayout<'_>, lanes: u64) -> Option<Shaded> {
+        let lane = self.lane_of(layout, lanes)?;
         let PendingFragment { event, values } = self.pending.pop_front()?;
         match self.events.get_mut(event)?.take()? {
             PixelEvent::Fragment(fragment) => Some(Shaded { event, lane, fragment, values }),

@@ -17,8 +17,8 @@ pub(super) struct Layout {
     pub splats: Vec<u32>,
     /// The first input.
     pub inputs: u32,
-    /// The first of those that the program writes.
-    pub given: u32,
+    /// The first register that the program writes.
+    pub first_written: u32,
     /// By output of the program.
     pub outputs: Vec<u32>,
     /// How many registers there are.
@@ -202,8 +202,8 @@ impl Allocation {
             }
         }
         layout.inputs = layout.splats.len() as u32;
-        layout.given = layout.inputs + lowered.inputs.len() as u32;
-        let mut next = layout.given;
+        layout.first_written = layout.inputs + lowered.inputs.len() as u32;
+        let mut next = layout.first_written;
         for (virt, content) in lowered.contents.iter().enumerate() {
             match content {
                 RegisterContent::Input { index } => self.real[virt] = Reg(layout.inputs + index),

@@ -20,7 +20,7 @@ pub(super) const OPERANDS: usize = 8;
 /// A tree of operations.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Tree {
-    /// An operand of the fused instruction; the same one each time it stands in the tree.
+    /// An operand of the fused instruction; it may occur several times in the tree.
     Operand(usize, OperandStorage),
     Node(Op, &'static [Self]),
 }
@@ -353,7 +353,7 @@ impl Compute {
         }
     }
 
-    /// About how many additions it takes as long as, all and those that follow one another.
+    /// The cost in additions, approximately: of all operations, and of the longest chain.
     pub fn size(self) -> [u32; 2] {
         match self.as_tree() {
             Ok(tree) => tree.size(),

@@ -18,7 +18,7 @@ pub struct TexelProduct {
     pub(super) factors: [Option<Reg>; 4],
     /// The lookups in the order in which they are multiplied.
     pub(super) lookups: Vec<SampleInst>,
-    /// What computes the factors and what the lookups read, of what is given.
+    /// The code that computes the factors and the operands of the lookups from splats and inputs.
     pub(super) before: Vec<Inst>,
     /// The part of `before` that the factors need.
     pub(super) before_factors: Vec<Inst>,
@@ -52,7 +52,8 @@ impl TexelProduct {
         layout: &mut Layout,
         mut outputs: impl Iterator<Item = Output>,
     ) -> Option<Self> {
-        let mut matcher = ProductMatcher { given: layout.given, ..ProductMatcher::default() };
+        let mut matcher =
+            ProductMatcher { first_written: layout.first_written, ..ProductMatcher::default() };
         for inst in code {
             matcher.add(inst)?;
         }
@@ -78,7 +79,7 @@ impl TexelProduct {
         let lookups: Vec<SampleInst> =
             lookups.iter().map(|&at| matcher.lookups[at].clone()).collect();
         let read_by_lookups: Vec<Reg> = lookups.iter().flat_map(read_by).collect();
-        layout.registers = layout.registers.max(layout.given + matcher.before.len() as u32);
+        layout.registers = layout.registers.max(layout.first_written + matcher.before.len() as u32);
         let read_by_factors: Vec<Reg> = factors.into_iter().flatten().collect();
         let before_factors = needed(&matcher.before, read_by_factors.clone());
         let before_lookups = needed(&matcher.before, read_by_lookups.clone());
@@ -134,7 +135,7 @@ impl TexelProduct {
 /// What a register holds.
 #[derive(Clone, Debug)]
 enum Value {
-    /// What is given or computed before the lookups.
+    /// A splat, an input, or a number computed before the lookups.
     Number(Reg),
     TexelProduct(TexelTerm),
 }
@@ -170,11 +171,11 @@ impl TexelTerm {
 /// A program so far, its parts sorted.
 #[derive(Default)]
 struct ProductMatcher {
-    /// Registers below are given to the program.
-    given: u32,
+    /// The first register that the program writes; those below are splats and inputs.
+    first_written: u32,
     /// What the registers hold that it has written.
     written: Vec<(Reg, Value)>,
-    /// Instructions before the lookups. Each has a register of its own, from `given` on.
+    /// Instructions before the lookups. Each has a register of its own, from `first_written` on.
     before: Vec<Inst>,
     lookups: Vec<SampleInst>,
 }
@@ -254,7 +255,7 @@ impl ProductMatcher {
         if self.before.len() == MAX_CODE_BEFORE {
             return None;
         }
-        let out = Reg(self.given + self.before.len() as u32);
+        let out = Reg(self.first_written + self.before.len() as u32);
         self.before.push(Inst::Compute { what, out, args });
         Some(Value::Number(out))
     }
@@ -277,7 +278,7 @@ impl ProductMatcher {
     }
 
     fn value(&self, reg: Reg) -> Option<Value> {
-        if reg.0 < self.given {
+        if reg.0 < self.first_written {
             return Some(Value::Number(reg));
         }
         let written = self.written.iter().find(|(written, _)| *written == reg);
@@ -333,6 +334,6 @@ fn needed(code: &[Inst], mut wanted: Vec<Reg>) -> Vec<Inst> {
 /// The inputs among these registers and those that the code reads, as numbers of inputs.
 fn inputs(layout: &Layout, registers: Vec<Reg>, code: &[Inst]) -> Vec<usize> {
     let read = registers.into_iter().chain(code.iter().flat_map(operands));
-    let is_input = |reg: &Reg| (layout.inputs..layout.given).contains(&reg.0);
+    let is_input = |reg: &Reg| (layout.inputs..layout.first_written).contains(&reg.0);
     read.filter(is_input).map(|reg| (reg.0 - layout.inputs) as usize).collect()
 }

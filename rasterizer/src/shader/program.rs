@@ -90,22 +90,21 @@ impl Prepared {
 pub(crate) struct OptimizedModule {
     pub module: Module,
     /// How many statements it had before.
-    given: usize,
+    statements_before: usize,
 }
 
 impl OptimizedModule {
     /// Optimizes `module`, keeping only the outputs for which `keep` holds. The module has been validated.
     pub fn new(module: &Module, keep: impl Fn(Output) -> bool) -> Self {
         let mut module = module.clone();
-        let given = statements(&module);
+        let before = statements(&module);
         module.outputs.retain(|(output, _)| keep(*output));
         optimize::optimize(&mut module);
-        Self { module, given }
+        Self { module, statements_before: before }
     }
 
-    /// Leaves what vertices can do as well to `vertex`, the module of the vertex stage that this one runs with;
-    /// `None`
-    /// where there is nothing.
+    /// Hoists what vertices can compute as well to `vertex`, the module of the vertex stage that this one runs with;
+    /// `None` where there is nothing to hoist.
     pub fn hoist_to_vertex(&mut self, vertex: &Module) -> Option<Module> {
         optimize::hoist_to_vertex(vertex, &mut self.module)
     }
@@ -114,7 +113,10 @@ impl OptimizedModule {
     pub fn finish(mut self) -> Program {
         optimize::finish(&mut self.module);
         let left = statements(&self.module);
-        Program { statements: [self.given, left], ..Program::lowered(&self.module, Fusing::On) }
+        Program {
+            statements: [self.statements_before, left],
+            ..Program::lowered(&self.module, Fusing::On)
+        }
     }
 }
 

@@ -98,7 +98,7 @@ impl Pass<'_> {
             && (1..=SMALL_DRAW).contains(&(primitives.len as usize * instances.len()))
             && instances.len() <= state.instances_per_chunk() as usize;
         let drawn = match is_small {
-            true => self.gather(&state),
+            true => self.merge_small_draw(&state),
             false => self.draw_in_own_chunks(&mut state, report),
         };
         let Ok(is_visible) = drawn else {
@@ -115,8 +115,8 @@ impl Pass<'_> {
         });
     }
 
-    /// Puts a small draw into one chunk with those before it, where that is the same; says whether it has shapes.
-    fn gather(&mut self, state: &DrawState<'_>) -> Result<bool, OverBudget> {
+    /// Appends a small draw to the chunk of the draws before it, if their state is equal; returns whether it has shapes.
+    fn merge_small_draw(&mut self, state: &DrawState<'_>) -> Result<bool, OverBudget> {
         let draws = &self.job.draws;
         let can_append = |all: &MergedDraws| {
             !all.is_full() && draws[all.draw].can_share_chunk(&draws[state.draw])
@@ -128,7 +128,7 @@ impl Pass<'_> {
         let new = || MergedDraws::new(state.draw, geometries.take(), lists.take());
         let all = self.merged.get_or_insert_with(new);
         let before = all.len();
-        state.gather(all)?;
+        state.append_to(all)?;
         Ok(all.len() > before)
     }
 
@@ -149,7 +149,7 @@ impl Pass<'_> {
             while start < state.primitives.len {
                 let range = start..state.primitives.len.min(start + RUN);
                 start = range.end;
-                is_visible |= self.take(state.chunks(range)?);
+                is_visible |= self.bin_chunks(state.chunks(range)?);
                 if self.shapes >= BINS_FULL {
                     self.run_tiles(report);
                 }

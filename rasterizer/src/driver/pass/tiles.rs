@@ -26,8 +26,8 @@ impl Pass<'_> {
         }
     }
 
-    /// Puts chunks into the bins of their tiles; says whether there are any shapes.
-    pub(super) fn take(&mut self, chunks: Vec<(Chunk, Vec<TileRun>)>) -> bool {
+    /// Puts chunks into the bins of their tiles; returns whether there are any shapes.
+    pub(super) fn bin_chunks(&mut self, chunks: Vec<(Chunk, Vec<TileRun>)>) -> bool {
         let before = self.shapes;
         for (chunk, runs) in chunks {
             let index = self.job.chunks.len() as u32;
@@ -44,7 +44,7 @@ impl Pass<'_> {
     /// Puts small draws into bins.
     pub(super) fn bin_merged(&mut self) {
         if let Some(all) = self.merged.take() {
-            self.take(vec![all.finish()]);
+            self.bin_chunks(vec![all.finish()]);
         }
     }
 

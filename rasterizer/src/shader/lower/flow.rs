@@ -80,7 +80,7 @@ impl Lowering<'_> {
                     let is_maskless = self.loop_position == Some(self.position())
                         && self.maskless_stores.by_loop(*var, outermost);
                     if is_maskless || self.uniformity.variable(*var) {
-                        // The other lanes never come back to where the variable is read.
+                        // Other lanes do not read the variable again.
                         self.emit(Inst::Move { out, from });
                     } else {
                         self.store(out, from);

@@ -43,7 +43,7 @@ impl Tracer {
         Operand { name, ty, bits }
     }
 
-    /// Ends a straight run: its steps go where they stand in the source, and are numbered so.
+    /// Ends a straight run: sorts its steps by their positions in the source, and numbers them so.
     fn finish_straight_run(&mut self) {
         self.run.sort_by_key(|(position, _)| *position);
         let numbers: Vec<u32> = self.run.iter().filter_map(|(_, step)| step.number()).collect();

@@ -13,7 +13,7 @@ use crate::ir::{
 /// The depth of operations up to which a coordinate is followed.
 const DEPTH: u32 = 12;
 
-/// Runs the pass; says whether it changed anything.
+/// Runs the pass; returns whether it changed the module.
 pub(super) fn run(module: &mut Module) -> bool {
     if module.stage != Stage::Fragment {
         return false;
