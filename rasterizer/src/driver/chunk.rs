@@ -138,7 +138,7 @@ impl DrawState<'_> {
         let shapes_of = |start: u32| -> Result<(Arc<Geometry>, ShapeLists), OverBudget> {
             let chunk_range = start..range.end.min(start + CHUNK);
             let own;
-            let (geometry, wanted) = match &shared {
+            let (geometry, vertex_list) = match &shared {
                 Some(vertices) => vertices,
                 None => {
                     own = vertices(&chunk_range)?;
@@ -147,7 +147,7 @@ impl DrawState<'_> {
             };
             let mut lists = self.lists.take();
             lists.shapes.clear();
-            self.shapes(geometry, wanted, chunk_range, &mut lists);
+            self.shapes(geometry, vertex_list, chunk_range, &mut lists);
             Ok((geometry.clone(), lists))
         };
         let is_strip = self.is_strip();
@@ -205,11 +205,11 @@ impl DrawState<'_> {
     ) -> Result<VertexList, OverBudget> {
         let ordinals = ordinals(self.pipeline.desc().topology, &self.primitives, range);
         let numbered = self.primitive_id();
-        let mut wanted = match numbered {
+        let mut vertex_list = match numbered {
             [None, None] => VertexList::new(ordinals, self.ids),
             [Some(_), _] | [None, Some(_)] => VertexList::without_sharing(ordinals, self.ids),
         };
-        wanted.base = first as u32;
+        vertex_list.base = first as u32;
         let stage = VertexStage {
             isa: self.isa,
             budget: self.budget,
@@ -224,19 +224,19 @@ impl DrawState<'_> {
             point_size: self.setup.raster.point.source,
             edge_flag: self.setup.raster.polygon.edge_flag,
         };
-        shade(&stage, &wanted.ids, self.instances.clone(), (geometry, first))?;
+        shade(&stage, &vertex_list.ids, self.instances.clone(), (geometry, first))?;
         for (part, varying) in [0, 16].into_iter().zip(numbered) {
             let Some(varying) = varying else { continue };
             for (at, instance) in
                 range.clone().flat_map(|at| (0..self.instances.len()).map(move |i| (at, i)))
             {
-                let before = (instance * wanted.ids.len()) as u32;
-                let vertex = before + wanted.local(provoking(self.primitives.get(at)));
+                let before = (instance * vertex_list.ids.len()) as u32;
+                let vertex = before + vertex_list.local(provoking(self.primitives.get(at)));
                 let bits = self.primitives.number(at) >> part & 0xFFFF;
                 geometry.set_varying(vertex, varying, bits as f32);
             }
         }
-        Ok(wanted)
+        Ok(vertex_list)
     }
 
     /// Which of the varyings are the halves of the primitive's number, where the fragment stage reads
@@ -251,22 +251,22 @@ impl DrawState<'_> {
     fn shapes(
         &self,
         geometry: &Geometry,
-        wanted: &VertexList,
+        vertex_list: &VertexList,
         range: Range<u32>,
         lists: &mut ShapeLists,
     ) {
         let before = lists.shapes.len();
         lists.shapes.reserve(range.len() * self.instances.len());
-        let mut set_up = |wanted: &VertexList| {
+        let mut set_up = |vertex_list: &VertexList| {
             let range = (&self.primitives, range.clone());
-            setup(&self.setup, geometry, range, wanted, &mut lists.shapes);
+            setup(&self.setup, geometry, range, vertex_list, &mut lists.shapes);
         };
-        set_up(wanted);
-        (1..self.instances.len() as u32).for_each(|at| set_up(&wanted.of_instance(at)));
+        set_up(vertex_list);
+        (1..self.instances.len() as u32).for_each(|at| set_up(&vertex_list.of_instance(at)));
         let is_visible = lists.shapes[before..].iter().any(Shape::is_somewhere);
         if !is_visible && range.start == 0 && self.max_reasons > 0 {
             let first = (&self.primitives, 0..range.end.min(self.max_reasons));
-            self.invisible.get_or_init(|| reasons(&self.setup, geometry, first, wanted));
+            self.invisible.get_or_init(|| reasons(&self.setup, geometry, first, vertex_list));
         }
     }
 }

@@ -72,7 +72,7 @@ pub fn reasons(
     setup: &Setup<'_>,
     geometry: &Geometry,
     (primitives, range): (&Primitives, Range<u32>),
-    wanted: &VertexList,
+    vertex_list: &VertexList,
 ) -> InvisibleReasons {
     let mut scratch = Scratch { planes: planes(&setup.viewport), ..Scratch::default() };
     let mut reasons = InvisibleReasons::new();
@@ -82,7 +82,7 @@ pub fn reasons(
             Primitive::Line(ordinals, _) => (PrimitiveKind::Line, ordinals.to_vec()),
             Primitive::Triangle(ordinals, ..) => (PrimitiveKind::Triangle, ordinals.to_vec()),
         };
-        let vertices: Vec<u32> = ordinals.into_iter().map(|v| wanted.local(v)).collect();
+        let vertices: Vec<u32> = ordinals.into_iter().map(|v| vertex_list.local(v)).collect();
         let reason = setup.reason(geometry, &vertices, &mut scratch);
         reasons.push((kind, reason));
     }

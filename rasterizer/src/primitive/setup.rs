@@ -119,13 +119,13 @@ pub(super) struct Scratch {
     pub planes: [[f64; 4]; 7],
 }
 
-/// Puts the shapes of a range of primitives behind `out`. `wanted` knows where in the geometry the
+/// Puts the shapes of a range of primitives behind `out`. `vertex_list` says where in the geometry the
 /// vertices are.
 pub fn setup(
     setup: &Setup<'_>,
     geometry: &Geometry,
     (primitives, range): (&Primitives, Range<u32>),
-    wanted: &VertexList,
+    vertex_list: &VertexList,
     out: &mut Vec<Shape>,
 ) {
     let mut scratch = Scratch { planes: planes(&setup.viewport), ..Scratch::default() };
@@ -134,12 +134,12 @@ pub fn setup(
         let mut batch = Triangles::default();
         for first in range.clone().step_by(LANES) {
             let chunk = first..range.end.min(first + LANES as u32);
-            batch.load(primitives, chunk.clone(), wanted);
+            batch.load(primitives, chunk.clone(), vertex_list);
             batch.setup(setup, geometry, chunk.len(), &mut scratch, out);
         }
         return;
     }
-    let local = |ordinal: u32| wanted.local(ordinal);
+    let local = |ordinal: u32| vertex_list.local(ordinal);
     // The polygon that is set up: its number, where its shapes begin, and the edge that closes it.
     let mut polygon: Option<(u32, usize, [u32; 2])> = None;
     let end = |polygon, out: &mut Vec<Shape>| {

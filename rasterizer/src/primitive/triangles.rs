@@ -42,16 +42,16 @@ struct TriangleMasks {
 
 impl Triangles {
     /// Takes a range of at most 64 primitives, all of them triangles.
-    pub fn load(&mut self, primitives: &Primitives, range: Range<u32>, wanted: &VertexList) {
+    pub fn load(&mut self, primitives: &Primitives, range: Range<u32>, vertex_list: &VertexList) {
         if let Some(provoking) = primitives.triples() {
-            wanted.triples(3 * range.start, &mut self.vertices, range.len());
+            vertex_list.triples(3 * range.start, &mut self.vertices, range.len());
             self.provoking = [provoking; LANES];
             return;
         }
         for (lane, i) in range.enumerate().take(LANES) {
             if let Primitive::Triangle(ordinals, provoking, _) = primitives.get(i) {
                 for (vertices, ordinal) in self.vertices.iter_mut().zip(ordinals) {
-                    vertices[lane] = wanted.local(ordinal);
+                    vertices[lane] = vertex_list.local(ordinal);
                 }
                 self.provoking[lane] = provoking;
             }

@@ -27,7 +27,7 @@ pub struct Level {
 
 impl Level {
     /// The bytes that the texels of a level without border take, padding aside, or none where it
-    /// is larger than any level may be. Takes no memory: what a proxy asks.
+    /// is larger than any level may be. Allocates nothing: for proxy textures.
     pub fn required_bytes(format: Format, width: u32, height: u32, depth: u32) -> Option<usize> {
         Self::bytes_with_border(format, [width, height, depth], [0; 3])
     }
@@ -122,7 +122,7 @@ impl Level {
         [self.width + 2 * s, self.height + 2 * t, self.depth + 2 * r]
     }
 
-    /// How many texels or blocks a side of `texels` takes. A shift, as every sample asks for it.
+    /// The number of texels or blocks along a side of `texels`. A shift, as it is computed for every sample.
     #[inline(always)]
     fn units(&self, texels: u32) -> usize {
         let side = self.format.block_side();

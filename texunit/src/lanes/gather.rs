@@ -168,7 +168,7 @@ mod tests {
         let bytes: Vec<u8> = (0..1024u32).map(|i| (i * 37 + i / 7) as u8).collect();
         let offsets = U32s::from_fn(|lane| (lane as u32 * 131) % 1009);
         let word = |at: usize| u32::from_le_bytes(bytes[at..at + 4].try_into().unwrap());
-        // Where each batch that comes back has its words, from the offset.
+        // The byte offsets of the words in each returned batch.
         let ops: [(GatherOp, &[usize]); 4] = [
             (GatherOp::Words, &[0, 0]),
             (GatherOp::Pairs, &[0, 4, 0, 4]),

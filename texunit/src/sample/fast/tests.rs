@@ -212,8 +212,8 @@ fn the_short_way_gives_the_bits_of_the_general_one() {
 }
 
 #[test]
-fn places_that_are_kept_are_those_that_would_be_found() {
-    let (mut kept, mut apart) = (0, 0);
+fn reused_addresses_are_those_that_would_be_computed() {
+    let (mut shared, mut separate) = (0, 0);
     for round in 0..600_u32 {
         let pick = |salt: u32, n: usize| noise(round * 32 + salt) as usize % n;
         let filters = [Filter::Nearest, Filter::Linear, Filter::Linear];
@@ -229,7 +229,7 @@ fn places_that_are_kept_are_those_that_would_be_found() {
         let size = [width, height, 1];
         let format = [Format::Rgba8, Format::Rgb8][pick(5, 2)];
         let first = SamplePlan::new(&image(Shape::D2, format, size, 2 * round), &sampler);
-        // Of the same size and sampler, or with one thing other.
+        // Of the same size, format and sampler, or with one of them different.
         let other = Sampler { lod_bias: 0.5, ..sampler.clone() };
         let (is_like, size, format, sampler) = match pick(6, 8) {
             0 => (false, [width + 1, height, 1], format, &sampler),
@@ -243,7 +243,7 @@ fn places_that_are_kept_are_those_that_would_be_found() {
             _ => (true, size, format, &sampler),
         };
         let second = SamplePlan::new(&image(Shape::D2, format, size, 2 * round + 64), sampler);
-        // What decides λ, and the bias for who asks for it, differ where nothing else does.
+        // Plans of another size or format, or with mipmaps and another LOD bias, do not share addresses.
         if !is_like {
             assert!(
                 !second.shares_addresses_with(&first),
@@ -253,10 +253,10 @@ fn places_that_are_kept_are_those_that_would_be_found() {
             );
         }
         if !second.shares_addresses_with(&first) {
-            apart += 1;
+            separate += 1;
             continue;
         }
-        kept += 1;
+        shared += 1;
         let scale: f32 = [0.02, 0.3, 4.0][pick(7, 3)];
         let coords = [8, 9, 10].map(|salt| {
             let is_inside = pick(11, 2) == 0;
@@ -289,7 +289,7 @@ fn places_that_are_kept_are_those_that_would_be_found() {
             }
         }
     }
-    assert!(kept > 200 && apart > 100, "{kept} {apart}");
+    assert!(shared > 200 && separate > 100, "{shared} {separate}");
 }
 
 /// The image with the last of each four bytes 255: alpha, where that is a byte.
