@@ -10,7 +10,7 @@ pub type PlaneLanes = [F64s; 3];
 
 const PLANE: PlaneLanes = [F64s::ZERO; 3];
 
-/// The planes that weight the three vertices; see `interpolate::Rows`.
+/// The planes that weight the three vertices; see [`crate::primitive::VertexPlanes`].
 #[derive(Debug)]
 pub struct Weights {
     view: View,
