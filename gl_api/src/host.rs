@@ -20,7 +20,7 @@ use crate::pixel::convert::{Conversion, Final};
 use crate::pixel::layout::{Extent, Layout};
 use crate::pixel::store::PixelStore;
 use crate::pixel::transfer::Transfer;
-use rasterizer::driver::{Image, Put};
+use rasterizer::driver::{Image, RowWriter};
 
 pub use crate::base::refused_result::RefusedResult;
 pub use crate::context::mirror::SurfaceMirror;
@@ -235,7 +235,7 @@ fn copy(
         }
     };
     let is_copy = conversion.is_copy(&row) && pixels.alpha == Alpha::AsFormat;
-    let put = if is_copy { Put::AsStored } else { Put::By(&convert) };
+    let writer = if is_copy { RowWriter::Copy } else { RowWriter::Convert(&convert) };
     let up = match first {
         FirstRow::Bottom => Up::Y,
         FirstRow::Top => Up::NotY,
@@ -245,7 +245,7 @@ fn copy(
         &from,
         all,
         ClientRows { bytes, stride, row_bytes, up },
-        put,
+        writer,
     );
 }
 

@@ -6,8 +6,8 @@ use common::{bindings, bytes, device, fragment, image, pass, pipeline, vertex, v
 use rasterizer::driver::{
     AlphaToCoverage, AlphaToOne, Attachment, Blend, BlendEquation, BlendFactor, ClearValue,
     Command, CommandBuffer, Counter, DepthState, DepthWrite, Device, Image, MultisampleState,
-    Pipeline, PipelineDesc, RasterState, Rect, Rows, SampleCoverage, SampleRule, ShaderModule,
-    Topology, sample_positions,
+    MultisampleStorage, Pipeline, PipelineDesc, RasterState, Rect, SampleCoverage, SampleRule,
+    ShaderModule, Topology, sample_positions,
 };
 use rasterizer::ir::{Builder, Input, Interpolation, Output, Stage};
 use std::sync::Arc;
@@ -277,7 +277,7 @@ fn rows_of_every_sample_hold_what_it_holds() {
         let level = Level::with_size(Format::R32F, [SIZE, SIZE, 4], [0; 3]).expect("small");
         texels.set_level(0, 0, level).expect("face 0");
         let target = Image::new(Texels::new(Shape::D2Array));
-        target.replace(texels, 4, Rows::EachSample);
+        target.replace(texels, 4, MultisampleStorage::EachSample);
         let targets = (&target, None);
         draw(&device, targets, &constant([1.0; 4]), each(), &corners, |_| 0.0);
         let texels = target.texels();

@@ -16,7 +16,7 @@ mod halve;
 use crate::format::Format;
 use crate::image::{Image, ImageError, Level, Shape};
 use crate::lanes::Isa;
-use halve::{Cover, Halve};
+use halve::{AxisTaps, Halve};
 
 impl Format {
     /// Whether texels can be averaged: integers and stencil cannot.
@@ -45,7 +45,7 @@ impl Level {
         let half = shape.halved(self.size());
         let mut smaller = Self::with_size(format, half, self.border)?;
         let [columns, rows, slices] =
-            [0, 1, 2].map(|axis| Cover::all(self.size()[axis], half[axis], self.border[axis]));
+            [0, 1, 2].map(|axis| AxisTaps::all(self.size()[axis], half[axis], self.border[axis]));
         isa.run(Halve { from: self, to: &mut smaller, columns, rows, slices });
         Ok(smaller)
     }

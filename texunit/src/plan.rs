@@ -3,10 +3,10 @@
 //! A plan is data and calls no kernel. The kernels that read it, and the methods of [`SamplePlan`] that sample, are in
 //! [`crate::sample`].
 
+mod buffer_texture;
 mod describe;
 mod lod_range;
 mod prepare;
-mod row;
 mod selection;
 mod texel_class;
 mod texture;

@@ -112,7 +112,7 @@ fn fixed_locations(context: &Context, attached: &Attached) -> Option<bool> {
         Source::Renderbuffer(_) => Some(true),
         Source::Texture { name, .. } => {
             let texture = context.objects.shared.textures.get(name);
-            let texture = texture.filter(|texture| texture.image.same(&attached.image))?;
+            let texture = texture.filter(|texture| texture.image.is_same_image(&attached.image))?;
             Some(texture.samples.is_none_or(|samples| samples.fixed_locations))
         }
     }

@@ -9,7 +9,9 @@ use rasterizer::driver::{Attachment, Command, Image, PassDesc, Rect};
 
 fn same_attachment(a: Option<&Attachment>, b: Option<&Attachment>) -> bool {
     match (a, b) {
-        (Some(a), Some(b)) => a.image.same(&b.image) && a.face == b.face && a.level == b.level,
+        (Some(a), Some(b)) => {
+            a.image.is_same_image(&b.image) && a.face == b.face && a.level == b.level
+        }
         (None, None) => true,
         (Some(_), None) | (None, Some(_)) => false,
     }
@@ -32,7 +34,7 @@ pub(crate) fn begin_pass(context: &mut Context, pass: PassDesc) {
     let recorder = &mut context.recorder;
     recorder.end_pass();
     for attachment in pass.colors.iter().chain([&pass.depth]).flatten() {
-        if !recorder.written.iter().any(|image| image.same(&attachment.image)) {
+        if !recorder.written.iter().any(|image| image.is_same_image(&attachment.image)) {
             recorder.written.push(attachment.image.clone());
         }
     }
@@ -42,7 +44,7 @@ pub(crate) fn begin_pass(context: &mut Context, pass: PassDesc) {
 
 /// Submits what was recorded, if it writes to an image that is about to be read or changed.
 pub(crate) fn settle(context: &mut Context, image: &Image) {
-    if context.recorder.written.iter().any(|written| written.same(image)) {
+    if context.recorder.written.iter().any(|written| written.is_same_image(image)) {
         submit(context);
     }
 }
@@ -88,7 +90,7 @@ fn execute(context: &mut Context) {
         Err(error) => context.debug.warn(format!("the driver refused recorded draws: {error}")),
     }
     let written = std::mem::take(&mut context.recorder.written);
-    context.objects.images_changed(|image| written.iter().any(|other| other.same(image)));
+    context.objects.images_changed(|image| written.iter().any(|other| other.is_same_image(image)));
 }
 
 /// The pixels that fragments reach: the attachments' area within the scissor rectangle.

@@ -40,10 +40,10 @@ pub(crate) fn plan(context: &mut Context, unit: u8) -> Result<Arc<SamplePlan>> {
         return Ok(Arc::clone(plan));
     }
     let bytes = &buffer.bytes()[store.range_of(buffer.bytes().len())];
-    let row = Level::row(store.format, bytes, limits::MAX_TEXTURE_BUFFER_SIZE)
+    let level = Level::of_buffer_texture(store.format, bytes, limits::MAX_TEXTURE_BUFFER_SIZE)
         .map_err(|error| GlError::new(ErrorCode::OutOfMemory, SECTION, error.to_string()))?;
-    context.recorder.hold(row.texels.len());
-    let plan = Arc::new(SamplePlan::for_buffer(row));
+    context.recorder.hold(level.texels.len());
+    let plan = Arc::new(SamplePlan::for_buffer_texture(level));
     let store = &mut context.objects.texture_mut(TextureTarget::Buffer, bound).store;
     store.plan = Some((buffer.version(), Arc::clone(&plan)));
     Ok(plan)

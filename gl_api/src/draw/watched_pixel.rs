@@ -82,7 +82,7 @@ pub(crate) fn texture(context: &Context, unit: u32, target: TextureTarget) -> St
 pub(crate) fn is_watched(context: &Context, pass: &PassDesc) -> bool {
     let window = &context.window.color;
     context.watched.is_some()
-        && pass.colors.iter().flatten().any(|attachment| attachment.image.same(window))
+        && pass.colors.iter().flatten().any(|attachment| attachment.image.is_same_image(window))
 }
 
 /// Notes that the next command of the open pass, which is watched, is a draw.

@@ -37,7 +37,7 @@ pub(crate) struct Attached {
 impl Attached {
     /// Whether both are the same slice of the same image.
     pub fn same(&self, other: &Self) -> bool {
-        self.source == other.source && self.image.same(&other.image)
+        self.source == other.source && self.image.is_same_image(&other.image)
     }
 }
 

@@ -12,6 +12,6 @@ pub use batch_layout::{BatchLayout, LoadOp, with_texels, with_words};
 pub use depth_format::{DepthFormat, LARGEST_16, LARGEST_24, depth_word};
 pub use encode::{decode_color, encode_color, texel_color, texel_words};
 pub use plane::{BLOCKS, WordPlane};
-pub use surface::{Part, Put, Slices, StoreContext, Surface, TileTarget};
+pub use surface::{RowSpan, RowWriter, Slices, StoreContext, Surface, TileTarget};
 pub(crate) use words::is_attachable;
 pub use words::{WordMask, all_bits, component_bits};

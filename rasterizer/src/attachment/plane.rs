@@ -16,7 +16,7 @@ pub struct WordPlane {
     words: Vec<U32s>,
     /// The word of the last clear.
     word: u32,
-    /// The blocks that hold it, whatever stands in `words`: bit by block.
+    /// The blocks that have the word of the clear and no words of their own, bit by block.
     cleared: u64,
 }
 
@@ -37,8 +37,8 @@ impl WordPlane {
         (self.word, self.cleared) = (word, !0);
     }
 
-    /// The word that all blocks hold since a clear, if nothing was drawn over it.
-    pub fn alike(&self) -> Option<u32> {
+    /// The word of the clear, if all blocks still hold it.
+    pub fn cleared_word(&self) -> Option<u32> {
         (self.cleared == !0).then_some(self.word)
     }
 
@@ -50,26 +50,26 @@ impl WordPlane {
 
     /// The words of a block, or the one that it is cleared to.
     #[inline(always)]
-    pub fn held(&self, block: usize) -> Result<&U32s, u32> {
+    pub fn block_or_clear(&self, block: usize) -> Result<&U32s, u32> {
         if self.is_cleared(block) { Err(self.word) } else { Ok(&self.words[block]) }
     }
 
     /// The words of a block.
     #[inline]
     pub fn block(&self, block: usize) -> U32s {
-        self.held(block).copied().unwrap_or_else(U32s::splat)
+        self.block_or_clear(block).copied().unwrap_or_else(U32s::splat)
     }
 
     /// A block, for writing.
     #[inline]
     pub fn block_mut(&mut self, block: usize) -> &mut U32s {
-        self.ready(block, LoadOp::Load);
+        self.materialize(block, LoadOp::Load);
         &mut self.words[block]
     }
 
-    /// Makes a block's words its own: those that it holds, or any, if they are about to be written.
+    /// Gives a cleared block words of its own: the word of the clear, or any words with [`LoadOp::DontCare`].
     #[inline]
-    pub fn ready(&mut self, block: usize, old: LoadOp) {
+    pub fn materialize(&mut self, block: usize, old: LoadOp) {
         if self.is_cleared(block) {
             self.fill(block, old);
         }
@@ -86,9 +86,9 @@ impl WordPlane {
         self.cleared &= !(1 << block);
     }
 
-    /// The words of all blocks, of which only those hold what they should that are [`Self::ready`].
+    /// The words of all blocks. Those of cleared blocks are undefined before [`Self::materialize`].
     #[inline]
-    pub fn ready_blocks(&mut self) -> &mut [U32s] {
+    pub fn materialized_blocks(&mut self) -> &mut [U32s] {
         &mut self.words
     }
 
@@ -110,7 +110,7 @@ impl WordPlane {
         }
     }
 
-    /// Asks for the words of a block that is written soon.
+    /// Prefetches the words of a block.
     #[inline]
     pub fn prefetch(&self, block: usize) {
         if let Some(words) = self.words.get(block) {

@@ -20,7 +20,9 @@ pub fn resolve_tile(
     let samples: Vec<&[WordPlane]> = planes.chunks(words).take(usize::from(samples)).collect();
     let Some((first, rest)) = samples.split_first() else { return Vec::new() };
     let same = |plane: &WordPlane, word: usize| {
-        plane.alike().is_some_and(|word_of_all| first[word].alike() == Some(word_of_all))
+        plane
+            .cleared_word()
+            .is_some_and(|word_of_all| first[word].cleared_word() == Some(word_of_all))
     };
     let is_clear = rest.iter().all(|s| s.iter().enumerate().all(|(word, p)| same(p, word)));
     if format.is_depth() || format.is_integer() || is_clear {

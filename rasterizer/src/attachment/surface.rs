@@ -16,7 +16,7 @@ use super::words::{attachment_words, is_attachable, words_of};
 use crate::sizes::TILE;
 use crate::threads::ThreadPool;
 use bytemuck::Pod;
-pub use store::{Part, Put};
+pub use store::{RowSpan, RowWriter};
 use texunit::format::Format;
 use texunit::image::Level;
 use texunit::lanes::{Isa, LANES, QUADS, U32s, lane_x, lane_y};
@@ -271,7 +271,7 @@ mod tests {
                 *byte = (index * 7 % 251) as u8;
             }
             let surface = Surface::from_level(&level, Slices::One(0), 1, &ThreadPool::CALLER_ONLY);
-            let cleared = |tile: &Vec<WordPlane>| tile[0].alike().is_some();
+            let cleared = |tile: &Vec<WordPlane>| tile[0].cleared_word().is_some();
             assert_eq!(surface.tiles.iter().filter(|tile| cleared(tile)).count(), 5);
             let mut back = Level::new(format, 150, 70).expect("small");
             let context = StoreContext { isa: Isa::best(), thread_pool: &ThreadPool::CALLER_ONLY };

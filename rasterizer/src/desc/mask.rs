@@ -50,7 +50,7 @@ impl PixelMask {
 
     /// The tile of a block, and its number there.
     #[inline]
-    fn place(&self, [column, row]: [u32; 2]) -> (usize, usize) {
+    fn tile_and_block(&self, [column, row]: [u32; 2]) -> (usize, usize) {
         let [x, y] = [column as usize, row as usize];
         (y / BLOCKS * self.across + x / BLOCKS, y % BLOCKS * BLOCKS + x % BLOCKS)
     }
@@ -58,13 +58,13 @@ impl PixelMask {
     /// The pixels of a block that it holds.
     #[inline]
     pub fn block(&self, at: [u32; 2]) -> u64 {
-        let (tile, block) = self.place(at);
+        let (tile, block) = self.tile_and_block(at);
         self.tiles.get(tile).and_then(Option::as_ref).map_or(0, |blocks| blocks[block])
     }
 
-    /// Adds pixels; those of a tile that is not there are left out.
+    /// Adds pixels; those outside of the framebuffer are ignored.
     pub fn add(&mut self, MaskBlock { at, pixels }: MaskBlock) {
-        let (tile, block) = self.place(at);
+        let (tile, block) = self.tile_and_block(at);
         if let Some(tile) = self.tiles.get_mut(tile) {
             tile.get_or_insert_with(|| Box::new([0; BLOCKS * BLOCKS]))[block] |= pixels;
         }
@@ -76,12 +76,13 @@ impl PixelMask {
         tiles.filter_map(|(index, tile)| {
             let [x, y] = [index % self.across, index / self.across].map(|at| (at * BLOCKS) as u32);
             let used = tile.iter().flat_map(|tile| tile.iter().enumerate()).filter(|of| *of.1 != 0);
-            let places =
+            let positions =
                 used.map(|(block, _)| [block % BLOCKS, block / BLOCKS].map(|at| at as u32));
             let bounds = |[low, high]: [[u32; 2]; 2], at: [u32; 2]| {
                 [[low[0].min(at[0]), low[1].min(at[1])], [high[0].max(at[0]), high[1].max(at[1])]]
             };
-            let [low, high] = places.map(|at| [at, at]).reduce(|all, [at, _]| bounds(all, at))?;
+            let [low, high] =
+                positions.map(|at| [at, at]).reduce(|all, [at, _]| bounds(all, at))?;
             Some(Rect {
                 x: ((x + low[0]) * 8) as i32,
                 y: ((y + low[1]) * 8) as i32,
@@ -93,8 +94,8 @@ impl PixelMask {
 
     /// The bytes of its memory.
     pub fn bytes(&self) -> usize {
-        let there = self.tiles.iter().flatten().count();
-        size_of_val(&self.tiles[..]) + there * size_of::<[u64; BLOCKS * BLOCKS]>()
+        let count = self.tiles.iter().flatten().count();
+        size_of_val(&self.tiles[..]) + count * size_of::<[u64; BLOCKS * BLOCKS]>()
     }
 }
 

@@ -3,7 +3,7 @@
 
 use crate::desc::{Topology, VertexBinding};
 use crate::plan::{Pipeline, Textures};
-use crate::primitive::{Reasons, Setup, Shape, reasons, setup, stipple_lines};
+use crate::primitive::{InvisibleReasons, Setup, Shape, reasons, setup, stipple_lines};
 use crate::raster::{Chunk, ShapeLists};
 use crate::shader::{Machine, OverBudget, Prepared};
 use crate::sizes::TILE;
@@ -43,12 +43,12 @@ pub struct DrawState<'a> {
     pub setup: Setup<'a>,
     /// How far the line stipple has come, in subpixels.
     pub stipple: u32,
-    /// Which instances: several only of [`Self::at_once`].
+    /// Which instances: several only of [`Self::instances_per_chunk`].
     pub instances: Range<u32>,
-    /// So many of its primitives are asked why nothing of them is seen, if that is so.
-    pub asked: u32,
-    /// What they say.
-    pub unseen: OnceLock<Reasons>,
+    /// The most primitives for which the reason is recorded, if no primitive is visible.
+    pub max_reasons: u32,
+    /// These reasons.
+    pub invisible: OnceLock<InvisibleReasons>,
 }
 
 /// The shapes of one tile in a chunk's `binned`.
@@ -60,7 +60,7 @@ pub struct TileRun {
     pub end: u32,
 }
 
-/// What of small draws that share a plan becomes one chunk.
+/// Small draws with one plan that are merged into one chunk.
 pub struct MergedDraws {
     /// The first of them.
     pub draw: usize,
@@ -69,7 +69,7 @@ pub struct MergedDraws {
 }
 
 impl MergedDraws {
-    /// Nothing of a draw.
+    /// An empty chunk of a draw.
     pub fn new(draw: usize, mut geometry: Geometry, mut lists: ShapeLists) -> Self {
         geometry.clear();
         lists.shapes.clear();
@@ -81,26 +81,26 @@ impl MergedDraws {
         self.lists.shapes.len()
     }
 
-    /// Whether it is as much as one chunk should be.
+    /// Whether it has the size of a chunk.
     pub fn is_full(&self) -> bool {
         self.len() >= CHUNK as usize || self.geometry.len() >= 4 * CHUNK as usize
     }
 
     /// The chunk.
     pub fn finish(self) -> (Chunk, Vec<TileRun>) {
-        sorted(self.draw, Arc::new(self.geometry), self.lists)
+        chunk_of(self.draw, Arc::new(self.geometry), self.lists)
     }
 }
 
 /// A chunk of these shapes.
-fn sorted(draw: usize, geometry: Arc<Geometry>, mut lists: ShapeLists) -> (Chunk, Vec<TileRun>) {
+fn chunk_of(draw: usize, geometry: Arc<Geometry>, mut lists: ShapeLists) -> (Chunk, Vec<TileRun>) {
     let runs = sort_by_tile(&mut lists);
     (Chunk { draw, geometry, lists }, runs)
 }
 
 impl DrawState<'_> {
-    /// As many instances may be taken at once as make a chunk. Each strip of lines begins its stipple anew.
-    pub fn at_once(&self) -> u32 {
+    /// The number of instances in one chunk. A strip of lines restarts its stipple and has a chunk of its own.
+    pub fn instances_per_chunk(&self) -> u32 {
         if self.is_strip() { 1 } else { (CHUNK / self.primitives.len.max(1)).max(1) }
     }
 
@@ -128,26 +128,26 @@ impl DrawState<'_> {
         // but for the few that strips and fans share.
         let vertices = |range: &Range<u32>| {
             let mut geometry = self.geometries.take();
-            let wanted = self.vertices(range, &mut geometry, 0)?;
-            Ok((Arc::new(geometry), wanted))
+            let vertex_list = self.vertices(range, &mut geometry, 0)?;
+            Ok((Arc::new(geometry), vertex_list))
         };
         let shared = match self.ids {
             VertexIds::Indexed(_) => Some(vertices(&range)?),
             VertexIds::Range(_) => None,
         };
         let shapes_of = |start: u32| -> Result<(Arc<Geometry>, ShapeLists), OverBudget> {
-            let part = start..range.end.min(start + CHUNK);
+            let chunk_range = start..range.end.min(start + CHUNK);
             let own;
-            let (geometry, wanted) = match &shared {
+            let (geometry, vertex_list) = match &shared {
                 Some(vertices) => vertices,
                 None => {
-                    own = vertices(&part)?;
+                    own = vertices(&chunk_range)?;
                     &own
                 }
             };
             let mut lists = self.lists.take();
             lists.shapes.clear();
-            self.shapes(geometry, wanted, part, &mut lists);
+            self.shapes(geometry, vertex_list, chunk_range, &mut lists);
             Ok((geometry.clone(), lists))
         };
         let is_strip = self.is_strip();
@@ -157,7 +157,7 @@ impl DrawState<'_> {
             if is_stippled {
                 lists.shapes.retain(Shape::is_somewhere);
             }
-            sorted(draw, geometry, lists)
+            chunk_of(draw, geometry, lists)
         };
         if range.len() <= CHUNK as usize {
             let mut one = shapes_of(range.start)?;
@@ -184,15 +184,15 @@ impl DrawState<'_> {
         Ok(all.into_iter().map(chunk).collect())
     }
 
-    /// Puts all of a draw of at most [`CHUNK`] primitives behind those of others.
+    /// Appends a draw of at most [`CHUNK`] primitives to a merged chunk.
     ///
     /// # Errors
     /// When a batch of vertices runs over its budget; then nothing of the draw is appended.
-    pub fn gather(&self, all: &mut MergedDraws) -> Result<(), OverBudget> {
+    pub fn append_to(&self, all: &mut MergedDraws) -> Result<(), OverBudget> {
         let MergedDraws { geometry, lists, .. } = all;
         let range = 0..self.primitives.len;
-        let wanted = self.vertices(&range, geometry, geometry.len())?;
-        self.shapes(geometry, &wanted, range, lists);
+        let vertex_list = self.vertices(&range, geometry, geometry.len())?;
+        self.shapes(geometry, &vertex_list, range, lists);
         Ok(())
     }
 
@@ -205,11 +205,11 @@ impl DrawState<'_> {
     ) -> Result<VertexList, OverBudget> {
         let ordinals = ordinals(self.pipeline.desc().topology, &self.primitives, range);
         let numbered = self.primitive_id();
-        let mut wanted = match numbered {
+        let mut vertex_list = match numbered {
             [None, None] => VertexList::new(ordinals, self.ids),
-            [Some(_), _] | [None, Some(_)] => VertexList::apart(ordinals, self.ids),
+            [Some(_), _] | [None, Some(_)] => VertexList::without_sharing(ordinals, self.ids),
         };
-        wanted.base = first as u32;
+        vertex_list.base = first as u32;
         let stage = VertexStage {
             isa: self.isa,
             budget: self.budget,
@@ -224,19 +224,19 @@ impl DrawState<'_> {
             point_size: self.setup.raster.point.source,
             edge_flag: self.setup.raster.polygon.edge_flag,
         };
-        shade(&stage, &wanted.ids, self.instances.clone(), (geometry, first))?;
+        shade(&stage, &vertex_list.ids, self.instances.clone(), (geometry, first))?;
         for (part, varying) in [0, 16].into_iter().zip(numbered) {
             let Some(varying) = varying else { continue };
             for (at, instance) in
                 range.clone().flat_map(|at| (0..self.instances.len()).map(move |i| (at, i)))
             {
-                let before = (instance * wanted.ids.len()) as u32;
-                let vertex = before + wanted.local(provoking(self.primitives.get(at)));
+                let before = (instance * vertex_list.ids.len()) as u32;
+                let vertex = before + vertex_list.local(provoking(self.primitives.get(at)));
                 let bits = self.primitives.number(at) >> part & 0xFFFF;
                 geometry.set_varying(vertex, varying, bits as f32);
             }
         }
-        Ok(wanted)
+        Ok(vertex_list)
     }
 
     /// Which of the varyings are the halves of the primitive's number, where the fragment stage reads
@@ -251,22 +251,22 @@ impl DrawState<'_> {
     fn shapes(
         &self,
         geometry: &Geometry,
-        wanted: &VertexList,
+        vertex_list: &VertexList,
         range: Range<u32>,
         lists: &mut ShapeLists,
     ) {
         let before = lists.shapes.len();
         lists.shapes.reserve(range.len() * self.instances.len());
-        let mut set_up = |wanted: &VertexList| {
+        let mut set_up = |vertex_list: &VertexList| {
             let range = (&self.primitives, range.clone());
-            setup(&self.setup, geometry, range, wanted, &mut lists.shapes);
+            setup(&self.setup, geometry, range, vertex_list, &mut lists.shapes);
         };
-        set_up(wanted);
-        (1..self.instances.len() as u32).for_each(|at| set_up(&wanted.of_instance(at)));
-        let is_seen = lists.shapes[before..].iter().any(Shape::is_somewhere);
-        if !is_seen && range.start == 0 && self.asked > 0 {
-            let first = (&self.primitives, 0..range.end.min(self.asked));
-            self.unseen.get_or_init(|| reasons(&self.setup, geometry, first, wanted));
+        set_up(vertex_list);
+        (1..self.instances.len() as u32).for_each(|at| set_up(&vertex_list.of_instance(at)));
+        let is_visible = lists.shapes[before..].iter().any(Shape::is_somewhere);
+        if !is_visible && range.start == 0 && self.max_reasons > 0 {
+            let first = (&self.primitives, 0..range.end.min(self.max_reasons));
+            self.invisible.get_or_init(|| reasons(&self.setup, geometry, first, vertex_list));
         }
     }
 }
@@ -359,7 +359,7 @@ mod tests {
             bounds: [low, high],
             vertices: [0; 3],
             provoking: 0,
-            part: Clipping::Whole,
+            clipping: Clipping::Whole,
             kind: ShapeKind::Triangle,
             facing: Facing::Front,
         };

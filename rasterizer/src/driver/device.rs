@@ -5,7 +5,7 @@ use super::image::{Attachment, Image};
 use super::report::{DeviceError, SubmitError, SubmitReport};
 use super::resources::{DeviceDesc, Resources};
 use super::{check, submit};
-use crate::attachment::{Part, Put, StoreContext};
+use crate::attachment::{RowSpan, RowWriter, StoreContext};
 use crate::threads::{ForkAwarePool, ThreadPool};
 use std::sync::Arc;
 use texunit::image::{Image as Texels, Level};
@@ -52,7 +52,7 @@ impl Device {
         Ok(submit::run(&self.resources, &thread_pool, &commands.commands))
     }
 
-    /// Who stores what was drawn. Without threads the one that asks does it alone.
+    /// The thread pool that stores tiles; without threads the caller does it alone.
     fn thread_pool(&self) -> ThreadPool {
         self.threads.thread_pool().unwrap_or(ThreadPool::CALLER_ONLY)
     }
@@ -78,7 +78,7 @@ impl Device {
 
     /// [`Image::texels`], faster of large ones.
     pub fn texels(&self, image: &Image) -> Texels {
-        image.texels_by(&self.thread_pool())
+        image.texels_with(&self.thread_pool())
     }
 
     /// What an attachment names, as everything submitted leaves it, with one sample a pixel, which
@@ -88,21 +88,27 @@ impl Device {
         let Attachment { image, face, level } = attachment;
         let context =
             StoreContext { isa: self.resources.desc.isa, thread_pool: &self.thread_pool() };
-        image.resolved_by(*face, *level, context)
+        image.resolved_with(*face, *level, context)
     }
 
-    /// Puts a part of what an attachment names, as everything submitted leaves it, where a client has its
-    /// rows, with one sample a pixel, which several are resolved to. What was drawn and has not been asked
-    /// for since is not stored elsewhere for it. Nothing is put where nothing is attached.
+    /// Writes a region of what an attachment names, as everything submitted leaves it, into the rows of a
+    /// client, samples resolved. What was drawn and has not been asked
+    /// for since is not stored elsewhere for it. Nothing is written where nothing is attached.
     ///
     /// # Panics
     /// When a row is too short, or the region is not within the image.
-    pub fn read(&self, attachment: &Attachment, part: Part, rows: &mut [&mut [u8]], put: Put<'_>) {
+    pub fn read(
+        &self,
+        attachment: &Attachment,
+        span: RowSpan,
+        rows: &mut [&mut [u8]],
+        writer: RowWriter<'_>,
+    ) {
         let _float_env = FloatEnv::enter();
         let Attachment { image, face, level } = attachment;
         let context =
             StoreContext { isa: self.resources.desc.isa, thread_pool: &self.thread_pool() };
-        image.read_by((*face, *level), part, rows, put, context);
+        image.read_with((*face, *level), span, rows, writer, context);
     }
 
     /// Puts back what [`Image::each_sample`] gave, changed. Draws that were recorded earlier keep what

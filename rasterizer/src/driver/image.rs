@@ -5,10 +5,10 @@
 //! pass ends, so that passes that follow each other do not pay for it.
 //!
 //! The rows of an image with several samples a pixel are what they are resolved to, and the samples
-//! themselves are in the attachment layout alone; or every sample has rows of its own ([`Rows`]), so
+//! themselves are in the attachment layout alone; or every sample has rows of its own ([`MultisampleStorage`]), so
 //! that they can be sampled one by one and several layers drawn to in turn.
 
-use crate::attachment::{Part, Put, Slices, StoreContext, Surface};
+use crate::attachment::{RowSpan, RowWriter, Slices, StoreContext, Surface};
 use crate::plan::possible_samples;
 use crate::sizes::MAX_SAMPLES;
 use crate::threads::ThreadPool;
@@ -28,13 +28,13 @@ struct State {
     /// The only level of an image of zeros whose rows have not been requested.
     blank: Option<Blank>,
     samples: u8,
-    rows: Rows,
+    storage: MultisampleStorage,
     attached: Option<Attached>,
 }
 
 /// What the rows of an image with several samples a pixel hold.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Rows {
+pub enum MultisampleStorage {
     /// What the samples are resolved to.
     Resolved,
     /// The samples: each has a slice, those of a layer lie together. The shape is
@@ -104,17 +104,17 @@ fn face_and_slice(shape: Shape, number: u16) -> (usize, usize) {
 }
 
 impl State {
-    /// Which slice of which face an attachment names.
-    fn place(&self, face: u16, level: u8) -> Subresource {
+    /// The slice, face and level that an attachment names.
+    fn subresource(&self, face: u16, level: u8) -> Subresource {
         let (face, slice) = face_and_slice(self.texels.shape(), face);
         Subresource { face, slice, level: level.into() }
     }
 
     /// The slices of the level where its samples are.
     fn slices(&self, at: Subresource) -> Slices {
-        match self.rows {
-            Rows::Resolved => Slices::One(at.slice),
-            Rows::EachSample => Slices::Each(at.slice * usize::from(self.samples)),
+        match self.storage {
+            MultisampleStorage::Resolved => Slices::One(at.slice),
+            MultisampleStorage::EachSample => Slices::Each(at.slice * usize::from(self.samples)),
         }
     }
 
@@ -130,7 +130,7 @@ impl State {
             None => {
                 let level = self.texels.level(at.face, at.level)?;
                 let (mut size, border, format) = (level.size(), level.border, level.format);
-                if self.rows == Rows::EachSample {
+                if self.storage == MultisampleStorage::EachSample {
                     size[2] /= u32::from(samples);
                 }
                 Some(LevelInfo { format, size, border, samples })
@@ -178,8 +178,8 @@ impl Image {
     /// An image of one level with several samples a pixel, each with these texels: as many as
     /// [`possible_samples`] says.
     pub fn with_samples(texels: Texels, samples: u8) -> Self {
-        let (samples, rows) = (possible_samples(samples), Rows::Resolved);
-        Self::of(State { texels, blank: None, samples, rows, attached: None })
+        let (samples, storage) = (possible_samples(samples), MultisampleStorage::Resolved);
+        Self::of(State { texels, blank: None, samples, storage, attached: None })
     }
 
     /// A two-dimensional image of one level of zeros, which takes no memory until it is drawn to or its
@@ -192,8 +192,8 @@ impl Image {
             return Err(ImageError::TooLarge { width, height, depth: 1 });
         }
         let (texels, blank) = (Texels::new(Shape::D2), Some(Blank { format, width, height }));
-        let (samples, rows) = (possible_samples(samples), Rows::Resolved);
-        Ok(Self::of(State { texels, blank, samples, rows, attached: None }))
+        let (samples, storage) = (possible_samples(samples), MultisampleStorage::Resolved);
+        Ok(Self::of(State { texels, blank, samples, storage, attached: None }))
     }
 
     fn of(state: State) -> Self {
@@ -206,13 +206,13 @@ impl Image {
     }
 
     /// Its texels as they are after everything submitted so far. Shares them: later writes to the
-    /// image copy. Of a multisample image, what its [`Rows`] hold.
+    /// image copy. Of a multisample image, as its [`MultisampleStorage`] says.
     pub fn texels(&self) -> Texels {
-        self.texels_by(&ThreadPool::CALLER_ONLY)
+        self.texels_with(&ThreadPool::CALLER_ONLY)
     }
 
     /// As [`Image::texels`], brought up to date by these ([`super::Device::texels`]).
-    pub(super) fn texels_by(&self, thread_pool: &ThreadPool) -> Texels {
+    pub(super) fn texels_with(&self, thread_pool: &ThreadPool) -> Texels {
         let _float_env = FloatEnv::enter();
         let mut state = self.0.lock();
         state.resolve(thread_pool);
@@ -233,23 +233,23 @@ impl Image {
         change(&mut state.texels)
     }
 
-    /// Replaces its texels; `rows` says what they are for this number of samples.
-    pub fn replace(&self, texels: Texels, samples: u8, rows: Rows) {
+    /// Replaces its texels; `storage` says what they are for this number of samples.
+    pub fn replace(&self, texels: Texels, samples: u8, storage: MultisampleStorage) {
         let samples = possible_samples(samples);
-        *self.0.lock() = State { texels, blank: None, samples, rows, attached: None };
+        *self.0.lock() = State { texels, blank: None, samples, storage, attached: None };
     }
 
     /// What an attachment names with one sample a pixel, which several are resolved to: a level, and
     /// which slice of it ([`super::Device::resolved`]).
-    pub(super) fn resolved_by(
+    pub(super) fn resolved_with(
         &self,
         face: u16,
         level: u8,
         context: StoreContext<'_>,
     ) -> Option<(Arc<Level>, usize)> {
         let mut state = self.0.lock();
-        let at = state.place(face, level);
-        if state.rows == Rows::Resolved {
+        let at = state.subresource(face, level);
+        if state.storage == MultisampleStorage::Resolved {
             state.resolve(context.thread_pool);
             return Some((Arc::clone(state.texels.level(at.face, at.level)?), at.slice));
         }
@@ -259,26 +259,26 @@ impl Image {
         Some((Arc::new(level), 0))
     }
 
-    /// Puts a part of what an attachment names where a client has its rows ([`super::Device::read`]). Its own
-    /// rows, where they are older, are left so.
-    pub(super) fn read_by(
+    /// Writes a region of what an attachment names into the rows of a client ([`super::Device::read`]). The rows of the
+    /// image are not brought up to date.
+    pub(super) fn read_with(
         &self,
         (face, level): (u16, u8),
-        part: Part,
+        span: RowSpan,
         rows: &mut [&mut [u8]],
-        put: Put<'_>,
+        writer: RowWriter<'_>,
         context: StoreContext<'_>,
     ) {
         let state = self.0.lock();
-        let at = state.place(face, level);
+        let at = state.subresource(face, level);
         let drawn = state.attached.as_ref().filter(|attached| attached.drawn && attached.at == at);
         if let Some(Attached { surface, .. }) = drawn {
-            return surface.read(part, rows, put, context);
+            return surface.read(span, rows, writer, context);
         }
         drop(state);
-        let Some((level, slice)) = self.resolved_by(face, level, context) else { return };
-        for (y, row) in (part.y as usize..).zip(rows) {
-            put.row(level.run([part.x as usize, y, slice], part.width as usize), row);
+        let Some((level, slice)) = self.resolved_with(face, level, context) else { return };
+        for (y, row) in (span.y as usize..).zip(rows) {
+            writer.row(level.run([span.x as usize, y, slice], span.width as usize), row);
         }
     }
 
@@ -286,7 +286,7 @@ impl Image {
     pub fn each_sample(&self, face: u16, level: u8) -> Option<Level> {
         let _float_env = FloatEnv::enter();
         let mut state = self.0.lock();
-        let at = state.place(face, level);
+        let at = state.subresource(face, level);
         let surface = state.surface(at)?;
         let size = [surface.width, surface.height, surface.samples.into()];
         let mut level = Level::with_size(surface.format, size, [0; 3]).ok()?;
@@ -307,7 +307,7 @@ impl Image {
             Surface::from_level(samples, Slices::Each(0), count, &ThreadPool::CALLER_ONLY);
         surface.change_all();
         let mut state = self.0.lock();
-        let at = state.place(face, level);
+        let at = state.subresource(face, level);
         // What it replaces need not be brought to its rows.
         state.attached.take_if(|attached| attached.at == at);
         drop(state);
@@ -315,14 +315,14 @@ impl Image {
     }
 
     /// Whether both handles name the same image.
-    pub fn same(&self, other: &Self) -> bool {
+    pub fn is_same_image(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.0, &other.0)
     }
 
     /// Format and size of what an attachment names, if it exists.
     pub(crate) fn attachment(&self, face: u16, level: u8) -> Option<AttachmentInfo> {
         let state = self.0.lock();
-        let at = state.place(face, level);
+        let at = state.subresource(face, level);
         let LevelInfo { format, size: [width, height, slices], samples, .. } = state.info(at)?;
         (at.slice < slices as usize).then_some(AttachmentInfo { format, width, height, samples })
     }
@@ -330,7 +330,7 @@ impl Image {
     /// Takes a slice of a level out in the attachment layout; `None` if it does not exist.
     pub(crate) fn attach(&self, face: u16, level: u8, thread_pool: &ThreadPool) -> Option<Surface> {
         let mut state = self.0.lock();
-        let at = state.place(face, level);
+        let at = state.subresource(face, level);
         if let Some(attached) = state.attached.take_if(|attached| attached.at == at) {
             return Some(attached.surface);
         }
@@ -351,7 +351,7 @@ impl Image {
         if state.attached.is_some() {
             state.resolve(&ThreadPool::CALLER_ONLY);
         }
-        let at = state.place(face, level);
+        let at = state.subresource(face, level);
         state.attached = Some(Attached { at, surface, isa, drawn: true });
     }
 }
@@ -376,7 +376,7 @@ impl Attachment {
     }
 
     /// Which face it names, if its image is of this shape, and which slice.
-    pub fn place(&self, shape: Shape) -> (usize, usize) {
+    pub fn face_and_slice(&self, shape: Shape) -> (usize, usize) {
         face_and_slice(shape, self.face)
     }
 }

@@ -13,7 +13,7 @@ mod resources;
 mod submit;
 mod visibility;
 
-pub use crate::attachment::{Part, Put, texel_words};
+pub use crate::attachment::{RowSpan, RowWriter, texel_words};
 pub use crate::desc::{
     AlphaToCoverage, AlphaToOne, Antialiasing, Blend, BlendEquation, BlendFactor, Buffer,
     ColorState, Counter, Cull, DepthClip, DepthState, DepthWrite, FrontFace, IndexType, Indices,
@@ -24,13 +24,13 @@ pub use crate::desc::{
     Version, VertexBinding, VertexFormat, VertexSource, VertexType, Viewport,
 };
 pub use crate::plan::{Pipeline, possible_samples, same_textures, sample_positions};
-pub use crate::primitive::{Drawn, Reason, Reasons, Side};
+pub use crate::primitive::{InvisibleReason, InvisibleReasons, PrimitiveKind, ViewVolumeSide};
 pub use crate::sizes::MAX_SAMPLES;
 pub use crate::trace::Watch;
 pub use crate::vertex::{Primitive, Primitives, primitives};
 pub use command::{ClearValue, Command, CommandBuffer};
 pub use device::Device;
-pub use image::{Attachment, Image, LevelInfo, PassDesc, Rows};
+pub use image::{Attachment, Image, LevelInfo, MultisampleStorage, PassDesc};
 pub use report::{DeviceError, SubmitError, SubmitReport};
 pub use resources::{DeviceDesc, Explain};
 pub use visibility::Visibility;

@@ -1,7 +1,7 @@
 //! What passes of a device use: its description, pools of reusable objects, explanations of plans.
 
 use super::report::DeviceError;
-use crate::raster::{ShapeLists, Worker};
+use crate::raster::{ShapeLists, TileRenderer};
 use crate::shader::Machine;
 use crate::threads::ObjectPool;
 use crate::vertex::Geometry;
@@ -72,10 +72,10 @@ pub(super) struct Resources {
     /// Memory for shapes.
     pub lists: ObjectPool<ShapeLists>,
     /// Scratch of the threads that run tiles.
-    pub workers: ObjectPool<Worker>,
+    pub tile_renderers: ObjectPool<TileRenderer>,
     /// The plans seen so far.
     explained: Mutex<BTreeSet<String>>,
-    kept: Mutex<Vec<String>>,
+    explanations: Mutex<Vec<String>>,
 }
 
 impl Resources {
@@ -86,16 +86,16 @@ impl Resources {
             machines: ObjectPool::default(),
             geometries: ObjectPool::default(),
             lists: ObjectPool::default(),
-            workers: ObjectPool::default(),
+            tile_renderers: ObjectPool::default(),
             explained: Mutex::default(),
-            kept: Mutex::default(),
+            explanations: Mutex::default(),
         }
     }
 
     /// The plans recorded since the last call, without duplicates ([`Explain::Keep`]).
     pub fn take_explanations(&self) -> Vec<String> {
         self.explained.lock().clear();
-        std::mem::take(&mut self.kept.lock())
+        std::mem::take(&mut self.explanations.lock())
     }
 
     /// Takes note of a draw's plan.
@@ -110,7 +110,7 @@ impl Resources {
         match self.desc.explain {
             Explain::Off => {}
             Explain::Print => eprintln!("draw\n{text}"),
-            Explain::Keep => self.kept.lock().push(text),
+            Explain::Keep => self.explanations.lock().push(text),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Visibility of draws: whether any primitive covers a sample, and if not, why. It explains black pictures.
 
-use crate::primitive::Reasons;
+use crate::primitive::InvisibleReasons;
 
 /// The most primitives whose reason is recorded.
 const MAX_REASONS: usize = 64;
@@ -12,7 +12,7 @@ pub enum Visibility {
     #[default]
     NothingDrawn,
     /// No primitive covers a sample; the reasons of the first 64.
-    Invisible(Reasons),
+    Invisible(InvisibleReasons),
     /// Some primitive covers a sample.
     Visible,
 }

@@ -27,7 +27,7 @@ impl Tests {
 /// 64 fragments of one sample before the tests.
 pub struct Fragments<'a> {
     /// Where they are.
-    pub place: &'a BatchLayout<'a>,
+    pub layout: &'a BatchLayout<'a>,
     /// Their depth, in [0, 1].
     pub depth: &'a F32s,
     /// What their stencils are compared with.
@@ -46,23 +46,24 @@ pub fn test(
     sample: usize,
     of: &Fragments<'_>,
 ) -> u64 {
-    let Fragments { place, depth, reference, back, mask } = *of;
+    let Fragments { layout, depth, reference, back, mask } = *of;
     let planes = target.sample(sample);
     match (tests.stencil, planes) {
         (Some(plan), [depths, stencils]) => {
-            with_words(isa, stencils, place, mask, LoadOp::Load, |stored| {
+            with_words(isa, stencils, layout, mask, LoadOp::Load, |stored| {
                 let [front, back] =
                     [(plan.front, mask & !back), (plan.back, mask & back)].map(|(face, mask)| {
                         let test = StencilTest { face: &face, reference, stored, mask };
                         (face, mask, isa.run(test))
                     });
-                let passed = front.2 | back.2;
-                let kept = test_depth(isa, tests.depth, depths, place, depth, passed);
+                let stencil_passed = front.2 | back.2;
+                let depth_passed =
+                    test_depth(isa, tests.depth, depths, layout, depth, stencil_passed);
                 for (face, mask, passed) in [front, back] {
                     let outcomes = [
                         (face.fail, mask & !passed),
-                        (face.depth_fail, passed & !kept),
-                        (face.pass, passed & kept),
+                        (face.depth_fail, passed & !depth_passed),
+                        (face.pass, passed & depth_passed),
                     ];
                     for (op, mask) in outcomes {
                         if mask != 0 {
@@ -70,10 +71,10 @@ pub fn test(
                         }
                     }
                 }
-                kept
+                depth_passed
             })
         }
-        (_, [depths, ..]) => test_depth(isa, tests.depth, depths, place, depth, mask),
+        (_, [depths, ..]) => test_depth(isa, tests.depth, depths, layout, depth, mask),
         (_, []) => mask,
     }
 }
@@ -82,12 +83,12 @@ fn test_depth(
     isa: Isa,
     plan: Option<DepthPlan>,
     plane: &mut WordPlane,
-    place: &BatchLayout<'_>,
+    layout: &BatchLayout<'_>,
     depth: &F32s,
     mask: u64,
 ) -> u64 {
     match plan {
-        Some(plan) if mask != 0 => with_words(isa, plane, place, mask, LoadOp::Load, |stored| {
+        Some(plan) if mask != 0 => with_words(isa, plane, layout, mask, LoadOp::Load, |stored| {
             isa.run(DepthTest { plan, depth, stored, mask })
         }),
         Some(_) | None => mask,
@@ -100,22 +101,22 @@ pub fn write(
     plan: &ColorPlan,
     target: &mut TileTarget,
     sample: usize,
-    place: &BatchLayout<'_>,
+    layout: &BatchLayout<'_>,
     color: [&F32s; 4],
     mask: u64,
 ) {
     let planes = target.sample(sample);
-    match (plan.class, planes, place) {
+    match (plan.class, planes, layout) {
         (_, planes, &BatchLayout::Block(block)) => {
             write_planes(isa, plan, planes, &[BlockColors { block, color, mask }]);
         }
         (ColorClass::Bytes, [plane], _) => {
-            with_words(isa, plane, place, mask, plan.old(), |stored| {
+            with_words(isa, plane, layout, mask, plan.old(), |stored| {
                 let colors = &[BlockColors { block: 0, color, mask }];
                 isa.run(WriteBytes { plan, colors, blocks: std::slice::from_mut(stored) });
             });
         }
-        (_, planes, _) => with_texels(isa, planes, place, mask, plan.old(), |words| {
+        (_, planes, _) => with_texels(isa, planes, layout, mask, plan.old(), |words| {
             let colors = &[BlockColors { block: 0, color, mask }];
             isa.run(WriteTexels { plan, colors, words });
         }),
@@ -135,17 +136,17 @@ pub fn write_blocks(
 fn write_planes(isa: Isa, plan: &ColorPlan, planes: &mut [WordPlane], colors: &[BlockColors<'_>]) {
     for plane in &mut *planes {
         for color in colors {
-            plane.ready(color.block, plan.old_under(color.mask));
+            plane.materialize(color.block, plan.old_under(color.mask));
         }
     }
     match (plan.class, planes) {
         (ColorClass::Bytes, [plane]) => {
-            isa.run(WriteBytes { plan, colors, blocks: plane.ready_blocks() });
+            isa.run(WriteBytes { plan, colors, blocks: plane.materialized_blocks() });
         }
         (_, planes) => {
             let mut words = <[&mut [U32s]; 4]>::default();
             for (words, plane) in words.iter_mut().zip(planes) {
-                *words = plane.ready_blocks();
+                *words = plane.materialized_blocks();
             }
             isa.run(WriteTexels { plan, colors, words });
         }

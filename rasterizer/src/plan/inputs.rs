@@ -36,14 +36,14 @@ pub enum FragmentInput {
     /// The plane as it is.
     Linear(usize),
     /// As [`Self::Smooth`], at the centroid of the covered samples.
-    SmoothWithin(usize),
+    SmoothAtCentroid(usize),
     /// As [`Self::Linear`], at the centroid of the covered samples.
-    LinearWithin(usize),
+    LinearAtCentroid(usize),
     /// The plane's value at the provoking vertex.
     Flat(usize),
-    /// How a smooth value changes from pixel to pixel.
+    /// The derivative of a smooth value along an axis.
     SmoothSlope(usize, Axis),
-    /// How a linear value changes from pixel to pixel.
+    /// The derivative of a linear value along an axis.
     LinearSlope(usize, Axis),
     /// Window x.
     X,
@@ -53,9 +53,9 @@ pub enum FragmentInput {
     Depth,
     /// The facing of the primitive.
     Front,
-    /// The part of the pixel that is covered.
+    /// The covered fraction of the pixel.
     Coverage,
-    /// Not there in this stage, or not needed by this draw.
+    /// 0: not an input of this stage, or not needed by this draw.
     Zero,
 }
 
@@ -70,10 +70,11 @@ pub struct FilledInput {
 }
 
 impl FilledInput {
-    /// Those that are not zero, and that are asked for.
-    pub fn of(inputs: &[FragmentInput], is_asked_for: impl Fn(usize) -> bool) -> Vec<Self> {
-        let asked = |&number: &usize| inputs[number] != FragmentInput::Zero && is_asked_for(number);
-        let all: Vec<usize> = (0..inputs.len()).filter(asked).collect();
+    /// The inputs that are not zero and for which `is_needed` is true.
+    pub fn of(inputs: &[FragmentInput], is_needed: impl Fn(usize) -> bool) -> Vec<Self> {
+        let is_filled =
+            |&number: &usize| inputs[number] != FragmentInput::Zero && is_needed(number);
+        let all: Vec<usize> = (0..inputs.len()).filter(is_filled).collect();
         let slope = |plane: usize, axis: Axis| {
             let of = FragmentInput::SmoothSlope(plane, axis);
             all.iter().copied().find(|&number| inputs[number] == of)
@@ -82,8 +83,8 @@ impl FilledInput {
             let slopes = match inputs[number] {
                 FragmentInput::Smooth(plane) => slope(plane, Axis::X).zip(slope(plane, Axis::Y)),
                 FragmentInput::Linear(_)
-                | FragmentInput::SmoothWithin(_)
-                | FragmentInput::LinearWithin(_)
+                | FragmentInput::SmoothAtCentroid(_)
+                | FragmentInput::LinearAtCentroid(_)
                 | FragmentInput::Flat(_)
                 | FragmentInput::SmoothSlope(..)
                 | FragmentInput::LinearSlope(..)
@@ -97,13 +98,13 @@ impl FilledInput {
             Self { number, from: inputs[number], slopes: slopes.map(<[usize; 2]>::from) }
         });
         let mut filled: Vec<Self> = filled.collect();
-        let with: Vec<usize> = filled.iter().filter_map(|input| input.slopes).flatten().collect();
-        filled.retain(|input| !with.contains(&input.number));
+        let slopes: Vec<usize> = filled.iter().filter_map(|input| input.slopes).flatten().collect();
+        filled.retain(|input| !slopes.contains(&input.number));
         filled
     }
 }
 
-/// What they depend on, and the planes so far.
+/// Collects the planes that the inputs of a draw read.
 pub struct InputPlanner<'a> {
     pub compiled: &'a Compiled,
     /// The first slots of the varyings that sprites replace.
@@ -129,7 +130,7 @@ pub struct InputPlanes {
 
 impl InputPlanner<'_> {
     /// Finds the planes of these inputs, and of the depth that is tested or read.
-    pub fn gather(mut self, depth: Option<PlaneSource>, read: &[Input]) -> InputPlanes {
+    pub fn plan(mut self, depth: Option<PlaneSource>, read: &[Input]) -> InputPlanes {
         let depth_plane = depth.map(|depth| self.plane(depth));
         let inputs = read.iter().map(|&input| self.input(input)).collect();
         let Self { planes, denominator, .. } = self;
@@ -162,18 +163,18 @@ impl InputPlanner<'_> {
     }
 
     fn varying(&mut self, slot: u16) -> FragmentInput {
-        let (at, mode) = self.written(slot).unwrap_or((0, Interpolation::Flat));
+        let (at, mode) = self.varying_at(slot).unwrap_or((0, Interpolation::Flat));
         let mode = if self.is_constant(slot) { Interpolation::Flat } else { mode };
         // With one sample, it lies at the centre.
         let centroids = &self.compiled.desc.fragment.module().centroids;
-        let within = self.samples.is_each() && centroids.contains(&slot);
+        let at_centroid = self.samples.is_each() && centroids.contains(&slot);
         match mode {
             Interpolation::Smooth => match self.smooth(slot, at) {
-                index if within => FragmentInput::SmoothWithin(index),
+                index if at_centroid => FragmentInput::SmoothAtCentroid(index),
                 index => FragmentInput::Smooth(index),
             },
             Interpolation::NoPerspective => match self.plane(PlaneSource::NoPerspective(at)) {
-                index if within => FragmentInput::LinearWithin(index),
+                index if at_centroid => FragmentInput::LinearAtCentroid(index),
                 index => FragmentInput::Linear(index),
             },
             Interpolation::Flat => FragmentInput::Flat(self.plane(PlaneSource::Flat(at))),
@@ -181,7 +182,7 @@ impl InputPlanner<'_> {
     }
 
     fn slope(&mut self, slot: u16, axis: Axis) -> FragmentInput {
-        match self.written(slot).filter(|_| self.needs_slopes && !self.is_constant(slot)) {
+        match self.varying_at(slot).filter(|_| self.needs_slopes && !self.is_constant(slot)) {
             Some((at, Interpolation::Smooth)) => {
                 FragmentInput::SmoothSlope(self.smooth(slot, at), axis)
             }
@@ -192,8 +193,8 @@ impl InputPlanner<'_> {
         }
     }
 
-    /// Where a varying lies among those that are interpolated, and how it is.
-    fn written(&self, slot: u16) -> Option<(usize, Interpolation)> {
+    /// The index of a varying among those that are interpolated, and its mode.
+    fn varying_at(&self, slot: u16) -> Option<(usize, Interpolation)> {
         let varyings = &self.compiled.varyings;
         let at = varyings.iter().position(|&(of, _)| of == slot)?;
         Some((at, varyings[at].1))

@@ -249,16 +249,16 @@ impl DrawPlan {
         let reads_z = fragment.inputs().contains(&Input::FragCoord(2));
         let depth = (tests_z || reads_z).then_some(PlaneSource::Depth);
         let read = if shading == Shading::On { fragment.inputs() } else { &[] };
-        let InputPlanes { planes, depth_plane, denominator_plane, inputs } = of.gather(depth, read);
+        let InputPlanes { planes, depth_plane, denominator_plane, inputs } = of.plan(depth, read);
         let within = |input: &FragmentInput| {
-            matches!(input, FragmentInput::SmoothWithin(_) | FragmentInput::LinearWithin(_))
+            matches!(input, FragmentInput::SmoothAtCentroid(_) | FragmentInput::LinearAtCentroid(_))
         };
         let needs_lod = |slot: u32| {
             let texture = input.textures.get(slot as usize).and_then(Option::as_ref);
             texture.is_some_and(|texture| texture.needs_lod())
         };
         let is_whole = samples.count == 1 && !inputs.contains(&FragmentInput::Coverage);
-        let alone = is_whole && !fragment.reads_neighbours(needs_lod);
+        let is_without_helper_lanes = is_whole && !fragment.reads_neighbours(needs_lod);
         // With nothing left to decide once they are shaded.
         let is_plain = is_whole && shading == Shading::On && !late;
         let blocks_per_run = if is_plain { fragment.register_files() } else { 1 };
@@ -271,7 +271,7 @@ impl DrawPlan {
             },
             blocks_per_run,
             shades_depth: late || inputs.contains(&FragmentInput::Depth),
-            packing: if alone { Packing::Pixels } else { Packing::Quads },
+            packing: if is_without_helper_lanes { Packing::Pixels } else { Packing::Quads },
             centroids: inputs.iter().any(within),
             reads_coverage: inputs.contains(&FragmentInput::Coverage),
             prepared: fragment.prepare(input.isa, input.uniforms, &input.textures),
@@ -318,7 +318,7 @@ impl DrawPlan {
     /// Whether the outline of a triangle alone determines its coverage, with one sample.
     pub fn covers_by_outline(&self) -> bool {
         self.samples.count == 1
-            && self.samples.leaves(0)
+            && self.samples.keeps(0)
             && self.raster.polygon.antialiasing == Antialiasing::Aliased
             && self.stipple.is_none()
             && !self.reads_coverage

@@ -14,13 +14,13 @@ pub struct ProductPlan {
     pub factor_planes: Option<FactorPlanes>,
     /// The planes that are divided by the denominator among those whose steps the levels of detail depend on, if they
     /// depend on nothing else: where these do not lie in perspective, levels are the same all over a shape.
-    pub detail_planes: Option<Vec<usize>>,
+    pub lod_planes: Option<Vec<usize>>,
     /// The inputs of a block.
     pub inputs: ProductInputs,
     /// Those where the levels of detail are known.
-    pub without_details: ProductInputs,
+    pub without_lods: ProductInputs,
     /// For each lookup, whether its texel addresses are computed or reused from the lookup before.
-    pub places: Vec<Addresses>,
+    pub addresses: Vec<Addresses>,
 }
 
 /// The inputs that a block needs.
@@ -56,8 +56,8 @@ impl ProductPlan {
         if !product.textures().all(is_there) {
             return None;
         }
-        let places = |at: usize| {
-            product.repeat(at).map_or(Addresses::Compute, |repeat| repeat.places(textures))
+        let addresses_of = |at: usize| {
+            product.repeat(at).map_or(Addresses::Compute, |repeat| repeat.addresses(textures))
         };
         let mut factor_planes = Some(FactorPlanes::default());
         for &index in &product.factor_inputs {
@@ -69,8 +69,8 @@ impl ProductPlan {
                     factor_planes.iter_mut().for_each(|planes| planes.smooth.push(plane));
                 }
                 FragmentInput::Zero => {}
-                FragmentInput::SmoothWithin(_)
-                | FragmentInput::LinearWithin(_)
+                FragmentInput::SmoothAtCentroid(_)
+                | FragmentInput::LinearAtCentroid(_)
                 | FragmentInput::SmoothSlope(..)
                 | FragmentInput::LinearSlope(..)
                 | FragmentInput::X
@@ -90,8 +90,8 @@ impl ProductPlan {
             let texture = textures.get(slot as usize).and_then(Option::as_ref);
             texture.is_some_and(|texture| !texture.needs_lod() || texture.fuses_uniform_levels(isa))
         };
-        let details = product.detail_inputs.as_ref().filter(|_| product.textures().all(takes));
-        let detail_planes = details.and_then(|details| detail_planes(details, inputs));
+        let lods = product.lod_inputs.as_ref().filter(|_| product.textures().all(takes));
+        let lod_planes = lods.and_then(|lods| lod_planes(lods, inputs));
         let filled = |left_out: &[usize]| {
             let is_in = |number: usize| !left_out.contains(&number);
             let is_of_lookup = |number| is_in(number) && product.lookup_inputs.contains(&number);
@@ -102,26 +102,26 @@ impl ProductPlan {
         };
         Some(Self {
             factor_planes,
-            detail_planes,
-            places: (0..product.lookups()).map(places).collect(),
+            lod_planes,
+            addresses: (0..product.lookups()).map(addresses_of).collect(),
             inputs: filled(&[]),
-            without_details: filled(details.map_or(&[], |details| &details[..])),
+            without_lods: filled(lods.map_or(&[], |lods| &lods[..])),
         })
     }
 }
 
 /// The smooth planes whose steps these inputs are; `None` where there are no steps, or anything else.
-fn detail_planes(details: &[usize], inputs: &[FragmentInput]) -> Option<Vec<usize>> {
+fn lod_planes(lods: &[usize], inputs: &[FragmentInput]) -> Option<Vec<usize>> {
     let (mut smooth, mut any) = (Vec::new(), false);
-    for &index in details {
+    for &index in lods {
         match inputs[index] {
             FragmentInput::SmoothSlope(plane, _) => smooth.push(plane),
             FragmentInput::LinearSlope(..) => {}
             FragmentInput::Zero => continue,
             FragmentInput::Smooth(_)
             | FragmentInput::Linear(_)
-            | FragmentInput::SmoothWithin(_)
-            | FragmentInput::LinearWithin(_)
+            | FragmentInput::SmoothAtCentroid(_)
+            | FragmentInput::LinearAtCentroid(_)
             | FragmentInput::Flat(_)
             | FragmentInput::X
             | FragmentInput::Y

@@ -76,7 +76,7 @@ impl DerefMut for SampleMasks {
 }
 
 /// The positions for a requested number of samples: of one, two or four, the next larger; at most four.
-fn places(count: u8) -> &'static [[i32; 2]] {
+fn positions_of(count: u8) -> &'static [[i32; 2]] {
     match count {
         0 | 1 => &CENTER,
         2 => &TWO,
@@ -86,13 +86,16 @@ fn places(count: u8) -> &'static [[i32; 2]] {
 
 /// The number of samples for a requested number: 1, 2 or 4.
 pub fn possible_samples(asked: u8) -> u8 {
-    places(asked).len() as u8
+    positions_of(asked).len() as u8
 }
 
 /// The sample positions for a number of samples, each in a cell of its own, in pixels from the pixel's lower left
 /// corner.
 pub fn sample_positions(count: u8) -> Vec<[f32; 2]> {
-    places(count).iter().map(|place| place.map(|v| 0.5 + v as f32 / SUBPIXEL as f32)).collect()
+    positions_of(count)
+        .iter()
+        .map(|position| position.map(|v| 0.5 + v as f32 / SUBPIXEL as f32))
+        .collect()
 }
 
 /// Two samples, from the pixel's centre, in subpixels.
@@ -110,9 +113,9 @@ pub struct Samples {
     pub count: usize,
     /// Where each lies, from the pixel's centre, in subpixels; empty where all are covered, and
     /// have the depth, that the centre has.
-    places: &'static [[i32; 2]],
+    positions: &'static [[i32; 2]],
     /// The samples that coverage value and mask keep, bit by sample.
-    left: u8,
+    kept: u8,
     /// The program output whose alpha determines how many samples are kept.
     pub alpha: Option<usize>,
     /// Whether the alpha that is written is 1.
@@ -123,20 +126,20 @@ impl Samples {
     /// The samples of attachments that have `count` each; `alpha` is the program output of the first
     /// colour's alpha.
     pub fn new(count: u8, state: &MultisampleState, alpha: Option<usize>) -> Self {
-        let each = places(count);
+        let each = positions_of(count);
         let count = each.len();
         if count == 1 {
             let alpha_to_one = AlphaToOne::Off;
-            return Self { count, places: &[], left: 1, alpha: None, alpha_to_one };
+            return Self { count, positions: &[], kept: 1, alpha: None, alpha_to_one };
         }
-        let places = match state.rule {
+        let positions = match state.rule {
             SampleRule::Center => &[],
             SampleRule::Each => each,
         };
         Self {
             count,
-            places,
-            left: left_by(state.coverage, count) & state.mask as u8,
+            positions,
+            kept: kept_by(state.coverage, count) & state.mask as u8,
             alpha: match state.alpha_to_coverage {
                 AlphaToCoverage::On => alpha,
                 AlphaToCoverage::Off => None,
@@ -147,23 +150,23 @@ impl Samples {
 
     /// Where coverage is computed, from the pixel's centre, in subpixels: at every sample, or once
     /// for all.
-    pub fn places(&self) -> &'static [[i32; 2]] {
-        if self.places.is_empty() { &CENTER } else { self.places }
+    pub fn positions(&self) -> &'static [[i32; 2]] {
+        if self.positions.is_empty() { &CENTER } else { self.positions }
     }
 
     /// Whether coverage is computed for each sample.
     pub fn is_each(&self) -> bool {
-        !self.places.is_empty()
+        !self.positions.is_empty()
     }
 
     /// Whether coverage value and mask keep a sample.
-    pub fn leaves(&self, sample: usize) -> bool {
-        self.left >> sample & 1 == 1
+    pub fn keeps(&self, sample: usize) -> bool {
+        self.kept >> sample & 1 == 1
     }
 
     /// From a pixel's centre to a sample, in pixels; `None` where values are those of the centre.
     pub fn offset(&self, sample: usize) -> Option<[f32; 2]> {
-        self.places.get(sample).map(|place| place.map(|v| v as f32 / SUBPIXEL as f32))
+        self.positions.get(sample).map(|position| position.map(|v| v as f32 / SUBPIXEL as f32))
     }
 
     /// How far the centroid of each lane's covered samples lies from the pixel's centre, across and
@@ -172,13 +175,13 @@ impl Samples {
     pub fn centroids(&self, masks: &SampleMasks) -> [F32s; 2] {
         let mut sums = [F32s::ZERO; 2];
         let mut counts = F32s::ZERO;
-        for (place, &mask) in self.places.iter().zip(masks.iter()) {
-            let place = place.map(|v| v as f32 / SUBPIXEL as f32);
+        for (position, &mask) in self.positions.iter().zip(masks.iter()) {
+            let position = position.map(|v| v as f32 / SUBPIXEL as f32);
             for lane in 0..LANES {
                 let covered = (mask >> lane & 1) as f32;
                 counts[lane] += covered;
-                sums[0][lane] += covered * place[0];
-                sums[1][lane] += covered * place[1];
+                sums[0][lane] += covered * position[0];
+                sums[1][lane] += covered * position[1];
             }
         }
         for sum in &mut sums {
@@ -194,17 +197,17 @@ impl Samples {
     pub fn mask_by_alpha(&self, isa: Isa, alpha: &F32s, masks: &mut SampleMasks) {
         for (sample, mask) in masks.iter_mut().enumerate() {
             let least = (sample as f32 + 0.5) / self.count as f32;
-            *mask &= isa.run(AtLeast { alpha, least });
+            *mask &= isa.run(AlphaAtLeast { alpha, least });
         }
     }
 }
 
 /// The samples that the state's coverage leaves, bit by sample.
-fn left_by(coverage: Option<SampleCoverage>, count: usize) -> u8 {
+fn kept_by(coverage: Option<SampleCoverage>, count: usize) -> u8 {
     let all = (1_u8 << count) - 1;
     let first = |part: f32| {
-        let kept = (part.clamp(0.0, 1.0) * count as f32).round() as u32;
-        ((1_u32 << kept) - 1) as u8
+        let count = (part.clamp(0.0, 1.0) * count as f32).round() as u32;
+        ((1_u32 << count) - 1) as u8
     };
     match coverage {
         None => all,
@@ -223,20 +226,20 @@ pub fn moved([corner, a, b]: [f32; 3], offset: Option<[f32; 2]>) -> [f32; 3] {
 }
 
 /// The lanes whose alpha is not below `least`.
-struct AtLeast<'a> {
+struct AlphaAtLeast<'a> {
     alpha: &'a F32s,
     least: f32,
 }
 
-impl Kernel for AtLeast<'_> {
+impl Kernel for AlphaAtLeast<'_> {
     type Output = u64;
     #[inline(always)]
     fn run<S: Simd>(self) -> u64 {
-        let mut kept = U32s::ZERO;
+        let mut passed = U32s::ZERO;
         for lane in 0..LANES {
-            kept[lane] = u32::from(self.alpha[lane] >= self.least);
+            passed[lane] = u32::from(self.alpha[lane] >= self.least);
         }
-        S::nonzero(&kept)
+        S::nonzero(&passed)
     }
 }
 
@@ -256,14 +259,14 @@ mod tests {
             (Some(SampleCoverage::AllBut(1.0)), 0),
             (Some(SampleCoverage::Part(f32::NAN)), 0),
         ] {
-            assert_eq!(left_by(coverage, 4), left, "{coverage:?}");
+            assert_eq!(kept_by(coverage, 4), left, "{coverage:?}");
         }
     }
 
     #[test]
     fn samples_lie_in_rows_and_columns_of_their_own() {
         for axis in 0..2 {
-            let mut quarters = FOUR.map(|place| (place[axis] + 128) / 64);
+            let mut quarters = FOUR.map(|position| (position[axis] + 128) / 64);
             quarters.sort_unstable();
             assert_eq!(quarters, [0, 1, 2, 3]);
         }

@@ -8,11 +8,11 @@ use std::ops::Range;
 
 /// Why a primitive covers no sample.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Reason {
+pub enum InvisibleReason {
     /// A coordinate is inf or NaN.
     NotFinite,
     /// All its vertices are beyond one side of the view volume.
-    Outside(Side),
+    Outside(ViewVolumeSide),
     /// Clipping by several sides or by user planes removes all of it.
     Cut,
     /// All vertices of a triangle are on a line.
@@ -25,7 +25,7 @@ pub enum Reason {
 
 /// A side of the view volume (GL 2.1, section 2.12).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Side {
+pub enum ViewVolumeSide {
     /// `w` is not above zero.
     Behind,
     /// `x < -w`.
@@ -43,19 +43,19 @@ pub enum Side {
 }
 
 /// The sides, each with its bit of an outcode; what is behind the eye is beyond others only by their formulas.
-const SIDES: [(u32, Side); 7] = [
-    (Outcode::BEHIND, Side::Behind),
-    (Outcode::LEFT, Side::Left),
-    (Outcode::RIGHT, Side::Right),
-    (Outcode::BOTTOM, Side::Bottom),
-    (Outcode::TOP, Side::Top),
-    (Outcode::NEAR, Side::Near),
-    (Outcode::FAR, Side::Far),
+const SIDES: [(u32, ViewVolumeSide); 7] = [
+    (Outcode::BEHIND, ViewVolumeSide::Behind),
+    (Outcode::LEFT, ViewVolumeSide::Left),
+    (Outcode::RIGHT, ViewVolumeSide::Right),
+    (Outcode::BOTTOM, ViewVolumeSide::Bottom),
+    (Outcode::TOP, ViewVolumeSide::Top),
+    (Outcode::NEAR, ViewVolumeSide::Near),
+    (Outcode::FAR, ViewVolumeSide::Far),
 ];
 
-/// What a primitive is.
+/// The kind of a primitive.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Drawn {
+pub enum PrimitiveKind {
     /// A point.
     Point,
     /// A line.
@@ -65,41 +65,46 @@ pub enum Drawn {
 }
 
 /// For each primitive, in order, its kind and the reason.
-pub type Reasons = Vec<(Drawn, Reason)>;
+pub type InvisibleReasons = Vec<(PrimitiveKind, InvisibleReason)>;
 
 /// The reasons of a range of primitives without shapes.
 pub fn reasons(
     setup: &Setup<'_>,
     geometry: &Geometry,
     (primitives, range): (&Primitives, Range<u32>),
-    wanted: &VertexList,
-) -> Reasons {
+    vertex_list: &VertexList,
+) -> InvisibleReasons {
     let mut scratch = Scratch { planes: planes(&setup.viewport), ..Scratch::default() };
-    let mut reasons = Reasons::new();
+    let mut reasons = InvisibleReasons::new();
     for at in range {
-        let (drawn, ordinals) = match primitives.get(at) {
-            Primitive::Point(ordinal) => (Drawn::Point, vec![ordinal]),
-            Primitive::Line(ordinals, _) => (Drawn::Line, ordinals.to_vec()),
-            Primitive::Triangle(ordinals, ..) => (Drawn::Triangle, ordinals.to_vec()),
+        let (kind, ordinals) = match primitives.get(at) {
+            Primitive::Point(ordinal) => (PrimitiveKind::Point, vec![ordinal]),
+            Primitive::Line(ordinals, _) => (PrimitiveKind::Line, ordinals.to_vec()),
+            Primitive::Triangle(ordinals, ..) => (PrimitiveKind::Triangle, ordinals.to_vec()),
         };
-        let vertices: Vec<u32> = ordinals.into_iter().map(|v| wanted.local(v)).collect();
+        let vertices: Vec<u32> = ordinals.into_iter().map(|v| vertex_list.local(v)).collect();
         let reason = setup.reason(geometry, &vertices, &mut scratch);
-        reasons.push((drawn, reason));
+        reasons.push((kind, reason));
     }
     reasons
 }
 
 impl Setup<'_> {
     /// Why nothing is seen of a primitive of these vertices, which has no shapes.
-    fn reason(&self, geometry: &Geometry, vertices: &[u32], scratch: &mut Scratch) -> Reason {
+    fn reason(
+        &self,
+        geometry: &Geometry,
+        vertices: &[u32],
+        scratch: &mut Scratch,
+    ) -> InvisibleReason {
         let outcodes = vertices.iter().map(|&v| geometry.outcode(v).0);
         let any = outcodes.clone().fold(0, |any, code| any | code);
         let every = outcodes.fold(!0, |every, code| every & code);
         if any & Outcode::INVALID != 0 {
-            return Reason::NotFinite;
+            return InvisibleReason::NotFinite;
         }
         if let Some((_, side)) = SIDES.into_iter().find(|(bit, _)| every & bit != 0) {
-            return Reason::Outside(side);
+            return InvisibleReason::Outside(side);
         }
         let whole: Vec<_>;
         let corners = if any & Outcode::CUT == 0 {
@@ -110,15 +115,19 @@ impl Setup<'_> {
             &scratch.snapped
         };
         if corners.len() < vertices.len() {
-            return Reason::Cut;
+            return InvisibleReason::Cut;
         }
         if vertices.len() < 3 {
-            return Reason::Missed;
+            return InvisibleReason::Missed;
         }
-        let parts = (1..corners.len() - 1).map(|i| [corners[0], corners[i], corners[i + 1]]);
-        if parts.map(doubled_area).sum::<i64>() == 0 && self.cull != Cull::Both {
-            return Reason::Flat;
+        let triangles = (1..corners.len() - 1).map(|i| [corners[0], corners[i], corners[i + 1]]);
+        if triangles.map(doubled_area).sum::<i64>() == 0 && self.cull != Cull::Both {
+            return InvisibleReason::Flat;
         }
-        if self.facing(corners).is_none() { Reason::Culled } else { Reason::Missed }
+        if self.facing(corners).is_none() {
+            InvisibleReason::Culled
+        } else {
+            InvisibleReason::Missed
+        }
     }
 }

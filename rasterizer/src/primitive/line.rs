@@ -43,8 +43,8 @@ impl LineRun {
     /// The run of a line from `a` to `b` (in subpixels), `width` pixels wide: wide lines are moved
     /// by half of what they have more than one row, towards the first (section 3.4.2).
     pub fn new(mut a: [i32; 2], mut b: [i32; 2], width: i32) -> Self {
-        let way = [b[0] - a[0], b[1] - a[1]];
-        let major = usize::from(way[1].abs() > way[0].abs());
+        let direction = [b[0] - a[0], b[1] - a[1]];
+        let major = usize::from(direction[1].abs() > direction[0].abs());
         let minor = 1 - major;
         for end in [&mut a, &mut b] {
             end[minor] -= (width - 1) * HALF;
@@ -66,7 +66,7 @@ impl LineRun {
                 first += 1;
             }
         }
-        let backward = way[major] < 0;
+        let backward = direction[major] < 0;
         let sign = if backward { -1 } else { 1 };
         Self {
             major,
@@ -74,7 +74,7 @@ impl LineRun {
             last,
             backward,
             from: [a[major].into(), a[minor].into()],
-            along: [i64::from(sign * way[major]), i64::from(sign * way[minor])],
+            along: [i64::from(sign * direction[major]), i64::from(sign * direction[minor])],
         }
     }
 
@@ -209,9 +209,9 @@ mod tests {
         /// Whatever is drawn up to a point and on from there is drawn once.
         #[test]
         fn joined_lines_share_no_pixel_and_leave_no_gap(
-            a in [coordinate(), coordinate()], way in [-5..5i32, -5..5i32], n in 1..60i32, m in 1..60i32,
+            a in [coordinate(), coordinate()], direction in [-5..5i32, -5..5i32], n in 1..60i32, m in 1..60i32,
         ) {
-            let at = |k: i32| [a[0] + way[0] * k * 4, a[1] + way[1] * k * 4];
+            let at = |k: i32| [a[0] + direction[0] * k * 4, a[1] + direction[1] * k * 4];
             let (first, second) = (pixels(at(0), at(n), 1), pixels(at(n), at(n + m), 1));
             prop_assert!(first.is_disjoint(&second));
             let union: BTreeSet<_> = first.union(&second).copied().collect();

@@ -9,8 +9,8 @@ mod planes;
 mod setup;
 mod triangles;
 
-pub use invisible::{Drawn, Reason, Reasons, Side, reasons};
+pub use invisible::{InvisibleReason, InvisibleReasons, PrimitiveKind, ViewVolumeSide, reasons};
 pub use line::LineRun;
 pub use outline::{rectangle, stipple_lines};
-pub use planes::{Across, DepthSetup, Inverse, Plane, VertexPlanes, point_coord};
+pub use planes::{ConstantDirection, DepthSetup, InverseMatrix, Plane, VertexPlanes, point_coord};
 pub use setup::{Clipping, Setup, Shape, ShapeKind, setup};

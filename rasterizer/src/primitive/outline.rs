@@ -74,19 +74,21 @@ impl Setup<'_> {
         self.cut(geometry, &vertices, Outcode(any), scratch);
         let corners = scratch.polygon.iter().zip(&scratch.snapped);
         for (at, (corner, &from)) in corners.enumerate() {
-            let (bounds, part) = (NOWHERE, Clipping::Cut);
+            let (bounds, clipping) = (NOWHERE, Clipping::Cut);
             match mode {
                 PolygonMode::Line if corner.edge == Edge::Made => {
                     let to = scratch.snapped[(at + 1) % scratch.snapped.len()];
                     let kind = ShapeKind::Line { stipple: 0, bias };
                     let corners = [from, to, to];
-                    let edge = Shape { corners, bounds, vertices, provoking, part, kind, facing };
+                    let edge =
+                        Shape { corners, bounds, vertices, provoking, clipping, kind, facing };
                     self.segment(edge, out);
                 }
                 PolygonMode::Point if is_vertex(corner, edges, is_marked) => {
                     let size = self.size_at(geometry, vertices, corner.weights);
                     let (kind, corners) = (ShapeKind::Point { size, bias }, [from; 3]);
-                    let point = Shape { corners, bounds, vertices, provoking, part, kind, facing };
+                    let point =
+                        Shape { corners, bounds, vertices, provoking, clipping, kind, facing };
                     let [x, y, _, w] = corner.clip;
                     if x.abs() <= w && y.abs() <= w {
                         self.disc(point, self.viewport.window(&corner.clip), size, out);
@@ -132,7 +134,7 @@ impl Setup<'_> {
             bounds: NOWHERE,
             vertices: line.vertices,
             provoking: line.provoking,
-            part: Clipping::Whole,
+            clipping: Clipping::Whole,
             kind: ShapeKind::Line { stipple: 0, bias: line.bias },
             facing: line.facing,
         };
@@ -175,14 +177,14 @@ impl Setup<'_> {
         for (axis, (start, size)) in sides.into_iter().enumerate() {
             let low = f64::from(start) * f64::from(SUBPIXEL);
             let high = low + f64::from(size) * f64::from(SUBPIXEL);
-            let way = to[axis] - from[axis];
-            if way == 0.0 {
+            let direction = to[axis] - from[axis];
+            if direction == 0.0 {
                 if from[axis] < low || from[axis] > high {
                     return None;
                 }
                 continue;
             }
-            let [a, b] = [low, high].map(|side| (side - from[axis]) / way);
+            let [a, b] = [low, high].map(|side| (side - from[axis]) / direction);
             enters = enters.max(a.min(b));
             leaves = leaves.min(a.max(b));
         }
@@ -267,7 +269,7 @@ impl Setup<'_> {
             bounds: NOWHERE,
             vertices: [vertex; 3],
             provoking: 0,
-            part: Clipping::Whole,
+            clipping: Clipping::Whole,
             kind: ShapeKind::Point { size, bias },
             facing,
         };
@@ -335,9 +337,9 @@ fn point_corner(state: &PointState, window: [f64; 2], size: f32) -> [f64; 2] {
 /// counter-clockwise. The last part ends where the line does.
 pub fn rectangle(ends: [[f64; 2]; 2], width: f64, part: [f64; 2]) -> [[f64; 2]; 4] {
     let [a, b] = ends;
-    let way = [b[0] - a[0], b[1] - a[1]];
-    let length = (way[0] * way[0] + way[1] * way[1]).sqrt();
-    let along = way.map(|v| v / length);
+    let direction = [b[0] - a[0], b[1] - a[1]];
+    let length = (direction[0] * direction[0] + direction[1] * direction[1]).sqrt();
+    let along = direction.map(|v| v / length);
     let across = [-along[1] * width * 0.5, along[0] * width * 0.5];
     let corner = |at: f64, side: f64| {
         let at = at.min(length);
@@ -352,7 +354,8 @@ pub(super) fn stipple_around(state: &LineState, shapes: &mut [Shape], closing: [
     if state.stipple.is_none() {
         return;
     }
-    let closes = |shape: &Shape| shape.part == Clipping::Whole && shape.vertices[..2] == closing;
+    let closes =
+        |shape: &Shape| shape.clipping == Clipping::Whole && shape.vertices[..2] == closing;
     if let Some(at) = shapes.iter().position(closes) {
         shapes[at..].rotate_left(1);
     }

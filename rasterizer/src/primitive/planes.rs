@@ -45,12 +45,16 @@ impl Plane {
     }
 
     /// The same along a line from the origin, which is its first end, and constant across it.
-    fn along(self, corners: &[[i32; 2]; 3], across: Across) -> Self {
+    fn along(self, corners: &[[i32; 2]; 3], constant: ConstantDirection) -> Self {
         let [from, to, _] = corners;
-        let way = [0, 1].map(|axis| f64::from(to[axis]) - f64::from(from[axis]));
-        let [x, y] = across.side(way, corners);
+        let direction = [0, 1].map(|axis| f64::from(to[axis]) - f64::from(from[axis]));
+        let [x, y] = constant.vector(direction, corners);
         let square = x * x + y * y;
-        let slope = if square > 0.0 { (self.a * way[0] + self.b * way[1]) / square } else { 0.0 };
+        let slope = if square > 0.0 {
+            (self.a * direction[0] + self.b * direction[1]) / square
+        } else {
+            0.0
+        };
         Self { a: slope * y, b: slope * -x, c: self.c }
     }
 
@@ -59,33 +63,33 @@ impl Plane {
     }
 }
 
-/// Where the values of a line are the same.
+/// The direction in which the interpolated values of a line are constant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Across {
+pub enum ConstantDirection {
     /// At right angles to it (GL 2.1, equation 3.5).
-    Line,
+    Perpendicular,
     /// Along its minor axis, as a wide line's columns are one fragment, replicated (section 3.4.2).
-    Columns,
+    MinorAxis,
 }
 
-impl Across {
+impl ConstantDirection {
     /// For lines of a state.
     pub fn of(line: &LineState) -> Self {
         match line.antialiasing {
-            Antialiasing::Aliased if line.drawn_width() > 1.0 => Self::Columns,
-            Antialiasing::Aliased | Antialiasing::Smooth => Self::Line,
+            Antialiasing::Aliased if line.drawn_width() > 1.0 => Self::MinorAxis,
+            Antialiasing::Aliased | Antialiasing::Smooth => Self::Perpendicular,
         }
     }
 
     /// The direction without change, of a line between `corners` that runs `along`.
-    fn side(self, along: [f64; 2], corners: &[[i32; 2]; 3]) -> [f64; 2] {
-        let mut side = [-along[1], along[0]];
-        let way = [0, 1].map(|axis| corners[1][axis].abs_diff(corners[0][axis]));
+    fn vector(self, along: [f64; 2], corners: &[[i32; 2]; 3]) -> [f64; 2] {
+        let mut vector = [-along[1], along[0]];
+        let direction = [0, 1].map(|axis| corners[1][axis].abs_diff(corners[0][axis]));
         match self {
-            Self::Line => {}
-            Self::Columns => side[usize::from(way[1] > way[0])] = 0.0,
+            Self::Perpendicular => {}
+            Self::MinorAxis => vector[usize::from(direction[1] > direction[0])] = 0.0,
         }
-        side
+        vector
     }
 }
 
@@ -118,20 +122,20 @@ impl VertexPlanes {
         geometry: &Geometry,
         viewport: &Viewport,
         origin: [f64; 2],
-        across: Across,
+        constant: ConstantDirection,
     ) -> Self {
         let mut w = shape.vertices.map(|v| f64::from(geometry.clip(v)[3]));
-        if let (ShapeKind::Line { .. }, Clipping::Whole) = (shape.kind, shape.part) {
+        if let (ShapeKind::Line { .. }, Clipping::Whole) = (shape.kind, shape.clipping) {
             // Its third vertex has no weight.
             w[2] = w[1];
         }
-        let projective = match (shape.kind, shape.part) {
+        let projective = match (shape.kind, shape.clipping) {
             (ShapeKind::Triangle, _) => triangle(shape, geometry, viewport, origin),
             (ShapeKind::Line { .. }, Clipping::Whole) => {
-                line(shape, geometry, viewport, origin, across)
+                line(shape, geometry, viewport, origin, constant)
             }
             (ShapeKind::Line { .. }, Clipping::Cut) => {
-                let along = |row: Plane| row.along(&shape.corners, across);
+                let along = |row: Plane| row.along(&shape.corners, constant);
                 triangle(shape, geometry, viewport, origin).map(along)
             }
             (ShapeKind::Point { .. }, Clipping::Whole) => {
@@ -226,12 +230,13 @@ pub fn depth_offset(
         bounds: [[0; 2]; 2],
         vertices,
         provoking: 0,
-        part: if is_cut { Clipping::Cut } else { Clipping::Whole },
+        clipping: if is_cut { Clipping::Cut } else { Clipping::Whole },
         kind: ShapeKind::Triangle,
         facing: Facing::Front,
     };
     let origin = corners[0].map(|v| f64::from(v) / f64::from(SUBPIXEL));
-    let rows = VertexPlanes::new(&shape, geometry, viewport, origin, Across::Line);
+    let rows =
+        VertexPlanes::new(&shape, geometry, viewport, origin, ConstantDirection::Perpendicular);
     let setup = DepthSetup { viewport: *viewport, offset: None, resolution };
     let plane = rows.depth(&setup, &shape, geometry);
     let offset = offset(&plane, &corners, by, resolution);
@@ -254,20 +259,20 @@ fn triangle(
     origin: [f64; 2],
 ) -> [Plane; 3] {
     let clip = shape.vertices.map(|v| geometry.clip(v));
-    let inverse = Inverse::of(clip.map(|clip| homogeneous(clip, viewport, origin)));
-    if shape.part == Clipping::Cut || inverse.is_thick() {
+    let inverse = InverseMatrix::of(clip.map(|clip| homogeneous(clip, viewport, origin)));
+    if shape.clipping == Clipping::Cut || inverse.is_thick() {
         return inverse.rows();
     }
     let w = clip.map(|clip| f64::from(clip[3]));
     let snapped = shape.vertices.map(|v| geometry.snapped[v as usize]);
     let snapped = snapped.map(|v| v.map(|v| f64::from(v) / f64::from(SUBPIXEL)));
     let q = [0, 1, 2].map(|i| [(snapped[i][0] - origin[0]), (snapped[i][1] - origin[1]), 1.0]);
-    let rows = Inverse::of(q).rows();
+    let rows = InverseMatrix::of(q).rows();
     [0, 1, 2].map(|i| rows[i].scaled(1.0 / w[i]))
 }
 
 /// The inverse of the matrix whose columns are homogeneous positions.
-pub struct Inverse {
+pub struct InverseMatrix {
     positions: [[f64; 3]; 3],
     /// Row `i` is 0 at the other two positions,
     pub adjugate: [[f64; 3]; 3],
@@ -275,7 +280,7 @@ pub struct Inverse {
     determinant: f64,
 }
 
-impl Inverse {
+impl InverseMatrix {
     #[inline(always)]
     pub fn of(positions: [[f64; 3]; 3]) -> Self {
         let [p, q, r] = positions;
@@ -297,7 +302,9 @@ impl Inverse {
     pub fn is_thick(&self) -> bool {
         let [p, q, r] = self.positions;
         let area = 64.0 * (self.determinant * self.determinant);
-        (area >= side(p, q, r[2])) & (area >= side(p, r, q[2])) & (area >= side(q, r, p[2]))
+        (area >= squared_side(p, q, r[2]))
+            & (area >= squared_side(p, r, q[2]))
+            & (area >= squared_side(q, r, p[2]))
     }
 
     fn rows(&self) -> [Plane; 3] {
@@ -313,7 +320,7 @@ fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
 
 /// The square of the side between two homogeneous positions, times those of their `w` and of the third's.
 #[inline(always)]
-fn side(from: [f64; 3], to: [f64; 3], third: f64) -> f64 {
+fn squared_side(from: [f64; 3], to: [f64; 3], third: f64) -> f64 {
     let (x, y) = (from[0] * to[2] - to[0] * from[2], from[1] * to[2] - to[1] * from[2]);
     (x * x + y * y) * (third * third)
 }
@@ -325,7 +332,7 @@ fn line(
     geometry: &Geometry,
     viewport: &Viewport,
     origin: [f64; 2],
-    across: Across,
+    constant: ConstantDirection,
 ) -> [Plane; 3] {
     let ends = [0, 1].map(|i| homogeneous(geometry.clip(shape.vertices[i]), viewport, origin));
     // A third point off the line, whose own weight is left out: at infinity, across it.
@@ -333,7 +340,7 @@ fn line(
         ends[1][0] * ends[0][2] - ends[0][0] * ends[1][2],
         ends[1][1] * ends[0][2] - ends[0][1] * ends[1][2],
     ];
-    let [x, y] = across.side(along, &shape.corners);
-    let rows = Inverse::of([ends[0], ends[1], [x, y, 0.0]]).rows();
+    let [x, y] = constant.vector(along, &shape.corners);
+    let rows = InverseMatrix::of([ends[0], ends[1], [x, y, 0.0]]).rows();
     [rows[0], rows[1], Plane::default()]
 }

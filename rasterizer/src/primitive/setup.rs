@@ -53,7 +53,7 @@ pub struct Shape {
     /// Which of `vertices` gives flat varyings.
     pub provoking: u8,
     /// Whether it is all of the primitive.
-    pub part: Clipping,
+    pub clipping: Clipping,
     /// What it is.
     pub kind: ShapeKind,
     /// The facing of the primitive.
@@ -78,7 +78,7 @@ impl Shape {
 
     /// Where the centre of a point is in the window.
     pub fn centre(&self, geometry: &Geometry, viewport: &Viewport) -> [f64; 2] {
-        match self.part {
+        match self.clipping {
             Clipping::Whole => geometry.window(viewport, self.vertices[0]),
             Clipping::Cut => self.corners[0].map(|v| f64::from(v) / f64::from(SUBPIXEL)),
         }
@@ -119,13 +119,13 @@ pub(super) struct Scratch {
     pub planes: [[f64; 4]; 7],
 }
 
-/// Puts the shapes of a range of primitives behind `out`. `wanted` knows where in the geometry the
+/// Puts the shapes of a range of primitives behind `out`. `vertex_list` says where in the geometry the
 /// vertices are.
 pub fn setup(
     setup: &Setup<'_>,
     geometry: &Geometry,
     (primitives, range): (&Primitives, Range<u32>),
-    wanted: &VertexList,
+    vertex_list: &VertexList,
     out: &mut Vec<Shape>,
 ) {
     let mut scratch = Scratch { planes: planes(&setup.viewport), ..Scratch::default() };
@@ -133,13 +133,13 @@ pub fn setup(
     if primitives.are_triangles() && filled {
         let mut batch = Triangles::default();
         for first in range.clone().step_by(LANES) {
-            let part = first..range.end.min(first + LANES as u32);
-            batch.load(primitives, part.clone(), wanted);
-            batch.setup(setup, geometry, part.len(), &mut scratch, out);
+            let chunk = first..range.end.min(first + LANES as u32);
+            batch.load(primitives, chunk.clone(), vertex_list);
+            batch.setup(setup, geometry, chunk.len(), &mut scratch, out);
         }
         return;
     }
-    let local = |ordinal: u32| wanted.local(ordinal);
+    let local = |ordinal: u32| vertex_list.local(ordinal);
     // The polygon that is set up: its number, where its shapes begin, and the edge that closes it.
     let mut polygon: Option<(u32, usize, [u32; 2])> = None;
     let end = |polygon, out: &mut Vec<Shape>| {
@@ -189,7 +189,7 @@ impl Setup<'_> {
             return;
         }
         let whole;
-        let (corners, part) = if any & Outcode::CUT == 0 {
+        let (corners, clipping) = if any & Outcode::CUT == 0 {
             whole = vertices.map(|v| geometry.snapped[v as usize]);
             (whole.as_slice(), Clipping::Whole)
         } else {
@@ -203,7 +203,7 @@ impl Setup<'_> {
                 bounds: [[0; 2]; 2],
                 vertices,
                 provoking,
-                part,
+                clipping,
                 kind: ShapeKind::Triangle,
                 facing,
             };

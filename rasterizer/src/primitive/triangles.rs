@@ -42,16 +42,16 @@ struct TriangleMasks {
 
 impl Triangles {
     /// Takes a range of at most 64 primitives, all of them triangles.
-    pub fn load(&mut self, primitives: &Primitives, range: Range<u32>, wanted: &VertexList) {
+    pub fn load(&mut self, primitives: &Primitives, range: Range<u32>, vertex_list: &VertexList) {
         if let Some(provoking) = primitives.triples() {
-            wanted.triples(3 * range.start, &mut self.vertices, range.len());
+            vertex_list.triples(3 * range.start, &mut self.vertices, range.len());
             self.provoking = [provoking; LANES];
             return;
         }
         for (lane, i) in range.enumerate().take(LANES) {
             if let Primitive::Triangle(ordinals, provoking, _) = primitives.get(i) {
                 for (vertices, ordinal) in self.vertices.iter_mut().zip(ordinals) {
-                    vertices[lane] = wanted.local(ordinal);
+                    vertices[lane] = vertex_list.local(ordinal);
                 }
                 self.provoking[lane] = provoking;
             }
@@ -67,16 +67,16 @@ impl Triangles {
         scratch: &mut Scratch,
         out: &mut Vec<Shape>,
     ) {
-        // What is gathered has to be there in every lane.
+        // Every lane gathers: unused lanes have vertex 0.
         for vertices in &mut self.vertices {
             vertices.0[len..].fill(0);
         }
         let fates = setup.isa.run(Project { triangles: self, setup, geometry });
-        let mut rest = (fates.whole | fates.cut) & !0 >> (LANES - len);
-        out.reserve(rest.count_ones() as usize);
-        while rest != 0 {
-            let lane = rest.trailing_zeros() as usize % LANES;
-            rest &= rest - 1;
+        let mut left = (fates.whole | fates.cut) & !0 >> (LANES - len);
+        out.reserve(left.count_ones() as usize);
+        while left != 0 {
+            let lane = left.trailing_zeros() as usize % LANES;
+            left &= left - 1;
             let [a, b, c] = &self.vertices;
             let vertices = [a[lane], b[lane], c[lane]];
             let provoking = self.provoking[lane];
@@ -96,7 +96,7 @@ impl Triangles {
                 ],
                 vertices,
                 provoking,
-                part: Clipping::Whole,
+                clipping: Clipping::Whole,
                 kind: ShapeKind::Triangle,
                 facing: if back { Facing::Back } else { Facing::Front },
             });
@@ -160,12 +160,12 @@ impl Kernel for Project<'_> {
             cut[lane] = u32::from(is_cut & !dropped);
             back[lane] = u32::from(!front);
             // Counter-clockwise.
-            let turn = area < 0.0;
+            let is_clockwise = area < 0.0;
             let (b, c) = ([bx[lane], by[lane]], [cx[lane], cy[lane]]);
-            bx[lane] = if turn { c[0] } else { b[0] };
-            by[lane] = if turn { c[1] } else { b[1] };
-            cx[lane] = if turn { b[0] } else { c[0] };
-            cy[lane] = if turn { b[1] } else { c[1] };
+            bx[lane] = if is_clockwise { c[0] } else { b[0] };
+            by[lane] = if is_clockwise { c[1] } else { b[1] };
+            cx[lane] = if is_clockwise { b[0] } else { c[0] };
+            cy[lane] = if is_clockwise { b[1] } else { c[1] };
         }
         // As `setup::bounds` has it.
         let (first, last) = match setup.raster.polygon.antialiasing {

@@ -93,13 +93,13 @@ impl<'a> Batch<'a> {
     }
 
     /// Where its pixels are.
-    pub fn place(&self) -> BatchLayout<'a> {
+    pub fn layout(&self) -> BatchLayout<'a> {
         match self.quads {
             BatchPixels::Block(of) => BatchLayout::Block(of.block),
             BatchPixels::Packed(packed) => {
                 BatchLayout::Quads(&packed.blocks[..packed.len], &packed.quads[..packed.len])
             }
-            BatchPixels::Pixels(pixels) => pixels.place(),
+            BatchPixels::Pixels(pixels) => pixels.layout(),
         }
     }
 }
@@ -118,7 +118,7 @@ impl<const N: usize> EachPlane<N> {
     pub const NONE: Self = Self { corner: [0.0; N], a: [0.0; N], b: [0.0; N] };
 }
 
-/// Quads that wait until there are enough to be shaded together.
+/// Quads collected from several blocks or shapes until they fill a batch.
 #[derive(Debug)]
 pub struct Packed {
     /// How many quads.
@@ -140,8 +140,8 @@ pub struct Packed {
     /// The covered fraction of each lane's pixel, where the draw reads it.
     pub coverage: F32s,
     pub planes: Vec<EachPlane<QUADS>>,
-    /// By block: the lanes that wait in this batch.
-    waiting: [u64; 64],
+    /// By block: the lanes that are pending in this batch.
+    pending: [u64; 64],
 }
 
 impl Default for Packed {
@@ -159,13 +159,13 @@ impl Default for Packed {
             front: [0; QUADS],
             coverage: F32s::ZERO,
             planes: Vec::new(),
-            waiting: [0; 64],
+            pending: [0; 64],
         }
     }
 }
 
 impl Packed {
-    /// Whether nothing waits.
+    /// Whether nothing is pending.
     pub fn is_empty(&self) -> bool {
         self.len == 0
     }
@@ -175,12 +175,12 @@ impl Packed {
         self.len == QUADS
     }
 
-    /// Whether any of these lanes of a block waits here: later fragments must not overtake it.
-    pub fn holds(&self, block: usize, lanes: u64) -> bool {
-        self.waiting[block] & lanes != 0
+    /// Whether a fragment in these lanes of a block is pending: later fragments of its pixel must follow it.
+    pub fn has_pending(&self, block: usize, lanes: u64) -> bool {
+        self.pending[block] & lanes != 0
     }
 
-    /// What waits.
+    /// The pending quads as a batch.
     pub fn batch(&self) -> Batch<'_> {
         Batch { quads: BatchPixels::Packed(self), masks: &self.masks, tested: self.tested }
     }
@@ -188,7 +188,7 @@ impl Packed {
     /// Removes all quads, and prepares for a draw with these numbers of planes and samples.
     pub fn clear(&mut self, planes: usize, samples: usize) {
         for &block in &self.blocks[..self.len] {
-            self.waiting[usize::from(block)] = 0;
+            self.pending[usize::from(block)] = 0;
         }
         self.len = 0;
         self.masks = SampleMasks::none(samples);
@@ -212,7 +212,7 @@ impl Packed {
         self.front[at] = front_word(of.facing);
         for (mask, &lanes) in self.masks.iter_mut().zip(masks.iter()) {
             *mask |= moved_quad(lanes, from, at);
-            self.waiting[of.block] |= moved_quad(lanes, from, quad);
+            self.pending[of.block] |= moved_quad(lanes, from, quad);
         }
         if of.tests == EarlyTests::Done {
             self.tested |= lanes_of(1 << at);

@@ -1,7 +1,7 @@
 //! A run: up to four blocks that are shaded together, each with a register file of its own.
 //!
 //! Inputs, each straight part of the program, and colours are computed for all blocks of a run, one block after the
-//! other. Decisions and look-ups are shared, and the instructions of one block fill the latencies of another.
+//! other. Dispatch of instructions is shared, and the instructions of one block fill the latencies of another.
 
 use super::batch::{BlockOf, EarlyTests};
 use super::block::BlockAt;
@@ -13,34 +13,34 @@ use crate::shader::MAX_REGISTER_FILES;
 pub struct BlockRun {
     /// The planes of the first block, then those of the next.
     planes: Vec<[f32; 3]>,
-    blocks: [Covered; MAX_REGISTER_FILES],
+    blocks: [BlockLanes; MAX_REGISTER_FILES],
     len: usize,
-    /// What all blocks are of, see [`Self::level`].
-    level: Level,
+    /// See [`Self::uniform_over_shape`].
+    uniform: UniformOverShape,
 }
 
-/// What is the same all over a shape: the shape's number, where it is.
+/// What is uniform over a shape: the number of the shape if it is, else `None`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Level {
+pub struct UniformOverShape {
     /// The factors of a product.
     pub factors: Option<u64>,
     /// The levels that its lookups read.
-    pub details: Option<u64>,
+    pub lods: Option<u64>,
 }
 
-impl Level {
-    /// What is so of both, where they are of one shape.
-    fn and(self, other: Self) -> Self {
+impl UniformOverShape {
+    /// What is uniform over both, if they are parts of one shape.
+    fn intersection(self, other: Self) -> Self {
         Self {
             factors: self.factors.filter(|_| self.factors == other.factors),
-            details: self.details.filter(|_| self.details == other.details),
+            lods: self.lods.filter(|_| self.lods == other.lods),
         }
     }
 }
 
-/// What a shape covers of a block.
+/// The lanes of a block that a shape covers.
 #[derive(Clone, Copy, Debug, Default)]
-struct Covered {
+struct BlockLanes {
     block: u8,
     facing: Facing,
     lanes: u64,
@@ -52,18 +52,18 @@ impl BlockRun {
         self.len
     }
 
-    /// Whether any of these lanes of a block waits here: later fragments must not overtake it.
+    /// Whether a fragment in these lanes of a block is pending: later fragments of its pixel must follow it.
     #[inline(always)]
-    pub fn holds(&self, block: usize, lanes: u64) -> bool {
-        let waiting = |covered: &Covered| {
+    pub fn has_pending(&self, block: usize, lanes: u64) -> bool {
+        let pending_lanes = |covered: &BlockLanes| {
             if usize::from(covered.block) == block { covered.lanes } else { 0 }
         };
-        self.blocks.iter().take(self.len).any(|covered| waiting(covered) & lanes != 0)
+        self.blocks.iter().take(self.len).any(|covered| pending_lanes(covered) & lanes != 0)
     }
 
-    /// The number of the shape that all blocks are of, by what is the same all over it.
-    pub fn level(&self) -> Level {
-        self.level
+    /// What is uniform over the shape that all blocks belong to; nothing if they belong to several.
+    pub fn uniform_over_shape(&self) -> UniformOverShape {
+        self.uniform
     }
 
     /// Whether a plane is 1 all over the blocks.
@@ -71,13 +71,13 @@ impl BlockRun {
         self.planes().all(|planes| planes[plane] == [1.0, 0.0, 0.0])
     }
 
-    /// Whether these planes are the same all over the blocks; adds the bits of what they are.
-    pub fn shares(&self, planes: &[usize], values: &mut Vec<u32>) -> bool {
+    /// Whether these planes are constant over all blocks; appends the bits of their values.
+    pub fn are_uniform(&self, planes: &[usize], values: &mut Vec<u32>) -> bool {
         let mut blocks = self.planes();
         let Some(first) = blocks.next() else { return false };
         for &index in planes {
             let [value, a, b] = first[index];
-            // What lies between is rounded to the same.
+            // The values in between round to the same number.
             if value + 7.0 * a != value || value + 7.0 * b != value {
                 return false;
             }
@@ -89,8 +89,13 @@ impl BlockRun {
         blocks.all(|block| planes.iter().all(|&index| is_first(block, index)))
     }
 
-    /// Whether these planes are 1 all over the blocks once they are divided: where they are the denominator's.
-    pub fn shares_ones(&self, planes: &[usize], denominator: usize, values: &mut Vec<u32>) -> bool {
+    /// Whether the quotients of these planes by the denominator are 1 over all blocks, as the planes equal it.
+    pub fn are_uniform_ones(
+        &self,
+        planes: &[usize],
+        denominator: usize,
+        values: &mut Vec<u32>,
+    ) -> bool {
         values.extend(planes.iter().map(|_| 1.0_f32.to_bits()));
         self.planes().all(|block| planes.iter().all(|&index| block[index] == block[denominator]))
     }
@@ -100,15 +105,14 @@ impl BlockRun {
         self.planes.chunks_exact((self.planes.len() / self.len.max(1)).max(1))
     }
 
-    /// Forgets them.
+    /// Removes all blocks.
     pub fn clear(&mut self) {
         self.planes.clear();
         self.len = 0;
     }
 
-    /// Adds a block of a shape, of which these lanes are left. There is room for [`MAX_REGISTER_FILES`]. `level` is
-    /// what is the
-    /// same all over the shape.
+    /// Adds a block of a shape, of which these lanes are left. There may be
+    /// [`MAX_REGISTER_FILES`] of them. `uniform` says what is uniform over the shape.
     #[inline]
     pub fn push(
         &mut self,
@@ -116,11 +120,11 @@ impl BlockRun {
         facing: Facing,
         block: usize,
         lanes: u64,
-        level: Level,
+        uniform: UniformOverShape,
     ) {
-        self.level = if self.len == 0 { level } else { self.level.and(level) };
+        self.uniform = if self.len == 0 { uniform } else { self.uniform.intersection(uniform) };
         self.planes.extend(planes);
-        self.blocks[self.len] = Covered { block: block as u8, facing, lanes };
+        self.blocks[self.len] = BlockLanes { block: block as u8, facing, lanes };
         self.len += 1;
     }
 
@@ -150,7 +154,7 @@ impl BlockRun {
     /// The block of a register file and its lanes.
     #[inline]
     pub fn covered(&self, file: usize) -> (usize, u64) {
-        let Covered { block, lanes, .. } = self.blocks[file];
+        let BlockLanes { block, lanes, .. } = self.blocks[file];
         (usize::from(block), lanes)
     }
 }

@@ -22,7 +22,7 @@ pub struct ClearJob {
     pub all: WordMask,
     /// First and one past the last pixel, within the pass, x then y.
     pub area: [[i32; 2]; 2],
-    /// What a watch calls it.
+    /// Its label in the events of a watched pixel.
     pub label: u32,
 }
 

@@ -90,12 +90,12 @@ pub fn block(isa: Isa, edges: &[Edge; 3], bx: i32, by: i32) -> Coverage {
 }
 
 /// The edges of a triangle for many blocks of a tile: what they rise by to each lane of a block.
-pub struct Within<'a> {
+pub struct TileEdges<'a> {
     edges: &'a [Edge; 3],
     rise: [I32s; 3],
 }
 
-impl<'a> Within<'a> {
+impl<'a> TileEdges<'a> {
     /// The edges of a triangle.
     #[inline(always)]
     pub fn of(edges: &'a [Edge; 3]) -> Self {

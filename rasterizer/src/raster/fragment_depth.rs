@@ -1,7 +1,7 @@
 //! The depth of fragments before anything is shaded: the same numbers as [`super::inputs`] gives.
 
 use super::batch::{Batch, BatchPixels};
-use super::inputs::Places;
+use super::inputs::InterpolationSource;
 use super::large_triangles::bits;
 use super::perspective::{evaluate_plane, value_at};
 use crate::attachment::BLOCKS;
@@ -99,12 +99,12 @@ impl Kernel for BatchDepth<'_> {
 
 impl BatchDepth<'_> {
     #[inline(always)]
-    fn fill(self, places: &impl Places) {
+    fn fill(self, source: &impl InterpolationSource) {
         let Self { plane, offset, depths, depth, .. } = self;
-        let plane = places.plane(plane);
+        let plane = source.plane(plane);
         let mut out = match offset {
-            None => evaluate_plane(places, plane),
-            Some(by) => evaluate_plane(places, |e, q| moved(plane(e, q), Some(by))),
+            None => evaluate_plane(source, plane),
+            Some(by) => evaluate_plane(source, |e, q| moved(plane(e, q), Some(by))),
         };
         clamp_depth(&mut out, depths);
         *depth = out;

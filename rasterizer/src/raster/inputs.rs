@@ -3,7 +3,9 @@
 use super::batch::{Batch, BatchPixels, BlockOf, Packed, QUAD_X, QUAD_Y, front_word};
 use super::block_run::BlockRun;
 use super::fragment_depth::clamp_depth;
-use super::perspective::{X, Y, along, divided, evaluate, invert, value_at, with_slopes, within};
+use super::perspective::{
+    X, Y, along, divided, evaluate, evaluate_moved, invert, value_at, with_slopes,
+};
 use super::pixel_batch::Pixels;
 use crate::desc::Facing;
 use crate::ir::Axis;
@@ -12,23 +14,23 @@ use crate::shader::Machine;
 use std::iter::once;
 use texunit::lanes::{F32s, Kernel, LANES, QUADS, Simd, U32s};
 
-/// What a batch has for pixel `e` of its quad `q`.
-pub(super) trait Places {
+/// What interpolation reads of a batch, for pixel `e` of its quad `q`.
+pub(super) trait InterpolationSource {
     /// A plane: at the first pixel of the block, per pixel across, per pixel up.
     fn plane(&self, plane: usize) -> impl Fn(usize, usize) -> [f32; 3];
     /// Whether a plane is known to be 1 at every lane.
     fn is_one(&self, plane: usize) -> bool;
     /// Whether two planes may be the same at any lane: whether they are at the first pixel of any block.
-    fn may_agree<S: Simd>(&self, planes: [usize; 2]) -> bool;
+    fn may_be_equal<S: Simd>(&self, planes: [usize; 2]) -> bool;
     /// Its column and row in its block.
-    fn within(&self, e: usize, q: usize) -> [f32; 2];
+    fn position_in_block(&self, e: usize, q: usize) -> [f32; 2];
     /// The first pixel of its block.
-    fn block(&self, e: usize, q: usize) -> [f32; 2];
+    fn block_origin(&self, e: usize, q: usize) -> [f32; 2];
     fn front(&self, e: usize, q: usize) -> u32;
     fn coverage(&self) -> Option<&F32s>;
 }
 
-impl Places for BlockOf<'_> {
+impl InterpolationSource for BlockOf<'_> {
     #[inline(always)]
     fn plane(&self, plane: usize) -> impl Fn(usize, usize) -> [f32; 3] {
         let plane = self.planes[plane];
@@ -39,15 +41,15 @@ impl Places for BlockOf<'_> {
         self.planes[plane] == [1.0, 0.0, 0.0]
     }
     #[inline(always)]
-    fn may_agree<S: Simd>(&self, [of, by]: [usize; 2]) -> bool {
+    fn may_be_equal<S: Simd>(&self, [of, by]: [usize; 2]) -> bool {
         self.planes[of][0] == self.planes[by][0]
     }
     #[inline(always)]
-    fn within(&self, e: usize, q: usize) -> [f32; 2] {
+    fn position_in_block(&self, e: usize, q: usize) -> [f32; 2] {
         [QUAD_X[q] + X[e], QUAD_Y[q] + Y[e]]
     }
     #[inline(always)]
-    fn block(&self, _e: usize, _q: usize) -> [f32; 2] {
+    fn block_origin(&self, _e: usize, _q: usize) -> [f32; 2] {
         [self.x as f32, self.y as f32]
     }
     #[inline(always)]
@@ -60,7 +62,7 @@ impl Places for BlockOf<'_> {
     }
 }
 
-impl Places for Packed {
+impl InterpolationSource for Packed {
     #[inline(always)]
     fn plane(&self, plane: usize) -> impl Fn(usize, usize) -> [f32; 3] {
         let plane = &self.planes[plane];
@@ -71,16 +73,16 @@ impl Places for Packed {
         false
     }
     #[inline(always)]
-    fn may_agree<S: Simd>(&self, planes: [usize; 2]) -> bool {
+    fn may_be_equal<S: Simd>(&self, planes: [usize; 2]) -> bool {
         let [of, by] = planes.map(|plane| &self.planes[plane].corner);
         of.iter().zip(by).any(|(of, by)| of == by)
     }
     #[inline(always)]
-    fn within(&self, e: usize, q: usize) -> [f32; 2] {
+    fn position_in_block(&self, e: usize, q: usize) -> [f32; 2] {
         [self.dx[q] + X[e], self.dy[q] + Y[e]]
     }
     #[inline(always)]
-    fn block(&self, _e: usize, q: usize) -> [f32; 2] {
+    fn block_origin(&self, _e: usize, q: usize) -> [f32; 2] {
         [self.x[q], self.y[q]]
     }
     #[inline(always)]
@@ -93,7 +95,7 @@ impl Places for Packed {
     }
 }
 
-impl Places for Pixels {
+impl InterpolationSource for Pixels {
     #[inline(always)]
     fn plane(&self, plane: usize) -> impl Fn(usize, usize) -> [f32; 3] {
         let plane = &self.planes[plane];
@@ -114,7 +116,7 @@ impl Places for Pixels {
         other == 0
     }
     #[inline(always)]
-    fn may_agree<S: Simd>(&self, planes: [usize; 2]) -> bool {
+    fn may_be_equal<S: Simd>(&self, planes: [usize; 2]) -> bool {
         let [of, by] = planes.map(|plane| &self.planes[plane].corner);
         let mut same = U32s::ZERO;
         for lane in 0..LANES {
@@ -123,11 +125,11 @@ impl Places for Pixels {
         S::any(&same)
     }
     #[inline(always)]
-    fn within(&self, e: usize, q: usize) -> [f32; 2] {
-        [self.within[0][e * QUADS + q], self.within[1][e * QUADS + q]]
+    fn position_in_block(&self, e: usize, q: usize) -> [f32; 2] {
+        [self.position[0][e * QUADS + q], self.position[1][e * QUADS + q]]
     }
     #[inline(always)]
-    fn block(&self, e: usize, q: usize) -> [f32; 2] {
+    fn block_origin(&self, e: usize, q: usize) -> [f32; 2] {
         [self.block[0][e * QUADS + q], self.block[1][e * QUADS + q]]
     }
     #[inline(always)]
@@ -208,20 +210,20 @@ struct Fill<'a> {
 
 impl Fill<'_> {
     #[inline(always)]
-    fn fill<S: Simd>(&mut self, places: &impl Places) {
+    fn fill<S: Simd>(&mut self, source: &impl InterpolationSource) {
         let Self { plan, inputs, masks, machine, file, depth } = self;
         // Planes and registers may overlap as far as the compiler knows: what is computed here is
         // computed on the stack and stored whole.
         if let Some(index) = plan.depth_plane.filter(|_| plan.shades_depth) {
-            **depth = evaluate::<S>(places, index);
+            **depth = evaluate::<S>(source, index);
             clamp_depth(depth, plan.viewport.depths());
         }
         let mut w = F32s::splat(1.0);
         let denominator = plan.denominator_plane.unwrap_or(0);
         // Of shapes that do not lie in perspective nothing is divided.
-        let is_divided = plan.denominator_plane.is_some_and(|index| !places.is_one(index));
+        let is_divided = plan.denominator_plane.is_some_and(|index| !source.is_one(index));
         if is_divided {
-            w = evaluate::<S>(places, denominator);
+            w = evaluate::<S>(source, denominator);
             invert::<S>(&mut w);
         }
         let mut centroids = [F32s::ZERO; 2];
@@ -231,7 +233,7 @@ impl Fill<'_> {
         let registers = machine.inputs_of(*file);
         for &FilledInput { number, from, slopes } in *inputs {
             if let (FragmentInput::Smooth(index), Some(slopes)) = (from, slopes) {
-                let all = with_slopes::<S>(places, [index, denominator], &w);
+                let all = with_slopes::<S>(source, [index, denominator], &w);
                 for (number, filled) in once(number).chain(slopes).zip(all) {
                     if let Some(out) = registers.get_mut(number) {
                         *out.as_f32_mut() = filled;
@@ -242,46 +244,48 @@ impl Fill<'_> {
             let Some(out) = registers.get_mut(number) else { continue };
             match from {
                 FragmentInput::Smooth(index) if is_divided => {
-                    *out.as_f32_mut() = divided::<S>(places, [index, denominator], &w);
+                    *out.as_f32_mut() = divided::<S>(source, [index, denominator], &w);
                 }
-                FragmentInput::Smooth(index) => *out.as_f32_mut() = evaluate::<S>(places, index),
-                FragmentInput::Linear(index) => *out.as_f32_mut() = evaluate::<S>(places, index),
-                FragmentInput::SmoothWithin(index) => {
-                    let mut value = within::<S>(places, index, &centroids);
-                    let over = within::<S>(places, denominator, &centroids);
+                FragmentInput::Smooth(index) => *out.as_f32_mut() = evaluate::<S>(source, index),
+                FragmentInput::Linear(index) => *out.as_f32_mut() = evaluate::<S>(source, index),
+                FragmentInput::SmoothAtCentroid(index) => {
+                    let mut value = evaluate_moved::<S>(source, index, &centroids);
+                    let over = evaluate_moved::<S>(source, denominator, &centroids);
                     for lane in 0..LANES {
                         value[lane] *= 1.0 / over[lane];
                     }
                     *out.as_f32_mut() = value;
                 }
-                FragmentInput::LinearWithin(index) => {
-                    *out.as_f32_mut() = within::<S>(places, index, &centroids);
+                FragmentInput::LinearAtCentroid(index) => {
+                    *out.as_f32_mut() = evaluate_moved::<S>(source, index, &centroids);
                 }
                 FragmentInput::SmoothSlope(index, axis) => {
-                    let [_, across, up] = with_slopes::<S>(places, [index, denominator], &w);
+                    let [_, across, up] = with_slopes::<S>(source, [index, denominator], &w);
                     *out.as_f32_mut() = match axis {
                         Axis::X => across,
                         Axis::Y => up,
                     };
                 }
                 FragmentInput::LinearSlope(index, axis) => {
-                    let plane = places.plane(index);
+                    let plane = source.plane(index);
                     by_quad(out, |e, q| along(axis, plane(e, q)).to_bits());
                 }
                 FragmentInput::Depth => *out.as_f32_mut() = **depth,
                 FragmentInput::Flat(index) => {
-                    let plane = places.plane(index);
+                    let plane = source.plane(index);
                     by_quad(out, |e, q| plane(e, q)[0].to_bits());
                 }
                 FragmentInput::X => by_quad(out, |e, q| {
-                    (places.block(e, q)[0] + (places.within(e, q)[0] + 0.5)).to_bits()
+                    (source.block_origin(e, q)[0] + (source.position_in_block(e, q)[0] + 0.5))
+                        .to_bits()
                 }),
                 FragmentInput::Y => by_quad(out, |e, q| {
-                    (places.block(e, q)[1] + (places.within(e, q)[1] + 0.5)).to_bits()
+                    (source.block_origin(e, q)[1] + (source.position_in_block(e, q)[1] + 0.5))
+                        .to_bits()
                 }),
-                FragmentInput::Front => by_quad(out, |e, q| places.front(e, q)),
+                FragmentInput::Front => by_quad(out, |e, q| source.front(e, q)),
                 FragmentInput::Coverage => {
-                    if let Some(coverage) = places.coverage() {
+                    if let Some(coverage) = source.coverage() {
                         *out.as_f32_mut() = *coverage;
                     }
                 }
@@ -302,25 +306,29 @@ fn by_quad(out: &mut U32s, word: impl Fn(usize, usize) -> u32) {
 
 impl Batch<'_> {
     /// A plane at one lane.
-    pub fn at(&self, plane: usize, lane: usize) -> f32 {
-        let (plane, within) = self.place_of(plane, lane);
-        value_at(plane, within)
+    pub fn plane_at(&self, plane: usize, lane: usize) -> f32 {
+        let (plane, position) = self.plane_and_position(plane, lane);
+        value_at(plane, position)
     }
 
     /// A plane at one lane, moved so far across and up from the pixel's centre.
-    pub fn at_moved(&self, plane: usize, lane: usize, [x, y]: &[F32s; 2]) -> f32 {
-        let (plane, within) = self.place_of(plane, lane);
+    pub fn plane_at_moved(&self, plane: usize, lane: usize, [x, y]: &[F32s; 2]) -> f32 {
+        let (plane, position) = self.plane_and_position(plane, lane);
         let [_, a, b] = plane;
-        value_at(plane, within) + (x[lane] * a + y[lane] * b)
+        value_at(plane, position) + (x[lane] * a + y[lane] * b)
     }
 
     /// A plane, and the column and row of a lane in its block.
-    fn place_of(&self, plane: usize, lane: usize) -> ([f32; 3], [f32; 2]) {
+    fn plane_and_position(&self, plane: usize, lane: usize) -> ([f32; 3], [f32; 2]) {
         let (e, q) = (lane / QUADS, lane % QUADS);
         match self.quads {
-            BatchPixels::Block(block) => (block.plane(plane)(e, q), block.within(e, q)),
-            BatchPixels::Packed(packed) => (packed.plane(plane)(e, q), packed.within(e, q)),
-            BatchPixels::Pixels(pixels) => (pixels.plane(plane)(e, q), pixels.within(e, q)),
+            BatchPixels::Block(block) => (block.plane(plane)(e, q), block.position_in_block(e, q)),
+            BatchPixels::Packed(packed) => {
+                (packed.plane(plane)(e, q), packed.position_in_block(e, q))
+            }
+            BatchPixels::Pixels(pixels) => {
+                (pixels.plane(plane)(e, q), pixels.position_in_block(e, q))
+            }
         }
     }
 }

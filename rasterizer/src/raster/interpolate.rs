@@ -5,7 +5,9 @@
 
 use crate::desc::SpriteOrigin;
 use crate::plan::PlaneSource;
-use crate::primitive::{Across, DepthSetup, Plane, Shape, ShapeKind, VertexPlanes, point_coord};
+use crate::primitive::{
+    ConstantDirection, DepthSetup, Plane, Shape, ShapeKind, VertexPlanes, point_coord,
+};
 use crate::sizes::SUBPIXEL;
 use crate::vertex::Geometry;
 
@@ -18,8 +20,8 @@ pub struct PlaneSetup<'a> {
     pub depth: DepthSetup,
     /// Where t is 0 in a point.
     pub origin: SpriteOrigin,
-    /// Where lines have the same values.
-    pub across: Across,
+    /// The direction in which the values of lines are constant.
+    pub line_constant: ConstantDirection,
 }
 
 /// The planes of a shape.
@@ -41,8 +43,13 @@ impl Planes {
             }
             ShapeKind::Point { .. } => shape.centre(geometry, &setup.depth.viewport),
         };
-        let rows =
-            VertexPlanes::new(shape, geometry, &setup.depth.viewport, self.origin, setup.across);
+        let rows = VertexPlanes::new(
+            shape,
+            geometry,
+            &setup.depth.viewport,
+            self.origin,
+            setup.line_constant,
+        );
         let varyings = shape.vertices.map(|v| geometry.varyings_of(v));
         let provoking = varyings[usize::from(shape.provoking)];
         let values = |at: usize| [0, 1, 2].map(|i| f64::from(varyings[i][at]));

@@ -21,23 +21,23 @@ pub struct DrawJob {
     pub area: [[i32; 2]; 2],
     /// What counts the samples that pass its tests.
     pub counter: Option<Counter>,
-    /// Set when its shader ran over the budget: nothing more of it is drawn.
+    /// Set when its shader exceeded the budget: the rest of the draw is skipped.
     pub stopped: AtomicBool,
-    /// What a watch calls it.
+    /// The label of the draw in the events of a watched pixel.
     pub label: u32,
 }
 
 impl DrawJob {
-    /// Whether pixels of the next draw may share batches with those of this one: same plan, same counter, no loops.
-    pub fn goes_on(&self, next: &Self) -> bool {
+    /// Whether pixels of the next draw may be in one batch with those of this one: same plan, same counter, no loops.
+    pub fn can_share_batches(&self, next: &Self) -> bool {
         Arc::ptr_eq(&self.plan, &next.plan)
             && self.counter == next.counter
             && self.plan.pipeline.compiled().fragment.is_straight()
     }
 
     /// Whether shapes of the next draw may be in one chunk with those of this one.
-    pub fn gathers(&self, next: &Self) -> bool {
-        self.goes_on(next)
+    pub fn can_share_chunk(&self, next: &Self) -> bool {
+        self.can_share_batches(next)
             && (self.area, self.label) == (next.area, next.label)
             && !self.stopped.load(Ordering::Relaxed)
     }
@@ -72,7 +72,7 @@ pub struct ShapeLists {
     pub binned: Vec<u32>,
 }
 
-/// Something that happens in a tile.
+/// An operation on a tile.
 #[derive(Clone, Copy, Debug)]
 pub enum Entry {
     /// A clear, by index.
@@ -109,7 +109,7 @@ pub struct PassJob {
     pub watch: Option<Watch>,
 }
 
-/// One tile, and what happens in it.
+/// One tile, and the operations on it.
 #[derive(Debug)]
 pub struct TileJob {
     /// Its first pixel.
@@ -120,14 +120,14 @@ pub struct TileJob {
     pub colors: Vec<Option<TileTarget>>,
     /// Its part of the depth attachment.
     pub depth: Option<TileTarget>,
-    /// What happens, in order.
+    /// The operations, in order.
     pub entries: Vec<Entry>,
     /// The watched pixel, if it is in this tile.
     pub watched: Option<Box<WatchedPixel>>,
 }
 
 impl TileJob {
-    /// Asks for the words of the blocks that a draw will write its colours to.
+    /// Prefetches the words of the blocks that a draw will write its colours to.
     #[inline]
     pub fn prefetch(&self, plan: &DrawPlan, blocks: impl Iterator<Item = usize> + Clone) {
         for color in &plan.colors {

@@ -2,7 +2,7 @@
 //! that are blocks. The numbers are those of [`super::edge_functions::block`] and [`PlaneGroup::at`].
 
 use super::batch::is_dense;
-use super::edge_functions::{Edge, Within, edges};
+use super::edge_functions::{Edge, TileEdges, edges};
 use super::fragment_depth::TestBlocks;
 use super::plane_group::PlaneGroup;
 use crate::attachment::{BLOCKS, WordPlane};
@@ -12,23 +12,23 @@ use crate::sizes::TILE;
 use std::ops::Range;
 use texunit::lanes::{F32s, Isa, Kernel, LANES, Simd, U32s};
 
-/// Blocks that a triangle may cover from which on they are looked at together.
-pub const WORTH_IT: i32 = 3;
+/// The least number of blocks in the bounds of a triangle for which they are computed together.
+pub const MIN_BLOCKS: i32 = 3;
 
 /// Blocks along a side of a tile.
 const SIDE: usize = TILE as usize / 8;
 const _: () = assert!(BLOCKS == LANES && SIDE * SIDE == LANES, "lanes are the blocks of a tile");
 
-/// The blocks of a tile as a triangle sees them.
+/// The coverage and the planes of a large triangle in each block of a tile.
 #[derive(Debug)]
 pub struct LargeTriangle {
-    /// Those of which it covers anything, bit by block.
+    /// Those of which it covers any pixel, bit by block.
     pub touched: u64,
-    /// Those of which it covers so much that they do not wait for others.
+    /// Those that it covers so densely that they are shaded as blocks.
     pub dense: u64,
     /// The lanes that it covers, of those that it touches.
     pub covered: [u64; BLOCKS],
-    planes: Vec<Over>,
+    planes: Vec<TilePlane>,
 }
 
 impl Default for LargeTriangle {
@@ -49,7 +49,7 @@ pub fn bits(mut set: u64) -> impl Iterator<Item = usize> {
 
 /// A plane over the tile.
 #[derive(Clone, Debug)]
-struct Over {
+struct TilePlane {
     /// At the first pixel of each block.
     corners: F32s,
     /// Per pixel across, per pixel up.
@@ -57,7 +57,7 @@ struct Over {
 }
 
 impl LargeTriangle {
-    /// Looks at those `rows` of blocks that the triangle's bounds reach of the tile whose first pixel is `tile`,
+    /// Computes those `rows` of blocks that the triangle's bounds reach of the tile whose first pixel is `tile`,
     /// given its corners and the lane of the group that holds its planes.
     pub fn compute(
         &mut self,
@@ -67,28 +67,28 @@ impl LargeTriangle {
         packing: Packing,
         (group, lane): (&PlaneGroup, usize),
     ) {
-        isa.run(Blocks { tile, corners, rows, packing, group, lane, out: self });
+        isa.run(ComputeBlocks { tile, corners, rows, packing, group, lane, out: self });
     }
 
-    /// Leaves what lies in an area, of which `inside` gives the lanes of a block.
+    /// Removes the lanes outside an area; `inside` gives the lanes of a block inside it.
     pub fn cut(&mut self, packing: Packing, inside: impl Fn(usize) -> u64) {
         let touched = std::mem::take(&mut self.touched);
         self.dense = 0;
         for block in bits(touched) {
             self.covered[block] &= inside(block);
-            self.note(packing, block);
+            self.set_bits(packing, block);
         }
     }
 
-    /// Whether a waiting batch holds any of the covered lanes of a block.
+    /// Whether a pending batch holds a fragment in any of the covered lanes.
     #[inline]
-    pub fn any(&self, holds: impl Fn(usize, u64) -> bool) -> bool {
-        bits(self.touched).any(|block| holds(block, self.covered[block]))
+    pub fn any(&self, has_pending: impl Fn(usize, u64) -> bool) -> bool {
+        bits(self.touched).any(|block| has_pending(block, self.covered[block]))
     }
 
-    /// Notes what is covered of a block.
+    /// Sets the bits of a block by what is covered of it.
     #[inline(always)]
-    fn note(&mut self, packing: Packing, block: usize) {
+    fn set_bits(&mut self, packing: Packing, block: usize) {
         let lanes = self.covered[block];
         self.touched |= u64::from(lanes != 0) << block;
         self.dense |= u64::from(is_dense(packing, lanes)) << block;
@@ -103,7 +103,7 @@ impl LargeTriangle {
         stored: &mut WordPlane,
         blocks: u64,
     ) {
-        let Over { corners, steps } = &self.planes[of];
+        let TilePlane { corners, steps } = &self.planes[of];
         let (words, lanes) = (stored.blocks_mut(blocks), &mut self.covered);
         isa.run(TestBlocks { plan, depths, corners, steps: *steps, words, blocks, lanes });
     }
@@ -135,7 +135,7 @@ impl LargeTriangle {
     }
 }
 
-struct Blocks<'a> {
+struct ComputeBlocks<'a> {
     tile: [i32; 2],
     corners: &'a [[i32; 2]; 3],
     rows: Range<usize>,
@@ -145,7 +145,7 @@ struct Blocks<'a> {
     out: &'a mut LargeTriangle,
 }
 
-impl Kernel for Blocks<'_> {
+impl Kernel for ComputeBlocks<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: Simd>(self) {
@@ -161,7 +161,7 @@ impl Kernel for Blocks<'_> {
             along
         };
         let (dx, dy) = (along(0), along(1));
-        const NONE: Over = Over { corners: F32s::ZERO, steps: [0.0; 2] };
+        const NONE: TilePlane = TilePlane { corners: F32s::ZERO, steps: [0.0; 2] };
         out.planes.resize(group.len(), NONE);
         for ([a, b, c], out) in group.of(lane).zip(&mut out.planes) {
             out.steps = [a as f32, b as f32];
@@ -182,11 +182,11 @@ impl LargeTriangle {
         let [touched, full] = blocks::<S>(edges, rows);
         (self.touched, self.dense) = (full, full);
         self.covered = [!0; BLOCKS];
-        let within = Within::of(edges);
+        let tile_edges = TileEdges::of(edges);
         for block in bits(touched & !full) {
             let at = [block % SIDE, block / SIDE].map(|at| at as i32);
-            self.covered[block] = within.lanes::<S>(at);
-            self.note(packing, block);
+            self.covered[block] = tile_edges.lanes::<S>(at);
+            self.set_bits(packing, block);
         }
     }
 }
@@ -229,9 +229,9 @@ mod tests {
         type Output = LargeTriangle;
         #[inline(always)]
         fn run<S: Simd>(self) -> LargeTriangle {
-            let mut broad = LargeTriangle::default();
-            broad.cover::<S>(self.0, 0..SIDE, self.1);
-            broad
+            let mut triangle = LargeTriangle::default();
+            triangle.cover::<S>(self.0, 0..SIDE, self.1);
+            triangle
         }
     }
 
@@ -244,14 +244,14 @@ mod tests {
             let edges = edges(&corners, 0, 0);
             let packings = [Packing::Pixels, Packing::Quads];
             for (isa, packing) in Isa::available().into_iter().flat_map(|isa| packings.map(|by| (isa, by))) {
-                let broad = isa.run(CoverOf(&edges, packing));
+                let triangle = isa.run(CoverOf(&edges, packing));
                 for at in 0..LANES {
                     let want = block(isa, &edges, at as i32 % 8, at as i32 / 8).lanes();
                     let is_in = |blocks: u64| blocks >> at & 1 == 1;
-                    let lanes = if is_in(broad.touched) { broad.covered[at] } else { 0 };
+                    let lanes = if is_in(triangle.touched) { triangle.covered[at] } else { 0 };
                     prop_assert_eq!(lanes, want, "{} block {}", isa.name(), at);
-                    prop_assert_eq!(is_in(broad.touched), want != 0, "{} block {}", isa.name(), at);
-                    prop_assert_eq!(is_in(broad.dense), is_dense(packing, want), "{} block {}", isa.name(), at);
+                    prop_assert_eq!(is_in(triangle.touched), want != 0, "{} block {}", isa.name(), at);
+                    prop_assert_eq!(is_in(triangle.dense), is_dense(packing, want), "{} block {}", isa.name(), at);
                 }
             }
         }

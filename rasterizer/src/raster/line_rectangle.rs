@@ -24,7 +24,7 @@ pub struct LineRectangle {
     ends: [[f64; 2]; 2],
     width: f64,
     /// From one end to the other.
-    way: [f64; 2],
+    direction: [f64; 2],
     length: f64,
     /// Counter-clockwise.
     pub corners: [[f64; 2]; 4],
@@ -33,17 +33,18 @@ pub struct LineRectangle {
 impl LineRectangle {
     /// The line from `a` to `b`.
     pub fn new(a: [f64; 2], b: [f64; 2], width: f64) -> Self {
-        let way = [b[0] - a[0], b[1] - a[1]];
-        let length = (way[0] * way[0] + way[1] * way[1]).sqrt();
+        let direction = [b[0] - a[0], b[1] - a[1]];
+        let length = (direction[0] * direction[0] + direction[1] * direction[1]).sqrt();
         let ends = [a, b];
-        Self { ends, width, way, length, corners: rectangle(ends, width, [0.0, length]) }
+        Self { ends, width, direction, length, corners: rectangle(ends, width, [0.0, length]) }
     }
 
     /// How far along the line a point lies.
     #[inline(always)]
     fn along(&self, point: [f64; 2]) -> f64 {
         let [a, _] = self.ends;
-        ((point[0] - a[0]) * self.way[0] + (point[1] - a[1]) * self.way[1]) / self.length
+        ((point[0] - a[0]) * self.direction[0] + (point[1] - a[1]) * self.direction[1])
+            / self.length
     }
 
     /// Adds what the line covers of each pixel of the block from `first` on: of the pieces one pixel long that its
@@ -74,11 +75,11 @@ impl LineRectangle {
 
     /// The lanes of the block from pixel `first` on whose centres the line holds, where its stipple leaves it.
     pub fn centers(&self, isa: Isa, dashes: Dashes, first: [i32; 2]) -> u64 {
-        let held = isa.run(SamplesHeld { band: self, first: first.map(f64::from) });
+        let covered = isa.run(SamplesCovered { band: self, first: first.map(f64::from) });
         if dashes.is_none() {
-            return held;
+            return covered;
         }
-        let mut left = held;
+        let mut left = covered;
         let mut lanes = 0;
         while left != 0 {
             let lane = left.trailing_zeros() as usize;
@@ -97,27 +98,27 @@ fn center(first: [f64; 2], lane: usize) -> [f64; 2] {
 }
 
 /// The lanes whose centres a line holds. Of its sides those of its start and on its right do not belong to the next.
-struct SamplesHeld<'a> {
+struct SamplesCovered<'a> {
     band: &'a LineRectangle,
     first: [f64; 2],
 }
 
-impl Kernel for SamplesHeld<'_> {
+impl Kernel for SamplesCovered<'_> {
     type Output = u64;
     #[inline(always)]
     fn run<S: Simd>(self) -> u64 {
         let Self { band, first } = self;
-        let ([a, _], way, half) = (band.ends, band.way, 0.5 * band.width);
-        let mut held = U32s::ZERO;
+        let ([a, _], direction, half) = (band.ends, band.direction, 0.5 * band.width);
+        let mut covered = U32s::ZERO;
         for lane in 0..LANES {
             let point = center(first, lane);
             let p = [point[0] - a[0], point[1] - a[1]];
-            let along = (p[0] * way[0] + p[1] * way[1]) / band.length;
-            let across = (way[0] * p[1] - way[1] * p[0]) / band.length;
+            let along = (p[0] * direction[0] + p[1] * direction[1]) / band.length;
+            let across = (direction[0] * p[1] - direction[1] * p[0]) / band.length;
             let inside =
                 (along >= 0.0) & (along < band.length) & (across >= -half) & (across < half);
-            held[lane] = u32::from(inside);
+            covered[lane] = u32::from(inside);
         }
-        S::nonzero(&held)
+        S::nonzero(&covered)
     }
 }

@@ -31,5 +31,5 @@ mod window_blocks;
 
 pub use clear::ClearJob;
 pub use job::{Chunk, DrawJob, Entry, PassJob, ShapeLists, TileJob};
-pub use tile::Worker;
+pub use tile::TileRenderer;
 pub use watched::{Formats, WatchedPixel};

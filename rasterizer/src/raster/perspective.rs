@@ -1,7 +1,7 @@
 //! Planes at the pixels of a batch, over the denominator's where they lie in perspective (GL 2.1, equation 3.6), and
 //! how the quotients change from pixel to pixel.
 
-use super::inputs::Places;
+use super::inputs::InterpolationSource;
 use crate::ir::Axis;
 use texunit::lanes::{F32s, Kernel, LANES, QUADS, Simd, U32s};
 
@@ -14,18 +14,18 @@ pub const Y: [f32; 4] = [0.0, 0.0, 1.0, 1.0];
 /// vertices is so in between.
 #[inline(always)]
 pub fn divided<S: Simd>(
-    places: &impl Places,
+    source: &impl InterpolationSource,
     [plane, denominator]: [usize; 2],
     inverse: &F32s,
 ) -> F32s {
-    let mut out = evaluate::<S>(places, plane);
-    if !places.may_agree::<S>([plane, denominator]) {
+    let mut out = evaluate::<S>(source, plane);
+    if !source.may_be_equal::<S>([plane, denominator]) {
         for lane in 0..LANES {
             out[lane] *= inverse[lane];
         }
         return out;
     }
-    let (of, by) = (places.plane(plane), places.plane(denominator));
+    let (of, by) = (source.plane(plane), source.plane(denominator));
     let is_one = |e, q| of(e, q) == by(e, q);
     let [a, b, c, d] = pixels(&mut out);
     divide_pixel(is_one, 0, inverse, a);
@@ -51,27 +51,31 @@ fn divide_pixel(
 
 /// [`divided`], and how it changes across and up. One loop, as all three are made of the same quotient.
 #[inline(always)]
-pub fn with_slopes<S: Simd>(places: &impl Places, planes: [usize; 2], inverse: &F32s) -> [F32s; 3] {
-    S::outlined_unless_wide(WithSlopes { places, planes, inverse })
+pub fn with_slopes<S: Simd>(
+    source: &impl InterpolationSource,
+    planes: [usize; 2],
+    inverse: &F32s,
+) -> [F32s; 3] {
+    S::outlined_unless_wide(WithSlopes { source, planes, inverse })
 }
 
 struct WithSlopes<'a, P> {
-    places: &'a P,
+    source: &'a P,
     planes: [usize; 2],
     inverse: &'a F32s,
 }
 
-impl<P: Places> Kernel for WithSlopes<'_, P> {
+impl<P: InterpolationSource> Kernel for WithSlopes<'_, P> {
     type Output = [F32s; 3];
     #[inline(always)]
     fn run<S: Simd>(self) -> [F32s; 3] {
-        let Self { places, planes: [plane, denominator], inverse } = self;
+        let Self { source, planes: [plane, denominator], inverse } = self;
         let mut all = [F32s::ZERO; 3];
         let [value, across, up] = all.each_mut().map(pixels);
-        let planes = (places.plane(plane), places.plane(denominator));
+        let planes = (source.plane(plane), source.plane(denominator));
         for e in 0..4 {
             let out = (&mut value[e], &mut across[e], &mut up[e]);
-            with_slopes_pixel(places, &planes, e, inverse, out);
+            with_slopes_pixel(source, &planes, e, inverse, out);
         }
         all
     }
@@ -80,7 +84,7 @@ impl<P: Places> Kernel for WithSlopes<'_, P> {
 /// One pixel of each quad of it, and of its slopes.
 #[inline(always)]
 fn with_slopes_pixel(
-    places: &impl Places,
+    source: &impl InterpolationSource,
     (of, by): &(impl Fn(usize, usize) -> [f32; 3], impl Fn(usize, usize) -> [f32; 3]),
     e: usize,
     inverse: &F32s,
@@ -88,7 +92,7 @@ fn with_slopes_pixel(
 ) {
     for q in 0..QUADS {
         let (of, by, inverse) = (of(e, q), by(e, q), inverse[e * QUADS + q]);
-        let quotient = value_at(of, places.within(e, q)) * inverse;
+        let quotient = value_at(of, source.position_in_block(e, q)) * inverse;
         value[q] = if of == by { 1.0 } else { quotient };
         across[q] = slope(along(Axis::X, of), along(Axis::X, by), quotient, inverse);
         up[q] = slope(along(Axis::Y, of), along(Axis::Y, by), quotient, inverse);
@@ -123,45 +127,48 @@ pub fn invert<S: Simd>(lanes: &mut F32s) {
 
 /// A plane at every lane.
 #[inline(always)]
-pub fn evaluate<S: Simd>(places: &impl Places, plane: usize) -> F32s {
-    S::outlined_unless_wide(Evaluate { places, plane })
+pub fn evaluate<S: Simd>(source: &impl InterpolationSource, plane: usize) -> F32s {
+    S::outlined_unless_wide(Evaluate { source, plane })
 }
 
 struct Evaluate<'a, P> {
-    places: &'a P,
+    source: &'a P,
     plane: usize,
 }
 
-impl<P: Places> Kernel for Evaluate<'_, P> {
+impl<P: InterpolationSource> Kernel for Evaluate<'_, P> {
     type Output = F32s;
     #[inline(always)]
     fn run<S: Simd>(self) -> F32s {
-        evaluate_plane(self.places, self.places.plane(self.plane))
+        evaluate_plane(self.source, self.source.plane(self.plane))
     }
 }
 
 /// [`evaluate`], of planes that the caller has.
 #[inline(always)]
-pub fn evaluate_plane(places: &impl Places, plane: impl Fn(usize, usize) -> [f32; 3]) -> F32s {
+pub fn evaluate_plane(
+    source: &impl InterpolationSource,
+    plane: impl Fn(usize, usize) -> [f32; 3],
+) -> F32s {
     let mut out = F32s::ZERO;
     let [first, second, third, fourth] = pixels(&mut out);
-    evaluate_pixel(places, &plane, 0, first);
-    evaluate_pixel(places, &plane, 1, second);
-    evaluate_pixel(places, &plane, 2, third);
-    evaluate_pixel(places, &plane, 3, fourth);
+    evaluate_pixel(source, &plane, 0, first);
+    evaluate_pixel(source, &plane, 1, second);
+    evaluate_pixel(source, &plane, 2, third);
+    evaluate_pixel(source, &plane, 3, fourth);
     out
 }
 
 /// A plane at one pixel of each quad.
 #[inline(always)]
 fn evaluate_pixel(
-    places: &impl Places,
+    source: &impl InterpolationSource,
     plane: &impl Fn(usize, usize) -> [f32; 3],
     e: usize,
     out: &mut [f32; QUADS],
 ) {
     for (q, out) in out.iter_mut().enumerate() {
-        *out = value_at(plane(e, q), places.within(e, q));
+        *out = value_at(plane(e, q), source.position_in_block(e, q));
     }
 }
 
@@ -180,9 +187,13 @@ fn slope(of: f32, by: f32, quotient: f32, inverse: f32) -> f32 {
 
 /// A plane at every lane, moved so far across and up from the pixel's centre.
 #[inline(always)]
-pub fn within<S: Simd>(places: &impl Places, plane: usize, [x, y]: &[F32s; 2]) -> F32s {
-    let mut out = evaluate::<S>(places, plane);
-    let plane = places.plane(plane);
+pub fn evaluate_moved<S: Simd>(
+    source: &impl InterpolationSource,
+    plane: usize,
+    [x, y]: &[F32s; 2],
+) -> F32s {
+    let mut out = evaluate::<S>(source, plane);
+    let plane = source.plane(plane);
     for lane in 0..LANES {
         let [_, a, b] = plane(lane / QUADS, lane % QUADS);
         out[lane] += x[lane] * a + y[lane] * b;
@@ -205,17 +216,17 @@ mod tests {
     use proptest::prelude::*;
     use texunit::lanes::Isa;
 
-    /// A plane over another one: alone, and with its slopes.
-    struct Both<'a>(&'a BlockOf<'a>, [usize; 2]);
+    /// The quotient of two planes, plain and with its slopes.
+    struct PlainAndWithSlopes<'a>(&'a BlockOf<'a>, [usize; 2]);
 
-    impl Kernel for Both<'_> {
+    impl Kernel for PlainAndWithSlopes<'_> {
         type Output = (F32s, F32s, [F32s; 3]);
         fn run<S: Simd>(self) -> Self::Output {
             let Self(block, planes) = self;
             let mut inverse = evaluate::<S>(block, planes[1]);
             invert::<S>(&mut inverse);
-            let alone = divided::<S>(block, planes, &inverse);
-            (inverse, alone, with_slopes::<S>(block, planes, &inverse))
+            let plain = divided::<S>(block, planes, &inverse);
+            (inverse, plain, with_slopes::<S>(block, planes, &inverse))
         }
     }
 
@@ -239,15 +250,15 @@ mod tests {
                 coverage: None,
             };
             for isa in Isa::available() {
-                let (inverse, alone, [value, across, up]) = isa.run(Both(&block, [0, 1]));
+                let (inverse, plain, [value, across, up]) = isa.run(PlainAndWithSlopes(&block, [0, 1]));
                 for lane in 0..LANES {
-                    let at = block.within(lane / QUADS, lane % QUADS);
+                    let at = block.position_in_block(lane / QUADS, lane % QUADS);
                     let quotient = value_at(planes[0], at) * inverse[lane];
                     let slope = |axis: usize| {
                         (planes[0][axis] - quotient * planes[1][axis]) * inverse[lane]
                     };
                     let is_same = |a: f32, b: f32| a.to_bits() == b.to_bits() || a.is_nan() && b.is_nan();
-                    prop_assert!(is_same(value[lane], alone[lane]), "{} lane {lane}", isa.name());
+                    prop_assert!(is_same(value[lane], plain[lane]), "{} lane {lane}", isa.name());
                     prop_assert!(is_same(across[lane], slope(1)), "{} lane {lane}", isa.name());
                     prop_assert!(is_same(up[lane], slope(2)), "{} lane {lane}", isa.name());
                 }

@@ -1,5 +1,5 @@
-//! A batch of fragments that have nothing to do with their neighbours: up to 64 pixels of anywhere in
-//! a tile.
+//! A batch of fragments without helper lanes: up to 64 pixels of any blocks of
+//! the tile.
 //!
 //! Where nothing that a draw computes depends on the other pixels of a quad, there is no reason to
 //! shade those that are not covered: a triangle of five pixels is five lanes, not four quads.
@@ -10,32 +10,32 @@ use crate::desc::Facing;
 use crate::plan::SampleMasks;
 use texunit::lanes::{F32s, Isa, Kernel, LANES, Simd};
 
-/// Lanes that are written at once: those after the last pixel are written over by the next.
-const AT_ONCE: usize = 8;
-/// Room for that.
-const ROOM: usize = LANES + AT_ONCE;
-/// A number in each of the four `u16` of a word.
-const EACH: u64 = 0x0001_0001_0001_0001;
+/// Lanes that are stored at once; those after the last pixel are overwritten by the next push.
+const STORED_LANES: usize = 8;
+/// Lanes of an array that may be written beyond the last pixel.
+const PADDED_LANES: usize = LANES + STORED_LANES;
+/// Multiplied by a `u16`, has it in each of the four `u16` of the word.
+const EACH_U16: u64 = 0x0001_0001_0001_0001;
 
-/// The pixels that are to be shaded together.
+/// The pixels of a pending batch.
 #[derive(Debug)]
 pub struct Pixels {
     /// How many.
     len: usize,
-    /// Where each is: its block of the tile times 64, and its lane there.
-    at: [u16; ROOM],
+    /// The position of each: the number of its block in the tile times 64, plus its lane.
+    at: [u16; PADDED_LANES],
     /// The occupied lanes, once it is a batch.
     masks: SampleMasks,
     /// Those of back faces, bit by lane.
     pub back: u64,
-    pub planes: Vec<EachPlane<ROOM>>,
+    pub planes: Vec<EachPlane<PADDED_LANES>>,
     /// Column and row of each in its block.
-    pub within: [F32s; 2],
-    /// The first pixel of that.
+    pub position: [F32s; 2],
+    /// The first pixel of that block.
     pub block: [F32s; 2],
-    /// By block: the lanes that wait in this batch.
-    waiting: [u64; BLOCKS],
-    /// The blocks of which any wait.
+    /// By block: the lanes that are pending in this batch.
+    pending: [u64; BLOCKS],
+    /// The blocks of which any lane is pending.
     blocks: u64,
 }
 
@@ -43,20 +43,20 @@ impl Default for Pixels {
     fn default() -> Self {
         Self {
             len: 0,
-            at: [0; ROOM],
+            at: [0; PADDED_LANES],
             masks: SampleMasks::none(1),
             back: 0,
             planes: Vec::new(),
-            within: [F32s::ZERO; 2],
+            position: [F32s::ZERO; 2],
             block: [F32s::ZERO; 2],
-            waiting: [0; BLOCKS],
+            pending: [0; BLOCKS],
             blocks: 0,
         }
     }
 }
 
 impl Pixels {
-    /// Whether nothing waits.
+    /// Whether nothing is pending.
     pub fn is_empty(&self) -> bool {
         self.len == 0
     }
@@ -67,10 +67,10 @@ impl Pixels {
         self.len == LANES
     }
 
-    /// Whether any of these lanes of a block waits here: later fragments must not overtake it.
+    /// Whether a fragment in these lanes of a block is pending: later fragments of its pixel must follow it.
     #[inline(always)]
-    pub fn holds(&self, block: usize, lanes: u64) -> bool {
-        self.waiting[block % BLOCKS] & lanes != 0
+    pub fn has_pending(&self, block: usize, lanes: u64) -> bool {
+        self.pending[block % BLOCKS] & lanes != 0
     }
 
     /// The occupied lanes.
@@ -79,22 +79,22 @@ impl Pixels {
         !0 >> (LANES - self.len.clamp(1, LANES))
     }
 
-    /// What waits, in the tile whose first pixel is `tile`.
+    /// The pending pixels as a batch, in the tile whose first pixel is `tile`.
     pub fn batch(&mut self, isa: Isa, tile: [i32; 2]) -> Batch<'_> {
-        isa.run(Find { pixels: self, tile });
+        isa.run(LocatePixels { pixels: self, tile });
         self.masks = SampleMasks::one(self.mask());
         Batch { quads: BatchPixels::Pixels(self), masks: &self.masks, tested: 0 }
     }
 
-    /// Where they are.
-    pub fn place(&self) -> BatchLayout<'_> {
+    /// Where the pixels are in the tile.
+    pub fn layout(&self) -> BatchLayout<'_> {
         BatchLayout::Pixels(self.at.first_chunk().unwrap_or(&[0; LANES]), self.blocks)
     }
 
     /// Removes all pixels, and prepares for a draw with `planes` planes.
     pub fn clear(&mut self, planes: usize) {
         while self.blocks != 0 {
-            self.waiting[self.blocks.trailing_zeros() as usize % BLOCKS] = 0;
+            self.pending[self.blocks.trailing_zeros() as usize % BLOCKS] = 0;
             self.blocks &= self.blocks - 1;
         }
         (self.len, self.back) = (0, 0);
@@ -114,23 +114,23 @@ impl Pixels {
         planes: impl Iterator<Item = [f32; 3]> + Clone,
     ) -> u64 {
         let first = self.len % LANES;
-        let room = LANES - first;
+        let capacity = LANES - first;
         let (mut count, mut rest) = (lanes.count_ones() as usize, 0);
-        if count > room {
-            (count, rest) = (room, lanes);
-            for _ in 0..room {
+        if count > capacity {
+            (count, rest) = (capacity, lanes);
+            for _ in 0..capacity {
                 rest &= rest - 1;
             }
         }
         let mut left = lanes & !rest;
         self.len = first + count;
-        self.waiting[block % BLOCKS] |= left;
+        self.pending[block % BLOCKS] |= left;
         self.blocks |= 1 << (block % BLOCKS);
-        let block = (block * LANES) as u64 * EACH;
-        for at in (first..self.len).step_by(AT_ONCE) {
+        let block = (block * LANES) as u64 * EACH_U16;
+        for at in (first..self.len).step_by(STORED_LANES) {
             // Which it is; so that nothing is checked.
             let at = at % LANES;
-            for to in self.at[at..at + AT_ONCE].as_chunks_mut::<4>().0 {
+            for to in self.at[at..at + STORED_LANES].as_chunks_mut::<4>().0 {
                 let mut next = || {
                     let lane = u64::from(left.trailing_zeros());
                     left &= left.wrapping_sub(1);
@@ -141,9 +141,9 @@ impl Pixels {
                 *to = [four as u16, (four >> 16) as u16, (four >> 32) as u16, (four >> 48) as u16];
             }
             for (plane, [corner, a, b]) in self.planes.iter_mut().zip(planes.clone()) {
-                plane.corner[at..at + AT_ONCE].fill(corner);
-                plane.a[at..at + AT_ONCE].fill(a);
-                plane.b[at..at + AT_ONCE].fill(b);
+                plane.corner[at..at + STORED_LANES].fill(corner);
+                plane.a[at..at + STORED_LANES].fill(a);
+                plane.b[at..at + STORED_LANES].fill(b);
             }
         }
         if facing == Facing::Back {
@@ -153,19 +153,19 @@ impl Pixels {
     }
 }
 
-/// Finds out where in their blocks pixels are, and where these are.
-struct Find<'a> {
+/// Computes the position of each pixel in its block, and the first pixel of that block.
+struct LocatePixels<'a> {
     pixels: &'a mut Pixels,
     /// The first pixel of the tile.
     tile: [i32; 2],
 }
 
-impl Kernel for Find<'_> {
+impl Kernel for LocatePixels<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: Simd>(self) {
-        let Self { pixels: Pixels { at, within, block, .. }, tile } = self;
-        let ([x, y], [left, low]) = (within, block);
+        let Self { pixels: Pixels { at, position, block, .. }, tile } = self;
+        let ([x, y], [left, low]) = (position, block);
         for lane in 0..LANES {
             let (block, lane_there) = (i32::from(at[lane]) / 64, i32::from(at[lane]) % 64);
             let (pixel, quad) = (lane_there / 16, lane_there % 16);

@@ -12,7 +12,7 @@ use crate::vertex::{Geometry, VARYINGS};
 use texunit::lanes::{F32s, F64s, Isa, Kernel, LANES, Simd, U32s};
 
 /// Fewer shapes than this are computed one by one.
-const WORTH_IT: usize = 6;
+const MIN_SHAPES: usize = 6;
 
 /// The planes of up to 64 shapes.
 #[derive(Debug, Default)]
@@ -81,31 +81,45 @@ impl PlaneGroup {
 
     /// Whether what factors depend on is the same all over the shape `lane`: planes that do not rise, or that are
     /// the denominator they are divided by.
-    pub fn is_level(&self, lane: usize, of: &FactorPlanes, denominator: Option<usize>) -> bool {
+    pub fn has_uniform_factors(
+        &self,
+        lane: usize,
+        of: &FactorPlanes,
+        denominator: Option<usize>,
+    ) -> bool {
         let plane = |index: usize| self.plane(lane, index);
         // The sign of a zero may change between the origin and a block.
-        let rests = |index: &usize| {
+        let is_constant = |index: &usize| {
             let [a, b, c] = plane(*index);
             a == 0.0 && b == 0.0 && !is_minus_zero(c)
         };
         let by = denominator.map(plane);
         let is_one = by.is_none_or(|by| by == [0.0, 0.0, 1.0]);
-        of.linear.iter().all(rests)
-            && of.smooth.iter().all(|index| by == Some(plane(*index)) || is_one && rests(index))
+        of.linear.iter().all(is_constant)
+            && of
+                .smooth
+                .iter()
+                .all(|index| by == Some(plane(*index)) || is_one && is_constant(index))
     }
 
     /// Whether the quotients of these planes rise by the same steps all over the shape `lane`: if they are divided by
     /// one.
-    pub fn rises_evenly(&self, lane: usize, of: &[usize], denominator: Option<usize>) -> bool {
+    pub fn has_uniform_slopes(
+        &self,
+        lane: usize,
+        of: &[usize],
+        denominator: Option<usize>,
+    ) -> bool {
         let plane = |index: usize| self.plane(lane, index);
         // Taking away what is nothing may change the sign of a zero, and of what is infinite it is not nothing.
-        let rises = |index: &usize| {
+        let has_exact_slopes = |index: &usize| {
             let [a, b, c] = plane(*index);
             let is_far_from_infinite = [a, b, c].iter().all(|number| number.abs() < 1e30);
             !is_minus_zero(a) && !is_minus_zero(b) && is_far_from_infinite
         };
         of.is_empty()
-            || denominator.is_some_and(|by| plane(by) == [0.0, 0.0, 1.0]) && of.iter().all(rises)
+            || denominator.is_some_and(|by| plane(by) == [0.0, 0.0, 1.0])
+                && of.iter().all(has_exact_slopes)
     }
 
     /// `a`, `b` and `c` of a plane of the shape `lane`.
@@ -156,7 +170,7 @@ impl PlaneGroup {
                 | PlaneSource::Sprite(..) => false,
             });
         let mut general = !0;
-        if plain && lanes.len >= WORTH_IT {
+        if plain && lanes.len >= MIN_SHAPES {
             let (planes, out) = (&mut self.planes, &mut *self.lanes);
             general = isa.run(ComputePlanes { setup, geometry, shapes: lanes, lanes: out, planes });
             // The planes of a cut triangle are those of thick ones, whatever it looks like.
@@ -180,12 +194,12 @@ impl PlaneGroup {
     }
 
     /// Evaluates the planes in the blocks of windows of the tile whose first pixel is `tile`.
-    pub fn enter(&mut self, isa: Isa, tile: [i32; 2], windows: &Windows) {
+    pub fn evaluate_windows(&mut self, isa: Isa, tile: [i32; 2], windows: &Windows) {
         const NONE: WindowPlane =
             WindowPlane { corners: [F32s::ZERO; REACHED * REACHED], a: F32s::ZERO, b: F32s::ZERO };
         self.windows.resize(self.planes.len(), NONE);
         let Self { planes, windows: out, lanes, .. } = self;
-        isa.run(Enter { tile, windows, origin: &lanes.origin, planes, out });
+        isa.run(EvaluateWindows { tile, windows, origin: &lanes.origin, planes, out });
     }
 }
 
@@ -281,7 +295,7 @@ fn gather<S: Simd>(
 }
 
 /// [`PlaneGroup::at`] of the blocks of all windows.
-struct Enter<'a> {
+struct EvaluateWindows<'a> {
     tile: [i32; 2],
     windows: &'a Windows,
     origin: &'a [F64s; 2],
@@ -289,17 +303,17 @@ struct Enter<'a> {
     out: &'a mut [WindowPlane],
 }
 
-impl Kernel for Enter<'_> {
+impl Kernel for EvaluateWindows<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: Simd>(self) {
         let Self { tile, windows, origin, planes, out } = self;
-        let further = windows.further.map(|blocks| blocks.min(REACHED - 1));
+        let extra_blocks = windows.extra_blocks.map(|blocks| blocks.min(REACHED - 1));
         // Here and below on the stack, where the compiler sees that nothing overlaps: from the origin to the first
         // pixel of each column of blocks that a window reaches into, and of each row.
         let mut to_block = [[F64s::ZERO; REACHED]; 2];
         for axis in 0..2 {
-            for (block, to) in to_block[axis].iter_mut().enumerate().take(further[axis] + 1) {
+            for (block, to) in to_block[axis].iter_mut().enumerate().take(extra_blocks[axis] + 1) {
                 for lane in 0..LANES {
                     let first = 2 * (windows.quads[axis][lane] & !3) + 8 * block as i32;
                     to[lane] = f64::from(tile[axis] + first) + 0.5 - origin[axis][lane];
@@ -307,7 +321,7 @@ impl Kernel for Enter<'_> {
             }
         }
         let [x, y] = &to_block;
-        let [across, up] = further;
+        let [across, up] = extra_blocks;
         for (&[a, b, c], out) in planes.iter().zip(out) {
             for lane in 0..LANES {
                 out.a[lane] = a[lane] as f32;

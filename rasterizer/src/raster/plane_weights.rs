@@ -2,7 +2,7 @@
 //! [`super::interpolate`], in the same order, over lanes.
 
 use crate::desc::Viewport;
-use crate::primitive::Inverse;
+use crate::primitive::InverseMatrix;
 use texunit::lanes::{F32s, F64s, LANES, Simd, U32s};
 
 /// `a`, `b` and `c` of a plane of each.
@@ -10,7 +10,7 @@ pub type PlaneLanes = [F64s; 3];
 
 const PLANE: PlaneLanes = [F64s::ZERO; 3];
 
-/// The planes that weight the three vertices; see `interpolate::Rows`.
+/// The planes that weight the three vertices; see [`crate::primitive::VertexPlanes`].
 #[derive(Debug)]
 pub struct Weights {
     view: View,
@@ -108,7 +108,7 @@ impl Weights {
                 window.position([clip[k][0][lane], clip[k][1][lane], clip[k][2][lane]], from)
             };
             let (p0, p1, p2) = (p(0), p(1), p(2));
-            let inverse = Inverse::of([p0, p1, p2]);
+            let inverse = InverseMatrix::of([p0, p1, p2]);
             let ([r0, r1, r2], scale) = (inverse.adjugate, inverse.scale());
             let same = (p0[2] == p1[2]) & (p0[2] == p2[2]);
             for part in 0..3 {
@@ -134,7 +134,7 @@ impl Weights {
         for lane in 0..LANES {
             let from = [origin[0][lane], origin[1][lane]];
             let p = |k: usize| window.position([clip[k][0][lane], clip[k][1][lane], 1.0], from);
-            let inverse = Inverse::of([p(0), p(1), p(2)]);
+            let inverse = InverseMatrix::of([p(0), p(1), p(2)]);
             let ([r0, r1, r2], scale) = (inverse.adjugate, inverse.scale());
             for part in 0..3 {
                 first[part][lane] = r0[part] * scale;

@@ -40,8 +40,8 @@ pub fn early_tests(
             }
             None => F32s::ZERO,
         };
-        let (place, reference) = (&BatchLayout::Block(of.block), Reference::OfFace);
-        let fragments = Fragments { place, depth: &depth, reference, back, mask: *mask };
+        let (layout, reference) = (&BatchLayout::Block(of.block), Reference::OfFace);
+        let fragments = Fragments { layout, depth: &depth, reference, back, mask: *mask };
         *mask = test(isa, &plan.tests, target, sample, &fragments);
     }
 }
@@ -100,7 +100,7 @@ impl Shader {
         }
     }
 
-    /// Shades a run, whose tests are done, and forgets it. The plan has said that this is all.
+    /// Shades a run, whose early tests are done, and empties it. Its plan has no late tests.
     pub fn shade_run(
         &mut self,
         pass: &PassJob,
@@ -172,13 +172,13 @@ impl Shader {
         {
             for file in 0..blocks.len() {
                 let (block, mask) = blocks.covered(file);
-                plane.ready(block, color.old_under(mask));
+                plane.materialize(block, color.old_under(mask));
             }
-            words = Some(Words { color, blocks: plane.ready_blocks() });
+            words = Some(Words { color, blocks: plane.materialized_blocks() });
         }
         let is_done = words.is_some();
         isa.run(Multiply { isa, plan, product, machine, run: blocks, products, words });
-        products.done(blocks);
+        products.finish_run(blocks);
         if !is_done {
             let products = &self.products;
             write_run(isa, job, blocks, tile, |file, _, component| products.color(file, component));
@@ -204,11 +204,11 @@ impl Shader {
         if tile.watched.is_some() {
             self.shade_watched(pass, job, batch, tile);
         } else {
-            self.shade_noting(pass, job, batch, tile, &mut None);
+            self.shade_and_trace(pass, job, batch, tile, &mut None);
         }
     }
 
-    /// As [`Self::shade_noting`], in a tile of which a pixel is watched: apart, since it is never in a hurry.
+    /// As [`Self::shade_and_trace`], in a tile of which a pixel is watched, outlined: its speed does not matter.
     #[cold]
     #[inline(never)]
     fn shade_watched(
@@ -218,17 +218,17 @@ impl Shader {
         batch: &Batch<'_>,
         tile: &mut TileJob,
     ) {
-        let spot = tile.watched.as_mut();
-        let mut shaded = spot.and_then(|spot| spot.begin(batch.place(), batch.masks.any()));
-        self.shade_noting(pass, job, batch, tile, &mut shaded);
-        if let (Some(spot), Some(shaded)) = (&mut tile.watched, shaded) {
-            spot.end(shaded);
+        let pixel = tile.watched.as_mut();
+        let mut shaded = pixel.and_then(|pixel| pixel.begin(batch.layout(), batch.masks.any()));
+        self.shade_and_trace(pass, job, batch, tile, &mut shaded);
+        if let (Some(pixel), Some(shaded)) = (&mut tile.watched, shaded) {
+            pixel.end(shaded);
         }
     }
 
-    /// Shades; what happens to a pixel that is watched is noted.
+    /// Runs the program, the late tests and the output of a batch; records the watched fragment in `shaded`.
     #[inline(always)]
-    fn shade_noting(
+    fn shade_and_trace(
         &mut self,
         pass: &PassJob,
         job: &DrawJob,
@@ -242,7 +242,7 @@ impl Shader {
         }
     }
 
-    /// Runs the fragment program; notes the lanes that are left, by sample.
+    /// Runs the fragment program; leaves in `self.left` the lanes that are not discarded, by sample.
     #[inline(always)]
     fn run(
         &mut self,
@@ -261,12 +261,12 @@ impl Shader {
             active: batch.active(),
             budget: pass.budget,
         };
-        let kept = match shaded {
+        let alive = match shaded {
             None => self.machine.run(run)?,
             Some(shaded) => shaded.run(&mut self.machine, plan, batch, run)?,
         };
         let samples = &plan.samples;
-        self.left.set(batch.masks, kept);
+        self.left.set(batch.masks, alive);
         if let Some(alpha) = samples.alpha {
             samples.mask_by_alpha(isa, self.machine.output(alpha).as_f32(), &mut self.left);
         }
@@ -276,7 +276,7 @@ impl Shader {
         Ok(())
     }
 
-    /// The tests that had to wait, and the colours.
+    /// The late tests, and the output of colours.
     #[inline(always)]
     fn output(
         &mut self,
@@ -286,7 +286,7 @@ impl Shader {
         tile: &mut TileJob,
         shaded: &mut Option<Shaded>,
     ) {
-        let (isa, plan, place) = (pass.isa, &job.plan, &batch.place());
+        let (isa, plan, layout) = (pass.isa, &job.plan, &batch.layout());
         let samples = &plan.samples;
         if let TestTiming::Late(written) = plan.timing
             && self.left.any() != 0
@@ -312,7 +312,7 @@ impl Shader {
             }
             for (sample, &mask) in masks.iter().enumerate() {
                 if mask != 0 {
-                    write(isa, color, target, sample, place, rgba, mask);
+                    write(isa, color, target, sample, layout, rgba, mask);
                 }
             }
             if let (Some(shaded), Some(before)) = (&mut *shaded, before) {
@@ -321,7 +321,7 @@ impl Shader {
         }
     }
 
-    /// The tests that had to wait for the program, which has written some of what is tested.
+    /// The tests after the program, which has `written` some of the tested values.
     fn late_tests(
         &mut self,
         isa: Isa,
@@ -350,7 +350,7 @@ impl Shader {
     }
 
     /// The stencil and depth tests of the lanes that are left; leaves those that passed. The program has `written`
-    /// some of what is tested; `see` is shown the depth of each sample.
+    /// some of what is tested; `record_depth` is called with the depth of each sample.
     fn test(
         &mut self,
         isa: Isa,
@@ -358,7 +358,7 @@ impl Shader {
         batch: &Batch<'_>,
         target: &mut TileTarget,
         written: ShaderTestOutputs,
-        mut see: impl FnMut(&F32s),
+        mut record_depth: impl FnMut(&F32s),
     ) {
         let depths = plan.viewport.depths();
         if let Some(output) = written.depth {
@@ -369,7 +369,7 @@ impl Shader {
             Some(output) => Reference::Each(self.machine.output(output)),
             None => Reference::OfFace,
         };
-        let (back, place) = (batch.back(), &batch.place());
+        let (back, layout) = (batch.back(), &batch.layout());
         for (sample, mask) in self.left.iter_mut().enumerate() {
             let offset = plan.samples.offset(sample);
             if let (Some(plane), None) = (plan.depth_plane, written.depth)
@@ -379,9 +379,9 @@ impl Shader {
                 isa.run(BatchDepth { batch, plane, offset, depths, depth });
             }
             let depth = &self.depth;
-            let fragments = Fragments { place, depth, reference, back, mask: *mask };
+            let fragments = Fragments { layout, depth, reference, back, mask: *mask };
             *mask = test(isa, &plan.tests, target, sample, &fragments);
-            see(&self.depth);
+            record_depth(&self.depth);
         }
     }
 }

@@ -34,17 +34,17 @@ pub enum Cover {
 
 impl Cover {
     /// The outline of `shape` for the tile whose first pixel is `tile`, seen from a sample that lies
-    /// `place` subpixels from each pixel's centre.
+    /// `position` subpixels from each pixel's centre.
     #[inline]
     pub fn new(
         plan: &DrawPlan,
         geometry: &Geometry,
         shape: &Shape,
         tile: [i32; 2],
-        place: [i32; 2],
+        position: [i32; 2],
     ) -> Self {
         if plan.samples.is_each() {
-            return Self::of_sample(plan, geometry, shape, tile, place);
+            return Self::of_sample(plan, geometry, shape, tile, position);
         }
         let raster = &plan.raster;
         let corners = || shape.corners.map(|c| c.map(|v| f64::from(v) / f64::from(SUBPIXEL)));
@@ -86,9 +86,9 @@ impl Cover {
         geometry: &Geometry,
         shape: &Shape,
         tile: [i32; 2],
-        place: [i32; 2],
+        position: [i32; 2],
     ) -> Self {
-        let moved = |c: [i32; 2]| [c[0] - place[0], c[1] - place[1]];
+        let moved = |c: [i32; 2]| [c[0] - position[0], c[1] - position[1]];
         let corners = shape.corners.map(moved);
         match shape.kind {
             ShapeKind::Triangle => {
@@ -101,16 +101,16 @@ impl Cover {
             ShapeKind::Point { .. } if plan.raster.point.sprite.is_some() => Self::Box,
             ShapeKind::Point { size, .. } => {
                 let window = shape.centre(geometry, &plan.viewport);
-                let by = place.map(|v| f64::from(v) / f64::from(SUBPIXEL));
+                let by = position.map(|v| f64::from(v) / f64::from(SUBPIXEL));
                 let center = [window[0] - by[0], window[1] - by[1]];
                 Self::DiscSample(center, f64::from(size) * 0.5)
             }
         }
     }
 
-    /// The blocks of the tile that it may cover any of, bit by block: a long line passes most of its bounds by.
+    /// The blocks of the tile that it may cover, bit by block: a long line covers few of the blocks of its bounds.
     pub fn touched(&self, tile: [i32; 2]) -> u64 {
-        let passes = |corners: &[[f64; 2]]| match area::overlap(
+        let touched_by = |corners: &[[f64; 2]]| match area::overlap(
             corners,
             tile.map(f64::from),
             f64::from(TILE),
@@ -120,13 +120,13 @@ impl Cover {
         };
         match self {
             Self::Run(run, width) => run_blocks(run, *width, tile),
-            Self::SmoothTriangle(corners) => passes(corners),
-            Self::LineRectangle(band) | Self::LineSample(band) => passes(&band.corners),
+            Self::SmoothTriangle(corners) => touched_by(corners),
+            Self::LineRectangle(band) | Self::LineSample(band) => touched_by(&band.corners),
             Self::Triangle(_) | Self::Box | Self::Disc(..) | Self::DiscSample(..) => !0,
         }
     }
 
-    /// The lanes that are covered of a block; `parts` takes how much of each, where it is antialiased.
+    /// The lanes that are covered of a block; `coverage` receives the covered fraction of each if antialiased.
     #[inline]
     pub fn block(
         &self,
@@ -134,7 +134,7 @@ impl Cover {
         plan: &DrawPlan,
         shape: &Shape,
         at: BlockAt,
-        parts: &mut F32s,
+        coverage: &mut F32s,
     ) -> u64 {
         let (first, [bx, by]) = (at.first(), at.block);
         let origin = first.map(f64::from);
@@ -150,18 +150,18 @@ impl Cover {
             Self::Box => !0,
             Self::SmoothTriangle(corners) => {
                 let add = |areas: &mut Areas| area::add(isa, corners, origin, areas);
-                smooth(shape, at, area::overlap(corners, origin, 8.0), parts, add)
+                smooth(shape, at, area::overlap(corners, origin, 8.0), coverage, add)
             }
             Self::LineRectangle(band) => {
                 let overlap = match area::overlap(&band.corners, origin, 8.0) {
                     Overlap::All if dashes.is_some() => Overlap::Part,
                     overlap => overlap,
                 };
-                smooth(shape, at, overlap, parts, |areas| band.add(isa, dashes, origin, areas))
+                smooth(shape, at, overlap, coverage, |areas| band.add(isa, dashes, origin, areas))
             }
             Self::Disc(center, radius) => {
                 let overlap = |at, side| area::disc_overlap(*center, *radius, at, side);
-                smooth(shape, at, overlap(origin, 8.0), parts, |areas| {
+                smooth(shape, at, overlap(origin, 8.0), coverage, |areas| {
                     for (lane, area) in areas.iter_mut().enumerate() {
                         let [x, y] = [lane_x(lane) as f64, lane_y(lane) as f64];
                         let pixel = [origin[0] + x, origin[1] + y];
@@ -234,7 +234,7 @@ fn smooth(
     shape: &Shape,
     at: BlockAt,
     overlap: Overlap,
-    parts: &mut F32s,
+    coverage: &mut F32s,
     add: impl FnOnce(&mut Areas),
 ) -> u64 {
     let [low, high] = shape.bounds;
@@ -243,7 +243,7 @@ fn smooth(
     match overlap {
         Overlap::None => 0,
         Overlap::All => {
-            *parts = F32s::splat(1.0);
+            *coverage = F32s::splat(1.0);
             inside
         }
         Overlap::Part => {
@@ -251,7 +251,7 @@ fn smooth(
             add(&mut areas);
             let mut lanes = 0;
             for (lane, area) in areas.into_iter().enumerate() {
-                parts[lane] = area.min(1.0) as f32;
+                coverage[lane] = area.min(1.0) as f32;
                 lanes |= u64::from(area >= LEAST) << lane;
             }
             lanes & inside

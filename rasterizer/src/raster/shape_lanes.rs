@@ -66,7 +66,7 @@ impl ShapeLanes {
                 ShapeKind::Line { .. } | ShapeKind::Point { .. } => 0,
             };
             triangles |= is_triangle << lane;
-            whole |= (is_triangle & u64::from(shape.part == Clipping::Whole)) << lane;
+            whole |= (is_triangle & u64::from(shape.clipping == Clipping::Whole)) << lane;
             back |= u64::from(shape.facing == Facing::Back) << lane;
             len = lane + 1;
         }

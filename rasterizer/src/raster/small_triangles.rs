@@ -28,8 +28,8 @@ pub const REACHED: usize = 3;
 pub struct Windows {
     /// The first quad of each window in the tile, across and up.
     pub quads: [I32s; 2],
-    /// How many blocks further than its first a window reaches at most, across and up.
-    pub further: [usize; 2],
+    /// The largest number of blocks beyond its first that a window reaches, across and up.
+    pub extra_blocks: [usize; 2],
     /// How many parts there are.
     parts: usize,
     /// By part, the pixels inside the edges and the spans as the two words of a mask of lanes.
@@ -59,7 +59,7 @@ impl Windows {
     /// Finds the small triangles of some shapes, and what they cover of the tile whose first pixel
     /// is `tile`.
     pub fn compute(&mut self, isa: Isa, tile: [i32; 2], shapes: &ShapeLanes) {
-        isa.run(Cover { windows: self, tile, shapes });
+        isa.run(CoverWindows { windows: self, tile, shapes });
     }
 
     /// The pixels inside, of each part, as the two words of a mask of lanes.
@@ -91,18 +91,18 @@ impl Windows {
 }
 
 /// The coverage of windows: the arithmetic of `edge_functions::edges` in 32 bits, over lanes of shapes.
-struct Cover<'a> {
+struct CoverWindows<'a> {
     windows: &'a mut Windows,
     tile: [i32; 2],
     shapes: &'a ShapeLanes,
 }
 
-impl Kernel for Cover<'_> {
+impl Kernel for CoverWindows<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: Simd>(self) {
         let Self { windows, tile, shapes } = self;
-        let Windows { quads, further, parts, inside, small } = windows;
+        let Windows { quads, extra_blocks, parts, inside, small } = windows;
         let ShapeLanes { corners, bounds, .. } = shapes;
         // What loops read and write is here, where the compiler sees that nothing overlaps.
         //
@@ -136,8 +136,8 @@ impl Kernel for Cover<'_> {
                 origin[axis][lane] = (tile[axis] + first) * SUBPIXEL + SUBPIXEL / 2;
             }
         }
-        let there = !0 >> (LANES - shapes.len.clamp(1, LANES));
-        *small = !S::nonzero(&large) & shapes.triangles & there;
+        let present = !0 >> (LANES - shapes.len.clamp(1, LANES));
+        *small = !S::nonzero(&large) & shapes.triangles & present;
         // Lanes without a small triangle hold anything: hence the wrapping operations.
         for (i, [value, x, y]) in edges.iter_mut().enumerate() {
             let (a, b) = (&corners[i], &corners[(i + 1) % 3]);
@@ -156,7 +156,7 @@ impl Kernel for Cover<'_> {
         let [[e0, x0, y0], [e1, x1, y1], [e2, x2, y2]] = &mut edges;
         let last = |reach: &U32s| (S::largest(reach) as usize).min(SIDE - 1);
         let (across, up) = (last(&reach[0]), last(&reach[1]));
-        *further = [S::largest(&blocks[0]) as usize, S::largest(&blocks[1]) as usize];
+        *extra_blocks = [S::largest(&blocks[0]) as usize, S::largest(&blocks[1]) as usize];
         *parts = if up < SIDE / 2 { 1 + across / (SIDE / 2) } else { 4 };
         for row in 0..=up {
             let (mut a, mut b, mut c) = (*e0, *e1, *e2);
@@ -236,7 +236,7 @@ fn rows(first: i32, last: i32) -> [u32; 2] {
 #[cfg(test)]
 mod tests {
     use super::super::edge_functions::{Coverage, block, edges};
-    use super::super::window_blocks::{Divide, Shares};
+    use super::super::window_blocks::{DivideWindows, WindowBlocks};
     use super::*;
     use crate::desc::Facing;
     use crate::primitive::{Clipping, Shape, ShapeKind};
@@ -252,8 +252,8 @@ mod tests {
                 let (x, y) = (x + tile[0] * 256, y + tile[1] * 256);
                 let corners = [[x, y], [x + d[0], y + d[1]], [x - d[2], y + d[3]]];
                 let d = |k: usize, axis: usize| i64::from(corners[k][axis] - corners[0][axis]);
-                let turn = d(1, 0) * d(2, 1) - d(2, 0) * d(1, 1);
-                if turn <= 0 { return None; }
+                let doubled_area = d(1, 0) * d(2, 1) - d(2, 0) * d(1, 1);
+                if doubled_area <= 0 { return None; }
                 let edge = |last: bool, axis: usize| {
                     let all = corners.map(|c| (c[axis] - 128).div_euclid(256));
                     let value = if last { all.iter().max() } else { all.iter().min() };
@@ -264,7 +264,7 @@ mod tests {
                     bounds: [[edge(false, 0), edge(false, 1)], [edge(true, 0), edge(true, 1)]],
                     vertices: [0; 3],
                     provoking: 0,
-                    part: Clipping::Whole,
+                    clipping: Clipping::Whole,
                     kind: ShapeKind::Triangle,
                     facing: Facing::Front,
                 })
@@ -273,15 +273,15 @@ mod tests {
                 let (mut windows, mut lanes) = (Windows::default(), ShapeLanes::default());
                 lanes.load(shapes.iter());
                 windows.compute(isa, tile, &lanes);
-                let mut shares = Shares::default();
-                isa.run(Divide { windows: &windows, shapes: shapes.len(), shares: &mut shares });
+                let mut window_blocks = WindowBlocks::default();
+                isa.run(DivideWindows { windows: &windows, shapes: shapes.len(), window_blocks: &mut window_blocks });
                 let mut all = vec![[0; 64]; shapes.len()];
-                let mut reader = shares.reader;
-                while let Some(share) = shares.first(&mut reader) {
-                    if share.lanes != 0 {
-                        all[share.shape][share.block] |= share.lanes;
+                let mut reader = window_blocks.reader;
+                while let Some(window_block) = window_blocks.front(&mut reader) {
+                    if window_block.lanes != 0 {
+                        all[window_block.shape][window_block.block] |= window_block.lanes;
                     }
-                    shares.leave(&mut reader, share, 0);
+                    window_blocks.set_remaining(&mut reader, window_block, 0);
                 }
                 for (lane, shape) in shapes.iter().enumerate() {
                     let got = all[lane];

@@ -1,7 +1,7 @@
 //! Shading without registers: of programs that are a product ([`crate::shader::TexelProduct`]), texels are multiplied
 //! as they come, and where nothing is blended they go straight into the attachment's words.
 
-use super::block_run::{BlockRun, Level};
+use super::block_run::{BlockRun, UniformOverShape};
 use crate::output::{Color, ColorPlan, pack_colors, put};
 use crate::plan::{DrawPlan, FactorPlanes, FilledInput, ProductInputs, ProductPlan};
 use crate::shader::{MAX_REGISTER_FILES, Machine, OverBudget, ProductCode, Run, TexelProduct};
@@ -17,107 +17,109 @@ use texunit::sample::{
 pub struct Products {
     /// Red, green, blue and alpha of each block.
     colors: Box<[[F32s; 4]; MAX_REGISTER_FILES]>,
-    /// Products that are not done, by turns.
-    between: Box<[[F32s; 4]; 2]>,
-    /// Of lookups.
-    room: Box<LookupScratch>,
-    /// How the run has its factors.
-    how: Factors,
+    /// The product before and after a lookup, alternating.
+    partial_products: Box<[[F32s; 4]; 2]>,
+    /// The scratch of the lookups.
+    scratch: Box<LookupScratch>,
+    /// How the factors of the run are computed.
+    factor_source: Factors,
     /// Factors that are the same all over a run, for as long as these are what they depend on: the draw, and the
     /// values of planes.
     factors: Box<[F32s; 4]>,
     draw: u64,
-    values: Vec<u32>,
+    factor_values: Vec<u32>,
     /// What each lookup reads, where that is the same all over a shape.
-    readings: Vec<Reading>,
-    /// Whether a run reads what the one before has read.
-    details: Details,
-    /// The shapes all over which the factors and readings are known to be the same.
-    level: Level,
+    lookup_levels: Vec<LookupLevels>,
+    /// Whether the lookups read the levels of the previous run.
+    lods: LookupLods,
+    /// The shapes all over which the factors and the levels of the lookups are known to be the same.
+    uniform: UniformOverShape,
     /// The planes' values of this run.
-    now: Vec<u32>,
-    /// Whether all of those factors are 1: then everything is what it was.
+    plane_values: Vec<u32>,
+    /// Whether all of `factors` are 1, so that multiplication has no effect.
     is_one: bool,
 }
 
-/// How a run has its factors.
+/// How the factors of a run are computed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Factors {
     /// They differ from pixel to pixel: computed in each register file.
     #[default]
     Varying,
-    /// They are the same everywhere: computed in the first register file.
-    Shared,
-    /// They are what they were in the run before.
-    Known,
+    /// Equal at all pixels: computed in the first register file only.
+    Uniform,
+    /// Equal to those of the previous run, and reused.
+    Reused,
 }
 
 /// What a lookup reads, and the weight of the second level.
-type Reading = (Option<UniformLevels>, F32s);
+type LookupLevels = (Option<UniformLevels>, F32s);
 
-/// How a run has the levels that its lookups read.
+/// How the levels that the lookups of a run read are selected.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Details {
-    /// Each block finds them out.
+pub enum LookupLods {
+    /// Selected for each block.
     #[default]
     Varying,
-    /// They are what they were in the run before.
-    Known,
+    /// Equal to those of the previous run, and reused.
+    Reused,
 }
 
 impl Products {
-    /// Says which inputs a run needs: of the first register file, and of the others.
+    /// The inputs that a run needs: those of the first register file, and of the others.
     pub fn inputs_of<'a>(
         &mut self,
         plan: &DrawPlan,
         of: &'a ProductPlan,
         run: &BlockRun,
     ) -> [&'a [FilledInput]; 2] {
-        let details = run.level().details;
-        let is_known = details.is_some() && details == self.level.details;
-        self.details = if is_known { Details::Known } else { Details::Varying };
-        let ProductInputs { all, lookups } = match self.details {
-            Details::Varying => &of.inputs,
-            Details::Known => &of.without_details,
+        let lods = run.uniform_over_shape().lods;
+        let is_known = lods.is_some() && lods == self.uniform.lods;
+        self.lods = if is_known { LookupLods::Reused } else { LookupLods::Varying };
+        let ProductInputs { all, lookups } = match self.lods {
+            LookupLods::Varying => &of.inputs,
+            LookupLods::Reused => &of.without_lods,
         };
         match self.factors_of(plan, of, run) {
             Factors::Varying => [all; 2],
-            Factors::Shared => [all, lookups],
-            Factors::Known => [lookups; 2],
+            Factors::Uniform => [all, lookups],
+            Factors::Reused => [lookups; 2],
         }
     }
 
-    /// Says how the factors of a run are to be had.
+    /// Decides how the factors of a run are computed.
     fn factors_of(&mut self, plan: &DrawPlan, of: &ProductPlan, run: &BlockRun) -> Factors {
-        let level = run.level().factors;
-        if level.is_some() && level == self.level.factors {
-            self.how = Factors::Known;
-            return self.how;
+        let level = run.uniform_over_shape().factors;
+        if level.is_some() && level == self.uniform.factors {
+            self.factor_source = Factors::Reused;
+            return self.factor_source;
         }
         let shared = match &of.factor_planes {
             Some(FactorPlanes { smooth, linear }) => {
-                let now = &mut self.now;
-                now.clear();
+                let values = &mut self.plane_values;
+                values.clear();
                 let denominator = plan.denominator_plane.filter(|&plane| !run.is_one(plane));
-                run.shares(linear, now)
+                run.are_uniform(linear, values)
                     && match denominator {
-                        Some(plane) => run.shares_ones(smooth, plane, now),
-                        None => run.shares(smooth, now),
+                        Some(plane) => run.are_uniform_ones(smooth, plane, values),
+                        None => run.are_uniform(smooth, values),
                     }
             }
             None => false,
         };
-        self.level.factors = level.filter(|_| shared);
-        self.how = match shared {
+        self.uniform.factors = level.filter(|_| shared);
+        self.factor_source = match shared {
             false => Factors::Varying,
-            true if self.draw == plan.prepared.id() && self.now == self.values => Factors::Known,
+            true if self.draw == plan.prepared.id() && self.plane_values == self.factor_values => {
+                Factors::Reused
+            }
             true => {
                 self.draw = plan.prepared.id();
-                self.values.clone_from(&self.now);
-                Factors::Shared
+                self.factor_values.clone_from(&self.plane_values);
+                Factors::Uniform
             }
         };
-        self.how
+        self.factor_source
     }
 
     /// Runs the code before the lookups of a run, whose inputs are in the machine.
@@ -131,24 +133,24 @@ impl Products {
         product: &TexelProduct,
         files: usize,
     ) -> Result<(), OverBudget> {
-        if self.readings.len() != product.lookups() {
-            self.readings.resize(product.lookups(), (None, F32s::ZERO));
+        if self.lookup_levels.len() != product.lookups() {
+            self.lookup_levels.resize(product.lookups(), (None, F32s::ZERO));
         }
-        match self.how {
+        match self.factor_source {
             Factors::Varying => return machine.run_before(run, product, ProductCode::Whole, files),
-            Factors::Shared => {
+            Factors::Uniform => {
                 machine.run_before(run, product, ProductCode::Factors, 1)?;
                 *self.factors = machine.factors(product, 0).map(|factor| *factor);
                 self.is_one = self.factors.iter().all(|factor| factor[0] == 1.0);
             }
-            Factors::Known => {}
+            Factors::Reused => {}
         }
         machine.run_before(run, product, ProductCode::Lookups, files)
     }
 
-    /// Notes of a run that is done what the next one of its shape need not find out.
-    pub fn done(&mut self, run: &BlockRun) {
-        self.level.details = run.level().details;
+    /// Stores after a run what the next run of the same shape may reuse.
+    pub fn finish_run(&mut self, run: &BlockRun) {
+        self.uniform.lods = run.uniform_over_shape().lods;
     }
 
     /// Red, green, blue or alpha of a block of the run, if colours were requested.
@@ -183,75 +185,88 @@ impl Kernel for Multiply<'_> {
     #[inline(always)]
     fn run<S: Simd>(self) {
         let Self { isa, plan, product, machine, run, products, mut words } = self;
-        let Products { colors, between, room, factors, how, is_one, readings, details, .. } =
-            products;
-        let (how, is_one) = (*how, *is_one && *how != Factors::Varying);
-        let places = plan.product.as_ref().map_or(&[][..], |product| &product.places[..]);
-        let [even, odd] = &mut **between;
-        let known = match details {
-            Details::Varying => None,
-            Details::Known => Some(&readings[..]),
+        let Products {
+            colors,
+            partial_products,
+            scratch,
+            factors,
+            factor_source,
+            is_one,
+            lookup_levels,
+            lods,
+            ..
+        } = products;
+        let (factor_source, is_one) =
+            (*factor_source, *is_one && *factor_source != Factors::Varying);
+        let addresses = plan.product.as_ref().map_or(&[][..], |product| &product.addresses[..]);
+        let [even, odd] = &mut **partial_products;
+        let known = match lods {
+            LookupLods::Varying => None,
+            LookupLods::Reused => Some(&lookup_levels[..]),
         };
-        ask::<S>(plan, product, machine, run.len(), known);
-        let is_kept = *details == Details::Varying && run.level().details.is_some();
+        prefetch_lookups::<S>(plan, product, machine, run.len(), known);
+        let is_stored = *lods == LookupLods::Varying && run.uniform_over_shape().lods.is_some();
         for (file, colors) in colors.iter_mut().enumerate().take(run.len()) {
-            let given = match how {
+            let run_factors = match factor_source {
                 Factors::Varying => machine.factors(product, file),
-                Factors::Shared | Factors::Known => factors.each_ref(),
+                Factors::Uniform | Factors::Reused => factors.each_ref(),
             };
-            // What lies here no store of colours can change.
+            // On the stack, so that the compiler sees that no store of colours changes them.
             let (mut read, mut weight) = (None, F32s::ZERO);
-            for (at, (kept, &places)) in readings.iter_mut().zip(places).enumerate() {
+            for (at, (stored_levels, &addresses)) in
+                lookup_levels.iter_mut().zip(addresses).enumerate()
+            {
                 let is_last = at + 1 == product.lookups();
                 let (before, after) =
                     if at % 2 == 0 { (&*odd, &mut *even) } else { (&*even, &mut *odd) };
                 let times = MultiplyKernel {
-                    factors: if at == 0 { given } else { before.each_ref() },
+                    factors: if at == 0 { run_factors } else { before.each_ref() },
                     is_one: is_one && at == 0,
                     to: match &mut words {
                         Some(Words { color, blocks }) if is_last => {
                             let (block, mask) = run.covered(file);
-                            To::Words { color, stored: &mut blocks[block], mask }
+                            ProductTarget::Words { color, stored: &mut blocks[block], mask }
                         }
-                        _ if is_last => To::Lanes(colors),
-                        _ => To::Lanes(after),
+                        _ if is_last => ProductTarget::Lanes(colors),
+                        _ => ProductTarget::Lanes(after),
                     },
                 };
                 let texture = plan.textures.get(product.texture(at));
                 if let Some(texture) = texture.and_then(Option::as_ref) {
                     let coords = machine.coords(product, at, file);
                     let lod = lod_of(texture, machine, product, at, file);
-                    match (&*details, places) {
-                        (Details::Known, _) => (read, weight) = *kept,
-                        (Details::Varying, Addresses::Compute) => {
+                    match (&*lods, addresses) {
+                        (LookupLods::Reused, _) => (read, weight) = *stored_levels,
+                        (LookupLods::Varying, Addresses::Compute) => {
                             read = texture.uniform_levels::<S>(coords, &lod, &mut weight);
                         }
-                        (Details::Varying, Addresses::Reuse) => {}
+                        (LookupLods::Varying, Addresses::Reuse) => {}
                     }
-                    if is_kept {
-                        *kept = (read, weight);
+                    if is_stored {
+                        *stored_levels = (read, weight);
                     }
-                    let known = SelectedLevels { levels: read, weight: &weight, addresses: places };
-                    texture.sample_fused::<S, _>(isa, coords, lod, known, room, times);
+                    let known = SelectedLevels { levels: read, weight: &weight, addresses };
+                    texture.sample_fused::<S, _>(isa, coords, lod, known, scratch, times);
                 }
             }
         }
     }
 }
 
-/// Asks for the texels of a run: at every other pixel of each block. What the lookups read may be known.
+/// Prefetches the texels of a run, at every other pixel of each block. `known` are the levels of the lookups, where
+/// they are reused.
 #[inline(always)]
-fn ask<S: Simd>(
+fn prefetch_lookups<S: Simd>(
     plan: &DrawPlan,
     product: &TexelProduct,
     machine: &Machine,
     files: usize,
-    known: Option<&[Reading]>,
+    known: Option<&[LookupLevels]>,
 ) {
     for at in 0..product.lookups() {
         let texture = plan.textures.get(product.texture(at));
         let Some(texture) = texture.and_then(Option::as_ref) else { continue };
-        let like = match known.and_then(|readings| readings[at].0) {
+        let hint = match known.and_then(|levels| levels[at].0) {
             Some(read) => LevelHint::Uniform(read),
             None => {
                 let lod = lod_of(texture, machine, product, at, 0);
@@ -265,11 +280,11 @@ fn ask<S: Simd>(
                 points.0[file * QUADS..][..QUADS].copy_from_slice(&coords.0[..QUADS]);
             }
         }
-        texture.prefetch::<S>(points.each_ref(), like);
+        texture.prefetch::<S>(points.each_ref(), hint);
     }
 }
 
-/// The level of detail of a lookup, which is not looked up where the texture has no use for it.
+/// The level of detail of a lookup, which is not read where the texture does not need it.
 #[inline(always)]
 fn lod_of<'a>(
     texture: &SamplePlan,
@@ -281,16 +296,16 @@ fn lod_of<'a>(
     if texture.needs_lod() { machine.lod(product, at, file) } else { Lod::Implicit { bias: None } }
 }
 
-/// Multiplies a lookup.
+/// Multiplies the texels of one lookup by the factors.
 struct MultiplyKernel<'a> {
     factors: [&'a F32s; 4],
     /// Whether all of them are 1.
     is_one: bool,
-    to: To<'a>,
+    to: ProductTarget<'a>,
 }
 
 /// Where products go.
-enum To<'a> {
+enum ProductTarget<'a> {
     Lanes(&'a mut [F32s; 4]),
     Words { color: &'a ColorPlan, stored: &'a mut U32s, mask: u64 },
 }
@@ -302,23 +317,23 @@ impl TexelConsumer for MultiplyKernel<'_> {
     fn consume<S: Simd>(self, texels: &impl FilteredTexels) {
         let Self { factors, is_one, to } = self;
         match to {
-            To::Lanes([r, g, b, a]) => {
-                times(texels, factors, 0, r);
-                times(texels, factors, 1, g);
-                times(texels, factors, 2, b);
-                times(texels, factors, 3, a);
+            ProductTarget::Lanes([r, g, b, a]) => {
+                multiply(texels, factors, 0, r);
+                multiply(texels, factors, 1, g);
+                multiply(texels, factors, 2, b);
+                multiply(texels, factors, 3, a);
             }
-            To::Words { color, stored, mask } => {
+            ProductTarget::Words { color, stored, mask } => {
                 let write = color.write_of(0);
                 match texels.bytes() {
                     // A byte over 255 is that byte again.
                     Some(bytes) if is_one => put(stored, bytes, mask, write),
                     None if is_one => {
-                        let words = pack_colors(&Alone(texels));
+                        let words = pack_colors(&LookupColors(texels));
                         put(stored, &words, mask, write);
                     }
                     Some(_) | None => {
-                        let words = pack_colors(&Colors { texels, factors });
+                        let words = pack_colors(&ProductColors { texels, factors });
                         put(stored, &words, mask, write);
                     }
                 }
@@ -328,16 +343,16 @@ impl TexelConsumer for MultiplyKernel<'_> {
 }
 
 #[inline(always)]
-fn times(texels: &impl FilteredTexels, factors: [&F32s; 4], channel: usize, out: &mut F32s) {
+fn multiply(texels: &impl FilteredTexels, factors: [&F32s; 4], channel: usize, out: &mut F32s) {
     for lane in 0..LANES {
         out[lane] = factors[channel][lane] * texels.channel(lane, channel);
     }
 }
 
 /// The lookup as colours.
-struct Alone<'a, T>(&'a T);
+struct LookupColors<'a, T>(&'a T);
 
-impl<T: FilteredTexels> Color for Alone<'_, T> {
+impl<T: FilteredTexels> Color for LookupColors<'_, T> {
     #[inline(always)]
     fn channel(&self, lane: usize, channel: usize) -> f32 {
         self.0.channel(lane, channel)
@@ -349,12 +364,12 @@ impl<T: FilteredTexels> Color for Alone<'_, T> {
 }
 
 /// The products as colours.
-struct Colors<'a, T> {
+struct ProductColors<'a, T> {
     texels: &'a T,
     factors: [&'a F32s; 4],
 }
 
-impl<T: FilteredTexels> Color for Colors<'_, T> {
+impl<T: FilteredTexels> Color for ProductColors<'_, T> {
     #[inline(always)]
     fn channel(&self, lane: usize, channel: usize) -> f32 {
         self.factors[channel][lane] * self.texels.channel(lane, channel)

@@ -4,7 +4,7 @@ mod fill;
 
 use super::batch::{EarlyTests, Packed};
 use super::block::BlockAt;
-use super::block_run::{BlockRun, Level};
+use super::block_run::{BlockRun, UniformOverShape};
 use super::clear::clear;
 use super::interpolate::PlaneSetup;
 use super::job::{Chunk, DrawJob, Entry, PassJob, TileJob};
@@ -16,47 +16,47 @@ use super::shading::Shader;
 use super::shape_cover::Cover;
 use super::shape_lanes::ShapeLanes;
 use super::small_triangles::Windows;
-use super::window_blocks::{Divide, Share, Shares};
+use super::window_blocks::{DivideWindows, WindowBlock, WindowBlocks};
 use crate::plan::{FragmentInput, Packing, SampleMasks};
-use crate::primitive::{Across, DepthSetup};
-use fill::Part;
+use crate::primitive::{ConstantDirection, DepthSetup};
+use fill::ShapeBlock;
 use std::sync::atomic::Ordering;
 use texunit::lanes::{F32s, LANES, U32s, prefetch};
 
-/// Shapes of a group from which on their windows are computed together.
+/// The least number of shapes in a group for which windows are computed.
 const WINDOWS_FROM: usize = 4;
 
 /// Scratch of a thread that runs tiles, kept from tile to tile.
 #[derive(Debug, Default)]
-pub struct Worker {
+pub struct TileRenderer {
     shader: Shader,
-    /// Quads that wait for others, of the current draw.
-    waiting: Packed,
-    /// Pixels that wait for others, of the current draw.
-    pixels: Pixels,
-    /// Blocks that wait for others, of the current draw.
-    run: BlockRun,
-    /// The shapes that are filled.
+    /// Quads of the current draw that are collected for a batch.
+    pending_quads: Packed,
+    /// Pixels of the current draw that are collected for a batch.
+    pending_pixels: Pixels,
+    /// Blocks of the current draw that are collected for a run.
+    pending_blocks: BlockRun,
+    /// The shapes of the group, over lanes.
     shapes: Box<ShapeLanes>,
     group: PlaneGroup,
     windows: Box<Windows>,
-    shares: Box<Shares>,
-    broad: LargeTriangle,
-    /// Of the block that is filled: each plane's value at its first pixel and steps.
+    window_blocks: Box<WindowBlocks>,
+    large_triangle: LargeTriangle,
+    /// Of the current block: each plane's value at its first pixel and steps.
     planes: Vec<[f32; 3]>,
     /// The fraction of each lane's pixel that the shape covers.
-    parts: F32s,
-    /// The outline of the shape that is filled, as each sample sees it; one if all see the same.
-    covers: Vec<Cover>,
+    coverage: F32s,
+    /// The outline of the current shape relative to each sample; one if all samples share it.
+    outlines: Vec<Cover>,
     /// The current draw.
     draw: Option<usize>,
-    /// What is constant over the current shape.
-    level: Level,
+    /// What is uniform over the current shape.
+    uniform: UniformOverShape,
     /// The number of shapes numbered so far.
-    levels: u64,
+    shape_count: u64,
 }
 
-impl Worker {
+impl TileRenderer {
     /// Runs all entries of a tile.
     pub fn run(&mut self, pass: &PassJob, tile: &mut TileJob) {
         let entries = std::mem::take(&mut tile.entries);
@@ -65,7 +65,7 @@ impl Worker {
                 Entry::Clear(index) => {
                     self.flush(pass, tile);
                     clear(pass, &pass.clears[index as usize], tile);
-                    tile.note_clear(&pass.clears[index as usize]);
+                    tile.record_clear(&pass.clears[index as usize]);
                 }
                 Entry::Shapes { chunk, first, end } => {
                     let chunk = &pass.chunks[chunk as usize];
@@ -82,8 +82,8 @@ impl Worker {
         }
         self.flush(pass, tile);
         self.draw = None;
-        if let Some(spot) = tile.watched.take() {
-            spot.finish();
+        if let Some(pixel) = tile.watched.take() {
+            pixel.finish();
         }
     }
 
@@ -93,7 +93,9 @@ impl Worker {
             return;
         }
         let last = self.draw.map(|last| &pass.draws[last]);
-        if last.is_some_and(|last| last.goes_on(&pass.draws[draw])) && tile.watched.is_none() {
+        if last.is_some_and(|last| last.can_share_batches(&pass.draws[draw]))
+            && tile.watched.is_none()
+        {
             self.draw = Some(draw);
             return;
         }
@@ -108,12 +110,12 @@ impl Worker {
                     .for_each(|file| machine.inputs_of(file)[index] = U32s::ZERO);
             }
         }
-        self.waiting.clear(plan.planes.len(), plan.samples.count);
-        self.pixels.clear(plan.planes.len());
+        self.pending_quads.clear(plan.planes.len(), plan.samples.count);
+        self.pending_pixels.clear(plan.planes.len());
         self.planes.resize(plan.planes.len(), [0.0; 3]);
     }
 
-    /// Shades what waits.
+    /// Shades all pending fragments.
     fn flush(&mut self, pass: &PassJob, tile: &mut TileJob) {
         let Some(draw) = self.draw else { return };
         let job = &pass.draws[draw];
@@ -122,11 +124,10 @@ impl Worker {
         self.flush_run(pass, job, tile);
     }
 
-    /// Shades waiting fragments in these lanes of a block, which later ones must not overtake. No pixel waits twice,
-    /// so
-    /// that nothing else has to go first.
+    /// Shades the pending batches that hold fragments in these lanes of a block: fragments of a pixel keep their order.
+    /// A pixel is in one pending batch at most, so that no other batch has to precede them.
     #[inline]
-    fn make_way(
+    fn flush_overlapping(
         &mut self,
         pass: &PassJob,
         job: &DrawJob,
@@ -134,38 +135,38 @@ impl Worker {
         block: usize,
         lanes: u64,
     ) {
-        if self.waiting.holds(block, lanes) {
+        if self.pending_quads.has_pending(block, lanes) {
             self.flush_quads(pass, job, tile);
         }
-        if self.pixels.holds(block, lanes) {
+        if self.pending_pixels.has_pending(block, lanes) {
             self.flush_pixels(pass, job, tile);
         }
-        if self.run.holds(block, lanes) {
+        if self.pending_blocks.has_pending(block, lanes) {
             self.flush_run(pass, job, tile);
         }
     }
 
-    /// Shades the quads that wait.
+    /// Shades the pending quads.
     fn flush_quads(&mut self, pass: &PassJob, job: &DrawJob, tile: &mut TileJob) {
-        if !self.waiting.is_empty() {
-            self.shader.shade(pass, job, &self.waiting.batch(), tile);
-            self.waiting.clear(job.plan.planes.len(), job.plan.samples.count);
+        if !self.pending_quads.is_empty() {
+            self.shader.shade(pass, job, &self.pending_quads.batch(), tile);
+            self.pending_quads.clear(job.plan.planes.len(), job.plan.samples.count);
         }
     }
 
-    /// Shades the blocks that wait.
+    /// Shades the pending blocks.
     fn flush_run(&mut self, pass: &PassJob, job: &DrawJob, tile: &mut TileJob) {
-        if self.run.len() > 0 {
-            self.shader.shade_run(pass, job, &mut self.run, tile);
+        if self.pending_blocks.len() > 0 {
+            self.shader.shade_run(pass, job, &mut self.pending_blocks, tile);
         }
     }
 
-    /// Shades the pixels that wait.
+    /// Shades the pending pixels.
     fn flush_pixels(&mut self, pass: &PassJob, job: &DrawJob, tile: &mut TileJob) {
-        if !self.pixels.is_empty() {
-            let batch = self.pixels.batch(pass.isa, [tile.x, tile.y]);
+        if !self.pending_pixels.is_empty() {
+            let batch = self.pending_pixels.batch(pass.isa, [tile.x, tile.y]);
             self.shader.shade(pass, job, &batch, tile);
-            self.pixels.clear(job.plan.planes.len());
+            self.pending_pixels.clear(job.plan.planes.len());
         }
     }
 
@@ -185,7 +186,7 @@ impl Worker {
                 resolution: plan.resolution,
             },
             origin: plan.raster.point.origin,
-            across: Across::of(&plan.raster.line),
+            line_constant: ConstantDirection::of(&plan.raster.line),
         };
         let shapes = group.iter().map(|&index| &chunk.lists.shapes[index as usize]);
         self.shapes.load(shapes.clone());
@@ -196,7 +197,7 @@ impl Worker {
             let at = [tile.x, tile.y];
             self.windows.compute(pass.isa, at, &self.shapes);
             if plan.packing == Packing::Pixels {
-                self.group.enter(pass.isa, at, &self.windows);
+                self.group.evaluate_windows(pass.isa, at, &self.windows);
                 self.pack_group(pass, tile, chunk, group);
                 return;
             }
@@ -219,8 +220,8 @@ impl Worker {
     fn pack_group(&mut self, pass: &PassJob, tile: &mut TileJob, chunk: &Chunk, group: &[u32]) {
         let job = &pass.draws[chunk.draw];
         let shape = |lane: usize| &chunk.lists.shapes[group[lane] as usize];
-        let (windows, shares) = (&*self.windows, &mut *self.shares);
-        pass.isa.run(Divide { windows, shapes: group.len(), shares });
+        let (windows, window_blocks) = (&*self.windows, &mut *self.window_blocks);
+        pass.isa.run(DivideWindows { windows, shapes: group.len(), window_blocks });
         loop {
             if job.stopped.load(Ordering::Relaxed) {
                 return;
@@ -228,27 +229,27 @@ impl Worker {
             let stop = pass.isa.run(Pack {
                 shapes: &self.shapes,
                 group: &self.group,
-                shares: &mut self.shares,
-                pixels: &mut self.pixels,
-                run: &self.run,
+                window_blocks: &mut self.window_blocks,
+                pixels: &mut self.pending_pixels,
+                run: &self.pending_blocks,
             });
             match stop {
                 Stop::Done => return,
                 Stop::Pixels => self.flush_pixels(pass, job, tile),
                 Stop::Blocks => self.flush_run(pass, job, tile),
-                Stop::Share(Share { shape: lane, lanes: 0, .. }) => {
+                Stop::WholeBlock(WindowBlock { shape: lane, lanes: 0, .. }) => {
                     self.fill(pass, tile, chunk, shape(lane), lane);
                 }
-                Stop::Share(Share { shape: lane, part, block, lanes }) => {
-                    for (to, plane) in self.planes.iter_mut().zip(self.group.in_window(lane, part))
+                Stop::WholeBlock(WindowBlock { shape: lane, index, block, lanes }) => {
+                    for (to, plane) in self.planes.iter_mut().zip(self.group.in_window(lane, index))
                     {
                         *to = plane;
                     }
                     let at = BlockAt::numbered([tile.x, tile.y], block);
                     let mut masks = SampleMasks::one(lanes);
                     let facing = shape(lane).facing;
-                    let part = Part { at, facing, tests: EarlyTests::Due };
-                    self.fill_block(pass, tile, job, part, &mut masks);
+                    let shape_block = ShapeBlock { at, facing, tests: EarlyTests::Due };
+                    self.fill_block(pass, tile, job, shape_block, &mut masks);
                 }
             }
         }

@@ -1,4 +1,4 @@
-//! A watched pixel within its tile: what clears and fragments do to it is written down.
+//! A watched pixel within its tile: the effects of clears and fragments on it are recorded.
 
 mod fragment;
 
@@ -25,10 +25,10 @@ pub struct WatchedPixel {
     block: usize,
     lane: usize,
     formats: Formats,
-    /// Those of fragments that are being shaded are taken out.
+    /// `None` where the fragment is being shaded.
     events: Vec<Option<PixelEvent>>,
-    /// The fragments that wait to be shaded, in order.
-    waiting: VecDeque<WaitingFragment>,
+    /// The fragments that are not shaded yet, in order.
+    pending: VecDeque<PendingFragment>,
 }
 
 /// The formats of a pass's attachments.
@@ -40,9 +40,9 @@ pub struct Formats {
     pub depth: Option<DepthFormat>,
 }
 
-/// A fragment that waits.
+/// A fragment that is not shaded yet.
 #[derive(Debug)]
-struct WaitingFragment {
+struct PendingFragment {
     event: usize,
     /// By plane: the values at the vertices, of varyings.
     values: Vec<Vec<f32>>,
@@ -54,11 +54,11 @@ pub type Stored = Vec<Texel>;
 impl WatchedPixel {
     /// The watched pixel, if it is in the tile at column and row `at`.
     pub fn new(watch: &Watch, at: [u32; 2], formats: &Formats) -> Option<Box<Self>> {
-        let pixel = watch.pixel();
-        if [0, 1].iter().any(|&axis| pixel[axis] / TILE != at[axis]) {
+        let position = watch.pixel();
+        if [0, 1].iter().any(|&axis| position[axis] / TILE != at[axis]) {
             return None;
         }
-        let [x, y] = pixel.map(|v| (v % TILE) as usize);
+        let [x, y] = position.map(|v| (v % TILE) as usize);
         let lane = (0..LANES).find(|&lane| (lane_x(lane), lane_y(lane)) == (x % 8, y % 8))?;
         Some(Box::new(Self {
             watch: watch.clone(),
@@ -66,7 +66,7 @@ impl WatchedPixel {
             lane,
             formats: formats.clone(),
             events: Vec::new(),
-            waiting: VecDeque::new(),
+            pending: VecDeque::new(),
         }))
     }
 
@@ -76,22 +76,22 @@ impl WatchedPixel {
     }
 
     /// Its lane in a batch that covers it.
-    pub fn lane_of(&self, place: BatchLayout<'_>, lanes: u64) -> Option<usize> {
-        let lane = match place {
+    pub fn lane_of(&self, layout: BatchLayout<'_>, lanes: u64) -> Option<usize> {
+        let lane = match layout {
             BatchLayout::Block(block) => (block == self.block).then_some(self.lane)?,
             BatchLayout::Quads(blocks, quads) => {
                 // Its quad may be there more than once, the pixel may not.
                 let first = self.lane / QUADS * QUADS;
-                let here = |(at, (&block, &quad)): (usize, (&u8, &u8))| {
-                    let same =
+                let covering_lane = |(at, (&block, &quad)): (usize, (&u8, &u8))| {
+                    let is_same =
                         usize::from(block) == self.block && usize::from(quad) == self.lane % QUADS;
-                    (same && lanes >> (first + at) & 1 == 1).then_some(first + at)
+                    (is_same && lanes >> (first + at) & 1 == 1).then_some(first + at)
                 };
-                blocks.iter().zip(quads).enumerate().find_map(here)?
+                blocks.iter().zip(quads).enumerate().find_map(covering_lane)?
             }
             BatchLayout::Pixels(at, _) => {
-                let here = self.block * LANES + self.lane;
-                (0..LANES).find(|&lane| lanes >> lane & 1 == 1 && usize::from(at[lane]) == here)?
+                let index = self.block * LANES + self.lane;
+                (0..LANES).find(|&lane| lanes >> lane & 1 == 1 && usize::from(at[lane]) == index)?
             }
         };
         (lanes >> lane & 1 == 1).then_some(lane)
@@ -116,8 +116,9 @@ impl WatchedPixel {
 
     /// A clear was done.
     fn cleared(&mut self, job: &ClearJob, stored: &Stored) {
-        let pixel = self.watch.pixel().map(|v| v as i32);
-        let reaches = |axis: usize| (job.area[0][axis]..job.area[1][axis]).contains(&pixel[axis]);
+        let position = self.watch.pixel().map(|v| v as i32);
+        let reaches =
+            |axis: usize| (job.area[0][axis]..job.area[1][axis]).contains(&position[axis]);
         if let Some(&after) = stored.first().filter(|_| reaches(0) && reaches(1)) {
             let clear = Clear { label: job.label, target: job.target, after };
             self.events.push(Some(PixelEvent::Clear(clear)));
@@ -131,7 +132,7 @@ impl WatchedPixel {
         let before = before.filter(|other| other.draw == chunk.draw);
         let before: usize = before.map(|other| other.lists.shapes.len()).sum();
         let at = chunk.lists.shapes.iter().position(|other| std::ptr::eq(other, shape));
-        let corners = match (shape.kind, shape.part) {
+        let corners = match (shape.kind, shape.clipping) {
             (ShapeKind::Triangle, _)
             | (ShapeKind::Line { .. } | ShapeKind::Point { .. }, Clipping::Cut) => 3,
             (ShapeKind::Line { .. }, Clipping::Whole) => 2,
@@ -157,7 +158,7 @@ impl WatchedPixel {
         let covered = (0..)
             .zip(masks.iter())
             .fold(0, |bits, (sample, mask)| bits | u8::from(mask >> self.lane & 1 == 1) << sample);
-        self.waiting.push_back(WaitingFragment {
+        self.pending.push_back(PendingFragment {
             event: self.events.len(),
             values: job.plan.planes.iter().map(values).collect(),
         });
@@ -180,20 +181,20 @@ impl WatchedPixel {
     /// The tests before shading were made: `masks` are left.
     fn tested_early(&mut self, plan: &DrawPlan, of: &Tested<'_>, masks: &SampleMasks) {
         let left: u64 = masks.any();
-        let Some(waiting) = self.waiting.back() else { return };
-        let event = self.events.get_mut(waiting.event);
+        let Some(pending) = self.pending.back() else { return };
+        let event = self.events.get_mut(pending.event);
         let Some(Some(PixelEvent::Fragment(fragment))) = event else { return };
         fragment.tests.extend(of.tests(plan, fragment.facing, masks, self.lane));
         if left >> self.lane & 1 == 0 {
             fragment.fate = Fate::TestFailed;
-            self.waiting.pop_back();
+            self.pending.pop_back();
         }
     }
 
     /// The fragment that is shaded now, if the batch covers the pixel.
-    pub fn begin(&mut self, place: BatchLayout<'_>, lanes: u64) -> Option<Shaded> {
-        let lane = self.lane_of(place, lanes)?;
-        let WaitingFragment { event, values } = self.waiting.pop_front()?;
+    pub fn begin(&mut self, layout: BatchLayout<'_>, lanes: u64) -> Option<Shaded> {
+        let lane = self.lane_of(layout, lanes)?;
+        let PendingFragment { event, values } = self.pending.pop_front()?;
         match self.events.get_mut(event)?.take()? {
             PixelEvent::Fragment(fragment) => Some(Shaded { event, lane, fragment, values }),
             clear @ PixelEvent::Clear(_) => {
@@ -212,32 +213,32 @@ impl WatchedPixel {
 impl TileJob {
     /// What a colour attachment holds at the watched pixel.
     pub fn watched_color(&self, index: usize) -> Stored {
-        let Some(spot) = &self.watched else { return Vec::new() };
-        let format = spot.formats.colors.get(index).copied().flatten();
+        let Some(pixel) = &self.watched else { return Vec::new() };
+        let format = pixel.formats.colors.get(index).copied().flatten();
         let target = self.colors.get(index).and_then(Option::as_ref);
-        spot.stored(target, |words| format.map_or([0.0; 4], |format| texel_color(format, words)))
+        pixel.stored(target, |words| format.map_or([0.0; 4], |format| texel_color(format, words)))
     }
 
     /// What the depth attachment holds there.
     pub fn watched_depth(&self) -> Stored {
-        let Some(spot) = &self.watched else { return Vec::new() };
-        let depth = |word: u32| spot.formats.depth.map_or(0.0, |format| format.depth(word));
-        spot.stored(self.depth.as_ref(), |words| [depth(words[0]), 0.0, 0.0, 1.0])
+        let Some(pixel) = &self.watched else { return Vec::new() };
+        let depth = |word: u32| pixel.formats.depth.map_or(0.0, |format| format.depth(word));
+        pixel.stored(self.depth.as_ref(), |words| [depth(words[0]), 0.0, 0.0, 1.0])
     }
 
     /// A clear was done.
-    pub fn note_clear(&mut self, job: &ClearJob) {
+    pub fn record_clear(&mut self, job: &ClearJob) {
         let stored = match job.target {
             Cleared::Color(index) => self.watched_color(index),
             Cleared::Depth | Cleared::Stencil => self.watched_depth(),
         };
-        if let Some(spot) = &mut self.watched {
-            spot.cleared(job, &stored);
+        if let Some(pixel) = &mut self.watched {
+            pixel.cleared(job, &stored);
         }
     }
 
     /// Tests of a block were made before shading; `before` is what was stored.
-    pub fn note_early(
+    pub fn record_early_tests(
         &mut self,
         isa: Isa,
         plan: &DrawPlan,
@@ -246,19 +247,19 @@ impl TileJob {
         before: &Stored,
     ) {
         let after = self.watched_depth();
-        let Some(spot) = &mut self.watched else { return };
+        let Some(pixel) = &mut self.watched else { return };
         let depth = |sample: usize| {
             let plane =
                 plan.depth_plane.map(|at| moved(of.planes[at], plan.samples.offset(sample)));
             let depths = plan.viewport.depths();
-            plane.map_or(0.0, |plane| isa.run(BlockDepth { plane, depths })[spot.lane])
+            plane.map_or(0.0, |plane| isa.run(BlockDepth { plane, depths })[pixel.lane])
         };
         let depths: Vec<f32> = (0..plan.samples.count).map(depth).collect();
         let (when, reference, after) = (When::Early, None, &after);
         let tested = Tested { when, depths: &depths, reference, before, after };
-        spot.tested_early(plan, &tested, masks);
+        pixel.tested_early(plan, &tested, masks);
         if plan.shading == Shading::Off {
-            spot.waiting.clear();
+            pixel.pending.clear();
         }
     }
 }

@@ -1,5 +1,5 @@
 //! What the windows of small triangles cover of blocks. A window begins at a quad, so each of its parts may lie in
-//! four blocks. Computed over lanes of shapes, and read share by share ([`super::pack_pixels`]).
+//! four blocks. Computed over lanes of shapes, and read block by block ([`super::pack_pixels`]).
 
 use super::small_triangles::{REACHED, Windows};
 use crate::attachment::BLOCKS;
@@ -7,18 +7,18 @@ use crate::output::expand_mask;
 use crate::sizes::TILE;
 use texunit::lanes::{Kernel, LANES, Simd, U32s};
 
-/// Blocks that a window can reach into.
-const MOST: usize = REACHED * REACHED;
+/// The most blocks that a window can reach into.
+const MAX_BLOCKS: usize = REACHED * REACHED;
 /// Shapes whose blocks are the bits of one word.
-const AT_ONCE: usize = 4;
+const SHAPES_PER_WORD: usize = 4;
 /// Bits of a shape.
-const BITS: usize = 16;
+const BITS_PER_SHAPE: usize = 16;
 
-/// From the first block that a window reaches into to each of them, in the tile.
-const FURTHER: [usize; BITS] = {
-    let mut table = [0; BITS];
+/// For each block that a window reaches into, the difference of its number in the tile and that of the first.
+const BLOCK_OFFSETS: [usize; BITS_PER_SHAPE] = {
+    let mut table = [0; BITS_PER_SHAPE];
     let mut block = 0;
-    while block < MOST {
+    while block < MAX_BLOCKS {
         table[block] = block / REACHED * (TILE as usize / 8) + block % REACHED;
         block += 1;
     }
@@ -27,15 +27,15 @@ const FURTHER: [usize; BITS] = {
 
 /// What up to 64 shapes cover of the blocks that their windows reach into.
 #[derive(Debug)]
-pub struct Shares {
-    /// The lanes, by block in rows of [`REACHED`]; the others avoid a bounds check.
-    lanes: [[u64; LANES]; BITS],
+pub struct WindowBlocks {
+    /// The lanes, by block in rows of [`REACHED`]; the rest of the array avoids a bounds check.
+    lanes: [[u64; LANES]; BITS_PER_SHAPE],
     /// The first block of each shape.
     first: U32s,
     /// Of each shape the blocks of which it covers anything, four shapes a word. One without a window has its
     /// first, and covers nothing of it.
-    any: [u64; LANES / AT_ONCE],
-    /// How far it is read.
+    any: [u64; LANES / SHAPES_PER_WORD],
+    /// The position up to which the blocks are read.
     pub reader: Reader,
 }
 
@@ -48,12 +48,12 @@ pub struct Reader {
     left: u64,
 }
 
-impl Default for Shares {
+impl Default for WindowBlocks {
     fn default() -> Self {
         Self {
-            lanes: [[0; LANES]; BITS],
+            lanes: [[0; LANES]; BITS_PER_SHAPE],
             first: U32s::ZERO,
-            any: [0; LANES / AT_ONCE],
+            any: [0; LANES / SHAPES_PER_WORD],
             reader: Reader::default(),
         }
     }
@@ -61,61 +61,70 @@ impl Default for Shares {
 
 /// What a window covers of one block.
 #[derive(Clone, Copy, Debug)]
-pub struct Share {
-    /// Whose window.
+pub struct WindowBlock {
+    /// The shape that the window belongs to, as its lane in the group.
     pub shape: usize,
-    /// Which of the blocks that it reaches into.
-    pub part: usize,
-    /// Which of the tile.
+    /// The index of the block among those that the window reaches into.
+    pub index: usize,
+    /// The number of the block in the tile.
     pub block: usize,
     /// The lanes; none where the shape has no window.
     pub lanes: u64,
 }
 
-impl Shares {
-    /// The first share that is left.
+impl WindowBlocks {
+    /// The first block whose lanes are not all read.
     #[inline(always)]
-    pub fn first(&self, reader: &mut Reader) -> Option<Share> {
+    pub fn front(&self, reader: &mut Reader) -> Option<WindowBlock> {
         while reader.left == 0 {
             reader.left = *self.any.get(reader.begun)?;
             reader.begun += 1;
         }
         let bit = reader.left.trailing_zeros() as usize;
-        let shape = ((reader.begun - 1) * AT_ONCE + bit / BITS) % LANES;
-        let part = bit % BITS;
-        let lanes = self.lanes[part][shape];
-        Some(Share { shape, part, block: self.first[shape] as usize + FURTHER[part], lanes })
+        let shape = ((reader.begun - 1) * SHAPES_PER_WORD + bit / BITS_PER_SHAPE) % LANES;
+        let index = bit % BITS_PER_SHAPE;
+        let lanes = self.lanes[index][shape];
+        Some(WindowBlock {
+            shape,
+            index,
+            block: self.first[shape] as usize + BLOCK_OFFSETS[index],
+            lanes,
+        })
     }
 
-    /// Leaves these lanes of the first one.
+    /// Sets the lanes of the front block that are still to be read.
     #[inline(always)]
-    pub fn leave(&mut self, reader: &mut Reader, share: Share, lanes: u64) {
+    pub fn set_remaining(&mut self, reader: &mut Reader, window_block: WindowBlock, lanes: u64) {
         if lanes == 0 {
             reader.left &= reader.left.wrapping_sub(1);
             return;
         }
-        self.lanes[share.part % BITS][share.shape % LANES] = lanes;
+        self.lanes[window_block.index % BITS_PER_SHAPE][window_block.shape % LANES] = lanes;
     }
 }
 
-/// Finds the shares of `shapes` shapes.
-pub struct Divide<'a> {
+/// Divides the windows of `shapes` shapes among blocks.
+pub struct DivideWindows<'a> {
     pub windows: &'a Windows,
     pub shapes: usize,
-    pub shares: &'a mut Shares,
+    pub window_blocks: &'a mut WindowBlocks,
 }
 
-impl Kernel for Divide<'_> {
+impl Kernel for DivideWindows<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: Simd>(self) {
-        let Self { windows, shapes, shares: Shares { lanes: blocks, first, any, reader } } = self;
+        let Self {
+            windows,
+            shapes,
+            window_blocks: WindowBlocks { lanes: blocks, first, any, reader },
+        } = self;
         *reader = Reader::default();
         let [x, y] = &windows.quads;
         for lane in 0..LANES {
             first[lane] = (y[lane] / 4 * 8 + x[lane] / 4) as u32 % BLOCKS as u32;
         }
-        let [across, up] = windows.further.map(|blocks| blocks.min(REACHED - 1));
+        let [across, up] = windows.extra_blocks.map(|blocks| blocks.min(REACHED - 1));
         for row in 0..=up {
             blocks[row * REACHED..][..=across].fill([0; LANES]);
         }
@@ -129,10 +138,12 @@ impl Kernel for Divide<'_> {
                 let ([even, odd], out) = (words, &mut blocks[row * REACHED + column]);
                 for lane in 0..LANES {
                     let (x, y) = (x[lane] as u32 % 4, y[lane] as u32 % 4);
-                    let there = side(to_the_right(x), right) & side(on_top(y), above) & small[lane];
+                    let moved = select_lanes(lanes_in_right_block(x), right)
+                        & select_lanes(lanes_in_upper_block(y), above)
+                        & small[lane];
                     // By so many quads within each half of a word; none leaves it.
                     let by = (4 * y + x).wrapping_sub((4 * right + 16 * above) as u32) % 32;
-                    let (even, odd) = (even[lane] & there, odd[lane] & there);
+                    let (even, odd) = (even[lane] & moved, odd[lane] & moved);
                     let (even, odd) = (even.rotate_left(by), odd.rotate_left(by));
                     out[lane] |= u64::from(even) | u64::from(odd) << 32;
                 }
@@ -151,10 +162,10 @@ impl Kernel for Divide<'_> {
             }
         }
         found.0[shapes.min(LANES)..].fill(0);
-        for (any, four) in any.iter_mut().zip(found.0.as_chunks::<AT_ONCE>().0) {
+        for (any, four) in any.iter_mut().zip(found.0.as_chunks::<SHAPES_PER_WORD>().0) {
             *any = 0;
             for (at, &bits) in four.iter().enumerate() {
-                *any |= u64::from(bits) << (at * BITS);
+                *any |= u64::from(bits) << (at * BITS_PER_SHAPE);
             }
         }
     }
@@ -162,18 +173,18 @@ impl Kernel for Divide<'_> {
 
 /// Of a part that begins at column `x` of a block's quads: the lanes of a word that lie in the block on its right.
 #[inline(always)]
-fn to_the_right(x: u32) -> u32 {
+fn lanes_in_right_block(x: u32) -> u32 {
     (0xF0 >> x & 0xF) * 0x1111_1111
 }
 
 /// Of one that begins at row `y`: those in the block above.
 #[inline(always)]
-fn on_top(y: u32) -> u32 {
+fn lanes_in_upper_block(y: u32) -> u32 {
     (0xFFFF_0000 >> (4 * y) & 0xFFFF) * 0x1_0001
 }
 
 /// The lanes in the next block, or those in the same.
 #[inline(always)]
-fn side(next: u32, block: usize) -> u32 {
+fn select_lanes(next: u32, block: usize) -> u32 {
     if block == 1 { next } else { !next }
 }

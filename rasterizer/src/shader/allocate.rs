@@ -1,24 +1,24 @@
 //! Real registers for virtual ones.
 //!
-//! The file of registers is: splats, inputs, variables, temporaries. The first three keep their
+//! A register file is: splats, inputs, variables, temporaries. The first three keep their
 //! place for the whole run; temporaries share theirs, the most recently freed first, so that the
 //! working set stays small. A temporary lives from the instruction that writes it to the last that
 //! reads it; if that stands in a loop which the write does not, to the end of the loop.
 
 use super::inst::{Inst, Reg, Role, Target};
-use super::lower::{Kind, Lowered};
+use super::lower::{Lowered, RegisterContent};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// Where things are in the register file of registers.
+/// The layout of a register file.
 #[derive(Debug, Default)]
 pub(super) struct Layout {
     /// By register from 0: which word of the preamble it repeats.
     pub splats: Vec<u32>,
     /// The first input.
     pub inputs: u32,
-    /// The first of those that the program writes.
-    pub given: u32,
+    /// The first register that the program writes.
+    pub first_written: u32,
     /// By output of the program.
     pub outputs: Vec<u32>,
     /// How many registers there are.
@@ -28,15 +28,15 @@ pub(super) struct Layout {
 /// Replaces the virtual registers of `lowered.code` by real ones.
 pub(super) fn allocate(lowered: &mut Lowered) -> Layout {
     let mut allocation = Allocation::new(lowered);
-    allocation.measure(lowered);
+    allocation.compute_live_ranges(lowered);
     allocation.forward_stores(lowered);
     allocation.borrow_variables(lowered);
-    let layout = allocation.place(lowered);
+    let layout = allocation.assign_registers(lowered);
     zero_variables(lowered, &allocation);
     layout
 }
 
-/// Where a virtual register is used.
+/// The live range of a virtual register.
 #[derive(Clone, Copy, Debug, Default)]
 struct LiveRange {
     start: u32,
@@ -53,11 +53,11 @@ struct Access {
 
 struct Allocation {
     /// By virtual register; of temporaries only.
-    spans: Vec<Option<LiveRange>>,
+    live_ranges: Vec<Option<LiveRange>>,
     /// By variable, in the order of the code.
     accesses: Vec<Vec<Access>>,
-    /// By virtual register: the register that is used instead.
-    instead: Vec<Reg>,
+    /// By virtual register: the register that replaces it.
+    replacement: Vec<Reg>,
     /// By instruction.
     removed: Vec<bool>,
     /// By instruction: whether it writes a variable in all lanes, always. What a jump skips
@@ -69,24 +69,26 @@ struct Allocation {
 
 impl Allocation {
     fn new(lowered: &Lowered) -> Self {
-        let variables = lowered.kinds.iter().map(|kind| match kind {
-            Kind::Variable { var } => var.0 as usize + 1,
-            Kind::Temp | Kind::Splat { .. } | Kind::Input { .. } => 0,
+        let variables = lowered.contents.iter().map(|content| match content {
+            RegisterContent::Variable { var } => var.0 as usize + 1,
+            RegisterContent::Temp
+            | RegisterContent::Splat { .. }
+            | RegisterContent::Input { .. } => 0,
         });
-        let count = lowered.kinds.len();
+        let count = lowered.contents.len();
         Self {
             accesses: vec![Vec::new(); variables.max().unwrap_or(0)],
-            spans: vec![None; count],
-            instead: (0..count as u32).map(Reg).collect(),
+            live_ranges: vec![None; count],
+            replacement: (0..count as u32).map(Reg).collect(),
             removed: vec![false; lowered.code.len()],
             moves: moves(&lowered.code),
             real: Vec::new(),
         }
     }
 
-    /// Finds the span of each temporary and the accesses of each variable.
-    fn measure(&mut self, lowered: &mut Lowered) {
-        let kinds = &lowered.kinds;
+    /// Finds the live range of each temporary and the accesses of each variable.
+    fn compute_live_ranges(&mut self, lowered: &mut Lowered) {
+        let contents = &lowered.contents;
         let ends = loop_ends(&lowered.code);
         // First and last instruction of the open loops, outermost first.
         let mut open: Vec<(u32, u32)> = Vec::new();
@@ -96,10 +98,12 @@ impl Allocation {
                 open.pop();
             }
             open.extend(ends[at as usize].iter().rev().map(|&end| (at, end)));
-            inst.operands(&mut |reg, role| match kinds[reg.0 as usize] {
-                Kind::Variable { var } => self.accesses[var.0 as usize].push(Access { at, role }),
-                Kind::Temp => {
-                    let span = self.spans[reg.0 as usize].get_or_insert(LiveRange {
+            inst.operands(&mut |reg, role| match contents[reg.0 as usize] {
+                RegisterContent::Variable { var } => {
+                    self.accesses[var.0 as usize].push(Access { at, role })
+                }
+                RegisterContent::Temp => {
+                    let span = self.live_ranges[reg.0 as usize].get_or_insert(LiveRange {
                         start: at,
                         end: at,
                         reads: 0,
@@ -112,13 +116,19 @@ impl Allocation {
                         span.end = span.end.max(end);
                     }
                 }
-                Kind::Splat { .. } | Kind::Input { .. } => {}
+                RegisterContent::Splat { .. } | RegisterContent::Input { .. } => {}
             });
         }
     }
 
-    fn touched(&self, kind: Kind, after: u32, until: u32, roles: &[Role]) -> bool {
-        let Kind::Variable { var } = kind else { return true };
+    fn is_accessed(
+        &self,
+        content: RegisterContent,
+        after: u32,
+        until: u32,
+        roles: &[Role],
+    ) -> bool {
+        let RegisterContent::Variable { var } = content else { return true };
         let accesses = &self.accesses[var.0 as usize];
         let first = accesses.partition_point(|access| access.at <= after);
         accesses[first..]
@@ -130,31 +140,31 @@ impl Allocation {
     /// A value whose only use is to be stored in all lanes is computed into the variable, unless a
     /// jump between the two skips the store.
     fn forward_stores(&mut self, lowered: &Lowered) {
-        let together = |inst: &Inst| matches!(inst, Inst::Unless { .. } | Inst::Jump { .. });
-        let guards = guards(&lowered.code, together);
+        let is_uniform_jump = |inst: &Inst| matches!(inst, Inst::Unless { .. } | Inst::Jump { .. });
+        let guards = guards(&lowered.code, is_uniform_jump);
         for (at, inst) in lowered.code.iter().enumerate() {
             let Inst::Move { out, from } = inst else { continue };
-            let Some(span) = self.spans[from.0 as usize] else { continue };
-            let kind = lowered.kinds[out.0 as usize];
+            let Some(span) = self.live_ranges[from.0 as usize] else { continue };
+            let content = lowered.contents[out.0 as usize];
             let copied = matches!(lowered.code[span.start as usize], Inst::Move { .. });
             if !copied
                 && span.reads == 1
                 && guards[at].is_none_or(|guard| guard < span.start)
                 && span.end == at as u32
-                && !self.touched(kind, span.start, at as u32, &[Role::Read, Role::Write])
+                && !self.is_accessed(content, span.start, at as u32, &[Role::Read, Role::Write])
             {
-                self.instead[from.0 as usize] = *out;
-                self.spans[from.0 as usize] = None;
+                self.replacement[from.0 as usize] = *out;
+                self.live_ranges[from.0 as usize] = None;
                 self.removed[at] = true;
                 self.moves[span.start as usize] = self.moves[at];
-                self.write_earlier(kind, at as u32, span.start);
+                self.write_earlier(content, at as u32, span.start);
             }
         }
     }
 
     /// Nothing touches the variable between the two instructions, so its accesses stay in order.
-    fn write_earlier(&mut self, kind: Kind, from: u32, to: u32) {
-        let Kind::Variable { var } = kind else { return };
+    fn write_earlier(&mut self, content: RegisterContent, from: u32, to: u32) {
+        let RegisterContent::Variable { var } = content else { return };
         let accesses = &mut self.accesses[var.0 as usize];
         let at = accesses.partition_point(|access| access.at < from);
         accesses[at].at = to;
@@ -164,22 +174,27 @@ impl Allocation {
     fn borrow_variables(&mut self, lowered: &Lowered) {
         for (at, inst) in lowered.code.iter().enumerate() {
             let Inst::Move { out, from } = inst else { continue };
-            let Some(span) = self.spans[out.0 as usize] else { continue };
-            if !self.touched(lowered.kinds[from.0 as usize], at as u32, span.end, &[Role::Write]) {
-                self.instead[out.0 as usize] = *from;
-                self.spans[out.0 as usize] = None;
+            let Some(span) = self.live_ranges[out.0 as usize] else { continue };
+            if !self.is_accessed(
+                lowered.contents[from.0 as usize],
+                at as u32,
+                span.end,
+                &[Role::Write],
+            ) {
+                self.replacement[out.0 as usize] = *from;
+                self.live_ranges[out.0 as usize] = None;
                 self.removed[at] = true;
             }
         }
     }
 
-    /// Gives every virtual register a place, and writes the places into the code.
-    fn place(&mut self, lowered: &mut Lowered) -> Layout {
+    /// Assigns a real register to every virtual one, and writes them into the code.
+    fn assign_registers(&mut self, lowered: &mut Lowered) -> Layout {
         let mut layout = Layout::default();
-        self.real = vec![Reg(u32::MAX); lowered.kinds.len()];
+        self.real = vec![Reg(u32::MAX); lowered.contents.len()];
         let used = self.used(lowered);
-        for (virt, kind) in lowered.kinds.iter().enumerate() {
-            if let Kind::Splat { word } = kind
+        for (virt, content) in lowered.contents.iter().enumerate() {
+            if let RegisterContent::Splat { word } = content
                 && used[virt]
             {
                 self.real[virt] = Reg(layout.splats.len() as u32);
@@ -187,16 +202,16 @@ impl Allocation {
             }
         }
         layout.inputs = layout.splats.len() as u32;
-        layout.given = layout.inputs + lowered.inputs.len() as u32;
-        let mut next = layout.given;
-        for (virt, kind) in lowered.kinds.iter().enumerate() {
-            match kind {
-                Kind::Input { index } => self.real[virt] = Reg(layout.inputs + index),
-                Kind::Variable { .. } => {
+        layout.first_written = layout.inputs + lowered.inputs.len() as u32;
+        let mut next = layout.first_written;
+        for (virt, content) in lowered.contents.iter().enumerate() {
+            match content {
+                RegisterContent::Input { index } => self.real[virt] = Reg(layout.inputs + index),
+                RegisterContent::Variable { .. } => {
                     self.real[virt] = Reg(next);
                     next += 1;
                 }
-                Kind::Temp | Kind::Splat { .. } => {}
+                RegisterContent::Temp | RegisterContent::Splat { .. } => {}
             }
         }
         let mut free = BinaryHeap::new();
@@ -209,34 +224,34 @@ impl Allocation {
             if let Inst::Sample(sample) = inst {
                 for out in &mut sample.out {
                     *out = out.filter(|reg| {
-                        self.instead[reg.0 as usize] != *reg
-                            || self.spans[reg.0 as usize].is_some_and(|span| span.reads > 0)
+                        self.replacement[reg.0 as usize] != *reg
+                            || self.live_ranges[reg.0 as usize].is_some_and(|span| span.reads > 0)
                     });
                 }
             }
             inst.operands(&mut |reg, role| {
-                let virt = self.instead[reg.0 as usize].0 as usize;
+                let virt = self.replacement[reg.0 as usize].0 as usize;
                 if role == Role::Write
-                    && let Some(span) = self.spans[virt]
+                    && let Some(span) = self.live_ranges[virt]
                     && self.real[virt].0 == u32::MAX
                 {
                     // Every instruction reads before it writes.
-                    while let Some(&Reverse((end, place))) = live.peek()
+                    while let Some(&Reverse((end, register))) = live.peek()
                         && end <= at
                     {
                         live.pop();
-                        free.push(Reverse(place));
+                        free.push(Reverse(register));
                     }
-                    let place = free.pop().map_or_else(
+                    let register = free.pop().map_or_else(
                         || {
                             next += 1;
                             next - 1
                         },
-                        |Reverse(place)| place,
+                        |Reverse(register)| register,
                     );
                     // A value that is never read still needs a register for one instruction.
-                    live.push(Reverse((span.end.max(at + u32::from(span.reads == 0)), place)));
-                    self.real[virt] = Reg(place);
+                    live.push(Reverse((span.end.max(at + u32::from(span.reads == 0)), register)));
+                    self.real[virt] = Reg(register);
                 }
                 *reg = self.real[virt];
             });
@@ -250,11 +265,11 @@ impl Allocation {
 
     /// By virtual register: whether the code still names it.
     fn used(&self, lowered: &mut Lowered) -> Vec<bool> {
-        let mut used = vec![false; lowered.kinds.len()];
+        let mut used = vec![false; lowered.contents.len()];
         for (inst, removed) in lowered.code.iter_mut().zip(&self.removed) {
             if !removed {
                 inst.operands(&mut |reg, _| {
-                    used[self.instead[reg.0 as usize].0 as usize] = true;
+                    used[self.replacement[reg.0 as usize].0 as usize] = true;
                 });
             }
         }
@@ -293,24 +308,24 @@ fn guards(code: &[Inst], counts: impl Fn(&Inst) -> bool) -> Vec<Option<u32>> {
 fn loop_ends(code: &[Inst]) -> Vec<Vec<u32>> {
     let mut ends = vec![Vec::new(); code.len()];
     for (at, inst) in code.iter().enumerate() {
-        if let Inst::Again { head, .. } | Inst::Repeat { head } = inst {
+        if let Inst::EndIteration { head, .. } | Inst::Repeat { head } = inst {
             ends[head.0 as usize].push(at as u32);
         }
     }
     ends
 }
 
-/// Takes the removed instructions out.
+/// Drops the removed instructions.
 pub(super) fn compact(lowered: &mut Lowered, removed: &[bool]) {
     let mut moved = Vec::with_capacity(removed.len() + 1);
-    let mut kept = 0;
+    let mut next = 0;
     for removed in removed {
-        moved.push(kept);
-        kept += u32::from(!removed);
+        moved.push(next);
+        next += u32::from(!removed);
     }
-    moved.push(kept);
+    moved.push(next);
     retain(&mut lowered.code, removed);
-    retain(&mut lowered.places, removed);
+    retain(&mut lowered.source_order, removed);
     for inst in &mut lowered.code {
         if let Some(Target(to)) = inst.target_mut() {
             *to = moved[*to as usize];
@@ -327,7 +342,9 @@ fn retain<T>(list: &mut Vec<T>, removed: &[bool]) {
 fn zero_variables(lowered: &mut Lowered, allocation: &Allocation) {
     let mut zeros = Vec::new();
     for &(first, len) in &lowered.variables {
-        let Kind::Variable { var } = lowered.kinds[first.0 as usize] else { continue };
+        let RegisterContent::Variable { var } = lowered.contents[first.0 as usize] else {
+            continue;
+        };
         let first_access = allocation.accesses[var.0 as usize].first();
         let written = len == 1
             && first_access.is_some_and(|access| {
@@ -343,6 +360,6 @@ fn zero_variables(lowered: &mut Lowered, allocation: &Allocation) {
             *to += shift;
         }
     }
-    lowered.places.splice(0..0, zeros.iter().map(|_| 0));
+    lowered.source_order.splice(0..0, zeros.iter().map(|_| 0));
     lowered.code.splice(0..0, zeros);
 }

@@ -20,47 +20,47 @@ pub(super) const OPERANDS: usize = 8;
 /// A tree of operations.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Tree {
-    /// An operand of the fused instruction; the same one each time it stands in the tree.
-    Operand(usize, Holds),
+    /// An operand of the fused instruction; it may occur several times in the tree.
+    Operand(usize, OperandStorage),
     Node(Op, &'static [Self]),
 }
 
-/// What an operand holds.
+/// Whether an operand has a value per lane or one for all.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Holds {
-    /// A number for each lane.
-    Lanes,
-    /// The same number in all lanes, see [`super::lower::Kind::Splat`].
-    Same,
+pub(super) enum OperandStorage {
+    /// A number per lane, in a register.
+    PerLane,
+    /// One number for all lanes, see [`super::lower::RegisterContent::Splat`].
+    Uniform,
 }
 
-/// A small letter of the table.
-struct Lanes(usize);
+/// An operand with a value per lane: a small letter of the table.
+struct LaneOperand(usize);
 
-/// A large letter of the table.
-struct Same(usize);
+/// A uniform operand: a capital letter of the table.
+struct UniformOperand(usize);
 
-/// What the operands of an instruction hold, as far as its tree requires.
+/// The values of the operands that the tree of an instruction reads.
 struct Operands<'a> {
     lanes: [&'a F32s; OPERANDS],
-    same: [f32; OPERANDS],
+    uniform: [f32; OPERANDS],
 }
 
 impl<'a> Operands<'a> {
-    /// `holds` is constant where this is inlined: of operands that the tree has not, nothing is left.
+    /// `storage` is constant where this is inlined: for operands that the tree does not have, no code remains.
     #[inline(always)]
     fn of(
-        holds: [Option<Holds>; OPERANDS],
+        storage: [Option<OperandStorage>; OPERANDS],
         registers: &'a [U32s],
-        same: &[f32],
+        splats: &[f32],
         args: &[Reg; OPERANDS],
     ) -> Self {
-        let mut operands = Self { lanes: [&F32s::ZERO; OPERANDS], same: [0.0; OPERANDS] };
+        let mut operands = Self { lanes: [&F32s::ZERO; OPERANDS], uniform: [0.0; OPERANDS] };
         for at in 0..OPERANDS {
             let register = args[at].0 as usize;
-            match holds[at] {
-                Some(Holds::Lanes) => operands.lanes[at] = registers[register].as_f32(),
-                Some(Holds::Same) => operands.same[at] = same[register],
+            match storage[at] {
+                Some(OperandStorage::PerLane) => operands.lanes[at] = registers[register].as_f32(),
+                Some(OperandStorage::Uniform) => operands.uniform[at] = splats[register],
                 None => {}
             }
         }
@@ -68,9 +68,9 @@ impl<'a> Operands<'a> {
     }
 }
 
-impl Lanes {
+impl LaneOperand {
     const fn tree(self) -> Tree {
-        Tree::Operand(self.0, Holds::Lanes)
+        Tree::Operand(self.0, OperandStorage::PerLane)
     }
 
     #[inline(always)]
@@ -79,14 +79,14 @@ impl Lanes {
     }
 }
 
-impl Same {
+impl UniformOperand {
     const fn tree(self) -> Tree {
-        Tree::Operand(self.0, Holds::Same)
+        Tree::Operand(self.0, OperandStorage::Uniform)
     }
 
     #[inline(always)]
     fn of(self, operands: &Operands<'_>, _lane: usize) -> f32 {
-        operands.same[self.0]
+        operands.uniform[self.0]
     }
 }
 
@@ -104,22 +104,22 @@ macro_rules! tree {
 /// The operands by their letters in the table.
 #[expect(non_upper_case_globals, reason = "they are letters of the table")]
 mod operand {
-    use super::{Lanes, Same};
+    use super::{LaneOperand, UniformOperand};
 
-    pub const a: Lanes = Lanes(0);
-    pub const b: Lanes = Lanes(1);
-    pub const c: Lanes = Lanes(2);
-    pub const d: Lanes = Lanes(3);
-    pub const e: Lanes = Lanes(4);
-    pub const f: Lanes = Lanes(5);
-    pub const g: Lanes = Lanes(6);
-    pub const B: Same = Same(1);
-    pub const C: Same = Same(2);
-    pub const D: Same = Same(3);
-    pub const E: Same = Same(4);
-    pub const F: Same = Same(5);
-    pub const G: Same = Same(6);
-    pub const H: Same = Same(7);
+    pub const a: LaneOperand = LaneOperand(0);
+    pub const b: LaneOperand = LaneOperand(1);
+    pub const c: LaneOperand = LaneOperand(2);
+    pub const d: LaneOperand = LaneOperand(3);
+    pub const e: LaneOperand = LaneOperand(4);
+    pub const f: LaneOperand = LaneOperand(5);
+    pub const g: LaneOperand = LaneOperand(6);
+    pub const B: UniformOperand = UniformOperand(1);
+    pub const C: UniformOperand = UniformOperand(2);
+    pub const D: UniformOperand = UniformOperand(3);
+    pub const E: UniformOperand = UniformOperand(4);
+    pub const F: UniformOperand = UniformOperand(5);
+    pub const G: UniformOperand = UniformOperand(6);
+    pub const H: UniformOperand = UniformOperand(7);
 }
 
 /// The tree as an expression on one lane.
@@ -170,13 +170,13 @@ macro_rules! trees {
             }
 
             /// Computes 64 lanes of a register file of registers: what is at `args` to `out`, which may be
-            /// one of them. Operands that there are not are not looked at. `same` has what the first
+            /// one of them. Operands beyond the arity are not read. `splats` has what the first
             /// registers hold in all their lanes.
             #[inline(always)]
             pub fn run<S: Simd>(
                 self,
                 registers: &mut [U32s],
-                same: &[f32],
+                splats: &[f32],
                 out: Reg,
                 args: &[Reg; OPERANDS],
             ) {
@@ -189,8 +189,8 @@ macro_rules! trees {
                     })*
                     $(Self::$Name => {
                         // All operands of the table are floats, and are loaded as such.
-                        let holds = const { tree!($op ($($arg)*)).operands() };
-                        let args = Operands::of(holds, registers, same, args);
+                        let storage = const { tree!($op ($($arg)*)).operands() };
+                        let args = Operands::of(storage, registers, splats, args);
                         // Of each arm by itself, so that the compiler knows that no operand is written.
                         let mut result = F32s::ZERO;
                         for lane in 0..LANES {
@@ -216,9 +216,9 @@ with_operations! { trees! {
     /// `a - floor(a B) C`.
     SubFloor = Sub(a, Mul(Floor(Mul(a, B)), C));
     /// A row of a matrix times a vector, `a B + c D + e F + g H`.
-    Dot4Same = Add(Add(Add(Mul(a, B), Mul(c, D)), Mul(e, F)), Mul(g, H));
+    Dot4Uniform = Add(Add(Add(Mul(a, B), Mul(c, D)), Mul(e, F)), Mul(g, H));
     /// `a B + c D + e F`.
-    Dot3Same = Add(Add(Mul(a, B), Mul(c, D)), Mul(e, F));
+    Dot3Uniform = Add(Add(Mul(a, B), Mul(c, D)), Mul(e, F));
     /// `a b + c d + e f`, but at least `G`.
     Dot3AtLeast = AtLeast(Add(Add(Mul(a, b), Mul(c, d)), Mul(e, f)), G);
     /// Hermite's cubic of the fraction of `a`.
@@ -230,7 +230,7 @@ with_operations! { trees! {
     /// One over the length of (`a`, `b`, `c`).
     InverseLength3 = InverseSqrt(Add(Add(Mul(a, a), Mul(b, b)), Mul(c, c)));
     /// One over the length of a vector of (`a`, `b`) and what has the square `C`.
-    InverseLength2Same = InverseSqrt(Add(Add(Mul(a, a), Mul(b, b)), C));
+    InverseLength2Uniform = InverseSqrt(Add(Add(Mul(a, a), Mul(b, b)), C));
     /// The length of (`a`, `b`, `c`).
     Length3 = Sqrt(Add(Add(Mul(a, a), Mul(b, b)), Mul(c, c)));
     /// `E √(a² + b² + (c + D)²)`, what sphere maps divide by.
@@ -246,9 +246,9 @@ with_operations! { trees! {
     /// `(a b + c d) e`.
     Dot2Mul = Mul(Add(Mul(a, b), Mul(c, d)), e);
     /// `a B + c D`.
-    Dot2Same = Add(Mul(a, B), Mul(c, D));
+    Dot2Uniform = Add(Mul(a, B), Mul(c, D));
     /// `a b + c D`.
-    Dot2HalfSame = Add(Mul(a, b), Mul(c, D));
+    Dot2HalfUniform = Add(Mul(a, b), Mul(c, D));
     /// `a b + c d`.
     Dot2 = Add(Mul(a, b), Mul(c, d));
     /// `a b - c d`.
@@ -256,13 +256,13 @@ with_operations! { trees! {
     /// `(a B + C) a`.
     MulAddMulSelf = Mul(Add(Mul(a, B), C), a);
     /// `(a B + C) d`.
-    MulAddMulSame = Mul(Add(Mul(a, B), C), d);
+    MulAddMulUniform = Mul(Add(Mul(a, B), C), d);
     /// `(a b + c) d`.
     MulAddMul = Mul(Add(Mul(a, b), c), d);
     /// `(a b) c + d`.
     MulMulAdd = Add(Mul(Mul(a, b), c), d);
     /// `(a + b) C + d`.
-    AddMulAddSame = Add(Mul(Add(a, b), C), d);
+    AddMulAddUniform = Add(Mul(Add(a, b), C), d);
     /// `(a + b) c + d`.
     AddMulAdd = Add(Mul(Add(a, b), c), d);
     /// `(a - b) c + d`.
@@ -276,17 +276,17 @@ with_operations! { trees! {
     /// `a` held between `B` and `C`.
     Clamp = AtMost(AtLeast(a, B), C);
     /// `a / b + C`.
-    DivAddSame = Add(Div(a, b), C);
+    DivAddUniform = Add(Div(a, b), C);
     /// The root of `a`, times `B`.
-    SqrtMulSame = Mul(Sqrt(a), B);
+    SqrtMulUniform = Mul(Sqrt(a), B);
     /// `a B + C`.
-    MulAddSame = Add(Mul(a, B), C);
+    MulAddUniform = Add(Mul(a, B), C);
     /// `a B + c`.
-    MulSameAdd = Add(Mul(a, B), c);
+    MulUniformAdd = Add(Mul(a, B), c);
     /// `a b + c`, two roundings.
     MulAdd = Add(Mul(a, b), c);
     /// `a B - C`.
-    MulSubSame = Sub(Mul(a, B), C);
+    MulSubUniform = Sub(Mul(a, B), C);
     /// `a b - c`.
     MulSub = Sub(Mul(a, b), c);
     /// `c - a b`.
@@ -308,21 +308,21 @@ with_operations! { trees! {
     /// `a + b`, but at least `C`.
     AddAtLeast = AtLeast(Add(a, b), C);
     /// `a + B`.
-    AddSame = Add(a, B);
+    AddUniform = Add(a, B);
     /// `a - B`.
-    SubSame = Sub(a, B);
+    SubUniform = Sub(a, B);
     /// `B - a`.
-    SubFromSame = Sub(B, a);
+    SubFromUniform = Sub(B, a);
     /// `a B`.
-    MulSame = Mul(a, B);
+    MulUniform = Mul(a, B);
     /// `a / B`.
-    DivSame = Div(a, B);
+    DivUniform = Div(a, B);
     /// `a`, but at least `B`.
-    AtLeastSame = AtLeast(a, B);
+    AtLeastUniform = AtLeast(a, B);
     /// GLSL's `mod` of `a + B` and `C` above 0, whose inverse is `D`.
     AddMod = ModPositive(Add(a, B), C, D);
     /// GLSL's `mod` of `a` and `B` above 0, whose inverse is `C`.
-    ModSame = ModPositive(a, B, C);
+    ModUniform = ModPositive(a, B, C);
 } }
 
 impl Compute {
@@ -353,7 +353,7 @@ impl Compute {
         }
     }
 
-    /// About how many additions it takes as long as, all and those that follow one another.
+    /// The cost in additions, approximately: of all operations, and of the longest chain.
     pub fn size(self) -> [u32; 2] {
         match self.as_tree() {
             Ok(tree) => tree.size(),
@@ -363,11 +363,11 @@ impl Compute {
 }
 
 impl Tree {
-    /// What each of its operands holds.
-    const fn operands(self) -> [Option<Holds>; OPERANDS] {
+    /// The storage of each operand, `None` for those that the tree does not have.
+    const fn operands(self) -> [Option<OperandStorage>; OPERANDS] {
         let mut all = [None; OPERANDS];
         match self {
-            Self::Operand(at, holds) => all[at] = Some(holds),
+            Self::Operand(at, storage) => all[at] = Some(storage),
             Self::Node(_, trees) => {
                 let mut tree = 0;
                 while tree < trees.len() {

@@ -5,7 +5,7 @@ use crate::ir::{Block, Stmt};
 /// Whether lanes can leave the block through a statement, so that none may be left after it.
 pub(super) fn may_empty(stmt: &Stmt) -> bool {
     let exits = Exits::of(stmt);
-    exits.turn || exits.scope || exits.discard
+    exits.iteration || exits.scope || exits.discard
 }
 
 /// Whether lanes can skip the rest of an iteration.
@@ -27,7 +27,7 @@ pub(super) fn continues(block: &Block) -> bool {
 #[derive(Clone, Copy, Default)]
 struct Exits {
     /// `Break` or `Continue`.
-    turn: bool,
+    iteration: bool,
     scope: bool,
     discard: bool,
 }
@@ -38,10 +38,10 @@ impl Exits {
             Stmt::Eval(_) | Stmt::Store { .. } | Stmt::StoreAt { .. } => Self::default(),
             Stmt::If { accept, reject, .. } => Self::any(accept).or(Self::any(reject)),
             Stmt::Loop { body, continuing } => {
-                Self { turn: false, ..Self::any(body).or(Self::any(continuing)) }
+                Self { iteration: false, ..Self::any(body).or(Self::any(continuing)) }
             }
             Stmt::Scope(body) => Self { scope: false, ..Self::any(body) },
-            Stmt::Break | Stmt::Continue => Self { turn: true, ..Self::default() },
+            Stmt::Break | Stmt::Continue => Self { iteration: true, ..Self::default() },
             Stmt::Leave => Self { scope: true, ..Self::default() },
             Stmt::Discard => Self { discard: true, ..Self::default() },
         }
@@ -53,7 +53,7 @@ impl Exits {
 
     fn or(self, other: Self) -> Self {
         Self {
-            turn: self.turn || other.turn,
+            iteration: self.iteration || other.iteration,
             scope: self.scope || other.scope,
             discard: self.discard || other.discard,
         }

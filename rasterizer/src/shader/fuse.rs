@@ -1,9 +1,9 @@
 //! Several operations as one instruction: trees of the table of [`super::compute`] are looked for in the code, from
 //! their last operation backwards.
 
-use super::compute::{Compute, Holds, OPERANDS, Tree};
+use super::compute::{Compute, OPERANDS, OperandStorage, Tree};
 use super::inst::{Inst, Reg, Role};
-use super::lower::{Kind, Lowered};
+use super::lower::{Lowered, RegisterContent};
 use crate::ir::Op;
 
 /// Replaces trees of operations by fused instructions. The code is over virtual registers, each
@@ -12,7 +12,7 @@ pub(super) fn run(lowered: &mut Lowered) {
     let mut definitions = Definitions::of(lowered);
     for at in (0..lowered.code.len()).rev() {
         let Inst::Compute { out, .. } = lowered.code[at] else { continue };
-        if definitions.taken[at] {
+        if definitions.is_fused[at] {
             continue;
         }
         let best = Compute::TREES.iter().find_map(|(what, tree)| {
@@ -25,29 +25,29 @@ pub(super) fn run(lowered: &mut Lowered) {
             let args = found.operands.map(|operand| operand.unwrap_or(first));
             lowered.code[at] = Inst::Compute { what, out, args };
             for inner in found.inner {
-                definitions.taken[inner] = true;
+                definitions.is_fused[inner] = true;
             }
         }
     }
-    super::allocate::compact(lowered, &definitions.taken);
+    super::allocate::compact(lowered, &definitions.is_fused);
 }
 
-/// Where temporaries are made, and how often they are read.
+/// The definition of each temporary, and how often it is read.
 struct Definitions {
     /// By virtual register.
     of: Vec<Option<usize>>,
     reads: Vec<u32>,
-    /// By virtual register: whether it holds the same in all lanes.
-    same: Vec<bool>,
+    /// By virtual register: whether it holds one value in all lanes.
+    is_uniform: Vec<bool>,
     /// By instruction: the number of jumps, and places that are jumped to, before it.
     block: Vec<u32>,
-    /// By instruction: whether it has become part of another.
-    taken: Vec<bool>,
+    /// By instruction: whether it is fused into another.
+    is_fused: Vec<bool>,
 }
 
 impl Definitions {
     fn of(lowered: &mut Lowered) -> Self {
-        let count = lowered.kinds.len();
+        let count = lowered.contents.len();
         let (mut of, mut reads) = (vec![None; count], vec![0; count]);
         let mut block = Vec::with_capacity(lowered.code.len());
         let mut blocks = 0;
@@ -58,20 +58,24 @@ impl Definitions {
             inst.operands(&mut |reg, role| match role {
                 Role::Read => reads[reg.0 as usize] += 1,
                 Role::Write => {
-                    if lowered.kinds[reg.0 as usize] == Kind::Temp {
+                    if lowered.contents[reg.0 as usize] == RegisterContent::Temp {
                         of[reg.0 as usize] = Some(at);
                     }
                 }
             });
         }
-        let same = lowered.kinds.iter().map(|kind| matches!(kind, Kind::Splat { .. })).collect();
-        Self { of, reads, same, block, taken: vec![false; lowered.code.len()] }
+        let is_uniform = lowered
+            .contents
+            .iter()
+            .map(|content| matches!(content, RegisterContent::Splat { .. }))
+            .collect();
+        Self { of, reads, is_uniform, block, is_fused: vec![false; lowered.code.len()] }
     }
 
     /// The operation of the same straight run of code that makes `reg`.
-    fn maker(&self, reg: Reg, reader: usize) -> Option<usize> {
+    fn definition(&self, reg: Reg, reader: usize) -> Option<usize> {
         let at = self.of[reg.0 as usize]?;
-        (!self.taken[at] && self.block[at] == self.block[reader]).then_some(at)
+        (!self.is_fused[at] && self.block[at] == self.block[reader]).then_some(at)
     }
 }
 
@@ -110,16 +114,17 @@ impl TreeMatch {
         trees: &[Tree],
     ) -> bool {
         args.iter().zip(trees).all(|(&reg, tree)| match tree {
-            Tree::Operand(operand, holds) => {
-                let fits = *holds == Holds::Lanes || definitions.same[reg.0 as usize];
+            Tree::Operand(operand, storage) => {
+                let fits =
+                    *storage == OperandStorage::PerLane || definitions.is_uniform[reg.0 as usize];
                 fits && *self.operands[*operand].get_or_insert(reg) == reg
             }
-            Tree::Node(..) => definitions.maker(reg, reader).is_some_and(|at| {
-                let again = self.inner.contains(&at);
+            Tree::Node(..) => definitions.definition(reg, reader).is_some_and(|at| {
+                let is_repeated = self.inner.contains(&at);
                 self.inner.push(at);
                 let read = self.inner.len();
                 let fits = self.node(code, definitions, at, tree);
-                if again {
+                if is_repeated {
                     self.inner.truncate(read);
                 }
                 fits
@@ -146,8 +151,10 @@ mod tests {
 
     fn build(b: &mut Builder, tree: &Tree) -> Value {
         match tree {
-            Tree::Operand(operand, Holds::Lanes) => b.input(Input::Varying(*operand as u16)),
-            Tree::Operand(operand, Holds::Same) => b.uniform(*operand as u32, Ty::F32),
+            Tree::Operand(operand, OperandStorage::PerLane) => {
+                b.input(Input::Varying(*operand as u16))
+            }
+            Tree::Operand(operand, OperandStorage::Uniform) => b.uniform(*operand as u32, Ty::F32),
             Tree::Node(op, trees) => {
                 let args: Vec<Value> = trees.iter().map(|tree| build(b, tree)).collect();
                 b.op(*op, &args)
@@ -167,8 +174,8 @@ mod tests {
             let program = Program::new(&module, |_| true);
             assert_eq!(program.code.len(), 1, "{what:?}: {:?}", program.code);
             let corners = [0.0, -0.0, 1.0, -2.5, 3.75, 1e30, -1e-30, f32::INFINITY, f32::NAN];
-            let same = [7.0_f32, -1.5, 0.25, 3.0, 289.0, 2.5, 0.0, -40.0].map(f32::to_bits);
-            check(&module, &same, |input, lane| match input {
+            let uniforms = [7.0_f32, -1.5, 0.25, 3.0, 289.0, 2.5, 0.0, -40.0].map(f32::to_bits);
+            check(&module, &uniforms, |input, lane| match input {
                 Input::Varying(slot) => {
                     let roll = (lane * 7 + 3) * (usize::from(slot) * 5 + 2);
                     match corners.get(roll % 16) {

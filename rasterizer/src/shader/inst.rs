@@ -1,9 +1,9 @@
 //! The register program: flat instructions whose operands are registers of 64 lanes.
 //!
 //! Control flow is structured code laid out flat. The set of lanes that execute is a mask; each
-//! construct owns mask slots in which lanes wait for the place where they join again. Leaving a
+//! construct owns mask slots that keep lanes until they join again. Leaving a
 //! construct (`Break`, `Continue`, `Leave`) is one thing: move the executing lanes to the slot of
-//! the place they go to. So a join is a union of two masks, and nothing is ever recomputed.
+//! their target. So a join is a union of two masks, and nothing is ever recomputed.
 
 use super::compute::{Compute, OPERANDS};
 use crate::ir::{Access, Axis};
@@ -12,7 +12,7 @@ use crate::ir::{Access, Axis};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) struct Reg(pub u32);
 
-/// A place where lanes wait.
+/// A mask slot: lanes that are inactive until the construct ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Slot(pub u32);
 
@@ -43,28 +43,28 @@ pub(super) enum Inst {
     Sample(Box<SampleInst>),
     /// Jumps to `to` when this is 0: a uniform branch.
     Unless { test: Test, to: Target },
-    /// Goes on at `to`.
+    /// Jumps to `to`.
     Jump { to: Target },
     /// The next iteration of a loop that all lanes iterate equally often.
     Repeat { head: Target },
-    /// Lanes where the condition is false wait in the slot; `reject` is taken when no lane is left.
+    /// Lanes where the condition is false move to the slot; jumps to `reject` when no lane is left.
     If { condition: Reg, slot: Slot, reject: Target },
-    /// Lanes of the slot execute, those of the accepted block wait.
+    /// The lanes of the slot execute, those of the accepted block move to it.
     Else { slot: Slot, end: Target },
     /// Lanes of the slot join.
     Join { slot: Slot },
     /// Empties the slot.
     Open { slot: Slot },
-    /// The executing lanes go to the slot.
+    /// The executing lanes move to the slot.
     Leave { slot: Slot },
-    /// The executing lanes that the condition sends go to the slot.
+    /// The executing lanes that meet the condition move to the slot.
     LeaveIf { condition: Reg, when: When, slot: Slot },
-    /// The executing lanes are thrown away.
+    /// The executing lanes are discarded.
     Discard,
-    /// Goes on at `to` when no lane executes.
+    /// Jumps to `to` when no lane executes.
     SkipEmpty { to: Target },
     /// The loop's next iteration, or its end: then the lanes of `exit` execute.
-    Again { head: Target, exit: Slot },
+    EndIteration { head: Target, exit: Slot },
 }
 
 /// A word that is the same for every lane.
@@ -76,7 +76,7 @@ pub(super) enum Test {
     Lanes(Reg),
 }
 
-/// Which lanes a condition sends.
+/// Which lanes meet a condition.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum When {
     /// Those where it is true.
@@ -98,7 +98,7 @@ pub(super) struct SampleInst {
     pub one: u32,
     /// Components that are not used have no register.
     pub out: [Option<Reg>; 4],
-    /// Its number among the lookups that may keep what the one before found ([`super::repeated_lookups`]).
+    /// Its number among the lookups that may reuse texel addresses ([`super::repeated_lookups`]).
     pub repeat: Option<u8>,
 }
 
@@ -166,20 +166,20 @@ impl Inst {
             | Self::Leave { .. }
             | Self::Discard
             | Self::SkipEmpty { .. }
-            | Self::Again { .. } => {}
+            | Self::EndIteration { .. } => {}
         }
     }
 
     /// Whether it reads or changes which lanes execute. Stores into some of the lanes read it.
     pub fn uses_mask(&self) -> bool {
-        let together =
+        let is_uniform =
             matches!(self, Self::Unless { .. } | Self::Jump { .. } | Self::Repeat { .. });
         let stores = matches!(self, Self::Store { .. } | Self::StoreAt { .. });
-        stores || (self.is_control() && !together)
+        stores || (self.is_control() && !is_uniform)
     }
 
-    /// Whether it takes lanes away from what follows.
-    pub fn empties(&self) -> bool {
+    /// Whether it removes lanes from the execution mask of the next instructions.
+    pub fn removes_lanes(&self) -> bool {
         matches!(self, Self::Leave { .. } | Self::LeaveIf { .. } | Self::Discard)
     }
 
@@ -204,7 +204,7 @@ impl Inst {
             | Self::LeaveIf { .. }
             | Self::Discard
             | Self::SkipEmpty { .. }
-            | Self::Again { .. } => true,
+            | Self::EndIteration { .. } => true,
             Self::Compute { .. }
             | Self::Move { .. }
             | Self::Zero { .. }
@@ -226,7 +226,7 @@ impl Inst {
             | Self::Else { end: to, .. }
             | Self::SkipEmpty { to }
             | Self::Repeat { head: to }
-            | Self::Again { head: to, .. } => Some(*to),
+            | Self::EndIteration { head: to, .. } => Some(*to),
             Self::Compute { .. }
             | Self::Move { .. }
             | Self::Zero { .. }
@@ -253,7 +253,7 @@ impl Inst {
             | Self::Else { end: to, .. }
             | Self::SkipEmpty { to }
             | Self::Repeat { head: to }
-            | Self::Again { head: to, .. } => Some(to),
+            | Self::EndIteration { head: to, .. } => Some(to),
             Self::Compute { .. }
             | Self::Move { .. }
             | Self::Zero { .. }

@@ -10,13 +10,13 @@ use super::compute::{Compute, OPERANDS};
 use super::inst::{Inst, Reg, SampleInst, SampleLod, Slot, Target};
 use super::maskless_stores::MasklessStores;
 use super::preamble::Preamble;
-use super::uniformity::Alike;
+use super::uniformity::Uniformity;
 use crate::ir::{Access, Expr, Input, Lod, Module, Output, Sample, Stage, Ty, Value, Var};
 use flow::{LoopPosition, OpenLoop, OpenScope};
 
-/// What a virtual register stands for.
+/// What a virtual register holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
+pub(super) enum RegisterContent {
     /// A value; written once, in all lanes.
     Temp,
     /// A word of the preamble, the same in every lane and batch.
@@ -31,10 +31,10 @@ pub(super) enum Kind {
 #[derive(Debug, Default)]
 pub(super) struct Lowered {
     pub code: Vec<Inst>,
-    /// By instruction: its place in the order of the source.
-    pub places: Vec<u32>,
+    /// By instruction: its index in the order of the source.
+    pub source_order: Vec<u32>,
     /// By virtual register.
-    pub kinds: Vec<Kind>,
+    pub contents: Vec<RegisterContent>,
     pub preamble: Preamble,
     pub inputs: Vec<Input>,
     pub outputs: Vec<(Output, Reg)>,
@@ -62,10 +62,10 @@ pub(super) fn lower(module: &Module) -> Lowered {
         slots: 0,
         nesting: 0,
         straight: true,
-        owned: MasklessStores::of(module),
+        maskless_stores: MasklessStores::of(module),
         outermost: 0,
-        turn: None,
-        alike: Alike::of(module),
+        loop_position: None,
+        uniformity: Uniformity::of(module),
         next_loop: 0,
         next_scope: 0,
     };
@@ -97,24 +97,24 @@ struct Lowering<'a> {
     loops: Vec<OpenLoop>,
     scopes: Vec<OpenScope>,
     slots: u32,
-    /// In how many blocks that only some lanes may be in.
+    /// The number of enclosing blocks that only some lanes may execute.
     nesting: u32,
     /// Whether every lane of the run still executes, as far as the code shows.
     straight: bool,
-    owned: MasklessStores,
+    maskless_stores: MasklessStores,
     /// How many outermost loops were begun.
     outermost: u32,
-    /// In an outermost loop whose lanes take whole turns or none: the place of its statements.
-    turn: Option<LoopPosition>,
-    alike: Alike,
+    /// In an outermost loop without `continue`: the position of its statements.
+    loop_position: Option<LoopPosition>,
+    uniformity: Uniformity,
     next_loop: usize,
     next_scope: usize,
 }
 
 impl Lowering<'_> {
-    fn register(&mut self, kind: Kind) -> Reg {
-        self.out.kinds.push(kind);
-        Reg(self.out.kinds.len() as u32 - 1)
+    fn register(&mut self, content: RegisterContent) -> Reg {
+        self.out.contents.push(content);
+        Reg(self.out.contents.len() as u32 - 1)
     }
 
     fn variable(&mut self, var: Var) -> Reg {
@@ -122,9 +122,9 @@ impl Lowering<'_> {
             return reg;
         }
         let len = self.module.variable(var).len;
-        let first = self.register(Kind::Variable { var });
+        let first = self.register(RegisterContent::Variable { var });
         for _ in 1..len {
-            self.register(Kind::Variable { var });
+            self.register(RegisterContent::Variable { var });
         }
         self.variables[var.0 as usize] = Some(first);
         self.out.variables.push((first, len));
@@ -141,7 +141,7 @@ impl Lowering<'_> {
         } else if let Expr::Input(input) = self.module.expr(value) {
             self.input(*input)
         } else {
-            self.register(Kind::Temp)
+            self.register(RegisterContent::Temp)
         };
         self.values[value.0 as usize] = Some(reg);
         reg
@@ -155,7 +155,7 @@ impl Lowering<'_> {
         if let Some(reg) = self.words[at] {
             return reg;
         }
-        let reg = self.register(Kind::Splat { word });
+        let reg = self.register(RegisterContent::Splat { word });
         self.words[at] = Some(reg);
         reg
     }
@@ -166,7 +166,7 @@ impl Lowering<'_> {
             self.out.inputs.push(input);
             self.out.inputs.len() - 1
         }) as u32;
-        self.register(Kind::Input { index })
+        self.register(RegisterContent::Input { index })
     }
 
     fn emit(&mut self, inst: Inst) -> usize {
@@ -296,7 +296,7 @@ impl Lowering<'_> {
                 }
             }
         };
-        let out = [0; 4].map(|_| self.register(Kind::Temp));
+        let out = [0; 4].map(|_| self.register(RegisterContent::Temp));
         self.samples[value.0 as usize] = Some(out);
         self.out.textures.push(sample.texture.0);
         self.out.queries_lod |= sample.access == Access::Lod;

@@ -12,7 +12,7 @@ mod lookup;
 mod product;
 mod trace;
 
-use crate::shader::machine::interpreter::back;
+use crate::shader::machine::interpreter::repeat_loop;
 pub use trace::Tracer;
 
 use super::inst::{Reg, Slot, Target};
@@ -28,18 +28,18 @@ use texunit::sample::LookupScratch;
 pub struct Machine {
     registers: Vec<U32s>,
     /// What the first registers of each register file hold in all their lanes.
-    same: Vec<f32>,
+    splats: Vec<f32>,
     /// The lanes that execute.
     exec: Mask,
     /// The lanes that the run began with.
     start: Box<U32s>,
     discarded: Mask,
     slots: Vec<Mask>,
-    /// For lookups.
-    rooms: Vec<LookupScratch>,
+    /// The scratch of lookups: one, or one per register file.
+    lookup_scratch: Vec<LookupScratch>,
     /// The distance between the scratch of two register files: 0 (shared) unless a lookup reuses the texel addresses
     /// of the one before.
-    apart: usize,
+    scratch_stride: usize,
     /// Identity of the program that the registers are laid out for; 0 is none.
     program: u64,
     /// Identity of the draw whose words the registers hold; 0 is none.
@@ -63,10 +63,10 @@ impl Machine {
         if self.slots.len() < program.slots as usize {
             self.slots.resize_with(program.slots as usize, Mask::default);
         }
-        self.apart = usize::from(!program.repeats.is_empty());
-        let rooms = 1 + self.apart * (program.files - 1);
-        if self.rooms.len() < rooms {
-            self.rooms.resize_with(rooms, LookupScratch::default);
+        self.scratch_stride = usize::from(!program.repeats.is_empty());
+        let count = 1 + self.scratch_stride * (program.files - 1);
+        if self.lookup_scratch.len() < count {
+            self.lookup_scratch.resize_with(count, LookupScratch::default);
         }
         self.inputs = program.layout.inputs as usize;
         self.outputs.clone_from(&program.layout.outputs);
@@ -105,8 +105,9 @@ impl Machine {
         self.begin(run.program);
         if self.prepared != run.prepared.id {
             let splats = run.program.layout.splats.iter();
-            self.same.clear();
-            self.same.extend(splats.map(|&word| f32::from_bits(run.prepared.words[word as usize])));
+            self.splats.clear();
+            self.splats
+                .extend(splats.map(|&word| f32::from_bits(run.prepared.words[word as usize])));
             for file in 0..run.program.files {
                 let registers = &mut self.registers[file * self.file..];
                 for (reg, word) in registers.iter_mut().zip(&run.program.layout.splats) {
@@ -200,9 +201,10 @@ impl Machine {
         self.registers[file + out.0 as usize] = *difference.as_u32();
     }
 
-    /// The next iteration of a loop that ends at `pc`, or the end of the loop.
+    /// Ends an iteration of a loop whose last instruction is before `pc`. Gives the head of the loop, or `pc` if no lane
+    /// is left.
     #[inline(always)]
-    fn again(
+    fn end_iteration(
         &mut self,
         head: Target,
         exit: Slot,
@@ -213,7 +215,7 @@ impl Machine {
             self.exec.take(&mut self.slots[exit.0 as usize], &self.start);
             return Ok(pc);
         }
-        back(head, pc, left)
+        repeat_loop(head, pc, left)
     }
 
     #[inline(always)]

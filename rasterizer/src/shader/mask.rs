@@ -39,7 +39,7 @@ impl Mask {
         if self.is_empty() {
             std::mem::swap(self, from);
         } else if !from.is_empty() {
-            let missing = unite(&mut self.lanes, &from.lanes, start);
+            let missing = union(&mut self.lanes, &from.lanes, start);
             self.extent = if missing == 0 { Extent::Whole } else { Extent::Partial };
         }
         from.clear();
@@ -52,11 +52,11 @@ impl Mask {
         if self.is_empty() {
             return;
         }
-        let (held, failed) = sides(&self.lanes, condition);
+        let (held, failed) = any_held_and_failed(&self.lanes, condition);
         if held == 0 {
             std::mem::swap(self, rest);
         } else if failed != 0 {
-            part(&mut self.lanes, &mut rest.lanes, condition, 0, 0);
+            partition(&mut self.lanes, &mut rest.lanes, condition, 0, 0);
             self.extent = Extent::Partial;
             rest.extent = Extent::Partial;
         }
@@ -68,7 +68,7 @@ impl Mask {
         if self.is_empty() {
             return;
         }
-        let (held, failed) = sides(&self.lanes, condition);
+        let (held, failed) = any_held_and_failed(&self.lanes, condition);
         let (leave, stay, flip) = match when {
             When::Holds => (held, failed, !0),
             When::Fails => (failed, held, 0),
@@ -77,7 +77,7 @@ impl Mask {
             to.take(self, start);
         } else if leave != 0 {
             let keep = if to.is_empty() { 0 } else { !0 };
-            part(&mut self.lanes, &mut to.lanes, condition, keep, flip);
+            partition(&mut self.lanes, &mut to.lanes, condition, keep, flip);
             self.extent = Extent::Partial;
             to.extent = Extent::Partial;
         }
@@ -102,7 +102,7 @@ impl Mask {
 
 /// Adds the lanes of `from`; not 0 when lanes of `start` are still missing.
 #[inline(always)]
-fn unite(lanes: &mut U32s, from: &U32s, start: &U32s) -> u32 {
+fn union(lanes: &mut U32s, from: &U32s, start: &U32s) -> u32 {
     let mut missing = 0;
     for lane in 0..LANES {
         let all = lanes[lane] | from[lane];
@@ -114,7 +114,7 @@ fn unite(lanes: &mut U32s, from: &U32s, start: &U32s) -> u32 {
 
 /// Not 0 where lanes meet the condition, and where they do not.
 #[inline(always)]
-fn sides(lanes: &U32s, condition: &U32s) -> (u32, u32) {
+fn any_held_and_failed(lanes: &U32s, condition: &U32s) -> (u32, u32) {
     let (mut held, mut failed) = (0, 0);
     for lane in 0..LANES {
         held |= lanes[lane] & condition[lane];
@@ -126,7 +126,7 @@ fn sides(lanes: &U32s, condition: &U32s) -> (u32, u32) {
 /// Keeps the lanes where `condition ^ flip` holds; the others go to `rest`, beside what `keep`
 /// leaves of it.
 #[inline(always)]
-fn part(lanes: &mut U32s, rest: &mut U32s, condition: &U32s, keep: u32, flip: u32) {
+fn partition(lanes: &mut U32s, rest: &mut U32s, condition: &U32s, keep: u32, flip: u32) {
     for lane in 0..LANES {
         let stays = condition[lane] ^ flip;
         rest[lane] = (rest[lane] & keep) | (lanes[lane] & !stays);

@@ -1,41 +1,41 @@
 //! The variables that only one loop reads.
 //!
-//! Lanes that have left an outermost loop never come back to it. So what such a loop alone reads may
-//! be written for them too: a counter, or the state of an iteration, is stored without a mask.
+//! Lanes that have left an outermost loop do not re-enter it. So a variable that only this loop reads may
+//! be written in these lanes too: a counter, or the state of an iteration, is stored without a mask.
 
 use crate::ir::{Block, Expr, Module, Stmt, Var};
 
-/// Who reads a variable.
+/// Where a variable is read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Reader {
-    Nobody,
+enum ReadBy {
+    None,
     /// One outermost loop, by its order in the code.
     Loop(u32),
-    Others,
+    Several,
 }
 
-/// Which variables are a loop's own.
+/// The variables that are read in one loop only, whose stores need no mask.
 #[derive(Debug)]
 pub(super) struct MasklessStores {
     /// By variable.
-    readers: Vec<Reader>,
+    readers: Vec<ReadBy>,
     /// How many outermost loops were seen.
     loops: u32,
 }
 
 impl MasklessStores {
     pub fn of(module: &Module) -> Self {
-        let mut owned = Self { readers: vec![Reader::Nobody; module.variables.len()], loops: 0 };
+        let mut stores = Self { readers: vec![ReadBy::None; module.variables.len()], loops: 0 };
         for (_, var) in &module.outputs {
-            owned.readers[var.0 as usize] = Reader::Others;
+            stores.readers[var.0 as usize] = ReadBy::Several;
         }
-        owned.block(module, &module.body, None);
-        owned
+        stores.block(module, &module.body, None);
+        stores
     }
 
     /// Whether all that reads the variable stands in this outermost loop.
     pub fn by_loop(&self, var: Var, outermost: u32) -> bool {
-        self.readers[var.0 as usize] == Reader::Loop(outermost)
+        self.readers[var.0 as usize] == ReadBy::Loop(outermost)
     }
 
     fn block(&mut self, module: &Module, block: &Block, open: Option<u32>) {
@@ -70,9 +70,9 @@ impl MasklessStores {
     fn read(&mut self, var: Var, open: Option<u32>) {
         let reader = &mut self.readers[var.0 as usize];
         *reader = match (*reader, open) {
-            (Reader::Nobody, Some(inside)) => Reader::Loop(inside),
-            (Reader::Loop(owner), Some(inside)) if owner == inside => Reader::Loop(owner),
-            (Reader::Nobody | Reader::Loop(_) | Reader::Others, _) => Reader::Others,
+            (ReadBy::None, Some(inside)) => ReadBy::Loop(inside),
+            (ReadBy::Loop(owner), Some(inside)) if owner == inside => ReadBy::Loop(owner),
+            (ReadBy::None | ReadBy::Loop(_) | ReadBy::Several, _) => ReadBy::Several,
         };
     }
 }

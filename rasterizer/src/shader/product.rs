@@ -9,7 +9,7 @@ use super::repeated_lookups::Repeat;
 use crate::ir::{Access, Output};
 
 /// The most instructions before the lookups; programs with more use the interpreter.
-const MOST_BEFORE: usize = 16;
+const MAX_CODE_BEFORE: usize = 16;
 
 /// What a product is made of.
 #[derive(Debug)]
@@ -18,7 +18,7 @@ pub struct TexelProduct {
     pub(super) factors: [Option<Reg>; 4],
     /// The lookups in the order in which they are multiplied.
     pub(super) lookups: Vec<SampleInst>,
-    /// What computes the factors and what the lookups read, of what is given.
+    /// The code that computes the factors and the operands of the lookups from splats and inputs.
     pub(super) before: Vec<Inst>,
     /// The part of `before` that the factors need.
     pub(super) before_factors: Vec<Inst>,
@@ -30,7 +30,7 @@ pub struct TexelProduct {
     pub lookup_inputs: Vec<usize>,
     /// Which of them its levels of detail depend on, if they depend on nothing else, and nothing else on them:
     /// not on the differences of coordinates.
-    pub detail_inputs: Option<Vec<usize>>,
+    pub lod_inputs: Option<Vec<usize>>,
 }
 
 /// A part of the code before the lookups.
@@ -52,13 +52,14 @@ impl TexelProduct {
         layout: &mut Layout,
         mut outputs: impl Iterator<Item = Output>,
     ) -> Option<Self> {
-        let mut steps = ProductMatcher { given: layout.given, ..ProductMatcher::default() };
+        let mut matcher =
+            ProductMatcher { first_written: layout.first_written, ..ProductMatcher::default() };
         for inst in code {
-            steps.take(inst)?;
+            matcher.add(inst)?;
         }
         let mut colors = [const { None }; 4];
         for &reg in &layout.outputs {
-            match (outputs.next()?, steps.value(Reg(reg))?) {
+            match (outputs.next()?, matcher.value(Reg(reg))?) {
                 (Output::Color { target: 0, component }, Value::TexelProduct(product)) => {
                     colors[usize::from(component)] = Some(product);
                 }
@@ -76,29 +77,29 @@ impl TexelProduct {
         }
         let factors = colors.each_ref().map(|color| color.factor);
         let lookups: Vec<SampleInst> =
-            lookups.iter().map(|&at| steps.lookups[at].clone()).collect();
+            lookups.iter().map(|&at| matcher.lookups[at].clone()).collect();
         let read_by_lookups: Vec<Reg> = lookups.iter().flat_map(read_by).collect();
-        layout.registers = layout.registers.max(layout.given + steps.before.len() as u32);
+        layout.registers = layout.registers.max(layout.first_written + matcher.before.len() as u32);
         let read_by_factors: Vec<Reg> = factors.into_iter().flatten().collect();
-        let before_factors = needed(&steps.before, read_by_factors.clone());
-        let before_lookups = needed(&steps.before, read_by_lookups.clone());
-        let of = |read: Vec<Reg>| inputs(layout, read.clone(), &needed(&steps.before, read));
-        let mut elsewhere = read_by_factors.clone();
-        elsewhere.extend(lookups.iter().flat_map(|sample| sample.coords));
-        let elsewhere = of(elsewhere);
-        let mut read_by_details = Vec::new();
+        let before_factors = needed(&matcher.before, read_by_factors.clone());
+        let before_lookups = needed(&matcher.before, read_by_lookups.clone());
+        let of = |read: Vec<Reg>| inputs(layout, read.clone(), &needed(&matcher.before, read));
+        let mut read_by_others = read_by_factors.clone();
+        read_by_others.extend(lookups.iter().flat_map(|sample| sample.coords));
+        let read_by_others = of(read_by_others);
+        let mut read_by_lods = Vec::new();
         for sample in &lookups {
-            sample.lod.clone().reads(|reg| read_by_details.push(*reg));
+            sample.lod.clone().reads(|reg| read_by_lods.push(*reg));
         }
-        let detail_inputs = of(read_by_details);
-        let are_given = detail_inputs.iter().all(|input| !elsewhere.contains(input))
+        let lod_inputs = of(read_by_lods);
+        let are_separate = lod_inputs.iter().all(|input| !read_by_others.contains(input))
             && lookups.iter().all(|sample| !matches!(sample.lod, SampleLod::Implicit { .. }));
-        let detail_inputs = are_given.then_some(detail_inputs);
+        let lod_inputs = are_separate.then_some(lod_inputs);
         Some(Self {
             factor_inputs: inputs(layout, read_by_factors, &before_factors),
             lookup_inputs: inputs(layout, read_by_lookups, &before_lookups),
-            detail_inputs,
-            before: steps.before,
+            lod_inputs,
+            before: matcher.before,
             before_factors,
             before_lookups,
             factors,
@@ -134,7 +135,7 @@ impl TexelProduct {
 /// What a register holds.
 #[derive(Clone, Debug)]
 enum Value {
-    /// What is given or computed before the lookups.
+    /// A splat, an input, or a number computed before the lookups.
     Number(Reg),
     TexelProduct(TexelTerm),
 }
@@ -159,7 +160,7 @@ impl TexelTerm {
     }
 
     /// Times a lookup by itself.
-    fn times(mut self, other: &Self) -> Option<Self> {
+    fn multiplied(mut self, other: &Self) -> Option<Self> {
         let lookup = other.texel()?;
         let is_new = !self.lookups.contains(&lookup);
         self.lookups.push(lookup);
@@ -170,20 +171,20 @@ impl TexelTerm {
 /// A program so far, its parts sorted.
 #[derive(Default)]
 struct ProductMatcher {
-    /// Registers below are given to the program.
-    given: u32,
+    /// The first register that the program writes; those below are splats and inputs.
+    first_written: u32,
     /// What the registers hold that it has written.
     written: Vec<(Reg, Value)>,
-    /// Instructions before the lookups. Each has a register of its own, from `given` on.
+    /// Instructions before the lookups. Each has a register of its own, from `first_written` on.
     before: Vec<Inst>,
     lookups: Vec<SampleInst>,
 }
 
 impl ProductMatcher {
     /// Adds the next instruction; `None` if the program is no product.
-    fn take(&mut self, inst: &Inst) -> Option<()> {
+    fn add(&mut self, inst: &Inst) -> Option<()> {
         if let Inst::Sample(sample) = inst {
-            return self.look_up(sample);
+            return self.add_lookup(sample);
         }
         // Nothing else is part of a product.
         let (out, value) = if let Inst::Compute { what, out, args } = *inst {
@@ -197,7 +198,7 @@ impl ProductMatcher {
         Some(())
     }
 
-    fn look_up(&mut self, sample: &SampleInst) -> Option<()> {
+    fn add_lookup(&mut self, sample: &SampleInst) -> Option<()> {
         let filters = sample.access == Access::Filter { offset: [0; 3] };
         if !filters || sample.layer.is_some() || sample.reference.is_some() {
             return None;
@@ -237,7 +238,7 @@ impl ProductMatcher {
         }
         // Trees that end in a product are taken apart.
         let [a, b, c, d, ..] = args;
-        let (first, last) = if matches!(what, Compute::Mul | Compute::MulSame) {
+        let (first, last) = if matches!(what, Compute::Mul | Compute::MulUniform) {
             (self.value(a)?, b)
         } else if what == Compute::MulMul {
             (self.compute(Compute::Mul, padded([a, b, b]))?, c)
@@ -246,21 +247,21 @@ impl ProductMatcher {
         } else {
             return None;
         };
-        self.times(first, self.value(last)?)
+        self.product(first, self.value(last)?)
     }
 
     /// Computes a number before the lookups.
     fn number(&mut self, what: Compute, args: [Reg; OPERANDS]) -> Option<Value> {
-        if self.before.len() == MOST_BEFORE {
+        if self.before.len() == MAX_CODE_BEFORE {
             return None;
         }
-        let out = Reg(self.given + self.before.len() as u32);
+        let out = Reg(self.first_written + self.before.len() as u32);
         self.before.push(Inst::Compute { what, out, args });
         Some(Value::Number(out))
     }
 
     /// The product of two values that are not both numbers, in any order.
-    fn times(&self, first: Value, second: Value) -> Option<Value> {
+    fn product(&self, first: Value, second: Value) -> Option<Value> {
         let product = match (first, second) {
             (Value::Number(factor), Value::TexelProduct(term))
             | (Value::TexelProduct(term), Value::Number(factor)) => {
@@ -268,8 +269,8 @@ impl ProductMatcher {
                 is_first.then_some(TexelTerm { factor: Some(factor), ..term })
             }
             (Value::TexelProduct(first), Value::TexelProduct(second)) => match second.texel() {
-                Some(_) => first.times(&second),
-                None => second.times(&first),
+                Some(_) => first.multiplied(&second),
+                None => second.multiplied(&first),
             },
             (Value::Number(_), Value::Number(_)) => None,
         };
@@ -277,7 +278,7 @@ impl ProductMatcher {
     }
 
     fn value(&self, reg: Reg) -> Option<Value> {
-        if reg.0 < self.given {
+        if reg.0 < self.first_written {
             return Some(Value::Number(reg));
         }
         let written = self.written.iter().find(|(written, _)| *written == reg);
@@ -333,6 +334,6 @@ fn needed(code: &[Inst], mut wanted: Vec<Reg>) -> Vec<Inst> {
 /// The inputs among these registers and those that the code reads, as numbers of inputs.
 fn inputs(layout: &Layout, registers: Vec<Reg>, code: &[Inst]) -> Vec<usize> {
     let read = registers.into_iter().chain(code.iter().flat_map(operands));
-    let is_input = |reg: &Reg| (layout.inputs..layout.given).contains(&reg.0);
+    let is_input = |reg: &Reg| (layout.inputs..layout.first_written).contains(&reg.0);
     read.filter(is_input).map(|reg| (reg.0 - layout.inputs) as usize).collect()
 }

@@ -18,13 +18,13 @@ use texunit::sample::Addresses;
 /// A compiled stage.
 #[derive(Debug)]
 pub struct Program {
-    /// Unlike any other program's.
+    /// The identity of the program, unique.
     pub(super) id: u64,
     /// Of the module before and after it was optimized.
     pub(super) statements: [usize; 2],
     pub(super) code: Vec<Inst>,
-    /// By instruction: its place in the order of the source.
-    pub(super) places: Vec<u32>,
+    /// By instruction: its index in the order of the source.
+    pub(super) source_order: Vec<u32>,
     pub(super) layout: Layout,
     pub(super) preamble: Preamble,
     pub(super) inputs: Vec<Input>,
@@ -40,7 +40,7 @@ pub struct Program {
     /// Register files that one run may fill.
     pub(super) files: usize,
     pub(super) product: Option<TexelProduct>,
-    /// The lookups that may keep what the one before found.
+    /// The lookups that may reuse texel addresses of the one before.
     pub(super) repeats: Vec<Repeat>,
 }
 
@@ -54,34 +54,35 @@ const MAX_TOTAL_REGISTERS: usize = 96;
 /// nothing else.
 #[derive(Debug)]
 pub struct Prepared {
-    /// Unlike any other draw's.
+    /// The identity of the prepared values, unique.
     pub(super) id: u64,
     /// By word of the preamble.
     pub(super) words: Vec<u32>,
     /// The draw's uniform words, if the program indexes them per lane.
     pub(super) uniforms: Vec<u32>,
-    /// Which of the program's repeated lookups keep what the one before found, bit by number.
-    pub(super) alike: u64,
+    /// The repeated lookups of the program that reuse texel addresses, bit by number.
+    pub(super) reused_addresses: u64,
 }
 
 impl Prepared {
-    /// Unlike any other draw's.
+    /// The identity of the prepared values, unique.
     pub fn id(&self) -> u64 {
         self.id
     }
 
     /// Whether the texel addresses of a lookup are computed or reused.
     #[inline(always)]
-    pub(super) fn places(&self, sample: &SampleInst) -> Addresses {
+    pub(super) fn addresses(&self, sample: &SampleInst) -> Addresses {
         match sample.repeat {
-            Some(number) if self.alike >> number & 1 == 1 => Addresses::Reuse,
+            Some(number) if self.reused_addresses >> number & 1 == 1 => Addresses::Reuse,
             Some(_) | None => Addresses::Compute,
         }
     }
 
-    /// Whether a program finds the same in both.
+    /// Whether both have equal values for a program.
     pub fn has_values_of(&self, other: &Self) -> bool {
-        (&self.words, &self.uniforms, self.alike) == (&other.words, &other.uniforms, other.alike)
+        (&self.words, &self.uniforms, self.reused_addresses)
+            == (&other.words, &other.uniforms, other.reused_addresses)
     }
 }
 
@@ -89,22 +90,21 @@ impl Prepared {
 pub(crate) struct OptimizedModule {
     pub module: Module,
     /// How many statements it had before.
-    given: usize,
+    statements_before: usize,
 }
 
 impl OptimizedModule {
     /// Optimizes `module`, keeping only the outputs for which `keep` holds. The module has been validated.
     pub fn new(module: &Module, keep: impl Fn(Output) -> bool) -> Self {
         let mut module = module.clone();
-        let given = statements(&module);
+        let before = statements(&module);
         module.outputs.retain(|(output, _)| keep(*output));
         optimize::optimize(&mut module);
-        Self { module, given }
+        Self { module, statements_before: before }
     }
 
-    /// Leaves what vertices can do as well to `vertex`, the module of the vertex stage that this one runs with;
-    /// `None`
-    /// where there is nothing.
+    /// Hoists what vertices can compute as well to `vertex`, the module of the vertex stage that this one runs with;
+    /// `None` where there is nothing to hoist.
     pub fn hoist_to_vertex(&mut self, vertex: &Module) -> Option<Module> {
         optimize::hoist_to_vertex(vertex, &mut self.module)
     }
@@ -113,7 +113,10 @@ impl OptimizedModule {
     pub fn finish(mut self) -> Program {
         optimize::finish(&mut self.module);
         let left = statements(&self.module);
-        Program { statements: [self.given, left], ..Program::lowered(&self.module, Fusing::On) }
+        Program {
+            statements: [self.statements_before, left],
+            ..Program::lowered(&self.module, Fusing::On)
+        }
     }
 }
 
@@ -148,7 +151,7 @@ impl Program {
     /// Lowers `module` as it stands.
     pub(super) fn lowered(module: &Module, fusing: Fusing) -> Self {
         let mut lowered = lower::lower(module);
-        lowered.places = (0..lowered.code.len() as u32).collect();
+        lowered.source_order = (0..lowered.code.len() as u32).collect();
         if fusing == Fusing::On {
             fuse::run(&mut lowered);
             schedule::run(&mut lowered);
@@ -164,7 +167,7 @@ impl Program {
             masked: lowered.code.iter().any(Inst::uses_mask),
             files: files(&lowered.code, &layout),
             code: lowered.code,
-            places: lowered.places,
+            source_order: lowered.source_order,
             layout,
             preamble: lowered.preamble,
             inputs: lowered.inputs,
@@ -271,7 +274,7 @@ impl Program {
         // Scalar steps are the same on every instruction set.
         let _ = isa;
         Prepared {
-            alike: repeated_lookups::alike(&self.repeats, textures),
+            reused_addresses: repeated_lookups::reused_addresses(&self.repeats, textures),
             id: identity(),
             words: self.preamble.run(uniforms),
             uniforms: if self.reads_uniforms { uniforms.to_vec() } else { Vec::new() },

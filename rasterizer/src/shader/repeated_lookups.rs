@@ -1,6 +1,5 @@
-//! Lookups at the same points as the one before: a surface has its colours, normals and gloss in textures of one
-//! size.
-//! Where a draw's textures then read alike, levels of detail and places are found once.
+//! Lookups at the same points as the one before: a surface has its colours, normals and gloss in textures of one size.
+//! Where the textures of a draw share texel addresses, these and the levels of detail are computed once.
 
 use super::inst::{Inst, Reg, Role, SampleInst};
 use crate::ir::Access;
@@ -23,17 +22,17 @@ impl Repeat {
     }
 
     /// Whether the second lookup computes or reuses texel addresses, in a draw with these textures.
-    pub(crate) fn places(&self, textures: &[Option<Arc<SamplePlan>>]) -> Addresses {
+    pub(crate) fn addresses(&self, textures: &[Option<Arc<SamplePlan>>]) -> Addresses {
         let texture = |slot: u32| textures.get(slot as usize)?.as_ref();
-        let [before, here] = self.textures.map(texture);
-        match before.zip(here) {
-            Some((before, here)) if here.shares_addresses_with(before) => Addresses::Reuse,
+        let [before, this] = self.textures.map(texture);
+        match before.zip(this) {
+            Some((before, this)) if this.shares_addresses_with(before) => Addresses::Reuse,
             Some(_) | None => Addresses::Compute,
         }
     }
 }
 
-/// As many have a bit in a word.
+/// The most repeated lookups: each has a bit in a word.
 const MOST: usize = u64::BITS as usize;
 
 /// Marks the lookups of straight code that repeat the one before; gives them in order.
@@ -84,10 +83,10 @@ fn reads(sample: &mut SampleInst, wanted: Reg) -> bool {
     found
 }
 
-/// The pairs whose textures are alike, bit by number.
-pub(super) fn alike(repeats: &[Repeat], textures: &[Option<Arc<SamplePlan>>]) -> u64 {
+/// The pairs whose textures share texel addresses, bit by number.
+pub(super) fn reused_addresses(repeats: &[Repeat], textures: &[Option<Arc<SamplePlan>>]) -> u64 {
     let bit = |(number, repeat): (usize, &Repeat)| {
-        u64::from(repeat.places(textures) == Addresses::Reuse) << number
+        u64::from(repeat.addresses(textures) == Addresses::Reuse) << number
     };
     repeats.iter().enumerate().map(bit).sum()
 }

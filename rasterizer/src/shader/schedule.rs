@@ -1,13 +1,13 @@
-//! The order of instructions: what depends on one another is moved apart.
+//! The order of instructions: list scheduling that moves dependent instructions away from each other.
 //!
 //! A step over 64 lanes is a few vector operations, each of which waits for the one before it. A
 //! processor fills that time with the next step only if this does not wait for the same. So in each
 //! straight run of code the next instruction is the one whose operands are there first, among the few
 //! that follow ([`WINDOW`]: what is computed earlier than it is needed takes a register meanwhile, and of more than
-//! sixteen some are alike to a processor, see `fuse.rs`).
+//! sixteen some alias in the store buffer, see `compute.rs`).
 
 use super::inst::{Inst, Reg, Role, Target};
-use super::lower::{Kind, Lowered};
+use super::lower::{Lowered, RegisterContent};
 use crate::ir::Op;
 use std::ops::Range;
 
@@ -19,21 +19,21 @@ pub(super) fn run(lowered: &mut Lowered) {
     let mut registers = Registers::new(lowered);
     for run in straight_runs(&lowered.code) {
         let code = &mut lowered.code[run.clone()];
-        let order = Order::new(code, &mut registers).choose(code);
+        let order = Order::new(code, &mut registers).list_schedule(code);
         let mut moved: Vec<Option<(Inst, u32)>> = lowered
             .code
             .drain(run.clone())
-            .zip(lowered.places.drain(run.clone()))
+            .zip(lowered.source_order.drain(run.clone()))
             .map(Some)
             .collect();
-        let (code, places): (Vec<Inst>, Vec<u32>) =
+        let (code, source_order): (Vec<Inst>, Vec<u32>) =
             order.into_iter().filter_map(|at| moved[at].take()).unzip();
         lowered.code.splice(run.start..run.start, code);
-        lowered.places.splice(run.start..run.start, places);
+        lowered.source_order.splice(run.start..run.start, source_order);
     }
 }
 
-/// Where code runs straight on, of instructions that may change places.
+/// The straight runs of code whose instructions may be reordered.
 fn straight_runs(code: &[Inst]) -> Vec<Range<usize>> {
     let mut is_target = vec![false; code.len() + 1];
     for Target(to) in code.iter().filter_map(Inst::target) {
@@ -42,10 +42,10 @@ fn straight_runs(code: &[Inst]) -> Vec<Range<usize>> {
     let mut runs = Vec::new();
     let mut start = 0;
     for (at, inst) in code.iter().enumerate() {
-        let stays = times(inst).is_none();
-        if is_target[at] || stays {
+        let is_fixed = busy_and_latency(inst).is_none();
+        if is_target[at] || is_fixed {
             runs.push(start..at);
-            start = at + usize::from(stays);
+            start = at + usize::from(is_fixed);
         }
     }
     runs.push(start..code.len());
@@ -54,8 +54,8 @@ fn straight_runs(code: &[Inst]) -> Vec<Range<usize>> {
 }
 
 /// How long an instruction keeps a processor busy, and how long its result takes, in cycles or so; `None` if it
-/// may not change places with those about it.
-fn times(inst: &Inst) -> Option<[u32; 2]> {
+/// may not be reordered.
+fn busy_and_latency(inst: &Inst) -> Option<[u32; 2]> {
     let of = |cost: u32, depth: u32| Some([4 + 2 * cost, 12 + 2 * cost + 4 * depth]);
     match inst {
         Inst::Compute { what, .. } => {
@@ -82,13 +82,13 @@ fn times(inst: &Inst) -> Option<[u32; 2]> {
         | Inst::LeaveIf { .. }
         | Inst::Discard
         | Inst::SkipEmpty { .. }
-        | Inst::Again { .. } => None,
+        | Inst::EndIteration { .. } => None,
     }
 }
 
 /// What is known of the virtual registers.
 struct Registers {
-    kinds: Vec<Kind>,
+    contents: Vec<RegisterContent>,
     /// How often each is read.
     reads: Vec<u32>,
     /// The number of the present run.
@@ -109,12 +109,12 @@ struct Accesses {
 
 impl Registers {
     fn new(lowered: &mut Lowered) -> Self {
-        let mut reads = vec![0; lowered.kinds.len()];
+        let mut reads = vec![0; lowered.contents.len()];
         for inst in &mut lowered.code {
             inst.operands(&mut |reg, role| reads[reg.0 as usize] += u32::from(role == Role::Read));
         }
         let accesses = vec![Accesses::default(); reads.len()];
-        Self { kinds: lowered.kinds.clone(), reads, run: 0, accesses }
+        Self { contents: lowered.contents.clone(), reads, run: 0, accesses }
     }
 
     fn of(&mut self, reg: Reg) -> &mut Accesses {
@@ -146,17 +146,17 @@ impl Registers {
         }
     }
 
-    fn is(&self, reg: Reg, kind: fn(Kind) -> bool) -> bool {
-        kind(self.kinds[reg.0 as usize])
+    fn holds(&self, reg: Reg, predicate: fn(RegisterContent) -> bool) -> bool {
+        predicate(self.contents[reg.0 as usize])
     }
 }
 
-/// Who waits for whom in a straight run.
+/// The dependency graph of a straight run.
 struct Order {
-    /// By instruction: for how many it waits.
-    waits: Vec<u32>,
-    /// By instruction: those that wait for it.
-    followers: Vec<Vec<usize>>,
+    /// By instruction: how many predecessors are not scheduled.
+    predecessors: Vec<u32>,
+    /// By instruction: those that depend on it.
+    successors: Vec<Vec<usize>>,
     /// By instruction: the move of its value into a variable. They stay together: then the value is
     /// computed there at once.
     moves: Vec<Option<usize>>,
@@ -167,8 +167,8 @@ impl Order {
         registers.run += 1;
         let count = code.len();
         let mut order = Self {
-            waits: vec![0; count],
-            followers: vec![Vec::new(); count],
+            predecessors: vec![0; count],
+            successors: vec![Vec::new(); count],
             moves: vec![None; count],
         };
         let mut before = Vec::new();
@@ -178,51 +178,51 @@ impl Order {
             before.dedup();
             before.retain(|&earlier| earlier != at);
             if let Inst::Move { out, from } = *inst {
-                let is_variable = |kind| matches!(kind, Kind::Variable { .. });
-                if registers.is(from, is_variable) {
+                let is_variable = |content| matches!(content, RegisterContent::Variable { .. });
+                if registers.holds(from, is_variable) {
                     registers.of(out).copy_of = Some(from);
-                } else if registers.is(out, is_variable)
+                } else if registers.holds(out, is_variable)
                     && registers.reads[from.0 as usize] == 1
                     && let Some(writer) = registers.of(from).writer
                     && before.iter().all(|&earlier| earlier <= writer)
                 {
                     order.moves[writer] = Some(at);
-                    before.iter().for_each(|&earlier| order.follow(earlier, writer));
+                    before.iter().for_each(|&earlier| order.add_dependency(earlier, writer));
                 }
             }
-            before.drain(..).for_each(|earlier| order.follow(earlier, at));
+            before.drain(..).for_each(|earlier| order.add_dependency(earlier, at));
         }
         order
     }
 
-    fn follow(&mut self, earlier: usize, later: usize) {
+    fn add_dependency(&mut self, earlier: usize, later: usize) {
         if earlier != later {
-            self.followers[earlier].push(later);
-            self.waits[later] += 1;
+            self.successors[earlier].push(later);
+            self.predecessors[later] += 1;
         }
     }
 
-    /// The instructions by their places in the run.
-    fn choose(mut self, code: &[Inst]) -> Vec<usize> {
+    /// The instructions in scheduled order.
+    fn list_schedule(mut self, code: &[Inst]) -> Vec<usize> {
         let count = code.len();
         let mut order = Vec::with_capacity(count);
         let mut is_chosen = vec![false; count];
-        // When the operands are there.
+        // The cycle at which the operands are available.
         let mut ready = vec![0_u32; count];
         let (mut now, mut first) = (0_u32, 0);
         while first < count {
             let next_few = first..count.min(first + WINDOW);
-            let free = next_few.filter(|&at| !is_chosen[at] && self.waits[at] == 0);
-            // The first of the run that is left waits for nothing.
+            let free = next_few.filter(|&at| !is_chosen[at] && self.predecessors[at] == 0);
+            // The first instruction that is left has no predecessor left.
             let next = free.min_by_key(|&at| (ready[at].max(now), at)).unwrap_or(first);
             let mut chosen = Some(next);
             while let Some(at) = chosen {
-                let [busy, latency] = times(&code[at]).unwrap_or_default();
+                let [busy, latency] = busy_and_latency(&code[at]).unwrap_or_default();
                 let start = now.max(ready[at]);
                 now = start + busy;
-                for follower in std::mem::take(&mut self.followers[at]) {
-                    self.waits[follower] -= 1;
-                    ready[follower] = ready[follower].max(start + latency);
+                for successor in std::mem::take(&mut self.successors[at]) {
+                    self.predecessors[successor] -= 1;
+                    ready[successor] = ready[successor].max(start + latency);
                 }
                 is_chosen[at] = true;
                 order.push(at);
@@ -259,15 +259,19 @@ mod tests {
     }
 
     #[test]
-    fn two_chains_take_turns() {
+    fn two_chains_alternate() {
         let program = two_chains();
         assert_eq!(program.code.len(), 12, "{:?}", program.code);
-        let chains: Vec<bool> = program.places.iter().map(|place| *place > 6).collect();
-        assert!(chains[..10].windows(2).all(|pair| pair[0] != pair[1]), "{:?}", program.places);
+        let chains: Vec<bool> = program.source_order.iter().map(|position| *position > 6).collect();
+        assert!(
+            chains[..10].windows(2).all(|pair| pair[0] != pair[1]),
+            "{:?}",
+            program.source_order
+        );
     }
 
     #[test]
-    fn a_trace_tells_them_one_after_the_other() {
+    fn a_trace_has_them_in_source_order() {
         let program = two_chains();
         let isa = Isa::best();
         let prepared = program.prepare(isa, &[], &[]);

@@ -1,13 +1,13 @@
-//! What every lane of a run does alike: values, variables, and the loops and scopes that lanes leave
-//! together. Such a branch is one scalar test, such a loop a jump, and neither reads a mask.
+//! Uniformity analysis: values, variables, loops and scopes that are the same for all lanes of a run. A uniform branch is
+//! one scalar test, a uniform loop a jump, and neither reads a mask.
 //!
-//! A variable is alike if all that is stored in it is, and no lane misses a store that it could
-//! notice. A lane misses stores while it is away: in a branch it did not take, or after it left a
-//! loop, a turn or a scope, up to the end of that. It does not notice if every read of the variable
-//! stands in there, where it does not come again. So a counter stays alike in a branch that only some
-//! lanes take, and behind an early `return`.
+//! A variable is uniform if all values stored in it are uniform and no lane can observe that it missed a store. A lane
+//! misses stores while it is divergent: in a branch that it did not take, or after it left a loop, an iteration or a
+//! scope, up to the end of that region. It cannot observe this if every read of the variable is inside of the region and
+//! the region is not repeated. So a counter stays uniform in a branch that only some lanes take, and behind an early
+//! `return`.
 //!
-//! It begins with all alike, and takes away what contradicts itself until nothing does.
+//! The analysis begins with everything uniform and removes contradictions until a fixed point is reached.
 
 use crate::ir::{Block, Expr, Module, Stmt, Value, Var};
 
@@ -16,7 +16,7 @@ const ROUNDS: usize = 32;
 
 /// What is uniform.
 #[derive(Debug, Default)]
-pub(super) struct Alike {
+pub(super) struct Uniformity {
     /// By value.
     values: Vec<bool>,
     /// By variable.
@@ -27,27 +27,30 @@ pub(super) struct Alike {
     scopes: Vec<bool>,
 }
 
-impl Alike {
+impl Uniformity {
     pub fn of(module: &Module) -> Self {
-        let mut places = Places { reads: vec![None; module.variables.len()], ..Places::default() };
-        places.block(module, &module.body);
+        let mut ranges = StatementRanges {
+            reads: vec![None; module.variables.len()],
+            ..StatementRanges::default()
+        };
+        ranges.block(module, &module.body);
         for (_, var) in &module.outputs {
-            places.read(*var, u32::MAX);
+            ranges.read(*var, u32::MAX);
         }
-        let mut alike = Self {
+        let mut uniformity = Self {
             values: vec![false; module.values.len()],
             variables: module.variables.iter().map(|variable| variable.len == 1).collect(),
-            loops: vec![true; places.loops],
-            scopes: vec![true; places.scopes],
+            loops: vec![true; ranges.loops],
+            scopes: vec![true; ranges.scopes],
         };
         for _ in 0..ROUNDS {
             let mut walk = Walk {
                 module,
-                places: &places,
-                alike: &mut alike,
+                ranges: &ranges,
+                uniformity: &mut uniformity,
                 changed: false,
                 at: 0,
-                away: Vec::new(),
+                divergent: Vec::new(),
                 loops: Vec::new(),
                 scopes: Vec::new(),
                 next_loop: 0,
@@ -55,7 +58,7 @@ impl Alike {
             };
             walk.block(&module.body);
             if !walk.changed {
-                return alike;
+                return uniformity;
             }
         }
         Self::default()
@@ -81,20 +84,20 @@ impl Alike {
         self.variables.get(var.0 as usize) == Some(&true)
     }
 
-    /// Whether lanes take all turns of this loop together.
-    pub fn turns(&self, number: usize) -> bool {
+    /// Whether all lanes iterate this loop equally often.
+    pub fn is_uniform_loop(&self, number: usize) -> bool {
         self.loops.get(number) == Some(&true)
     }
 
-    /// Whether lanes leave this scope together.
-    pub fn scope(&self, number: usize) -> bool {
+    /// Whether all lanes leave this scope at once.
+    pub fn is_uniform_scope(&self, number: usize) -> bool {
         self.scopes.get(number) == Some(&true)
     }
 }
 
-/// Where statements end and variables are read, counted in statements.
+/// The ends of statements and the reads of variables, counted in statements.
 #[derive(Default)]
-struct Places {
+struct StatementRanges {
     /// By statement: the end of its first block, and its own.
     ends: Vec<[u32; 2]>,
     /// By variable: the first and the last read.
@@ -103,7 +106,7 @@ struct Places {
     scopes: usize,
 }
 
-impl Places {
+impl StatementRanges {
     fn read(&mut self, var: Var, at: u32) {
         let [first, last] = self.reads[var.0 as usize].get_or_insert([at, at]);
         *first = at.min(*first);
@@ -157,7 +160,7 @@ fn is_jump(stmt: &Stmt) -> bool {
     }
 }
 
-/// What lanes are away from.
+/// A region of code.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum CodeRegion {
     /// A side of this branch.
@@ -168,39 +171,39 @@ enum CodeRegion {
     Whole(u32),
 }
 
-/// A part of the code that some lanes may not be in while others are.
+/// A region that some lanes may have left while others execute it.
 #[derive(Clone, Copy)]
 struct DivergentRegion {
-    part: CodeRegion,
+    region: CodeRegion,
     start: u32,
     end: u32,
-    /// Whether the part itself is run more than once.
-    again: bool,
+    /// Whether the region itself may execute more than once.
+    is_repeated: bool,
 }
 
 /// An open loop or scope.
 #[derive(Clone, Copy)]
-struct Open {
+struct OpenConstruct {
     number: usize,
     start: u32,
-    /// How many parts had lanes away when it was entered.
-    away: usize,
+    /// The number of divergent regions when it was entered.
+    divergent: usize,
     /// How many loops are around it.
     depth: usize,
 }
 
-/// One round.
+/// One round of the analysis.
 struct Walk<'a> {
     module: &'a Module,
-    places: &'a Places,
-    alike: &'a mut Alike,
+    ranges: &'a StatementRanges,
+    uniformity: &'a mut Uniformity,
     changed: bool,
     /// The number of the next statement.
     at: u32,
-    /// The parts that lanes may be away from here.
-    away: Vec<DivergentRegion>,
-    loops: Vec<Open>,
-    scopes: Vec<Open>,
+    /// The regions that some lanes may have left.
+    divergent: Vec<DivergentRegion>,
+    loops: Vec<OpenConstruct>,
+    scopes: Vec<OpenConstruct>,
     next_loop: usize,
     next_scope: usize,
 }
@@ -212,38 +215,38 @@ impl Walk<'_> {
             self.at += 1;
             match stmt {
                 Stmt::Eval(value) => {
-                    self.alike.values[value.0 as usize] = self.eval(*value);
+                    self.uniformity.values[value.0 as usize] = self.eval(*value);
                 }
                 Stmt::Store { var, value } => self.store(*var, *value),
-                Stmt::StoreAt { var, .. } => self.varies(*var),
+                Stmt::StoreAt { var, .. } => self.set_divergent(*var),
                 Stmt::If { condition, accept, reject } => {
                     self.branch(start, *condition, accept, reject);
                 }
                 Stmt::Loop { body, continuing } => self.repeat(start, body, continuing),
                 Stmt::Scope(body) => self.scope(start, body),
-                Stmt::Break => return self.end_turn(None),
+                Stmt::Break => return self.end_iteration(None),
                 Stmt::Continue => {
                     let end = self.loops.last().map(|open| self.ends(open.start)[0]);
-                    return self.end_turn(end);
+                    return self.end_iteration(end);
                 }
                 Stmt::Leave => return self.leave(),
                 // Those lanes never come back, and a loop must end when there are no others.
-                Stmt::Discard => return self.part_ways(0),
+                Stmt::Discard => return self.diverge_loops(0),
             }
         }
     }
 
     fn ends(&self, start: u32) -> [u32; 2] {
-        self.places.ends[start as usize]
+        self.ranges.ends[start as usize]
     }
 
     fn eval(&self, value: Value) -> bool {
-        let alike = |value| self.alike.value(self.module, value);
+        let is_uniform = |value| self.uniformity.value(self.module, value);
         match self.module.expr(value) {
             Expr::Const { .. } | Expr::Uniform { .. } => true,
-            Expr::UniformAt { index, .. } => alike(*index),
-            Expr::Op { op, args } => args[..op.args().len()].iter().all(|arg| alike(*arg)),
-            Expr::Load(var) => self.alike.variable(*var),
+            Expr::UniformAt { index, .. } => is_uniform(*index),
+            Expr::Op { op, args } => args[..op.args().len()].iter().all(|arg| is_uniform(*arg)),
+            Expr::Load(var) => self.uniformity.variable(*var),
             Expr::Input(_)
             | Expr::LoadAt { .. }
             | Expr::Derivative { .. }
@@ -253,33 +256,33 @@ impl Walk<'_> {
     }
 
     fn store(&mut self, var: Var, value: Value) {
-        let reads = self.places.reads[var.0 as usize];
-        let notices = |away: &DivergentRegion| {
-            let inside = |[first, last]: [u32; 2]| away.start <= first && last < away.end;
-            away.again || !reads.is_none_or(inside)
+        let reads = self.ranges.reads[var.0 as usize];
+        let is_observed = |divergent: &DivergentRegion| {
+            let inside = |[first, last]: [u32; 2]| divergent.start <= first && last < divergent.end;
+            divergent.is_repeated || !reads.is_none_or(inside)
         };
-        if !self.alike.value(self.module, value) || self.away.iter().any(notices) {
-            self.varies(var);
+        if !self.uniformity.value(self.module, value) || self.divergent.iter().any(is_observed) {
+            self.set_divergent(var);
         }
     }
 
-    fn varies(&mut self, var: Var) {
-        let known = &mut self.alike.variables[var.0 as usize];
-        self.changed |= std::mem::replace(known, false);
+    fn set_divergent(&mut self, var: Var) {
+        let flag = &mut self.uniformity.variables[var.0 as usize];
+        self.changed |= std::mem::replace(flag, false);
     }
 
     fn branch(&mut self, start: u32, condition: Value, accept: &Block, reject: &Block) {
-        let together = self.alike.value(self.module, condition);
+        let is_uniform = self.uniformity.value(self.module, condition);
         let [middle, end] = self.ends(start);
-        let again = !self.loops.is_empty();
-        let part = CodeRegion::Side(start);
+        let is_repeated = !self.loops.is_empty();
+        let region = CodeRegion::Side(start);
         for (block, start, end) in [(accept, start, middle), (reject, middle, end)] {
-            if !together {
-                self.away.push(DivergentRegion { part, start, end, again });
+            if !is_uniform {
+                self.divergent.push(DivergentRegion { region, start, end, is_repeated });
             }
             self.block(block);
             self.at = end;
-            self.back(part);
+            self.rejoin(region);
         }
     }
 
@@ -288,73 +291,73 @@ impl Walk<'_> {
         self.next_loop += 1;
         let [middle, end] = self.ends(start);
         let depth = self.loops.len();
-        if !self.alike.loops[number] {
+        if !self.uniformity.loops[number] {
             // From the second iteration on, lanes may have left.
-            self.away.push(DivergentRegion {
-                part: CodeRegion::Whole(start),
+            self.divergent.push(DivergentRegion {
+                region: CodeRegion::Whole(start),
                 start,
                 end,
-                again: depth > 0,
+                is_repeated: depth > 0,
             });
         }
-        self.loops.push(Open { number, start, away: self.away.len(), depth });
+        self.loops.push(OpenConstruct { number, start, divergent: self.divergent.len(), depth });
         self.block(body);
         self.at = middle;
-        self.back(CodeRegion::Iteration(start));
+        self.rejoin(CodeRegion::Iteration(start));
         self.block(continuing);
         self.at = end;
         self.loops.pop();
-        self.back(CodeRegion::Whole(start));
+        self.rejoin(CodeRegion::Whole(start));
     }
 
     /// Lanes rejoin at the end of a region.
-    fn back(&mut self, from: CodeRegion) {
-        self.away.retain(|away| away.part != from);
+    fn rejoin(&mut self, from: CodeRegion) {
+        self.divergent.retain(|divergent| divergent.region != from);
     }
 
     fn scope(&mut self, start: u32, body: &Block) {
         let number = self.next_scope;
         self.next_scope += 1;
         let depth = self.loops.len();
-        self.scopes.push(Open { number, start, away: self.away.len(), depth });
+        self.scopes.push(OpenConstruct { number, start, divergent: self.divergent.len(), depth });
         self.block(body);
         let end = self.ends(start)[1];
         self.at = end;
         self.scopes.pop();
-        self.back(CodeRegion::Whole(start));
+        self.rejoin(CodeRegion::Whole(start));
     }
 
     /// A `Break`, or a `Continue` to the end of the body.
-    fn end_turn(&mut self, body: Option<u32>) {
+    fn end_iteration(&mut self, body: Option<u32>) {
         let Some(open) = self.loops.last().copied() else { return };
-        if self.away.len() == open.away && self.alike.loops[open.number] {
+        if self.divergent.len() == open.divergent && self.uniformity.loops[open.number] {
             return;
         }
-        self.part_ways(open.depth);
+        self.diverge_loops(open.depth);
         if let Some(end) = body {
-            let (part, start) = (CodeRegion::Iteration(open.start), open.start);
-            self.away.push(DivergentRegion { part, start, end, again: true });
+            let (region, start) = (CodeRegion::Iteration(open.start), open.start);
+            self.divergent.push(DivergentRegion { region, start, end, is_repeated: true });
         }
     }
 
     fn leave(&mut self) {
         let Some(open) = self.scopes.last().copied() else { return };
-        if self.away.len() == open.away && self.alike.scopes[open.number] {
+        if self.divergent.len() == open.divergent && self.uniformity.scopes[open.number] {
             return;
         }
-        let known = &mut self.alike.scopes[open.number];
-        self.changed |= std::mem::replace(known, false);
-        self.part_ways(open.depth);
+        let flag = &mut self.uniformity.scopes[open.number];
+        self.changed |= std::mem::replace(flag, false);
+        self.diverge_loops(open.depth);
         let end = self.ends(open.start)[1];
-        let (part, start) = (CodeRegion::Whole(open.start), open.start);
-        self.away.push(DivergentRegion { part, start, end, again: open.depth > 0 });
+        let (region, start) = (CodeRegion::Whole(open.start), open.start);
+        self.divergent.push(DivergentRegion { region, start, end, is_repeated: open.depth > 0 });
     }
 
-    /// Lanes leave the loops from this one inwards on their own.
-    fn part_ways(&mut self, outermost: usize) {
+    /// Lanes leave the loops from this one inwards at different times.
+    fn diverge_loops(&mut self, outermost: usize) {
         for open in &self.loops[outermost..] {
-            let known = &mut self.alike.loops[open.number];
-            self.changed |= std::mem::replace(known, false);
+            let flag = &mut self.uniformity.loops[open.number];
+            self.changed |= std::mem::replace(flag, false);
         }
     }
 }

@@ -44,7 +44,7 @@ impl Watch {
 
     pub(crate) fn append(&self, events: Vec<PixelEvent>) {
         let mut all = self.events.lock();
-        let room = Self::MAX_EVENTS.saturating_sub(all.len());
-        all.extend(events.into_iter().take(room));
+        let remaining = Self::MAX_EVENTS.saturating_sub(all.len());
+        all.extend(events.into_iter().take(remaining));
     }
 }

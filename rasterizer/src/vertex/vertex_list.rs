@@ -46,8 +46,8 @@ fn read<const N: usize>(
     let first = first.and_then(|at| at.checked_add(indices.offset));
     let bytes = first.and_then(|first| indices.buffer.bytes().get(first..)).unwrap_or_default();
     let vertex = |index: u32| index.wrapping_add_signed(indices.base_vertex);
-    let (there, _) = bytes.as_chunks::<N>();
-    out.extend(there.iter().take(ordinals.len()).map(|&bytes| vertex(convert(bytes))));
+    let (stored, _) = bytes.as_chunks::<N>();
+    out.extend(stored.iter().take(ordinals.len()).map(|&bytes| vertex(convert(bytes))));
     out.resize(end, vertex(0));
 }
 
@@ -99,8 +99,8 @@ pub struct VertexList {
     ordinals: Ordinals,
     /// The vertices to be shaded.
     pub ids: Vec<u32>,
-    /// By ordinal, its place in `ids`; none where they are in the order of the ordinals.
-    places: Option<Vec<u32>>,
+    /// By ordinal, its index in `ids`; `None` where `ids` has the order of the ordinals.
+    local_indices: Option<Vec<u32>>,
     /// Where the shaded ones of the instance begin.
     pub base: u32,
 }
@@ -115,16 +115,16 @@ impl VertexList {
             if (high - low) as usize <= wanted.len() {
                 wanted.iter_mut().for_each(|id| *id -= low);
                 let ids = (low..=high).collect();
-                return Self { ordinals, ids, places: Some(wanted), base: 0 };
+                return Self { ordinals, ids, local_indices: Some(wanted), base: 0 };
             }
         }
-        Self { ordinals, ids: wanted, places: None, base: 0 }
+        Self { ordinals, ids: wanted, local_indices: None, base: 0 }
     }
 
-    /// The vertices of ordinals of a draw, one for each ordinal, whatever the indices share.
-    pub fn apart(ordinals: Ordinals, ids: &VertexIds<'_>) -> Self {
+    /// The vertices of ordinals of a draw, one for each ordinal, even where indices repeat.
+    pub fn without_sharing(ordinals: Ordinals, ids: &VertexIds<'_>) -> Self {
         let ids = ids.of(&ordinals);
-        Self { ordinals, ids, places: None, base: 0 }
+        Self { ordinals, ids, local_indices: None, base: 0 }
     }
 
     /// The same of an instance, of several whose vertices lie one behind the other.
@@ -132,7 +132,7 @@ impl VertexList {
         Self {
             ordinals: self.ordinals.clone(),
             ids: Vec::new(),
-            places: self.places.clone(),
+            local_indices: self.local_indices.clone(),
             base: self.base + number * self.ids.len() as u32,
         }
     }
@@ -144,9 +144,9 @@ impl VertexList {
         let at = self.ordinals.position(first);
         let [a, b, c] = out;
         let lanes = a.0.iter_mut().zip(&mut b.0).zip(&mut c.0).take(len);
-        match &self.places {
-            Some(places) => {
-                let (triples, _) = places[at..].as_chunks::<3>();
+        match &self.local_indices {
+            Some(local_indices) => {
+                let (triples, _) = local_indices[at..].as_chunks::<3>();
                 for (((a, b), c), &triple) in lanes.zip(triples) {
                     [*a, *b, *c] = triple.map(|at| at + self.base);
                 }
@@ -163,6 +163,6 @@ impl VertexList {
     #[inline]
     pub fn local(&self, ordinal: u32) -> u32 {
         let at = self.ordinals.position(ordinal);
-        self.places.as_ref().map_or(at as u32, |places| places[at]) + self.base
+        self.local_indices.as_ref().map_or(at as u32, |local_indices| local_indices[at]) + self.base
     }
 }

@@ -77,7 +77,7 @@ impl Kernel for ViewportTransform<'_> {
         }
         let [across, up] = &window;
         let bit = |out: bool, bit: u32| if out { bit } else { 0 };
-        let kept = match viewport.depth_clip {
+        let clipped = match viewport.depth_clip {
             DepthClip::Cut => !0,
             DepthClip::Clamp => !(Outcode::NEAR | Outcode::FAR),
         };
@@ -94,7 +94,7 @@ impl Kernel for ViewportTransform<'_> {
                 | bit(z > w, Outcode::FAR)
                 | bit(w <= 0.0, Outcode::BEHIND)
                 | bit(!in_band, Outcode::GUARD);
-            out.outcodes[lane] = if finite { code & kept } else { Outcode::INVALID };
+            out.outcodes[lane] = if finite { code & clipped } else { Outcode::INVALID };
         }
     }
 }

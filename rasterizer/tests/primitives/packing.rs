@@ -43,7 +43,7 @@ pub fn triangles() -> Vec<f32> {
 }
 
 /// A draw.
-pub struct Drawn<'a> {
+pub struct TestDraw<'a> {
     pub desc: &'a PipelineDesc,
     pub textures: &'a [Option<Arc<SamplePlan>>],
     pub vertices: &'a Arc<[VertexBinding]>,
@@ -53,8 +53,8 @@ pub struct Drawn<'a> {
 }
 
 /// The picture and the depths of a draw, and what is said of it.
-pub fn picture(isa: Isa, drawn: &Drawn<'_>, watched: bool) -> (Vec<u8>, String) {
-    let (color, depth) = (image(drawn.target, SIZE, SIZE), image(Format::D24, SIZE, SIZE));
+pub fn picture(isa: Isa, draw: &TestDraw<'_>, watched: bool) -> (Vec<u8>, String) {
+    let (color, depth) = (image(draw.target, SIZE, SIZE), image(Format::D24, SIZE, SIZE));
     let area = Rect { x: 0, y: 0, width: SIZE, height: SIZE };
     let mut commands = vec![pass(&color, Some(&depth), SIZE, SIZE), viewport(SIZE, SIZE)];
     if watched {
@@ -62,11 +62,11 @@ pub fn picture(isa: Isa, drawn: &Drawn<'_>, watched: bool) -> (Vec<u8>, String) 
     }
     commands.extend([
         Command::Clear { value: ClearValue::Depth(1.0), area },
-        Command::BindPipeline(Pipeline::new(drawn.desc.clone()).expect("valid")),
-        Command::BindVertices(drawn.vertices.clone()),
-        Command::BindTextures { vertex: Arc::new([]), fragment: drawn.textures.into() },
+        Command::BindPipeline(Pipeline::new(draw.desc.clone()).expect("valid")),
+        Command::BindVertices(draw.vertices.clone()),
+        Command::BindTextures { vertex: Arc::new([]), fragment: draw.textures.into() },
         Command::SetScissor(Some(Rect { x: 3, y: 1, width: 58, height: 61 })),
-        Command::Draw { first: 0, count: drawn.count, instances: 0..1 },
+        Command::Draw { first: 0, count: draw.count, instances: 0..1 },
         Command::EndPass,
     ]);
     let device = device(isa, 2);
@@ -160,16 +160,16 @@ fn packed_by_pixels_or_by_quads_is_the_same() {
             desc.colors[0].blend = blend;
             desc.colors[0].mask = mask;
             desc.depth = depth;
-            let drawn = Drawn {
+            let draw = TestDraw {
                 desc: &desc,
                 textures: &[Some(texture.clone())],
                 vertices: &bindings(&triangles(), 2),
                 count: 2700,
                 target: Format::Rgba8,
             };
-            let (want, _) = picture(Isa::BASELINE, &drawn, true);
+            let (want, _) = picture(Isa::BASELINE, &draw, true);
             for isa in Isa::available() {
-                let (got, _) = picture(isa, &drawn, false);
+                let (got, _) = picture(isa, &draw, false);
                 assert!(got == want, "{name}, {blend:?}, {depth:?}, {mask:?}, {}", isa.name());
             }
         }

@@ -2,7 +2,7 @@
 //! tile with a watched pixel is left to.
 
 use super::super::common::{bindings, fragment, pipeline, vertex};
-use super::packing::{Drawn, picture, varying};
+use super::packing::{TestDraw, picture, varying};
 use rasterizer::driver::{Blend, BlendEquation, BlendFactor, VertexBinding, VertexSource};
 use rasterizer::ir::TextureDecl;
 use rasterizer::ir::{Builder, Lod, Op, Value};
@@ -210,7 +210,7 @@ fn texels_multiplied_as_they_come_are_what_the_interpreter_multiplies() {
                     vec![Some(texture.clone()), Some(second.clone()), Some(texture.clone())];
                 let draw = |isa, watched| {
                     let drawn =
-                        Drawn { desc: &desc, textures: &textures, vertices, count: 15, target };
+                        TestDraw { desc: &desc, textures: &textures, vertices, count: 15, target };
                     picture(isa, &drawn, watched)
                 };
                 let (want, _) = draw(Isa::BASELINE, true);
@@ -233,7 +233,7 @@ fn what_is_one_at_all_vertices_is_one_in_between() {
     let desc = pipeline(vertex(8), fragment(8, |b| each(b, |b, at| varying(b, 4 + at as u16))));
     let vertices = &bindings(&triangles(|_, _| 1.0), 3);
     let target = Format::Rgba32F;
-    let drawn = Drawn { desc: &desc, textures: &[], vertices, count: 15, target };
+    let drawn = TestDraw { desc: &desc, textures: &[], vertices, count: 15, target };
     for isa in Isa::available() {
         for watched in [false, true] {
             let (bytes, _) = picture(isa, &drawn, watched);

@@ -2,7 +2,7 @@
 //! however fragments are put into batches.
 
 use super::super::common::{bindings, fragment, pipeline, vertex};
-use super::packing::{Drawn, SIZE, inputs, picture, triangles};
+use super::packing::{SIZE, TestDraw, inputs, picture, triangles};
 use rasterizer::driver::{Blend, BlendEquation, BlendFactor, PipelineDesc, SrgbWrite};
 use texunit::format::{Encoding, Format, convert};
 use texunit::lanes::Isa;
@@ -21,7 +21,7 @@ const FORMATS: [Format; 16] = {
 
 fn draw(isa: Isa, desc: &PipelineDesc, target: Format, watched: bool) -> Vec<u8> {
     let vertices = &bindings(&triangles(), 2);
-    let drawn = Drawn { desc, textures: &[], vertices, count: 2700, target };
+    let drawn = TestDraw { desc, textures: &[], vertices, count: 2700, target };
     let (mut bytes, _) = picture(isa, &drawn, watched);
     // Without the depths.
     bytes.truncate((SIZE * SIZE) as usize * target.bytes());

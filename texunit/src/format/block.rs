@@ -11,7 +11,7 @@ mod interpolated;
 mod quotient;
 
 pub use encode::encode;
-pub(crate) use interpolated::{Ends, decode as interpolated};
+pub(crate) use interpolated::{Signedness, decode as interpolated};
 
 use quotient::{quotient, reciprocal};
 
@@ -23,17 +23,21 @@ use crate::lanes::{F32s, LANES, Simd, U32s};
 impl Block {
     /// How a channel is written, and the first word of its part of the block.
     #[inline(always)]
-    const fn part(self, channel: usize) -> (Part, usize) {
-        use Ends::{Signed, Unsigned};
+    const fn channel_code(self, channel: usize) -> (ChannelCode, usize) {
+        use Signedness::{Signed, Unsigned};
         match (self, channel) {
-            (Self::Dxt1, 3) => (Part::Punched, 0),
-            (Self::Dxt1, _) => (Part::Color(CHANNELS[channel], Palette::ByOrder), 0),
-            (Self::Dxt3, 3) => (Part::Explicit, 0),
-            (Self::Dxt5, 3) => (Part::Interpolated(Unsigned), 0),
-            (Self::Dxt3 | Self::Dxt5, _) => (Part::Color(CHANNELS[channel], Palette::Four), 2),
-            (Self::Rgtc1 | Self::Rgtc2, _) => (Part::Interpolated(Unsigned), 2 * (channel & 1)),
+            (Self::Dxt1, 3) => (ChannelCode::Punched, 0),
+            (Self::Dxt1, _) => (ChannelCode::Color(CHANNELS[channel], Palette::ByOrder), 0),
+            (Self::Dxt3, 3) => (ChannelCode::Explicit, 0),
+            (Self::Dxt5, 3) => (ChannelCode::Interpolated(Unsigned), 0),
+            (Self::Dxt3 | Self::Dxt5, _) => {
+                (ChannelCode::Color(CHANNELS[channel], Palette::Four), 2)
+            }
+            (Self::Rgtc1 | Self::Rgtc2, _) => {
+                (ChannelCode::Interpolated(Unsigned), 2 * (channel & 1))
+            }
             (Self::Rgtc1Snorm | Self::Rgtc2Snorm, _) => {
-                (Part::Interpolated(Signed), 2 * (channel & 1))
+                (ChannelCode::Interpolated(Signed), 2 * (channel & 1))
             }
         }
     }
@@ -41,7 +45,7 @@ impl Block {
 
 /// How a channel's part of a block is written.
 #[derive(Clone, Copy)]
-enum Part {
+enum ChannelCode {
     /// Of a colour on the line between two of 16 bits.
     Color(ColorChannel, Palette),
     /// 0 at the transparent black of DXT1, else 1.
@@ -49,7 +53,7 @@ enum Part {
     /// 4 bits a texel.
     Explicit,
     /// On the line between two bytes.
-    Interpolated(Ends),
+    Interpolated(Signedness),
 }
 
 /// Which codes the two bits of a texel stand for.
@@ -154,10 +158,10 @@ pub fn decode_channel<S: Simd>(
 ) -> F32s {
     let mut out = F32s::ZERO;
     let Some(block) = format.block() else { return out };
-    let (part, first) = block.part(channel);
+    let (code, first) = block.channel_code(channel);
     let (low, high) = (&words[first], &words[first + 1]);
-    match part {
-        Part::Color(of, palette) => {
+    match code {
+        ChannelCode::Color(of, palette) => {
             let mut sixths = U32s::ZERO;
             for lane in 0..LANES {
                 let weights = color_weights(low[lane], high[lane], within[lane] & 15, palette);
@@ -170,19 +174,19 @@ pub fn decode_channel<S: Simd>(
                 out[lane] = of.fraction(sixths[lane]);
             }
         }
-        Part::Punched => {
+        ChannelCode::Punched => {
             for lane in 0..LANES {
                 out[lane] = punched(low[lane], high[lane], within[lane] & 15);
             }
         }
-        Part::Explicit => {
+        ChannelCode::Explicit => {
             for lane in 0..LANES {
                 out[lane] = explicit(low[lane], high[lane], within[lane] & 15);
             }
         }
-        Part::Interpolated(ends) => {
+        ChannelCode::Interpolated(signedness) => {
             for lane in 0..LANES {
-                out[lane] = interpolated(low[lane], high[lane], within[lane] & 15, ends);
+                out[lane] = interpolated(low[lane], high[lane], within[lane] & 15, signedness);
             }
         }
     }
@@ -208,10 +212,10 @@ pub(crate) fn decode_channels(format: Format, words: [u32; 4], within: u32) -> [
     let Some(block) = format.block() else { return out };
     let at = within & 15;
     for (channel, out) in out.iter_mut().enumerate().take(format.channels()) {
-        let (part, first) = block.part(channel);
+        let (code, first) = block.channel_code(channel);
         let (low, high) = (words[first], words[first + 1]);
-        *out = match part {
-            Part::Color(of, palette) => {
+        *out = match code {
+            ChannelCode::Color(of, palette) => {
                 let sixths = color_sixths(low, color_weights(low, high, at, palette), of);
                 if is_srgb_block(format) {
                     of.linear()[sixths as usize]
@@ -219,9 +223,9 @@ pub(crate) fn decode_channels(format: Format, words: [u32; 4], within: u32) -> [
                     of.fraction(sixths)
                 }
             }
-            Part::Punched => punched(low, high, at),
-            Part::Explicit => explicit(low, high, at),
-            Part::Interpolated(ends) => interpolated(low, high, at, ends),
+            ChannelCode::Punched => punched(low, high, at),
+            ChannelCode::Explicit => explicit(low, high, at),
+            ChannelCode::Interpolated(signedness) => interpolated(low, high, at, signedness),
         };
     }
     out

@@ -66,37 +66,37 @@ static STEPS: [u32; ROWS] = {
     table
 };
 
-/// The bits of `x` held in the rows, as if the first one's were 0. NaN is in the first.
+/// The offset of `x` in the table: its bits, clamped to those of the rows, less those of the first. NaN has offset 0.
 #[inline(always)]
-fn place(x: f32) -> u32 {
+fn offset(x: f32) -> u32 {
     clamp(x, LEAST, MOST).to_bits() - LEAST.to_bits()
 }
 
 /// The byte of a float in a row.
 #[inline(always)]
-fn byte(step: u32, place: u32) -> u32 {
-    (step + (place & LOW_MASK)) >> LOW
+fn byte(step: u32, offset: u32) -> u32 {
+    (step + (offset & LOW_MASK)) >> LOW
 }
 
 /// The sRGB byte nearest to linear light `x` on the encoded scale. Clamps; NaN gives 0.
 #[inline(always)]
 pub fn encode(x: f32) -> u8 {
-    let place = place(x);
-    byte(STEPS[(place >> LOW) as usize], place) as u8
+    let offset = offset(x);
+    byte(STEPS[(offset >> LOW) as usize], offset) as u8
 }
 
 /// [`encode`] of 64.
 #[inline(always)]
 pub(super) fn encode_lanes<S: Simd>(values: &F32s) -> U32s {
-    let (mut places, mut rows) = (U32s::ZERO, U32s::ZERO);
+    let (mut offsets, mut rows) = (U32s::ZERO, U32s::ZERO);
     for lane in 0..LANES {
-        places[lane] = place(values[lane]);
-        rows[lane] = places[lane] >> LOW;
+        offsets[lane] = offset(values[lane]);
+        rows[lane] = offsets[lane] >> LOW;
     }
     let steps = S::gather_f32(bytemuck::cast_slice(&STEPS), &rows);
     let mut bytes = U32s::ZERO;
     for lane in 0..LANES {
-        bytes[lane] = byte(steps.as_u32()[lane], places[lane]);
+        bytes[lane] = byte(steps.as_u32()[lane], offsets[lane]);
     }
     bytes
 }

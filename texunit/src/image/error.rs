@@ -36,7 +36,7 @@ pub enum ImageError {
     /// The allocation failed.
     #[error("there is no memory for {bytes} bytes of texels")]
     OutOfMemory {
-        /// Bytes asked for.
+        /// The bytes requested.
         bytes: usize,
     },
     /// A border that no image of this shape or format has.
@@ -85,9 +85,9 @@ pub enum ImageError {
         "there is no face {face}, level {level}: faces are below {faces}, levels below {MAX_LEVELS}"
     )]
     NoSuchLevel {
-        /// Face asked for.
+        /// The face requested.
         face: usize,
-        /// Level asked for.
+        /// The level requested.
         level: usize,
         /// Faces of the shape.
         faces: usize,
@@ -95,9 +95,9 @@ pub enum ImageError {
     /// A level that is needed was never given.
     #[error("face {face} has no level {level}")]
     Missing {
-        /// Face asked for.
+        /// The face requested.
         face: usize,
-        /// Level asked for.
+        /// The level requested.
         level: usize,
     },
     /// Mipmaps of a format that has no mean: integers and stencil.

@@ -67,17 +67,17 @@ impl Level {
     /// As [`Level::fetch_lanes`].
     #[inline(always)]
     pub(crate) fn fetch_stored<S: Simd>(&self, at: [&U32s; 3], out: &mut [F32s; 4]) {
-        S::outlined(Stored { level: self, at, out });
+        S::outlined(FetchStored { level: self, at, out });
     }
 }
 
-struct Stored<'a> {
+struct FetchStored<'a> {
     level: &'a Level,
     at: [&'a U32s; 3],
     out: &'a mut [F32s; 4],
 }
 
-impl Kernel for Stored<'_> {
+impl Kernel for FetchStored<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: Simd>(self) {

@@ -27,7 +27,7 @@ pub struct Level {
 
 impl Level {
     /// The bytes that the texels of a level without border take, padding aside, or none where it
-    /// is larger than any level may be. Takes no memory: what a proxy asks.
+    /// is larger than any level may be. Allocates nothing: for proxy textures.
     pub fn required_bytes(format: Format, width: u32, height: u32, depth: u32) -> Option<usize> {
         Self::bytes_with_border(format, [width, height, depth], [0; 3])
     }
@@ -89,18 +89,22 @@ impl Level {
         Ok(level)
     }
 
-    /// One row of as many texels as `texels` has whole, at most `most`; more than an image may have.
-    /// Where the bytes are too many for gathers, the last texels are left out.
+    /// The level of a buffer texture: one dimension, as many whole texels as `bytes` has, at most `max_texels`, which
+    /// may be more than an image may have. Texels beyond the reach of a gather are left out.
     ///
     /// # Errors
     /// When there is no memory.
-    pub fn row(format: Format, texels: &[u8], most: u32) -> Result<Self, ImageError> {
+    pub fn of_buffer_texture(
+        format: Format,
+        bytes: &[u8],
+        max_texels: u32,
+    ) -> Result<Self, ImageError> {
         let size = format.bytes();
-        let count = (texels.len().min(MAX_LEVEL_BYTES) / size).min(most as usize);
+        let count = (bytes.len().min(MAX_LEVEL_BYTES) / size).min(max_texels as usize);
         // What lies outside is read at the first texel, so there always is one.
-        let bytes = count.max(1) * size + PADDING;
-        let mut memory = Memory::zeroed(bytes).ok_or(ImageError::OutOfMemory { bytes })?;
-        memory[..count * size].copy_from_slice(&texels[..count * size]);
+        let padded = count.max(1) * size + PADDING;
+        let mut memory = Memory::zeroed(padded).ok_or(ImageError::OutOfMemory { bytes: padded })?;
+        memory[..count * size].copy_from_slice(&bytes[..count * size]);
         let (width, height, depth, border) = (count as u32, 1, 1, [0; 3]);
         Ok(Self { format, width, height, depth, border, texels: memory })
     }
@@ -118,7 +122,7 @@ impl Level {
         [self.width + 2 * s, self.height + 2 * t, self.depth + 2 * r]
     }
 
-    /// How many texels or blocks a side of `texels` takes. A shift, as every sample asks for it.
+    /// The number of texels or blocks along a side of `texels`. A shift, as it is computed for every sample.
     #[inline(always)]
     fn units(&self, texels: u32) -> usize {
         let side = self.format.block_side();

@@ -54,7 +54,7 @@ pub(super) fn bytes(words: &U32s, shift: u32) -> U32s {
     out
 }
 
-// Those of the baseline are not inlined: they need no instruction set, and are used in many places.
+// Those of the baseline are not inlined: they need no instruction set, and are used in many word_offsets.
 
 #[inline(never)]
 pub(super) fn scalar(bytes: &[u8], offsets: &U32s) -> U32s {
@@ -127,32 +127,34 @@ mod tests {
 
     /// A gather operation, outlined and inlined.
     #[derive(Clone, Copy, Debug)]
-    enum Way {
+    enum GatherOp {
         Words,
         Pairs,
         Fours,
         /// Of pairs that are one behind the other.
-        Squares,
+        Quads,
     }
 
     /// What each reads of a lane, in bytes.
-    const SIZES: [(Way, usize); 4] =
-        [(Way::Words, 4), (Way::Pairs, 8), (Way::Fours, 16), (Way::Squares, 16)];
+    const SIZES: [(GatherOp, usize); 4] =
+        [(GatherOp::Words, 4), (GatherOp::Pairs, 8), (GatherOp::Fours, 16), (GatherOp::Quads, 16)];
 
-    struct Gather<'a>(Way, &'a [u8], &'a U32s);
+    struct Gather<'a>(GatherOp, &'a [u8], &'a U32s);
     impl Kernel for Gather<'_> {
         type Output = Vec<U32s>;
         #[inline(always)]
         fn run<S: Simd>(self) -> Self::Output {
-            let Self(way, bytes, offsets) = self;
-            match way {
-                Way::Words => vec![S::gather(bytes, offsets), S::gather_inline(bytes, offsets)],
-                Way::Pairs => {
+            let Self(op, bytes, offsets) = self;
+            match op {
+                GatherOp::Words => {
+                    vec![S::gather(bytes, offsets), S::gather_inline(bytes, offsets)]
+                }
+                GatherOp::Pairs => {
                     [S::gather_pairs(bytes, offsets), S::gather_pairs_inline(bytes, offsets)]
                         .concat()
                 }
-                Way::Fours => S::gather_fours(bytes, offsets).to_vec(),
-                Way::Squares => {
+                GatherOp::Fours => S::gather_fours(bytes, offsets).to_vec(),
+                GatherOp::Quads => {
                     let mut out = [U32s::ZERO; 4];
                     S::gather_quads(bytes, offsets, 8, &mut out);
                     out.to_vec()
@@ -166,21 +168,21 @@ mod tests {
         let bytes: Vec<u8> = (0..1024u32).map(|i| (i * 37 + i / 7) as u8).collect();
         let offsets = U32s::from_fn(|lane| (lane as u32 * 131) % 1009);
         let word = |at: usize| u32::from_le_bytes(bytes[at..at + 4].try_into().unwrap());
-        // Where each batch that comes back has its words, from the offset.
-        let ways: [(Way, &[usize]); 4] = [
-            (Way::Words, &[0, 0]),
-            (Way::Pairs, &[0, 4, 0, 4]),
-            (Way::Fours, &[0, 4, 8, 12]),
-            (Way::Squares, &[0, 4, 8, 12]),
+        // The byte offsets of the words in each returned batch.
+        let ops: [(GatherOp, &[usize]); 4] = [
+            (GatherOp::Words, &[0, 0]),
+            (GatherOp::Pairs, &[0, 4, 0, 4]),
+            (GatherOp::Fours, &[0, 4, 8, 12]),
+            (GatherOp::Quads, &[0, 4, 8, 12]),
         ];
         for isa in Isa::available() {
-            for (way, places) in ways {
-                let got = isa.run(Gather(way, &bytes, &offsets));
-                assert_eq!(got.len(), places.len());
-                for (words, further) in got.iter().zip(places) {
+            for (op, word_offsets) in ops {
+                let got = isa.run(Gather(op, &bytes, &offsets));
+                assert_eq!(got.len(), word_offsets.len());
+                for (words, offset) in got.iter().zip(word_offsets) {
                     for lane in 0..LANES {
-                        let want = word(offsets[lane] as usize + further);
-                        assert_eq!(words[lane], want, "{} {way:?} lane {lane}", isa.name());
+                        let want = word(offsets[lane] as usize + offset);
+                        assert_eq!(words[lane], want, "{} {op:?} lane {lane}", isa.name());
                     }
                 }
             }
@@ -192,15 +194,20 @@ mod tests {
     fn a_gather_outside_its_slice_panics_on_every_instruction_set() {
         let bytes = [0; 64];
         for isa in Isa::available() {
-            let ways = [(Way::Words, 60), (Way::Pairs, 56), (Way::Fours, 48), (Way::Squares, 48)];
-            for (way, last) in ways {
+            let ops = [
+                (GatherOp::Words, 60),
+                (GatherOp::Pairs, 56),
+                (GatherOp::Fours, 48),
+                (GatherOp::Quads, 48),
+            ];
+            for (op, last) in ops {
                 let mut offsets = U32s::ZERO;
                 offsets[63] = last;
-                isa.run(Gather(way, &bytes, &offsets));
+                isa.run(Gather(op, &bytes, &offsets));
                 for bad in [last + 1, 64, u32::MAX, 1 << 31] {
                     offsets[63] = bad;
-                    let run = std::panic::catch_unwind(|| isa.run(Gather(way, &bytes, &offsets)));
-                    assert!(run.is_err(), "{} {way:?} took offset {bad}", isa.name());
+                    let run = std::panic::catch_unwind(|| isa.run(Gather(op, &bytes, &offsets)));
+                    assert!(run.is_err(), "{} {op:?} took offset {bad}", isa.name());
                 }
             }
         }
@@ -211,10 +218,10 @@ mod tests {
     #[test]
     fn a_gather_takes_the_last_bytes() {
         for isa in Isa::available() {
-            for (way, size) in SIZES {
+            for (op, size) in SIZES {
                 for begin in [0, 1, 3] {
                     let bytes = vec![7_u8; begin + size].into_boxed_slice();
-                    let got = isa.run(Gather(way, &bytes, &U32s::splat(begin as u32)));
+                    let got = isa.run(Gather(op, &bytes, &U32s::splat(begin as u32)));
                     assert!(got.iter().all(|words| *words == U32s::splat(0x0707_0707)));
                 }
             }
@@ -227,12 +234,11 @@ mod tests {
     #[cfg_attr(target_family = "wasm", ignore = "a panic ends the program there")]
     fn a_gather_takes_none_of_too_few_bytes() {
         for isa in Isa::available() {
-            for (way, size) in SIZES {
+            for (op, size) in SIZES {
                 for length in [0, size - 1] {
                     let bytes = vec![0_u8; length].into_boxed_slice();
-                    let run =
-                        std::panic::catch_unwind(|| isa.run(Gather(way, &bytes, &U32s::ZERO)));
-                    assert!(run.is_err(), "{} {way:?} of {length} bytes", isa.name());
+                    let run = std::panic::catch_unwind(|| isa.run(Gather(op, &bytes, &U32s::ZERO)));
+                    assert!(run.is_err(), "{} {op:?} of {length} bytes", isa.name());
                 }
             }
             let table = vec![2.5; 3].into_boxed_slice();

@@ -128,7 +128,7 @@ impl Isa {
     pub fn run<K: Kernel>(self, kernel: K) -> K::Output {
         match self.0 {
             Level::Baseline => run_baseline(kernel),
-            // SAFETY: the value exists, so the processor was seen to have these features.
+            // SAFETY: the value exists, so the processor has these features.
             #[cfg(target_arch = "x86_64")]
             Level::Avx2 => unsafe { run_avx2(kernel) },
             // SAFETY: as above.
@@ -145,7 +145,7 @@ impl Isa {
     pub(crate) fn run_above_baseline<K: Kernel>(self, kernel: K) -> Result<K::Output, K> {
         match self.0 {
             Level::Baseline => Err(kernel),
-            // SAFETY: the value exists, so the processor was seen to have these features.
+            // SAFETY: the value exists, so the processor has these features.
             #[cfg(target_arch = "x86_64")]
             Level::Avx2 => Ok(unsafe { run_avx2(kernel) }),
             // SAFETY: as above.

@@ -67,7 +67,7 @@ pub fn log2_of_root(x: f32) -> f32 {
     let above_cut = x.to_bits().wrapping_sub(CUT);
     let exponent = above_cut as i32 >> 23;
     let f = f32::from_bits((above_cut & 0x007F_FFFF).wrapping_add(CUT)) - 1.0;
-    // All but the first term by pairs (Estrin's scheme): one after the other each would wait for the one before.
+    // All but the first term by pairs (Estrin's scheme): in sequence each would depend on the previous one.
     let (f2, p) = (f * f, &P_SHORT);
     let low = (p[1] + p[2] * f) + (p[3] + p[4] * f) * f2;
     let high = (p[5] + p[6] * f) + (p[7] + p[8] * f) * f2;

@@ -8,21 +8,21 @@ use crate::pixel::{self, PixelLayout};
 /// The texels that one smaller texel covers along an axis, counted from the first that is stored,
 /// and their weights; those without weight may lie outside.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Cover {
+pub(super) struct AxisTaps {
     pub first: usize,
     pub weights: [u32; 3],
 }
 
-impl Cover {
+impl AxisTaps {
     /// What each texel of a side of `half` covers of one of `size`, the border's on both ends. A
     /// side that is not halved stays.
     pub fn all(size: u32, half: u32, border: u32) -> Vec<Self> {
-        let alone = |first: u32| Self { first: first as usize, weights: [1, 0, 0] };
-        let below = (0..border).map(alone);
-        let above = (0..border).map(|i| alone(border + size + i));
+        let single = |first: u32| Self { first: first as usize, weights: [1, 0, 0] };
+        let below = (0..border).map(single);
+        let above = (0..border).map(|i| single(border + size + i));
         let inner = (0..half).map(|i| {
             if half == size {
-                return alone(border + i);
+                return single(border + i);
             }
             let weights = if size.is_multiple_of(2) { [1, 1, 0] } else { [half - i, half, i + 1] };
             Self { first: (border + 2 * i) as usize, weights }
@@ -54,9 +54,9 @@ impl Cover {
 pub(super) struct Halve<'a> {
     pub from: &'a Level,
     pub to: &'a mut Level,
-    pub columns: Vec<Cover>,
-    pub rows: Vec<Cover>,
-    pub slices: Vec<Cover>,
+    pub columns: Vec<AxisTaps>,
+    pub rows: Vec<AxisTaps>,
+    pub slices: Vec<AxisTaps>,
 }
 
 impl Kernel for Halve<'_> {
@@ -159,7 +159,7 @@ fn accumulate<S: Simd>(
 
 /// The means of what the columns cover. `across` is the weight of a whole column of `sums`.
 #[inline(always)]
-fn along_row<const N: usize>(columns: &[Cover], across: f64, sums: &[f64], means: &mut [f64]) {
+fn along_row<const N: usize>(columns: &[AxisTaps], across: f64, sums: &[f64], means: &mut [f64]) {
     let sums = sums.as_chunks::<N>().0;
     for (column, mean) in columns.iter().zip(means.as_chunks_mut::<N>().0) {
         let mut sum = [0.0; N];

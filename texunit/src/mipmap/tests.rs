@@ -148,7 +148,7 @@ fn sides_are_covered_exactly() {
     for size in [2, 3, 5, 7, 8, 101] {
         let mut weights = vec![0.0; size as usize];
         // Every smaller texel covers size/half texels, every texel is covered in full.
-        for cover in Cover::all(size, size / 2, 0) {
+        for cover in AxisTaps::all(size, size / 2, 0) {
             for (x, weight) in cover.taps() {
                 weights[x] += weight;
             }

@@ -8,13 +8,13 @@ use crate::lanes::{F64s, Isa, Kernel, LANES, Simd};
 
 /// What each new pixel of a side covers of the old ones.
 #[derive(Clone, Debug)]
-struct Covers {
+struct AxisCoverage {
     /// The first old pixel, and where its weights begin.
     firsts: Vec<(usize, usize)>,
     weights: Vec<f64>,
 }
 
-impl Covers {
+impl AxisCoverage {
     fn new(old: usize, new: usize) -> Self {
         let mut covers = Self { firsts: Vec::with_capacity(new), weights: Vec::new() };
         for index in 0..new {
@@ -54,7 +54,7 @@ pub fn scale(
     mut read: impl FnMut([usize; 2], &mut Planes),
     mut write: impl FnMut(&Planes),
 ) {
-    let covers = |axis: usize| Covers::new(old[axis], new[axis]);
+    let covers = |axis: usize| AxisCoverage::new(old[axis], new[axis]);
     let (columns, rows, slices) = (covers(0), covers(1), covers(2));
     let volume = old.iter().map(|&side| side as f64).product::<f64>();
     let (mut from, mut row) = (planes(old[0], count), planes(new[0], count));
@@ -73,7 +73,7 @@ pub fn scale(
                 }
             }
             for (sums, row) in sums.iter().zip(&mut row) {
-                isa.run(Along { columns: &columns, sums, volume, row });
+                isa.run(AverageRow { columns: &columns, sums, volume, row });
             }
             write(&row);
         }
@@ -81,14 +81,14 @@ pub fn scale(
 }
 
 /// The means of what the columns cover.
-struct Along<'a> {
-    columns: &'a Covers,
+struct AverageRow<'a> {
+    columns: &'a AxisCoverage,
     sums: &'a [f64],
     volume: f64,
     row: &'a mut [f64],
 }
 
-impl Kernel for Along<'_> {
+impl Kernel for AverageRow<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: Simd>(self) {

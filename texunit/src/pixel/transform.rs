@@ -74,8 +74,8 @@ impl Kernel for Transform<'_> {
             NumberTransform::Whole { low, high } => {
                 for lane in 0..LANES {
                     let up = numbers[lane] + 0.5;
-                    let held = if up > low { up } else { low };
-                    let held = if held < high { held } else { high };
+                    let raised = if up > low { up } else { low };
+                    let held = if raised < high { raised } else { high };
                     let whole = held + ROUND - ROUND;
                     out[lane] = if whole > held { whole - 1.0 } else { whole };
                 }

@@ -64,7 +64,7 @@ impl TexelPath {
 
 impl Anisotropy {
     /// `most` is the maximum ratio of the axes.
-    fn new(shape: Shape, sampler: &Sampler, most: u32) -> Self {
+    fn new(shape: Shape, sampler: &Sampler, max_probes: u32) -> Self {
         let in_rows = |wrap: Wrap| match wrap_of(shape, sampler.seamless, wrap) {
             Wrap::Repeat | Wrap::MirroredRepeat | Wrap::ClampToEdge => true,
             Wrap::Clamp
@@ -75,11 +75,11 @@ impl Anisotropy {
         };
         let filters = [sampler.min, sampler.mag] == [Filter::Linear; 2];
         match shape {
-            _ if most == 1 => Self::Off,
+            _ if max_probes == 1 => Self::Off,
             Shape::D2 | Shape::Rect
                 if filters && in_rows(sampler.wrap[0]) && in_rows(sampler.wrap[1]) =>
             {
-                Self::Scan(most)
+                Self::Scan(max_probes)
             }
             // A one-dimensional footprint has no minor axis.
             Shape::D1 | Shape::D1Array => Self::Off,
@@ -88,7 +88,7 @@ impl Anisotropy {
             | Shape::Rect
             | Shape::Cube
             | Shape::D2Array
-            | Shape::CubeArray => Self::Probes(most),
+            | Shape::CubeArray => Self::Probes(max_probes),
         }
     }
 }
@@ -123,8 +123,8 @@ impl LevelSelection {
             | (Filter::Nearest, _, _) => 0.0,
         };
         let fixed = |filter, why| Self::Fixed { filter, level: 0, why, bias: sampler.lod_bias };
-        let most = clamp(sampler.max_anisotropy, 1.0, MAX_ANISOTROPY) as u32;
-        let anisotropy = Anisotropy::new(shape, sampler, most);
+        let max_probes = clamp(sampler.max_anisotropy, 1.0, MAX_ANISOTROPY) as u32;
+        let anisotropy = Anisotropy::new(shape, sampler, max_probes);
         let is_off = anisotropy == Anisotropy::Off;
         if is_off && sampler.max_lod <= magnified_to {
             return fixed(mag, "the largest LOD never leaves magnification");

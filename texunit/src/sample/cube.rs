@@ -37,11 +37,11 @@ pub fn reproject(on: &Projected) -> Projected {
     for lane in 0..LANES {
         let (sc, tc) = (2.0 * on.st[0][lane] - 1.0, 2.0 * on.st[1][lane] - 1.0);
         let [x, y, z] = from_face_axes(on.face[lane], sc, tc, 1.0);
-        let there = select(x, y, z);
-        let [u, v, ma] = to_face_axes(there, x, y, z);
+        let new_face = select(x, y, z);
+        let [u, v, ma] = to_face_axes(new_face, x, y, z);
         // False for NaN.
         let beyond = (sc.abs() > 1.0) | (tc.abs() > 1.0);
-        out.face[lane] = if beyond { there } else { on.face[lane] };
+        out.face[lane] = if beyond { new_face } else { on.face[lane] };
         out.st[0][lane] = if beyond { 0.5 * (u / ma + 1.0) } else { on.st[0][lane] };
         out.st[1][lane] = if beyond { 0.5 * (v / ma + 1.0) } else { on.st[1][lane] };
     }
@@ -120,8 +120,8 @@ pub fn across_edge(face: u32, i: &I32s, j: &I32s, step: [i32; 2], size: i32) -> 
     let mut out =
         EdgeTexels { face: U32s::splat(face), x: U32s::ZERO, y: U32s::ZERO, missing: U32s::ZERO };
     for lane in 0..LANES {
-        let sc = held(2 * (i[lane] + step[0]) + 1 - size, size);
-        let tc = held(2 * (j[lane] + step[1]) + 1 - size, size);
+        let sc = clamped(2 * (i[lane] + step[0]) + 1 - size, size);
+        let tc = clamped(2 * (j[lane] + step[1]) + 1 - size, size);
         let off_s = (sc == size) | (sc == -size);
         let off_t = (tc == size) | (tc == -size);
         let direction = from_face_axes(face, sc, tc, size);
@@ -138,11 +138,11 @@ pub fn across_edge(face: u32, i: &I32s, j: &I32s, step: [i32; 2], size: i32) -> 
         };
         let other = axis + if x + y + z < 0 { 1 } else { 0 };
         let crossed = off_s | off_t;
-        let there = if crossed { other } else { face };
+        let new_face = if crossed { other } else { face };
         let [sc, tc, _] =
-            to_face_axes(there, direction[0] as f32, direction[1] as f32, direction[2] as f32);
-        let index = |c: f32| held_index((c as i32 + size - 1) >> 1, size);
-        out.face[lane] = there;
+            to_face_axes(new_face, direction[0] as f32, direction[1] as f32, direction[2] as f32);
+        let index = |c: f32| clamped_index((c as i32 + size - 1) >> 1, size);
+        out.face[lane] = new_face;
         out.x[lane] = index(sc);
         out.y[lane] = index(tc);
         out.missing[lane] = if off_s & off_t { !0 } else { 0 };
@@ -151,13 +151,13 @@ pub fn across_edge(face: u32, i: &I32s, j: &I32s, step: [i32; 2], size: i32) -> 
 }
 
 #[inline(always)]
-fn held(c: i32, size: i32) -> i32 {
+fn clamped(c: i32, size: i32) -> i32 {
     let low = if c < -size { -size } else { c };
     if low > size { size } else { low }
 }
 
 #[inline(always)]
-fn held_index(index: i32, size: i32) -> u32 {
+fn clamped_index(index: i32, size: i32) -> u32 {
     let low = if index < 0 { 0 } else { index };
     if low >= size { size as u32 - 1 } else { low as u32 }
 }

@@ -10,9 +10,9 @@ pub struct Derivatives<'a> {
     pub dy: [&'a F32s; 3],
 }
 
-/// Fine differences across each quad's rows, in both of their pixels.
+/// Fine differences along each quad's rows, in both of their pixels.
 #[inline(always)]
-pub fn across(v: &F32s) -> F32s {
+pub fn ddx_fine(v: &F32s) -> F32s {
     let mut d = F32s::ZERO;
     for q in 0..QUADS {
         let lower = v[QUADS + q] - v[q];
@@ -27,7 +27,7 @@ pub fn across(v: &F32s) -> F32s {
 
 /// Fine differences along each quad's columns, in both of their pixels.
 #[inline(always)]
-pub fn upward(v: &F32s) -> F32s {
+pub fn ddy_fine(v: &F32s) -> F32s {
     let mut d = F32s::ZERO;
     for q in 0..QUADS {
         let left = v[2 * QUADS + q] - v[q];
@@ -42,11 +42,11 @@ pub fn upward(v: &F32s) -> F32s {
 
 /// The differences within each quad of the first `axes` coordinates.
 #[inline(always)]
-pub fn of_quads(coords: [&F32s; 3], axes: usize) -> [[F32s; 3]; 2] {
+pub fn quad_derivatives(coords: [&F32s; 3], axes: usize) -> [[F32s; 3]; 2] {
     let mut out = [[F32s::ZERO; 3]; 2];
     for (axis, from) in coords.into_iter().enumerate().take(axes) {
-        out[0][axis] = across(from);
-        out[1][axis] = upward(from);
+        out[0][axis] = ddx_fine(from);
+        out[1][axis] = ddy_fine(from);
     }
     out
 }
@@ -67,7 +67,7 @@ mod tests {
     #[test]
     fn differences_are_taken_row_by_row_and_column_by_column() {
         let v = F32s::from_fn(|lane| [1.0, 3.0, 10.0, 17.0][lane / QUADS]);
-        let (dx, dy) = (across(&v), upward(&v));
+        let (dx, dy) = (ddx_fine(&v), ddy_fine(&v));
         for lane in 0..LANES {
             assert_eq!(dx[lane], [2.0, 2.0, 7.0, 7.0][lane / QUADS]);
             assert_eq!(dy[lane], [9.0, 14.0, 9.0, 14.0][lane / QUADS]);

@@ -2,7 +2,7 @@
 
 use super::call::SampleCall;
 use super::fast::Addresses;
-use super::footprint::{AnyFootprint, FootprintSet, RoundAndProbes, RowScans};
+use super::footprint::{AllFootprints, FootprintSet, IsotropicAndProbes, RowScans};
 use super::fused::{self, TexelConsumer};
 use super::gather::Gather;
 use super::lod_query::Query;
@@ -54,7 +54,7 @@ impl SamplePlan {
         let LookupScratch { lanes: out, quads, levels } = scratch;
         match self.texture() {
             Some(texture) => {
-                let (recorder, footprints) = (&mut NoRecorder, PhantomData::<RoundAndProbes>);
+                let (recorder, footprints) = (&mut NoRecorder, PhantomData::<IsotropicAndProbes>);
                 let Points { coords, layer, reference } = points;
                 let (coords, lod) = (&coords, &lod);
                 let sample = SampleCall {
@@ -202,7 +202,7 @@ impl SamplePlan {
         let mut recorder = LaneRecorder::new(lane);
         if let Some(texture) = self.general().texture() {
             let (out, recorder) = (&mut out, &mut recorder);
-            let footprints = PhantomData::<AnyFootprint>;
+            let footprints = PhantomData::<AllFootprints>;
             let Points { coords, layer, reference } = points;
             let (coords, lod) = (&coords, &lod);
             let sample = SampleCall {
@@ -273,7 +273,7 @@ impl<'a, F: FootprintSet> SampleCall<'a, NoRecorder, F> {
     }
 }
 
-impl SampleCall<'_, LaneRecorder, AnyFootprint> {
+impl SampleCall<'_, LaneRecorder, AllFootprints> {
     /// The only kernel of the baseline, and that of traces: one copy of the code.
     #[inline(never)]
     pub fn run_in_baseline(self) {

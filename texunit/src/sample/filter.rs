@@ -7,7 +7,7 @@
 use super::interpolate::{divide, lerp, mean};
 use super::level_view::LevelView;
 use super::recorder::Recorder;
-use super::wrap::{Enclosing, Indices};
+use super::wrap::{Indices, LinearTexels};
 use super::{fast, fetch, seamless};
 use crate::lanes::{F32s, Kernel, LANES, Simd, U32s};
 use crate::plan::TexelPath;
@@ -76,14 +76,14 @@ fn nearest<S: Simd>(
 ) {
     let axes = view.texture.shape.axes();
     recorder.record(|lane| SampleStep::Nearest { u: texel_coordinates::<S>(view, at, lane) });
-    let x = view.axis(0).nearest_to::<S>(at[0]);
+    let x = view.axis(0).nearest_texel::<S>(at[0]);
     let mut y = Indices { index: U32s::ZERO, outside: U32s::ZERO };
     let mut z = view.slice();
     if axes > 1 {
-        y = view.axis(1).nearest_to::<S>(at[1]);
+        y = view.axis(1).nearest_texel::<S>(at[1]);
     }
     if axes > 2 {
-        z = view.axis(2).nearest_to::<S>(at[2]);
+        z = view.axis(2).nearest_texel::<S>(at[2]);
     }
     fetch::texels::<S>(view, [&x, &y, &z], out, recorder);
 }
@@ -108,14 +108,14 @@ fn linear<S: Simd>(
 ) {
     let axes = view.texture.shape.axes();
     let axis = view.axis(0);
-    let Enclosing { lower: i, weight: alpha, texels: xs } = axis.enclosing::<S>(at[0]);
+    let LinearTexels { lower: i, weight: alpha, texels: xs } = axis.linear_texels::<S>(at[0]);
     let close = fetch::side_by_side::<S>(&i, axis.size);
     let none = || Indices { index: U32s::ZERO, outside: U32s::ZERO };
     let (mut ys, mut beta) = ([none(), none()], F32s::ZERO);
     let (mut zs, mut gamma) = ([view.slice(), none()], F32s::ZERO);
     if axes > 1 {
         let axis = view.axis(1);
-        let Enclosing { lower: j, weight, texels } = axis.enclosing::<S>(at[1]);
+        let LinearTexels { lower: j, weight, texels } = axis.linear_texels::<S>(at[1]);
         beta = weight;
         let crosses = view.texture.seamless == Seamless::On
             && !(close && fetch::side_by_side::<S>(&j, axis.size));
@@ -130,7 +130,7 @@ fn linear<S: Simd>(
         ys = texels;
     }
     if axes > 2 {
-        Enclosing { weight: gamma, texels: zs, .. } = view.axis(2).enclosing::<S>(at[2]);
+        LinearTexels { weight: gamma, texels: zs, .. } = view.axis(2).linear_texels::<S>(at[2]);
     }
     recorder.record(|lane| SampleStep::Linear {
         u: texel_coordinates::<S>(view, at, lane),

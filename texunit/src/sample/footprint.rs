@@ -25,7 +25,7 @@ use crate::trace::SampleStep;
 /// How the footprints of a batch are filtered.
 pub enum Footprint {
     /// Isotropic: one sample.
-    Round,
+    Isotropic,
     /// With probes along the major axis.
     Probes(Probes),
     /// With a row scan.
@@ -34,8 +34,8 @@ pub enum Footprint {
 
 /// The footprints that a kernel is compiled for.
 pub trait FootprintSet: Copy {
-    /// [`Footprint::Round`], and each probe.
-    const ROUND: bool;
+    /// [`Footprint::Isotropic`], and each probe.
+    const ISOTROPIC: bool;
     /// [`Footprint::Probes`].
     const PROBES: bool;
     /// [`Footprint::Scan`].
@@ -44,18 +44,18 @@ pub trait FootprintSet: Copy {
 
 /// Isotropic footprints.
 #[derive(Clone, Copy)]
-pub struct RoundOnly;
-impl FootprintSet for RoundOnly {
-    const ROUND: bool = true;
+pub struct IsotropicOnly;
+impl FootprintSet for IsotropicOnly {
+    const ISOTROPIC: bool = true;
     const PROBES: bool = false;
     const SCANS: bool = false;
 }
 
 /// Isotropic footprints, and probes.
 #[derive(Clone, Copy)]
-pub struct RoundAndProbes;
-impl FootprintSet for RoundAndProbes {
-    const ROUND: bool = true;
+pub struct IsotropicAndProbes;
+impl FootprintSet for IsotropicAndProbes {
+    const ISOTROPIC: bool = true;
     const PROBES: bool = true;
     const SCANS: bool = false;
 }
@@ -64,16 +64,16 @@ impl FootprintSet for RoundAndProbes {
 #[derive(Clone, Copy)]
 pub struct RowScans;
 impl FootprintSet for RowScans {
-    const ROUND: bool = false;
+    const ISOTROPIC: bool = false;
     const PROBES: bool = false;
     const SCANS: bool = true;
 }
 
 /// All footprints: for traces and the baseline.
 #[derive(Clone, Copy)]
-pub struct AnyFootprint;
-impl FootprintSet for AnyFootprint {
-    const ROUND: bool = true;
+pub struct AllFootprints;
+impl FootprintSet for AllFootprints {
+    const ISOTROPIC: bool = true;
     const PROBES: bool = true;
     const SCANS: bool = true;
 }
@@ -81,7 +81,7 @@ impl FootprintSet for AnyFootprint {
 /// The probes of a batch.
 pub struct Probes {
     /// The largest number of probes of a lane.
-    pub most: u32,
+    pub max_count: u32,
     /// The number of probes of each lane, at least 1.
     pub count: F32s,
     /// From one probe to the next, per axis, in units of the coordinate.
@@ -146,7 +146,7 @@ pub fn anisotropic<S: Simd>(
     d: &Derivatives<'_>,
     axes: usize,
     scale: [f32; 3],
-    most: f32,
+    max_probes: f32,
     recorder: &mut impl Recorder,
 ) -> (F32s, Option<Probes>) {
     let Metric { xx, xy, yy } = metric(d, axes, scale);
@@ -174,7 +174,7 @@ pub fn anisotropic<S: Simd>(
             // False for NaN, of empty and infinite footprints.
             let stretched = elongated[lane] != 0;
             let ratio = (major / minor).sqrt();
-            let n = clamp(S::ceil(ratio - (ISOTROPIC_RATIO - 1.0)), 2.0, most);
+            let n = clamp(S::ceil(ratio - (ISOTROPIC_RATIO - 1.0)), 2.0, max_probes);
             let wide = max(minor, major / (n * n));
             width[lane] = if stretched { wide } else { major };
             count[lane] = if stretched { n } else { 1.0 };
@@ -197,8 +197,8 @@ pub fn anisotropic<S: Simd>(
             }
         }
         // The bits of positive floats are ordered as the numbers.
-        let most = f32::from_bits(S::largest(count.as_u32())) as u32;
-        probes = Some(Probes { most, count, step });
+        let max_count = f32::from_bits(S::largest(count.as_u32())) as u32;
+        probes = Some(Probes { max_count, count, step });
     }
     let mut lambda = F32s::ZERO;
     for lane in 0..LANES {

@@ -9,7 +9,7 @@ use super::coordinates::Coordinates;
 use super::level_view::LevelView;
 use super::lookup::Points;
 use super::recorder::NoRecorder;
-use super::wrap::{Axis, Indices, enclosing, modulo};
+use super::wrap::{Axis, Indices, lower_and_weight, modulo};
 use super::{cube, expand, fetch, seamless};
 use crate::lanes::math::{clamp, max};
 use crate::lanes::{F32s, I32s, Kernel, LANES, Simd, U32s};
@@ -39,28 +39,29 @@ impl Kernel for Gather<'_> {
             Some(_) => unit_range(reference.unwrap_or(coords[2])),
             None => F32s::ZERO,
         };
-        let at = Coordinates::new(texture, coords, layer, &mut NoRecorder);
-        let [s, t, _] = at.filtered();
+        let coordinates = Coordinates::new(texture, coords, layer, &mut NoRecorder);
+        let [s, t, _] = coordinates.filtered();
         let mut missing = [U32s::ZERO; 4];
         for (face, levels) in texture.levels.iter().enumerate() {
-            let mut here = U32s::ZERO;
+            let mut on_face = U32s::ZERO;
             for lane in 0..LANES {
-                here[lane] = if at.face[lane] == face as u32 { !0 } else { 0 };
+                on_face[lane] = if coordinates.face[lane] == face as u32 { !0 } else { 0 };
             }
-            let Some(level) = levels.first().filter(|_| S::any(&here)) else { continue };
-            let (filter, number, layer, reference) = (Filter::Linear, 0, &at.layer, &reference);
+            let Some(level) = levels.first().filter(|_| S::any(&on_face)) else { continue };
+            let (filter, number, layer, reference) =
+                (Filter::Linear, 0, &coordinates.layer, &reference);
             let view = LevelView { texture, filter, face, number, level, layer, reference };
             let x = S::outlined(PairOnAxis { axis: view.axis(0), s, offset: offset[0] });
             let y = S::outlined(PairOnAxis { axis: view.axis(1), s: t, offset: offset[1] });
             for corner in 0..4 {
-                let step = [corner % 2, corner / 2];
-                let (found, lacks) =
-                    S::outlined(CornerTexel { view: &view, along: [&x, &y], step });
+                let texel = [corner % 2, corner / 2];
+                let (component, absent) =
+                    S::outlined(CornerTexel { view: &view, along: [&x, &y], texel });
                 let to = &mut out[GATHER_ORDER[corner]];
                 for lane in 0..LANES {
-                    let is_here = here[lane] != 0;
-                    to[lane] = if is_here { found[lane] } else { to[lane] };
-                    missing[corner][lane] |= lacks[lane] & here[lane];
+                    let is_on_face = on_face[lane] != 0;
+                    to[lane] = if is_on_face { component[lane] } else { to[lane] };
+                    missing[corner][lane] |= absent[lane] & on_face[lane];
                 }
             }
         }
@@ -94,34 +95,34 @@ impl Kernel for PairOnAxis<'_> {
         let rule = WrapRule::new(axis.wrap, axis.size as i32);
         let mut u = F32s::ZERO;
         match rule.repeats {
-            Some(each) => {
+            Some(period) => {
                 for lane in 0..LANES {
-                    let turns = s[lane] / each;
-                    u[lane] = max(turns - S::floor(turns), 0.0) * (each * axis.size as f32);
+                    let periods = s[lane] / period;
+                    u[lane] = max(periods - S::floor(periods), 0.0) * (period * axis.size as f32);
                 }
             }
             None => {
-                let most = axis.size as f32 + BEYOND;
+                let limit = axis.size as f32 + MARGIN;
                 for lane in 0..LANES {
                     let x = s[lane] * axis.scale;
-                    u[lane] = clamp(if x.is_nan() { 0.0 } else { x }, -most, most);
+                    u[lane] = clamp(if x.is_nan() { 0.0 } else { x }, -limit, limit);
                 }
             }
         }
-        let (mut lower, _) = enclosing::<S>(&u);
+        let (mut lower, _) = lower_and_weight::<S>(&u);
         for lane in 0..LANES {
             lower[lane] += offset;
         }
-        let texels = [wrapped(axis, &rule, &lower, 0), wrapped(axis, &rule, &lower, 1)];
+        let texels = [wrap_indices(axis, &rule, &lower, 0), wrap_indices(axis, &rule, &lower, 1)];
         TexelPair { lower, texels }
     }
 }
 
 /// Coordinates are clamped to this many texels beyond the image: more than any offset.
-const BEYOND: f32 = 64.0;
+const MARGIN: f32 = 64.0;
 
 /// Larger than any texel index.
-const FAR: i32 = 1 << 23;
+const UNBOUNDED: i32 = 1 << 23;
 
 /// The steps that wrap an index `i` or `i + 1` of `n` texels (OpenGL 3.2, table 3.20). A step that does not apply is an
 /// identity.
@@ -143,8 +144,8 @@ impl WrapRule {
         let (edge, border) = ([0, n - 1], [-1, n]);
         let straight = Self {
             repeats: None,
-            first: [-FAR, FAR],
-            period: [-FAR, 2 * FAR],
+            first: [-UNBOUNDED, UNBOUNDED],
+            period: [-UNBOUNDED, 2 * UNBOUNDED],
             mirror: 0,
             last: border,
         };
@@ -164,20 +165,20 @@ impl WrapRule {
 
 #[inline(always)]
 fn clamp_index(i: i32, [low, high]: [i32; 2]) -> i32 {
-    let above = if i < low { low } else { i };
-    if above > high { high } else { above }
+    let raised = if i < low { low } else { i };
+    if raised > high { high } else { raised }
 }
 
 #[inline(always)]
-fn wrapped(axis: Axis, rule: &WrapRule, i: &I32s, step: i32) -> Indices {
+fn wrap_indices(axis: Axis, rule: &WrapRule, i: &I32s, added: i32) -> Indices {
     let [start, length] = rule.period;
     let mut wrapped = I32s::ZERO;
     for lane in 0..LANES {
-        let index = clamp_index(i[lane], rule.first) + step;
+        let index = clamp_index(i[lane], rule.first) + added;
         let repeated = modulo(index - start, length) + start;
         wrapped[lane] = clamp_index(repeated ^ (repeated >> 31 & rule.mirror), rule.last);
     }
-    axis.stored(&wrapped)
+    axis.stored_indices(&wrapped)
 }
 
 /// The first component of one texel after the swizzle, and a mask of the lanes without a texel (beyond a cube's corner).
@@ -185,7 +186,7 @@ struct CornerTexel<'a> {
     view: &'a LevelView<'a>,
     along: [&'a TexelPair; 2],
     /// 0 for the lower, 1 for the upper texel along each axis.
-    step: [usize; 2],
+    texel: [usize; 2],
 }
 
 impl Kernel for CornerTexel<'_> {
@@ -193,25 +194,25 @@ impl Kernel for CornerTexel<'_> {
 
     #[inline(always)]
     fn run<S: Simd>(self) -> (F32s, U32s) {
-        let Self { view, along: [x, y], step } = self;
+        let Self { view, along: [x, y], texel } = self;
         let texture = view.texture;
-        let (mut channels, mut missing) = ([F32s::ZERO; 4], U32s::ZERO);
+        let (mut channels, mut absent) = ([F32s::ZERO; 4], U32s::ZERO);
         match texture.seamless {
             Seamless::Off => {
-                let at = [&x.texels[step[0]], &y.texels[step[1]], &view.slice()];
-                fetch::texels::<S>(view, at, &mut channels, &mut NoRecorder);
+                let indices = [&x.texels[texel[0]], &y.texels[texel[1]], &view.slice()];
+                fetch::texels::<S>(view, indices, &mut channels, &mut NoRecorder);
             }
             Seamless::On => {
                 let (face, size) = (view.face as u32, view.level.width as i32);
-                let step = [step[0] as i32, step[1] as i32];
-                let found = cube::across_edge(face, &x.lower, &y.lower, step, size);
+                let corner_offset = [texel[0] as i32, texel[1] as i32];
+                let found = cube::across_edge(face, &x.lower, &y.lower, corner_offset, size);
                 seamless::texels::<S>(view, &found, &mut channels);
-                missing = found.missing;
+                absent = found.missing;
             }
         }
         expand::expand(texture.format, texture.depth_mode, &mut channels);
         expand::swizzle(texture.format, texture.swizzle, &mut channels);
-        (channels[0], missing)
+        (channels[0], absent)
     }
 }
 
@@ -223,11 +224,11 @@ fn fill_missing(texture: &Texture, missing: &[U32s; 4], out: &mut [F32s; 4]) {
         let [to, a, b] = [GATHER_ORDER[corner], GATHER_ORDER[corner ^ 1], GATHER_ORDER[corner ^ 2]];
         let opposite = GATHER_ORDER[corner ^ 3];
         for lane in 0..LANES {
-            let alone = out[opposite][lane];
-            let mean = (out[a][lane] + out[b][lane] + alone) / 3.0;
-            let instead = if is_integer { alone } else { mean };
-            let here = out[to][lane];
-            out[to][lane] = if missing[corner][lane] == 0 { here } else { instead };
+            let opposite_texel = out[opposite][lane];
+            let mean = (out[a][lane] + out[b][lane] + opposite_texel) / 3.0;
+            let replacement = if is_integer { opposite_texel } else { mean };
+            let texel = out[to][lane];
+            out[to][lane] = if missing[corner][lane] == 0 { texel } else { replacement };
         }
     }
 }

@@ -34,7 +34,7 @@ impl<R: Recorder, F: FootprintSet> Kernel for SampleCall<'_, R, F> {
         let (probes, scan) = match &footprint {
             Footprint::Probes(probes) if F::PROBES => (Some(probes), None),
             Footprint::Scan(scan) if F::SCANS => (None, Some(scan)),
-            Footprint::Round | Footprint::Probes(_) | Footprint::Scan(_) => (None, None),
+            Footprint::Isotropic | Footprint::Probes(_) | Footprint::Scan(_) => (None, None),
         };
         let context = SampleContext { texture, offset, reference: &reference, scan };
         sample_probes::<S, F>(&context, &at, &taps, probes, out, recorder);
@@ -62,48 +62,49 @@ fn sample_probes<S: Simd, F: FootprintSet>(
     out: &mut [F32s; 4],
     recorder: &mut impl Recorder,
 ) {
-    let most = match probes {
-        Some(probes) => probes.most,
+    let probe_count = match probes {
+        Some(probes) => probes.max_count,
         None => 1,
     };
-    let mut moved = None;
-    let mut moved_taps;
-    let mut one = None;
-    for probe in 0..most {
-        let mut there = at.filtered();
+    let mut probe_coords = None;
+    let mut face_taps;
+    let mut sample = None;
+    for probe in 0..probe_count {
+        let mut coords = at.filtered();
         let mut read = taps;
         if let Some(probes) = probes {
-            let to = moved.get_or_insert([F32s::ZERO; 3]);
+            let to = probe_coords.get_or_insert([F32s::ZERO; 3]);
             let axes = context.texture.shape.axes();
             for (axis, to) in to.iter_mut().enumerate().take(axes) {
-                place_probe(at.filtered()[axis], probes, axis, probe, to);
+                probe_coordinate(at.filtered()[axis], probes, axis, probe, to);
             }
             if context.texture.shape.is_cube() {
                 let [s, t, _] = *to;
-                let on = cube::reproject(&cube::Projected { face: at.face, st: [s, t] });
-                [to[0], to[1]] = on.st;
-                moved_taps = taps.on_faces(&on.face);
-                read = &moved_taps;
+                let projected = cube::reproject(&cube::Projected { face: at.face, st: [s, t] });
+                [to[0], to[1]] = projected.st;
+                face_taps = taps.on_faces(&projected.face);
+                read = &face_taps;
             }
-            there = [&to[0], &to[1], &to[2]];
+            coords = [&to[0], &to[1], &to[2]];
         }
         if let Some(probes) = probes {
             recorder.restrict_to(|lane| (probe as f32) < probes.count[lane]);
             recorder.record(|lane| SampleStep::Probe {
                 number: probe,
                 of: probes.count[lane] as u32,
-                at: there.map(|coord| coord[lane]),
+                at: coords.map(|coord| coord[lane]),
             });
         }
-        let target = if probe == 0 { &mut *out } else { one.get_or_insert([F32s::ZERO; 4]) };
-        let asks = |lane: usize| probes.is_none_or(|probes| (probe as f32) < probes.count[lane]);
-        sample_taps::<S, F>(context, there, &at.layer, read, asks, target, recorder);
-        let (Some(probes), Some(one)) = (probes, &one) else { continue };
-        let share = 1.0 / (probe + 1) as f32;
+        let target = if probe == 0 { &mut *out } else { sample.get_or_insert([F32s::ZERO; 4]) };
+        let participates =
+            |lane: usize| probes.is_none_or(|probes| (probe as f32) < probes.count[lane]);
+        sample_taps::<S, F>(context, coords, &at.layer, read, participates, target, recorder);
+        let (Some(probes), Some(sample)) = (probes, &sample) else { continue };
+        let weight = 1.0 / (probe + 1) as f32;
         for channel in 0..context.texture.format.channels() {
             for lane in 0..LANES {
                 let before = out[channel][lane];
-                let mean = lerp(before, one[channel][lane], share);
+                let mean = lerp(before, sample[channel][lane], weight);
                 let counts = (probe as f32) < probes.count[lane];
                 out[channel][lane] = if counts { mean } else { before };
             }
@@ -114,7 +115,7 @@ fn sample_probes<S: Simd, F: FootprintSet>(
 
 /// One coordinate of a probe's centre.
 #[inline(always)]
-fn place_probe(from: &F32s, probes: &Probes, axis: usize, probe: u32, to: &mut F32s) {
+fn probe_coordinate(from: &F32s, probes: &Probes, axis: usize, probe: u32, to: &mut F32s) {
     for lane in 0..LANES {
         let steps = probe as f32 - 0.5 * (probes.count[lane] - 1.0);
         to[lane] = from[lane] + steps * probes.step[axis][lane];
@@ -128,13 +129,13 @@ fn sample_taps<S: Simd, F: FootprintSet>(
     at: [&F32s; 3],
     layer: &U32s,
     taps: &LevelTaps,
-    asks: impl Fn(usize) -> bool,
+    participates: impl Fn(usize) -> bool,
     out: &mut [F32s; 4],
     recorder: &mut impl Recorder,
 ) {
     let channels = context.texture.format.channels();
     let mut second = None;
-    let mut kept = None;
+    let mut per_lane = None;
     let mut key = taps.next::<S>(0);
     while key != level_taps::NO_KEY {
         let target = match taps {
@@ -145,20 +146,20 @@ fn sample_taps<S: Simd, F: FootprintSet>(
                 &mut *out
             }
         };
-        recorder.restrict_to(|lane| asks(lane) && taps.of_lane(lane).contains(&key));
-        let asking = match context.scan {
+        recorder.restrict_to(|lane| participates(lane) && taps.of_lane(lane).contains(&key));
+        let mask = match context.scan {
             Some(_) => taps.lane_mask(key),
             None => U32s::ZERO,
         };
-        sample_key::<S, F>(context, key, at, [layer, &asking], target, recorder);
+        sample_key::<S, F>(context, key, at, [layer, &mask], target, recorder);
         if let LevelTaps::PerLane { keys, .. } = taps {
-            let [first, second] = kept.get_or_insert([[F32s::ZERO; 4]; 2]);
-            keep::<S>(&keys[0], key, channels, out, first);
-            keep::<S>(&keys[1], key, channels, out, second);
+            let [first, second] = per_lane.get_or_insert([[F32s::ZERO; 4]; 2]);
+            copy_lanes::<S>(&keys[0], key, channels, out, first);
+            copy_lanes::<S>(&keys[1], key, channels, out, second);
         }
         key = taps.next::<S>(key);
     }
-    match (taps, &second, &kept) {
+    match (taps, &second, &per_lane) {
         (LevelTaps::UniformPair { weight, .. }, Some(second), _) => {
             for channel in 0..channels {
                 let first = out[channel];
@@ -176,14 +177,21 @@ fn sample_taps<S: Simd, F: FootprintSet>(
             _,
         ) => {}
     }
-    recorder.restrict_to(|lane| asks(lane) && taps.of_lane(lane)[0] != taps.of_lane(lane)[1]);
+    recorder
+        .restrict_to(|lane| participates(lane) && taps.of_lane(lane)[0] != taps.of_lane(lane)[1]);
     recorder.record(|lane| SampleStep::Mixed(out.each_ref().map(|channel| channel[lane])));
-    recorder.restrict_to(asks);
+    recorder.restrict_to(participates);
 }
 
 /// Copies the values of the lanes that read this key.
 #[inline(always)]
-fn keep<S: Simd>(keys: &U32s, key: u32, channels: usize, values: &[F32s; 4], kept: &mut [F32s; 4]) {
+fn copy_lanes<S: Simd>(
+    keys: &U32s,
+    key: u32,
+    channels: usize,
+    values: &[F32s; 4],
+    per_lane: &mut [F32s; 4],
+) {
     let mut mask = U32s::ZERO;
     for lane in 0..LANES {
         mask[lane] = if keys[lane] == key { !0 } else { 0 };
@@ -192,7 +200,7 @@ fn keep<S: Simd>(keys: &U32s, key: u32, channels: usize, values: &[F32s; 4], kep
         return;
     }
     for channel in 0..channels {
-        let (from, to) = (values[channel].as_u32(), kept[channel].as_u32_mut());
+        let (from, to) = (values[channel].as_u32(), per_lane[channel].as_u32_mut());
         for lane in 0..LANES {
             to[lane] = from[lane] & mask[lane] | to[lane] & !mask[lane];
         }
@@ -205,7 +213,7 @@ fn sample_key<S: Simd, F: FootprintSet>(
     context: &SampleContext<'_>,
     key: u32,
     at: [&F32s; 3],
-    [layer, asks]: [&U32s; 2],
+    [layer, mask]: [&U32s; 2],
     out: &mut [F32s; 4],
     recorder: &mut impl Recorder,
 ) {
@@ -226,8 +234,8 @@ fn sample_key<S: Simd, F: FootprintSet>(
         filter,
     });
     match scan {
-        Some(scan) if F::SCANS => row_scan::level::<S>(&view, at, scan, asks, out, recorder),
-        Some(_) | None if F::ROUND => filter::sample_level::<S>(&view, at, out, recorder),
+        Some(scan) if F::SCANS => row_scan::level::<S>(&view, at, scan, mask, out, recorder),
+        Some(_) | None if F::ISOTROPIC => filter::sample_level::<S>(&view, at, out, recorder),
         Some(_) | None => {}
     }
     recorder.record(|lane| SampleStep::Filtered(out.each_ref().map(|channel| channel[lane])));

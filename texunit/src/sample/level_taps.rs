@@ -1,7 +1,7 @@
 //! Which levels and faces the lanes of a batch read, and with which filter.
 
 use super::coordinates::Coordinates;
-use super::derivatives::{Derivatives, of_quads};
+use super::derivatives::{Derivatives, quad_derivatives};
 use super::footprint::{self, Footprint, FootprintSet};
 use super::lookup::Lod;
 use super::recorder::Recorder;
@@ -71,8 +71,8 @@ impl LevelTaps {
             }
             Self::PerLane { keys: [first, second], .. } => {
                 for lane in 0..LANES {
-                    let asks = (first[lane] == key) | (second[lane] == key);
-                    mask[lane] = if asks { !0 } else { 0 };
+                    let reads_key = (first[lane] == key) | (second[lane] == key);
+                    mask[lane] = if reads_key { !0 } else { 0 };
                 }
             }
         }
@@ -133,7 +133,7 @@ pub fn taps<S: Simd, F: FootprintSet>(
         LevelSelection::PerLane { min, mag, range, anisotropy } => (min, mag, range, anisotropy),
         LevelSelection::Fixed { filter, level, why, .. } => {
             recorder.record(|_| SampleStep::Fixed { filter: *filter, level: *level, why });
-            return (fixed_taps::<S>(texture, at), Footprint::Round);
+            return (fixed_taps::<S>(texture, at), Footprint::Isotropic);
         }
     };
     let (base, footprint, bias) = base_lambda::<S, F>(texture, at, lod, *anisotropy, recorder);
@@ -193,7 +193,7 @@ pub fn base_lambda<'a, S: Simd, F: FootprintSet>(
     match lod {
         Lod::Explicit(lambda) => {
             recorder.record(|lane| SampleStep::Explicit(lambda[lane]));
-            (*lambda, Footprint::Round, None)
+            (*lambda, Footprint::Isotropic, None)
         }
         Lod::Implicit { bias } | Lod::Gradient { bias, .. } => {
             let axes = texture.shape.axes();
@@ -202,18 +202,18 @@ pub fn base_lambda<'a, S: Simd, F: FootprintSet>(
                 Lod::Gradient { dx, dy, .. } => Derivatives { dx: *dx, dy: *dy },
                 Lod::Implicit { .. } | Lod::Explicit(_) => {
                     let read = if texture.shape.is_cube() { 3 } else { axes };
-                    differences = of_quads(at.given, read);
+                    differences = quad_derivatives(at.given, read);
                     let [dx, dy] = &differences;
                     Derivatives { dx: dx.each_ref(), dy: dy.each_ref() }
                 }
             };
-            let on_face;
+            let face_derivatives;
             if texture.shape.is_cube() {
-                on_face = [
+                face_derivatives = [
                     cube::derivatives(&at.face, at.given, d.dx),
                     cube::derivatives(&at.face, at.given, d.dy),
                 ];
-                let [[dsdx, dtdx], [dsdy, dtdy]] = &on_face;
+                let [[dsdx, dtdx], [dsdy, dtdy]] = &face_derivatives;
                 d = Derivatives { dx: [dsdx, dtdx, dtdx], dy: [dsdy, dtdy, dtdy] };
             }
             recorder.record(|lane| {
@@ -223,11 +223,11 @@ pub fn base_lambda<'a, S: Simd, F: FootprintSet>(
                 SampleStep::Derivatives { dx: of(d.dx), dy: of(d.dy), scale: texture.scale }
             });
             let (base, footprint) = match anisotropy {
-                Anisotropy::Probes(most) if F::PROBES => {
-                    let most = most as f32;
+                Anisotropy::Probes(max_probes) if F::PROBES => {
+                    let max_probes = max_probes as f32;
                     let (base, probes) =
-                        footprint::anisotropic::<S>(&d, axes, texture.scale, most, recorder);
-                    (base, probes.map_or(Footprint::Round, Footprint::Probes))
+                        footprint::anisotropic::<S>(&d, axes, texture.scale, max_probes, recorder);
+                    (base, probes.map_or(Footprint::Isotropic, Footprint::Probes))
                 }
                 Anisotropy::Scan(most) if F::SCANS => {
                     let (base, scan) =
@@ -235,7 +235,7 @@ pub fn base_lambda<'a, S: Simd, F: FootprintSet>(
                     (base, Footprint::Scan(scan))
                 }
                 Anisotropy::Off | Anisotropy::Probes(_) | Anisotropy::Scan(_) => {
-                    (footprint::isotropic(&d, axes, texture.scale, recorder), Footprint::Round)
+                    (footprint::isotropic(&d, axes, texture.scale, recorder), Footprint::Isotropic)
                 }
             };
             (base, footprint, bias)

@@ -1,7 +1,7 @@
 //! The level of detail of a lookup, without the lookup (`textureQueryLOD`, ARB_texture_query_lod).
 
 use super::coordinates::Coordinates;
-use super::footprint::AnyFootprint;
+use super::footprint::AllFootprints;
 use super::level_taps::base_lambda;
 use super::lookup::Lod;
 use super::recorder::NoRecorder;
@@ -42,7 +42,7 @@ impl Kernel for Query<'_> {
             ),
         };
         let (base, _, bias) =
-            base_lambda::<S, AnyFootprint>(texture, &at, lod, anisotropy, &mut NoRecorder);
+            base_lambda::<S, AllFootprints>(texture, &at, lod, anisotropy, &mut NoRecorder);
         let free = LodRange { min: f32::NEG_INFINITY, max: f32::INFINITY, ..range };
         out[1] = free.lambda(&base, bias);
         let lambda = range.lambda(&base, bias);

@@ -20,17 +20,18 @@ pub fn linear<S: Simd>(
     out: &mut [F32s; 4],
     recorder: &mut impl Recorder,
 ) {
-    let on = |face: u32| LevelView { face: face as usize, ..*view };
+    let view_of = |face: u32| LevelView { face: face as usize, ..*view };
     let mut corners = [[F32s::ZERO; 4]; 4];
     let mut missing = [U32s::ZERO; 4];
     for corner in 0..4 {
-        let step = [(corner & 1) as i32, (corner >> 1) as i32];
-        let found = cube::across_edge(view.face as u32, i, j, step, view.level.width as i32);
+        let corner_offset = [(corner & 1) as i32, (corner >> 1) as i32];
+        let found =
+            cube::across_edge(view.face as u32, i, j, corner_offset, view.level.width as i32);
         missing[corner] = found.missing;
         texels::<S>(view, &found, &mut corners[corner]);
         recorder.record(|lane| SampleStep::Texel {
             face: found.face[lane],
-            at: [found.x[lane], found.y[lane], on(found.face[lane]).slice().index[lane]],
+            at: [found.x[lane], found.y[lane], view_of(found.face[lane]).slice().index[lane]],
             source: match found.missing[lane] {
                 0 => TexelSource::Stored,
                 _ => TexelSource::Corner,
@@ -45,9 +46,9 @@ pub fn linear<S: Simd>(
                 let a = corners[(corner + 1) % 4][channel][lane];
                 let b = corners[(corner + 2) % 4][channel][lane];
                 let c = corners[(corner + 3) % 4][channel][lane];
-                let here = corners[corner][channel][lane];
-                let there = missing[corner][lane] == 0;
-                corners[corner][channel][lane] = if there { here } else { (a + b + c) / 3.0 };
+                let texel = corners[corner][channel][lane];
+                let exists = missing[corner][lane] == 0;
+                corners[corner][channel][lane] = if exists { texel } else { (a + b + c) / 3.0 };
             }
         }
         *out = mean(view.texture.format, &corners, channel, [alpha, beta]);
@@ -59,11 +60,11 @@ pub fn linear<S: Simd>(
 #[inline(always)]
 pub fn texels<S: Simd>(view: &LevelView<'_>, found: &cube::EdgeTexels, out: &mut [F32s; 4]) {
     for (face, levels) in view.texture.levels.iter().enumerate() {
-        let mut here = U32s::ZERO;
+        let mut on_face = U32s::ZERO;
         for lane in 0..LANES {
-            here[lane] = if found.face[lane] == face as u32 { !0 } else { 0 };
+            on_face[lane] = if found.face[lane] == face as u32 { !0 } else { 0 };
         }
-        if !S::any(&here) {
+        if !S::any(&on_face) {
             continue;
         }
         let level = &*levels[view.number];
@@ -74,12 +75,12 @@ pub fn texels<S: Simd>(view: &LevelView<'_>, found: &cube::EdgeTexels, out: &mut
             x.index[lane] += level.border[0];
             y.index[lane] += level.border[1];
         }
-        let mut there = [F32s::ZERO; 4];
+        let mut texel = [F32s::ZERO; 4];
         let texels = [&x, &y, &view.slice()];
-        fetch::texels::<S>(&view, texels, &mut there, &mut NoRecorder);
-        for (out, there) in out.iter_mut().zip(&there) {
+        fetch::texels::<S>(&view, texels, &mut texel, &mut NoRecorder);
+        for (out, texel) in out.iter_mut().zip(&texel) {
             for lane in 0..LANES {
-                out[lane] = if found.face[lane] == face as u32 { there[lane] } else { out[lane] };
+                out[lane] = if found.face[lane] == face as u32 { texel[lane] } else { out[lane] };
             }
         }
     }

@@ -23,16 +23,16 @@ impl Kernel for Fetch<'_> {
 
     #[inline(always)]
     fn run<S: Simd>(self) {
-        let Self { texture, texel, level: wanted, offset, out } = self;
+        let Self { texture, texel, level: wanted_level, offset, out } = self;
         let axes = texture.shape.axes();
         let mut found = [F32s::ZERO; 4];
         let mut inside = U32s::ZERO;
         for (number, level) in texture.levels[0].iter().enumerate() {
-            let mut here = U32s::ZERO;
+            let mut mask = U32s::ZERO;
             for lane in 0..LANES {
-                here[lane] = if wanted[lane] == number as i32 { !0 } else { 0 };
+                mask[lane] = if wanted_level[lane] == number as i32 { !0 } else { 0 };
             }
-            if !S::any(&here) {
+            if !S::any(&mask) {
                 continue;
             }
             let mut index = [U32s::ZERO; 3];
@@ -45,23 +45,23 @@ impl Kernel for Fetch<'_> {
                     _ => None,
                 };
                 let Some(source) = source else { continue };
-                let step = if axis < axes { offset[axis] } else { 0 };
+                let added = if axis < axes { offset[axis] } else { 0 };
                 for lane in 0..LANES {
-                    let at = texel[source][lane].wrapping_add(step) as u32;
-                    here[lane] &= if at < size[axis] { !0 } else { 0 };
-                    let held = if at < size[axis] { at } else { 0 };
-                    index[axis][lane] = held + level.border[axis];
+                    let at = texel[source][lane].wrapping_add(added) as u32;
+                    mask[lane] &= if at < size[axis] { !0 } else { 0 };
+                    let clamped = if at < size[axis] { at } else { 0 };
+                    index[axis][lane] = clamped + level.border[axis];
                 }
             }
             let mut values = [F32s::ZERO; 4];
             level.fetch_stored::<S>([&index[0], &index[1], &index[2]], &mut values);
             for (found, values) in found.iter_mut().zip(&values) {
                 for lane in 0..LANES {
-                    found[lane] = if here[lane] != 0 { values[lane] } else { found[lane] };
+                    found[lane] = if mask[lane] != 0 { values[lane] } else { found[lane] };
                 }
             }
             for lane in 0..LANES {
-                inside[lane] |= here[lane];
+                inside[lane] |= mask[lane];
             }
         }
         expand::expand(texture.format, texture.depth_mode, &mut found);

@@ -1,7 +1,7 @@
 //! The levels that a batch reads, where all lanes read the same.
 
 use super::coordinates::Coordinates;
-use super::footprint::RoundOnly;
+use super::footprint::IsotropicOnly;
 use super::level_taps;
 use super::level_view::LevelView;
 use super::lookup::Lod;
@@ -32,8 +32,13 @@ pub fn select<S: Simd>(
         }
         LevelSelection::PerLane { min, range, anisotropy, .. } => {
             let (at, recorder) = (Coordinates::in_plane(*coords), &mut NoRecorder);
-            let (base, _, bias) =
-                level_taps::base_lambda::<S, RoundOnly>(texture, &at, *lod, *anisotropy, recorder);
+            let (base, _, bias) = level_taps::base_lambda::<S, IsotropicOnly>(
+                texture,
+                &at,
+                *lod,
+                *anisotropy,
+                recorder,
+            );
             let each;
             (each, *weight) = range.levels(&range.lambda(&base, bias));
             let levels = level_taps::common_levels::<S>(&each, weight)?;

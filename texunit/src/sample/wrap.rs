@@ -31,7 +31,7 @@ pub struct Indices {
 }
 
 /// The texels that enclose coordinates along one axis.
-pub struct Enclosing {
+pub struct LinearTexels {
     /// The lower one, -1 at least, without the border.
     pub lower: I32s,
     /// Of the upper one, in [0, 1).
@@ -49,7 +49,7 @@ pub fn modulo(i: i32, n: i32) -> i32 {
 
 /// The coordinate of a mirrored image within [0, 1], and whether it is mirrored there.
 #[inline(always)]
-pub fn fold<S: Simd>(s: f32) -> (f32, bool) {
+pub fn mirrored_repeat<S: Simd>(s: f32) -> (f32, bool) {
     let whole = S::floor(s);
     let part = max(s - whole, 0.0);
     let half = whole * 0.5;
@@ -101,8 +101,8 @@ impl Axis {
             }
             Wrap::MirroredRepeat => {
                 for lane in 0..LANES {
-                    let (folded, _) = fold::<S>(s[lane]);
-                    u[lane] = clamp(folded * n, 0.5, n - 0.5);
+                    let (mirrored, _) = mirrored_repeat::<S>(s[lane]);
+                    u[lane] = clamp(mirrored * n, 0.5, n - 0.5);
                 }
             }
             Wrap::MirrorClamp | Wrap::MirrorClampToEdge | Wrap::MirrorClampToBorder => {
@@ -132,25 +132,25 @@ impl Axis {
 
     /// The texel nearest to a coordinate.
     #[inline(always)]
-    pub fn nearest_to<S: Simd>(self, s: &F32s) -> Indices {
-        S::outlined_unless_wide(NearestTo { axis: self, s })
+    pub fn nearest_texel<S: Simd>(self, s: &F32s) -> Indices {
+        S::outlined_unless_wide(NearestTexelKernel { axis: self, s })
     }
 
     /// The texels that enclose a coordinate.
     #[inline(always)]
-    pub fn enclosing<S: Simd>(self, s: &F32s) -> Enclosing {
-        S::outlined_unless_wide(EnclosingOf { axis: self, s })
+    pub fn linear_texels<S: Simd>(self, s: &F32s) -> LinearTexels {
+        S::outlined_unless_wide(LinearTexelsKernel { axis: self, s })
     }
 
     /// The texel that `u` lies in; `u = size` lies in the last, unless the border is reached.
     #[inline(always)]
-    fn nearest<S: Simd>(self, u: &F32s) -> Indices {
+    fn containing_texel<S: Simd>(self, u: &F32s) -> Indices {
         let mut i = I32s::ZERO;
         for lane in 0..LANES {
             i[lane] = S::floor_small(u[lane]).0;
         }
         match self.wrap {
-            Wrap::ClampToBorder | Wrap::MirrorClampToBorder => self.stored(&i),
+            Wrap::ClampToBorder | Wrap::MirrorClampToBorder => self.stored_indices(&i),
             Wrap::Repeat
             | Wrap::Clamp
             | Wrap::ClampToEdge
@@ -161,8 +161,8 @@ impl Axis {
                 let mut out = Indices { index: U32s::ZERO, outside: U32s::ZERO };
                 for lane in 0..LANES {
                     let low = if i[lane] < 0 { 0 } else { i[lane] };
-                    let held = if low > last { last } else { low };
-                    out.index[lane] = held as u32 + self.border;
+                    let clamped = if low > last { last } else { low };
+                    out.index[lane] = clamped as u32 + self.border;
                 }
                 out
             }
@@ -171,7 +171,7 @@ impl Axis {
 
     /// The lower and upper of the two texels that enclose `u`, whose lower is `i`.
     #[inline(always)]
-    fn pair(self, i: &I32s) -> [Indices; 2] {
+    fn linear_indices(self, i: &I32s) -> [Indices; 2] {
         let last = self.size as i32 - 1;
         match self.wrap {
             Wrap::Repeat => {
@@ -202,14 +202,14 @@ impl Axis {
                 for lane in 0..LANES {
                     next[lane] = i[lane] + 1;
                 }
-                [self.stored(i), self.stored(&next)]
+                [self.stored_indices(i), self.stored_indices(&next)]
             }
         }
     }
 
     /// The stored index of texel `i`, of which -1 and `size` may be the border's.
     #[inline(always)]
-    pub fn stored(self, i: &I32s) -> Indices {
+    pub fn stored_indices(self, i: &I32s) -> Indices {
         let border = self.border as i32;
         let last = self.size as i32 - 1 + 2 * border;
         let mut out = Indices { index: U32s::ZERO, outside: U32s::ZERO };
@@ -236,38 +236,39 @@ impl Kernel for TexelCoordinate<'_> {
     }
 }
 
-struct NearestTo<'a> {
+struct NearestTexelKernel<'a> {
     axis: Axis,
     s: &'a F32s,
 }
 
-impl Kernel for NearestTo<'_> {
+impl Kernel for NearestTexelKernel<'_> {
     type Output = Indices;
     #[inline(always)]
     fn run<S: Simd>(self) -> Indices {
-        self.axis.nearest::<S>(&self.axis.texel_coordinate_outlined::<S>(self.s))
+        self.axis.containing_texel::<S>(&self.axis.texel_coordinate_outlined::<S>(self.s))
     }
 }
 
-struct EnclosingOf<'a> {
+struct LinearTexelsKernel<'a> {
     axis: Axis,
     s: &'a F32s,
 }
 
-impl Kernel for EnclosingOf<'_> {
-    type Output = Enclosing;
+impl Kernel for LinearTexelsKernel<'_> {
+    type Output = LinearTexels;
     #[inline(always)]
-    fn run<S: Simd>(self) -> Enclosing {
-        let (lower, weight) = enclosing::<S>(&self.axis.texel_coordinate_outlined::<S>(self.s));
-        let texels = self.axis.pair(&lower);
-        Enclosing { lower, weight, texels }
+    fn run<S: Simd>(self) -> LinearTexels {
+        let (lower, weight) =
+            lower_and_weight::<S>(&self.axis.texel_coordinate_outlined::<S>(self.s));
+        let texels = self.axis.linear_indices(&lower);
+        LinearTexels { lower, weight, texels }
     }
 }
 
 /// The lower of the two texels whose centres enclose `u`, -1 at least, and the weight of the upper
 /// in [0, 1).
 #[inline(always)]
-pub fn enclosing<S: Simd>(u: &F32s) -> (I32s, F32s) {
+pub fn lower_and_weight<S: Simd>(u: &F32s) -> (I32s, F32s) {
     let mut i = I32s::ZERO;
     let mut weight = F32s::ZERO;
     for lane in 0..LANES {

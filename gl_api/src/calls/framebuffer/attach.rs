@@ -263,7 +263,7 @@ pub(crate) fn detach(context: &mut Context, gone: &Image) {
     for name in [bindings.draw_framebuffer, bindings.read_framebuffer] {
         if let Some(object) = context.objects.framebuffers.get_mut(name) {
             for point in object.points_mut() {
-                point.take_if(|attached| attached.image.same(gone));
+                point.take_if(|attached| attached.image.is_same_image(gone));
             }
         }
     }

@@ -141,7 +141,7 @@ pub(crate) fn edit(
     } else {
         edit_slice(attachment, |level, first| change(level, first, 0));
     }
-    context.objects.images_changed(|other| other.same(image));
+    context.objects.images_changed(|other| other.is_same_image(image));
 }
 
 fn edit_samples(
@@ -160,7 +160,7 @@ fn edit_samples(
 
 fn edit_slice(attachment: &Attachment, change: impl FnOnce(&mut Level, usize)) {
     attachment.image.update(|texels| {
-        let (face, slice) = attachment.place(texels.shape());
+        let (face, slice) = attachment.face_and_slice(texels.shape());
         if let Some(level) = texels.level_mut(face, attachment.level.into()) {
             let first = level.origin() + slice * level.slice_bytes();
             change(level, first);

@@ -14,7 +14,7 @@ use crate::pixel::client::format::{ClientFormat, LuminanceOf};
 use crate::pixel::convert::{Conversion, Final};
 use crate::pixel::layout::{Extent, Layout};
 use crate::pixel::transfer::TransferKind;
-use rasterizer::driver::{Attachment, Device, Part, Put};
+use rasterizer::driver::{Attachment, Device, RowSpan, RowWriter};
 use std::sync::Arc;
 use texunit::format::Format;
 use texunit::image::Level;
@@ -192,12 +192,13 @@ pub(crate) fn read_pixels(
         let run = layout.run(column, row, visible.width);
         let conversion = Conversion::pack(isa, &run, from, &transfer, last);
         let convert = |texels: &[u8], out: &mut [u8]| conversion.pack_row(&run, texels, out);
-        let put = if conversion.is_copy(&run) { Put::AsStored } else { Put::By(&convert) };
+        let writer =
+            if conversion.is_copy(&run) { RowWriter::Copy } else { RowWriter::Convert(&convert) };
         let (stride, row_bytes) = (run.stride, run.row_bytes());
         let end = run.start + (visible.height - 1) * stride + row_bytes;
         let (bytes, up) = (&mut bytes[run.start..end], Up::Y);
         let to = ClientRows { bytes, stride, row_bytes, up };
-        read_rows(&device, &attachment, visible, to, put);
+        read_rows(&device, &attachment, visible, to, writer);
     })
 }
 
@@ -224,7 +225,7 @@ pub(crate) fn read_rows(
     attachment: &Attachment,
     visible: Visible,
     to: ClientRows<'_>,
-    put: Put<'_>,
+    writer: RowWriter<'_>,
 ) {
     let ClientRows { bytes, stride, row_bytes, up } = to;
     let [x, y, width] = [visible.x, visible.y, visible.width].map(|at| at as u32);
@@ -236,14 +237,14 @@ pub(crate) fn read_rows(
                 Up::NotY => visible.height - 1 - row,
             };
             let out = &mut bytes[at * stride..][..row_bytes];
-            device.read(attachment, Part { x, y, width }, &mut [out], put);
+            device.read(attachment, RowSpan { x, y, width }, &mut [out], writer);
         }
     } else {
         let mut rows: Vec<&mut [u8]> = bytes.chunks_mut(stride).collect();
         if up == Up::NotY {
             rows.reverse();
         }
-        device.read(attachment, Part { x, y, width }, &mut rows, put);
+        device.read(attachment, RowSpan { x, y, width }, &mut rows, writer);
     }
 }
 

@@ -15,7 +15,7 @@ use crate::objects::renderbuffers::Renderbuffer;
 use crate::pixel::component_bits::{Component, component_bits};
 use crate::pixel::formats;
 use crate::pixel::formats::{InternalFormat, UNCOMPRESSED};
-use rasterizer::driver::{LevelInfo, Rows};
+use rasterizer::driver::{LevelInfo, MultisampleStorage};
 use texunit::image::{Image as Texels, Shape};
 
 const SECTION: &str = "ARB_framebuffer_object, section 4.4.2";
@@ -147,7 +147,7 @@ pub(crate) fn renderbuffer_storage_multisample(
     // What was recorded draws to the image as it was.
     crate::draw::pass::settle(context, &image);
     let samples = if samples > 0 { limits::MAX_SAMPLES } else { 1 };
-    image.replace(texels, samples, Rows::Resolved);
+    image.replace(texels, samples, MultisampleStorage::Resolved);
     bound(context)?.format = internal;
     Ok(())
 }

@@ -15,7 +15,7 @@ use crate::objects::target::{IMAGE_2D_MULTISAMPLE, IMAGE_3D_MULTISAMPLE, ImageTa
 use crate::objects::texture::Samples;
 use crate::pixel::formats::{UNCOMPRESSED, sized_format};
 use crate::pixel::storage_error::storage_error;
-use rasterizer::driver::Rows;
+use rasterizer::driver::MultisampleStorage;
 use texunit::format::Format;
 use texunit::image::Image as Texels;
 
@@ -116,7 +116,7 @@ fn store(context: &mut Context, request: &ImageRequest, lifetime: Lifetime) -> R
     let image = bound(context, target).image.clone();
     // What was recorded draws to the image as it was.
     crate::draw::pass::settle(context, &image);
-    image.replace(texels, limits::MAX_SAMPLES, Rows::EachSample);
+    image.replace(texels, limits::MAX_SAMPLES, MultisampleStorage::EachSample);
     let texture = bound_mut(context, target);
     texture.samples = request.samples;
     texture.requested[0][0] = request.internal;

@@ -175,7 +175,7 @@ pub(crate) fn feedback_loop(
 ) {
     let framebuffer = context.state.bindings.draw_framebuffer;
     let Some(object) = context.objects.framebuffers.get(framebuffer) else { return };
-    if object.attached().any(|attached| attached.image.same(image)) {
+    if object.attached().any(|attached| attached.image.is_same_image(image)) {
         maybe_loop(context, place, image, sampler);
     }
 }
@@ -195,7 +195,9 @@ fn maybe_loop(
     let levels = sampler.base_level as usize..=last as usize;
     let sampled = |attached: &Option<Attached>| {
         attached.as_ref().is_some_and(|attached| match attached.source {
-            Source::Texture { level, .. } => attached.image.same(image) && levels.contains(&level),
+            Source::Texture { level, .. } => {
+                attached.image.is_same_image(image) && levels.contains(&level)
+            }
             Source::Renderbuffer(_) => false,
         })
     };

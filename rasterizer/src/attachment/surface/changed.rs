@@ -1,6 +1,6 @@
 //! Stores only the tiles that changed, so that reading a few pixels after a small draw is cheap.
 
-use super::{Level, Part, Slices, StoreContext, Surface, WORTH_THREADS};
+use super::{Level, RowSpan, Slices, StoreContext, Surface, WORTH_THREADS};
 use crate::sizes::TILE;
 
 impl Surface {
@@ -19,8 +19,8 @@ impl Surface {
             for tile in changed {
                 let across = self.tiles_across();
                 let [x, y] = [tile as u32 % across, tile as u32 / across].map(|at| at * TILE);
-                let part = Part { x, y, width: TILE.min(self.width - x) };
-                self.store_rows(part, TILE.min(self.height - y), level, slices, context);
+                let span = RowSpan { x, y, width: TILE.min(self.width - x) };
+                self.store_rows(span, TILE.min(self.height - y), level, slices, context);
             }
         }
         self.changed.fill(false);

@@ -1,4 +1,4 @@
-//! Texels from tiles to rows: those of a level, or of a client that reads a part of a picture.
+//! Texels from tiles to rows: those of a level, or of a client that reads a region of a picture.
 
 use super::{
     Level, Slices, StoreContext, Surface, WORTH_THREADS, WordPlane, attachment_words,
@@ -12,9 +12,9 @@ use std::iter::once;
 use texunit::format::Format;
 use texunit::lanes::Isa;
 
-/// A region of an image, given by its first pixel and its width.
+/// The first pixel and the width of a region of an image.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Part {
+pub struct RowSpan {
     /// The first column.
     pub x: u32,
     /// The first row.
@@ -23,28 +23,28 @@ pub struct Part {
     pub width: u32,
 }
 
-/// How a row of texels is written to a client's memory.
+/// Writes rows of texels to the memory of a client.
 #[derive(Clone, Copy)]
-pub enum Put<'a> {
-    /// Copied.
-    AsStored,
-    /// Converted by this function: the texels, and the row of the client.
-    By(&'a (dyn Fn(&[u8], &mut [u8]) + Sync)),
+pub enum RowWriter<'a> {
+    /// Copies them as they are stored.
+    Copy,
+    /// Converts them by this function of the texels and the row of the client.
+    Convert(&'a (dyn Fn(&[u8], &mut [u8]) + Sync)),
 }
 
-impl Put<'_> {
+impl RowWriter<'_> {
     /// Writes a row of texels.
     pub(crate) fn row(self, texels: &[u8], to: &mut [u8]) {
         match self {
-            Put::AsStored => to[..texels.len()].copy_from_slice(texels),
-            Put::By(put) => put(texels, to),
+            RowWriter::Copy => to[..texels.len()].copy_from_slice(texels),
+            RowWriter::Convert(convert) => convert(texels, to),
         }
     }
 }
 
 /// Which samples of a pixel are written to a texel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Stored {
+enum SampleSelection {
     /// All samples, resolved.
     All,
     /// This sample.
@@ -54,14 +54,14 @@ enum Stored {
 impl Surface {
     /// Writes the tiles back into slices of the level they came from.
     pub fn store(&self, level: &mut Level, slices: Slices, context: StoreContext<'_>) {
-        let all = Part { x: 0, y: 0, width: self.width };
+        let all = RowSpan { x: 0, y: 0, width: self.width };
         self.store_rows(all, self.height, level, slices, context);
     }
 
     /// Writes `height` rows of a region into slices of the level that the tiles came from.
     pub(super) fn store_rows(
         &self,
-        part: Part,
+        span: RowSpan,
         height: u32,
         level: &mut Level,
         slices: Slices,
@@ -69,53 +69,53 @@ impl Surface {
     ) {
         debug_assert_eq!((self.width, self.height), (level.width, level.height));
         let (row_bytes, size) = (level.row_bytes(), self.format.bytes());
-        let slices: Vec<(Stored, usize)> = match slices {
-            Slices::One(slice) => vec![(Stored::All, slice)],
+        let slices: Vec<(SampleSelection, usize)> = match slices {
+            Slices::One(slice) => vec![(SampleSelection::All, slice)],
             Slices::Each(first) => {
                 let samples = 0..self.samples.into();
-                samples.map(|sample| (Stored::One(sample), first + sample)).collect()
+                samples.map(|sample| (SampleSelection::One(sample), first + sample)).collect()
             }
         };
-        for (what, slice) in slices {
+        for (samples, slice) in slices {
             let slice = level.origin() + slice * level.slice_bytes();
-            let first = slice + part.y as usize * row_bytes;
+            let first = slice + span.y as usize * row_bytes;
             let texels = &mut level.texels[first..first + height as usize * row_bytes];
             let rows = texels.chunks_mut(row_bytes.max(1));
-            let mut rows: Vec<_> = rows.map(|row| &mut row[part.x as usize * size..]).collect();
-            self.store_part(what, part, &mut rows, Put::AsStored, context);
+            let mut rows: Vec<_> = rows.map(|row| &mut row[span.x as usize * size..]).collect();
+            self.store_region(samples, span, &mut rows, RowWriter::Copy, context);
         }
     }
 
-    /// Puts the texels of a part, samples resolved, where a client has its rows.
+    /// Writes the texels of a region, samples resolved, into the rows of a client.
     pub fn read(
         &self,
-        part: Part,
+        span: RowSpan,
         rows: &mut [&mut [u8]],
-        put: Put<'_>,
+        writer: RowWriter<'_>,
         context: StoreContext<'_>,
     ) {
-        self.store_part(Stored::All, part, rows, put, context);
+        self.store_region(SampleSelection::All, span, rows, writer, context);
     }
 
-    fn store_part(
+    fn store_region(
         &self,
-        what: Stored,
-        part: Part,
+        samples: SampleSelection,
+        span: RowSpan,
         rows: &mut [&mut [u8]],
-        put: Put<'_>,
+        writer: RowWriter<'_>,
         context: StoreContext<'_>,
     ) {
         if !is_attachable(self.format) || rows.is_empty() {
             return;
         }
-        let pixels = rows.len() * part.width as usize;
+        let pixels = rows.len() * span.width as usize;
         // A band is what lies in one row of tiles.
-        let second = (part.y / TILE + 1) * TILE;
-        let (first, rest) = rows.split_at_mut(rows.len().min((second - part.y) as usize));
+        let second = (span.y / TILE + 1) * TILE;
+        let (first, rest) = rows.split_at_mut(rows.len().min((second - span.y) as usize));
         let rest = (second..).step_by(TILE as usize).zip(rest.chunks_mut(TILE as usize));
-        let mut bands: Vec<_> = once((part.y, first)).chain(rest).collect();
-        let is_much = pixels >= WORTH_THREADS * (TILE * TILE) as usize;
-        let least = if is_much { 1 } else { bands.len() };
+        let mut bands: Vec<_> = once((span.y, first)).chain(rest).collect();
+        let is_large = pixels >= WORTH_THREADS * (TILE * TILE) as usize;
+        let least = if is_large { 1 } else { bands.len() };
         let isa = context.isa;
         context.thread_pool.for_each_chunk(
             &mut bands,
@@ -123,22 +123,29 @@ impl Surface {
             || (),
             |(), bands| {
                 for (y, rows) in bands {
-                    self.store_band(isa, what, Part { y: *y, ..part }, rows, put);
+                    self.store_band(isa, samples, RowSpan { y: *y, ..span }, rows, writer);
                 }
             },
         );
     }
 
-    /// Puts rows that lie in one row of tiles.
-    fn store_band(&self, isa: Isa, what: Stored, part: Part, rows: &mut [&mut [u8]], put: Put<'_>) {
+    /// Writes rows that lie in one row of tiles.
+    fn store_band(
+        &self,
+        isa: Isa,
+        samples: SampleSelection,
+        span: RowSpan,
+        rows: &mut [&mut [u8]],
+        writer: RowWriter<'_>,
+    ) {
         let (size, words) = (self.format.bytes(), attachment_words(self.format));
-        let row_of_tiles = (part.y / TILE * self.tiles_across()) as usize;
-        let (from, to) = (part.x / TILE, (part.x + part.width).div_ceil(TILE));
+        let row_of_tiles = (span.y / TILE * self.tiles_across()) as usize;
+        let (from, to) = (span.x / TILE, (span.x + span.width).div_ceil(TILE));
         let tiles = &self.tiles[row_of_tiles + from as usize..row_of_tiles + to as usize];
-        let [x, y, width] = [part.x % TILE, part.y % TILE, part.width].map(|at| at as usize);
+        let [x, y, width] = [span.x % TILE, span.y % TILE, span.width].map(|at| at as usize);
         let resolved: Vec<Vec<WordPlane>>;
-        let planes: Vec<&[WordPlane]> = match what {
-            Stored::All if self.samples > 1 => {
+        let planes: Vec<&[WordPlane]> = match samples {
+            SampleSelection::All if self.samples > 1 => {
                 let blocks = y / 8..(y + rows.len()).div_ceil(8);
                 let resolve = |tile: &Vec<WordPlane>| {
                     resolve_tile(isa, self.format, self.samples, tile, blocks.clone())
@@ -146,8 +153,8 @@ impl Surface {
                 resolved = tiles.iter().map(resolve).collect();
                 resolved.iter().map(Vec::as_slice).collect()
             }
-            Stored::All => tiles.iter().map(Vec::as_slice).collect(),
-            Stored::One(sample) => {
+            SampleSelection::All => tiles.iter().map(Vec::as_slice).collect(),
+            SampleSelection::One(sample) => {
                 tiles.iter().map(|tile| &tile[sample * words..][..words]).collect()
             }
         };
@@ -155,14 +162,14 @@ impl Surface {
         let skipped = x % 8;
         let mut texels = vec![0; (skipped + width) * size];
         for (y, row) in (y..).zip(rows) {
-            let from = Start { column: x / 8, y };
-            match put {
-                Put::AsStored if skipped == 0 => {
+            let from = RowStart { column: x / 8, y };
+            match writer {
+                RowWriter::Copy if skipped == 0 => {
                     store_tiles(self.format, &planes, from, &mut row[..width * size]);
                 }
-                Put::AsStored | Put::By(_) => {
+                RowWriter::Copy | RowWriter::Convert(_) => {
                     store_tiles(self.format, &planes, from, &mut texels);
-                    put.row(&texels[skipped * size..], row);
+                    writer.row(&texels[skipped * size..], row);
                 }
             }
         }
@@ -170,11 +177,11 @@ impl Surface {
 }
 
 /// A row of tiles side by side into the texels of one row, from a place in the first on.
-fn store_tiles(format: Format, tiles: &[&[WordPlane]], from: Start, row: &mut [u8]) {
+fn store_tiles(format: Format, tiles: &[&[WordPlane]], from: RowStart, row: &mut [u8]) {
     let tile_bytes = TILE as usize * format.bytes();
     let left = tile_bytes - from.column * 8 * format.bytes();
     let (first, rest) = row.split_at_mut(left.min(row.len()));
-    let rest = rest.chunks_mut(tile_bytes).map(|row| (Start { column: 0, ..from }, row));
+    let rest = rest.chunks_mut(tile_bytes).map(|row| (RowStart { column: 0, ..from }, row));
     for (planes, (from, row)) in tiles.iter().zip(once((from, first)).chain(rest)) {
         store_row(format, planes, from, row);
     }
@@ -182,17 +189,17 @@ fn store_tiles(format: Format, tiles: &[&[WordPlane]], from: Start, row: &mut [u
 
 /// From where on a row of a tile is stored.
 #[derive(Clone, Copy)]
-struct Start {
+struct RowStart {
     /// Columns of eight pixels before it.
     column: usize,
     y: usize,
 }
 
-impl Start {
+impl RowStart {
     /// The words of a column of eight from here on.
     #[inline(always)]
     fn words(self, plane: &WordPlane, column: usize) -> [u32; 8] {
-        match plane.held(self.y / 8 * 8 + self.column + column) {
+        match plane.block_or_clear(self.y / 8 * 8 + self.column + column) {
             Ok(words) => row_of(words, self.y % 8),
             Err(word) => [word; 8],
         }
@@ -200,26 +207,26 @@ impl Start {
 }
 
 /// A row of a tile into the texels of one row.
-fn store_row(format: Format, planes: &[WordPlane], from: Start, row: &mut [u8]) {
+fn store_row(format: Format, planes: &[WordPlane], from: RowStart, row: &mut [u8]) {
     let size = format.bytes();
     // Texels whose bytes are those of their words.
     let done = match (planes, size) {
-        ([a], 1) => put_columns(row, |column| from.words(a, column).map(|word| word as u8)),
+        ([a], 1) => write_columns(row, |column| from.words(a, column).map(|word| word as u8)),
         ([a], 2) => {
-            put_columns(row, |column| from.words(a, column).map(|word| (word as u16).to_le()))
+            write_columns(row, |column| from.words(a, column).map(|word| (word as u16).to_le()))
         }
-        ([a], 3) => put_columns(row, |column| from.words(a, column).map(first_three)),
-        ([a], 4) => put_columns(row, |column| from.words(a, column).map(u32::to_le)),
+        ([a], 3) => write_columns(row, |column| from.words(a, column).map(first_three)),
+        ([a], 4) => write_columns(row, |column| from.words(a, column).map(u32::to_le)),
         // Depth and stencil.
-        ([a, b], 4) => put_columns(row, |column| {
+        ([a, b], 4) => write_columns(row, |column| {
             let (depths, stencils) = (from.words(a, column), from.words(b, column));
             std::array::from_fn(|x| (depths[x] << 8 | stencils[x] & 0xFF).to_le())
         }),
         ([a, b], 8) => {
-            put_columns(row, |column| interleave([from.words(a, column), from.words(b, column)]))
+            write_columns(row, |column| interleave([from.words(a, column), from.words(b, column)]))
         }
         // Not `map`, which stays a call for each.
-        ([a, b, c, d], 16) => put_columns(row, |column| {
+        ([a, b, c, d], 16) => write_columns(row, |column| {
             let [a, b] = [from.words(a, column), from.words(b, column)];
             interleave([a, b, from.words(c, column), from.words(d, column)])
         }),
@@ -257,7 +264,7 @@ fn interleave<const WORDS: usize>(planes: [[u32; 8]; WORDS]) -> [[u32; WORDS]; 8
 
 /// Writes whole columns of eight texels into a row. Says how many there are.
 #[inline(always)]
-fn put_columns<T: Pod>(row: &mut [u8], column: impl Fn(usize) -> [T; 8]) -> usize {
+fn write_columns<T: Pod>(row: &mut [u8], column: impl Fn(usize) -> [T; 8]) -> usize {
     let columns = row.chunks_exact_mut(size_of::<[T; 8]>());
     let count = columns.len();
     for (number, texels) in columns.enumerate() {

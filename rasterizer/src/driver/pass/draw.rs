@@ -75,8 +75,8 @@ impl Pass<'_> {
             textures: &textures,
             stipple: 0,
             instances: instances.clone(),
-            asked: report.visibility.reasons_left(),
-            unseen: OnceLock::new(),
+            max_reasons: report.visibility.reasons_left(),
+            invisible: OnceLock::new(),
             prepared: vertex,
             slots: &compiled.slots,
             setup: Setup {
@@ -96,38 +96,39 @@ impl Pass<'_> {
             && raster.line.stipple.is_none()
             && self.job.watch.is_none()
             && (1..=SMALL_DRAW).contains(&(primitives.len as usize * instances.len()))
-            && instances.len() <= state.at_once() as usize;
+            && instances.len() <= state.instances_per_chunk() as usize;
         let drawn = match is_small {
-            true => self.gather(&state),
+            true => self.merge_small_draw(&state),
             false => self.draw_in_own_chunks(&mut state, report),
         };
-        let Ok(is_seen) = drawn else {
+        let Ok(is_visible) = drawn else {
             self.job.draws[draw].stopped.store(true, Ordering::Relaxed);
             return;
         };
         if self.shapes >= BINS_FULL {
             self.run_tiles(report);
         }
-        report.visibility.add(match (is_seen, state.unseen.into_inner()) {
+        report.visibility.add(match (is_visible, state.invisible.into_inner()) {
             (true, _) => Visibility::Visible,
             (false, None) => Visibility::NothingDrawn,
             (false, Some(reasons)) => Visibility::Invisible(reasons),
         });
     }
 
-    /// Puts a small draw into one chunk with those before it, where that is the same; says whether it has shapes.
-    fn gather(&mut self, state: &DrawState<'_>) -> Result<bool, OverBudget> {
+    /// Appends a small draw to the chunk of the draws before it, if their state is equal; returns whether it has shapes.
+    fn merge_small_draw(&mut self, state: &DrawState<'_>) -> Result<bool, OverBudget> {
         let draws = &self.job.draws;
-        let goes_on =
-            |all: &MergedDraws| !all.is_full() && draws[all.draw].gathers(&draws[state.draw]);
-        if !self.merged.as_ref().is_some_and(goes_on) {
+        let can_append = |all: &MergedDraws| {
+            !all.is_full() && draws[all.draw].can_share_chunk(&draws[state.draw])
+        };
+        if !self.merged.as_ref().is_some_and(can_append) {
             self.bin_merged();
         }
         let Resources { geometries, lists, .. } = self.resources;
         let new = || MergedDraws::new(state.draw, geometries.take(), lists.take());
         let all = self.merged.get_or_insert_with(new);
         let before = all.len();
-        state.gather(all)?;
+        state.append_to(all)?;
         Ok(all.len() > before)
     }
 
@@ -138,22 +139,23 @@ impl Pass<'_> {
         report: &mut SubmitReport,
     ) -> Result<bool, OverBudget> {
         self.bin_merged();
-        let mut is_seen = false;
-        let (instances, at_once) = (state.instances.clone(), state.at_once());
-        for first in instances.clone().step_by(at_once as usize) {
-            state.instances = first..instances.end.min(first.saturating_add(at_once));
+        let mut is_visible = false;
+        let (instances, instances_per_chunk) =
+            (state.instances.clone(), state.instances_per_chunk());
+        for first in instances.clone().step_by(instances_per_chunk as usize) {
+            state.instances = first..instances.end.min(first.saturating_add(instances_per_chunk));
             state.stipple = 0;
             let mut start = 0;
             while start < state.primitives.len {
                 let range = start..state.primitives.len.min(start + RUN);
                 start = range.end;
-                is_seen |= self.take(state.chunks(range)?);
+                is_visible |= self.bin_chunks(state.chunks(range)?);
                 if self.shapes >= BINS_FULL {
                     self.run_tiles(report);
                 }
             }
         }
-        Ok(is_seen)
+        Ok(is_visible)
     }
 
     /// Decides how to draw with what is bound.

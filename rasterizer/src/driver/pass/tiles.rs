@@ -26,8 +26,8 @@ impl Pass<'_> {
         }
     }
 
-    /// Puts chunks into the bins of their tiles; says whether there are any shapes.
-    pub(super) fn take(&mut self, chunks: Vec<(Chunk, Vec<TileRun>)>) -> bool {
+    /// Puts chunks into the bins of their tiles; returns whether there are any shapes.
+    pub(super) fn bin_chunks(&mut self, chunks: Vec<(Chunk, Vec<TileRun>)>) -> bool {
         let before = self.shapes;
         for (chunk, runs) in chunks {
             let index = self.job.chunks.len() as u32;
@@ -44,7 +44,7 @@ impl Pass<'_> {
     /// Puts small draws into bins.
     pub(super) fn bin_merged(&mut self) {
         if let Some(all) = self.merged.take() {
-            self.take(vec![all.finish()]);
+            self.bin_chunks(vec![all.finish()]);
         }
     }
 
@@ -70,7 +70,7 @@ impl Pass<'_> {
             depth: self.depth_format().and_then(DepthFormat::of),
         };
         let mut tiles = Vec::new();
-        let mut homes = Vec::new();
+        let mut positions = Vec::new();
         for (index, bin) in self.bins.iter_mut().enumerate() {
             if bin.is_empty() {
                 continue;
@@ -92,17 +92,17 @@ impl Pass<'_> {
                     .and_then(|watch| WatchedPixel::new(watch, [tx, ty], &formats)),
                 entries: std::mem::take(bin),
             });
-            homes.push((tx, ty));
+            positions.push((tx, ty));
         }
-        let (job, workers) = (&self.job, &self.resources.workers);
+        let (job, tile_renderers) = (&self.job, &self.resources.tile_renderers);
         let least = if self.is_small_work() { tiles.len().max(1) } else { 1 };
         self.thread_pool.for_each_chunk(
             &mut tiles,
             least,
-            || workers.borrow(),
-            |worker, tiles| tiles.iter_mut().for_each(|tile| worker.get().run(job, tile)),
+            || tile_renderers.borrow(),
+            |renderer, tiles| tiles.iter_mut().for_each(|tile| renderer.get().run(job, tile)),
         );
-        for (tile, (tx, ty)) in tiles.into_iter().zip(homes) {
+        for (tile, (tx, ty)) in tiles.into_iter().zip(positions) {
             let surfaces = self.colors.iter_mut().chain([&mut self.depth]);
             for (surface, target) in surfaces.zip(tile.colors.into_iter().chain([tile.depth])) {
                 if let (Some(surface), Some(target)) = (surface, target) {

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::desc::{Facing, SpriteOrigin, Viewport};
-use crate::primitive::{Across, Clipping, DepthSetup, ShapeKind};
+use crate::primitive::{Clipping, ConstantDirection, DepthSetup, ShapeKind};
 
 /// A number in [-1, 1) from a counter.
 fn random(state: &mut u64) -> f32 {
@@ -54,7 +54,7 @@ fn have_the_planes_they_have_alone(is_flat: impl Fn(u32) -> bool) {
             bounds: [[0; 2]; 2],
             vertices,
             provoking: 2,
-            part: if n % 11 == 0 { Clipping::Cut } else { Clipping::Whole },
+            clipping: if n % 11 == 0 { Clipping::Cut } else { Clipping::Whole },
             kind: ShapeKind::Triangle,
             facing: Facing::Front,
         });
@@ -69,28 +69,28 @@ fn have_the_planes_they_have_alone(is_flat: impl Fn(u32) -> bool) {
         ],
         depth: DepthSetup { viewport, offset: None, resolution: None },
         origin: SpriteOrigin::UpperLeft,
-        across: Across::Line,
+        line_constant: ConstantDirection::Perpendicular,
     };
     let bits = |group: &PlaneGroup, lane: usize| {
         let mut out = [[0.0; 3]; 5];
         group.at(lane, 320, 200, &mut out);
         out.concat().into_iter().map(f32::to_bits).collect::<Vec<_>>()
     };
-    let mut alone = PlaneGroup::default();
+    let mut single = PlaneGroup::default();
     for isa in Isa::available() {
-        let mut together = PlaneGroup::default();
+        let mut group = PlaneGroup::default();
         let mut lanes = ShapeLanes::default();
         lanes.load(shapes.iter());
-        together.compute(isa, &setup, &geometry, &lanes, shapes.iter());
+        group.compute(isa, &setup, &geometry, &lanes, shapes.iter());
         let mut windows = Windows::default();
         windows.compute(isa, [320, 192], &lanes);
-        together.enter(isa, [320, 192], &windows);
+        group.evaluate_windows(isa, [320, 192], &windows);
         for (lane, shape) in shapes.iter().enumerate() {
             lanes.load(std::iter::once(shape));
-            alone.compute(isa, &setup, &geometry, &lanes, std::iter::once(shape));
+            single.compute(isa, &setup, &geometry, &lanes, std::iter::once(shape));
             let mut at_block = [[0.0; 3]; 5];
             for (row, column) in (0..9).map(|block| (block / 3, block % 3)) {
-                if column > windows.further[0] || row > windows.further[1] {
+                if column > windows.extra_blocks[0] || row > windows.extra_blocks[1] {
                     continue;
                 }
                 let block = row * 3 + column;
@@ -98,14 +98,14 @@ fn have_the_planes_they_have_alone(is_flat: impl Fn(u32) -> bool) {
                     let first = 2 * (windows.quads[axis][lane] & !3);
                     [320, 192][axis] + first + 8 * [column, row][axis] as i32
                 });
-                alone.at(0, x, y, &mut at_block);
+                single.at(0, x, y, &mut at_block);
                 let bits = |planes: &[[f32; 3]]| {
                     planes.concat().into_iter().map(f32::to_bits).collect::<Vec<_>>()
                 };
-                let entered: Vec<_> = together.in_window(lane, block).collect();
+                let entered: Vec<_> = group.in_window(lane, block).collect();
                 assert_eq!(bits(&entered), bits(&at_block), "{} {lane}", isa.name());
             }
-            assert_eq!(bits(&together, lane), bits(&alone, 0), "{} {lane}", isa.name());
+            assert_eq!(bits(&group, lane), bits(&single, 0), "{} {lane}", isa.name());
         }
     }
 }

@@ -1,17 +1,16 @@
-//! Shapes into batches: what a shape covers of each block of the tile, and whether that waits for others, is tested
-//! at once, or is shaded by itself.
+//! Shapes into batches: what a shape covers of each block of the tile, X//! at once, or is shaded by itself.
 
 use super::super::batch::{Batch, BlockOf, EarlyTests, is_dense, moved_quad, quads_of};
 use super::super::block::BlockAt;
-use super::super::block_run::Level;
+use super::super::block_run::UniformOverShape;
 use super::super::edge_functions;
 use super::super::job::{Chunk, DrawJob, PassJob, TileJob};
 use super::super::large_triangles::{self, bits};
-use super::super::pack_pixels::PackBroad;
+use super::super::pack_pixels::PackLargeTriangle;
 use super::super::shading::early_tests;
 use super::super::shape_cover::Cover;
 use super::super::small_triangles::Window;
-use super::Worker;
+use super::TileRenderer;
 use crate::desc::Facing;
 use crate::output::Tests;
 use crate::plan::{DrawPlan, Packing, SampleMasks, Shading, TestTiming};
@@ -19,17 +18,17 @@ use crate::primitive::{Shape, ShapeKind};
 use crate::sizes::TILE;
 use texunit::lanes::{F32s, Isa};
 
-/// What a shape has in a block.
-pub(super) struct Part {
-    /// Where the block is.
+/// A block that a shape covers.
+pub(super) struct ShapeBlock {
+    /// The position of the block.
     pub at: BlockAt,
-    /// Which side of the shape is seen.
+    /// The facing of the shape.
     pub facing: Facing,
-    /// Whether the early tests are made.
+    /// Whether the early tests are done.
     pub tests: EarlyTests,
 }
 
-impl Worker {
+impl TileRenderer {
     /// Fills a small triangle, quad by quad.
     pub(super) fn fill_window(
         &mut self,
@@ -54,10 +53,10 @@ impl Worker {
                 planes_of = Some(block);
             }
             let lanes = moved_quad(covered, from, quad);
-            if self.waiting.is_full() {
+            if self.pending_quads.is_full() {
                 self.flush_quads(pass, job, tile);
             }
-            self.make_way(pass, job, tile, block, lanes);
+            self.flush_overlapping(pass, job, tile, block, lanes);
             let of = BlockOf {
                 planes: &self.planes,
                 facing,
@@ -67,7 +66,7 @@ impl Worker {
                 y: py,
                 coverage: None,
             };
-            self.waiting.push(&of, quad, from, &SampleMasks::one(covered));
+            self.pending_quads.push(&of, quad, from, &SampleMasks::one(covered));
         }
     }
 
@@ -85,18 +84,19 @@ impl Worker {
         let Some(range) = block_range(shape, tile.x, tile.y) else { return };
         let first = [tile.x, tile.y];
         let blocks = (range[1][0] - range[0][0] + 1) * (range[1][1] - range[0][1] + 1);
-        let is_broad = blocks >= large_triangles::WORTH_IT
+        let is_large = blocks >= large_triangles::MIN_BLOCKS
             && shape.kind == ShapeKind::Triangle
             && plan.covers_by_outline()
             && tile.watched.is_none();
-        if is_broad {
-            self.fill_broad(pass, tile, job, shape, (lane, range));
+        if is_large {
+            self.fill_large_triangle(pass, tile, job, shape, (lane, range));
             return;
         }
-        self.covers.clear();
-        let places = plan.samples.places().iter();
-        self.covers.extend(places.map(|&by| Cover::new(plan, &chunk.geometry, shape, first, by)));
-        let touched = self.covers.iter().fold(0, |blocks, cover| blocks | cover.touched(first));
+        self.outlines.clear();
+        let positions = plan.samples.positions().iter();
+        self.outlines
+            .extend(positions.map(|&by| Cover::new(plan, &chunk.geometry, shape, first, by)));
+        let touched = self.outlines.iter().fold(0, |blocks, cover| blocks | cover.touched(first));
         if touched == 0 {
             return;
         }
@@ -106,7 +106,7 @@ impl Worker {
             ShapeKind::Line { .. } | ShapeKind::Point { .. } => (pixels(&shape.bounds), None),
         };
         if plan.reads_coverage {
-            self.parts = F32s::splat(1.0);
+            self.coverage = F32s::splat(1.0);
         }
         let mut masks = SampleMasks::none(plan.samples.count);
         for by in range[0][1]..=range[1][1] {
@@ -125,22 +125,23 @@ impl Worker {
                 }
                 self.covered(pass.isa, plan, shape, at, inside, &mut masks);
                 if masks.any() != 0 {
-                    if let Some(spot) = &mut tile.watched
-                        && spot.is_in(at.number(), masks.any())
+                    if let Some(pixel) = &mut tile.watched
+                        && pixel.is_in(at.number(), masks.any())
                     {
-                        spot.covered(pass, chunk, shape, &masks);
+                        pixel.covered(pass, chunk, shape, &masks);
                     }
                     let [x, y] = at.first();
                     self.group.at(lane, x, y, &mut self.planes);
-                    let part = Part { at, facing: shape.facing, tests: EarlyTests::Due };
-                    self.fill_block(pass, tile, job, part, &mut masks);
+                    let shape_block =
+                        ShapeBlock { at, facing: shape.facing, tests: EarlyTests::Due };
+                    self.fill_block(pass, tile, job, shape_block, &mut masks);
                 }
             }
         }
     }
 
     /// Fills a triangle that may cover many blocks, of the only sample.
-    fn fill_broad(
+    fn fill_large_triangle(
         &mut self,
         pass: &PassJob,
         tile: &mut TileJob,
@@ -150,7 +151,7 @@ impl Worker {
     ) {
         let (plan, first) = (&job.plan, [tile.x, tile.y]);
         let rows = range[0][1] as usize..range[1][1] as usize + 1;
-        self.broad.compute(
+        self.large_triangle.compute(
             pass.isa,
             first,
             (&shape.corners, rows),
@@ -160,65 +161,89 @@ impl Worker {
         if !edge_functions::is_inside_area(&job.area, tile.x, tile.y, TILE as i32) {
             let inside =
                 |block| edge_functions::inside_area(&job.area, BlockAt::numbered(first, block));
-            self.broad.cut(plan.packing, inside);
+            self.large_triangle.cut(plan.packing, inside);
         }
-        // Waiting fragments of other shapes run first, as in `make_way`. Blocks of one shape do not overlap.
-        if !self.waiting.is_empty() && self.broad.any(|of, lanes| self.waiting.holds(of, lanes)) {
+        // Pending fragments of other shapes are shaded first, as in `flush_overlapping`. Blocks of one shape do not overlap.
+        if !self.pending_quads.is_empty()
+            && self.large_triangle.any(|of, lanes| self.pending_quads.has_pending(of, lanes))
+        {
             self.flush_quads(pass, job, tile);
         }
-        if !self.pixels.is_empty() && self.broad.any(|of, lanes| self.pixels.holds(of, lanes)) {
+        if !self.pending_pixels.is_empty()
+            && self.large_triangle.any(|of, lanes| self.pending_pixels.has_pending(of, lanes))
+        {
             self.flush_pixels(pass, job, tile);
         }
-        if self.run.len() > 0 && self.broad.any(|of, lanes| self.run.holds(of, lanes)) {
+        if self.pending_blocks.len() > 0
+            && self.large_triangle.any(|of, lanes| self.pending_blocks.has_pending(of, lanes))
+        {
             self.flush_run(pass, job, tile);
         }
-        let tested = self.test_broad(pass, job, tile);
-        if plan.shading == Shading::Off && tested == self.broad.touched {
-            bits(tested).for_each(|block| job.count(&[self.broad.covered[block]]));
+        let tested = self.test_large_triangle(pass, job, tile);
+        if plan.shading == Shading::Off && tested == self.large_triangle.touched {
+            bits(tested).for_each(|block| job.count(&[self.large_triangle.covered[block]]));
             return;
         }
-        let mut left = self.broad.touched;
+        let mut left = self.large_triangle.touched;
         if plan.packing == Packing::Pixels && plan.shading == Shading::On {
-            left = self.broad.dense;
-            self.pack_broad(pass, job, tile, shape.facing);
+            left = self.large_triangle.dense;
+            self.pack_large_triangle(pass, job, tile, shape.facing);
         }
-        let ready = if plan.timing == TestTiming::Never { self.broad.dense } else { tested };
-        self.level = self.level_of(plan, lane);
-        self.broad.steps(&mut self.planes);
+        let ready =
+            if plan.timing == TestTiming::Never { self.large_triangle.dense } else { tested };
+        self.uniform = self.uniform_over_shape(plan, lane);
+        self.large_triangle.steps(&mut self.planes);
         for block in bits(left) {
-            let lanes = self.broad.covered[block];
+            let lanes = self.large_triangle.covered[block];
             let is_ready = ready >> block & 1 == 1;
-            if is_ready && plan.blocks_per_run > 1 && is_alone(plan.packing, lanes) {
-                self.run.push(self.broad.at(block), shape.facing, block, lanes, self.level);
-                if self.run.len() == plan.blocks_per_run {
+            if is_ready && plan.blocks_per_run > 1 && is_shaded_as_block(plan.packing, lanes) {
+                self.pending_blocks.push(
+                    self.large_triangle.at(block),
+                    shape.facing,
+                    block,
+                    lanes,
+                    self.uniform,
+                );
+                if self.pending_blocks.len() == plan.blocks_per_run {
                     self.flush_run(pass, job, tile);
                 }
             } else if lanes != 0 {
                 let at = BlockAt::numbered(first, block);
                 let tests = if is_ready { EarlyTests::Done } else { EarlyTests::Due };
-                let part = Part { at, facing: shape.facing, tests };
-                self.broad.corners(block, &mut self.planes);
-                self.fill_block(pass, tile, job, part, &mut SampleMasks::one(lanes));
+                let shape_block = ShapeBlock { at, facing: shape.facing, tests };
+                self.large_triangle.corners(block, &mut self.planes);
+                self.fill_block(pass, tile, job, shape_block, &mut SampleMasks::one(lanes));
             }
         }
-        self.level = Level::default();
+        self.uniform = UniformOverShape::default();
     }
 
-    /// Puts the pixels of the blocks that a broad triangle covers sparsely into the batch that waits.
-    fn pack_broad(&mut self, pass: &PassJob, job: &DrawJob, tile: &mut TileJob, facing: Facing) {
-        let mut left = self.broad.touched & !self.broad.dense;
+    /// Puts the pixels of the blocks that a large triangle covers sparsely into the pending batch.
+    fn pack_large_triangle(
+        &mut self,
+        pass: &PassJob,
+        job: &DrawJob,
+        tile: &mut TileJob,
+        facing: Facing,
+    ) {
+        let mut left = self.large_triangle.touched & !self.large_triangle.dense;
         while left != 0 {
-            if self.pixels.is_full() {
+            if self.pending_pixels.is_full() {
                 self.flush_pixels(pass, job, tile);
             }
-            let Self { broad, pixels, .. } = self;
-            left = pass.isa.run(PackBroad { broad, facing, blocks: left, pixels });
+            let Self { large_triangle, pending_pixels: pixels, .. } = self;
+            left = pass.isa.run(PackLargeTriangle {
+                triangle: large_triangle,
+                facing,
+                blocks: left,
+                pixels,
+            });
         }
     }
 
-    /// Makes the early test of what a broad triangle covers of blocks that do not wait for others, at once for all
+    /// Makes the early test of what a large triangle covers of blocks that are shaded as blocks, at once for all
     /// where there is no test but that of depth. Gives the blocks.
-    fn test_broad(&mut self, pass: &PassJob, job: &DrawJob, tile: &mut TileJob) -> u64 {
+    fn test_large_triangle(&mut self, pass: &PassJob, job: &DrawJob, tile: &mut TileJob) -> u64 {
         let plan = &job.plan;
         let Tests { stencil: None, depth: Some(test) } = plan.tests else { return 0 };
         let (TestTiming::Early, Some(plane), None) =
@@ -230,31 +255,37 @@ impl Worker {
             return 0;
         };
         let blocks = match plan.shading {
-            Shading::On => self.broad.dense,
-            Shading::Off => self.broad.touched,
+            Shading::On => self.large_triangle.dense,
+            Shading::Off => self.large_triangle.touched,
         };
         if blocks != 0 {
-            self.broad.test(pass.isa, test, (plane, plan.viewport.depths()), stored, blocks);
+            self.large_triangle.test(
+                pass.isa,
+                test,
+                (plane, plan.viewport.depths()),
+                stored,
+                blocks,
+            );
         }
         blocks
     }
 
-    /// A number of the shape in this lane of the group for what is the same all over it: then no run of its blocks
-    /// has
-    /// to look. No other shape has it.
-    fn level_of(&mut self, plan: &DrawPlan, lane: usize) -> Level {
-        let Some(product) = &plan.product else { return Level::default() };
-        self.levels += 1;
-        let (number, group, by) = (Some(self.levels), &self.group, plan.denominator_plane);
+    /// What is uniform over the shape in this lane of the group, under a number that no other shape has. Runs of its
+    /// blocks then need no comparison of planes.
+    fn uniform_over_shape(&mut self, plan: &DrawPlan, lane: usize) -> UniformOverShape {
+        let Some(product) = &plan.product else { return UniformOverShape::default() };
+        self.shape_count += 1;
+        let (number, group, by) = (Some(self.shape_count), &self.group, plan.denominator_plane);
         let factors = product.factor_planes.as_ref();
-        let details = product.detail_planes.as_ref();
-        Level {
-            factors: number.filter(|_| factors.is_some_and(|of| group.is_level(lane, of, by))),
-            details: number.filter(|_| details.is_some_and(|of| group.rises_evenly(lane, of, by))),
+        let lods = product.lod_planes.as_ref();
+        UniformOverShape {
+            factors: number
+                .filter(|_| factors.is_some_and(|of| group.has_uniform_factors(lane, of, by))),
+            lods: number.filter(|_| lods.is_some_and(|of| group.has_uniform_slopes(lane, of, by))),
         }
     }
 
-    /// What `self.covers` cover of those lanes of a block that are `inside`.
+    /// What `self.outlines` cover of those lanes of a block that are `inside`.
     #[inline]
     fn covered(
         &mut self,
@@ -268,10 +299,10 @@ impl Worker {
         let mut covered = 0;
         for (sample, mask) in masks.iter_mut().enumerate() {
             // Samples without an outline of their own are covered as the first is.
-            if let Some(cover) = self.covers.get(sample) {
-                covered = cover.block(isa, plan, shape, at, &mut self.parts);
+            if let Some(cover) = self.outlines.get(sample) {
+                covered = cover.block(isa, plan, shape, at, &mut self.coverage);
             }
-            *mask = if plan.samples.leaves(sample) { covered & inside } else { 0 };
+            *mask = if plan.samples.keeps(sample) { covered & inside } else { 0 };
         }
     }
 
@@ -281,14 +312,14 @@ impl Worker {
         pass: &PassJob,
         tile: &mut TileJob,
         job: &DrawJob,
-        part: Part,
+        shape_block: ShapeBlock,
         masks: &mut SampleMasks,
     ) {
         let plan = &job.plan;
         let covered = masks.any();
-        let Part { at, facing, tests } = part;
+        let ShapeBlock { at, facing, tests } = shape_block;
         let block = at.number();
-        self.make_way(pass, job, tile, block, covered);
+        self.flush_overlapping(pass, job, tile, block, covered);
         let packing = if tile.watched.is_some() { Packing::Quads } else { plan.packing };
         let is_due = tests == EarlyTests::Due;
         // To test a block costs less than to pack its pixels, where nothing is shaded.
@@ -296,38 +327,38 @@ impl Worker {
         if packs && !is_dense(packing, covered) {
             let mut left = covered;
             while left != 0 {
-                if self.pixels.is_full() {
+                if self.pending_pixels.is_full() {
                     self.flush_pixels(pass, job, tile);
                 }
-                left = self.pixels.push(block, left, facing, self.planes.iter().copied());
+                left = self.pending_pixels.push(block, left, facing, self.planes.iter().copied());
             }
             return;
         }
         let [x, y] = at.first();
-        let coverage = plan.reads_coverage.then_some(&self.parts);
+        let coverage = plan.reads_coverage.then_some(&self.coverage);
         let mut of = BlockOf { planes: &self.planes, facing, tests, block, x, y, coverage };
-        let is_eager = is_alone(packing, covered) || tile.watched.is_some();
+        let is_eager = is_shaded_as_block(packing, covered) || tile.watched.is_some();
         let shades_one = plan.blocks_per_run == 1 || tile.watched.is_some();
         if is_eager && shades_one {
             tile.prefetch(plan, std::iter::once(block));
         }
         if is_eager && is_due && plan.timing == TestTiming::Early {
             let watched = tile.watched.as_ref();
-            let watched = watched.filter(|spot| spot.is_in(block, covered));
+            let watched = watched.filter(|pixel| pixel.is_in(block, covered));
             let before = watched.map(|_| tile.watched_depth());
             early_tests(pass.isa, plan, &of, masks, tile);
             if let Some(before) = before {
-                tile.note_early(pass.isa, plan, &of, masks, &before);
+                tile.record_early_tests(pass.isa, plan, &of, masks, &before);
             }
             of.tests = EarlyTests::Done;
         }
-        if is_alone(packing, masks.any()) {
+        if is_shaded_as_block(packing, masks.any()) {
             if shades_one {
                 self.shader.shade(pass, job, &Batch::of_block(&of, masks), tile);
             } else {
                 let planes = self.planes.iter().copied();
-                self.run.push(planes, facing, block, masks.any(), self.level);
-                if self.run.len() == plan.blocks_per_run {
+                self.pending_blocks.push(planes, facing, block, masks.any(), self.uniform);
+                if self.pending_blocks.len() == plan.blocks_per_run {
                     self.flush_run(pass, job, tile);
                 }
             }
@@ -337,17 +368,17 @@ impl Worker {
         while left != 0 {
             let quad = left.trailing_zeros() as usize;
             left &= left - 1;
-            if self.waiting.is_full() {
-                self.shader.shade(pass, job, &self.waiting.batch(), tile);
-                self.waiting.clear(plan.planes.len(), plan.samples.count);
+            if self.pending_quads.is_full() {
+                self.shader.shade(pass, job, &self.pending_quads.batch(), tile);
+                self.pending_quads.clear(plan.planes.len(), plan.samples.count);
             }
-            self.waiting.push(&of, quad, quad, masks);
+            self.pending_quads.push(&of, quad, quad, masks);
         }
     }
 }
 
 /// Whether lanes that are not packed as pixels are shaded as a block, rather than quad by quad with others.
-fn is_alone(packing: Packing, lanes: u64) -> bool {
+fn is_shaded_as_block(packing: Packing, lanes: u64) -> bool {
     lanes != 0 && (packing == Packing::Pixels || is_dense(packing, lanes))
 }
 

@@ -89,36 +89,38 @@ impl Shaded {
         self.fragment.fate = if plan.colors.is_empty() { Fate::NoColor } else { Fate::Written };
         self.interpolated(plan, batch, machine);
         let mut tracer = Tracer::new(run.program, self.lane);
-        let kept = machine.run_traced(run, &mut tracer);
+        let alive = machine.run_traced(run, &mut tracer);
         for (index, output) in run.program.outputs().enumerate() {
             self.fragment.outputs.push((output, tracer.output(machine, index)));
         }
         (self.fragment.steps, self.fragment.more_steps) = (tracer.steps, tracer.more);
-        if kept.is_err() {
+        if alive.is_err() {
             self.fragment.fate = Fate::OverBudget;
         }
-        kept
+        alive
     }
 
     /// Its inputs were interpolated.
     fn interpolated(&mut self, plan: &DrawPlan, batch: &Batch<'_>, machine: &Machine) {
         let of_program = plan.pipeline.compiled().fragment.inputs();
         let centroids = plan.samples.centroids(batch.masks);
-        let within = |plane: usize| batch.at_moved(plane, self.lane, &centroids);
+        let at_centroid = |plane: usize| batch.plane_at_moved(plane, self.lane, &centroids);
         for (index, (&input, from)) in of_program.iter().zip(&plan.inputs).enumerate() {
             let values = |plane: usize| self.values.get(plane).cloned().unwrap_or_default();
             let source = match *from {
                 FragmentInput::Smooth(plane) => InputSource::Perspective {
                     vertices: values(plane),
-                    numerator: batch.at(plane, self.lane),
-                    denominator: plan.denominator_plane.map_or(1.0, |at| batch.at(at, self.lane)),
+                    numerator: batch.plane_at(plane, self.lane),
+                    denominator: plan
+                        .denominator_plane
+                        .map_or(1.0, |at| batch.plane_at(at, self.lane)),
                 },
-                FragmentInput::SmoothWithin(plane) => InputSource::Perspective {
+                FragmentInput::SmoothAtCentroid(plane) => InputSource::Perspective {
                     vertices: values(plane),
-                    numerator: within(plane),
-                    denominator: plan.denominator_plane.map_or(1.0, within),
+                    numerator: at_centroid(plane),
+                    denominator: plan.denominator_plane.map_or(1.0, at_centroid),
                 },
-                FragmentInput::Linear(plane) | FragmentInput::LinearWithin(plane) => {
+                FragmentInput::Linear(plane) | FragmentInput::LinearAtCentroid(plane) => {
                     InputSource::Linear(values(plane))
                 }
                 FragmentInput::Flat(_) => InputSource::Flat,

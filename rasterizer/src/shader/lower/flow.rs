@@ -1,4 +1,4 @@
-//! Control flow: blocks, branches, loops and scopes, with masks where lanes go different ways.
+//! Control flow: blocks, branches, loops and scopes, with masks where lanes diverge.
 
 use super::Lowering;
 use crate::ir::{Block, Stmt, Value};
@@ -7,17 +7,17 @@ use crate::shader::inst::{Inst, Slot, Target, Test, When};
 
 /// A loop that is open.
 pub(super) enum OpenLoop {
-    /// Lanes wait in these slots.
-    Masked { exit: Slot, again: Slot },
-    /// Lanes leave together: the jumps to its end, and to the end of its body.
-    Alike { breaks: Vec<usize>, continues: Vec<usize> },
+    /// Lanes that left the loop or the iteration are in these slots.
+    Masked { exit: Slot, next: Slot },
+    /// All lanes leave at once: the jumps to the end of the loop, and to the end of its body.
+    Uniform { breaks: Vec<usize>, continues: Vec<usize> },
 }
 
 /// A scope that is open.
 pub(super) enum OpenScope {
     Masked(Slot),
     /// The jumps to its end.
-    Alike(Vec<usize>),
+    Uniform(Vec<usize>),
 }
 
 /// An exit of the innermost loop, its body, or the innermost scope.
@@ -47,10 +47,10 @@ impl ExitKind {
 
 /// How lanes take an exit.
 enum Exit<'a> {
-    /// To this slot, each lane at its own time.
-    To(Slot),
-    /// All by a jump, of which note is taken here.
-    Together(&'a mut Vec<usize>),
+    /// The lanes move to this slot.
+    Slot(Slot),
+    /// All lanes by a jump, which is recorded here.
+    Jump(&'a mut Vec<usize>),
 }
 
 /// Where every lane that still belongs to the innermost loop executes.
@@ -77,10 +77,10 @@ impl Lowering<'_> {
                 Stmt::Store { var, value } => {
                     let (from, out) = (self.value(*value), self.variable(*var));
                     let outermost = self.outermost.wrapping_sub(1);
-                    let owned =
-                        self.turn == Some(self.place()) && self.owned.by_loop(*var, outermost);
-                    if owned || self.alike.variable(*var) {
-                        // The other lanes never come back to where the variable is read.
+                    let is_maskless = self.loop_position == Some(self.position())
+                        && self.maskless_stores.by_loop(*var, outermost);
+                    if is_maskless || self.uniformity.variable(*var) {
+                        // Other lanes do not read the variable again.
                         self.emit(Inst::Move { out, from });
                     } else {
                         self.store(out, from);
@@ -100,8 +100,8 @@ impl Lowering<'_> {
                     return;
                 }
             }
-            let empties = self.out.code[start..].iter().any(Inst::empties);
-            if i + 1 < block.len() && empties && may_empty(stmt) {
+            let removes_lanes = self.out.code[start..].iter().any(Inst::removes_lanes);
+            if i + 1 < block.len() && removes_lanes && may_empty(stmt) {
                 let jump = self.emit(Inst::SkipEmpty { to: Target(0) });
                 if let Some(join) = self.joins.last_mut() {
                     join.push(jump);
@@ -110,35 +110,35 @@ impl Lowering<'_> {
         }
     }
 
-    fn place(&self) -> LoopPosition {
+    fn position(&self) -> LoopPosition {
         LoopPosition { nesting: self.nesting, scopes: self.scopes.len() }
     }
 
-    fn exit(&mut self, way: ExitKind) -> Option<Exit<'_>> {
-        Some(match way {
+    fn exit(&mut self, kind: ExitKind) -> Option<Exit<'_>> {
+        Some(match kind {
             ExitKind::Break => match self.loops.last_mut()? {
-                OpenLoop::Masked { exit, .. } => Exit::To(*exit),
-                OpenLoop::Alike { breaks, .. } => Exit::Together(breaks),
+                OpenLoop::Masked { exit, .. } => Exit::Slot(*exit),
+                OpenLoop::Uniform { breaks, .. } => Exit::Jump(breaks),
             },
             ExitKind::Continue => match self.loops.last_mut()? {
-                OpenLoop::Masked { again, .. } => Exit::To(*again),
-                OpenLoop::Alike { continues, .. } => Exit::Together(continues),
+                OpenLoop::Masked { next, .. } => Exit::Slot(*next),
+                OpenLoop::Uniform { continues, .. } => Exit::Jump(continues),
             },
             ExitKind::Leave => match self.scopes.last_mut()? {
                 OpenScope::Masked(slot) => {
                     self.straight = false;
-                    Exit::To(*slot)
+                    Exit::Slot(*slot)
                 }
-                OpenScope::Alike(leaves) => Exit::Together(leaves),
+                OpenScope::Uniform(leaves) => Exit::Jump(leaves),
             },
         })
     }
 
-    fn leave(&mut self, way: ExitKind) {
+    fn leave(&mut self, kind: ExitKind) {
         let here = self.out.code.len();
-        let inst = match self.exit(way) {
-            Some(Exit::To(slot)) => Inst::Leave { slot },
-            Some(Exit::Together(jumps)) => {
+        let inst = match self.exit(kind) {
+            Some(Exit::Slot(slot)) => Inst::Leave { slot },
+            Some(Exit::Jump(jumps)) => {
                 jumps.push(here);
                 Inst::Jump { to: Target(0) }
             }
@@ -152,11 +152,11 @@ impl Lowering<'_> {
         self.next_scope += 1;
         self.joins.push(Vec::new());
         let straight = self.straight;
-        if self.alike.scope(number) {
-            self.scopes.push(OpenScope::Alike(Vec::new()));
+        if self.uniformity.is_uniform_scope(number) {
+            self.scopes.push(OpenScope::Uniform(Vec::new()));
             self.block(body);
             self.join();
-            if let Some(OpenScope::Alike(leaves)) = self.scopes.pop() {
+            if let Some(OpenScope::Uniform(leaves)) = self.scopes.pop() {
                 leaves.into_iter().for_each(|jump| self.land(jump));
             }
             return;
@@ -174,14 +174,14 @@ impl Lowering<'_> {
 
     fn branch(&mut self, condition: Value, accept: &Block, reject: &Block) {
         if let Some(word) = self.out.preamble.word(self.module, condition) {
-            return self.branch_together(Test::Word(word), accept, reject);
+            return self.uniform_branch(Test::Word(word), accept, reject);
         }
-        let alike = self.alike.value(self.module, condition);
+        let is_uniform = self.uniformity.value(self.module, condition);
         let condition = self.value(condition);
-        if alike {
-            return self.branch_together(Test::Lanes(condition), accept, reject);
+        if is_uniform {
+            return self.uniform_branch(Test::Lanes(condition), accept, reject);
         }
-        if let Some((when, slot)) = self.way_out(accept, reject) {
+        if let Some((when, slot)) = self.exit_branch(accept, reject) {
             self.emit(Inst::LeaveIf { condition, when, slot });
             return;
         }
@@ -203,65 +203,65 @@ impl Lowering<'_> {
     }
 
     /// A uniform branch: no mask is read.
-    fn branch_together(&mut self, test: Test, accept: &Block, reject: &Block) {
+    fn uniform_branch(&mut self, test: Test, accept: &Block, reject: &Block) {
         let branch = self.emit(Inst::Unless { test, to: Target(0) });
         if let ([], [jump]) = (&accept[..], &reject[..])
-            && let Some(way) = ExitKind::of(jump)
-            && let Some(Exit::Together(jumps)) = self.exit(way)
+            && let Some(kind) = ExitKind::of(jump)
+            && let Some(Exit::Jump(jumps)) = self.exit(kind)
         {
             jumps.push(branch);
             return;
         }
-        self.side(accept);
+        self.uniform_block(accept);
         if reject.is_empty() {
             self.land(branch);
         } else {
             let skip = self.emit(Inst::Jump { to: Target(0) });
             self.land(branch);
-            self.side(reject);
+            self.uniform_block(reject);
             self.land(skip);
         }
     }
 
-    /// A side of a uniform branch.
-    fn side(&mut self, block: &Block) {
+    /// A block that all lanes execute or none.
+    fn uniform_block(&mut self, block: &Block) {
         self.joins.push(Vec::new());
         self.block(block);
         self.join();
     }
 
-    /// Where a branch that does nothing but leave sends its lanes.
-    fn way_out(&mut self, accept: &Block, reject: &Block) -> Option<(When, Slot)> {
+    /// The condition and the slot of a branch that does nothing but exit.
+    fn exit_branch(&mut self, accept: &Block, reject: &Block) -> Option<(When, Slot)> {
         let (when, jump) = match (&accept[..], &reject[..]) {
             ([jump], []) => (When::Holds, jump),
             ([], [jump]) => (When::Fails, jump),
             _ => return None,
         };
         match self.exit(ExitKind::of(jump)?)? {
-            Exit::To(slot) => Some((when, slot)),
-            Exit::Together(_) => None,
+            Exit::Slot(slot) => Some((when, slot)),
+            Exit::Jump(_) => None,
         }
     }
 
     fn repeat(&mut self, body: &Block, continuing: &Block) {
         let number = self.next_loop;
         self.next_loop += 1;
-        let lone = self.loops.is_empty();
-        self.outermost += u32::from(lone);
-        if self.alike.turns(number) {
-            return self.repeat_together(body, continuing);
+        let is_outermost = self.loops.is_empty();
+        self.outermost += u32::from(is_outermost);
+        if self.uniformity.is_uniform_loop(number) {
+            return self.uniform_loop(body, continuing);
         }
-        let (exit, again) = (self.slot(), self.slot());
+        let (exit, next) = (self.slot(), self.slot());
         self.emit(Inst::Open { slot: exit });
-        self.emit(Inst::Open { slot: again });
+        self.emit(Inst::Open { slot: next });
         let head = self.here();
-        self.loops.push(OpenLoop::Masked { exit, again });
-        let inside = LoopPosition { nesting: self.nesting + 1, ..self.place() };
-        let turn = (lone && !continues(body)).then_some(inside);
-        let outside = std::mem::replace(&mut self.turn, turn);
+        self.loops.push(OpenLoop::Masked { exit, next });
+        let inside = LoopPosition { nesting: self.nesting + 1, ..self.position() };
+        let position = (is_outermost && !continues(body)).then_some(inside);
+        let outside = std::mem::replace(&mut self.loop_position, position);
         self.nested(body);
         self.join();
-        self.emit(Inst::Join { slot: again });
+        self.emit(Inst::Join { slot: next });
         self.joins.push(Vec::new());
         if !continuing.is_empty() {
             let skip = self.emit(Inst::SkipEmpty { to: Target(0) });
@@ -273,24 +273,24 @@ impl Lowering<'_> {
         self.block(continuing);
         self.nesting -= 1;
         self.join();
-        self.turn = outside;
+        self.loop_position = outside;
         self.loops.pop();
-        self.emit(Inst::Again { head, exit });
+        self.emit(Inst::EndIteration { head, exit });
         self.slots -= 2;
     }
 
     /// A loop that all lanes iterate equally often.
-    fn repeat_together(&mut self, body: &Block, continuing: &Block) {
+    fn uniform_loop(&mut self, body: &Block, continuing: &Block) {
         let head = self.here();
-        self.loops.push(OpenLoop::Alike { breaks: Vec::new(), continues: Vec::new() });
-        self.side(body);
-        if let Some(OpenLoop::Alike { continues, .. }) = self.loops.last_mut() {
+        self.loops.push(OpenLoop::Uniform { breaks: Vec::new(), continues: Vec::new() });
+        self.uniform_block(body);
+        if let Some(OpenLoop::Uniform { continues, .. }) = self.loops.last_mut() {
             let jumps = std::mem::take(continues);
             jumps.into_iter().for_each(|jump| self.land(jump));
         }
-        self.side(continuing);
+        self.uniform_block(continuing);
         self.emit(Inst::Repeat { head });
-        if let Some(OpenLoop::Alike { breaks, .. }) = self.loops.pop() {
+        if let Some(OpenLoop::Uniform { breaks, .. }) = self.loops.pop() {
             breaks.into_iter().for_each(|jump| self.land(jump));
         }
     }

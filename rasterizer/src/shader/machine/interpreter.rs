@@ -58,7 +58,7 @@ impl Kernel for Interpreter<'_> {
                 let registers = &mut m.registers[file..];
                 pc = first;
                 while let Some(Inst::Compute { what, out, args }) = code.get(pc) {
-                    what.run::<S>(registers, &m.same, *out, args);
+                    what.run::<S>(registers, &m.splats, *out, args);
                     pc += 1;
                 }
             }
@@ -98,7 +98,7 @@ impl Kernel for Interpreter<'_> {
                     }
                 }
                 Inst::Jump { to } => pc = to.0 as usize,
-                Inst::Repeat { head } => pc = back(head, pc, &mut left)?,
+                Inst::Repeat { head } => pc = repeat_loop(head, pc, &mut left)?,
                 Inst::If { condition, slot, reject } => {
                     let rest = &mut m.slots[slot.0 as usize];
                     m.exec.split(&m.registers[condition.0 as usize], rest);
@@ -127,7 +127,9 @@ impl Kernel for Interpreter<'_> {
                         pc = to.0 as usize;
                     }
                 }
-                Inst::Again { head, exit } => pc = m.again(head, exit, pc, &mut left)?,
+                Inst::EndIteration { head, exit } => {
+                    pc = m.end_iteration(head, exit, pc, &mut left)?
+                }
             }
         }
     }
@@ -135,7 +137,7 @@ impl Kernel for Interpreter<'_> {
 
 /// The head of a loop that ends at `pc`; an iteration is deducted from the budget.
 #[inline(always)]
-pub(super) fn back(head: Target, pc: usize, left: &mut u64) -> Result<usize, OverBudget> {
+pub(super) fn repeat_loop(head: Target, pc: usize, left: &mut u64) -> Result<usize, OverBudget> {
     let head = head.0 as usize;
     *left = left.checked_sub((pc - head) as u64).ok_or(OverBudget)?;
     Ok(head)

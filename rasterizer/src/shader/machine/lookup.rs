@@ -13,14 +13,14 @@ impl Machine {
     pub(super) fn sample(&mut self, file: usize, run: &Run<'_>, sample: &SampleInst) {
         let plan = run.textures.get(sample.texture as usize).and_then(Option::as_ref);
         let registers = &mut self.registers[file * self.file..];
-        let room = &mut self.rooms[file * self.apart];
+        let scratch = &mut self.lookup_scratch[file * self.scratch_stride];
         match plan.filter(|plan| plan.incomplete().is_none()) {
             Some(plan) => {
                 let reg = |reg: Reg| registers[reg.0 as usize].as_f32();
                 let lod = lod(registers, sample);
                 let coords = sample.coords.map(reg);
                 let (layer, reference) = (sample.layer.map(reg), sample.reference.map(reg));
-                let out = &mut room.lanes;
+                let out = &mut scratch.lanes;
                 match (sample.access, lod) {
                     (Access::Fetch { offset }, Lod::Explicit(level)) => {
                         let texel = coords.map(|c| c.as_u32().as_i32());
@@ -49,8 +49,8 @@ impl Machine {
                     }
                     (Access::Filter { offset }, lod) => {
                         let points = Points { coords, layer, reference };
-                        let places = run.prepared.places(sample);
-                        plan.sample_offset(run.isa, points, offset, lod, places, room);
+                        let addresses = run.prepared.addresses(sample);
+                        plan.sample_offset(run.isa, points, offset, lod, addresses, scratch);
                     }
                     // Validation wants a level for these.
                     (Access::Fetch { .. } | Access::Size, Lod::Implicit { .. })
@@ -62,10 +62,10 @@ impl Machine {
             // GL 2.1, section 3.11.2: what is not there or not complete is (0, 0, 0, 1).
             None => {
                 let black = [0, 0, 0, sample.one];
-                room.lanes = black.map(|c| F32s::splat(f32::from_bits(c)));
+                scratch.lanes = black.map(|c| F32s::splat(f32::from_bits(c)));
             }
         }
-        for (out, texel) in sample.out.iter().zip(&room.lanes) {
+        for (out, texel) in sample.out.iter().zip(&scratch.lanes) {
             if let Some(out) = out {
                 registers[out.0 as usize] = *texel.as_u32();
             }

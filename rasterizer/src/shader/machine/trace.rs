@@ -1,8 +1,8 @@
-//! A run that is written down for one lane: the same instructions over the same registers, one at a
+//! A run that is recorded for one lane: the same instructions over the same registers, one at a
 //! time.
 
 use super::Machine;
-use super::interpreter::{Interpreter, back};
+use super::interpreter::{Interpreter, repeat_loop};
 use super::lookup::lod;
 use crate::ir::{Access, Ty};
 use crate::shader::inst::{Inst, Reg, SampleInst};
@@ -22,12 +22,12 @@ pub struct Tracer {
     /// How many were not recorded.
     pub more: usize,
     next: u32,
-    /// Those of the present straight run of code, with their places, in the order of execution.
+    /// Those of the present straight run of code, with their positions in the source, in the order of execution.
     run: Vec<(u32, Step)>,
 }
 
 impl Tracer {
-    /// OperandsBefore the first instruction of `program`.
+    /// The state before the first instruction of `program`.
     pub fn new(program: &Program, lane: usize) -> Self {
         let mut names = vec![Name::Draw; program.layout.registers as usize];
         for (index, input) in program.inputs.iter().enumerate() {
@@ -43,9 +43,9 @@ impl Tracer {
         Operand { name, ty, bits }
     }
 
-    /// Ends a straight run: its steps go where they stand in the source, and are numbered so.
-    fn settle(&mut self) {
-        self.run.sort_by_key(|(place, _)| *place);
+    /// Ends a straight run: sorts its steps by their positions in the source, and numbers them so.
+    fn finish_straight_run(&mut self) {
+        self.run.sort_by_key(|(position, _)| *position);
         let numbers: Vec<u32> = self.run.iter().filter_map(|(_, step)| step.number()).collect();
         let first = self.next - numbers.len() as u32;
         // By number from `first` on.
@@ -101,7 +101,7 @@ enum OperandsBefore {
 }
 
 impl Machine {
-    /// [`Machine::run`], with what it does to the tracer's lane written down.
+    /// [`Machine::run`], which records what it does in the lane of the tracer.
     ///
     /// # Errors
     /// When the budget is used up.
@@ -111,16 +111,21 @@ impl Machine {
         let mut pc = 0;
         while let Some(inst) = code.get(pc) {
             if inst.is_control() {
-                tracer.settle();
+                tracer.finish_straight_run();
             }
-            let place = run.program.places[pc];
+            let position = run.program.source_order[pc];
             let executes =
                 !run.program.masked || !self.exec.is_empty() && self.exec.lanes[tracer.lane] != 0;
-            let before =
-                if executes { self.look(&run, inst, tracer) } else { OperandsBefore::Control };
+            let before = if executes {
+                self.read_operands(&run, inst, tracer)
+            } else {
+                OperandsBefore::Control
+            };
             pc = match *inst {
-                Inst::Again { head, exit } => self.again(head, exit, pc + 1, &mut left)?,
-                Inst::Repeat { head } => back(head, pc + 1, &mut left)?,
+                Inst::EndIteration { head, exit } => {
+                    self.end_iteration(head, exit, pc + 1, &mut left)?
+                }
+                Inst::Repeat { head } => repeat_loop(head, pc + 1, &mut left)?,
                 Inst::Compute { .. }
                 | Inst::Move { .. }
                 | Inst::Zero { .. }
@@ -152,14 +157,14 @@ impl Machine {
                 }
             };
             if executes {
-                self.note(inst, place, before, tracer);
+                self.record(inst, position, before, tracer);
             }
         }
-        tracer.settle();
+        tracer.finish_straight_run();
         Ok(run.active & !self.discarded.bits())
     }
 
-    fn look(&self, run: &Run<'_>, inst: &Inst, tracer: &Tracer) -> OperandsBefore {
+    fn read_operands(&self, run: &Run<'_>, inst: &Inst, tracer: &Tracer) -> OperandsBefore {
         let operand = |reg: Reg, ty: Ty| Expression::Operand(tracer.operand(self, reg, ty));
         let name = |reg: Reg| tracer.names[reg.0 as usize];
         match inst {
@@ -185,7 +190,7 @@ impl Machine {
             }
             Inst::UniformAt { out, .. } => OperandsBefore::Copy { out: *out, name: Name::Draw },
             Inst::Zero { out, len } => OperandsBefore::Zero { out: *out, len: *len },
-            Inst::Sample(sample) => self.look_at_sample(run, sample, tracer),
+            Inst::Sample(sample) => self.read_sample_operands(run, sample, tracer),
             Inst::Unless { .. }
             | Inst::Jump { .. }
             | Inst::Repeat { .. }
@@ -197,11 +202,11 @@ impl Machine {
             | Inst::LeaveIf { .. }
             | Inst::Discard
             | Inst::SkipEmpty { .. }
-            | Inst::Again { .. } => OperandsBefore::Control,
+            | Inst::EndIteration { .. } => OperandsBefore::Control,
         }
     }
 
-    fn look_at_sample(
+    fn read_sample_operands(
         &self,
         run: &Run<'_>,
         sample: &SampleInst,
@@ -228,12 +233,12 @@ impl Machine {
         OperandsBefore::Sample { coords, texture, trace }
     }
 
-    fn note(&self, inst: &Inst, place: u32, before: OperandsBefore, tracer: &mut Tracer) {
+    fn record(&self, inst: &Inst, position: u32, before: OperandsBefore, tracer: &mut Tracer) {
         match (before, inst) {
             (OperandsBefore::Value { out, ty, expression }, _) => {
                 let (number, bits) = (tracer.number(), self.reg(out)[tracer.lane]);
                 tracer.names[out.0 as usize] = Name::Step(number);
-                tracer.run.push((place, Step::Value { number, expression, ty, bits }));
+                tracer.run.push((position, Step::Value { number, expression, ty, bits }));
             }
             (OperandsBefore::Copy { out, name }, _) => tracer.names[out.0 as usize] = name,
             (OperandsBefore::Zero { out, len }, _) => {
@@ -257,9 +262,9 @@ impl Machine {
                     trace,
                     result,
                 };
-                tracer.run.push((place, Step::Lookup(Box::new(lookup))));
+                tracer.run.push((position, Step::Lookup(Box::new(lookup))));
             }
-            (OperandsBefore::Control, Inst::Discard) => tracer.run.push((place, Step::Discard)),
+            (OperandsBefore::Control, Inst::Discard) => tracer.run.push((position, Step::Discard)),
             (OperandsBefore::Sample { .. } | OperandsBefore::Control, _) => {}
         }
     }

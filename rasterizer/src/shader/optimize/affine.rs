@@ -16,18 +16,18 @@ pub fn hoist_to_vertex(vertex: &Module, fragment: &mut Module) -> Option<Module>
         let mut outputs = vertex.outputs.iter();
         outputs.find(|(output, _)| *output == Output::Varying(slot)).map(|&(_, var)| var)
     };
-    let mut moving = Moving {
+    let mut hoisting = Hoisting {
         copies: vec![None; fragment.values.len()],
         next: first_free(fragment, vertex),
         vertex: None,
     };
     for group in groups {
         let sources: Option<Vec<Var>> = group.slots.iter().map(|&slot| written(slot)).collect();
-        if let Some(sources) = sources.filter(|_| group.pays()) {
-            moving.group(fragment, vertex, &group, &sources);
+        if let Some(sources) = sources.filter(|_| group.is_profitable()) {
+            hoisting.group(fragment, vertex, &group, &sources);
         }
     }
-    let vertex = moving.vertex?.finish();
+    let vertex = hoisting.vertex?.finish();
     simplify::run(fragment);
     dead::run(fragment);
     Some(vertex)
@@ -48,11 +48,11 @@ fn first_free(fragment: &Module, vertex: &Module) -> u16 {
     written.chain(own).fold(fragment.varyings.len() as u16, u16::max)
 }
 
-/// What a value is made of.
+/// The class of a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
-    /// The same in the whole draw.
-    Alike,
+enum ValueClass {
+    /// Uniform over the draw.
+    Uniform,
     /// An affine map of smooth varyings.
     Affine,
     /// Anything else.
@@ -61,18 +61,18 @@ enum Kind {
 
 /// Affine maps that share varyings.
 #[derive(Default)]
-struct Group {
+struct MapGroup {
     slots: Vec<u16>,
-    /// How many of the slots are read besides.
-    kept: usize,
-    /// Those that anything else is made of.
+    /// The number of slots that are also read by other expressions.
+    still_read: usize,
+    /// The maps that other expressions read.
     maps: Vec<Value>,
 }
 
-impl Group {
-    /// Whether moving makes no more to interpolate.
-    fn pays(&self) -> bool {
-        !self.maps.is_empty() && self.maps.len() <= self.slots.len() - self.kept
+impl MapGroup {
+    /// Whether hoisting does not increase the number of interpolated scalars.
+    fn is_profitable(&self) -> bool {
+        !self.maps.is_empty() && self.maps.len() <= self.slots.len() - self.still_read
     }
 }
 
@@ -82,7 +82,7 @@ const DEPTH: u8 = 64;
 struct Search<'a> {
     module: &'a Module,
     /// By value, as far as it has been evaluated.
-    kinds: Vec<Kind>,
+    classes: Vec<ValueClass>,
     /// How many operations deep each is.
     depths: Vec<u8>,
     /// Of each map, a slot that it reads.
@@ -99,17 +99,17 @@ struct Varying {
     parent: u16,
     /// Whether a map reads it.
     is_mapped: bool,
-    /// Whether anything else does.
-    is_kept: bool,
+    /// Whether another expression reads it.
+    is_read_directly: bool,
 }
 
 impl<'a> Search<'a> {
     fn new(module: &'a Module) -> Self {
         let slots = 0..module.varyings.len() as u16;
-        let varying = |slot| Varying { parent: slot, is_mapped: false, is_kept: false };
+        let varying = |slot| Varying { parent: slot, is_mapped: false, is_read_directly: false };
         let mut search = Self {
             module,
-            kinds: vec![Kind::Other; module.values.len()],
+            classes: vec![ValueClass::Other; module.values.len()],
             depths: vec![0; module.values.len()],
             slots: vec![0; module.values.len()],
             is_read: vec![false; module.values.len()],
@@ -119,16 +119,16 @@ impl<'a> Search<'a> {
             match expr {
                 Expr::Const { ty, .. } | Expr::Uniform { ty, .. } => {
                     if *ty == Ty::F32 {
-                        search.kinds[at] = Kind::Alike;
+                        search.classes[at] = ValueClass::Uniform;
                     }
                 }
                 Expr::Input(Input::Varying(slot)) => {
                     if search.is_smooth(*slot) {
-                        search.kinds[at] = Kind::Affine;
+                        search.classes[at] = ValueClass::Affine;
                         search.slots[at] = *slot;
                     }
                 }
-                // What else there is, is told where it is evaluated, or is not followed.
+                // Other values are classified where they are evaluated, or not at all.
                 Expr::Input(_)
                 | Expr::UniformAt { .. }
                 | Expr::Load(_)
@@ -168,22 +168,23 @@ impl<'a> Search<'a> {
     fn evaluate(&mut self, value: Value) {
         let at = value.0 as usize;
         let expr = self.module.expr(value);
-        self.kinds[at] = self.kind(expr);
+        self.classes[at] = self.class_of(expr);
         expr.operands(|operand| {
             self.depths[at] = self.depths[at].max(self.depths[operand.0 as usize] + 1);
         });
         if self.depths[at] >= DEPTH {
-            self.kinds[at] = Kind::Other;
+            self.classes[at] = ValueClass::Other;
         }
-        if self.kinds[at] != Kind::Affine {
-            self.depths[at] = if self.kinds[at] == Kind::Alike { self.depths[at] } else { 0 };
+        if self.classes[at] != ValueClass::Affine {
+            self.depths[at] =
+                if self.classes[at] == ValueClass::Uniform { self.depths[at] } else { 0 };
             expr.operands(|operand| self.read(operand));
             return;
         }
         let mut own = None;
         expr.operands(|operand| {
             let from = operand.0 as usize;
-            if self.kinds[from] == Kind::Affine {
+            if self.classes[from] == ValueClass::Affine {
                 let slot = self.slots[from];
                 self.varyings[usize::from(slot)].is_mapped = true;
                 let first = *own.get_or_insert(slot);
@@ -193,28 +194,34 @@ impl<'a> Search<'a> {
         self.slots[at] = own.unwrap_or(0);
     }
 
-    fn kind(&self, expr: &Expr) -> Kind {
-        let Expr::Op { op, args: [a, b, _] } = *expr else { return Kind::Other };
-        let of = |value: Value| self.kinds[value.0 as usize];
+    fn class_of(&self, expr: &Expr) -> ValueClass {
+        let Expr::Op { op, args: [a, b, _] } = *expr else { return ValueClass::Other };
+        let of = |value: Value| self.classes[value.0 as usize];
         match (op, of(a), of(b)) {
             (Op::Neg, of_a, _) => of_a,
-            (Op::Add | Op::Sub | Op::Mul | Op::Div, Kind::Alike, Kind::Alike) => Kind::Alike,
-            (Op::Add | Op::Sub, Kind::Alike | Kind::Affine, Kind::Alike | Kind::Affine)
-            | (Op::Mul | Op::Div, Kind::Affine, Kind::Alike)
-            | (Op::Mul, Kind::Alike, Kind::Affine) => Kind::Affine,
-            _ => Kind::Other,
+            (Op::Add | Op::Sub | Op::Mul | Op::Div, ValueClass::Uniform, ValueClass::Uniform) => {
+                ValueClass::Uniform
+            }
+            (
+                Op::Add | Op::Sub,
+                ValueClass::Uniform | ValueClass::Affine,
+                ValueClass::Uniform | ValueClass::Affine,
+            )
+            | (Op::Mul | Op::Div, ValueClass::Affine, ValueClass::Uniform)
+            | (Op::Mul, ValueClass::Uniform, ValueClass::Affine) => ValueClass::Affine,
+            _ => ValueClass::Other,
         }
     }
 
     /// Notes that something that is no map reads `value`.
     fn read(&mut self, value: Value) {
         let at = value.0 as usize;
-        match (self.kinds[at], self.module.expr(value)) {
-            (Kind::Affine, Expr::Input(_)) => {
-                self.varyings[usize::from(self.slots[at])].is_kept = true;
+        match (self.classes[at], self.module.expr(value)) {
+            (ValueClass::Affine, Expr::Input(_)) => {
+                self.varyings[usize::from(self.slots[at])].is_read_directly = true;
             }
-            (Kind::Affine, _) => self.is_read[at] = true,
-            (Kind::Alike | Kind::Other, _) => {}
+            (ValueClass::Affine, _) => self.is_read[at] = true,
+            (ValueClass::Uniform | ValueClass::Other, _) => {}
         }
     }
 
@@ -233,13 +240,13 @@ impl<'a> Search<'a> {
     }
 
     /// The maps that anything else is made of, by the varyings that they share.
-    fn groups(&self) -> Vec<Group> {
-        let mut groups: Vec<Group> = Vec::new();
-        groups.resize_with(self.varyings.len(), Group::default);
+    fn groups(&self) -> Vec<MapGroup> {
+        let mut groups: Vec<MapGroup> = Vec::new();
+        groups.resize_with(self.varyings.len(), MapGroup::default);
         for (slot, varying) in self.varyings.iter().enumerate().filter(|(_, v)| v.is_mapped) {
             let group = &mut groups[usize::from(self.root(slot as u16))];
             group.slots.push(slot as u16);
-            group.kept += usize::from(varying.is_kept);
+            group.still_read += usize::from(varying.is_read_directly);
         }
         for (at, _) in self.is_read.iter().enumerate().filter(|(_, is_read)| **is_read) {
             groups[usize::from(self.root(self.slots[at]))].maps.push(Value(at as u32));
@@ -248,7 +255,7 @@ impl<'a> Search<'a> {
     }
 }
 
-struct Moving {
+struct Hoisting {
     /// By value of the fragment module: the vertex module's, once it has it.
     copies: Vec<Option<Value>>,
     /// The slot of the next varying.
@@ -257,9 +264,9 @@ struct Moving {
     vertex: Option<Builder>,
 }
 
-impl Moving {
+impl Hoisting {
     /// Moves a group, whose varyings the vertex module leaves in `sources`.
-    fn group(&mut self, fragment: &mut Module, vertex: &Module, group: &Group, sources: &[Var]) {
+    fn group(&mut self, fragment: &mut Module, vertex: &Module, group: &MapGroup, sources: &[Var]) {
         let builder = self.vertex.get_or_insert_with(|| Builder::resume(vertex.clone()));
         let words = &mut builder.module_mut().uniform_words;
         *words = fragment.uniform_words.max(*words);

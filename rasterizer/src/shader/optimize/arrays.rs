@@ -2,7 +2,7 @@
 
 use crate::ir::{Block, Expr, Module, Stmt, Value, Var, Variable};
 
-/// Runs the pass; says whether it changed anything.
+/// Runs the pass; returns whether it changed the module.
 pub(super) fn run(module: &mut Module) -> bool {
     let mut indexed = vec![false; module.variables.len()];
     let mut body = std::mem::take(&mut module.body);

@@ -5,7 +5,7 @@
 use crate::ir::{Expr, Value};
 use std::collections::HashMap;
 
-/// Which value holds an expression here.
+/// The value of each expression that is available.
 #[derive(Default)]
 pub(super) struct Common {
     values: HashMap<Expr, Value>,
@@ -14,7 +14,7 @@ pub(super) struct Common {
 }
 
 impl Common {
-    /// The value that holds the expression already; else from now on it is `value`.
+    /// The earlier value of the expression; if there is none, `value` becomes it.
     pub fn find(&mut self, expr: &Expr, value: Value) -> Option<Value> {
         if let Some(&found) = self.values.get(expr) {
             return Some(found);

@@ -207,7 +207,7 @@ fn sweep(block: &mut Block, nodes: &[Node], values: &[bool], variables: &[bool],
     });
 }
 
-/// Goes on to what the next node holds if that is needed, else past all of it; says which.
+/// Moves to the first child of the next node if that is needed, else behind the node; returns whether it is needed.
 fn enter(nodes: &[Node], next: &mut usize) -> bool {
     let node = &nodes[*next];
     *next = if node.needed { *next + 1 } else { node.end };

@@ -5,7 +5,7 @@ use crate::ir::{Block, Expr, Module, Op, Stmt, Ty, Value, Var};
 /// What splitting and joining the lanes costs, in simple operations.
 const BRANCH: u32 = 10;
 
-/// Runs the pass; says whether it changed anything.
+/// Runs the pass; returns whether it changed the module.
 pub(super) fn run(module: &mut Module) -> bool {
     let body = std::mem::take(&mut module.body);
     let mut flatten = Flatten { module, changed: false };
@@ -53,7 +53,7 @@ impl Flatten<'_> {
         out
     }
 
-    /// What a block costs, if it can be computed in lanes that do not take it.
+    /// The cost of a block, if it can be computed in all lanes.
     fn cost(&self, block: &Block) -> Option<u32> {
         let costs = block.iter().map(|stmt| match stmt {
             Stmt::Eval(value) => match self.module.expr(*value) {

@@ -7,11 +7,11 @@ pub(super) enum Folded {
     /// These bits.
     Const(u32),
     /// One of its operands, or of theirs.
-    Same(Value),
+    Value(Value),
     /// What this one makes of the same operands, in fewer steps.
-    Instead(Op),
+    Op(Op),
     /// Itself.
-    Op,
+    Unchanged,
 }
 
 const ONE: u32 = 0x3f80_0000;
@@ -27,41 +27,41 @@ pub(super) fn fold(module: &Module, op: Op, args: [Value; 3]) -> Folded {
     }
     let [a, b, c] = args;
     match (op, known[0], known[1]) {
-        (Op::Mul, Some(ONE), _) => Folded::Same(b),
-        (Op::Mul | Op::Div, _, Some(ONE)) => Folded::Same(a),
+        (Op::Mul, Some(ONE), _) => Folded::Value(b),
+        (Op::Mul | Op::Div, _, Some(ONE)) => Folded::Value(a),
         // x + -0 is x even for -0; x + 0 is not.
-        (Op::Add, Some(MINUS_ZERO), _) => Folded::Same(b),
-        (Op::Add, _, Some(MINUS_ZERO)) | (Op::Sub, _, Some(0)) => Folded::Same(a),
-        (Op::Add, Some(0), _) if is_never_minus_zero(module, b) => Folded::Same(b),
-        (Op::Add, _, Some(0)) if is_never_minus_zero(module, a) => Folded::Same(a),
+        (Op::Add, Some(MINUS_ZERO), _) => Folded::Value(b),
+        (Op::Add, _, Some(MINUS_ZERO)) | (Op::Sub, _, Some(0)) => Folded::Value(a),
+        (Op::Add, Some(0), _) if is_never_minus_zero(module, b) => Folded::Value(b),
+        (Op::Add, _, Some(0)) if is_never_minus_zero(module, a) => Folded::Value(a),
         (Op::Neg | Op::INeg | Op::Not | Op::BitNot, ..) => undo(module, op, op, a),
         (Op::IntToUint, ..) => undo(module, op, Op::UintToInt, a),
         (Op::UintToInt, ..) => undo(module, op, Op::IntToUint, a),
 
-        (Op::IAdd | Op::UAdd | Op::BitOr | Op::BitXor, Some(0), _) => Folded::Same(b),
+        (Op::IAdd | Op::UAdd | Op::BitOr | Op::BitXor, Some(0), _) => Folded::Value(b),
         (Op::IAdd | Op::ISub | Op::UAdd | Op::USub | Op::BitOr | Op::BitXor, _, Some(0))
-        | (Op::ShiftLeft | Op::UShiftRight | Op::IShiftRight, _, Some(0)) => Folded::Same(a),
-        (Op::IMul | Op::UMul, Some(1), _) | (Op::BitAnd, Some(u32::MAX), _) => Folded::Same(b),
+        | (Op::ShiftLeft | Op::UShiftRight | Op::IShiftRight, _, Some(0)) => Folded::Value(a),
+        (Op::IMul | Op::UMul, Some(1), _) | (Op::BitAnd, Some(u32::MAX), _) => Folded::Value(b),
         (Op::IMul | Op::UMul | Op::IDiv | Op::UDiv, _, Some(1))
-        | (Op::BitAnd, _, Some(u32::MAX)) => Folded::Same(a),
+        | (Op::BitAnd, _, Some(u32::MAX)) => Folded::Value(a),
         (Op::IMul | Op::UMul | Op::BitAnd, Some(0), _)
         | (Op::IMul | Op::UMul | Op::BitAnd, _, Some(0)) => Folded::Const(0),
 
-        (Op::And, Some(TRUE), _) | (Op::Or | Op::Xor, Some(0), _) => Folded::Same(b),
-        (Op::And, _, Some(TRUE)) | (Op::Or | Op::Xor, _, Some(0)) => Folded::Same(a),
+        (Op::And, Some(TRUE), _) | (Op::Or | Op::Xor, Some(0), _) => Folded::Value(b),
+        (Op::And, _, Some(TRUE)) | (Op::Or | Op::Xor, _, Some(0)) => Folded::Value(a),
         (Op::And, Some(0), _) | (Op::And, _, Some(0)) => Folded::Const(0),
         (Op::Or, Some(TRUE), _) | (Op::Or, _, Some(TRUE)) => Folded::Const(TRUE),
-        (Op::And | Op::Or | Op::Min | Op::Max, ..) if a == b => Folded::Same(a),
-        (Op::Min, _, Some(b)) if is_number(b) => Folded::Instead(Op::AtMost),
-        (Op::Max, _, Some(b)) if is_number(b) => Folded::Instead(Op::AtLeast),
-        (Op::ModNear, _, Some(b)) if f32::from_bits(b) > 0.0 => Folded::Instead(Op::ModPositive),
-        (Op::IMin | Op::IMax | Op::UMin | Op::UMax, ..) if a == b => Folded::Same(a),
+        (Op::And | Op::Or | Op::Min | Op::Max, ..) if a == b => Folded::Value(a),
+        (Op::Min, _, Some(b)) if is_number(b) => Folded::Op(Op::AtMost),
+        (Op::Max, _, Some(b)) if is_number(b) => Folded::Op(Op::AtLeast),
+        (Op::ModNear, _, Some(b)) if f32::from_bits(b) > 0.0 => Folded::Op(Op::ModPositive),
+        (Op::IMin | Op::IMax | Op::UMin | Op::UMax, ..) if a == b => Folded::Value(a),
 
-        (Op::SelectF | Op::SelectI | Op::SelectU | Op::SelectB, Some(0), _) => Folded::Same(c),
-        (Op::SelectF | Op::SelectI | Op::SelectU | Op::SelectB, Some(_), _) => Folded::Same(b),
-        (Op::SelectF | Op::SelectI | Op::SelectU | Op::SelectB, ..) if b == c => Folded::Same(b),
-        (Op::SelectB, _, Some(TRUE)) if known[2] == Some(0) => Folded::Same(a),
-        _ => Folded::Op,
+        (Op::SelectF | Op::SelectI | Op::SelectU | Op::SelectB, Some(0), _) => Folded::Value(c),
+        (Op::SelectF | Op::SelectI | Op::SelectU | Op::SelectB, Some(_), _) => Folded::Value(b),
+        (Op::SelectF | Op::SelectI | Op::SelectU | Op::SelectB, ..) if b == c => Folded::Value(b),
+        (Op::SelectB, _, Some(TRUE)) if known[2] == Some(0) => Folded::Value(a),
+        _ => Folded::Unchanged,
     }
 }
 
@@ -104,7 +104,7 @@ fn undo(module: &Module, op: Op, inverse: Op, arg: Value) -> Folded {
         && *inner == inverse
     {
         debug_assert_eq!(op.args(), &[inverse.result()]);
-        return Folded::Same(args[0]);
+        return Folded::Value(args[0]);
     }
-    Folded::Op
+    Folded::Unchanged
 }

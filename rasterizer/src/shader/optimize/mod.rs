@@ -1,5 +1,5 @@
 //! The optimizer: passes over the structured IR, each in its own file. Every pass keeps the bits,
-//! but [`affine`] and [`slopes`], which make them better; what they do depends on the modules alone.
+//! but [`affine`] and [`gradients`], which make them better; what they do depends on the modules alone.
 //!
 //! | pass | does |
 //! |---|---|
@@ -10,7 +10,7 @@
 //! | [`stores`] | stores that are overwritten before anybody reads them go |
 //! | [`dead`] | what no output depends on goes |
 //! | [`affine`] | what fragments make of varyings by affine maps moves to the vertices |
-//! | [`slopes`] | the level of detail of a varying's lookup from the varying's planes |
+//! | [`gradients`] | the level of detail of a varying's lookup from the varying's planes |
 //!
 //! What depends on uniform words only is split off later, by [`super::preamble`].
 
@@ -21,9 +21,9 @@ mod dead;
 mod flatten;
 mod fold;
 mod forward;
+mod gradients;
 mod scopes;
 mod simplify;
-mod slopes;
 mod stores;
 mod unroll;
 
@@ -52,7 +52,7 @@ pub(super) fn optimize(module: &mut Module) {
 
 /// The final passes.
 pub(super) fn finish(module: &mut Module) {
-    if slopes::run(module) {
+    if gradients::run(module) {
         simplify::run(module);
         dead::run(module);
     }

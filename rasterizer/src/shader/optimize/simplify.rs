@@ -13,10 +13,10 @@ const UNROLLED: usize = 4096;
 pub(super) fn run(module: &mut Module) {
     let body = std::mem::take(&mut module.body);
     let mut walk = Walk {
-        instead: (0..module.values.len() as u32).map(Value).collect(),
+        replacement: (0..module.values.len() as u32).map(Value).collect(),
         common: Common::default(),
         memory: Memory::new(Vec::new()),
-        room: UNROLLED,
+        statement_budget: UNROLLED,
         module,
     };
     for at in 0..walk.module.values.len() {
@@ -38,33 +38,33 @@ pub(super) fn run(module: &mut Module) {
 struct Walk<'a> {
     module: &'a mut Module,
     /// By value: the one to use in its place.
-    instead: Vec<Value>,
+    replacement: Vec<Value>,
     memory: Memory,
     common: Common,
     /// How many statements unrolled loops may still add.
-    room: usize,
+    statement_budget: usize,
 }
 
 impl Walk<'_> {
     fn constant(&mut self, bits: u32, ty: Ty) -> Value {
         let value = Value(self.module.values.len() as u32);
         self.module.values.push(Expr::Const { bits, ty });
-        self.instead.push(value);
+        self.replacement.push(value);
         self.share(value);
-        self.instead[value.0 as usize]
+        self.replacement[value.0 as usize]
     }
 
     /// Replaces a value by an equal earlier one; returns whether there is one.
     fn share(&mut self, value: Value) -> bool {
         let found = self.common.find(self.module.expr(value), value);
         if let Some(found) = found {
-            self.instead[value.0 as usize] = found;
+            self.replacement[value.0 as usize] = found;
         }
         found.is_some()
     }
 
-    fn instead(&self, value: Value) -> Value {
-        self.instead[value.0 as usize]
+    fn replacement(&self, value: Value) -> Value {
+        self.replacement[value.0 as usize]
     }
 
     /// Appends what is left of a block to `out`.
@@ -77,14 +77,14 @@ impl Walk<'_> {
                     }
                 }
                 Stmt::Store { var, value } => {
-                    let value = self.instead(value);
+                    let value = self.replacement(value);
                     if self.memory.get(var) != Some(value) {
                         self.memory.stored(var, value);
                         out.push(Stmt::Store { var, value });
                     }
                 }
                 Stmt::StoreAt { var, index, value } => {
-                    let (index, value) = (self.instead(index), self.instead(value));
+                    let (index, value) = (self.replacement(index), self.replacement(value));
                     out.push(Stmt::StoreAt { var, index, value });
                 }
                 Stmt::If { condition, accept, reject } => {
@@ -117,16 +117,17 @@ impl Walk<'_> {
         }
     }
 
-    /// The turns of a loop one after the other, if they can be counted.
+    /// The iterations of a loop one after the other, if they can be counted.
     fn unroll(&mut self, blocks: [&Block; 2]) -> Option<Block> {
-        let (instead, memory) = (&self.instead, &self.memory);
-        let constant = |module: &Module, value: Value| module.constant(instead[value.0 as usize]);
+        let (replacement, memory) = (&self.replacement, &self.memory);
+        let constant =
+            |module: &Module, value: Value| module.constant(replacement[value.0 as usize]);
         let variable =
             |module: &Module, var| memory.get(var).and_then(|value| constant(module, value));
-        let copies = unroll::run(self.module, blocks, self.room, constant, variable)?;
-        self.room -= copies.len().min(self.room);
-        let old = self.instead.len() as u32;
-        self.instead.extend((old..self.module.values.len() as u32).map(Value));
+        let copies = unroll::run(self.module, blocks, self.statement_budget, constant, variable)?;
+        self.statement_budget -= copies.len().min(self.statement_budget);
+        let old = self.replacement.len() as u32;
+        self.replacement.extend((old..self.module.values.len() as u32).map(Value));
         Some(copies)
     }
 
@@ -141,7 +142,7 @@ impl Walk<'_> {
     }
 
     fn branch(&mut self, condition: Value, accept: Block, reject: Block, out: &mut Block) {
-        let condition = self.instead(condition);
+        let condition = self.replacement(condition);
         if let Some(bits) = self.module.constant(condition) {
             return self.block(if bits == 0 { reject } else { accept }, out);
         }
@@ -165,11 +166,11 @@ impl Walk<'_> {
     /// Simplifies a value; says whether it must still be evaluated.
     fn eval(&mut self, value: Value) -> bool {
         let at = value.0 as usize;
-        let expr = self.module.values[at].map(&mut |operand| self.instead(operand));
+        let expr = self.module.values[at].map(&mut |operand| self.replacement(operand));
         let expr = match expr {
             Expr::Load(var) => {
                 if let Some(known) = self.memory.get(var) {
-                    self.instead[at] = known;
+                    self.replacement[at] = known;
                     return false;
                 }
                 self.memory.loaded(var, value);
@@ -177,12 +178,12 @@ impl Walk<'_> {
             }
             Expr::Op { op, args } => match fold(self.module, op, args) {
                 Folded::Const(bits) => Expr::Const { bits, ty: op.result() },
-                Folded::Same(same) => {
-                    self.instead[at] = same;
+                Folded::Value(value) => {
+                    self.replacement[at] = value;
                     return false;
                 }
-                Folded::Instead(op) => Expr::Op { op, args },
-                Folded::Op => expr,
+                Folded::Op(op) => Expr::Op { op, args },
+                Folded::Unchanged => expr,
             },
             Expr::UniformAt { base, len, index, ty } => match self.module.constant(index) {
                 Some(bits) => Expr::Uniform { word: base + bits.min(len - 1), ty },

@@ -53,7 +53,7 @@ struct Walk<'a> {
 impl Walk<'_> {
     /// Takes what is live at the end of a block, gives what is live at its start.
     fn block(&mut self, block: &mut Block, mut live: LiveVariables) -> LiveVariables {
-        let mut kept = Vec::with_capacity(block.len());
+        let mut live_stmts = Vec::with_capacity(block.len());
         for mut stmt in block.drain(..).rev() {
             match &mut stmt {
                 Stmt::Eval(value) => match self.module.expr(*value) {
@@ -86,16 +86,16 @@ impl Walk<'_> {
                 // A fragment that is thrown away has no outputs.
                 Stmt::Discard => live.0.fill(0),
             }
-            kept.push(stmt);
+            live_stmts.push(stmt);
         }
-        kept.reverse();
-        *block = kept;
+        live_stmts.reverse();
+        *block = live_stmts;
         live
     }
 
     fn jump(&self, live: &mut LiveVariables, to: impl Fn(&Self) -> Option<&LiveVariables>) {
-        if let Some(there) = to(self) {
-            live.clone_from(there);
+        if let Some(target) = to(self) {
+            live.clone_from(target);
         }
     }
 
@@ -107,23 +107,23 @@ impl Walk<'_> {
     ) -> LiveVariables {
         // More than is live when the loop comes round: all it reads, and all that is live wherever
         // it is left.
-        let mut around = after.clone();
+        let mut live_in_loop = after.clone();
         if let Some(scope) = self.scopes.last() {
-            around.extend(scope);
+            live_in_loop.extend(scope);
         }
         for stmt in body.iter().chain(continuing.iter()) {
             stmt.walk(&mut |stmt| {
                 if let Stmt::Eval(value) = stmt
                     && let Expr::Load(var) | Expr::LoadAt { var, .. } = self.module.expr(*value)
                 {
-                    around.insert(*var);
+                    live_in_loop.insert(*var);
                 }
             });
         }
-        self.loops.push(LoopLiveness { at_break: after, at_continue: around.clone() });
-        let at_continue = self.block(continuing, around);
-        if let Some(turn) = self.loops.last_mut() {
-            turn.at_continue.clone_from(&at_continue);
+        self.loops.push(LoopLiveness { at_break: after, at_continue: live_in_loop.clone() });
+        let at_continue = self.block(continuing, live_in_loop);
+        if let Some(liveness) = self.loops.last_mut() {
+            liveness.at_continue.clone_from(&at_continue);
         }
         let live = self.block(body, at_continue);
         self.loops.pop();

@@ -10,28 +10,28 @@ use std::collections::HashMap;
 /// How many statements the copies of one loop may have.
 const LARGEST: usize = 1024;
 
-/// The copies of a loop's statements, if it can be unrolled into at most `room` statements.
+/// The copies of a loop's statements, if it can be unrolled into at most `max_statements` statements.
 /// `known` gives the word of a value that is constant, `variable` that of a variable, where the
 /// loop begins.
 pub(super) fn run(
     module: &mut Module,
     [body, continuing]: [&Block; 2],
-    room: usize,
+    max_statements: usize,
     known: impl Fn(&Module, Value) -> Option<u32>,
     variable: impl Fn(&Module, Var) -> Option<u32>,
 ) -> Option<Block> {
-    let turn: Vec<&Stmt> = body.iter().chain(continuing).collect();
-    let exit = exit_of(&turn)?;
+    let iteration: Vec<&Stmt> = body.iter().chain(continuing).collect();
+    let exit = exit_of(&iteration)?;
     let mut size = 0;
-    turn.iter().for_each(|stmt| stmt.walk(&mut |_| size += 1));
-    let turns =
+    iteration.iter().for_each(|stmt| stmt.walk(&mut |_| size += 1));
+    let iterations =
         TrialRun { module, known, variable, values: HashMap::new(), variables: HashMap::new() }
-            .turns(&turn, exit, LARGEST.min(room) / size)?;
-    let mut out = Vec::with_capacity(turns * turn.len() + exit);
-    for at in 0..=turns {
+            .iterations(&iteration, exit, LARGEST.min(max_statements) / size)?;
+    let mut out = Vec::with_capacity(iterations * iteration.len() + exit);
+    for at in 0..=iterations {
         let mut copy = Copy { module, of: HashMap::new() };
-        let end = if at == turns { exit } else { turn.len() };
-        for (place, stmt) in turn[..end].iter().enumerate() {
+        let end = if at == iterations { exit } else { iteration.len() };
+        for (place, stmt) in iteration[..end].iter().enumerate() {
             if place != exit {
                 out.push(copy.stmt(stmt));
             }
@@ -40,10 +40,10 @@ pub(super) fn run(
     Some(out)
 }
 
-/// Where the only `break` of a loop stands, if nothing else cuts its turns short.
-fn exit_of(turn: &[&Stmt]) -> Option<usize> {
-    let mut cutting = turn.iter().enumerate().filter(|(_, stmt)| cuts(stmt));
-    match (cutting.next(), cutting.next()) {
+/// Where the only `break` of a loop stands, if no other statement ends an iteration.
+fn exit_of(iteration: &[&Stmt]) -> Option<usize> {
+    let mut exits = iteration.iter().enumerate().filter(|(_, stmt)| exits_iteration(stmt));
+    match (exits.next(), exits.next()) {
         (Some((at, Stmt::If { accept, reject, .. })), None) => {
             let exit =
                 matches!((&accept[..], &reject[..]), ([Stmt::Break], []) | ([], [Stmt::Break]));
@@ -54,7 +54,7 @@ fn exit_of(turn: &[&Stmt]) -> Option<usize> {
 }
 
 /// Whether a statement holds a `break` or `continue` of the loop that it stands in.
-fn cuts(stmt: &Stmt) -> bool {
+fn exits_iteration(stmt: &Stmt) -> bool {
     match stmt {
         Stmt::Break | Stmt::Continue => true,
         Stmt::Loop { .. }
@@ -63,7 +63,7 @@ fn cuts(stmt: &Stmt) -> bool {
         | Stmt::StoreAt { .. }
         | Stmt::Leave
         | Stmt::Discard => false,
-        Stmt::If { .. } | Stmt::Scope(_) => stmt.blocks().flatten().any(cuts),
+        Stmt::If { .. } | Stmt::Scope(_) => stmt.blocks().flatten().any(exits_iteration),
     }
 }
 
@@ -83,15 +83,15 @@ where
     K: Fn(&Module, Value) -> Option<u32>,
     V: Fn(&Module, Var) -> Option<u32>,
 {
-    /// How many whole turns there are, if at most `most`.
-    fn turns(mut self, turn: &[&Stmt], exit: usize, most: usize) -> Option<usize> {
-        for turns in 0..=most {
-            for (at, stmt) in turn.iter().enumerate() {
+    /// How many whole iterations there are, if at most `most`.
+    fn iterations(mut self, iteration: &[&Stmt], exit: usize, most: usize) -> Option<usize> {
+        for iterations in 0..=most {
+            for (at, stmt) in iteration.iter().enumerate() {
                 match stmt {
                     Stmt::If { condition, accept, .. } if at == exit => {
                         let holds = self.value(*condition)? != 0;
                         if holds != accept.is_empty() {
-                            return Some(turns);
+                            return Some(iterations);
                         }
                     }
                     Stmt::Eval(value) => {

@@ -438,7 +438,7 @@ fn a_zero_is_added_to_what_may_be_minus_zero() {
         check(&module, &[], inputs);
         let program = Program::new(&module, |_| true);
         let is_sum = |inst: &&Inst| {
-            matches!(inst, Inst::Compute { what: Compute::Add | Compute::AddSame, .. })
+            matches!(inst, Inst::Compute { what: Compute::Add | Compute::AddUniform, .. })
         };
         assert_eq!(program.code.iter().filter(is_sum).count(), kept, "{op:?}");
     }

@@ -3,8 +3,8 @@
 mod cases;
 mod random;
 mod reference;
-mod repeats;
-mod together;
+mod repeated_lookups;
+mod uniform_loops;
 
 use super::{Fusing, Machine, OverBudget, Program, Run};
 use crate::ir::{Input, Module};

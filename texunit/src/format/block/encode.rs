@@ -5,8 +5,8 @@
 //! quick, exact for a block of one colour that the format holds, and no match for an offline
 //! compressor.
 
-use super::interpolated::{self, Ends};
-use super::{CHANNELS, Palette, Part, SIXTHS, color_sixths, color_weights, is_srgb_block};
+use super::interpolated::{self, Signedness};
+use super::{CHANNELS, ChannelCode, Palette, SIXTHS, color_sixths, color_weights, is_srgb_block};
 use crate::format::words::bytes_of;
 use crate::format::{Format, srgb};
 use crate::lanes::math::{clamp, round_even};
@@ -20,18 +20,18 @@ pub fn encode(format: Format, texels: &[[f32; 4]; 16]) -> [u8; 16] {
     let mut has_colors = None;
     for (channel, &source) in sources.iter().enumerate() {
         let values = texels.map(|texel| texel[source]);
-        let (part, first) = block.part(channel);
-        match part {
-            Part::Color(_, palette) => has_colors = Some((palette, first)),
+        let (code, first) = block.channel_code(channel);
+        match code {
+            ChannelCode::Color(_, palette) => has_colors = Some((palette, first)),
             // Among the colours' codes.
-            Part::Punched => {}
-            Part::Explicit => {
+            ChannelCode::Punched => {}
+            ChannelCode::Explicit => {
                 for (at, value) in values.into_iter().enumerate() {
                     words[first + at / 8] |= to_integer(value, 15.0) << (4 * (at % 8));
                 }
             }
-            Part::Interpolated(ends) => {
-                [words[first], words[first + 1]] = fit_values(values, ends);
+            ChannelCode::Interpolated(signedness) => {
+                [words[first], words[first + 1]] = fit_values(values, signedness);
             }
         }
     }
@@ -115,8 +115,8 @@ fn fit_colors(colors: &[[f32; 3]; 16], transparent: &[bool; 16], palette: Palett
 }
 
 /// The two ends and the codes of a line of values.
-fn fit_values(values: [f32; 16], ends: Ends) -> [u32; 2] {
-    let [smallest, largest] = ends.range().map(|end| end as f32);
+fn fit_values(values: [f32; 16], signedness: Signedness) -> [u32; 2] {
+    let [smallest, largest] = signedness.range().map(|end| end as f32);
     let values = values.map(|x| {
         let number = if x.is_nan() { 0.0 } else { x };
         clamp(number, smallest / largest, 1.0)
@@ -127,7 +127,7 @@ fn fit_values(values: [f32; 16], ends: Ends) -> [u32; 2] {
     // The larger first: eight values; or both alike, where code 0 is exact.
     let first = byte(high) | byte(low) << 8;
     let palette = std::array::from_fn::<_, 8, _>(|code| {
-        interpolated::decode(first | (code as u32) << 16, 0, 0, ends)
+        interpolated::decode(first | (code as u32) << 16, 0, 0, signedness)
     });
     let mut bits = u64::from(first);
     for (at, value) in values.into_iter().enumerate() {
@@ -142,8 +142,8 @@ fn nearest<T>(palette: &[T], distance: impl Fn(&T) -> f32) -> u32 {
     let Some((first, rest)) = palette.split_first() else { return 0 };
     let first = (distance(first), 0);
     let (_, code) = (1..).zip(rest).fold(first, |best, (code, of)| {
-        let here = distance(of);
-        if here < best.0 { (here, code) } else { best }
+        let current = distance(of);
+        if current < best.0 { (current, code) } else { best }
     });
     code
 }

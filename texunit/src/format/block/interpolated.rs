@@ -4,14 +4,14 @@ use super::quotient::{quotient, reciprocal};
 
 /// What the two bytes are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Ends {
+pub(crate) enum Signedness {
     /// 0 to 255.
     Unsigned,
     /// -127 to 127; -128 counts as -127.
     Signed,
 }
 
-impl Ends {
+impl Signedness {
     /// The numbers that stand for the ends of the range.
     #[inline(always)]
     pub const fn range(self) -> [i32; 2] {
@@ -29,23 +29,23 @@ const SIX: [u32; 2] = [0x0012_3405, 0x0043_2150];
 
 /// What the weights of a line's ends add up to: fifths and sevenths of the largest number.
 #[inline(always)]
-const fn wholes(ends: Ends) -> [[f32; 2]; 2] {
+const fn wholes(signedness: Signedness) -> [[f32; 2]; 2] {
     const WHOLES: [[[f32; 2]; 2]; 2] =
         [[reciprocal(5 * 255), reciprocal(7 * 255)], [reciprocal(5 * 127), reciprocal(7 * 127)]];
-    match ends {
-        Ends::Unsigned => WHOLES[0],
-        Ends::Signed => WHOLES[1],
+    match signedness {
+        Signedness::Unsigned => WHOLES[0],
+        Signedness::Signed => WHOLES[1],
     }
 }
 
 /// A texel's value. The two bytes are the lowest of `low`; 16 codes of 3 bits follow.
 #[inline(always)]
-pub(crate) fn decode(low: u32, high: u32, at: u32, ends: Ends) -> f32 {
-    let [smallest, largest] = ends.range();
+pub(crate) fn decode(low: u32, high: u32, at: u32, signedness: Signedness) -> f32 {
+    let [smallest, largest] = signedness.range();
     // Which palette it is, the bytes as they are decide; values are clamped after that.
-    let [first, second] = match ends {
-        Ends::Unsigned => [(low & 0xFF) as i32, (low >> 8 & 0xFF) as i32],
-        Ends::Signed => [(low << 24) as i32 >> 24, (low << 16) as i32 >> 24],
+    let [first, second] = match signedness {
+        Signedness::Unsigned => [(low & 0xFF) as i32, (low >> 8 & 0xFF) as i32],
+        Signedness::Signed => [(low << 24) as i32 >> 24, (low << 16) as i32 >> 24],
     };
     let eight = first > second;
     let first = if first < smallest { smallest } else { first };
@@ -58,7 +58,7 @@ pub(crate) fn decode(low: u32, high: u32, at: u32, ends: Ends) -> f32 {
     let mean = a as i32 * first + b as i32 * second;
     let end = if code == 6 { 5 * smallest } else { 5 * largest };
     let is_end = !eight & (code >= 6);
-    let [five, seven] = wholes(ends);
+    let [five, seven] = wholes(signedness);
     let whole = if eight { seven } else { five };
     quotient((if is_end { end } else { mean }) as f32, whole)
 }

@@ -5,8 +5,8 @@
 
 use super::quad_position::{pair_offsets, quad_position};
 use crate::format::block::{
-    CHANNELS, Ends, Palette, color_sixths, color_weights, explicit, interpolated, is_srgb_block,
-    punched,
+    CHANNELS, Palette, Signedness, color_sixths, color_weights, explicit, interpolated,
+    is_srgb_block, punched,
 };
 use crate::format::{Block, Format};
 use crate::lanes::{F32s, LANES, Simd, U32s};
@@ -107,12 +107,12 @@ fn halves<S: Simd>(view: &LevelView<'_>, corners: &[Corner; 4], start: u32) -> H
 
 #[inline(always)]
 fn unsigned(low: u32, high: u32, at: u32) -> f32 {
-    interpolated(low, high, at, Ends::Unsigned)
+    interpolated(low, high, at, Signedness::Unsigned)
 }
 
 #[inline(always)]
 fn signed(low: u32, high: u32, at: u32) -> f32 {
-    interpolated(low, high, at, Ends::Signed)
+    interpolated(low, high, at, Signedness::Signed)
 }
 
 /// A texel's red, green and blue in sixths of their largest.

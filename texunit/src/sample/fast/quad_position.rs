@@ -4,7 +4,7 @@ use super::offsets::add_offsets;
 use crate::lanes::{F32s, I32s, LANES, Simd, U32s};
 use crate::sample::fetch::side_by_side;
 use crate::sample::level_view::LevelView;
-use crate::sample::wrap::{Axis, enclosing};
+use crate::sample::wrap::{Axis, lower_and_weight};
 use crate::sampler::{Filter, Seamless, Wrap};
 
 /// The positions of the texel quads of a batch.
@@ -57,8 +57,8 @@ impl QuadPosition {
 #[inline(always)]
 pub fn quad_position<S: Simd>(view: &LevelView<'_>, at: [&F32s; 3]) -> Option<QuadPosition> {
     let axes = [view.axis(0), view.axis(1)];
-    let (i, alpha) = enclosing::<S>(&axes[0].texel_coordinate::<S>(at[0]));
-    let (j, beta) = enclosing::<S>(&axes[1].texel_coordinate::<S>(at[1]));
+    let (i, alpha) = lower_and_weight::<S>(&axes[0].texel_coordinate::<S>(at[0]));
+    let (j, beta) = lower_and_weight::<S>(&axes[1].texel_coordinate::<S>(at[1]));
     let pairs = [PairPosition::of::<S>(&i, axes[0].size), PairPosition::of::<S>(&j, axes[1].size)];
     let seamless = view.texture.seamless == Seamless::On;
     for (axis, pairs) in axes.iter().zip(pairs) {

@@ -87,16 +87,16 @@ fn bits(lanes: F32s) -> [u32; LANES] {
 }
 
 /// A lookup as part of a kernel: its colours, and its bytes, if that is what they are.
-struct Taken<'a> {
+struct FusedLookup<'a> {
     isa: Isa,
     plan: &'a SamplePlan,
     coords: [&'a F32s; 3],
 }
 
 /// Keeps what a lookup gives.
-struct Keep;
+struct KeepTexels;
 
-impl TexelConsumer for Keep {
+impl TexelConsumer for KeepTexels {
     type Output = ([F32s; 4], Option<U32s>);
 
     #[inline(always)]
@@ -113,7 +113,7 @@ impl TexelConsumer for Keep {
     }
 }
 
-impl Kernel for Taken<'_> {
+impl Kernel for FusedLookup<'_> {
     type Output = ([F32s; 4], Option<U32s>);
 
     #[inline(always)]
@@ -127,7 +127,7 @@ impl Kernel for Taken<'_> {
             self.plan.prefetch::<S>([s, t], LevelHint::Uniform(read));
         }
         let known = SelectedLevels { levels: read, weight: &weight, addresses: Addresses::Compute };
-        self.plan.sample_fused::<S, _>(self.isa, self.coords, lod, known, scratch, Keep)
+        self.plan.sample_fused::<S, _>(self.isa, self.coords, lod, known, scratch, KeepTexels)
     }
 }
 
@@ -194,7 +194,7 @@ fn the_short_way_gives_the_bits_of_the_general_one() {
             assert_eq!(want, sample(&plan.general()), "{}", plan.describe());
             if plan.samples_color() {
                 let coords = coords.each_ref();
-                let (colors, bytes) = isa.run(Taken { isa, plan: &plan, coords });
+                let (colors, bytes) = isa.run(FusedLookup { isa, plan: &plan, coords });
                 let got = colors.map(bits);
                 assert_eq!(got, want, "as part of a kernel: {}", plan.describe());
                 for lane in 0..LANES {
@@ -212,8 +212,8 @@ fn the_short_way_gives_the_bits_of_the_general_one() {
 }
 
 #[test]
-fn places_that_are_kept_are_those_that_would_be_found() {
-    let (mut kept, mut apart) = (0, 0);
+fn reused_addresses_are_those_that_would_be_computed() {
+    let (mut shared, mut separate) = (0, 0);
     for round in 0..600_u32 {
         let pick = |salt: u32, n: usize| noise(round * 32 + salt) as usize % n;
         let filters = [Filter::Nearest, Filter::Linear, Filter::Linear];
@@ -229,7 +229,7 @@ fn places_that_are_kept_are_those_that_would_be_found() {
         let size = [width, height, 1];
         let format = [Format::Rgba8, Format::Rgb8][pick(5, 2)];
         let first = SamplePlan::new(&image(Shape::D2, format, size, 2 * round), &sampler);
-        // Of the same size and sampler, or with one thing other.
+        // Of the same size, format and sampler, or with one of them different.
         let other = Sampler { lod_bias: 0.5, ..sampler.clone() };
         let (is_like, size, format, sampler) = match pick(6, 8) {
             0 => (false, [width + 1, height, 1], format, &sampler),
@@ -243,7 +243,7 @@ fn places_that_are_kept_are_those_that_would_be_found() {
             _ => (true, size, format, &sampler),
         };
         let second = SamplePlan::new(&image(Shape::D2, format, size, 2 * round + 64), sampler);
-        // What decides λ, and the bias for who asks for it, differ where nothing else does.
+        // Plans of another size or format, or with mipmaps and another LOD bias, do not share addresses.
         if !is_like {
             assert!(
                 !second.shares_addresses_with(&first),
@@ -253,10 +253,10 @@ fn places_that_are_kept_are_those_that_would_be_found() {
             );
         }
         if !second.shares_addresses_with(&first) {
-            apart += 1;
+            separate += 1;
             continue;
         }
-        kept += 1;
+        shared += 1;
         let scale: f32 = [0.02, 0.3, 4.0][pick(7, 3)];
         let coords = [8, 9, 10].map(|salt| {
             let is_inside = pick(11, 2) == 0;
@@ -269,27 +269,27 @@ fn places_that_are_kept_are_those_that_would_be_found() {
         let points = Points { coords: coords.each_ref(), layer: None, reference: None };
         let lod = Lod::Implicit { bias: None };
         for isa in Isa::available() {
-            let alone = |plan: &SamplePlan| {
+            let unshared = |plan: &SamplePlan| {
                 let mut out = [F32s::ZERO; 4];
                 plan.sample(isa, points.coords, None, lod, &mut out);
                 out.map(bits)
             };
             let mut scratch = LookupScratch::default();
-            let turns = [
+            let lookups = [
                 (&first, Addresses::Compute),
                 (&second, Addresses::Reuse),
                 (&first, Addresses::Reuse),
                 (&second, Addresses::Compute),
                 (&first, Addresses::Reuse),
             ];
-            for (turn, (plan, addresses)) in turns.into_iter().enumerate() {
+            for (number, (plan, addresses)) in lookups.into_iter().enumerate() {
                 plan.sample_offset(isa, points, [0; 3], lod, addresses, &mut scratch);
-                let what = format!("{} turn {turn}: {}", isa.name(), plan.describe());
-                assert_eq!(scratch.lanes.map(bits), alone(plan), "{what}");
+                let what = format!("{} lookup {number}: {}", isa.name(), plan.describe());
+                assert_eq!(scratch.lanes.map(bits), unshared(plan), "{what}");
             }
         }
     }
-    assert!(kept > 200 && apart > 100, "{kept} {apart}");
+    assert!(shared > 200 && separate > 100, "{shared} {separate}");
 }
 
 /// The image with the last of each four bytes 255: alpha, where that is a byte.

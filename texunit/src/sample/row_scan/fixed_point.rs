@@ -3,7 +3,7 @@
 use crate::lanes::Simd;
 use crate::lanes::math::to_i32;
 
-/// The most rows of a level; only levels finer than λ asks for would have more.
+/// The most rows of a level; only levels finer than that of λ would have more.
 pub const MAX_ROWS: f32 = 48.0;
 
 /// 1.5 · 2^23: its sum with a small number holds the nearest integer in its low bits.

@@ -168,11 +168,12 @@ fn mean_of_bytes(rows: &Rows, channels: usize, sums: &[I32s; 4], out: &mut [F32s
 #[inline(always)]
 fn bytes<S: Simd>(view: &LevelView<'_>, rows: &mut Rows, out: &mut [F32s; 4]) {
     let level = view.level;
-    let apart = level.format.bytes() as u32;
+    let texel_bytes = level.format.bytes() as u32;
     let mut sums = Sums::ZERO;
     match LineAddresses::new::<S>(view, rows) {
         Some(LineAddresses { start, stride, across }) => {
-            let second = across.as_ref().map_or(SecondTexel::Adjacent(apart), SecondTexel::Stride);
+            let second =
+                across.as_ref().map_or(SecondTexel::Adjacent(texel_bytes), SecondTexel::Stride);
             S::weigh_rows(&level.texels, &rows.walk(&start, &stride, second), &mut sums);
         }
         None => wrapped::<S>(view, rows, &mut sums),
@@ -189,17 +190,17 @@ fn bytes<S: Simd>(view: &LevelView<'_>, rows: &mut Rows, out: &mut [F32s; 4]) {
 #[inline(always)]
 fn wrapped<S: Simd>(view: &LevelView<'_>, rows: &mut Rows, sums: &mut Sums) {
     let level = view.level;
-    let apart = level.format.bytes() as u32;
+    let texel_bytes = level.format.bytes() as u32;
     while rows.number < rows.max_count {
         let weights = rows.weights();
         let [left, right] = offsets(view, rows);
-        let mut elsewhere = U32s::ZERO;
+        let mut not_adjacent = U32s::ZERO;
         for lane in 0..LANES {
-            elsewhere[lane] = right[lane].wrapping_sub(left[lane]) ^ apart;
+            not_adjacent[lane] = right[lane].wrapping_sub(left[lane]) ^ texel_bytes;
         }
-        // Most rows do not.
-        if apart > 2 && !S::any(&elsewhere) {
-            S::weigh_pairs(&level.texels, &left, apart, &weights, sums);
+        // Most rows do not cross an edge.
+        if texel_bytes > 2 && !S::any(&not_adjacent) {
+            S::weigh_pairs(&level.texels, &left, texel_bytes, &weights, sums);
         } else {
             let left = S::gather(&level.texels, &left);
             let right = S::gather(&level.texels, &right);

@@ -8,11 +8,11 @@ use super::footprint::RowScan;
 use crate::lanes::math::{clamp, min};
 use crate::lanes::{F32s, I32s, LANES, ONE, RowWalk, SecondTexel, Simd, U32s, weights};
 use crate::sample::level_view::LevelView;
-use crate::sample::wrap::{Axis, fold, modulo};
+use crate::sample::wrap::{Axis, mirrored_repeat, modulo};
 use crate::sampler::Wrap;
 
 /// Coordinates that do not repeat are clamped to this many texels beyond the edge.
-const BEYOND: f32 = 64.0;
+const MARGIN: f32 = 64.0;
 
 /// The maximum slope, in texels across per texel along. Only levels one texel wide would have more.
 const MAX_SLOPE: f32 = 2.0;
@@ -57,8 +57,8 @@ fn coordinate<S: Simd>(axis: &Axis, s: &F32s) -> Coordinate {
         Wrap::Repeat => out.texels = axis.texel_coordinate::<S>(s),
         Wrap::MirroredRepeat => {
             for lane in 0..LANES {
-                let (folded, odd) = fold::<S>(s[lane]);
-                out.texels[lane] = folded * n;
+                let (repeated, odd) = mirrored_repeat::<S>(s[lane]);
+                out.texels[lane] = repeated * n;
                 out.mirrored[lane] = if odd { !0 } else { 0 };
             }
         }
@@ -71,7 +71,7 @@ fn coordinate<S: Simd>(axis: &Axis, s: &F32s) -> Coordinate {
             for lane in 0..LANES {
                 let texels = s[lane] * axis.scale;
                 let number = if texels.is_nan() { 0.0 } else { texels };
-                out.texels[lane] = clamp(number, -BEYOND, n + BEYOND);
+                out.texels[lane] = clamp(number, -MARGIN, n + MARGIN);
             }
         }
     }
@@ -229,7 +229,7 @@ impl Rows {
     }
 }
 
-/// The texels that stand for those of any index within [`BEYOND`] of the image.
+/// The texels that stand for those of any index within [`MARGIN`] of the image.
 #[inline(always)]
 fn wrapped(axis: &Axis, index: &I32s) -> U32s {
     let mut out = U32s::ZERO;

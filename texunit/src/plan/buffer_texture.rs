@@ -1,4 +1,4 @@
-//! Plans of buffer textures: texels that are fetched and never filtered (`ARB_texture_buffer_object`).
+//! Plans of buffer textures, whose texels are fetched and never filtered (`ARB_texture_buffer_object`).
 
 use super::SamplePlan;
 use super::texture::{Alpha, LevelSelection, SampleKernel, TexelPath, Texture};
@@ -8,8 +8,8 @@ use std::sync::Arc;
 
 impl SamplePlan {
     /// The plan of a buffer texture: a one-dimensional image of any length.
-    pub fn for_buffer(row: Level) -> Self {
-        let (shape, format, size) = (Shape::D1, row.format, row.size());
+    pub fn for_buffer_texture(level: Level) -> Self {
+        let (shape, format, size) = (Shape::D1, level.format, level.size());
         let why = "texels are fetched by their numbers";
         let level_selection =
             LevelSelection::Fixed { filter: Filter::Nearest, level: 0, why, bias: 0.0 };
@@ -18,7 +18,7 @@ impl SamplePlan {
             format,
             size,
             scale: size.map(|side| shape.scale(side)),
-            levels: vec![vec![Arc::new(row)]],
+            levels: vec![vec![Arc::new(level)]],
             wrap: [Wrap::ClampToEdge; 3],
             seamless: Seamless::Off,
             border: [0.0; 4],
@@ -42,7 +42,7 @@ mod tests {
     use crate::lanes::{F32s, I32s, Isa};
 
     #[test]
-    fn a_row_is_as_long_as_its_bytes_and_zero_beyond() {
+    fn a_buffer_texture_is_as_long_as_its_bytes_and_zero_beyond() {
         let count = 4 * MAX_SIZE as i32;
         let bytes: Vec<u8> = (0..count).flat_map(|i| (i as u16).to_le_bytes()).collect();
         // An incomplete texel at the end does not count.
@@ -54,8 +54,8 @@ mod tests {
             (&[7], u32::MAX, 0),
             (&[], u32::MAX, 0),
         ] {
-            let row = Level::row(Format::R16UI, bytes, most).expect("memory");
-            let plan = SamplePlan::for_buffer(row);
+            let level = Level::of_buffer_texture(Format::R16UI, bytes, most).expect("memory");
+            let plan = SamplePlan::for_buffer_texture(level);
             let (zero, size) = (I32s::ZERO, I32s::splat(len));
             assert_eq!(plan.size(&zero), [size, I32s::splat(1), I32s::splat(1)]);
             let indices = [0, 1, 4, 5, len - 2, len - 1, len, len + 1, -1, i32::MIN, i32::MAX];

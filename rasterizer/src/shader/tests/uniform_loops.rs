@@ -1,4 +1,4 @@
-//! Loops whose lanes take all turns alike, which are run without masks.
+//! Uniform loops, which run without masks.
 
 use super::check;
 use crate::ir::{
@@ -80,7 +80,7 @@ fn a_loop_that_each_lane_leaves_on_its_own_does() {
 }
 
 #[test]
-fn turns_are_alike_in_a_branch_and_behind_an_early_return() {
+fn iterations_are_uniform_in_a_branch_and_behind_an_early_return() {
     let (mut b, out) = fragment();
     let condition = below_zero(&mut b);
     b.begin();
@@ -101,7 +101,7 @@ fn turns_are_alike_in_a_branch_and_behind_an_early_return() {
 
 /// A lane that was away from a store reads what it had before.
 #[test]
-fn what_is_read_outside_of_a_branch_is_not_alike() {
+fn what_is_read_outside_of_a_branch_is_not_uniform() {
     let (mut b, out) = fragment();
     let kept = b.variable("kept", Ty::F32);
     let condition = below_zero(&mut b);
@@ -116,7 +116,7 @@ fn what_is_read_outside_of_a_branch_is_not_alike() {
 /// The counter of an inner loop is live across iterations of the outer one, in which some lanes
 /// skip it.
 #[test]
-fn what_comes_again_in_a_loop_is_not_alike() {
+fn what_is_repeated_in_a_loop_is_not_uniform() {
     let (mut b, out) = fragment();
     let turns = b.variable("turns", Ty::I32);
     let seen = b.variable("seen", Ty::I32);

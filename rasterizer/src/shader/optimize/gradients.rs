@@ -1,6 +1,6 @@
-//! Where a lookup's coordinates are varyings, scaled, moved or divided by one another, their
-//! derivatives are those of the planes: exact at each pixel, where the differences of a quad are
-//! off by their rounding and by the curve of a perspective.
+//! Gives lookups whose coordinates are sums, products or quotients of varyings the analytic gradients of the planes.
+//! They are exact at each pixel; the differences of a quad have rounding errors and neglect the curvature of a
+//! perspective.
 //!
 //! Formal differentiation over the few operations that such coordinates are made of. A coordinate
 //! that is made of anything else keeps the differences of the quad, and so do the others of its
@@ -10,10 +10,10 @@ use crate::ir::{
     Access, Axis, Block, Expr, Input, Interpolation, Lod, Module, Op, Stage, Stmt, Ty, Value,
 };
 
-/// How many operations deep a coordinate is followed.
+/// The depth of operations up to which a coordinate is followed.
 const DEPTH: u32 = 12;
 
-/// Runs the pass; says whether it changed anything.
+/// Runs the pass; returns whether it changed the module.
 pub(super) fn run(module: &mut Module) -> bool {
     if module.stage != Stage::Fragment {
         return false;
@@ -33,10 +33,10 @@ struct Pass<'a> {
 
 /// The derivatives of a value along x and y.
 #[derive(Clone, Copy)]
-enum Slope {
-    /// The same everywhere in the draw.
+enum Gradient {
+    /// The value is uniform over the draw.
     Zero,
-    Of([Value; 2]),
+    Values([Value; 2]),
 }
 
 impl Pass<'_> {
@@ -45,7 +45,7 @@ impl Pass<'_> {
         for stmt in block {
             let stmt = match stmt {
                 Stmt::Eval(value) => {
-                    self.lookup(value, &mut out);
+                    self.add_gradient(value, &mut out);
                     stmt
                 }
                 Stmt::If { condition, accept, reject } => {
@@ -70,7 +70,7 @@ impl Pass<'_> {
 
     /// Gives a lookup with an implicit level of detail the derivatives of its coordinates, whose
     /// values go to `out`.
-    fn lookup(&mut self, value: Value, out: &mut Block) {
+    fn add_gradient(&mut self, value: Value, out: &mut Block) {
         let Expr::Sample(sample) = self.module.expr(value) else { return };
         let (Access::Filter { .. } | Access::Lod, Lod::Implicit { bias }) =
             (sample.access, sample.lod)
@@ -83,18 +83,18 @@ impl Pass<'_> {
             shape => shape.axes(),
         };
         let mut emitted = Vec::new();
-        let mut slopes = [Slope::Zero; 3];
-        for (slope, coord) in slopes.iter_mut().zip(&coords[..axes]) {
-            match self.slope(*coord, DEPTH, &mut emitted) {
-                Some(found) => *slope = found,
+        let mut gradients = [Gradient::Zero; 3];
+        for (gradient, coord) in gradients.iter_mut().zip(&coords[..axes]) {
+            match self.gradient(*coord, DEPTH, &mut emitted) {
+                Some(found) => *gradient = found,
                 None => return,
             }
         }
         let zero = self.push(Expr::Const { bits: 0, ty: Ty::F32 });
         let along = |axis: usize| {
-            slopes.map(|slope| match slope {
-                Slope::Zero => zero,
-                Slope::Of(values) => values[axis],
+            gradients.map(|gradient| match gradient {
+                Gradient::Zero => zero,
+                Gradient::Values(values) => values[axis],
             })
         };
         let lod = Lod::Gradient { dx: along(0), dy: along(1), bias };
@@ -105,32 +105,32 @@ impl Pass<'_> {
         }
     }
 
-    /// The derivatives of a value, if it is made of nothing but varyings and what is the same in
-    /// the whole draw. What has to be evaluated for it is appended to `emitted`.
-    fn slope(&mut self, value: Value, depth: u32, emitted: &mut Vec<Value>) -> Option<Slope> {
+    /// The derivatives of a value, if it is computed from varyings and uniform values alone. The values to be evaluated
+    /// for them are appended to `emitted`.
+    fn gradient(&mut self, value: Value, depth: u32, emitted: &mut Vec<Value>) -> Option<Gradient> {
         let below = depth.checked_sub(1)?;
         match *self.module.expr(value) {
-            Expr::Const { .. } | Expr::Uniform { .. } => Some(Slope::Zero),
+            Expr::Const { .. } | Expr::Uniform { .. } => Some(Gradient::Zero),
             Expr::Input(Input::Varying(slot)) => {
                 let mode = self.module.varyings.get(usize::from(slot))?;
                 if *mode == Interpolation::Flat {
-                    return Some(Slope::Zero);
+                    return Some(Gradient::Zero);
                 }
-                let slopes = [Axis::X, Axis::Y]
+                let gradients = [Axis::X, Axis::Y]
                     .map(|axis| self.push(Expr::Input(Input::Slope { slot, axis })));
-                Some(Slope::Of(slopes))
+                Some(Gradient::Values(gradients))
             }
             Expr::Op { op, args: [a, b, _] } => {
-                let of_a = self.slope(a, below, emitted)?;
+                let of_a = self.gradient(a, below, emitted)?;
                 if op == Op::Neg {
-                    return Some(self.each(of_a, emitted, |pass, da, emitted| {
+                    return Some(self.map_axes(of_a, emitted, |pass, da, emitted| {
                         pass.op(Op::Neg, [da, da], emitted)
                     }));
                 }
                 if !matches!(op, Op::Add | Op::Sub | Op::Mul | Op::Div) {
                     return None;
                 }
-                let of_b = self.slope(b, below, emitted)?;
+                let of_b = self.gradient(b, below, emitted)?;
                 self.binary(op, value, [a, b], [of_a, of_b], emitted)
             }
             Expr::Input(_)
@@ -149,48 +149,50 @@ impl Pass<'_> {
         op: Op,
         value: Value,
         [a, b]: [Value; 2],
-        slopes: [Slope; 2],
+        gradients: [Gradient; 2],
         emitted: &mut Vec<Value>,
-    ) -> Option<Slope> {
-        Some(match (op, slopes) {
-            (_, [Slope::Zero, Slope::Zero]) => Slope::Zero,
-            (Op::Add | Op::Sub, [of_a, Slope::Zero]) => of_a,
-            (Op::Add, [Slope::Zero, of_b]) => of_b,
-            (Op::Sub, [Slope::Zero, of_b]) => {
-                self.each(of_b, emitted, |pass, db, emitted| pass.op(Op::Neg, [db, db], emitted))
+    ) -> Option<Gradient> {
+        Some(match (op, gradients) {
+            (_, [Gradient::Zero, Gradient::Zero]) => Gradient::Zero,
+            (Op::Add | Op::Sub, [of_a, Gradient::Zero]) => of_a,
+            (Op::Add, [Gradient::Zero, of_b]) => of_b,
+            (Op::Sub, [Gradient::Zero, of_b]) => {
+                self.map_axes(of_b, emitted, |pass, db, emitted| {
+                    pass.op(Op::Neg, [db, db], emitted)
+                })
             }
-            (Op::Add | Op::Sub, [Slope::Of(da), Slope::Of(db)]) => {
-                Slope::Of([0, 1].map(|i| self.op(op, [da[i], db[i]], emitted)))
+            (Op::Add | Op::Sub, [Gradient::Values(da), Gradient::Values(db)]) => {
+                Gradient::Values([0, 1].map(|i| self.op(op, [da[i], db[i]], emitted)))
             }
-            (Op::Mul | Op::Div, [of_a, Slope::Zero]) => {
-                self.each(of_a, emitted, |pass, da, emitted| pass.op(op, [da, b], emitted))
+            (Op::Mul | Op::Div, [of_a, Gradient::Zero]) => {
+                self.map_axes(of_a, emitted, |pass, da, emitted| pass.op(op, [da, b], emitted))
             }
-            (Op::Mul, [Slope::Zero, of_b]) => {
-                self.each(of_b, emitted, |pass, db, emitted| pass.op(Op::Mul, [a, db], emitted))
+            (Op::Mul, [Gradient::Zero, of_b]) => {
+                self.map_axes(of_b, emitted, |pass, db, emitted| pass.op(Op::Mul, [a, db], emitted))
             }
             // (a / b)' = (a' - a / b · b') / b
-            (Op::Div, [of_a, Slope::Of(db)]) => Slope::Of([0, 1].map(|i| {
-                let turned = self.op(Op::Mul, [value, db[i]], emitted);
-                let rest = match of_a {
-                    Slope::Of(da) => self.op(Op::Sub, [da[i], turned], emitted),
-                    Slope::Zero => self.op(Op::Neg, [turned, turned], emitted),
+            (Op::Div, [of_a, Gradient::Values(db)]) => Gradient::Values([0, 1].map(|i| {
+                let product = self.op(Op::Mul, [value, db[i]], emitted);
+                let numerator = match of_a {
+                    Gradient::Values(da) => self.op(Op::Sub, [da[i], product], emitted),
+                    Gradient::Zero => self.op(Op::Neg, [product, product], emitted),
                 };
-                self.op(Op::Div, [rest, b], emitted)
+                self.op(Op::Div, [numerator, b], emitted)
             })),
             _ => return None,
         })
     }
 
-    /// The same for both axes.
-    fn each(
+    /// Applies `f` to the derivative along each axis.
+    fn map_axes(
         &mut self,
-        slope: Slope,
+        gradient: Gradient,
         emitted: &mut Vec<Value>,
         f: impl Fn(&mut Self, Value, &mut Vec<Value>) -> Value,
-    ) -> Slope {
-        match slope {
-            Slope::Zero => Slope::Zero,
-            Slope::Of(along) => Slope::Of(along.map(|value| f(self, value, emitted))),
+    ) -> Gradient {
+        match gradient {
+            Gradient::Zero => Gradient::Zero,
+            Gradient::Values(along) => Gradient::Values(along.map(|value| f(self, value, emitted))),
         }
     }
 
