@@ -5,7 +5,7 @@ use crate::base::constants::*;
 use crate::base::error::{ErrorCode, GlError, Result, Table, invalid_operation};
 use crate::base::types::*;
 use crate::calls::framebuffer::blit::edit;
-use crate::calls::framebuffer::read;
+use crate::calls::framebuffer::read::ReadBuffer;
 use crate::context::Context;
 use crate::context::feedback::RenderMode;
 use crate::draw::completeness::{Readable, draw_pass};
@@ -127,7 +127,7 @@ fn colors(
     factor: f32,
     change: impl Fn(&mut f32, f32),
 ) -> Result<()> {
-    let from = read::source(context, Readable::Color)?;
+    let from = ReadBuffer::new(context, Readable::Color)?.pixels(context)?;
     let isa = context.recorder.isa();
     let conversion = Conversion::blit(isa, from.format(), from.format(), SrgbWrite::AsIs);
     let width = context.window.width as usize;

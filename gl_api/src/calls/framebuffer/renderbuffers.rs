@@ -20,7 +20,8 @@ use texunit::image::{Image as Texels, Shape};
 
 const SECTION: &str = "ARB_framebuffer_object, section 4.4.2";
 
-const RENDERBUFFER_TARGET: Table<()> = Table { section: SECTION, rows: &[(GL_RENDERBUFFER, ())] };
+pub(crate) const RENDERBUFFER_TARGET: Table<()> =
+    Table { section: SECTION, rows: &[(GL_RENDERBUFFER, ())] };
 
 pub(crate) fn gen_renderbuffers(
     context: &mut Context,

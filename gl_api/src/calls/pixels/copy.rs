@@ -3,7 +3,7 @@
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation, not_negative};
 use crate::base::types::*;
-use crate::calls::framebuffer::read;
+use crate::calls::framebuffer::read::ReadBuffer;
 use crate::calls::pixels::draw::{DEPTHS, rows, scratch};
 use crate::calls::pixels::stencil;
 use crate::context::feedback::RenderMode;
@@ -36,23 +36,6 @@ const BUFFER: Table<CopiedBuffer> = Table {
     ],
 };
 
-/// The texels of a region of what is read; zeros where it lies outside.
-fn texels(from: &read::Pixels, region: Region) -> Result<Vec<u8>> {
-    let size = from.format().bytes();
-    let mut out = scratch(from.format(), region.width, region.height)?;
-    let [width, height] = from.size();
-    if let Some(visible) = region.within(width, height) {
-        for y in visible.y..visible.y + visible.height {
-            let at = ((y as i64 - region.y) as usize * region.width
-                + (visible.x as i64 - region.x) as usize)
-                * size;
-            let row = from.row(visible.x, y, visible.width);
-            out[at..at + row.len()].copy_from_slice(row);
-        }
-    }
-    Ok(out)
-}
-
 pub(crate) fn copy_pixels(
     context: &mut Context,
     x: GLint,
@@ -79,15 +62,12 @@ pub(crate) fn copy_pixels(
         );
     }
     let from = match kind {
-        CopiedBuffer::Color => read::source(context, Readable::Color)?,
-        CopiedBuffer::Depth => read::source(context, Readable::Depth)?,
-        CopiedBuffer::Stencil => read::source(context, Readable::Stencil)?,
-        CopiedBuffer::DepthStencil => {
-            read::source(context, Readable::Stencil)?;
-            read::source(context, Readable::Depth)?
-        }
+        CopiedBuffer::Color => ReadBuffer::new(context, Readable::Color)?,
+        CopiedBuffer::Depth => ReadBuffer::new(context, Readable::Depth)?,
+        CopiedBuffer::Stencil => ReadBuffer::new(context, Readable::Stencil)?,
+        CopiedBuffer::DepthStencil => ReadBuffer::depth_stencil(context)?,
     };
-    if from.format().is_integer() {
+    if from.format.is_integer() {
         return invalid_operation(
             "EXT_texture_integer, section 4.3.3",
             "integers are not copied: call glBlitFramebuffer",
@@ -98,16 +78,16 @@ pub(crate) fn copy_pixels(
         return Ok(());
     }
     let size = [width, height];
-    let stored = texels(&from, Region::new(x, y, width, height))?;
+    let stored = from.pixels(context)?.region(Region::new(x, y, width, height))?;
     let (isa, transfer) = (context.recorder.isa(), &context.state.transfer);
-    let as_format = |to: Format| convert::transcode(isa, from.format(), &stored, to, transfer);
+    let as_format = |to: Format| convert::transcode(isa, from.format, &stored, to, transfer);
     match kind {
         CopiedBuffer::Color => {
-            let to =
-                match Conversion::between(isa, from.format(), Format::Rgba8, transfer).is_moved() {
-                    true => Format::Rgba8,
-                    false => Format::Rgba32F,
-                };
+            let to = match Conversion::between(isa, from.format, Format::Rgba8, transfer).is_moved()
+            {
+                true => Format::Rgba8,
+                false => Format::Rgba32F,
+            };
             let texels = as_format(to);
             crate::draw::pixel_rectangle::draw(
                 context,
@@ -122,7 +102,7 @@ pub(crate) fn copy_pixels(
         }
         CopiedBuffer::Stencil => {
             let mut stencils = scratch(Format::R8UI, width, height)?;
-            Conversion::stencils(isa, from.format(), transfer).run(&stored, &mut stencils);
+            Conversion::stencils(isa, from.format, transfer).run(&stored, &mut stencils);
             stencil::draw_stencils(context, size, &stencils)
         }
         CopiedBuffer::DepthStencil => {

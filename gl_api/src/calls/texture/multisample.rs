@@ -9,7 +9,7 @@ use crate::base::error::{Result, Table, invalid_enum, invalid_operation, invalid
 use crate::base::limits;
 use crate::base::types::*;
 use crate::calls::texture::bound::{bound, bound_mut};
-use crate::calls::texture::specify::ImageRequest;
+use crate::calls::texture::specify::{ImageRequest, LevelDesc, LevelRequest};
 use crate::context::Context;
 use crate::objects::target::{IMAGE_2D_MULTISAMPLE, IMAGE_3D_MULTISAMPLE, ImageTarget};
 use crate::objects::texture::Samples;
@@ -90,7 +90,7 @@ fn specify(
     if lifetime == Lifetime::Immutable {
         checked_storage(context, image, size)?;
     }
-    let mut request = ImageRequest::new(image, 0, internal, format, size, 0)?;
+    let mut desc = LevelDesc::new(image, 0, internal, format, size, 0)?;
     if samples > limits::MAX_SAMPLES.into() {
         let ImageTarget::Proxy(target) = image else {
             return invalid_operation(
@@ -101,16 +101,16 @@ fn specify(
         context.state.proxies[target as usize] = Default::default();
         return Ok(());
     }
-    request.samples = Some(Samples { count: limits::MAX_SAMPLES, fixed_locations });
-    match request.bound(context)? {
-        Some(_) => store(context, &request, lifetime),
-        None => Ok(()),
+    desc.samples = Some(Samples { count: limits::MAX_SAMPLES, fixed_locations });
+    match desc.request(context)? {
+        ImageRequest::Texture(request) => store(context, &request, lifetime),
+        ImageRequest::Proxy(proxy) => proxy.apply(context),
     }
 }
 
 /// Puts an image of zeros in place of the bound texture's.
-fn store(context: &mut Context, request: &ImageRequest, lifetime: Lifetime) -> Result<()> {
-    let target = request.image.target();
+fn store(context: &mut Context, request: &LevelRequest, lifetime: Lifetime) -> Result<()> {
+    let target = request.desc.image.target();
     let mut texels = Texels::new(target.shape());
     texels.set_level(0, 0, request.storage()?).map_err(|error| storage_error(SECTION, &error))?;
     let image = bound(context, target).image.clone();
@@ -118,8 +118,8 @@ fn store(context: &mut Context, request: &ImageRequest, lifetime: Lifetime) -> R
     crate::draw::pass::settle(context, &image);
     image.replace(texels, limits::MAX_SAMPLES, Rows::EachSample);
     let texture = bound_mut(context, target);
-    texture.samples = request.samples;
-    texture.requested[0][0] = request.internal;
+    texture.samples = request.desc.samples;
+    texture.requested[0][0] = request.desc.internal;
     texture.immutable = match lifetime {
         Lifetime::Replaceable => None,
         Lifetime::Immutable => Some(1),

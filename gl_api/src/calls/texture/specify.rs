@@ -1,5 +1,5 @@
-//! `glTexImage1D`, `glTexImage2D` and `glTexImage3D` (GL 2.1, section 3.8.1). [`ImageRequest`] is what the calls that
-//! specify a level have checked before they store it.
+//! `glTexImage1D`, `glTexImage2D` and `glTexImage3D` (GL 2.1, section 3.8.1), and the checks of every call that
+//! specifies a level: [`LevelDesc`] is what such a call describes, [`ImageRequest`] what is checked.
 
 use crate::base::args::Data;
 use crate::base::constants::*;
@@ -15,6 +15,8 @@ use crate::pixel::client::Pixel;
 use crate::pixel::client::format::{ClientFormat, Numbers};
 use crate::pixel::formats::{UNCOMPRESSED, texture_format};
 use crate::pixel::layout::{Extent, Layout};
+use crate::pixel::memory::Source;
+use crate::pixel::storage_error::storage_error;
 use crate::pixel::{blocks, convert};
 use texunit::format::Format;
 use texunit::image::{FACES, Level};
@@ -39,8 +41,8 @@ pub(crate) fn checked_internal(internal: GLenum) -> Result<Format> {
     }
 }
 
-/// A level that a call asks for.
-pub(crate) struct ImageRequest {
+/// A level as a call describes it. Checked by itself: not yet against the largest size, nor against the bound texture.
+pub(crate) struct LevelDesc {
     pub image: ImageTarget,
     pub level: usize,
     pub internal: GLenum,
@@ -53,12 +55,11 @@ pub(crate) struct ImageRequest {
     pub border: u32,
     /// Of an image with several a texel.
     pub samples: Option<Samples>,
-    /// The first side that is too large, if one is.
-    too_large: Option<String>,
 }
 
-impl ImageRequest {
-    /// Checks everything but the pixels.
+const SIDES: [&str; 3] = ["width", "height", "depth"];
+
+impl LevelDesc {
     pub fn new(
         image: ImageTarget,
         level: GLint,
@@ -77,10 +78,8 @@ impl ImageRequest {
             checked_blocks(target, border)?;
         }
         let borders = target.level_box(target.shape().border(border));
-        let (limits, axes) = (target.limits(), target.shape().axes());
         let mut sides = [0; 3];
-        let mut too_large = None;
-        for (axis, argument) in ["width", "height", "depth"].into_iter().enumerate() {
+        for (axis, argument) in SIDES.into_iter().enumerate() {
             let side = not_negative(SECTION, argument, given[axis].into())? as u32;
             let Some(inside) = side.checked_sub(2 * borders[axis]) else {
                 return invalid_value(
@@ -88,24 +87,17 @@ impl ImageRequest {
                     format!("{argument} = {side} must be at least 2, as border = 1"),
                 );
             };
-            let limit = if axis < axes { limits[axis] >> level } else { limits[axis] };
-            if inside > limit && too_large.is_none() {
-                too_large = Some(format!(
-                    "{argument} = {side} must not be above {} at level {level}",
-                    limit + 2 * borders[axis]
-                ));
-            }
             sides[axis] = inside;
         }
-        if target.shape().is_cube() && given[0] != given[1] {
-            let [width, height, _] = given;
+        let given = given.map(|side| side as u32);
+        let [width, height, depth] = given;
+        if target.shape().is_cube() && width != height {
             return invalid_value(
                 SECTION,
                 format!("width = {width} and height = {height} of a cube map's face must be equal"),
             );
         }
-        if target == TextureTarget::CubeArray && !(given[2] as usize).is_multiple_of(FACES) {
-            let depth = given[2];
+        if target == TextureTarget::CubeArray && !(depth as usize).is_multiple_of(FACES) {
             return invalid_value(
                 "ARB_texture_cube_map_array, section 3.9.1",
                 format!(
@@ -113,54 +105,124 @@ impl ImageRequest {
                 ),
             );
         }
-        let given = given.map(|side| side as u32);
         let size = target.level_box(sides);
-        let samples = None;
-        Ok(Self { image, level, internal, format, given, size, border, samples, too_large })
+        Ok(Self { image, level, internal, format, given, size, border, samples: None })
     }
 
-    /// The image to put the level into; a proxy is answered, and then there is none.
-    pub fn bound(&self, context: &mut Context) -> Result<Option<FaceTarget>> {
-        match (self.image, &self.too_large) {
-            (ImageTarget::Bound(_), Some(rule)) => invalid_value(SECTION, rule.clone()),
-            (ImageTarget::Bound(target), None)
-                if bound(context, target.target).immutable.is_some() =>
-            {
-                invalid_operation(
-                    "ARB_texture_storage, section 3.8.X",
-                    "the texture's levels were given for good by glTexStorage: fill them with \
-                     glTexSubImage",
-                )
+    /// Checks the description against the largest size and the bound texture. A proxy refuses nothing.
+    pub fn request(self, context: &Context) -> Result<ImageRequest> {
+        let target = match self.image {
+            ImageTarget::Bound(target) => target,
+            ImageTarget::Proxy(target) => {
+                let image = self.fits().then_some(Proxy {
+                    size: self.size,
+                    border: self.border,
+                    internal: self.internal,
+                    format: self.format,
+                    samples: self.samples,
+                });
+                return Ok(ImageRequest::Proxy(ProxyRequest { target, level: self.level, image }));
             }
-            (ImageTarget::Bound(target), None) => Ok(Some(target)),
-            (ImageTarget::Proxy(target), too_large) => {
-                let Self { size, border, internal, format, samples, .. } = *self;
-                let [width, height, depth] = target.shape().border(border).map(|side| 2 * side);
-                let bytes = Level::required_bytes(
-                    format,
-                    size[0] + width,
-                    size[1] + height,
-                    self.slices() + depth,
+        };
+        self.check_limits()?;
+        if bound(context, target.target).immutable.is_some() {
+            return invalid_operation(
+                "ARB_texture_storage, section 3.8.X",
+                "the texture's levels were given for good by glTexStorage: fill them with \
+                 glTexSubImage",
+            );
+        }
+        Ok(ImageRequest::Texture(LevelRequest { target, desc: self }))
+    }
+
+    /// Refuses the first side that is too large.
+    fn check_limits(&self) -> Result<()> {
+        let (target, level) = (self.image.target(), self.level);
+        let borders = target.level_box(target.shape().border(self.border));
+        let (limits, axes) = (target.limits(), target.shape().axes());
+        for (axis, argument) in SIDES.into_iter().enumerate() {
+            let limit = if axis < axes { limits[axis] >> level } else { limits[axis] };
+            let (side, most) = (self.given[axis], limit + 2 * borders[axis]);
+            if side > most {
+                return invalid_value(
+                    SECTION,
+                    format!("{argument} = {side} must not be above {most} at level {level}"),
                 );
-                let fits = too_large.is_none() && bytes.is_some();
-                context.state.proxies[target as usize][self.level] =
-                    fits.then_some(Proxy { size, border, internal, format, samples });
-                Ok(None)
             }
         }
+        Ok(())
+    }
+
+    /// Whether such a level could be stored, as a proxy tells.
+    fn fits(&self) -> bool {
+        let [width, height, depth] =
+            self.image.target().shape().border(self.border).map(|side| 2 * side);
+        let bytes = Level::required_bytes(
+            self.format,
+            self.size[0] + width,
+            self.size[1] + height,
+            self.slices() + depth,
+        );
+        self.check_limits().is_ok() && bytes.is_some()
     }
 
     /// The slices of the level: every sample of a layer has one.
     fn slices(&self) -> u32 {
         self.size[2] * self.samples.map_or(1, |samples| samples.count.into())
     }
+}
 
-    /// A level as asked for, its bytes all 0.
+/// A checked call that specifies a level.
+pub(crate) enum ImageRequest {
+    Texture(LevelRequest),
+    Proxy(ProxyRequest),
+}
+
+/// An answer that a proxy is to give.
+pub(crate) struct ProxyRequest {
+    target: TextureTarget,
+    level: usize,
+    /// `None` for an image that could not be stored.
+    pub image: Option<Proxy>,
+}
+
+impl ProxyRequest {
+    pub fn apply(self, context: &mut Context) -> Result<()> {
+        context.state.proxies[self.target as usize][self.level] = self.image;
+        Ok(())
+    }
+}
+
+/// A level that the bound texture is to have.
+pub(crate) struct LevelRequest {
+    target: FaceTarget,
+    pub desc: LevelDesc,
+}
+
+impl LevelRequest {
+    /// Memory for the level, its bytes all 0.
     pub fn storage(&self) -> Result<Level> {
-        let border = self.image.target().shape().border(self.border);
-        let [width, height, _] = self.size;
-        Level::with_size(self.format, [width, height, self.slices()], border)
-            .map_err(|error| crate::pixel::storage_error::storage_error(SECTION, &error))
+        let border = self.desc.image.target().shape().border(self.desc.border);
+        let [width, height, _] = self.desc.size;
+        Level::with_size(self.desc.format, [width, height, self.desc.slices()], border)
+            .map_err(|error| storage_error(SECTION, &error))
+    }
+
+    /// Puts the level in place, with these texels, and lets everything that depends on it know.
+    pub fn apply(self, context: &mut Context, texels: Level) -> Result<()> {
+        let Self { target, desc: LevelDesc { level, internal, .. } } = self;
+        let image = bound(context, target.target).image.clone();
+        crate::draw::pass::settle(context, &image);
+        let isa = context.recorder.isa();
+        let texture = bound_mut(context, target.target);
+        let face = usize::from(target.face);
+        texture
+            .image
+            .update(|image| image.set_level(face, level, texels))
+            .map_err(|error| storage_error(SECTION, &error))?;
+        texture.requested[face][level] = internal;
+        texture.texels_changed();
+        crate::calls::texture::mipmap::base_level_changed(isa, texture, face, level)
     }
 }
 
@@ -231,33 +293,56 @@ pub(crate) fn kinds_match(pixel: Pixel, stored: Format) -> Result<()> {
     Ok(())
 }
 
-/// Puts a level in place and lets everything that depends on it know.
-pub(crate) fn store_level(
-    context: &mut Context,
-    target: FaceTarget,
-    level: usize,
-    internal: GLenum,
-    texels: Level,
-) -> Result<()> {
-    let image = bound(context, target.target).image.clone();
-    crate::draw::pass::settle(context, &image);
-    let isa = context.recorder.isa();
-    let texture = bound_mut(context, target.target);
-    let face = usize::from(target.face);
-    texture
-        .image
-        .update(|image| image.set_level(face, level, texels))
-        .map_err(|error| crate::pixel::storage_error::storage_error(SECTION, &error))?;
-    texture.requested[face][level] = internal;
-    texture.texels_changed();
-    crate::calls::texture::mipmap::base_level_changed(isa, texture, face, level)
-}
-
 /// A call's format, type and pixels.
 struct Pixels<'a> {
     format: GLenum,
     ty: GLenum,
     data: Data<'a>,
+}
+
+/// A checked `glTexImage` of a texture: the level, its memory, and the pixels that go there, if there are any.
+struct TexImageRequest<'a> {
+    level: LevelRequest,
+    texels: Level,
+    layout: Layout,
+    source: Option<Source<'a>>,
+}
+
+impl<'a> TexImageRequest<'a> {
+    fn new(
+        context: &mut Context,
+        level: LevelRequest,
+        (pixel, data): (Pixel, Data<'a>),
+        extent: Extent,
+    ) -> Result<Self> {
+        // Before its pixels: of a level that is too large there may be more than memory has addresses.
+        let texels = level.storage()?;
+        let size = level.desc.given.map(|side| side as usize);
+        let layout = Layout::new(&context.state.unpack, pixel, size, extent)?;
+        let source = pixel_source(context, "glTexImage", &layout, data)?;
+        Ok(Self { level, texels, layout, source })
+    }
+
+    fn apply(self, context: &mut Context) -> Result<()> {
+        let Self { level, mut texels, layout, source } = self;
+        let (isa, transfer) = (context.recorder.isa(), &context.state.transfer);
+        let LevelDesc { format, size, .. } = level.desc;
+        match (source, format.block()) {
+            (None, _) => {}
+            (Some(source), None) => {
+                let end = texels.texels.len() - texunit::image::PADDING;
+                let out = &mut texels.texels[..end];
+                convert::unpack(isa, &layout, source.bytes(), format, transfer, out);
+            }
+            (Some(source), Some(_)) => {
+                let (bytes, stored) = (source.bytes(), blocks::COLORS);
+                let mut colors = scratch(stored, layout.size)?;
+                convert::unpack(isa, &layout, bytes, stored, transfer, &mut colors);
+                texels = blocks::compress(format, size, &colors)?;
+            }
+        }
+        level.apply(context, texels)
+    }
 }
 
 fn tex_image(
@@ -272,32 +357,16 @@ fn tex_image(
     let image = dimensions.image(target)?;
     let internal = internal as GLenum;
     let format = checked_internal(internal)?;
-    let request = ImageRequest::new(image, level, internal, format, given, border)?;
+    let desc = LevelDesc::new(image, level, internal, format, given, border)?;
     let pixel = Pixel::new(pixels.format, pixels.ty)?;
     kinds_match(pixel, format)?;
-    let Some(target) = request.bound(context)? else { return Ok(()) };
-    let extent = extent(dimensions);
-    let size = request.given.map(|side| side as usize);
-    // Before its pixels: of a level that is too large there may be more than memory has addresses.
-    let mut texels = request.storage()?;
-    let layout = Layout::new(&context.state.unpack, pixel, size, extent)?;
-    let source = pixel_source(context, "glTexImage", &layout, pixels.data)?;
-    let (isa, transfer) = (context.recorder.isa(), &context.state.transfer);
-    let texels = match (source, format.block()) {
-        (None, _) => texels,
-        (Some(source), None) => {
-            let room = texels.texels.len() - texunit::image::PADDING;
-            let out = &mut texels.texels[..room];
-            convert::unpack(isa, &layout, source.bytes(), format, transfer, out);
-            texels
+    match desc.request(context)? {
+        ImageRequest::Texture(level) => {
+            let pixels = (pixel, pixels.data);
+            TexImageRequest::new(context, level, pixels, extent(dimensions))?.apply(context)
         }
-        (Some(source), Some(_)) => {
-            let mut colors = scratch(blocks::COLORS, size)?;
-            convert::unpack(isa, &layout, source.bytes(), blocks::COLORS, transfer, &mut colors);
-            blocks::compress(format, request.size, &colors)?
-        }
-    };
-    store_level(context, target, request.level, internal, texels)
+        ImageRequest::Proxy(proxy) => proxy.apply(context),
+    }
 }
 
 /// Which parts of the pixel store count for a call of so many dimensions.
