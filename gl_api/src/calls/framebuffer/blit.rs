@@ -199,7 +199,7 @@ pub(crate) fn edit(
     change: impl Fn(&mut Level, usize, usize),
 ) {
     let image = &attachment.image;
-    crate::draw::pass::settle(context, image);
+    crate::draw::pass::submit_draws_to(context, image);
     context.outdate_mirror();
     if image.samples() > 1 {
         edit_samples(context, attachment, change);

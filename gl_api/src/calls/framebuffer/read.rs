@@ -12,7 +12,7 @@ use crate::draw::completeness::{Readable, read_attachment};
 use crate::draw::warnings::visibility;
 use crate::pixel::client::Pixel;
 use crate::pixel::client::format::{ClientFormat, LuminanceOf};
-use crate::pixel::convert::{Conversion, Final};
+use crate::pixel::convert::{Conversion, FinalConversion};
 use crate::pixel::layout::{Extent, Layout};
 use crate::pixel::transfer::TransferKind;
 use rasterizer::driver::{Attachment, Device, Part, Put};
@@ -69,14 +69,14 @@ impl Pixels {
 
 /// The pixels of an attachment as everything recorded leaves them.
 pub(crate) fn resolved_pixels(context: &mut Context, attachment: &Attachment) -> Option<Pixels> {
-    crate::draw::pass::settle(context, &attachment.image);
+    crate::draw::pass::submit_draws_to(context, &attachment.image);
     Pixels::of(&context.recorder.device(), attachment)
 }
 
 /// The pixels of every sample of an attachment, as everything recorded leaves them.
 pub(crate) fn sample_pixels(context: &mut Context, attachment: &Attachment) -> Vec<Pixels> {
     let Attachment { image, face, level } = attachment;
-    crate::draw::pass::settle(context, image);
+    crate::draw::pass::submit_draws_to(context, image);
     let Some(level) = image.each_sample(*face, *level).map(Arc::new) else { return Vec::new() };
     (0..level.depth as usize).map(|slice| Pixels { level: Arc::clone(&level), slice }).collect()
 }
@@ -166,7 +166,7 @@ struct ReadPixelsRequest {
     buffer: ReadBuffer,
     region: Region,
     layout: Layout,
-    last: Final,
+    last: FinalConversion,
 }
 
 impl ReadPixelsRequest {
@@ -191,7 +191,7 @@ impl ReadPixelsRequest {
         if pixel.format != ClientFormat::Stencil {
             kinds_match(pixel, from)?;
         }
-        let mut last = Final::of(from, LuminanceOf::Sum);
+        let mut last = FinalConversion::of(from, LuminanceOf::Sum);
         if !pixel.format.is_depth() && !from.is_integer() {
             last.clamp = crate::draw::color_clamp::of_reading(context, from);
         }
@@ -202,7 +202,7 @@ impl ReadPixelsRequest {
     /// Where the memory is none, or too short.
     fn apply(self, context: &mut Context, pixels: DataOut<'_>) -> Result<()> {
         let Self { buffer: ReadBuffer { attachment, format, .. }, region, layout, last } = self;
-        crate::draw::pass::settle(context, &attachment.image);
+        crate::draw::pass::submit_draws_to(context, &attachment.image);
         visibility::picture(context);
         let (device, isa) = (context.recorder.device(), context.recorder.isa());
         let transfer = context.state.transfer;

@@ -9,7 +9,7 @@ use crate::context::Context;
 use crate::objects::target::{TextureTarget, any_bound, checked_level};
 use crate::pixel::client::Pixel;
 use crate::pixel::client::format::{ClientFormat, LuminanceOf};
-use crate::pixel::convert::Final;
+use crate::pixel::convert::FinalConversion;
 use crate::pixel::layout::{Extent, Layout};
 use crate::pixel::transfer::Transfer;
 use crate::pixel::{blocks, convert};
@@ -65,7 +65,7 @@ pub(crate) fn get_tex_image(
     let level = checked_level(SECTION, target.target, level)?;
     let pixel = asked_for(SECTION, format, ty)?;
     let image = bound(context, target.target).image.clone();
-    crate::draw::pass::settle(context, &image);
+    crate::draw::pass::submit_draws_to(context, &image);
     let texels = bound(context, target.target).image.texels();
     let Some(level) = texels.level(target.face.into(), level) else { return Ok(()) };
     readable(pixel, level.format)?;
@@ -76,7 +76,7 @@ pub(crate) fn get_tex_image(
     if level.format.block().is_some() {
         return crate::calls::pixels::memory::write_pixels(context, &layout, pixels, |bytes| {
             let rows = layout.rows().zip(blocks::rows(isa, level));
-            let last = Final::of(blocks::COLORS, LuminanceOf::Red);
+            let last = FinalConversion::of(blocks::COLORS, LuminanceOf::Red);
             convert::pack_rows(isa, &layout, blocks::COLORS, &transfer, last, rows, bytes);
         });
     }

@@ -50,7 +50,7 @@ impl TexelBox {
         let level = checked_level(SECTION, target, level)?;
         let offset = checked(["xoffset", "yoffset", "zoffset"], offset)?;
         let size = checked(["width", "height", "depth"], size)?;
-        crate::draw::pass::settle(context, &image);
+        crate::draw::pass::submit_draws_to(context, &image);
         let texels = image.texels();
         let faces = texels.shape().faces();
         let kind = |face| texels.level(face, level).map(|level| (level.size(), level.format));
@@ -131,7 +131,7 @@ fn checked(names: [&str; 3], values: [GLint; 3]) -> Result<[usize; 3]> {
     Ok([value(x, values[0])?, value(y, values[1])?, value(z, values[2])?])
 }
 
-fn check_room(needed: usize, size: GLsizei) -> Result<()> {
+fn check_size(needed: usize, size: GLsizei) -> Result<()> {
     if usize::try_from(size).is_ok_and(|size| needed <= size) {
         return Ok(());
     }
@@ -163,7 +163,7 @@ pub(crate) fn get_texture_sub_image(
     let is_cube = part.target == TextureTarget::Cube;
     let extent = if is_cube { Extent::Volume } else { extent(part.target) };
     let layout = Layout::new(&context.state.pack, pixel, part.size, extent)?;
-    check_room(layout.needed, buf_size)?;
+    check_size(layout.needed, buf_size)?;
     // As of glGetTexImage, no transfer operations are performed.
     let (isa, transfer) = (context.recorder.isa(), Transfer::default());
     let (mut texels, mut stored) = (Vec::new(), format);
@@ -220,7 +220,7 @@ pub(crate) fn get_compressed_texture_sub_image(
         let unit = Unit { side, bytes: format.bytes(), border: [0; 3] };
         part.cut(convert::texels(level), unit, &mut all);
     }
-    check_room(all.len(), buf_size)?;
+    check_size(all.len(), buf_size)?;
     crate::calls::pixels::memory::write_bytes(context, pixels, all.len(), |out| {
         out[..all.len()].copy_from_slice(&all)
     })

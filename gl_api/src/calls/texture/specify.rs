@@ -180,8 +180,8 @@ pub(crate) enum ImageRequest {
 
 /// An answer that a proxy is to give.
 pub(crate) struct ProxyRequest {
-    target: TextureTarget,
-    level: usize,
+    pub target: TextureTarget,
+    pub level: usize,
     /// `None` for an image that could not be stored.
     pub image: Option<Proxy>,
 }
@@ -212,7 +212,7 @@ impl LevelRequest {
     pub fn apply(self, context: &mut Context, texels: Level) -> Result<()> {
         let Self { target, desc: LevelDesc { level, internal, .. } } = self;
         let image = bound(context, target.target).image.clone();
-        crate::draw::pass::settle(context, &image);
+        crate::draw::pass::submit_draws_to(context, &image);
         let isa = context.recorder.isa();
         let texture = bound_mut(context, target.target);
         let face = usize::from(target.face);

@@ -162,7 +162,7 @@ fn store(
         }
     }
     let image = bound(context, target).image.clone();
-    crate::draw::pass::settle(context, &image);
+    crate::draw::pass::submit_draws_to(context, &image);
     let texture = bound_mut(context, target);
     texture.image.update(|image| *image = all);
     for requested in &mut texture.requested {

@@ -102,7 +102,7 @@ impl BoxRequest {
     pub fn apply(&self, context: &mut Context, texels: &[u8]) -> Result<()> {
         let (target, face) = (self.target.target, self.target.face.into());
         let image = bound(context, target).image.clone();
-        crate::draw::pass::settle(context, &image);
+        crate::draw::pass::submit_draws_to(context, &image);
         let isa = context.recorder.isa();
         // Its plan reads the texels: while it is there they would be copied first.
         bound_mut(context, target).texels_changed();
