@@ -12,7 +12,7 @@
 //! A call whose body is one check and one assignment has no request type; nor has a query, which changes nothing. A call
 //! needs one where several rules come before the change, or several calls share the rules or the change.
 //!
-//! The models are `texture/specify.rs` (shared by all calls that specify a level; a proxy is a request of its own),
+//! The models are `texture/level_request.rs` (shared by all calls that specify a level; a proxy is a request of its own),
 //! `texture/sub.rs` (a box of a level), `framebuffer/blit.rs` (several images, all read before one is written) and
 //! `buffer/map.rs` (a request that borrows its object).
 

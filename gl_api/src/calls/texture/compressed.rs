@@ -6,7 +6,7 @@ use crate::base::error::{Result, invalid_operation, invalid_value};
 use crate::base::types::*;
 use crate::calls::pixels::memory::{source, write_bytes};
 use crate::calls::texture::bound::bound;
-use crate::calls::texture::specify::{ImageRequest, LevelDesc};
+use crate::calls::texture::level_request::{ImageRequest, LevelDesc};
 use crate::calls::texture::sub::BoxRequest;
 use crate::context::Context;
 use crate::objects::target::{Dimensions, any_bound, checked_level};

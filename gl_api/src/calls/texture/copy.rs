@@ -3,7 +3,7 @@
 use crate::base::error::{Result, invalid_operation};
 use crate::base::types::*;
 use crate::calls::framebuffer::read::ReadBuffer;
-use crate::calls::texture::specify::{ImageRequest, LevelDesc, LevelRequest};
+use crate::calls::texture::level_request::{ImageRequest, LevelDesc, LevelRequest};
 use crate::calls::texture::sub::BoxRequest;
 use crate::context::Context;
 use crate::context::window::Region;

@@ -9,7 +9,7 @@ use crate::base::error::{Result, Table, invalid_enum, invalid_operation, invalid
 use crate::base::limits;
 use crate::base::types::*;
 use crate::calls::texture::bound::{bound, bound_mut};
-use crate::calls::texture::specify::{ImageRequest, LevelDesc, LevelRequest, ProxyRequest};
+use crate::calls::texture::level_request::{ImageRequest, LevelDesc, LevelRequest, ProxyRequest};
 use crate::context::Context;
 use crate::objects::target::{IMAGE_2D_MULTISAMPLE, IMAGE_3D_MULTISAMPLE, ImageTarget};
 use crate::objects::texture::Samples;

@@ -4,7 +4,7 @@ use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_enum, invalid_operation, invalid_value};
 use crate::base::types::*;
 use crate::calls::texture::bound::{bound, bound_mut};
-use crate::calls::texture::specify::{ImageRequest, LevelDesc, LevelRequest, ProxyRequest};
+use crate::calls::texture::level_request::{ImageRequest, LevelDesc, LevelRequest, ProxyRequest};
 use crate::context::Context;
 use crate::objects::target::{FaceTarget, ImageTarget, TextureTarget};
 use crate::pixel::formats::sized_format;
