@@ -5,12 +5,12 @@ use crate::base::error::{Result, invalid_operation, invalid_value};
 use crate::base::limits;
 use crate::base::types::*;
 use crate::calls::framebuffer::names::bound;
-use crate::calls::framebuffer::renderbuffers::RENDERBUFFER_TARGET;
 use crate::context::Context;
 use crate::draw::completeness::{completeness, selects_nothing};
 use crate::objects::framebuffers::{
     Attached, AttachmentPoint, Binding, FRAMEBUFFER_TARGET, Planes, Source, attachment_point,
 };
+use crate::objects::renderbuffers::RENDERBUFFER_TARGET;
 use crate::objects::target::{FaceTarget, TARGET, TextureTarget, attachable_target};
 use crate::objects::texture::Texture;
 use rasterizer::driver::Image;

@@ -10,7 +10,7 @@ use crate::base::types::*;
 use crate::calls::framebuffer::attach::detach;
 use crate::context::Context;
 use crate::context::window::texels;
-use crate::objects::renderbuffers::Renderbuffer;
+use crate::objects::renderbuffers::{RENDERBUFFER_TARGET, Renderbuffer};
 use crate::objects::{Sweep, listed};
 use crate::pixel::component_bits::{Component, component_bits};
 use crate::pixel::formats;
@@ -19,9 +19,6 @@ use rasterizer::driver::{LevelInfo, Rows};
 use texunit::image::{Image as Texels, Shape};
 
 const SECTION: &str = "ARB_framebuffer_object, section 4.4.2";
-
-pub(crate) const RENDERBUFFER_TARGET: Table<()> =
-    Table { section: SECTION, rows: &[(GL_RENDERBUFFER, ())] };
 
 pub(crate) fn gen_renderbuffers(
     context: &mut Context,

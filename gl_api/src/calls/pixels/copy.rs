@@ -4,7 +4,7 @@ use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation, not_negative};
 use crate::base::types::*;
 use crate::calls::framebuffer::read::ReadBuffer;
-use crate::calls::pixels::draw::{DEPTHS, rows, scratch};
+use crate::calls::pixels::draw::{DEPTHS, rows};
 use crate::calls::pixels::stencil;
 use crate::context::feedback::RenderMode;
 use crate::context::feedback::record::PrimitiveToken;
@@ -15,6 +15,7 @@ use crate::draw::completeness::{Readable, checked_drawable, draw_planes};
 use crate::draw::pixel_rectangle;
 use crate::pixel::convert;
 use crate::pixel::convert::Conversion;
+use crate::pixel::scratch::scratch;
 use texunit::format::Format;
 
 const SECTION: &str = "GL 2.1, section 4.3.3";
@@ -99,7 +100,7 @@ impl CopyPixelsRequest {
                 pixel_rectangle::draw(context, size, DEPTHS, &rows(&texels, width * 4))
             }
             CopiedBuffer::Stencil => {
-                let mut stencils = scratch(Format::R8UI, region.width, region.height)?;
+                let mut stencils = scratch(Format::R8UI, [region.width, region.height, 1])?;
                 Conversion::stencils(isa, from.format, transfer).run(&stored, &mut stencils);
                 stencil::draw_stencils(context, size, &stencils)
             }

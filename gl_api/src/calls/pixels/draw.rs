@@ -18,6 +18,7 @@ use crate::pixel::convert;
 use crate::pixel::convert::Conversion;
 use crate::pixel::layout::{Extent, Layout};
 use crate::pixel::memory::Source;
+use crate::pixel::scratch::scratch;
 use crate::pixel::transfer::TransferKind;
 use std::borrow::Cow;
 use texunit::format::Format;
@@ -31,11 +32,6 @@ pub(crate) fn rows<'a>(texels: &'a [u8], row_bytes: usize) -> impl Fn(usize) -> 
 
 /// The format of a rectangle of depths, which its fragments read as red.
 pub(crate) const DEPTHS: (ReplacedValue, Format) = (ReplacedValue::Depth, Format::R32F);
-
-/// Memory for the pixels of a rectangle.
-pub(crate) fn scratch(format: Format, width: usize, height: usize) -> Result<Vec<u8>> {
-    crate::calls::texture::sub::scratch(format, [width, height, 1])
-}
 
 /// Whether what is drawn to takes these pixels.
 fn check_target(context: &Context, pixel: Pixel) -> Result<()> {
@@ -117,7 +113,7 @@ impl<'a> DrawPixelsRequest<'a> {
         let ([width, height, _], bytes) = (layout.size, source.bytes());
         let size = [width, height];
         let all = || -> Result<Vec<u8>> {
-            let mut texels = scratch(format, width, height)?;
+            let mut texels = scratch(format, layout.size)?;
             convert::unpack(isa, &layout, bytes, format, &transfer, &mut texels);
             Ok(texels)
         };

@@ -1,9 +1,7 @@
 //! `glTexSubImage1D`, `2D` and `3D`: GL 2.1, section 3.8.2.
 
 use crate::base::args::Data;
-use crate::base::error::{
-    ErrorCode, GlError, Result, invalid_operation, invalid_value, not_negative,
-};
+use crate::base::error::{Result, invalid_operation, invalid_value, not_negative};
 use crate::base::types::*;
 use crate::calls::pixels::memory::pixel_source;
 use crate::calls::texture::bound::{bound, bound_mut};
@@ -13,6 +11,7 @@ use crate::objects::target::{Dimensions, FaceTarget, checked_level};
 use crate::pixel::client::Pixel;
 use crate::pixel::layout::Layout;
 use crate::pixel::memory::Source;
+use crate::pixel::scratch::scratch;
 use crate::pixel::storage_error::storage_error;
 use crate::pixel::{blocks, convert};
 use std::sync::Arc;
@@ -138,19 +137,6 @@ impl BoxRequest {
 fn is_expensive_to_copy(level: Option<&Arc<Level>>) -> bool {
     const EXPENSIVE: usize = 1 << 19;
     level.is_some_and(|level| level.texels.len() >= EXPENSIVE && Arc::strong_count(level) > 1)
-}
-
-/// Memory for the texels of a box.
-pub(crate) fn scratch(format: Format, size: [usize; 3]) -> Result<Vec<u8>> {
-    let sides = size.iter().chain([&format.bytes()]).try_fold(1_usize, |a, &b| a.checked_mul(b));
-    let bytes = sides.unwrap_or(usize::MAX);
-    texunit::image::zeroed(bytes).ok_or_else(|| {
-        GlError::new(
-            ErrorCode::OutOfMemory,
-            SECTION,
-            format!("there is no memory for {bytes} bytes of texels"),
-        )
-    })
 }
 
 /// A checked `glTexSubImage`: the box, and the pixels that go there.
