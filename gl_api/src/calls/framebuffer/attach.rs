@@ -75,7 +75,7 @@ impl Slice {
     }
 
     /// Checks that the level and slice can be there.
-    fn checked(&self, image: Image, of: FaceTarget) -> Result<Attached> {
+    fn checked(&self, of: FaceTarget) -> Result<Source> {
         let &Self { texture: name, level, slice: (slice, argument) } = self;
         let level = crate::objects::target::checked_level(SECTION, of.target, level)?;
         let most = match of.target {
@@ -100,8 +100,7 @@ impl Slice {
                 );
             }
         };
-        let source = Source::Texture { name, target: of, level, slice };
-        Ok(Attached { source, image, planes: Planes { depth: true, stencil: true } })
+        Ok(Source::Texture { name, target: of, level, slice })
     }
 }
 
@@ -129,8 +128,8 @@ fn framebuffer_texture(
             ),
         );
     }
-    let attached = slice.checked(texture.image.clone(), face)?;
-    destination.attach(context, Some(attached))
+    let (source, image) = (slice.checked(face)?, texture.image.clone());
+    destination.attach(context, Some(Attached { source, image, planes: Planes::BOTH }))
 }
 
 pub(crate) fn framebuffer_texture_1d(
@@ -206,8 +205,8 @@ pub(crate) fn framebuffer_texture_layer(
             );
         }
     }
-    let attached = slice.checked(object.image.clone(), of)?;
-    destination.attach(context, Some(attached))
+    let (source, image) = (slice.checked(of)?, object.image.clone());
+    destination.attach(context, Some(Attached { source, image, planes: Planes::BOTH }))
 }
 
 pub(crate) fn framebuffer_renderbuffer(

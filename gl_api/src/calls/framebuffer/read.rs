@@ -200,15 +200,16 @@ impl ReadPixelsRequest {
 
     /// # Errors
     /// Where the memory is none, or too short.
-    fn apply(self, context: &mut Context, pixels: DataOut<'_>) -> Result<()> {
-        let Self { buffer: ReadBuffer { attachment, format, .. }, region, layout, last } = self;
+    fn apply(&self, context: &mut Context, pixels: DataOut<'_>) -> Result<()> {
+        let &Self { buffer: ReadBuffer { ref attachment, format, .. }, region, ref layout, last } =
+            self;
         crate::draw::pass::submit_draws_to(context, &attachment.image);
         visibility::picture(context);
         let (device, isa) = (context.recorder.device(), context.recorder.isa());
         let transfer = context.state.transfer;
         // Pixels outside are left as they are.
         let visible = attachment.size().and_then(|[width, height]| region.within(width, height));
-        crate::calls::pixels::memory::write_pixels(context, &layout, pixels, |bytes| {
+        crate::calls::pixels::memory::write_pixels(context, layout, pixels, |bytes| {
             let Some(visible) = visible else { return };
             let column = (visible.x as i64 - region.x) as usize;
             let row = (visible.y as i64 - region.y) as usize;
@@ -220,7 +221,7 @@ impl ReadPixelsRequest {
             let end = run.start + (visible.height - 1) * stride + row_bytes;
             let (bytes, up) = (&mut bytes[run.start..end], Up::Y);
             let to = ClientRows { bytes, stride, row_bytes, up };
-            read_rows(&device, &attachment, visible, to, put);
+            read_rows(&device, attachment, visible, to, put);
         })
     }
 }

@@ -27,9 +27,15 @@ pub(crate) struct LevelDesc {
     pub border: u32,
     /// Of an image with several a texel.
     pub samples: Option<Samples>,
+    /// The first side of `given` that is too large.
+    oversized: Option<Oversized>,
 }
 
-const SIDES: [&str; 3] = ["width", "height", "depth"];
+struct Oversized {
+    argument: &'static str,
+    side: u32,
+    most: u32,
+}
 
 impl LevelDesc {
     pub fn new(
@@ -50,8 +56,9 @@ impl LevelDesc {
             checked_blocks(target, border)?;
         }
         let borders = target.level_box(target.shape().border(border));
-        let mut sides = [0; 3];
-        for (axis, argument) in SIDES.into_iter().enumerate() {
+        let (limits, axes) = (target.limits(), target.shape().axes());
+        let (mut sides, mut oversized) = ([0; 3], None);
+        for (axis, argument) in ["width", "height", "depth"].into_iter().enumerate() {
             let side = not_negative(SECTION, argument, given[axis].into())? as u32;
             let Some(inside) = side.checked_sub(2 * borders[axis]) else {
                 return invalid_value(
@@ -59,6 +66,10 @@ impl LevelDesc {
                     format!("{argument} = {side} must be at least 2, as border = 1"),
                 );
             };
+            let limit = if axis < axes { limits[axis] >> level } else { limits[axis] };
+            if inside > limit && oversized.is_none() {
+                oversized = Some(Oversized { argument, side, most: limit + 2 * borders[axis] });
+            }
             sides[axis] = inside;
         }
         let given = given.map(|side| side as u32);
@@ -78,7 +89,8 @@ impl LevelDesc {
             );
         }
         let size = target.level_box(sides);
-        Ok(Self { image, level, internal, format, given, size, border, samples: None })
+        let samples = None;
+        Ok(Self { image, level, internal, format, given, size, border, samples, oversized })
     }
 
     /// Checks the description against the largest size and the bound texture. A proxy refuses nothing.
@@ -96,7 +108,13 @@ impl LevelDesc {
                 return Ok(ImageRequest::Proxy(ProxyRequest { target, level: self.level, image }));
             }
         };
-        self.check_limits()?;
+        if let Some(Oversized { argument, side, most }) = self.oversized {
+            let level = self.level;
+            return invalid_value(
+                SECTION,
+                format!("{argument} = {side} must not be above {most} at level {level}"),
+            );
+        }
         if bound(context, target.target).immutable.is_some() {
             return invalid_operation(
                 "ARB_texture_storage, section 3.8.X",
@@ -107,24 +125,6 @@ impl LevelDesc {
         Ok(ImageRequest::Texture(LevelRequest { target, desc: self }))
     }
 
-    /// Refuses the first side that is too large.
-    fn check_limits(&self) -> Result<()> {
-        let (target, level) = (self.image.target(), self.level);
-        let borders = target.level_box(target.shape().border(self.border));
-        let (limits, axes) = (target.limits(), target.shape().axes());
-        for (axis, argument) in SIDES.into_iter().enumerate() {
-            let limit = if axis < axes { limits[axis] >> level } else { limits[axis] };
-            let (side, most) = (self.given[axis], limit + 2 * borders[axis]);
-            if side > most {
-                return invalid_value(
-                    SECTION,
-                    format!("{argument} = {side} must not be above {most} at level {level}"),
-                );
-            }
-        }
-        Ok(())
-    }
-
     /// Whether such a level could be stored, as a proxy tells.
     fn fits(&self) -> bool {
         let borders = self.image.target().shape().border(self.border).map(|side| 2 * side);
@@ -133,7 +133,7 @@ impl LevelDesc {
             let slices = self.slices() + borders[2];
             Level::required_bytes(self.format, width, height, slices).is_some()
         };
-        self.check_limits().is_ok() && has_bytes()
+        self.oversized.is_none() && has_bytes()
     }
 
     /// The slices of the level: every sample of a layer has one.

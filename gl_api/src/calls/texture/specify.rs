@@ -12,11 +12,9 @@ use crate::pixel::client::Pixel;
 use crate::pixel::client::format::{ClientFormat, Numbers};
 use crate::pixel::formats::{UNCOMPRESSED, texture_format};
 use crate::pixel::layout::{Extent, Layout};
-use crate::pixel::memory::Source;
 use crate::pixel::scratch::scratch;
 use crate::pixel::{blocks, convert};
 use texunit::format::Format;
-use texunit::image::Level;
 
 const SECTION: &str = "GL 2.1, section 3.8.1";
 
@@ -66,49 +64,35 @@ struct Pixels<'a> {
     data: Data<'a>,
 }
 
-/// A checked `glTexImage` of a texture: the level, its memory, and the pixels that go there, if there are any.
-struct TexImageRequest<'a> {
-    level: LevelRequest,
-    texels: Level,
-    layout: Layout,
-    source: Option<Source<'a>>,
-}
-
-impl<'a> TexImageRequest<'a> {
-    fn new(
-        context: &mut Context,
-        level: LevelRequest,
-        (pixel, data): (Pixel, Data<'a>),
-        extent: Extent,
-    ) -> Result<Self> {
-        // Before its pixels: of a level that is too large there may be more than memory has addresses.
-        let texels = level.storage()?;
-        let size = level.desc.given.map(|side| side as usize);
-        let layout = Layout::new(&context.state.unpack, pixel, size, extent)?;
-        let source = pixel_source(context, "glTexImage", &layout, data)?;
-        Ok(Self { level, texels, layout, source })
-    }
-
-    fn apply(self, context: &mut Context) -> Result<()> {
-        let Self { level, mut texels, layout, source } = self;
-        let (isa, transfer) = (context.recorder.isa(), &context.state.transfer);
-        let LevelDesc { format, size, .. } = level.desc;
-        match (source, format.block()) {
-            (None, _) => {}
-            (Some(source), None) => {
-                let end = texels.texels.len() - texunit::image::PADDING;
-                let out = &mut texels.texels[..end];
-                convert::unpack(isa, &layout, source.bytes(), format, transfer, out);
-            }
-            (Some(source), Some(_)) => {
-                let (bytes, stored) = (source.bytes(), blocks::COLORS);
-                let mut colors = scratch(stored, layout.size)?;
-                convert::unpack(isa, &layout, bytes, stored, transfer, &mut colors);
-                texels = blocks::compress(format, size, &colors)?;
-            }
+/// Checks the pixels of a level, and replaces the level by them, or by zeros where there are none.
+fn replace_level(
+    context: &mut Context,
+    request: LevelRequest,
+    (pixel, data): (Pixel, Data<'_>),
+    extent: Extent,
+) -> Result<()> {
+    let LevelDesc { format, size, given, .. } = request.desc;
+    // Before its pixels: of a level that is too large there may be more than memory has addresses.
+    let mut texels = request.storage()?;
+    let layout =
+        Layout::new(&context.state.unpack, pixel, given.map(|side| side as usize), extent)?;
+    let source = pixel_source(context, "glTexImage", &layout, data)?;
+    let (isa, transfer) = (context.recorder.isa(), &context.state.transfer);
+    match (source, format.block()) {
+        (None, _) => {}
+        (Some(source), None) => {
+            let end = texels.texels.len() - texunit::image::PADDING;
+            let out = &mut texels.texels[..end];
+            convert::unpack(isa, &layout, source.bytes(), format, transfer, out);
         }
-        level.apply(context, texels)
+        (Some(source), Some(_)) => {
+            let (bytes, stored) = (source.bytes(), blocks::COLORS);
+            let mut colors = scratch(stored, layout.size)?;
+            convert::unpack(isa, &layout, bytes, stored, transfer, &mut colors);
+            texels = blocks::compress(format, size, &colors)?;
+        }
     }
+    request.apply(context, texels)
 }
 
 fn tex_image(
@@ -127,9 +111,8 @@ fn tex_image(
     let pixel = Pixel::new(pixels.format, pixels.ty)?;
     kinds_match(pixel, format)?;
     match desc.request(context)? {
-        ImageRequest::Texture(level) => {
-            let pixels = (pixel, pixels.data);
-            TexImageRequest::new(context, level, pixels, extent(dimensions))?.apply(context)
+        ImageRequest::Texture(request) => {
+            replace_level(context, request, (pixel, pixels.data), extent(dimensions))
         }
         ImageRequest::Proxy(proxy) => proxy.apply(context),
     }
