@@ -6,7 +6,7 @@
 use crate::base::constants::*;
 use crate::base::error::{ErrorCode, GlError};
 use crate::base::types::{GLenum, GLint, GLuint};
-use crate::calls::framebuffer::read::{ClientRows, Up, read_rows};
+use crate::calls::framebuffer::read::{ClientRows, RowOrder, read_rows};
 use crate::context::debug::Output;
 use crate::context::sharing::CallScope;
 use crate::context::window::{Visible, Window, format_of, whole};
@@ -16,7 +16,7 @@ use crate::glu::{GLUquadric, GLUquadricCallback};
 use crate::objects::programs::ShaderOrProgram;
 use crate::pixel::client::Pixel;
 use crate::pixel::client::format::LuminanceOf;
-use crate::pixel::convert::{Conversion, Final};
+use crate::pixel::convert::{Conversion, FinalConversion};
 use crate::pixel::layout::{Extent, Layout};
 use crate::pixel::store::PixelStore;
 use crate::pixel::transfer::Transfer;
@@ -221,7 +221,7 @@ fn copy(
     let Ok(pixel) = Pixel::new(pixels.gl.0, pixels.gl.1) else { return };
     let store = PixelStore { alignment: 1, ..PixelStore::default() };
     let Ok(row) = Layout::new(&store, pixel, [all.width, 1, 1], Extent::Flat) else { return };
-    let (transfer, last) = (Transfer::default(), Final::of(format, LuminanceOf::Sum));
+    let (transfer, last) = (Transfer::default(), FinalConversion::of(format, LuminanceOf::Sum));
     let conversion = Conversion::pack(context.recorder.isa(), &row, format, &transfer, last);
     let row_bytes = row.row_bytes();
     let convert = |texels: &[u8], out: &mut [u8]| {
@@ -236,15 +236,15 @@ fn copy(
     };
     let is_copy = conversion.is_copy(&row) && pixels.alpha == Alpha::AsFormat;
     let writer = if is_copy { RowWriter::Copy } else { RowWriter::Convert(&convert) };
-    let up = match first {
-        FirstRow::Bottom => Up::Y,
-        FirstRow::Top => Up::NotY,
+    let order = match first {
+        FirstRow::Bottom => RowOrder::BottomUp,
+        FirstRow::Top => RowOrder::TopDown,
     };
     read_rows(
         &context.recorder.device(),
         &from,
         all,
-        ClientRows { bytes, stride, row_bytes, up },
+        ClientRows { bytes, stride, row_bytes, order },
         writer,
     );
 }

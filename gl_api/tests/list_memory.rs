@@ -6,13 +6,16 @@ fn context() -> Context {
     Context::new(ContextDesc { width: 8, height: 8, ..ContextDesc::default() }).expect("a device")
 }
 
+/// A call's name, and the call with pixels.
+type Call = (&'static str, fn(&mut Context, Data<'_>));
+
 /// A size that the call refuses is refused when the list is called, and nothing is copied before.
 #[test]
 fn images_of_impossible_sizes_are_not_copied() {
     const HUGE: GLsizei = 0x7FFF_FFFF;
     let mut c = context();
     let data = Data::Bytes(&[0; 64]);
-    let calls: &[(&str, fn(&mut Context, Data<'_>))] = &[
+    let calls: &[Call] = &[
         ("glTexImage1D", |c, data| {
             c.tex_image_1d(GL_TEXTURE_1D, 0, 4, HUGE, 0, GL_RGBA, GL_FLOAT, data);
         }),

@@ -104,17 +104,17 @@ pub enum TextOut<'a> {
 impl TextOut<'_> {
     /// Writes `text`, at most `limit` bytes with C's final zero; gives the length without it.
     pub(crate) fn write(self, text: &str, limit: usize) -> usize {
-        let room = match &self {
+        let capacity = match &self {
             Self::Bytes(bytes) => bytes.len().min(limit),
             Self::String(_) => limit,
             Self::Null => 0,
         };
-        let mut end = text.len().min(room.saturating_sub(1));
+        let mut end = text.len().min(capacity.saturating_sub(1));
         while !text.is_char_boundary(end) {
             end -= 1;
         }
         match self {
-            Self::Bytes(bytes) if room > 0 => {
+            Self::Bytes(bytes) if capacity > 0 => {
                 bytes[..end].copy_from_slice(&text.as_bytes()[..end]);
                 bytes[end] = 0;
             }

@@ -142,7 +142,7 @@ pub(crate) fn debug_message_callback(
     Ok(())
 }
 
-/// Writes an element, where there is room for it.
+/// Writes an element, where there is buf_size for it.
 fn set<T>(slice: &mut [T], at: usize, value: T) {
     if let Some(place) = slice.get_mut(at) {
         *place = value;
@@ -153,7 +153,7 @@ fn set<T>(slice: &mut [T], at: usize, value: T) {
 pub(crate) fn get_debug_message_log(
     context: &mut Context,
     count: GLuint,
-    room: GLsizei,
+    buf_size: GLsizei,
     sources: &mut [GLenum],
     types: &mut [GLenum],
     ids: &mut [GLuint],
@@ -161,20 +161,22 @@ pub(crate) fn get_debug_message_log(
     lengths: &mut [GLsizei],
     text: TextOut<'_>,
 ) -> Result<GLuint> {
-    let mut room = match &text {
+    let mut remaining = match &text {
         TextOut::Null => usize::MAX,
-        TextOut::Bytes(_) | TextOut::String(_) => not_negative(SECTION, "bufSize", room.into())?,
+        TextOut::Bytes(_) | TextOut::String(_) => {
+            not_negative(SECTION, "bufSize", buf_size.into())?
+        }
     };
     let mut all = String::new();
     let mut taken = 0;
     while taken < count as usize {
-        let fits = |first: &LogMessage| first.text.len() < room;
+        let fits = |first: &LogMessage| first.text.len() < remaining;
         if !context.debug.log.first().is_some_and(fits) {
             break;
         }
         let Some(message) = context.debug.log.pop() else { break };
         let length = message.text.len() + 1;
-        room -= length;
+        remaining -= length;
         set(sources, taken, message.kind.source);
         set(types, taken, message.kind.ty);
         set(ids, taken, message.id);
@@ -266,15 +268,15 @@ fn set_label(
 fn get_label(
     context: &Context,
     key: (GLenum, usize),
-    room: GLsizei,
+    buf_size: GLsizei,
     length: &mut [GLsizei],
     label: TextOut<'_>,
 ) -> Result<()> {
-    let room = not_negative(SECTION, "bufSize", room.into())?;
+    let buf_size = not_negative(SECTION, "bufSize", buf_size.into())?;
     let text = context.debug.log.labels.get(&key).map_or("", String::as_str);
     let written = match label {
         TextOut::Null => text.len(),
-        out @ (TextOut::Bytes(_) | TextOut::String(_)) => out.write(text, room),
+        out @ (TextOut::Bytes(_) | TextOut::String(_)) => out.write(text, buf_size),
     };
     set(length, 0, written as GLsizei);
     Ok(())
@@ -295,12 +297,12 @@ pub(crate) fn get_object_label(
     context: &mut Context,
     identifier: GLenum,
     name: GLuint,
-    room: GLsizei,
+    buf_size: GLsizei,
     length: &mut [GLsizei],
     label: TextOut<'_>,
 ) -> Result<()> {
     exists(context, identifier, name)?;
-    get_label(context, (identifier, name as usize), room, length, label)
+    get_label(context, (identifier, name as usize), buf_size, length, label)
 }
 
 /// The key of a sync object's label.
@@ -324,10 +326,10 @@ pub(crate) fn object_ptr_label(
 pub(crate) fn get_object_ptr_label(
     context: &mut Context,
     sync: *const GLvoid,
-    room: GLsizei,
+    buf_size: GLsizei,
     length: &mut [GLsizei],
     label: TextOut<'_>,
 ) -> Result<()> {
     let key = sync_key(context, sync)?;
-    get_label(context, key, room, length, label)
+    get_label(context, key, buf_size, length, label)
 }

@@ -1,4 +1,20 @@
-//! The calls, by subject: each converts its arguments, validates them, and applies the request.
+//! The calls, by subject. All have one shape:
+//!
+//! 1. **Convert**: enums and signed sizes become closed enums and unsigned numbers, with `Table::decode` and
+//!    `not_negative`.
+//! 2. **Validate** into a request (`…Request::new`): every rule is checked, in the order in which errors are reported. State
+//!    is read only; draws that were recorded may be submitted, and warnings said. The request has what was checked, so
+//!    nothing is converted, looked up or checked again.
+//! 3. **Apply** (`…Request::apply`): changes state and objects. What fails here is memory: `GL_OUT_OF_MEMORY` leaves the
+//!    state from before. Calls that write to the client's memory check that memory here, where they write
+//!    ([`pixels::memory::write_pixels`]).
+//!
+//! A call whose body is one check and one assignment has no request type; nor has a query, which changes nothing. A call
+//! needs one where several rules come before the change, or several calls share the rules or the change.
+//!
+//! The models are `texture/level_request.rs` (shared by all calls that specify a level; a proxy is a request of its own),
+//! `texture/sub.rs` (a box of a level), `framebuffer/blit.rs` (several images, all read before one is written) and
+//! `buffer/map.rs` (a request that borrows its object).
 
 pub(crate) mod buffer;
 pub(crate) mod color_index;

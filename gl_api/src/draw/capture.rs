@@ -113,9 +113,10 @@ impl Layout {
         for ((range, scalars), written) in ranges.iter().zip(&self.buffers).zip(active.written) {
             let buffer = context.objects.shared.buffers.bound(&range.buffer);
             let bytes = buffer.map_or(0, |object| object.buffer().bytes().len());
-            let room = bytes.saturating_sub(range.offset).min(range.size.unwrap_or(usize::MAX));
+            let available =
+                bytes.saturating_sub(range.offset).min(range.size.unwrap_or(usize::MAX));
             let each = corners * scalars.len() * 4;
-            fit = fit.min(room.saturating_sub(written) / each.max(1));
+            fit = fit.min(available.saturating_sub(written) / each.max(1));
         }
         for ((range, scalars), written) in ranges.iter().zip(&self.buffers).zip(&mut active.written)
         {

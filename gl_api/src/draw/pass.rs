@@ -43,7 +43,7 @@ pub(crate) fn begin_pass(context: &mut Context, pass: PassDesc) {
 }
 
 /// Submits what was recorded, if it writes to an image that is about to be read or changed.
-pub(crate) fn settle(context: &mut Context, image: &Image) {
+pub(crate) fn submit_draws_to(context: &mut Context, image: &Image) {
     if context.recorder.written.iter().any(|written| written.is_same_image(image)) {
         submit(context);
     }

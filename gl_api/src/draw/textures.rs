@@ -87,7 +87,7 @@ pub(crate) fn plan(
 ) -> Arc<SamplePlan> {
     let bound = &context.state.units.units[usize::from(unit)].bound[target as usize];
     let image = context.objects.texture(target, bound).image.clone();
-    crate::draw::pass::settle(context, &image);
+    crate::draw::pass::submit_draws_to(context, &image);
     let mut sampler = sampler(context, unit, target);
     match result {
         ComparisonResult::DepthTextureMode => {}

@@ -48,6 +48,11 @@ pub(crate) struct Planes {
     pub stencil: bool,
 }
 
+impl Planes {
+    /// Of textures, whose formats say what there is.
+    pub const BOTH: Self = Self { depth: true, stencil: true };
+}
+
 /// A framebuffer object.
 #[derive(Clone, Debug)]
 pub(crate) struct Framebuffer {

@@ -1,11 +1,16 @@
 //! Renderbuffer objects: `ARB_framebuffer_object`, section 4.4.2.
 
 use crate::base::constants::*;
+use crate::base::error::Table;
 use crate::objects::framebuffers::Planes;
 use crate::pixel::formats;
 use crate::pixel::formats::{InternalFormat, Renderable};
 use rasterizer::driver::{Image, LevelInfo};
 use texunit::image::{Image as Texels, Shape};
+
+/// The only target of renderbuffers.
+pub(crate) const RENDERBUFFER_TARGET: Table<()> =
+    Table { section: "ARB_framebuffer_object, section 4.4.2", rows: &[(GL_RENDERBUFFER, ())] };
 
 /// A renderbuffer object.
 #[derive(Clone, Debug)]

@@ -19,13 +19,13 @@ use texunit::pixel::{BitMoves, NumberEncoding, NumberTransform, PixelLayout, Sou
 
 /// The last steps on the way to the client (GL 2.1, section 4.3.2, final conversion).
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Final {
+pub(crate) struct FinalConversion {
     pub luminance: LuminanceOf,
     /// Whether components are clamped to [0, 1], whatever the client's numbers can hold.
     pub clamp: Clamp,
 }
 
-impl Final {
+impl FinalConversion {
     /// The steps for texels of a format: fractions stay fractions.
     pub fn of(format: Format, luminance: LuminanceOf) -> Self {
         let is_fraction = format.info().encoding.range() == Some(Encoding::UNIT);
@@ -34,14 +34,14 @@ impl Final {
     }
 }
 
-/// What the components of a record are.
+/// What the four numbers of a pixel are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Side {
+enum Components {
     Client(ClientFormat),
     Texel(Format),
 }
 
-impl Side {
+impl Components {
     /// The numbers as R, G, B, A.
     fn rgba<T: Copy>(self, numbers: [T; 4], zero: T, one: T) -> [T; 4] {
         match self {
@@ -59,26 +59,29 @@ impl Side {
     }
 }
 
-/// The source or destination of a conversion: its components and their memory layout.
-struct End {
-    side: Side,
-    record: PixelLayout,
+/// A pixel of the source or destination of a conversion: its components and their memory layout.
+struct PixelRecord {
+    components: Components,
+    layout: PixelLayout,
 }
 
-impl End {
+impl PixelRecord {
     fn client(layout: &Layout, numbers: Numbers) -> Self {
         let pixel = layout.pixel;
         let record = pixel.ty.record(pixel.format.components(), numbers, layout.order.in_memory());
-        Self { side: Side::Client(pixel.format), record }
+        Self { components: Components::Client(pixel.format), layout: record }
     }
 
     fn texel(format: Format) -> Self {
-        Self { side: Side::Texel(format), record: PixelLayout::of(format) }
+        Self { components: Components::Texel(format), layout: PixelLayout::of(format) }
     }
 
     /// The stencils of texels.
     fn stencil(format: Format) -> Self {
-        Self { side: Side::Client(ClientFormat::Stencil), record: PixelLayout::of_stencil(format) }
+        Self {
+            components: Components::Client(ClientFormat::Stencil),
+            layout: PixelLayout::of_stencil(format),
+        }
     }
 
     /// Colours as they are copied: sRGB as light where it is written so.
@@ -87,16 +90,16 @@ impl End {
             SrgbWrite::AsIs => PixelLayout::of(format),
             SrgbWrite::Encode => PixelLayout::of_light(format),
         };
-        Self { side: Side::Texel(format), record }
+        Self { components: Components::Texel(format), layout: record }
     }
 
     /// Whether a luminance is made of R, G and B.
     fn is_sum(&self, luminance: LuminanceOf) -> bool {
-        match self.side {
-            Side::Client(ClientFormat::Luminance | ClientFormat::LuminanceAlpha) => {
+        match self.components {
+            Components::Client(ClientFormat::Luminance | ClientFormat::LuminanceAlpha) => {
                 luminance == LuminanceOf::Sum
             }
-            Side::Client(_) | Side::Texel(_) => false,
+            Components::Client(_) | Components::Texel(_) => false,
         }
     }
 }
@@ -104,25 +107,25 @@ impl End {
 /// A conversion from one pixel layout to another.
 pub(crate) struct Conversion<'a> {
     isa: Isa,
-    from: End,
-    to: End,
+    from: PixelRecord,
+    to: PixelRecord,
     steps: Steps<'a>,
     luminance: LuminanceOf,
     /// What is done to numbers last.
-    ending: Option<NumberTransform>,
-    /// Where nothing is done to numbers that have the same bits at both ends.
+    final_transform: Option<NumberTransform>,
+    /// Where nothing is done to numbers that have the same bits in both records.
     moves: Option<BitMoves>,
 }
 
 impl<'a> Conversion<'a> {
     fn new(
         isa: Isa,
-        [from, to]: [End; 2],
+        [from, to]: [PixelRecord; 2],
         steps: Steps<'a>,
         luminance: LuminanceOf,
-        ending: Option<NumberTransform>,
+        final_transform: Option<NumberTransform>,
     ) -> Self {
-        let fields = from.record.fields();
+        let fields = from.layout.fields();
         let is_byte = |&(field, code): &(Field, NumberEncoding)| {
             code == NumberEncoding::Uint && field.bits <= 8
         };
@@ -139,22 +142,23 @@ impl<'a> Conversion<'a> {
         // What is within [0, 1] and stays there.
         let is_clamped =
             steps.is_identity() && !to.is_sum(luminance) && fields.iter().all(is_fraction);
-        let ending = ending.filter(|&ending| ending != NumberTransform::Clamp || !is_clamped);
-        let mut conversion = Self { isa, from, to, steps, luminance, ending, moves: None };
+        let final_transform =
+            final_transform.filter(|&transform| transform != NumberTransform::Clamp || !is_clamped);
+        let mut conversion = Self { isa, from, to, steps, luminance, final_transform, moves: None };
         conversion.moves = conversion.moves();
         conversion
     }
 
     /// To texels, which hold what their format can.
-    fn to_texels(isa: Isa, from: End, format: Format, steps: Steps<'a>) -> Self {
-        Self::new(isa, [from, End::texel(format)], steps, LuminanceOf::Red, None)
+    fn to_texels(isa: Isa, from: PixelRecord, format: Format, steps: Steps<'a>) -> Self {
+        Self::new(isa, [from, PixelRecord::texel(format)], steps, LuminanceOf::Red, None)
     }
 
     /// The client's pixels as texels.
     pub fn unpack(isa: Isa, layout: &Layout, format: Format, transfer: &'a Transfer) -> Self {
         let numbers = texel::numbers(format, layout.pixel.numbers);
         let steps = transfer.of(layout.pixel.format.kind(), numbers);
-        let from = End::client(layout, layout.pixel.elements(numbers));
+        let from = PixelRecord::client(layout, layout.pixel.elements(numbers));
         Self::to_texels(isa, from, format, steps)
     }
 
@@ -164,26 +168,26 @@ impl<'a> Conversion<'a> {
         layout: &Layout,
         format: Format,
         transfer: &'a Transfer,
-        last: Final,
+        last: FinalConversion,
     ) -> Self {
         let pixel = layout.pixel;
         let numbers = texel::numbers(format, pixel.numbers);
         let steps = transfer.of(pixel.format.kind(), numbers);
         let from = match pixel.format.kind() {
-            TransferKind::Stencil => End::stencil(format),
+            TransferKind::Stencil => PixelRecord::stencil(format),
             TransferKind::Color
             | TransferKind::ColorIndex
             | TransferKind::Depth
-            | TransferKind::DepthStencil => End::texel(format),
+            | TransferKind::DepthStencil => PixelRecord::texel(format),
         };
-        let ends = [from, End::client(layout, numbers)];
-        let ending = match (pixel.format, pixel.ty, last.clamp) {
+        let records = [from, PixelRecord::client(layout, numbers)];
+        let final_transform = match (pixel.format, pixel.ty, last.clamp) {
             // As a byte with a sign has them (GL 2.1, section 4.3.2).
             (ClientFormat::Stencil, ClientType::I8, _) => Some(NumberTransform::SevenBits),
             (_, _, Clamp::On) => Some(NumberTransform::Clamp),
             (_, _, Clamp::Off) => None,
         };
-        Self::new(isa, ends, steps, last.luminance, ending)
+        Self::new(isa, records, steps, last.luminance, final_transform)
     }
 
     /// Texels of one format as texels of another, as a copy from a framebuffer makes them: luminance
@@ -191,37 +195,43 @@ impl<'a> Conversion<'a> {
     pub fn between(isa: Isa, from: Format, to: Format, transfer: &'a Transfer) -> Self {
         let kind = if from.is_depth() { TransferKind::Depth } else { TransferKind::Color };
         let steps = transfer.of(kind, texel::numbers_of(from));
-        Self::to_texels(isa, End::texel(from), to, steps)
+        Self::to_texels(isa, PixelRecord::texel(from), to, steps)
     }
 
     /// Colours of one format as those of another, as a blit has them.
     pub fn blit(isa: Isa, from: Format, to: Format, srgb: SrgbWrite) -> Self {
-        let ends = [from, to].map(|format| End::color(format, srgb));
-        Self::new(isa, ends, Steps::IDENTITY, LuminanceOf::Red, None)
+        let records = [from, to].map(|format| PixelRecord::color(format, srgb));
+        Self::new(isa, records, Steps::IDENTITY, LuminanceOf::Red, None)
     }
 
     /// The stencils of texels as bytes.
     pub fn stencils(isa: Isa, from: Format, transfer: &'a Transfer) -> Self {
         let steps = transfer.of(TransferKind::Stencil, Numbers::Integer);
-        Self::to_texels(isa, End::stencil(from), Format::R8UI, steps)
+        Self::to_texels(isa, PixelRecord::stencil(from), Format::R8UI, steps)
     }
 
     /// Bytes as the stencils of texels, whose depths are 0.
     pub fn to_stencils(isa: Isa, to: Format) -> Self {
-        let side = Side::Client(ClientFormat::Stencil);
-        let ends = [End { side, record: PixelLayout::of(Format::R8UI) }, End::stencil(to)];
-        Self::new(isa, ends, Steps::IDENTITY, LuminanceOf::Red, None)
+        let components = Components::Client(ClientFormat::Stencil);
+        let records = [
+            PixelRecord { components, layout: PixelLayout::of(Format::R8UI) },
+            PixelRecord::stencil(to),
+        ];
+        Self::new(isa, records, Steps::IDENTITY, LuminanceOf::Red, None)
     }
 
     /// Where each number comes from, if nothing is done to any.
     fn moves(&self) -> Option<BitMoves> {
-        if self.ending.is_some() || !self.steps.is_identity() || self.to.is_sum(self.luminance) {
+        if self.final_transform.is_some()
+            || !self.steps.is_identity()
+            || self.to.is_sum(self.luminance)
+        {
             return None;
         }
         let fields = [0, 1, 2, 3].map(Source::Field);
-        let rgba = self.from.side.rgba(fields, Source::Zero, Source::One);
-        let sources = self.to.side.numbers(rgba, Source::Zero, rgba[0]);
-        BitMoves::new(self.isa, &self.from.record, &self.to.record, sources)
+        let rgba = self.from.components.rgba(fields, Source::Zero, Source::One);
+        let sources = self.to.components.numbers(rgba, Source::Zero, rgba[0]);
+        BitMoves::new(self.isa, &self.from.layout, &self.to.layout, sources)
     }
 
     /// The client's pixels themselves, where they are what they become, and tightly packed.
@@ -247,21 +257,21 @@ impl<'a> Conversion<'a> {
     /// R, G, B and A of up to 64 pixels that lie one after the other.
     pub fn read(&self, from: &[u8]) -> [F64s; 4] {
         let mut numbers = [F64s::ZERO; 4];
-        pixel::read(self.isa, &self.from.record, from, &mut numbers);
-        self.from.side.rgba(numbers, F64s::ZERO, F64s::splat(1.0))
+        pixel::read(self.isa, &self.from.layout, from, &mut numbers);
+        self.from.components.rgba(numbers, F64s::ZERO, F64s::splat(1.0))
     }
 
     /// Up to 64 pixels of these R, G, B and A.
     pub fn write(&self, rgba: &[F64s; 4], to: &mut [u8]) {
-        let numbers = self.to.side.numbers(rgba.each_ref(), &F64s::ZERO, &rgba[0]);
-        pixel::write(self.isa, &self.to.record, numbers, to);
+        let numbers = self.to.components.numbers(rgba.each_ref(), &F64s::ZERO, &rgba[0]);
+        pixel::write(self.isa, &self.to.layout, numbers, to);
     }
 
     /// Converts pixels that lie one after the other: as many as `from` has.
     pub fn run(&self, from: &[u8], to: &mut [u8]) {
         match &self.moves {
             Some(moves) => {
-                let (from_record, to_record) = (&self.from.record, &self.to.record);
+                let (from_record, to_record) = (&self.from.layout, &self.to.layout);
                 pixel::move_all(self.isa, moves, (from_record, from), (to_record, to));
             }
             None => self.compute(from, to),
@@ -271,7 +281,7 @@ impl<'a> Conversion<'a> {
     /// A row of the client's memory, from where it begins there, as texels.
     pub fn unpack_row(&self, layout: &Layout, row: &[u8], texels: &mut [u8]) {
         let row = &row[..layout.row_bytes()];
-        match apart(layout, row) {
+        match bits_as_bytes(layout, row) {
             Some(bytes) => self.run(&bytes, texels),
             None => self.run(row, texels),
         }
@@ -290,14 +300,14 @@ impl<'a> Conversion<'a> {
     fn compute(&self, from: &[u8], to: &mut [u8]) {
         const ZEROS: &F64s = &F64s::ZERO;
         const ONES: &F64s = &F64s::splat(1.0);
-        let [mut read, mut changed, mut ended] = [[F64s::ZERO; 4]; 3];
-        let runs = from.chunks(LANES * self.from.record.bytes());
-        for (from, to) in runs.zip(to.chunks_mut(LANES * self.to.record.bytes())) {
-            pixel::read(self.isa, &self.from.record, from, &mut read);
-            let mut rgba = self.from.side.rgba(read.each_ref(), ZEROS, ONES);
+        let [mut read, mut transferred, mut transformed] = [[F64s::ZERO; 4]; 3];
+        let runs = from.chunks(LANES * self.from.layout.bytes());
+        for (from, to) in runs.zip(to.chunks_mut(LANES * self.to.layout.bytes())) {
+            pixel::read(self.isa, &self.from.layout, from, &mut read);
+            let mut rgba = self.from.components.rgba(read.each_ref(), ZEROS, ONES);
             if !self.steps.is_identity() {
-                self.steps.apply(self.isa, rgba, &mut changed);
-                rgba = changed.each_ref();
+                self.steps.apply(self.isa, rgba, &mut transferred);
+                rgba = transferred.each_ref();
             }
             let mut luminance = *rgba[0];
             if self.to.is_sum(self.luminance) {
@@ -305,21 +315,21 @@ impl<'a> Conversion<'a> {
                     pixel::add(self.isa, 1.0, &numbers.0, &mut luminance.0);
                 }
             }
-            let numbers = self.to.side.numbers(rgba, ZEROS, &luminance);
-            let Some(ending) = self.ending else {
-                pixel::write(self.isa, &self.to.record, numbers, to);
+            let numbers = self.to.components.numbers(rgba, ZEROS, &luminance);
+            let Some(final_transform) = self.final_transform else {
+                pixel::write(self.isa, &self.to.layout, numbers, to);
                 continue;
             };
-            for (numbers, out) in numbers.into_iter().zip(&mut ended) {
-                pixel::transform(self.isa, ending, numbers, out);
+            for (numbers, out) in numbers.into_iter().zip(&mut transformed) {
+                pixel::transform(self.isa, final_transform, numbers, out);
             }
-            pixel::write(self.isa, &self.to.record, ended.each_ref(), to);
+            pixel::write(self.isa, &self.to.layout, transformed.each_ref(), to);
         }
     }
 }
 
 /// The bits of a row as bytes, one for each.
-fn apart(layout: &Layout, row: &[u8]) -> Option<Vec<u8>> {
+fn bits_as_bytes(layout: &Layout, row: &[u8]) -> Option<Vec<u8>> {
     let bits = layout.bits?;
     Some((0..layout.size[0]).map(|column| bits.at(row, column)).collect())
 }
@@ -379,7 +389,7 @@ pub(crate) fn pack(
     }
     let run = layout.size[0] * format.bytes();
     let rows = layout.rows().zip(texels.chunks_exact(run));
-    let last = Final::of(format, luminance);
+    let last = FinalConversion::of(format, luminance);
     pack_rows(isa, layout, format, transfer, last, rows, bytes);
 }
 
@@ -390,7 +400,7 @@ pub(crate) fn pack_rows(
     layout: &Layout,
     format: Format,
     transfer: &Transfer,
-    last: Final,
+    last: FinalConversion,
     rows: impl Iterator<Item = (usize, impl AsRef<[u8]>)>,
     bytes: &mut [u8],
 ) {
@@ -440,7 +450,7 @@ mod tests {
             let is_noise = |&(_, code): &(_, NumberEncoding)| {
                 code != NumberEncoding::SharedExponent && code != NumberEncoding::Depth
             };
-            if conversion.moves.is_some() && conversion.from.record.fields().iter().all(is_noise) {
+            if conversion.moves.is_some() && conversion.from.layout.fields().iter().all(is_noise) {
                 let (mut got, mut want) = (vec![9; 7 * to], vec![8; 7 * to]);
                 conversion.run(&noise[..7 * from], &mut got);
                 conversion.compute(&noise[..7 * from], &mut want);
@@ -462,7 +472,7 @@ mod tests {
                         let (size, what) = (pixel.bytes(), format!("{pixel:?} {format:?}"));
                         let unpack = Conversion::unpack(isa, &layout, format, &transfer);
                         check(&unpack, size, format.bytes(), &what);
-                        let last = Final::of(format, LuminanceOf::Sum);
+                        let last = FinalConversion::of(format, LuminanceOf::Sum);
                         let pack = Conversion::pack(isa, &layout, format, &transfer, last);
                         check(&pack, format.bytes(), size, &what);
                     }

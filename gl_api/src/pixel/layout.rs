@@ -211,7 +211,7 @@ impl Layout {
         let tight = self.row_bytes();
         let [width, height, depth] = self.size;
         let packed = tight.saturating_mul(height).saturating_mul(depth);
-        let hint = if has >= packed && self.stride > tight && self.start == 0 {
+        let advice = if has >= packed && self.stride > tight && self.start == 0 {
             format!(
                 "; its rows of {tight} bytes seem to be tightly packed: call \
                  glPixelStorei({alignment}, 1)"
@@ -228,7 +228,7 @@ impl Layout {
             "GL 2.1, section 3.6.4",
             format!(
                 "{width}×{height}{images} pixels of {each}, rows {} bytes apart, take {} bytes; \
-                 the memory has {has}{hint}",
+                 the memory has {has}{advice}",
                 self.stride, self.needed
             ),
         )

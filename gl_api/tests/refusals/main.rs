@@ -13,15 +13,16 @@ mod coverage;
 mod fixed;
 mod fragments;
 mod framebuffers;
-mod more;
+mod get_texture_sub_image;
 mod packed;
-mod parts;
 mod programs;
 mod queries;
 mod reading;
-mod rest;
 mod samplers;
-mod short;
+mod short_slices;
+mod sibling_forms;
+mod special_functions;
+mod texture_storage;
 mod textures;
 mod transform_feedback;
 mod uniform_buffers;
@@ -68,15 +69,16 @@ fn each_refusal_sets_its_flag_says_why_and_changes_nothing_and_each_call_has_one
         fixed::run,
         fragments::run,
         framebuffers::run,
-        more::run,
+        special_functions::run,
         packed::run,
-        parts::run,
+        get_texture_sub_image::run,
         programs::run,
         queries::run,
         reading::run,
-        rest::run,
+        sibling_forms::run,
         samplers::run,
-        short::run,
+        short_slices::run,
+        texture_storage::run,
         textures::run,
         transform_feedback::run,
         uniform_buffers::run,

@@ -530,6 +530,7 @@ fn cases() -> Vec<Case> {
                 name: stringify!($gl),
                 counts: counts.map(|(at, _)| at).collect(),
                 run: {
+                    #[allow(clippy::extra_unused_lifetimes, reason = "for the rows that borrow")]
                     fn run<'a>(slots: &[Slot; SLOTS], random: &Random, counts: Counts) {
                         let rules = const {
                             rules(stringify!($first), stringify!($gl), [$(<$ty as Param<'a>>::COUNTED),*])

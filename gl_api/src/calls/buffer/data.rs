@@ -98,7 +98,12 @@ pub(crate) fn delete_buffers(context: &mut Context, n: GLsizei, buffers: &[GLuin
 }
 
 pub(crate) fn bind_buffer(context: &mut Context, target: GLenum, buffer: GLuint) -> Result<()> {
-    let target = BUFFER_TARGET.decode("target", target)?;
+    bind(context, BUFFER_TARGET.decode("target", target)?, buffer);
+    Ok(())
+}
+
+/// Binds a buffer, which is created if it does not exist.
+pub(crate) fn bind(context: &mut Context, target: BufferTarget, buffer: GLuint) {
     context.objects.shared.buffers.create(buffer, BufferObject::new);
     *binding(context, target) = context.objects.shared.buffers.hold(buffer);
     match target {
@@ -112,11 +117,79 @@ pub(crate) fn bind_buffer(context: &mut Context, target: GLenum, buffer: GLuint)
         | BufferTarget::Uniform
         | BufferTarget::Texture => {}
     }
-    Ok(())
 }
 
 pub(crate) fn is_buffer(context: &mut Context, buffer: GLuint) -> Result<bool> {
     Ok(context.objects.shared.buffers.get(buffer).is_some())
+}
+
+/// A checked `glBufferData`.
+struct BufferDataRequest<'a> {
+    object: &'a mut BufferObject,
+    recorder: &'a mut Recorder,
+    size: usize,
+    usage: GLenum,
+    /// The first bytes, as many as `size`; zeros where there are none.
+    source: Option<&'a [u8]>,
+}
+
+impl<'a> BufferDataRequest<'a> {
+    fn new(
+        (object, recorder): (&'a mut BufferObject, &'a mut Recorder),
+        size: GLsizeiptr,
+        data: Data<'a>,
+        usage: GLenum,
+    ) -> Result<Self> {
+        let size = not_negative(SECTION, "size", size as i64)?;
+        let usage = USAGE.decode("usage", usage)?;
+        if size > limits::MAX_BUFFER_SIZE {
+            return Err(no_memory(size));
+        }
+        let source = match data.locate(0, size) {
+            Located::Bytes(source) if source.len() >= size => Some(&source[..size]),
+            Located::Bytes(source) => return too_short(size as i64, source.len()),
+            Located::Null | Located::Offset(0) => None,
+            Located::Offset(_) => {
+                return invalid_operation(SECTION, "data is an offset; it must be memory or NULL");
+            }
+        };
+        Ok(Self { object, recorder, size, usage, source })
+    }
+
+    fn apply(self) -> Result<()> {
+        let Self { object, recorder, size, usage, source } = self;
+        let zeros = || try_zeroed_vec(size).map_err(|()| no_memory(size));
+        let bytes = match source {
+            Some(source) => {
+                let mut bytes = object.take_as_many(size).map_or_else(zeros, Ok)?;
+                recorder.copy(source, &mut bytes);
+                bytes
+            }
+            None => zeros()?,
+        };
+        object.buffer = Buffer::new(bytes);
+        object.usage = usage;
+        object.map = None;
+        object.access = GL_READ_WRITE;
+        recorder.hold(size);
+        Ok(())
+    }
+}
+
+fn no_memory(size: usize) -> GlError {
+    GlError::new(
+        ErrorCode::OutOfMemory,
+        SECTION,
+        format!("size = {size}: there is no memory for so many bytes"),
+    )
+}
+
+fn too_short<T>(size: i64, has: usize) -> Result<T> {
+    invalid_operation(SECTION, format!("size = {size}, but data has {has} bytes"))
+}
+
+fn not_memory<T>() -> Result<T> {
+    invalid_operation(SECTION, "data is NULL or an offset; it must be memory")
 }
 
 pub(crate) fn buffer_data(
@@ -126,46 +199,7 @@ pub(crate) fn buffer_data(
     data: Data<'_>,
     usage: GLenum,
 ) -> Result<()> {
-    let device = context.recorder.device();
-    let object = bound(context, target)?;
-    let size = not_negative(SECTION, "size", size as i64)?;
-    let usage = USAGE.decode("usage", usage)?;
-    let no_memory = || {
-        GlError::new(
-            ErrorCode::OutOfMemory,
-            SECTION,
-            format!("size = {size}: there is no memory for so many bytes"),
-        )
-    };
-    if size > limits::MAX_BUFFER_SIZE {
-        return Err(no_memory());
-    }
-    let zeros = || try_zeroed_vec(size).map_err(|()| no_memory());
-    let bytes = match data.locate(0, size) {
-        Located::Bytes(source) => match source.get(..size) {
-            Some(source) => {
-                let mut bytes = object.take_as_many(size).map_or_else(zeros, Ok)?;
-                device.copy(source, &mut bytes);
-                bytes
-            }
-            None => {
-                return invalid_operation(
-                    SECTION,
-                    format!("size = {size}, but data has {} bytes", source.len()),
-                );
-            }
-        },
-        Located::Null | Located::Offset(0) => zeros()?,
-        Located::Offset(_) => {
-            return invalid_operation(SECTION, "data is an offset; it must be memory or NULL");
-        }
-    };
-    object.buffer = Buffer::new(bytes);
-    object.usage = usage;
-    object.map = None;
-    object.access = GL_READ_WRITE;
-    context.recorder.hold(size);
-    Ok(())
+    BufferDataRequest::new(with_recorder(context, target)?, size, data, usage)?.apply()
 }
 
 pub(crate) fn buffer_sub_data(
@@ -183,15 +217,10 @@ pub(crate) fn buffer_sub_data(
             recorder.copy(&source[..to.len()], to);
             Ok(())
         }
-        Located::Bytes(source) => invalid_operation(
-            SECTION,
-            format!("size = {size}, but data has {} bytes", source.len()),
-        ),
+        Located::Bytes(source) => too_short(size as i64, source.len()),
         // What an empty vector of C++ gives.
         Located::Null | Located::Offset(_) if range.is_empty() => Ok(()),
-        Located::Null | Located::Offset(_) => {
-            invalid_operation(SECTION, "data is NULL or an offset; it must be memory")
-        }
+        Located::Null | Located::Offset(_) => not_memory(),
     }
 }
 
@@ -209,12 +238,8 @@ pub(crate) fn get_buffer_sub_data(
             out[..range.len()].copy_from_slice(&object.buffer.bytes()[range]);
             Ok(())
         }
-        LocatedOut::Bytes(out) => {
-            invalid_operation(SECTION, format!("size = {size}, but data has {} bytes", out.len()))
-        }
+        LocatedOut::Bytes(out) => too_short(size as i64, out.len()),
         LocatedOut::Null | LocatedOut::Offset(_) if range.is_empty() => Ok(()),
-        LocatedOut::Null | LocatedOut::Offset(_) => {
-            invalid_operation(SECTION, "data is NULL or an offset; it must be memory")
-        }
+        LocatedOut::Null | LocatedOut::Offset(_) => not_memory(),
     }
 }

@@ -6,7 +6,7 @@ use crate::base::limits::UNIFORM_BUFFER_OFFSET_ALIGNMENT;
 use crate::base::types::*;
 use crate::calls::transform_feedback::not_while_active;
 use crate::context::Context;
-use crate::objects::buffers::BufferRange;
+use crate::objects::buffers::{BufferRange, BufferTarget};
 
 const SECTION: &str = "GL 3.1, section 2.9.1";
 
@@ -40,6 +40,14 @@ impl Numbered {
         }
     }
 
+    /// The binding of the whole buffer, which is set too.
+    fn buffer_target(self) -> BufferTarget {
+        match self {
+            Self::TransformFeedback => BufferTarget::TransformFeedback,
+            Self::Uniform => BufferTarget::Uniform,
+        }
+    }
+
     /// What says how many numbers there are.
     fn limit(self) -> &'static str {
         match self {
@@ -68,36 +76,59 @@ fn multiple(what: &str, value: i64, least: i64, of: usize) -> Result<usize> {
     }
 }
 
+/// A checked `glBindBufferRange`, or a call like it.
+struct BindRequest {
+    numbered: Numbered,
+    index: usize,
+    buffer: GLuint,
+    offset: usize,
+    size: Option<usize>,
+}
+
+impl BindRequest {
+    fn new(
+        context: &Context,
+        numbered: Numbered,
+        index: GLuint,
+        buffer: GLuint,
+        [offset, size]: [Option<i64>; 2],
+    ) -> Result<Self> {
+        let [of_offset, of_size] = numbered.alignments();
+        // Without a buffer there is no range of it.
+        let given = |value: Option<i64>| value.filter(|_| buffer != 0);
+        let offset = given(offset).map(|offset| multiple("offset", offset, 0, of_offset));
+        let offset = offset.transpose()?.unwrap_or(0);
+        let size = given(size).map(|size| multiple("size", size, of_size as i64, of_size));
+        let (size, index, count) =
+            (size.transpose()?, index as usize, numbered.ranges(context).len());
+        if index >= count {
+            let limit = numbered.limit();
+            let rule = format!("index = {index} must be below {limit}, {count}");
+            return invalid_value(SECTION, rule);
+        }
+        if numbered == Numbered::TransformFeedback {
+            not_while_active(context)?;
+        }
+        Ok(Self { numbered, index, buffer, offset, size })
+    }
+
+    fn apply(self, context: &mut Context) {
+        let Self { numbered, index, buffer, offset, size } = self;
+        crate::calls::buffer::data::bind(context, numbered.buffer_target(), buffer);
+        let buffer = context.objects.shared.buffers.hold(buffer);
+        numbered.ranges_mut(context)[index] = BufferRange { buffer, offset, size };
+    }
+}
+
 fn bind(
     context: &mut Context,
     target: GLenum,
     index: GLuint,
     buffer: GLuint,
-    [offset, size]: [Option<i64>; 2],
+    range: [Option<i64>; 2],
 ) -> Result<()> {
     let numbered = Numbered::TARGET.decode("target", target)?;
-    let mut range = BufferRange::default();
-    let [of_offset, of_size] = numbered.alignments();
-    // Without a buffer there is no range of it.
-    if buffer != 0 {
-        if let Some(offset) = offset {
-            range.offset = multiple("offset", offset, 0, of_offset)?;
-        }
-        if let Some(size) = size {
-            range.size = Some(multiple("size", size, of_size as i64, of_size)?);
-        }
-    }
-    let count = numbered.ranges(context).len();
-    if index as usize >= count {
-        let limit = numbered.limit();
-        return invalid_value(SECTION, format!("index = {index} must be below {limit}, {count}"));
-    }
-    if numbered == Numbered::TransformFeedback {
-        not_while_active(context)?;
-    }
-    crate::calls::buffer::data::bind_buffer(context, target, buffer)?;
-    range.buffer = context.objects.shared.buffers.hold(buffer);
-    numbered.ranges_mut(context)[index as usize] = range;
+    BindRequest::new(context, numbered, index, buffer, range)?.apply(context);
     Ok(())
 }
 

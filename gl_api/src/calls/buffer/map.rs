@@ -13,6 +13,7 @@ use crate::context::Context;
 use crate::context::recorder::Recorder;
 use crate::objects::bound::Bound;
 use crate::objects::buffers::{BUFFER_TARGET, BufferObject, Map, range, unmapped};
+use std::ops::Range;
 
 const SECTION: &str = "GL 2.1, section 2.9";
 const RANGE: &str = "ARB_map_buffer_range";
@@ -26,16 +27,23 @@ const ACCESS: Table<GLbitfield> = Table {
     ],
 };
 
-/// Takes the bytes out.
-fn map(
-    (object, recorder): (&mut BufferObject, &mut Recorder),
-    range: std::ops::Range<usize>,
+/// A checked `glMapBuffer` or `glMapBufferRange`.
+struct MapRequest<'a> {
+    object: &'a mut BufferObject,
+    recorder: &'a mut Recorder,
+    range: Range<usize>,
     access: GLbitfield,
-) -> *mut u8 {
-    let bytes = object.take_bytes(recorder);
-    let both = access & (GL_MAP_READ_BIT | GL_MAP_WRITE_BIT);
-    object.access = ACCESS.encode(both);
-    object.map.insert(Map { bytes, range, access }).pointer()
+}
+
+impl MapRequest<'_> {
+    /// Takes the bytes out.
+    fn apply(self) -> *mut GLvoid {
+        let Self { object, recorder, range, access } = self;
+        let bytes = object.take_bytes(recorder);
+        let both = access & (GL_MAP_READ_BIT | GL_MAP_WRITE_BIT);
+        object.access = ACCESS.encode(both);
+        object.map.insert(Map { bytes, range, access }).pointer().cast()
+    }
 }
 
 pub(crate) fn map_buffer(
@@ -46,11 +54,30 @@ pub(crate) fn map_buffer(
     let (object, recorder) = with_recorder(context, target)?;
     let access = ACCESS.decode("access", access)?;
     let object = unmapped(object)?;
-    let all = 0..object.len();
-    if all.is_empty() {
+    let range = 0..object.len();
+    if range.is_empty() {
         return invalid_operation(SECTION, "the buffer has no bytes: call glBufferData first");
     }
-    Ok(map((object, recorder), all, access).cast())
+    Ok(MapRequest { object, recorder, range, access }.apply())
+}
+
+/// The rule that a combination of access flags breaks.
+fn broken_rule(access: GLbitfield) -> Option<&'static str> {
+    const UNDEFINED: GLbitfield =
+        GL_MAP_INVALIDATE_RANGE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT | GL_MAP_UNSYNCHRONIZED_BIT;
+    let has = |bits| access & bits != 0;
+    if !has(GL_MAP_READ_BIT | GL_MAP_WRITE_BIT) {
+        Some("must have GL_MAP_READ_BIT or GL_MAP_WRITE_BIT")
+    } else if has(GL_MAP_READ_BIT) && has(UNDEFINED) {
+        Some(
+            "reads what it lets be undefined: GL_MAP_READ_BIT goes with no INVALIDATE or \
+              UNSYNCHRONIZED bit",
+        )
+    } else if has(GL_MAP_FLUSH_EXPLICIT_BIT) && !has(GL_MAP_WRITE_BIT) {
+        Some("has GL_MAP_FLUSH_EXPLICIT_BIT, which needs GL_MAP_WRITE_BIT")
+    } else {
+        None
+    }
 }
 
 pub(crate) fn map_buffer_range(
@@ -75,30 +102,13 @@ pub(crate) fn map_buffer_range(
         );
     }
     let object = unmapped(object)?;
-    let has = |bits| access & bits != 0;
-    let rule = if !has(GL_MAP_READ_BIT | GL_MAP_WRITE_BIT) {
-        Some("must have GL_MAP_READ_BIT or GL_MAP_WRITE_BIT")
-    } else if has(GL_MAP_READ_BIT)
-        && has(GL_MAP_INVALIDATE_RANGE_BIT
-            | GL_MAP_INVALIDATE_BUFFER_BIT
-            | GL_MAP_UNSYNCHRONIZED_BIT)
-    {
-        Some(
-            "reads what it lets be undefined: GL_MAP_READ_BIT goes with no INVALIDATE or \
-              UNSYNCHRONIZED bit",
-        )
-    } else if has(GL_MAP_FLUSH_EXPLICIT_BIT) && !has(GL_MAP_WRITE_BIT) {
-        Some("has GL_MAP_FLUSH_EXPLICIT_BIT, which needs GL_MAP_WRITE_BIT")
-    } else {
-        None
-    };
-    if let Some(rule) = rule {
+    if let Some(rule) = broken_rule(access) {
         return invalid_operation(RANGE, format!("access = {access:#x} {rule}"));
     }
     if range.is_empty() {
         return invalid_operation(RANGE, "length = 0 must be above 0");
     }
-    Ok(map((object, recorder), range, access).cast())
+    Ok(MapRequest { object, recorder, range, access }.apply())
 }
 
 pub(crate) fn flush_mapped_buffer_range(

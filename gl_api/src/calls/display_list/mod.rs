@@ -73,7 +73,7 @@ impl Context {
         let Some(compiling) = &mut self.compiling else { return };
         if let Some(open) = compiling.open.take() {
             compiling.begun = true;
-            self.keep_steps(open.spill());
+            self.keep_steps(open.into_steps());
         }
     }
 
@@ -84,7 +84,7 @@ impl Context {
         let Some(compiling) = &mut self.compiling else { return false };
         let open = OpenPrimitives::new(mode);
         if nested || compiling.begun {
-            self.keep_steps(open.spill());
+            self.keep_steps(open.into_steps());
         } else {
             compiling.open = Some(open);
         }

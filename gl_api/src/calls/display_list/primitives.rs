@@ -17,7 +17,7 @@ impl OpenPrimitives {
         match ListPrimitives::new(&self) {
             Some(shapes) => vec![Step::Primitives(shapes)],
             None => {
-                let mut steps = self.spill();
+                let mut steps = self.into_steps();
                 steps.push(end_step());
                 steps
             }
@@ -25,7 +25,7 @@ impl OpenPrimitives {
     }
 
     /// The calls one by one.
-    pub fn spill(self) -> Vec<Step> {
+    pub fn into_steps(self) -> Vec<Step> {
         let mode = self.mode;
         let begin = Step::Call {
             name: "glBegin",

@@ -172,14 +172,14 @@ fn write<T: bytemuck::NoUninit>(
 ) -> Result<()> {
     let values: Vec<T> = values.into_iter().map(as_type).collect();
     let bytes: &[u8] = bytemuck::cast_slice(&values);
-    let room = match to.locate(0, bytes.len()) {
-        LocatedOut::Bytes(room) => room,
+    let destination = match to.locate(0, bytes.len()) {
+        LocatedOut::Bytes(bytes) => bytes,
         LocatedOut::Offset(_) | LocatedOut::Null => &mut [],
     };
-    let has = room.len() / size_of::<T>();
-    match room.get_mut(..bytes.len()) {
-        Some(room) => {
-            room.copy_from_slice(bytes);
+    let has = destination.len() / size_of::<T>();
+    match destination.get_mut(..bytes.len()) {
+        Some(destination) => {
+            destination.copy_from_slice(bytes);
             Ok(())
         }
         None => invalid_operation(

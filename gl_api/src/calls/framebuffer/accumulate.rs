@@ -5,7 +5,7 @@ use crate::base::constants::*;
 use crate::base::error::{ErrorCode, GlError, Result, Table, invalid_operation};
 use crate::base::types::*;
 use crate::calls::framebuffer::blit::edit;
-use crate::calls::framebuffer::read;
+use crate::calls::framebuffer::read::ReadBuffer;
 use crate::context::Context;
 use crate::context::feedback::RenderMode;
 use crate::draw::completeness::{Readable, draw_pass};
@@ -107,7 +107,7 @@ pub(crate) fn accum(context: &mut Context, op: GLenum, value: GLfloat) -> Result
         Operation::Load => colors(context, area, value, |sum, color| *sum = color),
         Operation::Multiply => each(context, area, |sum| *sum = sum.map(|c| c * value)),
         Operation::Add => each(context, area, |sum| *sum = sum.map(|c| c + value)),
-        Operation::Return => give_back(context, area, value),
+        Operation::Return => return_sums(context, area, value),
     }
 }
 
@@ -127,7 +127,7 @@ fn colors(
     factor: f32,
     change: impl Fn(&mut f32, f32),
 ) -> Result<()> {
-    let from = read::source(context, Readable::Color)?;
+    let from = ReadBuffer::new(context, Readable::Color)?.pixels(context)?;
     let isa = context.recorder.isa();
     let conversion = Conversion::blit(isa, from.format(), from.format(), SrgbWrite::AsIs);
     let width = context.window.width as usize;
@@ -145,7 +145,7 @@ fn colors(
 }
 
 /// Writes the sums times a factor to the colour buffer that is drawn to, clamped, through the mask.
-fn give_back(context: &mut Context, area: Rect, factor: f32) -> Result<()> {
+fn return_sums(context: &mut Context, area: Rect, factor: f32) -> Result<()> {
     let pass = draw_pass(context)?;
     let mask = context.state.fragment.buffers[0].mask;
     let (isa, width) = (context.recorder.isa(), context.window.width as usize);

@@ -1,49 +1,58 @@
 //! Attaching images to framebuffer objects: `ARB_framebuffer_object`, sections 4.4.2 to 4.4.4.
 
 use crate::base::constants::*;
-use crate::base::error::{Result, Table, invalid_operation, invalid_value};
+use crate::base::error::{Result, invalid_operation, invalid_value};
 use crate::base::limits;
 use crate::base::types::*;
 use crate::calls::framebuffer::names::bound;
 use crate::context::Context;
 use crate::draw::completeness::{completeness, selects_nothing};
 use crate::objects::framebuffers::{
-    Attached, AttachmentPoint, FRAMEBUFFER_TARGET, Framebuffer, Planes, Source, attachment_point,
+    Attached, AttachmentPoint, Binding, FRAMEBUFFER_TARGET, Planes, Source, attachment_point,
 };
+use crate::objects::renderbuffers::RENDERBUFFER_TARGET;
 use crate::objects::target::{FaceTarget, TARGET, TextureTarget, attachable_target};
+use crate::objects::texture::Texture;
 use rasterizer::driver::Image;
 
 const SECTION: &str = "ARB_framebuffer_object, section 4.4.2";
 
-/// The bound framebuffer object.
-pub(crate) fn object(context: &mut Context, target: GLenum) -> Result<&mut Framebuffer> {
-    let name = bound(context, FRAMEBUFFER_TARGET.decode("target", target)?);
-    match context.objects.framebuffers.get_mut(name) {
-        Some(object) => Ok(object),
-        None => invalid_operation(
-            SECTION,
-            "the default framebuffer is bound, which takes no attachments: call glBindFramebuffer",
-        ),
-    }
+/// The framebuffer and the attachment point that a call names.
+#[derive(Clone, Copy)]
+struct Destination {
+    binding: Binding,
+    point: AttachmentPoint,
 }
 
-fn attach(
-    context: &mut Context,
-    target: GLenum,
-    point: AttachmentPoint,
-    attached: Option<Attached>,
-) -> Result<()> {
-    let object = object(context, target)?;
-    match point {
-        AttachmentPoint::Color(index) => object.colors[index] = attached,
-        AttachmentPoint::Depth => object.depth = attached,
-        AttachmentPoint::Stencil => object.stencil = attached,
-        AttachmentPoint::DepthStencil => {
-            object.depth.clone_from(&attached);
-            object.stencil = attached;
-        }
+impl Destination {
+    fn decode(target: GLenum, attachment: GLenum) -> Result<Self> {
+        let binding = FRAMEBUFFER_TARGET.decode("target", target)?;
+        Ok(Self { binding, point: attachment_point(attachment)? })
     }
-    Ok(())
+
+    /// Attaches an image that was checked, or nothing.
+    ///
+    /// # Errors
+    /// Where the default framebuffer is bound.
+    fn attach(self, context: &mut Context, attached: Option<Attached>) -> Result<()> {
+        let name = bound(context, self.binding);
+        let Some(object) = context.objects.framebuffers.get_mut(name) else {
+            return invalid_operation(
+                SECTION,
+                "the default framebuffer is bound, which takes no attachments: call glBindFramebuffer",
+            );
+        };
+        match self.point {
+            AttachmentPoint::Color(index) => object.colors[index] = attached,
+            AttachmentPoint::Depth => object.depth = attached,
+            AttachmentPoint::Stencil => object.stencil = attached,
+            AttachmentPoint::DepthStencil => {
+                object.depth.clone_from(&attached);
+                object.stencil = attached;
+            }
+        }
+        Ok(())
+    }
 }
 
 /// A slice of a level of a texture, as a call names it.
@@ -54,49 +63,45 @@ struct Slice {
     slice: (GLint, &'static str),
 }
 
-/// Checks that a level and slice can be there, and attaches it.
-fn attach_texture(
-    context: &mut Context,
-    target: GLenum,
-    point: AttachmentPoint,
-    of: FaceTarget,
-    slice: &Slice,
-) -> Result<()> {
-    let &Slice { texture: name, level, slice: (slice, argument) } = slice;
-    let Some(texture) = context.objects.shared.textures.get(name) else {
-        return no_texture(name);
-    };
-    let image = texture.image.clone();
-    let level = crate::objects::target::checked_level(SECTION, of.target, level)?;
-    let most = match of.target {
-        TextureTarget::D3 => limits::MAX_3D_TEXTURE_SIZE,
-        TextureTarget::D1Array
-        | TextureTarget::D2Array
-        | TextureTarget::CubeArray
-        | TextureTarget::D2MultisampleArray => limits::MAX_ARRAY_TEXTURE_LAYERS,
-        TextureTarget::D1
-        | TextureTarget::D2
-        | TextureTarget::Rect
-        | TextureTarget::Cube
-        | TextureTarget::D2Multisample
-        | TextureTarget::Buffer => 1,
-    };
-    let slice = match u16::try_from(slice) {
-        Ok(slice) if u32::from(slice) < most => slice,
-        Ok(_) | Err(_) => {
-            return invalid_value(
+impl Slice {
+    fn texture<'a>(&self, context: &'a Context) -> Result<&'a Texture> {
+        match context.objects.shared.textures.get(self.texture) {
+            Some(texture) => Ok(texture),
+            None => invalid_operation(
                 SECTION,
-                format!("{argument} = {slice} must be 0 to {}", most - 1),
-            );
+                format!("texture = {} is no texture that was bound", self.texture),
+            ),
         }
-    };
-    let source = Source::Texture { name, target: of, level, slice };
-    let planes = Planes { depth: true, stencil: true };
-    attach(context, target, point, Some(Attached { source, image, planes }))
-}
+    }
 
-fn no_texture<T>(name: GLuint) -> Result<T> {
-    invalid_operation(SECTION, format!("texture = {name} is no texture that was bound"))
+    /// Checks that the level and slice can be there.
+    fn checked(&self, of: FaceTarget) -> Result<Source> {
+        let &Self { texture: name, level, slice: (slice, argument) } = self;
+        let level = crate::objects::target::checked_level(SECTION, of.target, level)?;
+        let most = match of.target {
+            TextureTarget::D3 => limits::MAX_3D_TEXTURE_SIZE,
+            TextureTarget::D1Array
+            | TextureTarget::D2Array
+            | TextureTarget::CubeArray
+            | TextureTarget::D2MultisampleArray => limits::MAX_ARRAY_TEXTURE_LAYERS,
+            TextureTarget::D1
+            | TextureTarget::D2
+            | TextureTarget::Rect
+            | TextureTarget::Cube
+            | TextureTarget::D2Multisample
+            | TextureTarget::Buffer => 1,
+        };
+        let slice = match u16::try_from(slice) {
+            Ok(slice) if u32::from(slice) < most => slice,
+            Ok(_) | Err(_) => {
+                return invalid_value(
+                    SECTION,
+                    format!("{argument} = {slice} must be 0 to {}", most - 1),
+                );
+            }
+        };
+        Ok(Source::Texture { name, target: of, level, slice })
+    }
 }
 
 /// `glFramebufferTexture1D`, `2D` and `3D`: the targets of a call with so many dimensions.
@@ -106,15 +111,12 @@ fn framebuffer_texture(
     (axes, textarget): (usize, GLenum),
     slice: &Slice,
 ) -> Result<()> {
-    FRAMEBUFFER_TARGET.decode("target", target)?;
-    let point = attachment_point(attachment)?;
+    let destination = Destination::decode(target, attachment)?;
     if slice.texture == 0 {
-        return attach(context, target, point, None);
+        return destination.attach(context, None);
     }
     let face = attachable_target(axes, textarget)?;
-    let Some(texture) = context.objects.shared.textures.get(slice.texture) else {
-        return no_texture(slice.texture);
-    };
+    let texture = slice.texture(context)?;
     if texture.target != face.target {
         return invalid_operation(
             SECTION,
@@ -126,7 +128,8 @@ fn framebuffer_texture(
             ),
         );
     }
-    attach_texture(context, target, point, face, slice)
+    let (source, image) = (slice.checked(face)?, texture.image.clone());
+    destination.attach(context, Some(Attached { source, image, planes: Planes::BOTH }))
 }
 
 pub(crate) fn framebuffer_texture_1d(
@@ -174,14 +177,12 @@ pub(crate) fn framebuffer_texture_layer(
     level: GLint,
     layer: GLint,
 ) -> Result<()> {
-    FRAMEBUFFER_TARGET.decode("target", target)?;
-    let point = attachment_point(attachment)?;
+    let destination = Destination::decode(target, attachment)?;
     if texture == 0 {
-        return attach(context, target, point, None);
+        return destination.attach(context, None);
     }
-    let Some(object) = context.objects.shared.textures.get(texture) else {
-        return no_texture(texture);
-    };
+    let slice = Slice { texture, level, slice: (layer, "layer") };
+    let object = slice.texture(context)?;
     let of = FaceTarget { target: object.target, face: 0 };
     match of.target {
         TextureTarget::D3
@@ -204,8 +205,8 @@ pub(crate) fn framebuffer_texture_layer(
             );
         }
     }
-    let slice = Slice { texture, level, slice: (layer, "layer") };
-    attach_texture(context, target, point, of, &slice)
+    let (source, image) = (slice.checked(of)?, object.image.clone());
+    destination.attach(context, Some(Attached { source, image, planes: Planes::BOTH }))
 }
 
 pub(crate) fn framebuffer_renderbuffer(
@@ -215,12 +216,10 @@ pub(crate) fn framebuffer_renderbuffer(
     renderbuffertarget: GLenum,
     renderbuffer: GLuint,
 ) -> Result<()> {
-    const KIND: Table<()> = Table { section: SECTION, rows: &[(GL_RENDERBUFFER, ())] };
-    FRAMEBUFFER_TARGET.decode("target", target)?;
-    let point = attachment_point(attachment)?;
-    KIND.decode("renderbuffertarget", renderbuffertarget)?;
+    let destination = Destination::decode(target, attachment)?;
+    RENDERBUFFER_TARGET.decode("renderbuffertarget", renderbuffertarget)?;
     if renderbuffer == 0 {
-        return attach(context, target, point, None);
+        return destination.attach(context, None);
     }
     let Some(object) = context.objects.shared.renderbuffers.get(renderbuffer) else {
         return invalid_operation(
@@ -233,7 +232,7 @@ pub(crate) fn framebuffer_renderbuffer(
         image: object.image.clone(),
         planes: object.planes(),
     };
-    attach(context, target, point, Some(attached))
+    destination.attach(context, Some(attached))
 }
 
 /// Says why a framebuffer is incomplete, as a message.

@@ -9,14 +9,14 @@ use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation, invalid_value};
 use crate::base::types::*;
 use crate::calls::framebuffer::blit::rows::{Aspect, RowConversion};
-use crate::calls::framebuffer::read::{Pixels, same_kind, settled, settled_samples};
+use crate::calls::framebuffer::read::{Pixels, resolved_pixels, same_kind, sample_pixels};
 use crate::context::Context;
 use crate::draw::completeness::{
     Readable, checked_complete, draw_pass, draw_planes, read_attachment, read_samples, samples,
 };
 use crate::draw::pass::drawn_area;
 use crate::draw::pipeline::srgb_write;
-use rasterizer::driver::{Attachment, Rect, SrgbWrite};
+use rasterizer::driver::{Attachment, Rect};
 use texunit::format::Format;
 use texunit::image::Level;
 use texunit::pixel::Tap;
@@ -92,20 +92,85 @@ impl Axis {
     }
 }
 
-/// A checked blit.
-struct Blit {
+/// A checked `glBlitFramebuffer`.
+struct BlitRequest {
     axes: [Axis; 2],
     filter: Filter,
-    /// The pixels of the destination that are written.
-    area: Rect,
-    srgb: SrgbWrite,
+    /// Pixels across and up that the draw framebuffer has, within the scissor rectangle.
+    drawn: Rect,
+    copies: Vec<AspectCopy>,
 }
 
-impl Blit {
-    /// Copies to one attachment, from what every sample has or from a sample each.
-    fn write(&self, context: &mut Context, from: &[Pixels], to: &Attachment, aspect: Aspect) {
+/// Where an aspect is copied from and to.
+struct AspectCopy {
+    aspect: Aspect,
+    from: Attachment,
+    to: Vec<Attachment>,
+}
+
+impl AspectCopy {
+    /// The pixels of the source, of every sample where both sides have several.
+    fn pixels(&self, context: &mut Context) -> Vec<Pixels> {
+        let several = |attachment: &Attachment| attachment.image.samples() > 1;
+        if several(&self.from) && self.to.iter().any(several) {
+            sample_pixels(context, &self.from)
+        } else {
+            resolved_pixels(context, &self.from).into_iter().collect()
+        }
+    }
+}
+
+impl BlitRequest {
+    fn new(context: &Context, axes: [Axis; 2], mask: GLbitfield, filter: Filter) -> Result<Self> {
+        checked_complete(context, context.state.bindings.read_framebuffer)?;
+        let pass = draw_pass(context)?;
+        check_samples(context, axes)?;
+        let mut copies = Vec::new();
+        for (bit, aspect, readable) in ASPECTS {
+            if mask & bit == 0 {
+                continue;
+            }
+            // What is missing on either side is left out (section 4.3.3).
+            let to = destinations(context, aspect)?;
+            let Some(from) = read_attachment(context, readable)?.filter(|_| !to.is_empty()) else {
+                continue;
+            };
+            let format = crate::context::window::format_of(&from);
+            for (from, to) in
+                to.iter().filter_map(|to| format.zip(crate::context::window::format_of(to)))
+            {
+                check_formats(aspect, from, to, filter)?;
+            }
+            copies.push(AspectCopy { aspect, from, to });
+        }
+        Ok(Self { axes, filter, drawn: drawn_area(context, &pass), copies })
+    }
+
+    fn apply(&self, context: &mut Context) {
+        // All sources before anything is written: the framebuffers may share images.
+        let pixels: Vec<_> = self.copies.iter().map(|copy| copy.pixels(context)).collect();
+        if context.queries.discards() {
+            return;
+        }
+        let Some(area) = covered(self.axes, self.drawn) else { return };
+        for (copy, from) in self.copies.iter().zip(&pixels) {
+            for to in &copy.to {
+                self.write(context, from, to, copy.aspect, area);
+            }
+        }
+    }
+
+    /// Copies to an area of one attachment, from what every sample has or from a sample each.
+    fn write(
+        &self,
+        context: &mut Context,
+        from: &[Pixels],
+        to: &Attachment,
+        aspect: Aspect,
+        area: Rect,
+    ) {
         let Some([width, height]) = from.first().map(Pixels::size) else { return };
-        let (area, isa) = (self.area, context.recorder.isa());
+        let (srgb, isa) = (srgb_write(context), context.recorder.isa());
         let columns = self.axes[0].taps(area.x, area.width, width, self.filter);
         let rows = self.axes[1].taps(area.y, area.height, height, self.filter);
         // What is neither scaled nor moved by parts of a texel has no means.
@@ -115,7 +180,7 @@ impl Blit {
             let Some(from) = from.get(sample).or(from.first()) else { return };
             let (format, row_bytes) = (level.format, level.row_bytes());
             let mut conversion =
-                RowConversion::new(isa, (aspect, filter), [from.format(), format], self.srgb);
+                RowConversion::new(isa, (aspect, filter), [from.format(), format], srgb);
             let column = (area.x as usize + columns.before) * format.bytes();
             for (y, &tap) in (area.y as usize + rows.before..).zip(&rows.taps) {
                 let texels = &mut level.texels[first + y * row_bytes + column..];
@@ -134,7 +199,7 @@ pub(crate) fn edit(
     change: impl Fn(&mut Level, usize, usize),
 ) {
     let image = &attachment.image;
-    crate::draw::pass::settle(context, image);
+    crate::draw::pass::submit_draws_to(context, image);
     context.outdate_mirror();
     if image.samples() > 1 {
         edit_samples(context, attachment, change);
@@ -169,19 +234,11 @@ fn edit_slice(attachment: &Attachment, change: impl FnOnce(&mut Level, usize)) {
 }
 
 /// What of a framebuffer a mask names, in the order in which it is copied.
-const PARTS: [(GLbitfield, Aspect, Readable); 3] = [
+const ASPECTS: [(GLbitfield, Aspect, Readable); 3] = [
     (GL_COLOR_BUFFER_BIT, Aspect::Color, Readable::Color),
     (GL_DEPTH_BUFFER_BIT, Aspect::Depth, Readable::Depth),
     (GL_STENCIL_BUFFER_BIT, Aspect::Stencil, Readable::Stencil),
 ];
-
-/// Where an aspect is copied from and to.
-struct Copy {
-    aspect: Aspect,
-    /// Of one sample, or of each.
-    from: Vec<Pixels>,
-    to: Vec<Attachment>,
-}
 
 /// The attachments of the draw framebuffer that an aspect goes to.
 fn destinations(context: &Context, aspect: Aspect) -> Result<Vec<Attachment>> {
@@ -231,7 +288,7 @@ pub(crate) fn blit_framebuffer(
     mask: GLbitfield,
     filter: GLenum,
 ) -> Result<()> {
-    let known = PARTS.iter().fold(0, |known, part| known | part.0);
+    let known = ASPECTS.iter().fold(0, |known, part| known | part.0);
     if mask & !known != 0 {
         return invalid_value(
             SECTION,
@@ -249,44 +306,7 @@ pub(crate) fn blit_framebuffer(
         Axis { src: [src_x0, src_x1], dst: [dst_x0, dst_x1] },
         Axis { src: [src_y0, src_y1], dst: [dst_y0, dst_y1] },
     ];
-    checked_complete(context, context.state.bindings.read_framebuffer)?;
-    let pass = draw_pass(context)?;
-    check_samples(context, axes)?;
-    let mut copies = Vec::new();
-    for (bit, aspect, readable) in PARTS {
-        if mask & bit == 0 {
-            continue;
-        }
-        // What is missing on either side is left out (section 4.3.3).
-        let to = destinations(context, aspect)?;
-        let Some(attachment) = read_attachment(context, readable)?.filter(|_| !to.is_empty())
-        else {
-            continue;
-        };
-        let format = crate::context::window::format_of(&attachment);
-        for (from, to) in
-            to.iter().filter_map(|to| format.zip(crate::context::window::format_of(to)))
-        {
-            check_formats(aspect, from, to, filter)?;
-        }
-        let several = |attachment: &Attachment| attachment.image.samples() > 1;
-        let from = if several(&attachment) && to.iter().any(several) {
-            settled_samples(context, &attachment)
-        } else {
-            settled(context, &attachment).into_iter().collect()
-        };
-        copies.push(Copy { aspect, from, to });
-    }
-    if context.queries.discards() {
-        return Ok(());
-    }
-    let Some(area) = covered(axes, drawn_area(context, &pass)) else { return Ok(()) };
-    let blit = Blit { axes, filter, area, srgb: srgb_write(context) };
-    for Copy { aspect, from, to } in &copies {
-        for to in to {
-            blit.write(context, from, to, *aspect);
-        }
-    }
+    BlitRequest::new(context, axes, mask, filter)?.apply(context);
     Ok(())
 }
 

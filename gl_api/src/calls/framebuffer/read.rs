@@ -11,8 +11,9 @@ use crate::draw::completeness::{Readable, read_attachment};
 use crate::draw::warnings::visibility;
 use crate::pixel::client::Pixel;
 use crate::pixel::client::format::{ClientFormat, LuminanceOf};
-use crate::pixel::convert::{Conversion, Final};
+use crate::pixel::convert::{Conversion, FinalConversion};
 use crate::pixel::layout::{Extent, Layout};
+use crate::pixel::scratch::scratch;
 use crate::pixel::transfer::TransferKind;
 use rasterizer::driver::{Attachment, Device, RowSpan, RowWriter};
 use std::sync::Arc;
@@ -47,46 +48,71 @@ impl Pixels {
     pub fn row(&self, x: usize, y: usize, width: usize) -> &[u8] {
         self.level.run([x, y, self.slice], width)
     }
+
+    /// The texels of a region, tightly packed; zeros where it lies outside.
+    pub fn region(&self, region: Region) -> Result<Vec<u8>> {
+        let size = self.format().bytes();
+        let mut texels = scratch(self.format(), [region.width, region.height, 1])?;
+        let [width, height] = self.size();
+        if let Some(visible) = region.within(width, height) {
+            for y in visible.y..visible.y + visible.height {
+                let row = self.row(visible.x, y, visible.width);
+                let at = ((y as i64 - region.y) as usize * region.width
+                    + (visible.x as i64 - region.x) as usize)
+                    * size;
+                texels[at..at + row.len()].copy_from_slice(row);
+            }
+        }
+        Ok(texels)
+    }
 }
 
 /// The pixels of an attachment as everything recorded leaves them.
-pub(crate) fn settled(context: &mut Context, attachment: &Attachment) -> Option<Pixels> {
-    crate::draw::pass::settle(context, &attachment.image);
+pub(crate) fn resolved_pixels(context: &mut Context, attachment: &Attachment) -> Option<Pixels> {
+    crate::draw::pass::submit_draws_to(context, &attachment.image);
     Pixels::of(&context.recorder.device(), attachment)
 }
 
 /// The pixels of every sample of an attachment, as everything recorded leaves them.
-pub(crate) fn settled_samples(context: &mut Context, attachment: &Attachment) -> Vec<Pixels> {
+pub(crate) fn sample_pixels(context: &mut Context, attachment: &Attachment) -> Vec<Pixels> {
     let Attachment { image, face, level } = attachment;
-    crate::draw::pass::settle(context, image);
+    crate::draw::pass::submit_draws_to(context, image);
     let Some(level) = image.each_sample(*face, *level).map(Arc::new) else { return Vec::new() };
     (0..level.depth as usize).map(|slice| Pixels { level: Arc::clone(&level), slice }).collect()
 }
 
-/// What is read from, which is there, and its format.
-///
-/// # Errors
-/// Where the framebuffer is incomplete, has several samples a pixel, or has no such buffer.
-fn readable(context: &Context, what: Readable) -> Result<(Attachment, Format)> {
-    check_samples(context)?;
-    let attachment = read_attachment(context, what)?;
-    match attachment
-        .and_then(|attachment| format_of(&attachment).map(|format| (attachment, format)))
-    {
-        Some(found) => Ok(found),
-        None => invalid_operation(SECTION, nothing_there(context, what)),
-    }
+/// A buffer of the framebuffer that is read from: it is there, and has one sample a pixel.
+pub(crate) struct ReadBuffer {
+    name: Readable,
+    attachment: Attachment,
+    pub format: Format,
 }
 
-/// The pixels that are read from.
-///
-/// # Errors
-/// As those of [`readable`].
-pub(crate) fn source(context: &mut Context, what: Readable) -> Result<Pixels> {
-    let (attachment, _) = readable(context, what)?;
-    match settled(context, &attachment) {
-        Some(pixels) => Ok(pixels),
-        None => invalid_operation(SECTION, nothing_there(context, what)),
+impl ReadBuffer {
+    /// # Errors
+    /// Where the framebuffer is incomplete, has several samples a pixel, or has no such buffer.
+    pub fn new(context: &Context, name: Readable) -> Result<Self> {
+        check_samples(context)?;
+        let attachment = read_attachment(context, name)?;
+        let found = attachment.and_then(|found| format_of(&found).map(|format| (found, format)));
+        match found {
+            Some((attachment, format)) => Ok(Self { name, attachment, format }),
+            None => invalid_operation(SECTION, nothing_there(context, name)),
+        }
+    }
+
+    /// Depths with stencils, which one image has.
+    pub fn depth_stencil(context: &Context) -> Result<Self> {
+        Self::new(context, Readable::Stencil)?;
+        Self::new(context, Readable::Depth)
+    }
+
+    /// Its pixels as everything recorded leaves them.
+    pub fn pixels(&self, context: &mut Context) -> Result<Pixels> {
+        match resolved_pixels(context, &self.attachment) {
+            Some(pixels) => Ok(pixels),
+            None => invalid_operation(SECTION, nothing_there(context, self.name)),
+        }
     }
 }
 
@@ -135,16 +161,72 @@ fn check_samples(context: &Context) -> Result<()> {
     Ok(())
 }
 
-/// What a pixel of the client's is read from.
-fn chosen(context: &Context, format: ClientFormat) -> Result<(Attachment, Format)> {
-    match format.kind() {
-        TransferKind::Depth => readable(context, Readable::Depth),
-        TransferKind::Stencil => readable(context, Readable::Stencil),
-        TransferKind::DepthStencil => {
-            readable(context, Readable::Stencil)?;
-            readable(context, Readable::Depth)
+/// A checked `glReadPixels`; the memory is checked when the pixels are written to it.
+struct ReadPixelsRequest {
+    buffer: ReadBuffer,
+    region: Region,
+    layout: Layout,
+    last: FinalConversion,
+}
+
+impl ReadPixelsRequest {
+    fn new(context: &Context, region: Region, pixel: Pixel) -> Result<Self> {
+        if pixel.format == ClientFormat::ColorIndex {
+            return invalid_operation(
+                SECTION,
+                "format = GL_COLOR_INDEX: the framebuffer has colours, no indices",
+            );
         }
-        TransferKind::Color | TransferKind::ColorIndex => readable(context, Readable::Color),
+        let size = [region.width, region.height, 1];
+        let layout = Layout::new(&context.state.pack, pixel, size, Extent::Flat)?;
+        let buffer = match pixel.format.kind() {
+            TransferKind::Depth => ReadBuffer::new(context, Readable::Depth)?,
+            TransferKind::Stencil => ReadBuffer::new(context, Readable::Stencil)?,
+            TransferKind::DepthStencil => ReadBuffer::depth_stencil(context)?,
+            TransferKind::Color | TransferKind::ColorIndex => {
+                ReadBuffer::new(context, Readable::Color)?
+            }
+        };
+        let from = buffer.format;
+        if pixel.format != ClientFormat::Stencil {
+            kinds_match(pixel, from)?;
+        }
+        let mut last = FinalConversion::of(from, LuminanceOf::Sum);
+        if !pixel.format.is_depth() && !from.is_integer() {
+            last.clamp = crate::draw::color_clamp::of_reading(context, from);
+        }
+        Ok(Self { buffer, region, layout, last })
+    }
+
+    /// # Errors
+    /// Where the memory is none, or too short.
+    fn apply(&self, context: &mut Context, pixels: DataOut<'_>) -> Result<()> {
+        let &Self { buffer: ReadBuffer { ref attachment, format, .. }, region, ref layout, last } =
+            self;
+        crate::draw::pass::submit_draws_to(context, &attachment.image);
+        visibility::picture(context);
+        let (device, isa) = (context.recorder.device(), context.recorder.isa());
+        let transfer = context.state.transfer;
+        // Pixels outside are left as they are.
+        let visible = attachment.size().and_then(|[width, height]| region.within(width, height));
+        crate::calls::pixels::memory::write_pixels(context, layout, pixels, |bytes| {
+            let Some(visible) = visible else { return };
+            let column = (visible.x as i64 - region.x) as usize;
+            let row = (visible.y as i64 - region.y) as usize;
+            let run = layout.run(column, row, visible.width);
+            let conversion = Conversion::pack(isa, &run, format, &transfer, last);
+            let convert = |texels: &[u8], out: &mut [u8]| conversion.pack_row(&run, texels, out);
+            let writer = if conversion.is_copy(&run) {
+                RowWriter::Copy
+            } else {
+                RowWriter::Convert(&convert)
+            };
+            let (stride, row_bytes) = (run.stride, run.row_bytes());
+            let end = run.start + (visible.height - 1) * stride + row_bytes;
+            let (bytes, order) = (&mut bytes[run.start..end], RowOrder::BottomUp);
+            let to = ClientRows { bytes, stride, row_bytes, order };
+            read_rows(&device, attachment, visible, to, writer);
+        })
     }
 }
 
@@ -162,53 +244,17 @@ pub(crate) fn read_pixels(
     let width = not_negative(SECTION, "width", width.into())?;
     let height = not_negative(SECTION, "height", height.into())?;
     let pixel = Pixel::new(format, ty)?;
-    if pixel.format == ClientFormat::ColorIndex {
-        return invalid_operation(
-            SECTION,
-            "format = GL_COLOR_INDEX: the framebuffer has colours, no indices",
-        );
-    }
-    let layout = Layout::new(&context.state.pack, pixel, [width, height, 1], Extent::Flat)?;
-    let (attachment, from) = chosen(context, pixel.format)?;
-    if pixel.format != ClientFormat::Stencil {
-        kinds_match(pixel, from)?;
-    }
     let region = Region::new(x, y, width, height);
-    let transfer = context.state.transfer;
-    let mut last = Final::of(from, LuminanceOf::Sum);
-    if !pixel.format.is_depth() && !from.is_integer() {
-        last.clamp = crate::draw::color_clamp::of_reading(context, from);
-    }
-    crate::draw::pass::settle(context, &attachment.image);
-    visibility::picture(context);
-    let device = context.recorder.device();
-    let isa = context.recorder.isa();
-    // Pixels outside are left as they are.
-    let visible = attachment.size().and_then(|[width, height]| region.within(width, height));
-    crate::calls::pixels::memory::write_pixels(context, &layout, pixels, |bytes| {
-        let Some(visible) = visible else { return };
-        let column = (visible.x as i64 - region.x) as usize;
-        let row = (visible.y as i64 - region.y) as usize;
-        let run = layout.run(column, row, visible.width);
-        let conversion = Conversion::pack(isa, &run, from, &transfer, last);
-        let convert = |texels: &[u8], out: &mut [u8]| conversion.pack_row(&run, texels, out);
-        let writer =
-            if conversion.is_copy(&run) { RowWriter::Copy } else { RowWriter::Convert(&convert) };
-        let (stride, row_bytes) = (run.stride, run.row_bytes());
-        let end = run.start + (visible.height - 1) * stride + row_bytes;
-        let (bytes, up) = (&mut bytes[run.start..end], Up::Y);
-        let to = ClientRows { bytes, stride, row_bytes, up };
-        read_rows(&device, &attachment, visible, to, writer);
-    })
+    ReadPixelsRequest::new(context, region, pixel)?.apply(context, pixels)
 }
 
 /// Which row comes first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Up {
+pub(crate) enum RowOrder {
     /// The lowest.
-    Y,
+    BottomUp,
     /// The highest.
-    NotY,
+    TopDown,
 }
 
 /// Where a client has its rows: the first byte of each so many after that of the one before.
@@ -216,7 +262,7 @@ pub(crate) struct ClientRows<'a> {
     pub bytes: &'a mut [u8],
     pub stride: usize,
     pub row_bytes: usize,
-    pub up: Up,
+    pub order: RowOrder,
 }
 
 /// Puts the pixels of an attachment, as everything submitted leaves them, where a client has its rows.
@@ -227,21 +273,21 @@ pub(crate) fn read_rows(
     to: ClientRows<'_>,
     writer: RowWriter<'_>,
 ) {
-    let ClientRows { bytes, stride, row_bytes, up } = to;
+    let ClientRows { bytes, stride, row_bytes, order } = to;
     let [x, y, width] = [visible.x, visible.y, visible.width].map(|at| at as u32);
     if stride < row_bytes {
         // They overlap, and the last one stays.
         for (row, y) in (y..).take(visible.height).enumerate() {
-            let at = match up {
-                Up::Y => row,
-                Up::NotY => visible.height - 1 - row,
+            let at = match order {
+                RowOrder::BottomUp => row,
+                RowOrder::TopDown => visible.height - 1 - row,
             };
             let out = &mut bytes[at * stride..][..row_bytes];
             device.read(attachment, RowSpan { x, y, width }, &mut [out], writer);
         }
     } else {
         let mut rows: Vec<&mut [u8]> = bytes.chunks_mut(stride).collect();
-        if up == Up::NotY {
+        if order == RowOrder::TopDown {
             rows.reverse();
         }
         device.read(attachment, RowSpan { x, y, width }, &mut rows, writer);

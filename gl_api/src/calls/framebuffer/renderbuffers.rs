@@ -11,7 +11,7 @@ use crate::calls::framebuffer::attach::detach;
 use crate::context::Context;
 use crate::context::window::texels;
 use crate::objects::name_table::{Sweep, listed};
-use crate::objects::renderbuffers::Renderbuffer;
+use crate::objects::renderbuffers::{RENDERBUFFER_TARGET, Renderbuffer};
 use crate::pixel::component_bits::{Component, component_bits};
 use crate::pixel::formats;
 use crate::pixel::formats::{InternalFormat, UNCOMPRESSED};
@@ -19,8 +19,6 @@ use rasterizer::driver::{LevelInfo, MultisampleStorage};
 use texunit::image::{Image as Texels, Shape};
 
 const SECTION: &str = "ARB_framebuffer_object, section 4.4.2";
-
-const RENDERBUFFER_TARGET: Table<()> = Table { section: SECTION, rows: &[(GL_RENDERBUFFER, ())] };
 
 pub(crate) fn gen_renderbuffers(
     context: &mut Context,
@@ -101,7 +99,67 @@ pub(crate) fn renderbuffer_storage(
     renderbuffer_storage_multisample(context, target, 0, internalformat, width, height)
 }
 
-/// There are one and four samples: what lies between is rounded up.
+/// A checked `glRenderbufferStorage` or `glRenderbufferStorageMultisample`.
+struct StorageRequest {
+    format: &'static InternalFormat,
+    size: [u32; 2],
+    samples: u8,
+}
+
+impl StorageRequest {
+    /// There are one and four samples: what lies between is rounded up.
+    fn new(
+        context: &mut Context,
+        samples: GLsizei,
+        internal: GLenum,
+        size: [GLsizei; 2],
+    ) -> Result<Self> {
+        let format = checked_format(internal)?;
+        for (argument, size) in ["width", "height"].into_iter().zip(size) {
+            if not_negative(SECTION, argument, size.into())? > limits::MAX_TEXTURE_SIZE as usize {
+                return invalid_value(
+                    SECTION,
+                    format!("{argument} = {size} must not be above {}", limits::MAX_TEXTURE_SIZE),
+                );
+            }
+        }
+        if not_negative(SECTION, "samples", samples.into())? > usize::from(limits::MAX_SAMPLES) {
+            if format.stored.is_integer() {
+                return invalid_operation(
+                    "ARB_texture_multisample, section 4.4.2",
+                    format!(
+                        "samples = {samples} of integers must not be above {}",
+                        limits::MAX_SAMPLES
+                    ),
+                );
+            }
+            return invalid_value(
+                SECTION,
+                format!("samples = {samples} must not be above {}", limits::MAX_SAMPLES),
+            );
+        }
+        bound(context)?;
+        let samples = if samples > 0 { limits::MAX_SAMPLES } else { 1 };
+        Ok(Self { format, size: size.map(|side| side as u32), samples })
+    }
+
+    fn apply(self, context: &mut Context) -> Result<()> {
+        let Self { format, size: [width, height], samples } = self;
+        let texels = if width > 0 && height > 0 {
+            texels(format.stored, width, height)
+                .map_err(|error| GlError::new(ErrorCode::OutOfMemory, SECTION, error.to_string()))?
+        } else {
+            Texels::new(Shape::D2)
+        };
+        let image = bound(context)?.image.clone();
+        // What was recorded draws to the image as it was.
+        crate::draw::pass::submit_draws_to(context, &image);
+        image.replace(texels, samples, MultisampleStorage::Resolved);
+        bound(context)?.format = format;
+        Ok(())
+    }
+}
+
 pub(crate) fn renderbuffer_storage_multisample(
     context: &mut Context,
     target: GLenum,
@@ -111,45 +169,7 @@ pub(crate) fn renderbuffer_storage_multisample(
     height: GLsizei,
 ) -> Result<()> {
     RENDERBUFFER_TARGET.decode("target", target)?;
-    let internal = checked_format(internalformat)?;
-    let format = internal.stored;
-    for (argument, size) in [("width", width), ("height", height)] {
-        if not_negative(SECTION, argument, size.into())? > limits::MAX_TEXTURE_SIZE as usize {
-            return invalid_value(
-                SECTION,
-                format!("{argument} = {size} must not be above {}", limits::MAX_TEXTURE_SIZE),
-            );
-        }
-    }
-    if not_negative(SECTION, "samples", samples.into())? > usize::from(limits::MAX_SAMPLES) {
-        if format.is_integer() {
-            return invalid_operation(
-                "ARB_texture_multisample, section 4.4.2",
-                format!(
-                    "samples = {samples} of integers must not be above {}",
-                    limits::MAX_SAMPLES
-                ),
-            );
-        }
-        return invalid_value(
-            SECTION,
-            format!("samples = {samples} must not be above {}", limits::MAX_SAMPLES),
-        );
-    }
-    bound(context)?;
-    let texels = if width > 0 && height > 0 {
-        texels(format, width as u32, height as u32)
-            .map_err(|error| GlError::new(ErrorCode::OutOfMemory, SECTION, error.to_string()))?
-    } else {
-        Texels::new(Shape::D2)
-    };
-    let image = bound(context)?.image.clone();
-    // What was recorded draws to the image as it was.
-    crate::draw::pass::settle(context, &image);
-    let samples = if samples > 0 { limits::MAX_SAMPLES } else { 1 };
-    image.replace(texels, samples, MultisampleStorage::Resolved);
-    bound(context)?.format = internal;
-    Ok(())
+    StorageRequest::new(context, samples, internalformat, [width, height])?.apply(context)
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

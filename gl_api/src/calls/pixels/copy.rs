@@ -3,16 +3,19 @@
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation, not_negative};
 use crate::base::types::*;
-use crate::calls::framebuffer::read;
-use crate::calls::pixels::draw::{DEPTHS, rows, scratch};
+use crate::calls::framebuffer::read::ReadBuffer;
+use crate::calls::pixels::draw::{DEPTHS, rows};
 use crate::calls::pixels::stencil;
 use crate::context::feedback::RenderMode;
+use crate::context::feedback::record::PrimitiveToken;
 use crate::context::recorder::pixel_rectangle::ReplacedValue;
 use crate::context::window::Region;
 use crate::context::{Context, feedback};
 use crate::draw::completeness::{Readable, checked_drawable, draw_planes};
+use crate::draw::pixel_rectangle;
 use crate::pixel::convert;
 use crate::pixel::convert::Conversion;
+use crate::pixel::scratch::scratch;
 use texunit::format::Format;
 
 const SECTION: &str = "GL 2.1, section 4.3.3";
@@ -36,21 +39,78 @@ const BUFFER: Table<CopiedBuffer> = Table {
     ],
 };
 
-/// The texels of a region of what is read; zeros where it lies outside.
-fn texels(from: &read::Pixels, region: Region) -> Result<Vec<u8>> {
-    let size = from.format().bytes();
-    let mut out = scratch(from.format(), region.width, region.height)?;
-    let [width, height] = from.size();
-    if let Some(visible) = region.within(width, height) {
-        for y in visible.y..visible.y + visible.height {
-            let at = ((y as i64 - region.y) as usize * region.width
-                + (visible.x as i64 - region.x) as usize)
-                * size;
-            let row = from.row(visible.x, y, visible.width);
-            out[at..at + row.len()].copy_from_slice(row);
+/// A checked `glCopyPixels`.
+struct CopyPixelsRequest {
+    kind: CopiedBuffer,
+    from: ReadBuffer,
+    region: Region,
+}
+
+impl CopyPixelsRequest {
+    fn new(context: &Context, kind: CopiedBuffer, region: Region) -> Result<Self> {
+        checked_drawable(context)?;
+        let planes = draw_planes(context);
+        let missing = match kind {
+            CopiedBuffer::Color => false,
+            CopiedBuffer::Depth => !planes.depth,
+            CopiedBuffer::Stencil => !planes.stencil,
+            CopiedBuffer::DepthStencil => !planes.depth || !planes.stencil,
+        };
+        if missing {
+            return invalid_operation(
+                SECTION,
+                "the framebuffer that is drawn to has no such depth or stencil buffer",
+            );
+        }
+        let from = match kind {
+            CopiedBuffer::Color => ReadBuffer::new(context, Readable::Color)?,
+            CopiedBuffer::Depth => ReadBuffer::new(context, Readable::Depth)?,
+            CopiedBuffer::Stencil => ReadBuffer::new(context, Readable::Stencil)?,
+            CopiedBuffer::DepthStencil => ReadBuffer::depth_stencil(context)?,
+        };
+        if from.format.is_integer() {
+            return invalid_operation(
+                "EXT_texture_integer, section 4.3.3",
+                "integers are not copied: call glBlitFramebuffer",
+            );
+        }
+        Ok(Self { kind, from, region })
+    }
+
+    fn apply(self, context: &mut Context) -> Result<()> {
+        let Self { kind, from, region } = self;
+        if feedback::pixels(context, PrimitiveToken::CopyPixels) != RenderMode::Render {
+            return Ok(());
+        }
+        let (width, size) = (region.width, [region.width, region.height]);
+        let stored = from.pixels(context)?.region(region)?;
+        let (isa, transfer) = (context.recorder.isa(), &context.state.transfer);
+        let as_format = |to: Format| convert::transcode(isa, from.format, &stored, to, transfer);
+        match kind {
+            CopiedBuffer::Color => {
+                let is_moved =
+                    Conversion::between(isa, from.format, Format::Rgba8, transfer).is_moved();
+                let to = if is_moved { Format::Rgba8 } else { Format::Rgba32F };
+                let texels = as_format(to);
+                let rows = rows(&texels, width * to.bytes());
+                pixel_rectangle::draw(context, size, (ReplacedValue::Color, to), &rows)
+            }
+            CopiedBuffer::Depth => {
+                let texels = as_format(Format::D32F);
+                pixel_rectangle::draw(context, size, DEPTHS, &rows(&texels, width * 4))
+            }
+            CopiedBuffer::Stencil => {
+                let mut stencils = scratch(Format::R8UI, [region.width, region.height, 1])?;
+                Conversion::stencils(isa, from.format, transfer).run(&stored, &mut stencils);
+                stencil::draw_stencils(context, size, &stencils)
+            }
+            CopiedBuffer::DepthStencil => {
+                let Some(to) = stencil::target(context)? else { return Ok(()) };
+                let (texels, depth) = (as_format(to), context.state.fragment.depth_write);
+                stencil::draw(context, size, &texels, depth)
+            }
         }
     }
-    Ok(out)
 }
 
 pub(crate) fn copy_pixels(
@@ -64,71 +124,6 @@ pub(crate) fn copy_pixels(
     let width = not_negative(SECTION, "width", width.into())?;
     let height = not_negative(SECTION, "height", height.into())?;
     let kind = BUFFER.decode("type", ty)?;
-    checked_drawable(context)?;
-    let planes = draw_planes(context);
-    let missing = match kind {
-        CopiedBuffer::Color => false,
-        CopiedBuffer::Depth => !planes.depth,
-        CopiedBuffer::Stencil => !planes.stencil,
-        CopiedBuffer::DepthStencil => !planes.depth || !planes.stencil,
-    };
-    if missing {
-        return invalid_operation(
-            SECTION,
-            "the framebuffer that is drawn to has no such depth or stencil buffer",
-        );
-    }
-    let from = match kind {
-        CopiedBuffer::Color => read::source(context, Readable::Color)?,
-        CopiedBuffer::Depth => read::source(context, Readable::Depth)?,
-        CopiedBuffer::Stencil => read::source(context, Readable::Stencil)?,
-        CopiedBuffer::DepthStencil => {
-            read::source(context, Readable::Stencil)?;
-            read::source(context, Readable::Depth)?
-        }
-    };
-    if from.format().is_integer() {
-        return invalid_operation(
-            "EXT_texture_integer, section 4.3.3",
-            "integers are not copied: call glBlitFramebuffer",
-        );
-    }
-    if feedback::pixels(context, feedback::record::PrimitiveToken::CopyPixels) != RenderMode::Render
-    {
-        return Ok(());
-    }
-    let size = [width, height];
-    let stored = texels(&from, Region::new(x, y, width, height))?;
-    let (isa, transfer) = (context.recorder.isa(), &context.state.transfer);
-    let as_format = |to: Format| convert::transcode(isa, from.format(), &stored, to, transfer);
-    match kind {
-        CopiedBuffer::Color => {
-            let to =
-                match Conversion::between(isa, from.format(), Format::Rgba8, transfer).is_moved() {
-                    true => Format::Rgba8,
-                    false => Format::Rgba32F,
-                };
-            let texels = as_format(to);
-            crate::draw::pixel_rectangle::draw(
-                context,
-                size,
-                (ReplacedValue::Color, to),
-                &rows(&texels, width * to.bytes()),
-            )
-        }
-        CopiedBuffer::Depth => {
-            let texels = as_format(Format::D32F);
-            crate::draw::pixel_rectangle::draw(context, size, DEPTHS, &rows(&texels, width * 4))
-        }
-        CopiedBuffer::Stencil => {
-            let mut stencils = scratch(Format::R8UI, width, height)?;
-            Conversion::stencils(isa, from.format(), transfer).run(&stored, &mut stencils);
-            stencil::draw_stencils(context, size, &stencils)
-        }
-        CopiedBuffer::DepthStencil => {
-            let Some(to) = stencil::target(context)? else { return Ok(()) };
-            let (texels, depth) = (as_format(to), context.state.fragment.depth_write);
-            stencil::draw(context, size, &texels, depth)
-        }
-    }
+    let region = Region::new(x, y, width, height);
+    CopyPixelsRequest::new(context, kind, region)?.apply(context)
 }

@@ -64,17 +64,17 @@ pub(crate) fn pixel_source<'a>(
 /// pictures, and of reading past the client's memory.
 fn check_alignment(context: &mut Context, call: &'static str, layout: &Layout) {
     let unpack = &context.state.unpack;
-    let (tight, apart, [_, height, depth]) = (layout.row_bytes(), layout.stride, layout.size);
+    let (tight, stride, [_, height, depth]) = (layout.row_bytes(), layout.stride, layout.size);
     let default = PixelStore::default().alignment;
     if unpack.alignment != default
         || unpack.row_length != 0
         || height.saturating_mul(depth) < 2
-        || apart == tight
+        || stride == tight
     {
         return;
     }
     context.debug.warn(format!(
-        "{call}: rows of {tight} bytes are read {apart} apart, as GL_UNPACK_ALIGNMENT is \
+        "{call}: rows of {tight} bytes are read {stride} apart, as GL_UNPACK_ALIGNMENT is \
          {default}: if they are packed, call glPixelStorei(GL_UNPACK_ALIGNMENT, 1)"
     ));
 }
@@ -93,7 +93,7 @@ pub(crate) fn write_bytes(
         (_, LocatedOut::Null | LocatedOut::Offset(0)) if needed == 0 => Ok(()),
         (Some(_), LocatedOut::Offset(_)) if needed == 0 => Ok(()),
         (None, LocatedOut::Bytes(bytes)) => {
-            check_room(bytes.len(), needed)?;
+            check_length(bytes.len(), needed)?;
             write(bytes);
             Ok(())
         }
@@ -107,7 +107,7 @@ pub(crate) fn write_bytes(
             let offset = if let LocatedOut::Offset(offset) = out { offset } else { 0 };
             let length = object.buffer().bytes().len();
             check_offset(offset, length, name, "GL_PIXEL_PACK_BUFFER")?;
-            check_room(length - offset, needed)?;
+            check_length(length - offset, needed)?;
             write(&mut object.bytes_mut(&mut context.recorder)[offset..]);
             Ok(())
         }
@@ -143,7 +143,7 @@ fn not_mapped(context: &Context, bound: &Bound) -> Result<()> {
     }
 }
 
-fn check_room(has: usize, needed: usize) -> Result<()> {
+fn check_length(has: usize, needed: usize) -> Result<()> {
     if has >= needed {
         return Ok(());
     }

@@ -89,13 +89,13 @@ fn moved_units(stages: &Stages) -> u8 {
 
 /// Runs the vertex stage of the state for one vertex.
 pub(crate) fn shade(context: &mut Context, position: [f32; 4]) -> Result<Vertices> {
-    let passed = match RasterPositionStage::again(context) {
-        Some(passed) => passed,
+    let stage = match RasterPositionStage::again(context) {
+        Some(stage) => stage,
         None => RasterPositionStage::new(context, position)?,
     };
     let current = &context.state.current;
     let machine = (context.recorder.isa(), &mut context.feedback.machine);
-    let vertices = passed.ready.run(machine, 1, |wanted, _, out| {
+    let vertices = stage.ready.run(machine, 1, |wanted, _, out| {
         let number = match wanted {
             Input::Attribute { location, component } => {
                 let of_vertex = is_position(location).then_some(&position);
@@ -113,7 +113,7 @@ pub(crate) fn shade(context: &mut Context, position: [f32; 4]) -> Result<Vertice
         };
         *out = U32s::splat(number.to_bits());
     });
-    context.feedback.raster_position_stage = Some(passed);
+    context.feedback.raster_position_stage = Some(stage);
     vertices
 }
 

@@ -3,13 +3,13 @@
 
 use crate::base::error::Result;
 use crate::calls::framebuffer::blit::edit;
-use crate::calls::pixels::draw::scratch;
 use crate::context::Context;
 use crate::context::window::format_of;
 use crate::draw::completeness::draw_pass;
 use crate::draw::pass::drawn_area;
 use crate::draw::pixel_zoom::Zoomed;
 use crate::pixel::convert::Conversion;
+use crate::pixel::scratch::scratch;
 use crate::pixel::texel;
 use rasterizer::driver::DepthWrite;
 use texunit::format::Format;
@@ -57,7 +57,7 @@ pub(crate) fn draw_stencils(
     stencils: &[u8],
 ) -> Result<()> {
     let Some(to) = target(context)? else { return Ok(()) };
-    let mut texels = scratch(to, size[0], size[1])?;
+    let mut texels = scratch(to, [size[0], size[1], 1])?;
     Conversion::to_stencils(context.recorder.isa(), to).run(stencils, &mut texels);
     draw(context, size, &texels, DepthWrite::Off)
 }

@@ -162,12 +162,12 @@ pub(crate) fn get_program_string(
     let target = TARGET.decode("target", target)?;
     STRING.decode("pname", pname)?;
     let text = bound(context, target).text.as_bytes();
-    let room = match string.locate(0, text.len()) {
+    let destination = match string.locate(0, text.len()) {
         LocatedOut::Bytes(bytes) => bytes.get_mut(..text.len()),
         LocatedOut::Offset(_) | LocatedOut::Null => None,
     };
-    match room {
-        Some(room) => room.copy_from_slice(text),
+    match destination {
+        Some(destination) => destination.copy_from_slice(text),
         None => {
             let needs = text.len();
             return invalid_operation(SECTION, format!("string must have room for {needs} bytes"));

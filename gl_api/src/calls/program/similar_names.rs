@@ -22,7 +22,7 @@ pub(crate) enum NamedResource {
 #[cold]
 #[inline(never)]
 pub(crate) fn not_found(context: &mut Context, program: GLuint, of: NamedResource, asked: &str) {
-    let (hint, call, what) = match of {
+    let (warning, call, what) = match of {
         NamedResource::Uniform => (DrawWarning::NoUniform, "glGetUniformLocation", "uniform"),
         NamedResource::Attribute => (DrawWarning::NoAttribute, "glGetAttribLocation", "attribute"),
     };
@@ -30,7 +30,7 @@ pub(crate) fn not_found(context: &mut Context, program: GLuint, of: NamedResourc
     let subject = asked.bytes().fold(program, |hash, byte| {
         (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193).rotate_left(5)
     });
-    if !context.is_first_warning(hint, subject) || is_declared(context, asked) {
+    if !context.is_first_warning(warning, subject) || is_declared(context, asked) {
         return;
     }
     let Some(near) = nearest(context, program, of, asked) else { return };

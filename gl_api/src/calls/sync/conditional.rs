@@ -48,9 +48,9 @@ pub(crate) fn begin_conditional_render(
         return invalid_operation(SECTION, format!("query {id} is active: call glEndQuery first"));
     }
     submit(context);
-    let passed = context.objects.queries.get(id).is_some_and(|query| query.samples() > 0);
+    let any_passed = context.objects.queries.get(id).is_some_and(|query| query.samples() > 0);
     context.queries.conditional =
-        Some(if passed { ConditionalResult::Draw } else { ConditionalResult::Discard });
+        Some(if any_passed { ConditionalResult::Draw } else { ConditionalResult::Discard });
     Ok(())
 }
 

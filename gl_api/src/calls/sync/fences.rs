@@ -133,7 +133,7 @@ pub(crate) fn get_synciv(
     context: &mut Context,
     sync: GLsync,
     pname: GLenum,
-    room: GLsizei,
+    buf_size: GLsizei,
     length: &mut [GLsizei],
     values: &mut [GLint],
 ) -> Result<()> {
@@ -148,7 +148,7 @@ pub(crate) fn get_synciv(
     };
     let fence = fence(context, sync)?;
     let property = PROPERTY.decode("pname", pname)?;
-    let room = not_negative(SECTION, "bufSize", room.into())?;
+    let buf_size = not_negative(SECTION, "bufSize", buf_size.into())?;
     let value = match property {
         Property::Type => GL_SYNC_FENCE,
         Property::Status => match fence.status() {
@@ -158,14 +158,14 @@ pub(crate) fn get_synciv(
         Property::Condition => GL_SYNC_GPU_COMMANDS_COMPLETE,
         Property::Flags => 0,
     };
-    if room > 0 {
+    if buf_size > 0 {
         match values.first_mut() {
             Some(place) => *place = value as GLint,
             None => return invalid_operation(SECTION, "values has room for nothing"),
         }
     }
     if let Some(length) = length.first_mut() {
-        *length = GLsizei::from(room > 0);
+        *length = GLsizei::from(buf_size > 0);
     }
     Ok(())
 }

@@ -6,8 +6,8 @@ use crate::base::error::{Result, invalid_operation, invalid_value};
 use crate::base::types::*;
 use crate::calls::pixels::memory::{source, write_bytes};
 use crate::calls::texture::bound::bound;
-use crate::calls::texture::specify::{ImageRequest, store_level};
-use crate::calls::texture::sub::{checked_area, write_area};
+use crate::calls::texture::level_request::{ImageRequest, LevelDesc};
+use crate::calls::texture::sub::BoxRequest;
 use crate::context::Context;
 use crate::objects::target::{Dimensions, any_bound, checked_level};
 use crate::pixel::convert;
@@ -44,15 +44,18 @@ fn compressed_tex_image(
     if border != 0 {
         return invalid_value(SECTION, format!("border = {border} of compressed images must be 0"));
     }
-    let request = ImageRequest::new(image, level, internal, format, given, border)?;
-    let Some(target) = request.bound(context)? else { return Ok(()) };
-    let bytes = checked_bytes(format, request.size, image_size)?;
+    let desc = LevelDesc::new(image, level, internal, format, given, border)?;
+    let request = match desc.request(context)? {
+        ImageRequest::Texture(request) => request,
+        ImageRequest::Proxy(proxy) => return proxy.apply(context),
+    };
+    let bytes = checked_bytes(format, request.desc.size, image_size)?;
     let source = source(context, data, bytes)?;
     let mut texels = request.storage()?;
     if let Some(source) = source {
         texels.texels[..bytes].copy_from_slice(checked_slice(source.bytes(), bytes)?);
     }
-    store_level(context, target, request.level, internal, texels)
+    request.apply(context, texels)
 }
 
 fn checked_slice(has: &[u8], bytes: usize) -> Result<&[u8]> {
@@ -76,7 +79,7 @@ fn compressed_tex_sub_image(
 ) -> Result<()> {
     let target = dimensions.bound(target)?;
     let format = COMPRESSED.decode("format", format)?.stored;
-    let area = checked_area(context, target, level, offset, size)?;
+    let area = BoxRequest::new(context, target, level, offset, size)?;
     if area.format != format {
         return invalid_operation(SECTION, "format must be the level's internalformat");
     }
@@ -88,7 +91,8 @@ fn compressed_tex_sub_image(
         );
     };
     let blocks = checked_slice(source.bytes(), bytes)?;
-    write_area(context, &area, blocks)
+    area.check_blocks()?;
+    area.apply(context, blocks)
 }
 
 pub(crate) fn get_compressed_tex_image(

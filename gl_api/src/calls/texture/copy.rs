@@ -2,9 +2,9 @@
 
 use crate::base::error::{Result, invalid_operation};
 use crate::base::types::*;
-use crate::calls::framebuffer::read;
-use crate::calls::texture::specify::{ImageRequest, store_level};
-use crate::calls::texture::sub::{checked_area, scratch, write_area};
+use crate::calls::framebuffer::read::ReadBuffer;
+use crate::calls::texture::level_request::{ImageRequest, LevelDesc, LevelRequest};
+use crate::calls::texture::sub::BoxRequest;
 use crate::context::Context;
 use crate::context::window::Region;
 use crate::draw::completeness::Readable;
@@ -16,39 +16,64 @@ use texunit::format::Format;
 
 const SECTION: &str = "GL 2.1, section 3.8.2";
 
-/// The pixels of a rectangle of the read framebuffer as texels of `format`, or as the colours that
-/// are compressed; black where it lies outside.
-fn copied(context: &mut Context, region: Region, format: Format) -> Result<Vec<u8>> {
-    let what = if format.is_depth() { Readable::Depth } else { Readable::Color };
-    let source = read::source(context, what)?;
-    if source.format().is_integer() != format.is_integer() {
-        return invalid_operation(
-            "EXT_texture_integer, section 3.8.2",
-            format!(
-                "{} is not converted to {}: integers stay integers, and other colours other colours",
-                format_name(source.format()),
-                format_name(format)
-            ),
-        );
-    }
-    if source.format().is_depth() != format.is_depth() {
-        return invalid_operation(SECTION, "depth is copied from depth, colours from colours");
-    }
-    let size = source.format().bytes();
-    let mut texels = scratch(source.format(), [region.width, region.height, 1])?;
-    let [width, height] = source.size();
-    if let Some(visible) = region.within(width, height) {
-        for y in visible.y..visible.y + visible.height {
-            let row = source.row(visible.x, y, visible.width);
-            let at = ((y as i64 - region.y) as usize * region.width
-                + (visible.x as i64 - region.x) as usize)
-                * size;
-            texels[at..at + visible.width * size].copy_from_slice(row);
+/// A region of the read framebuffer that is copied to texels of a format.
+struct CopySource {
+    buffer: ReadBuffer,
+    region: Region,
+    to: Format,
+}
+
+impl CopySource {
+    fn new(context: &Context, region: Region, to: Format) -> Result<Self> {
+        let what = if to.is_depth() { Readable::Depth } else { Readable::Color };
+        let buffer = ReadBuffer::new(context, what)?;
+        let from = buffer.format;
+        if from.is_integer() != to.is_integer() {
+            return invalid_operation(
+                "EXT_texture_integer, section 3.8.2",
+                format!(
+                    "{} is not converted to {}: integers stay integers, and other colours other colours",
+                    format_name(from),
+                    format_name(to)
+                ),
+            );
         }
+        if from.is_depth() != to.is_depth() {
+            return invalid_operation(SECTION, "depth is copied from depth, colours from colours");
+        }
+        Ok(Self { buffer, region, to })
     }
-    let to = if format.block().is_some() { blocks::COLORS } else { format };
-    let isa = context.recorder.isa();
-    Ok(convert::transcode(isa, source.format(), &texels, to, &context.state.transfer))
+
+    /// The texels, or the colours that are compressed; zeros where the region lies outside.
+    fn texels(&self, context: &mut Context) -> Result<Vec<u8>> {
+        let from = self.buffer.pixels(context)?;
+        let to = if self.to.block().is_some() { blocks::COLORS } else { self.to };
+        let (isa, transfer) = (context.recorder.isa(), &context.state.transfer);
+        Ok(convert::transcode(isa, from.format(), &from.region(self.region)?, to, transfer))
+    }
+}
+
+/// A checked `glCopyTexImage`.
+struct CopyTexImageRequest {
+    level: LevelRequest,
+    source: CopySource,
+}
+
+impl CopyTexImageRequest {
+    fn apply(self, context: &mut Context) -> Result<()> {
+        let Self { level: request, source } = self;
+        let texels = source.texels(context)?;
+        if source.to.block().is_some() {
+            let level = blocks::compress(source.to, request.desc.size, &texels)?;
+            return request.apply(context, level);
+        }
+        let mut level = request.storage()?;
+        let corner = level.border.map(|side| -(side as i32));
+        level
+            .write_box(corner, level.stored_size(), &texels)
+            .map_err(|error| storage_error(SECTION, &error))?;
+        request.apply(context, level)
+    }
 }
 
 fn copy_tex_image(
@@ -65,20 +90,15 @@ fn copy_tex_image(
         Some(format) => format.stored,
         None => UNCOMPRESSED.decode("internalformat", internal)?.stored,
     };
-    let request = ImageRequest::new(image, level, internal, format, size, border)?;
-    let Some(target) = request.bound(context)? else { return Ok(()) };
-    let [width, height, _] = request.given;
-    let texels = copied(context, Region::new(x, y, width as usize, height as usize), format)?;
-    if format.block().is_some() {
-        let level = blocks::compress(format, request.size, &texels)?;
-        return store_level(context, target, request.level, internal, level);
+    let desc = LevelDesc::new(image, level, internal, format, size, border)?;
+    match desc.request(context)? {
+        ImageRequest::Texture(level) => {
+            let [width, height, _] = level.desc.given.map(|side| side as usize);
+            let source = CopySource::new(context, Region::new(x, y, width, height), format)?;
+            CopyTexImageRequest { level, source }.apply(context)
+        }
+        ImageRequest::Proxy(proxy) => proxy.apply(context),
     }
-    let mut level = request.storage()?;
-    let corner = level.border.map(|side| -(side as i32));
-    level
-        .write_box(corner, level.stored_size(), &texels)
-        .map_err(|error| storage_error(SECTION, &error))?;
-    store_level(context, target, request.level, internal, level)
 }
 
 fn copy_tex_sub_image(
@@ -90,14 +110,12 @@ fn copy_tex_sub_image(
     [width, height]: [GLsizei; 2],
 ) -> Result<()> {
     let target = dimensions.bound(target)?;
-    let area = checked_area(context, target, level, offset, [width, height, 1])?;
+    let area = BoxRequest::new(context, target, level, offset, [width, height, 1])?;
     let region = Region::new(x, y, width as usize, height as usize);
-    let texels = copied(context, region, area.format)?;
-    if area.format.block().is_some() {
-        let level = blocks::compress(area.format, area.size, &texels)?;
-        return write_area(context, &area, convert::texels(&level));
-    }
-    write_area(context, &area, &texels)
+    let source = CopySource::new(context, region, area.format)?;
+    area.check_blocks()?;
+    let texels = source.texels(context)?;
+    area.apply_converted(context, &texels)
 }
 
 #[expect(clippy::too_many_arguments, reason = "GL's signature")]

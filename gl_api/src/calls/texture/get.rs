@@ -9,7 +9,7 @@ use crate::context::Context;
 use crate::objects::target::{TextureTarget, any_bound, checked_level};
 use crate::pixel::client::Pixel;
 use crate::pixel::client::format::{ClientFormat, LuminanceOf};
-use crate::pixel::convert::Final;
+use crate::pixel::convert::FinalConversion;
 use crate::pixel::layout::{Extent, Layout};
 use crate::pixel::transfer::Transfer;
 use crate::pixel::{blocks, convert};
@@ -18,7 +18,7 @@ use texunit::format::Format;
 const SECTION: &str = "GL 2.1, section 6.1.4";
 
 /// Checks that texels of a format can be read as these pixels.
-pub(crate) fn readable(pixel: Pixel, format: Format) -> Result<()> {
+pub(crate) fn check_readable(pixel: Pixel, format: Format) -> Result<()> {
     kinds_match(pixel, format)?;
     if pixel.format == ClientFormat::DepthStencil && !format.has_stencil() {
         return invalid_operation(
@@ -30,7 +30,7 @@ pub(crate) fn readable(pixel: Pixel, format: Format) -> Result<()> {
 }
 
 /// The pixels that a call asks for.
-pub(crate) fn asked_for(section: &'static str, format: GLenum, ty: GLenum) -> Result<Pixel> {
+pub(crate) fn requested_pixel(section: &'static str, format: GLenum, ty: GLenum) -> Result<Pixel> {
     let pixel = Pixel::new(format, ty)?;
     if pixel.format == ClientFormat::ColorIndex {
         return invalid_enum(section, "format = GL_COLOR_INDEX: texels have colours, no indices");
@@ -63,12 +63,12 @@ pub(crate) fn get_tex_image(
 ) -> Result<()> {
     let target = any_bound(target)?;
     let level = checked_level(SECTION, target.target, level)?;
-    let pixel = asked_for(SECTION, format, ty)?;
+    let pixel = requested_pixel(SECTION, format, ty)?;
     let image = bound(context, target.target).image.clone();
-    crate::draw::pass::settle(context, &image);
+    crate::draw::pass::submit_draws_to(context, &image);
     let texels = bound(context, target.target).image.texels();
     let Some(level) = texels.level(target.face.into(), level) else { return Ok(()) };
-    readable(pixel, level.format)?;
+    check_readable(pixel, level.format)?;
     let size = target.target.level_box(level.stored_size()).map(|side| side as usize);
     let layout = Layout::new(&context.state.pack, pixel, size, extent(target.target))?;
     // No transfer operations are performed on images that are read back.
@@ -76,7 +76,7 @@ pub(crate) fn get_tex_image(
     if level.format.block().is_some() {
         return crate::calls::pixels::memory::write_pixels(context, &layout, pixels, |bytes| {
             let rows = layout.rows().zip(blocks::rows(isa, level));
-            let last = Final::of(blocks::COLORS, LuminanceOf::Red);
+            let last = FinalConversion::of(blocks::COLORS, LuminanceOf::Red);
             convert::pack_rows(isa, &layout, blocks::COLORS, &transfer, last, rows, bytes);
         });
     }

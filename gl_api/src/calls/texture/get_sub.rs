@@ -3,7 +3,7 @@
 use crate::base::args::DataOut;
 use crate::base::error::{Result, invalid_operation, invalid_value, not_negative};
 use crate::base::types::*;
-use crate::calls::texture::get::{asked_for, extent, readable};
+use crate::calls::texture::get::{check_readable, extent, requested_pixel};
 use crate::context::Context;
 use crate::objects::target::{TextureTarget, checked_level};
 use crate::pixel::client::format::LuminanceOf;
@@ -50,7 +50,7 @@ impl TexelBox {
         let level = checked_level(SECTION, target, level)?;
         let offset = checked(["xoffset", "yoffset", "zoffset"], offset)?;
         let size = checked(["width", "height", "depth"], size)?;
-        crate::draw::pass::settle(context, &image);
+        crate::draw::pass::submit_draws_to(context, &image);
         let texels = image.texels();
         let faces = texels.shape().faces();
         let kind = |face| texels.level(face, level).map(|level| (level.size(), level.format));
@@ -97,8 +97,8 @@ impl TexelBox {
 
     /// Its texels out of those of a level, in units of `side` by `side` texels of so many bytes,
     /// which lie so far within what is stored.
-    fn cut(&self, all: &[u8], unit: Unit, out: &mut Vec<u8>) {
-        let Unit { side, bytes, border } = unit;
+    fn append_texels(&self, all: &[u8], unit: StorageUnit, out: &mut Vec<u8>) {
+        let StorageUnit { side, bytes, border } = unit;
         let sides = [side, side, 1];
         let stored: [usize; 3] =
             std::array::from_fn(|axis| self.whole[axis].div_ceil(sides[axis]) + 2 * border[axis]);
@@ -117,7 +117,7 @@ impl TexelBox {
 }
 
 /// What a level is stored in.
-struct Unit {
+struct StorageUnit {
     /// How many texels wide and high.
     side: usize,
     bytes: usize,
@@ -131,7 +131,7 @@ fn checked(names: [&str; 3], values: [GLint; 3]) -> Result<[usize; 3]> {
     Ok([value(x, values[0])?, value(y, values[1])?, value(z, values[2])?])
 }
 
-fn check_room(needed: usize, size: GLsizei) -> Result<()> {
+fn check_size(needed: usize, size: GLsizei) -> Result<()> {
     if usize::try_from(size).is_ok_and(|size| needed <= size) {
         return Ok(());
     }
@@ -155,28 +155,28 @@ pub(crate) fn get_texture_sub_image(
     pixels: DataOut<'_>,
 ) -> Result<()> {
     let (offset, size) = ([xoffset, yoffset, zoffset], [width, height, depth]);
-    let part = TexelBox::new(context, texture, level, offset, size)?;
-    let pixel = asked_for(SECTION, format, ty)?;
-    let Some(format) = part.format() else { return Ok(()) };
-    readable(pixel, format)?;
+    let texel_box = TexelBox::new(context, texture, level, offset, size)?;
+    let pixel = requested_pixel(SECTION, format, ty)?;
+    let Some(format) = texel_box.format() else { return Ok(()) };
+    check_readable(pixel, format)?;
     // Its faces are layers here.
-    let is_cube = part.target == TextureTarget::Cube;
-    let extent = if is_cube { Extent::Volume } else { extent(part.target) };
-    let layout = Layout::new(&context.state.pack, pixel, part.size, extent)?;
-    check_room(layout.needed, buf_size)?;
+    let is_cube = texel_box.target == TextureTarget::Cube;
+    let extent = if is_cube { Extent::Volume } else { extent(texel_box.target) };
+    let layout = Layout::new(&context.state.pack, pixel, texel_box.size, extent)?;
+    check_size(layout.needed, buf_size)?;
     // As of glGetTexImage, no transfer operations are performed.
     let (isa, transfer) = (context.recorder.isa(), Transfer::default());
     let (mut texels, mut stored) = (Vec::new(), format);
-    for level in part.levels() {
+    for level in texel_box.levels() {
         if level.format.block().is_some() {
             stored = blocks::COLORS;
-            let unit = Unit { side: 1, bytes: stored.bytes(), border: [0; 3] };
+            let unit = StorageUnit { side: 1, bytes: stored.bytes(), border: [0; 3] };
             let colors = blocks::rows(isa, level).collect::<Vec<_>>().concat();
-            part.cut(&colors, unit, &mut texels);
+            texel_box.append_texels(&colors, unit, &mut texels);
         } else {
-            let border = part.target.level_box(level.border).map(|side| side as usize);
-            let unit = Unit { side: 1, bytes: format.bytes(), border };
-            part.cut(convert::texels(level), unit, &mut texels);
+            let border = texel_box.target.level_box(level.border).map(|side| side as usize);
+            let unit = StorageUnit { side: 1, bytes: format.bytes(), border };
+            texel_box.append_texels(convert::texels(level), unit, &mut texels);
         }
     }
     crate::calls::pixels::memory::write_pixels(context, &layout, pixels, |bytes| {
@@ -199,15 +199,15 @@ pub(crate) fn get_compressed_texture_sub_image(
     pixels: DataOut<'_>,
 ) -> Result<()> {
     let (offset, size) = ([xoffset, yoffset, zoffset], [width, height, depth]);
-    let part = TexelBox::new(context, texture, level, offset, size)?;
-    let Some(format) = part.format() else { return Ok(()) };
+    let texel_box = TexelBox::new(context, texture, level, offset, size)?;
+    let Some(format) = texel_box.format() else { return Ok(()) };
     if format.block().is_none() {
         return invalid_operation(SECTION, "the level is not compressed: use glGetTextureSubImage");
     }
     let side = format.block_side() as usize;
     for axis in [0, 1] {
-        let (start, end) = (part.offset[axis], part.offset[axis] + part.size[axis]);
-        let ends = end.is_multiple_of(side) || end == part.whole[axis];
+        let (start, end) = (texel_box.offset[axis], texel_box.offset[axis] + texel_box.size[axis]);
+        let ends = end.is_multiple_of(side) || end == texel_box.whole[axis];
         if !start.is_multiple_of(side) || !ends {
             return invalid_value(
                 SECTION,
@@ -216,11 +216,11 @@ pub(crate) fn get_compressed_texture_sub_image(
         }
     }
     let mut all = Vec::new();
-    for level in part.levels() {
-        let unit = Unit { side, bytes: format.bytes(), border: [0; 3] };
-        part.cut(convert::texels(level), unit, &mut all);
+    for level in texel_box.levels() {
+        let unit = StorageUnit { side, bytes: format.bytes(), border: [0; 3] };
+        texel_box.append_texels(convert::texels(level), unit, &mut all);
     }
-    check_room(all.len(), buf_size)?;
+    check_size(all.len(), buf_size)?;
     crate::calls::pixels::memory::write_bytes(context, pixels, all.len(), |out| {
         out[..all.len()].copy_from_slice(&all)
     })

@@ -70,7 +70,7 @@ pub(crate) fn generate_mipmap(context: &mut Context, target: GLenum) -> Result<(
         return invalid_enum(SECTION, format!("target = {name} has no mipmaps"));
     }
     let image = bound(context, target).image.clone();
-    crate::draw::pass::settle(context, &image);
+    crate::draw::pass::submit_draws_to(context, &image);
     let isa = context.recorder.isa();
     let texture = bound_mut(context, target);
     let base = texture.sampler().base_level as usize;

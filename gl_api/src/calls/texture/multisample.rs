@@ -1,7 +1,7 @@
 //! Textures with several samples a texel: `glTexImage2DMultisample`, `3D` and those for good
 //! (`ARB_texture_multisample`, section 3.8.X; `ARB_texture_storage_multisample`).
 //!
-//! An image is stored as layers, one for each sample, which is how shaders fetch them. What is asked
+//! An image is stored as layers, one for each sample, which is how shaders fetch them. What is arguments
 //! for is a least number of samples: every image has the most that there are.
 
 use crate::base::constants::*;
@@ -9,7 +9,7 @@ use crate::base::error::{Result, Table, invalid_enum, invalid_operation, invalid
 use crate::base::limits;
 use crate::base::types::*;
 use crate::calls::texture::bound::{bound, bound_mut};
-use crate::calls::texture::specify::ImageRequest;
+use crate::calls::texture::level_request::{ImageRequest, LevelDesc, LevelRequest, ProxyRequest};
 use crate::context::Context;
 use crate::objects::target::{IMAGE_2D_MULTISAMPLE, IMAGE_3D_MULTISAMPLE, ImageTarget};
 use crate::objects::texture::Samples;
@@ -30,7 +30,7 @@ enum Lifetime {
 }
 
 /// The arguments of a call behind its target.
-struct Asked {
+struct Arguments {
     samples: GLsizei,
     internal: GLenum,
     size: [GLsizei; 3],
@@ -74,15 +74,14 @@ fn checked_storage(context: &Context, image: ImageTarget, size: [GLsizei; 3]) ->
     }
 }
 
-fn specify(
-    context: &mut Context,
-    table: &Table<ImageTarget>,
-    target: GLenum,
-    asked: &Asked,
+/// Checks a call. A proxy refuses more samples than there are by having no image.
+fn request(
+    context: &Context,
+    image: ImageTarget,
+    arguments: &Arguments,
     lifetime: Lifetime,
-) -> Result<()> {
-    let image = table.decode("target", target)?;
-    let &Asked { samples, internal, size, fixed_locations } = asked;
+) -> Result<ImageRequest> {
+    let &Arguments { samples, internal, size, fixed_locations } = arguments;
     let format = checked_format(internal, lifetime)?;
     if samples < 1 {
         return invalid_value(SECTION, format!("samples = {samples} must be at least 1"));
@@ -90,36 +89,48 @@ fn specify(
     if lifetime == Lifetime::Immutable {
         checked_storage(context, image, size)?;
     }
-    let mut request = ImageRequest::new(image, 0, internal, format, size, 0)?;
+    let mut desc = LevelDesc::new(image, 0, internal, format, size, 0)?;
     if samples > limits::MAX_SAMPLES.into() {
-        let ImageTarget::Proxy(target) = image else {
-            return invalid_operation(
+        return match image {
+            ImageTarget::Proxy(target) => {
+                Ok(ImageRequest::Proxy(ProxyRequest { target, level: 0, image: None }))
+            }
+            ImageTarget::Bound(_) => invalid_operation(
                 SECTION,
                 format!("samples = {samples} must not be above {}", limits::MAX_SAMPLES),
-            );
+            ),
         };
-        context.state.proxies[target as usize] = Default::default();
-        return Ok(());
     }
-    request.samples = Some(Samples { count: limits::MAX_SAMPLES, fixed_locations });
-    match request.bound(context)? {
-        Some(_) => store(context, &request, lifetime),
-        None => Ok(()),
+    desc.samples = Some(Samples { count: limits::MAX_SAMPLES, fixed_locations });
+    desc.request(context)
+}
+
+fn specify(
+    context: &mut Context,
+    table: &Table<ImageTarget>,
+    target: GLenum,
+    arguments: &Arguments,
+    lifetime: Lifetime,
+) -> Result<()> {
+    let image = table.decode("target", target)?;
+    match request(context, image, arguments, lifetime)? {
+        ImageRequest::Texture(request) => store(context, &request, lifetime),
+        ImageRequest::Proxy(request) => request.apply(context),
     }
 }
 
 /// Puts an image of zeros in place of the bound texture's.
-fn store(context: &mut Context, request: &ImageRequest, lifetime: Lifetime) -> Result<()> {
-    let target = request.image.target();
+fn store(context: &mut Context, request: &LevelRequest, lifetime: Lifetime) -> Result<()> {
+    let target = request.desc.image.target();
     let mut texels = Texels::new(target.shape());
     texels.set_level(0, 0, request.storage()?).map_err(|error| storage_error(SECTION, &error))?;
     let image = bound(context, target).image.clone();
     // What was recorded draws to the image as it was.
-    crate::draw::pass::settle(context, &image);
+    crate::draw::pass::submit_draws_to(context, &image);
     image.replace(texels, limits::MAX_SAMPLES, MultisampleStorage::EachSample);
     let texture = bound_mut(context, target);
-    texture.samples = request.samples;
-    texture.requested[0][0] = request.internal;
+    texture.samples = request.desc.samples;
+    texture.requested[0][0] = request.desc.internal;
     texture.immutable = match lifetime {
         Lifetime::Replaceable => None,
         Lifetime::Immutable => Some(1),
@@ -138,8 +149,8 @@ pub(crate) fn tex_image_2d_multisample(
     fixedsamplelocations: bool,
 ) -> Result<()> {
     let (size, fixed_locations) = ([width, height, 1], fixedsamplelocations);
-    let asked = Asked { samples, internal: internalformat, size, fixed_locations };
-    specify(context, &IMAGE_2D_MULTISAMPLE, target, &asked, Lifetime::Replaceable)
+    let arguments = Arguments { samples, internal: internalformat, size, fixed_locations };
+    specify(context, &IMAGE_2D_MULTISAMPLE, target, &arguments, Lifetime::Replaceable)
 }
 
 #[expect(clippy::too_many_arguments, reason = "GL's signature")]
@@ -154,8 +165,8 @@ pub(crate) fn tex_image_3d_multisample(
     fixedsamplelocations: bool,
 ) -> Result<()> {
     let (size, fixed_locations) = ([width, height, depth], fixedsamplelocations);
-    let asked = Asked { samples, internal: internalformat, size, fixed_locations };
-    specify(context, &IMAGE_3D_MULTISAMPLE, target, &asked, Lifetime::Replaceable)
+    let arguments = Arguments { samples, internal: internalformat, size, fixed_locations };
+    specify(context, &IMAGE_3D_MULTISAMPLE, target, &arguments, Lifetime::Replaceable)
 }
 
 pub(crate) fn tex_storage_2d_multisample(
@@ -168,8 +179,8 @@ pub(crate) fn tex_storage_2d_multisample(
     fixedsamplelocations: bool,
 ) -> Result<()> {
     let (size, fixed_locations) = ([width, height, 1], fixedsamplelocations);
-    let asked = Asked { samples, internal: internalformat, size, fixed_locations };
-    specify(context, &IMAGE_2D_MULTISAMPLE, target, &asked, Lifetime::Immutable)
+    let arguments = Arguments { samples, internal: internalformat, size, fixed_locations };
+    specify(context, &IMAGE_2D_MULTISAMPLE, target, &arguments, Lifetime::Immutable)
 }
 
 #[expect(clippy::too_many_arguments, reason = "GL's signature")]
@@ -184,6 +195,6 @@ pub(crate) fn tex_storage_3d_multisample(
     fixedsamplelocations: bool,
 ) -> Result<()> {
     let (size, fixed_locations) = ([width, height, depth], fixedsamplelocations);
-    let asked = Asked { samples, internal: internalformat, size, fixed_locations };
-    specify(context, &IMAGE_3D_MULTISAMPLE, target, &asked, Lifetime::Immutable)
+    let arguments = Arguments { samples, internal: internalformat, size, fixed_locations };
+    specify(context, &IMAGE_3D_MULTISAMPLE, target, &arguments, Lifetime::Immutable)
 }

@@ -4,7 +4,7 @@ use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_enum, invalid_operation, invalid_value};
 use crate::base::types::*;
 use crate::calls::texture::bound::{bound, bound_mut};
-use crate::calls::texture::specify::ImageRequest;
+use crate::calls::texture::level_request::{ImageRequest, LevelDesc, LevelRequest, ProxyRequest};
 use crate::context::Context;
 use crate::objects::target::{FaceTarget, ImageTarget, TextureTarget};
 use crate::pixel::formats::sized_format;
@@ -71,52 +71,79 @@ fn checked_levels(target: TextureTarget, levels: GLsizei, size: [GLsizei; 3]) ->
     Ok(levels as usize)
 }
 
-fn tex_storage(
-    context: &mut Context,
-    table: &Table<ImageTarget>,
-    target: GLenum,
-    levels: GLsizei,
-    internal: GLenum,
-    size: [GLsizei; 3],
-) -> Result<()> {
-    let image = table.decode("target", target)?;
-    let target = image.target();
-    let Some(format) = sized_format(internal).map(|format| format.stored) else {
-        return invalid_enum(
-            SECTION,
-            format!(
-                "internalformat = {} must be sized, as GL_RGBA8 or GL_DEPTH_COMPONENT24",
-                enum_name(internal)
-            ),
-        );
-    };
-    let levels = checked_levels(target, levels, size)?;
-    if let ImageTarget::Bound(_) = image {
-        let name = context.state.units.active().bound[target as usize].name();
-        if name == 0 || bound(context, target).immutable.is_some() {
-            let why = if name == 0 { "is the default one" } else { "has storage for good already" };
-            return invalid_operation(SECTION, format!("texture {name} {why}: bind another"));
-        }
-    }
-    let mut made = Vec::new();
-    let mut side = target.level_box(size.map(|side| side as u32));
-    for level in 0..levels {
-        let given = target.level_box(side).map(|side| side as GLsizei);
-        let request = ImageRequest::new(image, level as GLint, internal, format, given, 0)?;
-        match request.bound(context)? {
-            Some(_) => made.push(request.storage()?),
-            None if context.state.proxies[target as usize][level].is_none() => {
-                // One level that cannot be stored is enough for the proxy to say so.
-                context.state.proxies[target as usize] = Default::default();
-                return Ok(());
+/// A checked `glTexStorage`.
+enum StorageRequest {
+    /// All levels that the bound texture is to have.
+    Texture { target: TextureTarget, internal: GLenum, levels: Vec<LevelRequest> },
+    /// The answers for all levels of a proxy.
+    Proxy { target: TextureTarget, levels: Vec<ProxyRequest> },
+}
+
+impl StorageRequest {
+    fn new(
+        context: &Context,
+        image: ImageTarget,
+        levels: GLsizei,
+        internal: GLenum,
+        size: [GLsizei; 3],
+    ) -> Result<Self> {
+        let target = image.target();
+        let Some(format) = sized_format(internal).map(|format| format.stored) else {
+            return invalid_enum(
+                SECTION,
+                format!(
+                    "internalformat = {} must be sized, as GL_RGBA8 or GL_DEPTH_COMPONENT24",
+                    enum_name(internal)
+                ),
+            );
+        };
+        let count = checked_levels(target, levels, size)?;
+        if let ImageTarget::Bound(_) = image {
+            let name = context.state.units.active().bound[target as usize].name();
+            if name == 0 || bound(context, target).immutable.is_some() {
+                let why =
+                    if name == 0 { "is the default one" } else { "has storage for good already" };
+                return invalid_operation(SECTION, format!("texture {name} {why}: bind another"));
             }
-            None => {}
         }
-        side = target.shape().halved(side);
+        let (mut levels, mut proxies) = (Vec::new(), Vec::new());
+        let mut side = target.level_box(size.map(|side| side as u32));
+        for level in 0..count as GLint {
+            let given = target.level_box(side).map(|side| side as GLsizei);
+            let desc = LevelDesc::new(image, level, internal, format, given, 0)?;
+            match desc.request(context)? {
+                ImageRequest::Texture(request) => levels.push(request),
+                ImageRequest::Proxy(request) => {
+                    let fits = request.image.is_some();
+                    proxies.push(request);
+                    if !fits {
+                        break;
+                    }
+                }
+            }
+            side = target.shape().halved(side);
+        }
+        Ok(match image {
+            ImageTarget::Bound(_) => Self::Texture { target, internal, levels },
+            ImageTarget::Proxy(_) => Self::Proxy { target, levels: proxies },
+        })
     }
-    match image {
-        ImageTarget::Bound(_) => store(context, target, internal, made),
-        ImageTarget::Proxy(_) => Ok(()),
+
+    fn apply(self, context: &mut Context) -> Result<()> {
+        match self {
+            Self::Texture { target, internal, levels } => {
+                let levels: Result<Vec<Level>> = levels.iter().map(LevelRequest::storage).collect();
+                store(context, target, internal, levels?)
+            }
+            // One level that cannot be stored is enough for the proxy to say so.
+            Self::Proxy { target, levels } if levels.iter().any(|level| level.image.is_none()) => {
+                context.state.proxies[target as usize] = Default::default();
+                Ok(())
+            }
+            Self::Proxy { levels, .. } => {
+                levels.into_iter().try_for_each(|level| level.apply(context))
+            }
+        }
     }
 }
 
@@ -135,7 +162,7 @@ fn store(
         }
     }
     let image = bound(context, target).image.clone();
-    crate::draw::pass::settle(context, &image);
+    crate::draw::pass::submit_draws_to(context, &image);
     let texture = bound_mut(context, target);
     texture.image.update(|image| *image = all);
     for requested in &mut texture.requested {
@@ -154,7 +181,8 @@ pub(crate) fn tex_storage_1d(
     internalformat: GLenum,
     width: GLsizei,
 ) -> Result<()> {
-    tex_storage(context, &STORAGE_1D, target, levels, internalformat, [width, 1, 1])
+    let image = STORAGE_1D.decode("target", target)?;
+    StorageRequest::new(context, image, levels, internalformat, [width, 1, 1])?.apply(context)
 }
 
 pub(crate) fn tex_storage_2d(
@@ -165,7 +193,8 @@ pub(crate) fn tex_storage_2d(
     width: GLsizei,
     height: GLsizei,
 ) -> Result<()> {
-    tex_storage(context, &STORAGE_2D, target, levels, internalformat, [width, height, 1])
+    let image = STORAGE_2D.decode("target", target)?;
+    StorageRequest::new(context, image, levels, internalformat, [width, height, 1])?.apply(context)
 }
 
 pub(crate) fn tex_storage_3d(
@@ -177,5 +206,7 @@ pub(crate) fn tex_storage_3d(
     height: GLsizei,
     depth: GLsizei,
 ) -> Result<()> {
-    tex_storage(context, &STORAGE_3D, target, levels, internalformat, [width, height, depth])
+    let image = STORAGE_3D.decode("target", target)?;
+    StorageRequest::new(context, image, levels, internalformat, [width, height, depth])?
+        .apply(context)
 }

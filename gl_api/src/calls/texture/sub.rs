@@ -1,9 +1,7 @@
 //! `glTexSubImage1D`, `2D` and `3D`: GL 2.1, section 3.8.2.
 
 use crate::base::args::Data;
-use crate::base::error::{
-    ErrorCode, GlError, Result, invalid_operation, invalid_value, not_negative,
-};
+use crate::base::error::{Result, invalid_operation, invalid_value, not_negative};
 use crate::base::types::*;
 use crate::calls::pixels::memory::pixel_source;
 use crate::calls::texture::bound::{bound, bound_mut};
@@ -12,108 +10,177 @@ use crate::context::Context;
 use crate::objects::target::{Dimensions, FaceTarget, checked_level};
 use crate::pixel::client::Pixel;
 use crate::pixel::layout::Layout;
+use crate::pixel::memory::Source;
+use crate::pixel::scratch::scratch;
+use crate::pixel::storage_error::storage_error;
 use crate::pixel::{blocks, convert};
 use std::sync::Arc;
 use texunit::format::Format;
-use texunit::image::Level;
+use texunit::image::{ImageError, Level};
 
 const SECTION: &str = "GL 2.1, section 3.8.2";
 
-/// A box of a level that exists.
+/// A box of a level of the bound texture, which a call is to overwrite: it exists, and lies inside the level or its
+/// border.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Area {
-    pub target: FaceTarget,
-    pub level: usize,
+pub(crate) struct BoxRequest {
+    target: FaceTarget,
+    level: usize,
     /// The level's format.
     pub format: Format,
+    /// Width, height and depth of the level.
+    whole: [u32; 3],
     /// The lowest corner within the level; -1 is the border.
-    pub at: [i32; 3],
+    at: [i32; 3],
     /// Width, height and depth within the level.
     pub size: [u32; 3],
 }
 
-/// Checks that a box, as a call names it, lies inside a level that exists or its border.
-pub(crate) fn checked_area(
-    context: &Context,
-    target: FaceTarget,
-    level: GLint,
-    offset: [GLint; 3],
-    size: [GLsizei; 3],
-) -> Result<Area> {
-    let level = checked_level(SECTION, target.target, level)?;
-    for (argument, side) in ["width", "height", "depth"].into_iter().zip(size) {
-        not_negative(SECTION, argument, side.into())?;
-    }
-    let image = bound(context, target.target).image.texels();
-    let Some(texels) = image.level(target.face.into(), level) else {
-        return invalid_operation(
-            SECTION,
-            format!(
-                "level {level} has no image yet: call {} first",
-                target.target.shape().image_call()
-            ),
-        );
-    };
-    let limits = target.target.level_box(texels.size());
-    let borders = target.target.level_box(texels.border);
-    let names = [("xoffset", "width"), ("yoffset", "height"), ("zoffset", "depth")];
-    for (axis, (name, argument)) in names.into_iter().enumerate() {
-        let (at, side) = (offset[axis], size[axis]);
-        let (low, high) = (-i64::from(borders[axis]), i64::from(limits[axis] + borders[axis]));
-        if i64::from(at) < low || i64::from(at) + i64::from(side) > high {
-            return invalid_value(
+impl BoxRequest {
+    pub fn new(
+        context: &Context,
+        target: FaceTarget,
+        level: GLint,
+        offset: [GLint; 3],
+        size: [GLsizei; 3],
+    ) -> Result<Self> {
+        let level = checked_level(SECTION, target.target, level)?;
+        for (argument, side) in ["width", "height", "depth"].into_iter().zip(size) {
+            not_negative(SECTION, argument, side.into())?;
+        }
+        let image = bound(context, target.target).image.texels();
+        let Some(texels) = image.level(target.face.into(), level) else {
+            return invalid_operation(
                 SECTION,
-                format!("{name} = {at} and {argument} = {side} reach outside {low} to {high}"),
+                format!(
+                    "level {level} has no image yet: call {} first",
+                    target.target.shape().image_call()
+                ),
             );
+        };
+        let limits = target.target.level_box(texels.size());
+        let borders = target.target.level_box(texels.border);
+        let names = [("xoffset", "width"), ("yoffset", "height"), ("zoffset", "depth")];
+        for (axis, (name, argument)) in names.into_iter().enumerate() {
+            let (at, side) = (offset[axis], size[axis]);
+            let (low, high) = (-i64::from(borders[axis]), i64::from(limits[axis] + borders[axis]));
+            if i64::from(at) < low || i64::from(at) + i64::from(side) > high {
+                return invalid_value(
+                    SECTION,
+                    format!("{name} = {at} and {argument} = {side} reach outside {low} to {high}"),
+                );
+            }
+        }
+        Ok(Self {
+            target,
+            level,
+            format: texels.format,
+            whole: texels.size(),
+            at: target.target.level_box(offset),
+            size: target.target.level_box(size.map(|side| side as u32)),
+        })
+    }
+
+    /// Refuses a box that cuts blocks of a compressed level (`EXT_texture_compression_s3tc`, section 3.8.2). Every call
+    /// checks its pixels first.
+    pub fn check_blocks(&self) -> Result<()> {
+        if self.format.block().is_none() {
+            return Ok(());
+        }
+        let &Self { at, size, whole, .. } = self;
+        let side = self.format.block_side();
+        let cuts = |axis: usize| {
+            let reaches_edge = i64::from(at[axis]) + i64::from(size[axis]) >= whole[axis].into();
+            at[axis].rem_euclid(side as i32) != 0
+                || !size[axis].is_multiple_of(side) && !reaches_edge
+        };
+        match cuts(0) || cuts(1) {
+            true => Err(storage_error(SECTION, &ImageError::CutsBlocks { at, size })),
+            false => Ok(()),
         }
     }
-    Ok(Area {
-        target,
-        level,
-        format: texels.format,
-        at: target.target.level_box(offset),
-        size: target.target.level_box(size.map(|side| side as u32)),
-    })
-}
 
-/// Overwrites a box that [`checked_area`] accepted.
-pub(crate) fn write_area(context: &mut Context, area: &Area, texels: &[u8]) -> Result<()> {
-    let target = area.target;
-    let image = bound(context, target.target).image.clone();
-    crate::draw::pass::settle(context, &image);
-    let isa = context.recorder.isa();
-    // Its plan reads the texels: while it is there they would be copied first.
-    bound_mut(context, target.target).texels_changed();
-    if image.update(|image| is_dear(image.level(target.face.into(), area.level))) {
-        crate::draw::pass::submit(context);
+    /// Overwrites the box with texels of the level's format.
+    pub fn apply(&self, context: &mut Context, texels: &[u8]) -> Result<()> {
+        let (target, face) = (self.target.target, self.target.face.into());
+        let image = bound(context, target).image.clone();
+        crate::draw::pass::submit_draws_to(context, &image);
+        let isa = context.recorder.isa();
+        // Its plan reads the texels: while it is there they would be copied first.
+        bound_mut(context, target).texels_changed();
+        if image.update(|image| is_expensive_to_copy(image.level(face, self.level))) {
+            crate::draw::pass::submit(context);
+        }
+        let texture = bound_mut(context, target);
+        let written = texture.image.update(|image| {
+            image
+                .level_mut(face, self.level)
+                .map_or(Ok(()), |level| level.write_box(self.at, self.size, texels))
+        });
+        written.map_err(|error| storage_error(SECTION, &error))?;
+        crate::calls::texture::mipmap::base_level_changed(isa, texture, face, self.level)
     }
-    let texture = bound_mut(context, target.target);
-    let written = texture.image.update(|image| {
-        image
-            .level_mut(target.face.into(), area.level)
-            .map_or(Ok(()), |level| level.write_box(area.at, area.size, texels))
-    });
-    written.map_err(|error| crate::pixel::storage_error::storage_error(SECTION, &error))?;
-    crate::calls::texture::mipmap::base_level_changed(isa, texture, target.face.into(), area.level)
+
+    /// Overwrites the box with tightly packed texels of [`Self::transfer_format`].
+    pub fn apply_converted(&self, context: &mut Context, texels: &[u8]) -> Result<()> {
+        if self.format.block().is_some() {
+            let level = blocks::compress(self.format, self.size, texels)?;
+            return self.apply(context, convert::texels(&level));
+        }
+        self.apply(context, texels)
+    }
+
+    /// The format that pixels are converted to: the level's, or that of colours which are compressed then.
+    fn transfer_format(&self) -> Format {
+        if self.format.block().is_some() { blocks::COLORS } else { self.format }
+    }
 }
 
 /// Whether to copy a level for draws that wait costs more than to carry these out before it is written to.
-fn is_dear(level: Option<&Arc<Level>>) -> bool {
-    const DEAR: usize = 1 << 19;
-    level.is_some_and(|level| level.texels.len() >= DEAR && Arc::strong_count(level) > 1)
+fn is_expensive_to_copy(level: Option<&Arc<Level>>) -> bool {
+    const EXPENSIVE: usize = 1 << 19;
+    level.is_some_and(|level| level.texels.len() >= EXPENSIVE && Arc::strong_count(level) > 1)
 }
 
-/// Memory for the texels of a box.
-pub(crate) fn scratch(format: Format, size: [usize; 3]) -> Result<Vec<u8>> {
-    let sides = size.iter().chain([&format.bytes()]).try_fold(1_usize, |a, &b| a.checked_mul(b));
-    let bytes = sides.unwrap_or(usize::MAX);
-    texunit::image::zeroed(bytes).ok_or_else(|| {
-        GlError::new(
-            ErrorCode::OutOfMemory,
-            SECTION,
-            format!("there is no memory for {bytes} bytes of texels"),
-        )
-    })
+/// A checked `glTexSubImage`: the box, and the pixels that go there.
+struct TexSubImageRequest<'a> {
+    area: BoxRequest,
+    layout: Layout,
+    source: Source<'a>,
+}
+
+impl<'a> TexSubImageRequest<'a> {
+    /// `None` for a box without texels.
+    fn new(
+        context: &mut Context,
+        area: BoxRequest,
+        layout: Layout,
+        pixels: Data<'a>,
+    ) -> Result<Option<Self>> {
+        if layout.needed == 0 {
+            return Ok(None);
+        }
+        let Some(source) = pixel_source(context, "glTexSubImage", &layout, pixels)? else {
+            return invalid_operation(
+                SECTION,
+                format!("pixels must not be NULL: {} bytes are needed", layout.needed),
+            );
+        };
+        area.check_blocks()?;
+        Ok(Some(Self { area, layout, source }))
+    }
+
+    fn apply(self, context: &mut Context) -> Result<()> {
+        let Self { area, layout, source } = self;
+        let (isa, transfer) = (context.recorder.isa(), &context.state.transfer);
+        let (bytes, format) = (source.bytes(), area.transfer_format());
+        if let Some(texels) = convert::as_texels(isa, &layout, bytes, area.format, transfer) {
+            return area.apply(context, texels);
+        }
+        let mut texels = scratch(format, layout.size)?;
+        convert::unpack(isa, &layout, bytes, format, transfer, &mut texels);
+        area.apply_converted(context, &texels)
+    }
 }
 
 fn tex_sub_image(
@@ -127,31 +194,14 @@ fn tex_sub_image(
 ) -> Result<()> {
     let target = dimensions.bound(target)?;
     let pixel = Pixel::new(format, ty)?;
-    let area = checked_area(context, target, level, offset, size)?;
+    let area = BoxRequest::new(context, target, level, offset, size)?;
     kinds_match(pixel, area.format)?;
     let size = size.map(|side| side as usize);
     let layout = Layout::new(&context.state.unpack, pixel, size, extent(dimensions))?;
-    if layout.needed == 0 {
-        return Ok(());
+    match TexSubImageRequest::new(context, area, layout, pixels)? {
+        Some(request) => request.apply(context),
+        None => Ok(()),
     }
-    let Some(source) = pixel_source(context, "glTexSubImage", &layout, pixels)? else {
-        return invalid_operation(
-            SECTION,
-            format!("pixels must not be NULL: {} bytes are needed", layout.needed),
-        );
-    };
-    let format = if area.format.block().is_some() { blocks::COLORS } else { area.format };
-    let (isa, transfer) = (context.recorder.isa(), &context.state.transfer);
-    if let Some(texels) = convert::as_texels(isa, &layout, source.bytes(), area.format, transfer) {
-        return write_area(context, &area, texels);
-    }
-    let mut texels = scratch(format, size)?;
-    convert::unpack(isa, &layout, source.bytes(), format, transfer, &mut texels);
-    if area.format.block().is_some() {
-        let level = blocks::compress(area.format, area.size, &texels)?;
-        return write_area(context, &area, convert::texels(&level));
-    }
-    write_area(context, &area, &texels)
 }
 
 #[expect(clippy::too_many_arguments, reason = "GL's signature")]
@@ -227,7 +277,7 @@ mod tests {
     }
 
     #[test]
-    fn draws_are_carried_out_where_a_copy_for_them_would_be_dear() {
+    fn draws_are_carried_out_where_a_copy_for_them_would_be_expensive() {
         assert!(waits(64) && !waits(512));
     }
 }

@@ -174,8 +174,8 @@ pub(crate) fn attribute(context: &mut Context, slot: Slot, value: [f32; 4]) -> R
 
 /// Changes the current value of an attribute, or of a part of a material.
 pub(crate) fn set_current(context: &mut Context, location: usize, value: [f32; 4]) {
-    if let Some(PendingPrimitives::Vertices(ended)) = &context.pending
-        && ended.column_of(location).is_none()
+    if let Some(PendingPrimitives::Vertices(pending)) = &context.pending
+        && pending.column_of(location).is_none()
     {
         end_before_change(context, location, value);
     }

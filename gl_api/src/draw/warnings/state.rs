@@ -73,8 +73,8 @@ const NO_COLOR_BUFFER: &str = "draw: no colour buffer is drawn to, as glDrawBuff
 
 #[cold]
 #[inline(never)]
-fn say(context: &mut Context, hint: DrawWarning, text: &str) {
-    if context.is_first_warning(hint, 0) {
+fn say(context: &mut Context, warning: DrawWarning, text: &str) {
+    if context.is_first_warning(warning, 0) {
         context.debug.warn(text.to_owned());
     }
 }
@@ -105,8 +105,8 @@ fn without_light(context: &mut Context) {
 /// Warns of a test without a buffer for it, once for all framebuffers: it is legal, and usual in post-processing.
 #[cold]
 #[inline(never)]
-fn missing(context: &mut Context, hint: DrawWarning, [test, buffer, size]: [&str; 3]) {
-    if !context.is_first_warning(hint, 0) {
+fn missing(context: &mut Context, warning: DrawWarning, [test, buffer, size]: [&str; 3]) {
+    if !context.is_first_warning(warning, 0) {
         return;
     }
     let (place, fix) = match context.state.bindings.draw_framebuffer {
@@ -170,11 +170,11 @@ fn colors(context: &mut Context, pass: &PassDesc, desc: &PipelineDesc) {
     let mut written = pass.colors.iter().zip(&desc.colors);
     if !written.any(|(color, state)| color.is_some() && state.mask.contains(&true)) {
         let masked = pass.colors.iter().any(Option::is_some);
-        let (hint, text) = match masked {
+        let (warning, text) = match masked {
             true => (DrawWarning::NoColor, MASKED),
             false => (DrawWarning::NoColorBuffer, NO_COLOR_BUFFER),
         };
-        say(context, hint, text);
+        say(context, warning, text);
         return;
     }
     let outputs = &desc.fragment.module().outputs;

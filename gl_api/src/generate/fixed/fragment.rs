@@ -147,8 +147,8 @@ fn texture(b: &mut Builder, key: &FragmentKey, primary: [Value; 4]) -> [Value; 4
         let constant = words(b, key.base + word::ENV_COLOR + 4 * u32::from(unit.unit));
         let clamp = key.clamp;
         let from = Sources { texels: &texels, unit: unit.unit, constant, primary, previous, clamp };
-        let passed = apply(b, &unit.environment, unit.base, &from);
-        previous = passed.map(|value| clamped(b, unit.clamp, value));
+        let output = apply(b, &unit.environment, unit.base, &from);
+        previous = output.map(|value| clamped(b, unit.clamp, value));
     }
     previous
 }

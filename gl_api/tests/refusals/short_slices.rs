@@ -205,7 +205,7 @@ const PLACES: &[Refused] = &[
 pub fn run() {
     let mut c = super::context();
     for (number, call) in CALLS.iter().enumerate() {
-        super::row(&mut c, format!("short {number}"), call, GL_INVALID_OPERATION, "numbers");
+        super::row(&mut c, format!("short slices {number}"), call, GL_INVALID_OPERATION, "numbers");
     }
     for (number, (call, flag)) in PLACES.iter().enumerate() {
         super::row(&mut c, format!("place {number}"), call, *flag, "must be");

@@ -253,6 +253,6 @@ pub fn run() {
     for (number, (prepare, call, flag, words)) in CASES.iter().enumerate() {
         let mut c = super::context();
         prepare(&mut c);
-        super::row(&mut c, format!("rest {number}"), call, *flag, words);
+        super::row(&mut c, format!("sibling forms {number}"), call, *flag, words);
     }
 }

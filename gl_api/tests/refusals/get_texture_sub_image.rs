@@ -64,7 +64,7 @@ pub fn run() {
             let out = DataOut::Bytes(&mut bytes);
             c.get_texture_sub_image(texture, level, x, y, z, w, h, d, format, ty, 255, out);
         };
-        super::row(&mut prepared(), format!("parts {number}"), &call, flag, words);
+        super::row(&mut prepared(), format!("glGetTextureSubImage {number}"), &call, flag, words);
     }
     for (number, row) in COMPRESSED.iter().enumerate() {
         let &(texture, level, [x, y, z], [w, h, d], _, flag, words) = row;
