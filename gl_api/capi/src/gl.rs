@@ -118,4 +118,4 @@ pub(crate) fn functions() -> Vec<(&'static str, *const ())> {
 }
 
 #[cfg(test)]
-mod guard_pages;
+mod storm;
