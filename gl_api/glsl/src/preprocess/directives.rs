@@ -330,7 +330,8 @@ impl Preprocessor<'_> {
     }
 
     fn line(&mut self, span: Span, rest: &[Token]) {
-        let expanded = match self.macros.expand(rest.to_vec(), self.source, self.language.version) {
+        let version = self.language.version;
+        let expanded = match self.macros.expand(rest.to_vec(), self.source, version, self.log) {
             Ok(expanded) => expanded,
             Err(problem) => {
                 self.log.push(*problem);
