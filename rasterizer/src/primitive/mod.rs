@@ -12,5 +12,5 @@ mod triangles;
 pub use invisible::{Drawn, Reason, Reasons, Side, reasons};
 pub use line::LineRun;
 pub use outline::{rectangle, stipple_lines};
-pub use planes::{Across, DepthSetup, Inverse, Plane, VertexPlanes, point_coord};
+pub use planes::{Across, DepthSetup, Inverse, Plane, VertexPlanes, line_direction, point_coord};
 pub use setup::{Clipping, Setup, Shape, ShapeKind, setup};

@@ -153,6 +153,7 @@ impl PlaneGroup {
                 PlaneSource::InverseW
                 | PlaneSource::NoPerspective(_)
                 | PlaneSource::PointCoord(_)
+                | PlaneSource::LineDirection(_)
                 | PlaneSource::Sprite(..) => false,
             });
         let mut general = !0;
@@ -239,6 +240,7 @@ impl Kernel for ComputePlanes<'_> {
                 PlaneSource::NoPerspective(_)
                 | PlaneSource::Sprite(..)
                 | PlaneSource::InverseW
+                | PlaneSource::LineDirection(_)
                 | PlaneSource::PointCoord(_) => continue,
             };
             if at / 4 != four {

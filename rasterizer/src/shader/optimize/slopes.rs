@@ -5,21 +5,25 @@
 //! Formal differentiation over the few operations that such coordinates are made of. A coordinate
 //! that is made of anything else keeps the differences of the quad, and so do the others of its
 //! lookup.
+//!
+//! Of lines, the scale factor is made of the derivative along the line (GL 2.1, section 3.8.8), which
+//! takes the place of that along x; that along y is 0.
 
 use crate::ir::{
     Access, Axis, Block, Expr, Input, Interpolation, Lod, Module, Op, Stage, Stmt, Ty, Value,
 };
+use crate::shader::LevelOfDetail;
 
 /// How many operations deep a coordinate is followed.
 const DEPTH: u32 = 12;
 
 /// Runs the pass; says whether it changed anything.
-pub(super) fn run(module: &mut Module) -> bool {
+pub(super) fn run(module: &mut Module, lod: LevelOfDetail) -> bool {
     if module.stage != Stage::Fragment {
         return false;
     }
     let body = std::mem::take(&mut module.body);
-    let mut pass = Pass { module, changed: false };
+    let mut pass = Pass { module, lod, changed: false };
     let body = pass.block(body);
     let changed = pass.changed;
     module.body = body;
@@ -28,6 +32,7 @@ pub(super) fn run(module: &mut Module) -> bool {
 
 struct Pass<'a> {
     module: &'a mut Module,
+    lod: LevelOfDetail,
     changed: bool,
 }
 
@@ -87,10 +92,14 @@ impl Pass<'_> {
         for (slope, coord) in slopes.iter_mut().zip(&coords[..axes]) {
             match self.slope(*coord, DEPTH, &mut emitted) {
                 Some(found) => *slope = found,
-                None => return,
+                None if self.lod == LevelOfDetail::OfPolygons => return,
+                None => *slope = Slope::Of(self.differences(*coord, &mut emitted)),
             }
         }
         let zero = self.push(Expr::Const { bits: 0, ty: Ty::F32 });
+        if self.lod == LevelOfDetail::OfLines {
+            self.turn(&mut slopes, zero, &mut emitted);
+        }
         let along = |axis: usize| {
             slopes.map(|slope| match slope {
                 Slope::Zero => zero,
@@ -102,6 +111,37 @@ impl Pass<'_> {
             sample.lod = lod;
             self.changed = true;
             out.extend(emitted.into_iter().map(Stmt::Eval));
+        }
+    }
+
+    /// The differences of a value in its quad.
+    fn differences(&mut self, value: Value, emitted: &mut Vec<Value>) -> [Value; 2] {
+        [Axis::X, Axis::Y].map(|axis| {
+            let difference = self.push(Expr::Derivative { axis, value });
+            emitted.push(difference);
+            difference
+        })
+    }
+
+    /// Where the fragment is of a line, makes derivatives along x and y that along the line and 0: the formula of
+    /// polygons then gives that of lines.
+    fn turn(&mut self, slopes: &mut [Slope; 3], zero: Value, emitted: &mut Vec<Value>) {
+        let direction =
+            [Axis::X, Axis::Y].map(|axis| self.push(Expr::Input(Input::LineDirection(axis))));
+        let is_set = direction.map(|part| self.op(Op::NotEqual, [part, zero], emitted));
+        let is_line = self.op(Op::Or, is_set, emitted);
+        for slope in slopes {
+            let Slope::Of(values) = *slope else { continue };
+            let parts =
+                [0, 1].map(|axis| self.op(Op::Mul, [values[axis], direction[axis]], emitted));
+            let along = self.op(Op::Add, parts, emitted);
+            let turned = [(along, values[0]), (zero, values[1])].map(|(of_line, other)| {
+                let select = Expr::Op { op: Op::SelectF, args: [is_line, of_line, other] };
+                let value = self.push(select);
+                emitted.push(value);
+                value
+            });
+            *slope = Slope::Of(turned);
         }
     }
 
