@@ -56,7 +56,7 @@ pub struct ContextDesc {
     pub fix_its: FixIts,
     /// Whether the GLSL compiler accepts, with a warning, what a shader's version does not have and
     /// all drivers accept: `##` before GLSL 1.30, lines continued by a backslash, the suffix `f` in
-    /// GLSL 1.10, undefined names in conditions.
+    /// GLSL 1.10, undefined names in conditions, late `#extension`, and some functions.
     pub strictness: Strictness,
     /// The device; `None` shares one that the environment describes.
     pub device: Option<Arc<Device>>,

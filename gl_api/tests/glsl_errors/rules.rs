@@ -279,6 +279,26 @@ pub const DEVIATIONS: &[(Stage, &str, &str)] = &[
     ),
     (Fragment, "void main() { float f = 1.0f; }", "the suffix `f` is not in GLSL 1.10"),
     (Fragment, "#if UNKNOWN\n#endif\nvoid main() {}", "`UNKNOWN` is not defined and counts as 0"),
+    (
+        Fragment,
+        "uniform sampler2D s; void main() { gl_FragColor = texture2DLod(s, vec2(0.5), 1.0); }",
+        "`texture2DLod` in the fragment stage is an extension",
+    ),
+    (
+        Fragment,
+        "void f() {}\n#extension GL_ARB_shader_texture_lod : enable\nvoid main() {}",
+        "`#extension` stands behind a part of the program",
+    ),
+    (
+        Fragment,
+        "#version 120\nvoid main() { int i = abs(-1); }",
+        "`abs` of integers is not in GLSL 1.20",
+    ),
+    (
+        Fragment,
+        "#version 140\nuniform B { struct S { float a; } s; };\nvoid main() {}",
+        "a structure is not defined inside of a uniform block",
+    ),
 ];
 
 /// Shaders that compile, with a warning.

@@ -297,7 +297,7 @@ impl Preprocessor<'_> {
         };
         if self.program_begun {
             let message = "`#extension` stands behind a part of the program";
-            let problem = Diagnostic::warning(span, message);
+            let problem = Diagnostic::deviation(self.log.strictness, span, message);
             self.log.push(problem.help("put it before anything but directives and comments"));
         }
         let version = self.language.version;
