@@ -241,7 +241,8 @@ const ZEROS: &[Row] =
 #[test]
 fn products_with_a_constant_zero_are_zero() {
     const ZERO: f64 = 0.0;
-    let rows: [(&str, fn([f64; 3]) -> f64); 10] = [
+    type Row = (&'static str, fn([f64; 3]) -> f64);
+    let rows: [Row; 10] = [
         ("a * 0.0", |_| ZERO),
         ("a * -0.0", |_| ZERO),
         ("0.0 * a", |_| ZERO),
