@@ -308,3 +308,79 @@ fn floats_set_the_pixel_store() {
     assert_eq!(get(&mut c, GL_INDEX_OFFSET), Some(vec![16_777_217.0]));
     fine(&mut c);
 }
+
+/// Numbers that are read one way as floats, the other as integers.
+type Queries = (fn(&mut Context, GLenum, &mut [f32]), fn(&mut Context, GLenum, &mut [i32]));
+
+/// State with queries of its own: fractions are colours alone (GL 2.1, section 6.1.2).
+#[test]
+fn parameters_of_lights_materials_and_units_are_converted_by_their_type() {
+    const COLORS: [GLenum; 4] = [GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_EMISSION];
+    let mut c = context(16, 8);
+    let numbers = [0.3, -0.7, 2.6, 0.9];
+    let (light, face) = (GL_LIGHT3, GL_FRONT);
+    let of_lights = [GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_POSITION, GL_SPOT_DIRECTION];
+    of_lights.iter().for_each(|&pname| c.lightfv(light, pname, &numbers));
+    let attenuations = [GL_CONSTANT_ATTENUATION, GL_LINEAR_ATTENUATION, GL_QUADRATIC_ATTENUATION];
+    let others = [GL_SPOT_EXPONENT, GL_SPOT_CUTOFF];
+    attenuations.iter().chain(&others).for_each(|&pname| c.lightf(light, pname, 1.6));
+    COLORS.iter().for_each(|&pname| c.materialfv(face, pname, &numbers));
+    c.materialf(face, GL_SHININESS, 2.6);
+    c.materialfv(face, GL_COLOR_INDEXES, &numbers);
+    c.tex_envfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, &[0.3, 0.7, 0.1, 0.9]);
+    c.tex_envf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, -1.6);
+    c.tex_genfv(GL_S, GL_OBJECT_PLANE, &numbers);
+    c.tex_genfv(GL_S, GL_EYE_PLANE, &numbers);
+    fine(&mut c);
+    let lights: Queries =
+        (|c, p, v| c.get_lightfv(GL_LIGHT3, p, v), |c, p, v| c.get_lightiv(GL_LIGHT3, p, v));
+    let materials: Queries =
+        (|c, p, v| c.get_materialfv(GL_FRONT, p, v), |c, p, v| c.get_materialiv(GL_FRONT, p, v));
+    let environments: Queries = (
+        |c, p, v| c.get_tex_envfv(GL_TEXTURE_ENV, p, v),
+        |c, p, v| c.get_tex_enviv(GL_TEXTURE_ENV, p, v),
+    );
+    let filters: Queries = (
+        |c, p, v| c.get_tex_envfv(GL_TEXTURE_FILTER_CONTROL, p, v),
+        |c, p, v| c.get_tex_enviv(GL_TEXTURE_FILTER_CONTROL, p, v),
+    );
+    let planes: Queries =
+        (|c, p, v| c.get_tex_genfv(GL_S, p, v), |c, p, v| c.get_tex_geniv(GL_S, p, v));
+    let rows: [(Queries, &[GLenum]); 8] = [
+        (lights, &of_lights),
+        (lights, &attenuations),
+        (lights, &others),
+        (materials, &COLORS),
+        (materials, &[GL_SHININESS, GL_COLOR_INDEXES]),
+        (environments, &[GL_TEXTURE_ENV_COLOR]),
+        (filters, &[GL_TEXTURE_LOD_BIAS]),
+        (planes, &[GL_OBJECT_PLANE, GL_EYE_PLANE]),
+    ];
+    for ((as_floats, as_ints), pnames) in rows {
+        for &pname in pnames {
+            let (mut floats, mut ints) = ([f32::NAN; 4], [i32::MIN; 4]);
+            as_floats(&mut c, pname, &mut floats);
+            as_ints(&mut c, pname, &mut ints);
+            fine(&mut c);
+            let is_color = COLORS.contains(&pname) || pname == GL_TEXTURE_ENV_COLOR;
+            let given = floats.iter().zip(ints).filter(|(float, _)| !float.is_nan());
+            for (&float, int) in given {
+                let value = f64::from(float);
+                let want = if is_color { int_of_fraction(value) } else { value.round() as i32 };
+                assert_eq!(int, want, "{} {float}", enum_name(pname));
+            }
+        }
+    }
+    // Numbers that no `f32` holds.
+    c.vertex_attrib_divisor(3, 16_777_217);
+    let (mut double, mut int, mut word) = ([0.0], [0], [0]);
+    c.get_vertex_attribdv(3, GL_VERTEX_ATTRIB_ARRAY_DIVISOR, &mut double);
+    c.get_vertex_attribiv(3, GL_VERTEX_ATTRIB_ARRAY_DIVISOR, &mut int);
+    c.get_vertex_attrib_i_uiv(3, GL_VERTEX_ATTRIB_ARRAY_DIVISOR, &mut word);
+    assert_eq!((double[0], int[0], word[0]), (16_777_217.0, 16_777_217, 16_777_217));
+    c.vertex_attrib_4f(3, 0.6, -1.6, 2.4, 1.0);
+    let mut ints = [0; 4];
+    c.get_vertex_attribiv(3, GL_CURRENT_VERTEX_ATTRIB, &mut ints);
+    assert_eq!(ints, [1, -2, 2, 1]);
+    fine(&mut c);
+}
