@@ -134,6 +134,7 @@ const PROGRAMS: [(&str, &str, &str); 3] = [
 ];
 
 fn draw(window: &mut Window) {
+    window.check_strictly();
     for (slides, vertex, fragment) in PROGRAMS {
         window.note(&format!("== {slides}, as the specification wants it"));
         initShaders(window, vertex, fragment);

@@ -6,7 +6,7 @@ use gl_api::constants::*;
 use gl_api::context::{Context, ContextDesc};
 use gl_api::entry::*;
 use gl_api::explain::Explanation;
-use gl_api::glsl::FixIts;
+use gl_api::glsl::{FixIts, Strictness};
 use gl_api::types::GLint;
 use std::error::Error;
 use std::path::{Path, PathBuf};
@@ -98,7 +98,18 @@ impl Window {
     /// # Panics
     /// When there is not enough memory for another context of the same size.
     pub fn apply_fix_its(&mut self) {
-        let desc = ContextDesc { fix_its: FixIts::Apply, ..self.desc.clone() };
+        self.restart(ContextDesc { fix_its: FixIts::Apply, ..self.desc.clone() });
+    }
+
+    /// Continues in a new context, which refuses shaders that are not as their version says.
+    ///
+    /// # Panics
+    /// When there is not enough memory for another context of the same size.
+    pub fn check_strictly(&mut self) {
+        self.restart(ContextDesc { strictness: Strictness::Strict, ..self.desc.clone() });
+    }
+
+    fn restart(&mut self, desc: ContextDesc) {
         self.current = None;
         let mut context = Context::new(desc).expect("a context of this size was made before");
         watch(&mut context, self.watched);

@@ -6,7 +6,7 @@ use gl_api::glsl::{Bindings, FixIts, Options, Stage, compile, link};
 pub fn compile_and_link(source: &str) {
     for fix_its in [FixIts::Suggest, FixIts::Apply] {
         for stage in [Stage::Vertex, Stage::Fragment] {
-            let result = compile(stage, source, &Options { fix_its });
+            let result = compile(stage, source, &Options { fix_its, ..Options::default() });
             if let Some(shader) = result.shader {
                 link(&[&shader], &Bindings::default());
             }

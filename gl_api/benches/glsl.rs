@@ -33,7 +33,8 @@ void main() {
 }";
 
 fn shader(stage: Stage, source: &str) -> Shader {
-    let compiled = compile(stage, source, &Options { fix_its: FixIts::Apply });
+    let compiled =
+        compile(stage, source, &Options { fix_its: FixIts::Apply, ..Options::default() });
     compiled.shader.expect("it is a fine shader")
 }
 

@@ -33,7 +33,7 @@ void main() {
 ";
 
 fn compiled(stage: Stage, source: &str, fix_its: FixIts) -> Compiled {
-    compile(stage, source, &Options { fix_its })
+    compile(stage, source, &Options { fix_its, ..Options::default() })
 }
 
 fn linked(vertex: &str, fragment: &str) -> glsl::Program {

@@ -1,6 +1,8 @@
 //! Functions by name: what `eglGetProcAddress`, `OSMesaGetProcAddress`, `glXGetProcAddress` and Rust's loaders answer.
 
 use crate::egl::error::{Code, call, fail};
+#[cfg(feature = "c-names")]
+use crate::glx;
 use crate::guard::guard;
 use crate::{egl, gl, glu, osmesa};
 use gl_api::availability::{Api, Version};
@@ -73,21 +75,40 @@ unsafe extern "C" fn eglGetProcAddress(name: *const c_char) -> *const c_void {
     })
 }
 
+/// [`named`], and the functions of GLX: programs that load those by name call what GLX 1.4 has without looking.
+///
+/// # Safety
+/// What is not null is text that a zero ends.
+#[cfg(feature = "c-names")]
+unsafe fn named_in_glx(name: *const c_char) -> *const c_void {
+    // SAFETY: promised by the caller.
+    let found = unsafe { named(name) };
+    if name.is_null() || !found.is_null() {
+        return found;
+    }
+    // SAFETY: promised by the caller.
+    match unsafe { CStr::from_ptr(name) }.to_bytes() {
+        b"glXGetProcAddress" => (glXGetProcAddress as *const ()).cast(),
+        b"glXGetProcAddressARB" => (glXGetProcAddressARB as *const ()).cast(),
+        other => std::str::from_utf8(other).map_or(std::ptr::null(), glx::function),
+    }
+}
+
 /// Functions that answer an address and have no errors.
 macro_rules! by_name {
-    ($($(#[$meta:meta])* $name:ident)*) => { $(
+    ($($(#[$meta:meta])* $name:ident: $find:ident)*) => { $(
         $(#[$meta])*
         #[cfg_attr(feature = "c-names", unsafe(no_mangle))]
         #[allow(non_snake_case, reason = "C's name")]
         unsafe extern "C" fn $name(name: *const c_char) -> *const c_void {
             // SAFETY: C's prototype promises the same.
-            guard(stringify!($name), || unsafe { named(name) })
+            guard(stringify!($name), || unsafe { $find(name) })
         }
     )* };
 }
 
 by_name! {
-    OSMesaGetProcAddress
-    #[cfg(feature = "c-names")] glXGetProcAddress
-    #[cfg(feature = "c-names")] glXGetProcAddressARB
+    OSMesaGetProcAddress: named
+    #[cfg(feature = "c-names")] glXGetProcAddress: named_in_glx
+    #[cfg(feature = "c-names")] glXGetProcAddressARB: named_in_glx
 }

@@ -95,7 +95,8 @@ impl Emit {
         self.builder.value(expr)
     }
 
-    /// An operation, folded if its operands are constant.
+    /// An operation, folded if its operands are constant. What is not constant times a constant zero is 0, also where it
+    /// is infinite, NaN or negative: every compiler of a GPU folds that product.
     pub fn op(&mut self, op: Op, operands: &[Value]) -> Value {
         let mut words = [0; 3];
         let mut all = [Value(0); 3];
@@ -109,6 +110,10 @@ impl Emit {
         }
         if constant {
             return self.constant(op.eval(words), op.result());
+        }
+        let is_zero = |value: &Value| self.known(*value).is_some_and(|word| word << 1 == 0);
+        if op == Op::Mul && operands.iter().any(is_zero) {
+            return self.float(0.0);
         }
         self.value(Expr::Op { op, args: all }, op.result())
     }

@@ -36,7 +36,7 @@ mod program;
 mod text;
 mod types;
 
-pub use compile::{Compiled, FixIts, Options, Shader, compile};
+pub use compile::{Compiled, FixIts, Options, Shader, Strictness, compile};
 pub use limits::{GATHER_OFFSETS, TEXEL_OFFSETS};
 pub use program::*;
 pub use rasterizer::ir::Stage;

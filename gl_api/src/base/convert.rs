@@ -20,8 +20,8 @@ pub(crate) fn signed_to_unit(value: i32) -> f32 {
 }
 
 /// A colour component as a signed integer (GL 2.1, table 4.9).
-pub(crate) fn unit_to_signed(value: f32) -> i32 {
-    ((f64::from(u32::MAX) * f64::from(value) - 1.0) / 2.0).round_ties_even() as i32
+pub(crate) fn unit_to_signed(value: f64) -> i32 {
+    ((f64::from(u32::MAX) * value - 1.0) / 2.0).round_ties_even() as i32
 }
 
 /// Clamped to [0, 1]; NaN gives 0.

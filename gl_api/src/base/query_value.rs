@@ -76,17 +76,26 @@ pub(crate) fn put_ints(params: &mut [GLint], value: QueryValue) -> Result<()> {
         QueryValue::Floats(values) => {
             values.into_iter().map(|value| value.round() as GLint).collect()
         }
-        QueryValue::Unit(values) => {
-            values.into_iter().map(|value| unit_to_signed(value as f32)).collect()
-        }
+        QueryValue::Unit(values) => values.into_iter().map(unit_to_signed).collect(),
     };
     put(params, &values)
 }
 
-/// Writes 64-bit integers: floats are rounded.
+/// Writes 64-bit integers: floats are rounded; of normalized values, 1 is the largest integer of 32 bits (GL 3.2, section
+/// 6.1.2).
 pub(crate) fn put_longs(params: &mut [GLint64], value: QueryValue) -> Result<()> {
-    let values = doubles(value).into_iter().map(|value| value.round() as GLint64);
-    put(params, &values.collect::<Vec<_>>())
+    let values: Vec<GLint64> = match value {
+        QueryValue::Unit(values) => {
+            values.into_iter().map(|value| unit_to_signed(value).into()).collect()
+        }
+        QueryValue::Bools(_)
+        | QueryValue::Ints(_)
+        | QueryValue::Word(_)
+        | QueryValue::Floats(_) => {
+            doubles(value).into_iter().map(|value| value.round() as GLint64).collect()
+        }
+    };
+    put(params, &values)
 }
 
 /// Writes single precision.

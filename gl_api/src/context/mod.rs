@@ -26,7 +26,7 @@ use crate::context::recorder::Recorder;
 use crate::context::sharing::ShareHandle;
 use crate::context::watched_pixel::WatchedPixel;
 use crate::context::window::Window;
-use crate::glsl::FixIts;
+use crate::glsl::{self, FixIts, Strictness};
 use crate::objects::Objects;
 use crate::objects::queries::ActiveQueries;
 use crate::objects::shared::ShareGroup;
@@ -54,6 +54,10 @@ pub struct ContextDesc {
     pub height: u32,
     /// Whether the GLSL compiler applies the fixes it suggests.
     pub fix_its: FixIts,
+    /// Whether the GLSL compiler accepts, with a warning, what a shader's version does not have and
+    /// all drivers accept: `##` before GLSL 1.30, lines continued by a backslash, the suffix `f` in
+    /// GLSL 1.10, undefined names in conditions, late `#extension`, and some functions.
+    pub strictness: Strictness,
     /// The device; `None` shares one that the environment describes.
     pub device: Option<Arc<Device>>,
     /// The buffers of the default framebuffer.
@@ -63,7 +67,15 @@ pub struct ContextDesc {
 impl Default for ContextDesc {
     fn default() -> Self {
         let surface = SurfaceDesc::default();
-        Self { width: 512, height: 512, fix_its: FixIts::Suggest, device: None, surface }
+        let (fix_its, strictness) = (FixIts::Suggest, Strictness::Lenient);
+        Self { width: 512, height: 512, fix_its, strictness, device: None, surface }
+    }
+}
+
+impl ContextDesc {
+    /// The options of its GLSL compiler.
+    fn compiler(&self) -> glsl::Options {
+        glsl::Options { fix_its: self.fix_its, strictness: self.strictness }
     }
 }
 
@@ -122,7 +134,7 @@ pub struct Context {
     pub(crate) transform_feedback: TransformFeedback,
     pub(crate) uniform_buffers: UniformBuffers,
     pub(crate) state_changes: StateChanges,
-    pub(crate) fix_its: FixIts,
+    pub(crate) compiler: glsl::Options,
     /// The client memory that gets the picture.
     pub(crate) mirror: Option<Mirror>,
     /// The pixel that is watched.
@@ -146,14 +158,14 @@ impl Context {
     /// When the size is out of range or the device cannot be made.
     pub fn new(desc: ContextDesc) -> Result<Self, ContextError> {
         let _float_env = FloatEnv::enter();
-        let fix_its = desc.fix_its;
+        let compiler = desc.compiler();
         let (device, window) = Self::parts(desc)?;
-        Ok(Self::assemble(device, window, fix_its, ShareGroup::default()))
+        Ok(Self::assemble(device, window, compiler, ShareGroup::default()))
     }
 
     /// The parts that may fail to be made: the device and the default framebuffer.
     fn parts(desc: ContextDesc) -> Result<(Arc<Device>, Window), ContextError> {
-        let ContextDesc { width, height, fix_its: _, device, surface } = desc;
+        let ContextDesc { width, height, fix_its: _, strictness: _, device, surface } = desc;
         let limit = crate::base::limits::MAX_VIEWPORT_DIMS;
         if !(1..=limit).contains(&width) || !(1..=limit).contains(&height) {
             return Err(ContextError::Size { width, height, limit });
@@ -170,7 +182,12 @@ impl Context {
     }
 
     /// Puts a context together; viewport and scissor have the window's size.
-    fn assemble(device: Arc<Device>, window: Window, fix_its: FixIts, group: ShareGroup) -> Self {
+    fn assemble(
+        device: Arc<Device>,
+        window: Window,
+        compiler: glsl::Options,
+        group: ShareGroup,
+    ) -> Self {
         Self {
             state: State::new(window.width, window.height),
             objects: Objects::new(group),
@@ -190,7 +207,7 @@ impl Context {
             transform_feedback: TransformFeedback::default(),
             uniform_buffers: UniformBuffers::default(),
             state_changes: StateChanges::default(),
-            fix_its,
+            compiler,
             mirror: None,
             watched: None,
         }
@@ -205,13 +222,13 @@ impl Context {
         shared: Option<ShareHandle>,
     ) -> Result<Box<Self>, ContextError> {
         let _float_env = FloatEnv::enter();
-        let fix_its = desc.fix_its;
+        let compiler = desc.compiler();
         let (group, device) = match shared {
             Some(ShareHandle { group, device }) => (group.join(), Some(device)),
             None => (ShareGroup::default(), None),
         };
         let (device, window) = Self::parts(ContextDesc { device: desc.device.or(device), ..desc })?;
-        Ok(Box::new(Self::assemble(device, window, fix_its, group)))
+        Ok(Box::new(Self::assemble(device, window, compiler, group)))
     }
 
     /// What a new context needs to share this one's objects. Takes no lock.

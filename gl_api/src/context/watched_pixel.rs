@@ -66,6 +66,8 @@ impl DrawNote {
                 format!("gl_PointCoord.{}", component_name("st", component.into()))
             }
             Input::Coverage => "coverage".into(),
+            Input::LineDirection(Axis::X) => "direction of the line, x".into(),
+            Input::LineDirection(Axis::Y) => "direction of the line, y".into(),
             Input::Attribute { location, component } => {
                 format!("attribute {location}.{}", component_name("xyzw", component.into()))
             }

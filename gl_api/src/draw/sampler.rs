@@ -26,8 +26,8 @@ pub(crate) fn sampler(context: &Context, unit: u8, target: TextureTarget) -> Sam
     if context.state.enables.has(Flag::SeamlessCubeMaps) {
         sampler.seamless = Seamless::On;
     }
-    // GL 2.1, section 3.8.4: the border is clamped to [0, 1], except for floats and integers.
-    if !texture.has_wide_texels() {
+    // GL 3.1, section 3.8.8: border colours are clamped by format. The sample plan does it by what is stored.
+    if texture.stores_fractions_as_floats() {
         let fractions =
             sampler.border.floats().map(|c| crate::base::convert::unit(c.into()) as f32);
         sampler.border = Border::Float(fractions);

@@ -132,7 +132,7 @@ pub(crate) fn scattered_vertices(
         return None;
     }
     let indices = bytes.chunks_exact(ty.size()).map(IndexType::index);
-    indices.map(|index| index.checked_add_signed(base_vertex)).collect()
+    Some(indices.map(|index| index.wrapping_add_signed(base_vertex)).collect())
 }
 
 /// Whether the program in use reads its vertices' numbers.

@@ -46,7 +46,8 @@ fn input(
         | Input::FrontFacing
         | Input::PointCoord(_)
         | Input::Slope { .. }
-        | Input::Coverage => *out = U32s::splat(0),
+        | Input::Coverage
+        | Input::LineDirection(_) => *out = U32s::splat(0),
     }
 }
 

@@ -84,7 +84,8 @@ fn value(input: Input, bits: u32) -> String {
         | Input::Slope { .. }
         | Input::FragCoord(_)
         | Input::PointCoord(_)
-        | Input::Coverage => number(f32::from_bits(bits)),
+        | Input::Coverage
+        | Input::LineDirection(_) => number(f32::from_bits(bits)),
     }
 }
 

@@ -4,7 +4,7 @@
 
 use crate::base::compare::COMPARE;
 use crate::base::constants::*;
-use crate::base::convert::{lod_bias, symbol, unit_to_signed};
+use crate::base::convert::{lod_bias, signed_to_unit, symbol, unit_to_signed};
 use crate::base::error::{Result, Table, invalid_enum, invalid_value};
 use crate::base::types::*;
 use crate::objects::target::TextureTarget;
@@ -126,9 +126,10 @@ impl SamplerState {
         &mut self,
         target: Option<TextureTarget>,
         parameter: SamplerParameter,
-        value: f32,
+        value: f64,
     ) -> Result<()> {
         let sampler = &mut self.sampler;
+        let value = value as f32;
         let symbol = symbol(value);
         let (wrap, min_filter) = match target {
             Some(TextureTarget::Rect) => (&RECTANGLE_WRAP, &RECTANGLE_MIN_FILTER),
@@ -203,7 +204,9 @@ impl SamplerState {
 #[derive(Clone, Debug)]
 pub(crate) struct Values {
     /// As they are.
-    pub plain: Vec<f32>,
+    pub plain: Vec<f64>,
+    /// The first as a fraction: integers are scaled, as those of colours are.
+    fraction: f32,
     /// As a colour, if there are four: `glTexParameteriv` scales the whole `i32` range to [-1, 1].
     color: Option<Border>,
 }
@@ -211,39 +214,46 @@ pub(crate) struct Values {
 impl Values {
     pub fn floats(values: &[GLfloat]) -> Self {
         Self {
-            plain: values.iter().take(4).copied().collect(),
+            plain: values.iter().take(4).map(|&value| value.into()).collect(),
+            fraction: values.first().copied().unwrap_or_default(),
             color: values.first_chunk().copied().map(Border::Float),
         }
     }
 
     pub fn fixed(values: &[GLint]) -> Self {
         let color = values.first_chunk::<4>();
-        let color =
-            color.map(|color| Border::Float(color.map(crate::base::convert::signed_to_unit)));
+        let color = color.map(|color| Border::Float(color.map(signed_to_unit)));
         Self { color, ..Self::signed(values) }
     }
 
     /// Of the `I` calls: a colour is what it is.
     pub fn signed(values: &[GLint]) -> Self {
         Self {
-            plain: values.iter().take(4).map(|&value| value as f32).collect(),
+            plain: values.iter().take(4).map(|&value| value.into()).collect(),
+            fraction: signed_to_unit(values.first().copied().unwrap_or_default()),
             color: values.first_chunk().copied().map(Border::Sint),
         }
     }
 
     pub fn unsigned(values: &[GLuint]) -> Self {
         Self {
-            plain: values.iter().take(4).map(|&value| value as f32).collect(),
+            plain: values.iter().take(4).map(|&value| value.into()).collect(),
+            fraction: signed_to_unit(values.first().copied().unwrap_or_default().cast_signed()),
             color: values.first_chunk().copied().map(Border::Uint),
         }
     }
 
     /// The first number.
-    pub fn one(&self, section: &'static str, pname: GLenum) -> Result<f32> {
+    pub fn one(&self, section: &'static str, pname: GLenum) -> Result<f64> {
         match self.plain.first() {
             Some(&value) => Ok(value),
             None => self.too_few(section, pname, 1),
         }
+    }
+
+    /// The first number as a fraction; of integers by the signed conversion (GL 2.1, section 3.8.4 and table 2.9).
+    pub fn fraction(&self, section: &'static str, pname: GLenum) -> Result<f32> {
+        self.one(section, pname).map(|_| self.fraction)
     }
 
     /// All four, as a colour.
@@ -265,7 +275,9 @@ impl Values {
 /// The result of a query of a parameter.
 #[derive(Clone, Debug)]
 pub(crate) enum Answer {
-    Numbers(Vec<f32>),
+    Numbers(Vec<f64>),
+    /// A fraction: as an integer of any kind, 1 is the largest signed one.
+    Fraction(f32),
     /// Colours go to integers by rules of their own.
     Color(Border),
 }
@@ -273,7 +285,8 @@ pub(crate) enum Answer {
 impl Answer {
     pub fn floats(&self) -> Vec<GLfloat> {
         match self {
-            Self::Numbers(numbers) => numbers.clone(),
+            Self::Numbers(numbers) => numbers.iter().map(|&number| number as GLfloat).collect(),
+            Self::Fraction(fraction) => vec![*fraction],
             Self::Color(border) => border.floats().to_vec(),
         }
     }
@@ -281,8 +294,8 @@ impl Answer {
     /// As integers; of a colour, the whole `i32` range stands for [-1, 1] (GL 2.1, section 6.1.2).
     pub fn fixed(&self) -> Vec<GLint> {
         match self {
-            Self::Numbers(_) => self.signed(),
-            Self::Color(border) => border.floats().map(unit_to_signed).to_vec(),
+            Self::Numbers(_) | Self::Fraction(_) => self.signed(),
+            Self::Color(border) => border.floats().map(|c| unit_to_signed(c.into())).to_vec(),
         }
     }
 
@@ -290,6 +303,7 @@ impl Answer {
     pub fn signed(&self) -> Vec<GLint> {
         match self {
             Self::Numbers(numbers) => numbers.iter().map(|n| n.round() as GLint).collect(),
+            Self::Fraction(fraction) => vec![unit_to_signed((*fraction).into())],
             Self::Color(Border::Uint(color)) => color.map(|c| c as GLint).to_vec(),
             Self::Color(border) => {
                 let held = |c: i64| c.clamp(GLint::MIN.into(), GLint::MAX.into()) as GLint;
@@ -302,6 +316,7 @@ impl Answer {
     pub fn unsigned(&self) -> Vec<GLuint> {
         match self {
             Self::Numbers(numbers) => numbers.iter().map(|n| n.round() as GLuint).collect(),
+            Self::Fraction(_) => self.signed().into_iter().map(GLint::cast_unsigned).collect(),
             Self::Color(Border::Sint(color)) => color.map(|c| c as GLuint).to_vec(),
             Self::Color(border) => {
                 border.integers().map(|c| c.clamp(0, GLuint::MAX.into()) as GLuint).to_vec()

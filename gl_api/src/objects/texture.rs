@@ -6,10 +6,11 @@ use crate::base::types::*;
 use crate::objects::sampler::SamplerState;
 pub(crate) use crate::objects::target::TextureTarget;
 use crate::objects::texture_buffer::DataStore;
-use crate::pixel::formats::format_name;
+use crate::pixel::formats::ComponentType;
+use crate::pixel::formats::{self, format_name};
 use rasterizer::driver::{Device, Image};
 use std::sync::Arc;
-use texunit::format::Format;
+use texunit::format::{Encoding, Format};
 use texunit::image::{Image as Texels, Incomplete};
 use texunit::plan::SamplePlan;
 use texunit::sampler::{Filter, Mipmap, Sampler, Wrap};
@@ -178,10 +179,16 @@ impl Texture {
         Arc::clone(&self.plan.insert(first).plan)
     }
 
-    /// Whether the base level's texels are floats or integers, not normalized.
-    pub fn has_wide_texels(&self) -> bool {
+    /// Whether the base level's format is of fractions from 0 to 1 that are stored as floats, as those of
+    /// `GL_DEPTH_COMPONENT32` are.
+    pub fn stores_fractions_as_floats(&self) -> bool {
         let base = self.sampler().base_level as usize;
-        self.image.level(0, base).is_some_and(|level| crate::pixel::texel::is_wide(level.format))
+        let stored = self.image.level(0, base).map(|level| level.format);
+        let is_float_depth =
+            |format: Format| format.is_depth() && matches!(format.info().encoding, Encoding::Float);
+        stored.is_some_and(is_float_depth)
+            && formats::find(self.requested[0][base])
+                .is_some_and(|row| row.components == ComponentType::Unorm)
     }
 
     /// Why it cannot be sampled, if so.

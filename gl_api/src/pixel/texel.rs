@@ -71,7 +71,7 @@ fn merge_sized<const SIZE: usize>(
     }
 }
 
-/// Whether texels are floats or integers, which a border colour need not be a fraction for.
+/// Whether texels are floats or integers, which need not be from -1 to 1.
 pub(crate) fn is_wide(format: Format) -> bool {
     match format.info().encoding {
         Encoding::Float | Encoding::SharedExponent | Encoding::Uint | Encoding::Sint => true,

@@ -85,7 +85,24 @@ const PROPERTY: Table<Property> = Table {
     ],
 };
 
-pub(crate) fn property(context: &Context, index: GLuint, pname: GLenum) -> Result<Vec<f32>> {
+/// What `glGetVertexAttrib` answers.
+pub(crate) enum Answer {
+    Number(f64),
+    /// The current value. Integers are the bits of these floats.
+    Current([f32; 4]),
+}
+
+impl Answer {
+    /// As numbers, exact.
+    pub fn numbers(self) -> Vec<f64> {
+        match self {
+            Self::Number(number) => vec![number],
+            Self::Current(value) => value.map(f64::from).to_vec(),
+        }
+    }
+}
+
+pub(crate) fn property(context: &Context, index: GLuint, pname: GLenum) -> Result<Answer> {
     let location = usize::from(generic(index)?);
     let property = PROPERTY.decode("pname", pname)?;
     let array = &context.state.arrays.by_location[location];
@@ -95,20 +112,20 @@ pub(crate) fn property(context: &Context, index: GLuint, pname: GLenum) -> Resul
             "index = 0 has no current value: it is the position",
         );
     }
-    Ok(match property {
-        Property::Enabled => vec![f32::from(u8::from(array.enabled))],
-        Property::Size => vec![array.given_size() as f32],
-        Property::Stride => vec![array.stride as f32],
-        Property::Type => vec![ANY_TYPE.encode(array.ty) as f32],
+    Ok(Answer::Number(match property {
+        Property::Enabled => u8::from(array.enabled).into(),
+        Property::Size => array.given_size() as f64,
+        Property::Stride => array.stride as f64,
+        Property::Type => ANY_TYPE.encode(array.ty).into(),
         Property::Normalized => {
             let formats = [VertexFormat::Normalized, VertexFormat::NormalizedBgra];
-            vec![f32::from(u8::from(formats.contains(&array.format)))]
+            u8::from(formats.contains(&array.format)).into()
         }
-        Property::Integer => vec![f32::from(u8::from(array.format == VertexFormat::Integer))],
-        Property::Divisor => vec![array.divisor as f32],
-        Property::Buffer => vec![buffer(array) as f32],
-        Property::Current => context.state.current[location].to_vec(),
-    })
+        Property::Integer => u8::from(array.format == VertexFormat::Integer).into(),
+        Property::Divisor => array.divisor.into(),
+        Property::Buffer => buffer(array).into(),
+        Property::Current => return Ok(Answer::Current(context.state.current[location])),
+    }))
 }
 
 pub(crate) fn get_vertex_attribfv(
@@ -117,7 +134,8 @@ pub(crate) fn get_vertex_attribfv(
     pname: GLenum,
     params: &mut [GLfloat],
 ) -> Result<()> {
-    put(params, &property(context, index, pname)?)
+    let values = property(context, index, pname)?.numbers();
+    put(params, &values.into_iter().map(|value| value as GLfloat).collect::<Vec<_>>())
 }
 
 pub(crate) fn get_vertex_attribiv(
@@ -126,6 +144,6 @@ pub(crate) fn get_vertex_attribiv(
     pname: GLenum,
     params: &mut [GLint],
 ) -> Result<()> {
-    let values = property(context, index, pname)?;
+    let values = property(context, index, pname)?.numbers();
     put(params, &values.into_iter().map(|value| value.round() as GLint).collect::<Vec<_>>())
 }

@@ -1,11 +1,10 @@
 //! `glGetVertexAttrib` in doubles and in integers: GL 2.1, section 6.1.14.
 
-use crate::base::constants::GL_CURRENT_VERTEX_ATTRIB;
 use crate::base::error::Result;
 use crate::base::query_value::put;
 use crate::base::types::*;
 use crate::context::Context;
-use crate::query::arrays::property;
+use crate::query::arrays::{Answer, property};
 
 pub(crate) fn get_vertex_attribdv(
     context: &mut Context,
@@ -13,17 +12,15 @@ pub(crate) fn get_vertex_attribdv(
     pname: GLenum,
     params: &mut [GLdouble],
 ) -> Result<()> {
-    let values = property(context, index, pname)?;
-    put(params, &values.into_iter().map(f64::from).collect::<Vec<_>>())
+    put(params, &property(context, index, pname)?.numbers())
 }
 
 /// The words of a property: integers of an attribute travel as the bits of floats.
 fn words(context: &Context, index: GLuint, pname: GLenum) -> Result<Vec<u32>> {
-    let word = |value: f32| match pname {
-        GL_CURRENT_VERTEX_ATTRIB => value.to_bits(),
-        _ => value as u32,
-    };
-    Ok(property(context, index, pname)?.into_iter().map(word).collect())
+    Ok(match property(context, index, pname)? {
+        Answer::Number(number) => vec![number as u32],
+        Answer::Current(value) => value.map(f32::to_bits).to_vec(),
+    })
 }
 
 pub(crate) fn get_vertex_attrib_i_iv(

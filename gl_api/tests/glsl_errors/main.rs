@@ -3,8 +3,8 @@
 mod rules;
 mod shaders;
 
-use gl_api::glsl::{Bindings, Compiled, FixIts, Linked, Options, Stage, compile, link};
-use rules::{CHANGED, LINKED, REFUSED, UNLINKED, WARNED};
+use gl_api::glsl::{Bindings, Compiled, FixIts, Linked, Options, Stage, Strictness, compile, link};
+use rules::{CHANGED, DEVIATIONS, LINKED, REFUSED, UNLINKED, WARNED};
 use shaders::{DIRECTIVES, FRAGMENT, VERTEX};
 use std::fmt::Write as _;
 
@@ -58,6 +58,23 @@ fn refused() {
 #[test]
 fn warned() {
     check_logs(WARNED, |compiled| compiled.shader.is_some());
+}
+
+/// What all drivers accept is accepted with a warning that names the version, and refused by a strict compiler.
+#[test]
+fn deviations() {
+    check_logs(DEVIATIONS, |compiled| {
+        compiled.shader.is_some() && !compiled.log.contains(": error: ")
+    });
+    for (stage, source, words) in DEVIATIONS {
+        let options = Options { strictness: Strictness::Strict, ..Options::default() };
+        let compiled = compile(*stage, source, &options);
+        assert!(compiled.shader.is_none(), "{source:?}");
+        assert!(compiled.log.contains(&format!("error: {words}")), "{source:?}: {}", compiled.log);
+    }
+    let source = "#version 130\n#define P(a, b) a ## b\nvoid main() { int P(x, 1) = 1; }";
+    let compiled = compile(Stage::Fragment, source, &Options::default());
+    assert!(compiled.shader.is_some() && compiled.log.is_empty(), "{}", compiled.log);
 }
 
 #[test]
@@ -182,7 +199,8 @@ fn independent_mistakes_are_all_reported_up_to_twenty() {
 fn repairs_are_listed() {
     let source =
         "uniform vec4 color;\nvoid main() {\n    float f = 1\n    gl_FragColor = colour * f;\n}";
-    let compiled = compile(Stage::Fragment, source, &Options { fix_its: FixIts::Apply });
+    let compiled =
+        compile(Stage::Fragment, source, &Options { fix_its: FixIts::Apply, ..Options::default() });
     assert!(compiled.shader.is_some(), "{}", compiled.log);
     insta::assert_snapshot!(compiled.log);
 }

@@ -250,6 +250,57 @@ pub const CHANGED: &[(&str, &str, &str, &str)] = &[
     ("130", "140", "void main() { float isamplerBuffer; }", "`isamplerBuffer` is a keyword"),
 ];
 
+/// Fragment shaders with what their version does not have and all drivers accept, and the message.
+pub const DEVIATIONS: &[(Stage, &str, &str)] = &[
+    (
+        Fragment,
+        "#define P(a, b) a ## b\nvoid main() { int P(x, 1) = 1; }",
+        "`##` is not in GLSL 1.10",
+    ),
+    (
+        Fragment,
+        "#version 120\n#define P(a, b) a##b\n#if P(1, 0) == 10\nvoid main() {}\n#endif",
+        "`##` is not in GLSL 1.20",
+    ),
+    (
+        Fragment,
+        "#version 120\n#define A 1.0 + \\\n 2.0\nvoid main() { float f = A; }",
+        "a line continued by `\\` is not in GLSL 1.20",
+    ),
+    (
+        Fragment,
+        "#define A 1.0 + \\\r\n 2.0\r\nvoid main() { float f = A; }",
+        "a line continued by `\\` is not in GLSL 1.10",
+    ),
+    (
+        Fragment,
+        "#version 140\nvoid main() { float f = \\\r1.0; }",
+        "a line continued by `\\` is not in GLSL 1.40",
+    ),
+    (Fragment, "void main() { float f = 1.0f; }", "the suffix `f` is not in GLSL 1.10"),
+    (Fragment, "#if UNKNOWN\n#endif\nvoid main() {}", "`UNKNOWN` is not defined and counts as 0"),
+    (
+        Fragment,
+        "uniform sampler2D s; void main() { gl_FragColor = texture2DLod(s, vec2(0.5), 1.0); }",
+        "`texture2DLod` in the fragment stage is an extension",
+    ),
+    (
+        Fragment,
+        "void f() {}\n#extension GL_ARB_shader_texture_lod : enable\nvoid main() {}",
+        "`#extension` stands behind a part of the program",
+    ),
+    (
+        Fragment,
+        "#version 120\nvoid main() { int i = abs(-1); }",
+        "`abs` of integers is not in GLSL 1.20",
+    ),
+    (
+        Fragment,
+        "#version 140\nuniform B { struct S { float a; } s; };\nvoid main() {}",
+        "a structure is not defined inside of a uniform block",
+    ),
+];
+
 /// Shaders that compile, with a warning.
 pub const WARNED: &[(Stage, &str, &str)] = &[
     (

@@ -141,6 +141,19 @@ pub const TABLE: &[Row] = &[
         [3.0, 4.0, 5.0, 0.0],
     ),
     Row(130, "#define F(x, y) x##y\n", "r.x = F(1 + 2, 3 + 4);", [28.0, 0.0, 0.0, 0.0]),
+    // Every desktop compiler joins before 1.30, too
+    Row(
+        110,
+        "#define JOIN(a, b) a##b\n#define F(x, y, z) 4 x##y##z\n",
+        "float ab = 4.0; r.xy = vec2(JOIN(a, b), F(, + 1, 0));",
+        [4.0, 14.0, 0.0, 0.0],
+    ),
+    Row(
+        120,
+        "#define A 1\n#define CAT(x, y) x##y\n#define XCAT(x, y) CAT(x, y) + x\n",
+        "r.x = float(XCAT(A, 2));",
+        [13.0, 0.0, 0.0, 0.0],
+    ),
     // Before 1.30 a body may hold it that nobody uses
     Row(120, "#define F 2##\n#define G ##\n", "r.x = 1.0;", [1.0, 0.0, 0.0, 0.0]),
     // `defined` may come from a macro; its name is not expanded

@@ -11,6 +11,7 @@ mod functions;
 mod gathers;
 mod indices;
 mod limits;
+mod lines;
 mod mipmaps;
 mod opaque;
 mod parts;

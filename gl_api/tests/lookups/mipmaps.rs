@@ -1,7 +1,7 @@
 //! Mipmaps of every shape: `glGenerateMipmap`, `GL_GENERATE_MIPMAP` and GLU's, against the mean over
 //! each texel's area in `f64`.
 
-use super::context;
+use super::{context, program};
 use gl_api::glu::{gluBuild3DMipmapLevels, gluBuild3DMipmaps};
 use gl_api::*;
 
@@ -13,6 +13,10 @@ const SHAPES: &[(GLenum, [usize; 3])] = &[
     (GL_TEXTURE_3D, [5, 3, 6]),
     (GL_TEXTURE_3D, [1, 1, 7]),
     (GL_TEXTURE_CUBE_MAP, [5, 5, 1]),
+    (GL_TEXTURE_CUBE_MAP, [6, 6, 1]),
+    (GL_TEXTURE_CUBE_MAP, [7, 7, 1]),
+    (GL_TEXTURE_CUBE_MAP, [12, 12, 1]),
+    (GL_TEXTURE_CUBE_MAP, [37, 37, 1]),
     (GL_TEXTURE_1D_ARRAY, [9, 1, 3]),
     (GL_TEXTURE_2D_ARRAY, [6, 7, 3]),
     (GL_TEXTURE_CUBE_MAP_ARRAY, [5, 5, 12]),
@@ -204,4 +208,69 @@ fn glu_builds_volumes() {
     let levels = gluBuild3DMipmapLevels(t, GL_LUMINANCE8, 4, 2, 4, l, byte, 1, 0, 2, &bytes);
     assert_eq!(levels, glu::GLU_INVALID_VALUE);
     assert_eq!(gluBuild3DMipmaps(t, GL_LUMINANCE8, 0, 2, 4, l, byte, &bytes), 100_901);
+}
+
+/// The axes of s, t and the middle of each face, in the order of GL's names (GL 2.1, table 3.19).
+const CUBE: [[[f32; 3]; 3]; 6] = [
+    [[0.0, 0.0, -1.0], [0.0, -1.0, 0.0], [1.0, 0.0, 0.0]],
+    [[0.0, 0.0, 1.0], [0.0, -1.0, 0.0], [-1.0, 0.0, 0.0]],
+    [[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, 1.0, 0.0]],
+    [[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, -1.0, 0.0]],
+    [[1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0]],
+    [[-1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, -1.0]],
+];
+
+/// Each texel of each level of cube maps that are no power of two, as a lookup at its centre finds it, is the mean of
+/// the texels that it covers in the level above.
+#[test]
+fn lookups_find_the_levels_of_cube_maps_of_any_size() {
+    const ROOM: i32 = 16;
+    let _current = context();
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    let fragment = "#version 130
+        uniform samplerCube s; uniform mat3 face; uniform float side, level;
+        void main() {
+            vec3 direction = face * vec3(2.0 * gl_FragCoord.xy / side - 1.0, 1.0);
+            gl_FragColor = textureLod(s, direction, level);
+        }";
+    let program = program("void main() { gl_Position = gl_Vertex; }", fragment).unwrap();
+    glUseProgram(program);
+    let uniform = |name: &str| glGetUniformLocation(program, name);
+    glBindRenderbuffer(GL_RENDERBUFFER, 1);
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, ROOM, ROOM);
+    glBindFramebuffer(GL_FRAMEBUFFER, 1);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, 1);
+    glViewport(0, 0, ROOM, ROOM);
+    let t = GL_TEXTURE_CUBE_MAP;
+    for size in [3, 5, 6, 7, 12, 13] {
+        glDeleteTextures(1, &1);
+        glBindTexture(t, 1);
+        glTexParameteri(t, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
+        glTexParameteri(t, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+        for image in faces(t) {
+            upload(image, [size, size, 1], &noise(size * size, image));
+        }
+        glGenerateMipmap(t);
+        for (image, axes) in faces(t).zip(CUBE) {
+            glUniformMatrix3fv(uniform("face"), 1, false, axes.as_flattened());
+            let (mut above, mut level) = (([size, size, 1], noise(size * size, image)), 1);
+            while above.0[0] > 1 {
+                let side = above.0[0] / 2;
+                let half = [side, side, 1];
+                glUniform1f(uniform("side"), side as f32);
+                glUniform1f(uniform("level"), level as f32);
+                glRectf(-1, -1, 1, 1);
+                let mut pixels = vec![[0_u8; 4]; side * side];
+                let (w, ty) = (side as i32, GL_UNSIGNED_BYTE);
+                glReadPixels(0, 0, w, w, GL_RGBA, ty, pixels.as_flattened_mut());
+                let found: Vec<u8> = pixels.iter().map(|pixel| pixel[0]).collect();
+                for (at, want) in mean(&above.1, above.0, half).into_iter().enumerate() {
+                    let off = (f64::from(found[at]) - want).abs();
+                    assert!(off <= 0.5 + 1e-9, "{size}, level {level} of {image:#x}: {at}");
+                }
+                (above, level) = ((half, found), level + 1);
+            }
+        }
+        assert_eq!(glGetError(), GL_NO_ERROR);
+    }
 }

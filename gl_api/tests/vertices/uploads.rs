@@ -55,3 +55,40 @@ fn a_draw_keeps_what_its_buffer_held() {
         assert!(picture(&mut c) == picture(&mut want), "{size} bytes");
     }
 }
+
+/// Sums of an index and the base vertex wrap, also where a draw copies the vertices that it reads.
+#[test]
+fn base_vertices_wrap_in_buffers_that_are_written_between_draws() {
+    let mut want = context();
+    want.enable_client_state(GL_VERTEX_ARRAY);
+    want.vertex_pointer(2, GL_FLOAT, 0, CORNERS.as_slice().arg());
+    want.draw_arrays(GL_TRIANGLES, 0, 6);
+    let want = picture(&mut want);
+    // Vertices that lie together, and some far apart.
+    for places in [[0, 1, 2, 3, 4, 5], [0, 1, 2, 3, 9000, 9001]] {
+        let mut c = context();
+        c.enable_client_state(GL_VERTEX_ARRAY);
+        c.bind_buffer(GL_ARRAY_BUFFER, 1);
+        c.vertex_pointer(2, GL_FLOAT, 0, Data::Offset(0));
+        let mut given = vec![0.0_f32; 20_000];
+        for (corner, place) in CORNERS.chunks(2).zip(places) {
+            given[2 * place as usize..][..2].copy_from_slice(corner);
+        }
+        let bytes = bytemuck::cast_slice(&given);
+        c.buffer_data(
+            GL_ARRAY_BUFFER,
+            bytes.len() as GLsizeiptr,
+            Data::Bytes(bytes),
+            GL_STREAM_DRAW,
+        );
+        for base in [8, i32::MAX, i32::MIN, -1] {
+            let indices = places.map(|place: u32| place.wrapping_sub(base as u32));
+            let indices = bytemuck::cast_slice(&indices);
+            c.clear(GL_COLOR_BUFFER_BIT);
+            let (mode, ty) = (GL_TRIANGLES, GL_UNSIGNED_INT);
+            c.draw_elements_base_vertex(mode, 6, ty, Data::Bytes(indices), base);
+            c.buffer_sub_data(GL_ARRAY_BUFFER, 0, 8, Data::Bytes(&bytes[..8]));
+            assert!(picture(&mut c) == want, "{places:?} from {base}");
+        }
+    }
+}

@@ -43,6 +43,8 @@ pub enum Input {
     PointCoord(u8),
     /// The part of the pixel that the primitive covers, 0 to 1; 1 unless it is antialiased (`f32`).
     Coverage,
+    /// Where the fragment is of a line, its direction in the window, of length 1, either way; else 0 (`f32`).
+    LineDirection(Axis),
 }
 
 /// What a shader writes to the pipeline, one scalar at a time. All are `f32`, but the stencil's reference (`i32`) and
@@ -92,7 +94,8 @@ impl Input {
             | Self::Slope { .. }
             | Self::FragCoord(_)
             | Self::PointCoord(_)
-            | Self::Coverage => Ty::F32,
+            | Self::Coverage
+            | Self::LineDirection(_) => Ty::F32,
         }
     }
 }

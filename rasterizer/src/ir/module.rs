@@ -2,7 +2,7 @@
 
 use super::interface::{Input, Interpolation, Output, Stage};
 use super::ops::Op;
-use super::texture::{Access, Sample, TextureDecl};
+use super::texture::{Access, Lod, Sample, TextureDecl};
 use super::types::{Axis, Ty, Value, Var};
 
 /// The definition of a value.
@@ -165,6 +165,23 @@ pub struct Module {
 }
 
 impl Module {
+    /// Whether a lookup has an implicit level of detail.
+    pub(crate) fn has_implicit_lod(&self) -> bool {
+        let is_implicit = |sample: &Sample| matches!(sample.lod, Lod::Implicit { .. });
+        self.values.iter().any(|expr| match expr {
+            Expr::Sample(sample) => is_implicit(sample),
+            Expr::Const { .. }
+            | Expr::Input(_)
+            | Expr::Uniform { .. }
+            | Expr::UniformAt { .. }
+            | Expr::Op { .. }
+            | Expr::Load(_)
+            | Expr::LoadAt { .. }
+            | Expr::Derivative { .. }
+            | Expr::Component { .. } => false,
+        })
+    }
+
     /// An empty module.
     pub fn new(stage: Stage) -> Self {
         Self {

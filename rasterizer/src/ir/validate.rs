@@ -172,7 +172,9 @@ impl Body<'_> {
                 (Stage::Fragment, usize::from(slot) < self.module.varyings.len())
             }
             Input::FragCoord(component) => (Stage::Fragment, component < 4),
-            Input::FrontFacing | Input::Coverage => (Stage::Fragment, true),
+            Input::FrontFacing | Input::Coverage | Input::LineDirection(_) => {
+                (Stage::Fragment, true)
+            }
             Input::PointCoord(component) => (Stage::Fragment, component < 2),
         };
         rule!(stage == self.module.stage, "%{at}: {input:?} in a {:?} module", self.module.stage);

@@ -26,6 +26,8 @@ pub enum PlaneSource {
     PointCoord(u8),
     /// As [`PlaneSource::Smooth`], but component 0 to 3 of (s, t, 0, 1) where the shape is a point.
     Sprite(usize, u8),
+    /// The direction of a line ([`Input::LineDirection`]).
+    LineDirection(Axis),
 }
 
 /// The source of an input of a fragment program. The numbers are indices of planes.
@@ -155,6 +157,11 @@ impl InputPlanner<'_> {
             Input::FragCoord(_) => FragmentInput::Linear(self.plane(PlaneSource::InverseW)),
             Input::FrontFacing => FragmentInput::Front,
             Input::Coverage => FragmentInput::Coverage,
+            // It turns slopes.
+            Input::LineDirection(axis) if self.needs_slopes => {
+                FragmentInput::Flat(self.plane(PlaneSource::LineDirection(axis)))
+            }
+            Input::LineDirection(_) => FragmentInput::Zero,
             Input::PointCoord(axis) => {
                 FragmentInput::Linear(self.plane(PlaneSource::PointCoord(axis)))
             }
@@ -217,6 +224,20 @@ impl InputPlanner<'_> {
             .sprite(slot)
             .map_or(PlaneSource::Smooth(at), |first| PlaneSource::Sprite(at, (slot - first) as u8));
         self.plane(source)
+    }
+}
+
+/// Whether a draw may draw lines.
+pub fn draws_lines(desc: &PipelineDesc, raster: &RasterState) -> bool {
+    match desc.topology {
+        Topology::Points => false,
+        Topology::Lines | Topology::LineStrip | Topology::LineLoop => true,
+        Topology::Triangles
+        | Topology::TriangleStrip
+        | Topology::TriangleFan
+        | Topology::Quads
+        | Topology::QuadStrip
+        | Topology::Polygon => raster.polygon.mode.contains(&PolygonMode::Line),
     }
 }
 

@@ -10,7 +10,7 @@ mod product;
 mod samples;
 mod stipple;
 
-pub use inputs::{FilledInput, FragmentInput, PlaneSource, sprite_slots};
+pub use inputs::{FilledInput, FragmentInput, PlaneSource, draws_lines, sprite_slots};
 use inputs::{InputPlanes, InputPlanner};
 pub use pipeline::Pipeline;
 pub use product::{FactorPlanes, ProductInputs, ProductPlan};

@@ -2,7 +2,7 @@
 
 use crate::desc::{PipelineDesc, PipelineError, ShaderModule};
 use crate::ir::{Input, Interpolation, Output, Stage};
-use crate::shader::{OptimizedModule, Program};
+use crate::shader::{LevelOfDetail, OptimizedModule, Program};
 use crate::threads::stack::with_large_stack;
 use std::sync::{Arc, OnceLock};
 use texunit::lanes::FloatEnv;
@@ -30,8 +30,12 @@ pub(crate) struct Compiled {
     pub written_varyings: usize,
     /// How many varyings hold what the fragment module makes of others.
     pub hoisted: usize,
+    /// Who computes what fragments make of varyings.
+    hoisting: VaryingHoisting,
     /// See [`Pipeline::of_sprites`].
     of_sprites: OnceLock<Pipeline>,
+    /// See [`Pipeline::of_lines`].
+    of_lines: OnceLock<Pipeline>,
 }
 
 impl Pipeline {
@@ -46,7 +50,8 @@ impl Pipeline {
             | Input::FragCoord(_)
             | Input::FrontFacing
             | Input::PointCoord(_)
-            | Input::Coverage => None,
+            | Input::Coverage
+            | Input::LineDirection(_) => None,
         })
     }
 
@@ -63,7 +68,8 @@ impl Pipeline {
         if fragment.stage != Stage::Fragment {
             return Err(PipelineError("`fragment` must be a module of the fragment stage".into()));
         }
-        Ok(Self(Arc::new(Compiled::new(desc, VaryingHoisting::On))))
+        let compiled = Compiled::new(desc, VaryingHoisting::On, LevelOfDetail::OfPolygons);
+        Ok(Self(Arc::new(compiled)))
     }
 
     /// The pipeline where sprites replace varyings, which are not there at the vertices: what fragments make of them
@@ -73,9 +79,22 @@ impl Pipeline {
             return self.clone();
         }
         let of_sprites = self.0.of_sprites.get_or_init(|| {
-            Self(Arc::new(Compiled::new(self.0.desc.clone(), VaryingHoisting::Off)))
+            let desc = self.0.desc.clone();
+            Self(Arc::new(Compiled::new(desc, VaryingHoisting::Off, LevelOfDetail::OfPolygons)))
         });
         of_sprites.clone()
+    }
+
+    /// The pipeline where lookups of lines have the level of detail of lines.
+    pub(crate) fn of_lines(&self) -> Self {
+        if !self.0.desc.fragment.module().has_implicit_lod() {
+            return self.clone();
+        }
+        let of_lines = self.0.of_lines.get_or_init(|| {
+            let (desc, hoisting) = (self.0.desc.clone(), self.0.hoisting);
+            Self(Arc::new(Compiled::new(desc, hoisting, LevelOfDetail::OfLines)))
+        });
+        of_lines.clone()
     }
 
     /// Whether it is the same one, not an equal one.
@@ -104,16 +123,16 @@ enum VaryingHoisting {
 
 impl Compiled {
     /// Compiles modules that are of their stages.
-    fn new(desc: PipelineDesc, hoisting: VaryingHoisting) -> Self {
+    fn new(desc: PipelineDesc, hoisting: VaryingHoisting, lod: LevelOfDetail) -> Self {
         let is_deep = |stage: &ShaderModule| stage.module().nests_deeper_than(SHALLOW);
         if is_deep(&desc.vertex) || is_deep(&desc.fragment) {
-            with_large_stack(|| Self::on_this_stack(desc, hoisting))
+            with_large_stack(|| Self::on_this_stack(desc, hoisting, lod))
         } else {
-            Self::on_this_stack(desc, hoisting)
+            Self::on_this_stack(desc, hoisting, lod)
         }
     }
 
-    fn on_this_stack(desc: PipelineDesc, hoisting: VaryingHoisting) -> Self {
+    fn on_this_stack(desc: PipelineDesc, hoisting: VaryingHoisting, lod: LevelOfDetail) -> Self {
         let mut fragment = OptimizedModule::new(desc.fragment.module(), |output| match output {
             Output::Color { target, component } => desc
                 .colors
@@ -134,7 +153,7 @@ impl Compiled {
         let hoisted =
             extended_vertex.as_ref().map_or(0, |more| more.outputs.len() - vertex.outputs.len());
         let modes = fragment.module.varyings.clone();
-        let fragment = fragment.finish();
+        let fragment = fragment.finish(lod);
         let mut varyings: Vec<(u16, Interpolation)> = fragment
             .inputs()
             .iter()
@@ -149,7 +168,8 @@ impl Compiled {
                 | Input::FragCoord(_)
                 | Input::FrontFacing
                 | Input::PointCoord(_)
-                | Input::Coverage => None,
+                | Input::Coverage
+                | Input::LineDirection(_) => None,
             })
             .collect();
         varyings.sort_unstable_by_key(|&(slot, _)| slot);
@@ -164,8 +184,19 @@ impl Compiled {
             Output::Varying(slot) => varyings.iter().any(|&(read, _)| read == slot),
             Output::Color { .. } | Output::Depth | Output::StencilReference => false,
         });
-        let of_sprites = OnceLock::new();
+        let (of_sprites, of_lines) = (OnceLock::new(), OnceLock::new());
         let slots = varyings.iter().map(|&(slot, _)| slot).collect();
-        Self { desc, vertex, fragment, varyings, slots, written_varyings, hoisted, of_sprites }
+        Self {
+            desc,
+            vertex,
+            fragment,
+            varyings,
+            slots,
+            written_varyings,
+            hoisted,
+            hoisting,
+            of_sprites,
+            of_lines,
+        }
     }
 }

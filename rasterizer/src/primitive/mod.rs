@@ -12,5 +12,7 @@ mod triangles;
 pub use invisible::{InvisibleReason, InvisibleReasons, PrimitiveKind, ViewVolumeSide, reasons};
 pub use line::LineRun;
 pub use outline::{rectangle, stipple_lines};
-pub use planes::{ConstantDirection, DepthSetup, InverseMatrix, Plane, VertexPlanes, point_coord};
+pub use planes::{
+    ConstantDirection, DepthSetup, InverseMatrix, Plane, VertexPlanes, line_direction, point_coord,
+};
 pub use setup::{Clipping, Setup, Shape, ShapeKind, setup};

@@ -325,6 +325,28 @@ fn squared_side(from: [f64; 3], to: [f64; 3], third: f64) -> f64 {
     (x * x + y * y) * (third * third)
 }
 
+/// The direction of a line in the window, of length 1, either way; 0 of other shapes, and of a line without one.
+pub fn line_direction(shape: &Shape, geometry: &Geometry, viewport: &Viewport) -> [f64; 2] {
+    let [x, y] = match (shape.kind, shape.clipping) {
+        (ShapeKind::Triangle | ShapeKind::Point { .. }, _) => return [0.0; 2],
+        (ShapeKind::Line { .. }, Clipping::Whole) => {
+            let [from, to] = [0, 1].map(|end| geometry.clip(shape.vertices[end]));
+            along(homogeneous(from, viewport, [0.0; 2]), homogeneous(to, viewport, [0.0; 2]))
+        }
+        (ShapeKind::Line { .. }, Clipping::Cut) => {
+            let [from, to, _] = shape.corners;
+            [0, 1].map(|axis| f64::from(to[axis]) - f64::from(from[axis]))
+        }
+    };
+    let length = (x * x + y * y).sqrt();
+    if length > 0.0 && length.is_finite() { [x / length, y / length] } else { [0.0; 2] }
+}
+
+/// From one homogeneous position to another in the window, times the product of their `w`.
+fn along(from: [f64; 3], to: [f64; 3]) -> [f64; 2] {
+    [to[0] * from[2] - from[0] * to[2], to[1] * from[2] - from[1] * to[2]]
+}
+
 /// The weights of a line: constant across it, so that `l_0 + l_1 = 1/w` along it (GL 2.1, equations
 /// 3.5 and 3.6).
 fn line(
@@ -336,11 +358,7 @@ fn line(
 ) -> [Plane; 3] {
     let ends = [0, 1].map(|i| homogeneous(geometry.clip(shape.vertices[i]), viewport, origin));
     // A third point off the line, whose own weight is left out: at infinity, across it.
-    let along = [
-        ends[1][0] * ends[0][2] - ends[0][0] * ends[1][2],
-        ends[1][1] * ends[0][2] - ends[0][1] * ends[1][2],
-    ];
-    let [x, y] = constant.vector(along, &shape.corners);
+    let [x, y] = constant.vector(along(ends[0], ends[1]), &shape.corners);
     let rows = InverseMatrix::of([ends[0], ends[1], [x, y, 0.0]]).rows();
     [rows[0], rows[1], Plane::default()]
 }

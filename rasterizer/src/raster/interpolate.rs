@@ -4,9 +4,11 @@
 //! at the first pixel of the screen-aligned 8×8 block, and `dx`, `dy` count pixels within it.
 
 use crate::desc::SpriteOrigin;
+use crate::ir::Axis;
 use crate::plan::PlaneSource;
 use crate::primitive::{
-    ConstantDirection, DepthSetup, Plane, Shape, ShapeKind, VertexPlanes, point_coord,
+    ConstantDirection, DepthSetup, Plane, Shape, ShapeKind, VertexPlanes, line_direction,
+    point_coord,
 };
 use crate::sizes::SUBPIXEL;
 use crate::vertex::Geometry;
@@ -66,6 +68,13 @@ impl Planes {
                     ShapeKind::Point { size, .. } => point_coord(axis, size, setup.origin),
                     ShapeKind::Triangle | ShapeKind::Line { .. } => Plane::constant(0.0),
                 },
+                PlaneSource::LineDirection(axis) => {
+                    let [x, y] = line_direction(shape, geometry, &setup.depth.viewport);
+                    Plane::constant(match axis {
+                        Axis::X => x,
+                        Axis::Y => y,
+                    })
+                }
                 PlaneSource::Sprite(at, component) => match (shape.kind, component) {
                     (ShapeKind::Point { size, .. }, 0 | 1) => {
                         point_coord(component, size, setup.origin)
@@ -86,7 +95,9 @@ impl Planes {
                     | PlaneSource::Sprite(at, _)
                     | PlaneSource::Flat(at) => f64::from(provoking[at]),
                     PlaneSource::Denominator | PlaneSource::InverseW => 1.0,
-                    PlaneSource::Depth | PlaneSource::PointCoord(_) => 0.0,
+                    PlaneSource::Depth
+                    | PlaneSource::PointCoord(_)
+                    | PlaneSource::LineDirection(_) => 0.0,
                 })
             });
         }

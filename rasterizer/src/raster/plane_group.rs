@@ -167,6 +167,7 @@ impl PlaneGroup {
                 PlaneSource::InverseW
                 | PlaneSource::NoPerspective(_)
                 | PlaneSource::PointCoord(_)
+                | PlaneSource::LineDirection(_)
                 | PlaneSource::Sprite(..) => false,
             });
         let mut general = !0;
@@ -253,6 +254,7 @@ impl Kernel for ComputePlanes<'_> {
                 PlaneSource::NoPerspective(_)
                 | PlaneSource::Sprite(..)
                 | PlaneSource::InverseW
+                | PlaneSource::LineDirection(_)
                 | PlaneSource::PointCoord(_) => continue,
             };
             if at / 4 != four {

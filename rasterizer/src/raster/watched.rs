@@ -153,6 +153,7 @@ impl WatchedPixel {
             | PlaneSource::Denominator
             | PlaneSource::InverseW
             | PlaneSource::Flat(_)
+            | PlaneSource::LineDirection(_)
             | PlaneSource::PointCoord(_) => Vec::new(),
         };
         let covered = (0..)

@@ -43,7 +43,7 @@ pub use machine::{Machine, Tracer};
 pub use product::{ProductCode, TexelProduct};
 #[cfg(test)]
 use program::Fusing;
-pub(crate) use program::OptimizedModule;
+pub(crate) use program::{LevelOfDetail, OptimizedModule};
 pub use program::{MAX_REGISTER_FILES, Prepared, Program};
 pub use run::{OverBudget, Run};
 

@@ -86,6 +86,15 @@ impl Prepared {
     }
 }
 
+/// By which formula lookups with an implicit level of detail have it (GL 2.1, section 3.8.8).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum LevelOfDetail {
+    /// From the derivatives along x and y.
+    OfPolygons,
+    /// Of lines from the derivative along the line, else as of polygons.
+    OfLines,
+}
+
 /// A module that is optimized by itself, and not lowered.
 pub(crate) struct OptimizedModule {
     pub module: Module,
@@ -110,8 +119,8 @@ impl OptimizedModule {
     }
 
     /// Lowers it.
-    pub fn finish(mut self) -> Program {
-        optimize::finish(&mut self.module);
+    pub fn finish(mut self, lod: LevelOfDetail) -> Program {
+        optimize::finish(&mut self.module, lod);
         let left = statements(&self.module);
         Program {
             statements: [self.statements_before, left],
@@ -145,7 +154,7 @@ impl Program {
     /// Optimizes and lowers `module`, keeping only the outputs for which `keep` holds.
     /// The module has been validated.
     pub fn new(module: &Module, keep: impl Fn(Output) -> bool) -> Self {
-        OptimizedModule::new(module, keep).finish()
+        OptimizedModule::new(module, keep).finish(LevelOfDetail::OfPolygons)
     }
 
     /// Lowers `module` as it stands.

@@ -235,7 +235,8 @@ impl VertexStage<'_> {
             | Input::FragCoord(_)
             | Input::FrontFacing
             | Input::PointCoord(_)
-            | Input::Coverage => InputSource::Missing(0.0),
+            | Input::Coverage
+            | Input::LineDirection(_) => InputSource::Missing(0.0),
         }
     }
 

@@ -81,6 +81,24 @@ pub fn encode_half(x: f32) -> u32 {
     if x.is_nan() { infinity | 1 << (HALF_MANTISSA - 1) } else { signed }
 }
 
+/// A number clamped to those that a float of 32, 16, 11 or 10 bits can hold; the last two have no sign. Infinities and
+/// NaN are numbers that each of them has.
+pub fn clamp_to_range(x: f32, bits: u32) -> f32 {
+    let (mantissa, least) = match bits {
+        32 => return x,
+        16 => (HALF_MANTISSA, -1.0),
+        unsigned => (unsigned - 5, 0.0),
+    };
+    let largest = decode_unsigned((31 << mantissa) - 1, mantissa);
+    if x.is_finite() {
+        x.clamp(least * largest, largest)
+    } else if x == f32::NEG_INFINITY && least == 0.0 {
+        0.0
+    } else {
+        x
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

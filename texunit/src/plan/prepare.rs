@@ -3,7 +3,7 @@
 use super::selection::wrap_of;
 use super::texel_class::TexelClass;
 use super::texture::{Alpha, Anisotropy, LevelSelection, SampleKernel, TexelPath, Texture};
-use crate::format::{BaseFormat, Block, Encoding, Format};
+use crate::format::{BaseFormat, Block, Encoding, Format, shared_exponent, small_float};
 use crate::image::{FACES, Image, Incomplete, Level, Shape};
 use crate::lanes::math::clamp;
 use crate::sampler::{Border, Filter, Sampler, Seamless, SrgbRead, Swizzle};
@@ -97,8 +97,8 @@ fn is_opaque(texels: &[u8]) -> bool {
     })
 }
 
-/// Component `from` of the border colour as a stored channel, clamped to the channel's range (OpenGL
-/// 4.6, section 8.14.2). Integers as bits.
+/// Component `from` of the border colour as a stored channel, clamped to the numbers that the channel
+/// can hold (GL 3.1, section 3.8.8; OpenGL 4.6, section 8.14.2). Integers as bits.
 fn border_channel(format: Format, channel: usize, border: Border, from: usize) -> f32 {
     let info = format.info();
     let largest = i64::from(info.fields[channel].mask());
@@ -119,7 +119,9 @@ fn border_channel(format: Format, channel: usize, border: Border, from: usize) -
         | Encoding::Block(Block::Dxt1 | Block::Dxt3 | Block::Dxt5 | Block::Rgtc1 | Block::Rgtc2) => {
             clamp(number, 0.0, 1.0)
         }
-        Encoding::Float | Encoding::SharedExponent => number,
+        Encoding::Float => small_float::clamp_to_range(number, info.fields[channel].bits),
+        // `clamp` gives the lower bound where the number is NaN.
+        Encoding::SharedExponent => clamp(number, 0.0, shared_exponent::LARGEST),
     }
 }
 

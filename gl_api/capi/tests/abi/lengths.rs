@@ -35,6 +35,7 @@ unsafe extern "C" {
     pub(crate) fn glGetBufferSubData(target: GLenum, offset: isize, size: isize, data: *mut c_void);
     pub(crate) fn glMapBuffer(target: GLenum, access: GLenum) -> *mut c_void;
     fn glDrawElements(mode: GLenum, count: i32, ty: GLenum, indices: *const c_void);
+    fn glDrawElementsBaseVertex(mode: GLenum, count: i32, ty: GLenum, at: *const c_void, base: i32);
     fn glVertexPointer(size: i32, ty: GLenum, stride: i32, pointer: *const c_void);
     fn glEnableClientState(array: GLenum);
     fn glDisableClientState(array: GLenum);
@@ -238,6 +239,31 @@ fn a_count_may_be_larger_than_memory() {
             glDeleteBuffers(i32::MAX, [0].as_ptr());
             glEnd();
             assert_eq!(glGetError(), GL_INVALID_OPERATION);
+        }
+    });
+}
+
+/// ARB_draw_elements_base_vertex: sums of an index and the base wrap, wherever the vertices are.
+#[test]
+fn base_vertices_wrap_in_client_arrays() {
+    with_contexts(|| {
+        let corners: [f32; 8] = [9.0, 9.0, -1.0, -1.0, 3.0, -1.0, -1.0, 3.0];
+        let draws = [([0xFFFF_FFFC_u32, 0xFFFF_FFFD, 0xFFFF_FFFE], 5), ([4, 5, 6], -3)];
+        for (indices, base) in draws {
+            fill([0.0, 0.0, 1.0]);
+            // SAFETY: vertices 1 to 3 are there; the indices are as many as are said.
+            unsafe {
+                glBindBuffer(GL_ARRAY_BUFFER, 0);
+                glUseProgram(0);
+                glColor4f(1.0, 0.0, 0.0, 1.0);
+                glVertexPointer(2, GL_FLOAT, 0, corners.as_ptr().cast());
+                glEnableClientState(GL_VERTEX_ARRAY);
+                let at = indices.as_ptr().cast();
+                glDrawElementsBaseVertex(GL_TRIANGLES, 3, GL_UNSIGNED_INT, at, base);
+                glDisableClientState(GL_VERTEX_ARRAY);
+                assert_eq!(glGetError(), GL_NO_ERROR, "{base}");
+            }
+            assert_eq!(pixel(), [255, 0, 0, 255], "{base}");
         }
     });
 }

@@ -4,6 +4,7 @@
 mod configs;
 mod current;
 mod glu;
+mod glx;
 mod handles;
 mod lengths;
 mod memory;

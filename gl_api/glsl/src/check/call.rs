@@ -323,11 +323,11 @@ impl Checker<'_> {
         let explicit = matches!(lookup, Lookup::Sample(_, LodSource::Explicit, _));
         if explicit && !self.is_vertex() && self.version < Version::V130 {
             let message = format!("`{}` in the fragment stage is an extension", name.text);
-            let warning = Diagnostic::warning(name.span, message)
+            let problem = Diagnostic::deviation(self.log.strictness, name.span, message)
                 .help("write `#extension GL_ARB_shader_texture_lod : enable` first");
             let known = [Extension::ShaderTextureLod, Extension::GpuShader4];
             if !known.iter().any(|known| self.language.enabled(*known)) {
-                self.log.push(warning);
+                self.log.push(problem);
             }
         }
         let shift = match lookup {

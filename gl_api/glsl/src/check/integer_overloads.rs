@@ -76,7 +76,7 @@ impl Checker<'_> {
 
     fn warn_integer_overload(&mut self, row: &FunctionRow, span: Span) {
         let message = format!("`{}` of integers is not in {}", row.name, self.version.title());
-        let mut problem = Diagnostic::warning(span, message);
+        let mut problem = Diagnostic::deviation(self.log.strictness, span, message);
         if let Some(advice) = self.language.advice(row.availability) {
             problem = problem.help(advice);
         }

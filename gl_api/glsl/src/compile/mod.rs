@@ -5,6 +5,7 @@ mod builtins_test;
 mod fix_its;
 
 use crate::hir::Unit;
+pub use crate::text::diagnostics::Strictness;
 use crate::text::diagnostics::{Diagnostic, Log};
 use crate::text::source::{Source, Span};
 use crate::{check, limits, parse, preprocess};
@@ -27,6 +28,8 @@ pub enum FixIts {
 pub struct Options {
     /// Whether fix-its are applied.
     pub fix_its: FixIts,
+    /// Whether what all drivers accept, and the shader's version does not have, is accepted.
+    pub strictness: Strictness,
 }
 
 /// A compiled, checked shader object.
@@ -65,8 +68,8 @@ impl Pass {
     }
 }
 
-fn compile_once(stage: Stage, text: &str) -> Pass {
-    let mut log = Log::default();
+fn compile_once(stage: Stage, text: &str, strictness: Strictness) -> Pass {
+    let mut log = Log::new(strictness);
     let too_long = text.len() > limits::MAX_SOURCE;
     let mut source = Source::new(if too_long { "" } else { text });
     if too_long {
@@ -85,10 +88,10 @@ fn compile_once(stage: Stage, text: &str) -> Pass {
 pub fn compile(stage: Stage, source: &str, options: &Options) -> Compiled {
     with_large_stack(|| match options.fix_its {
         FixIts::Suggest => {
-            let pass = compile_once(stage, source);
+            let pass = compile_once(stage, source, options.strictness);
             let log = pass.log.render(Some(&pass.source));
             Compiled { shader: pass.shader(), log }
         }
-        FixIts::Apply => fix_its::compile(stage, source),
+        FixIts::Apply => fix_its::compile(stage, source, options.strictness),
     })
 }

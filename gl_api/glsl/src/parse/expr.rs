@@ -305,7 +305,7 @@ impl Parser<'_> {
                 let plain = text.trim_end_matches(['f', 'F']).to_owned();
                 let problem = match self.version {
                     // Every desktop compiler accepts it.
-                    Version::V110 => Diagnostic::warning(span, message),
+                    Version::V110 => Diagnostic::deviation(self.log.strictness, span, message),
                     Version::Es100 | Version::V120 | Version::V130 | Version::V140 => {
                         Diagnostic::error(span, message)
                     }

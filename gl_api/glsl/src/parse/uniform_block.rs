@@ -47,7 +47,8 @@ impl Parser<'_> {
             if let TypeBase::Struct(_) = ty.ty.base {
                 // The specification forbids it, but Mesa accepts it and programs rely on that.
                 let message = "a structure is not defined inside of a uniform block";
-                let problem = Diagnostic::warning(ty.ty.span, message).rule(SECTION);
+                let problem = Diagnostic::deviation(self.log.strictness, ty.ty.span, message);
+                let problem = problem.rule(SECTION);
                 self.log.push(problem.help("define it before the block, and name it here"));
             }
             members.push(self.declarators(ty)?);

@@ -16,7 +16,7 @@ pub fn evaluate(
     version: Version,
     log: &mut Log,
 ) -> Result<i64, Box<Diagnostic>> {
-    let tokens = macros.expand_condition(line.to_vec(), source, version)?;
+    let tokens = macros.expand_condition(line.to_vec(), source, version, log)?;
     let mut parser = Parser { tokens: &tokens, at: 0, end: span, depth: 0, version, log };
     let value = parser.binary(0, Operand::Evaluated)?;
     match parser.tokens.get(parser.at) {
@@ -160,7 +160,7 @@ impl Parser<'_> {
         }
         let message = format!("`{name}` is not defined and counts as 0");
         self.log.push(
-            Diagnostic::warning(span, message)
+            Diagnostic::deviation(self.log.strictness, span, message)
                 .rule("GLSL 1.30 section 3.3: other compilers may refuse this")
                 .help(help),
         );

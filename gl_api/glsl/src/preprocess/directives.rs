@@ -297,7 +297,7 @@ impl Preprocessor<'_> {
         };
         if self.program_begun {
             let message = "`#extension` stands behind a part of the program";
-            let problem = Diagnostic::warning(span, message);
+            let problem = Diagnostic::deviation(self.log.strictness, span, message);
             self.log.push(problem.help("put it before anything but directives and comments"));
         }
         let version = self.language.version;
@@ -330,7 +330,8 @@ impl Preprocessor<'_> {
     }
 
     fn line(&mut self, span: Span, rest: &[Token]) {
-        let expanded = match self.macros.expand(rest.to_vec(), self.source, self.language.version) {
+        let version = self.language.version;
+        let expanded = match self.macros.expand(rest.to_vec(), self.source, version, self.log) {
             Ok(expanded) => expanded,
             Err(problem) => {
                 self.log.push(*problem);

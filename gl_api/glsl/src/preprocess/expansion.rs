@@ -4,7 +4,7 @@ use super::macros::Macros;
 use crate::language::Version;
 use crate::lex::{Token, TokenKind};
 use crate::limits::{MAX_EXPANDED_TOKENS, MAX_MACRO_DEPTH};
-use crate::text::diagnostics::Diagnostic;
+use crate::text::diagnostics::{Diagnostic, Log, Severity};
 use crate::text::source::{Source, Span};
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -36,6 +36,7 @@ struct Expansion<'a> {
     /// The macros that are being expanded.
     active: BTreeSet<Arc<str>>,
     produced: &'a mut usize,
+    log: &'a mut Log,
 }
 
 /// Expands every macro in `tokens`. `produced` counts the tokens of all expansions of the shader.
@@ -46,9 +47,10 @@ pub fn expand(
     source: &Source,
     version: Version,
     produced: &mut usize,
+    log: &mut Log,
 ) -> Result<Vec<Token>, Box<Diagnostic>> {
     let active = BTreeSet::new();
-    let mut expansion = Expansion { macros, context, source, version, active, produced };
+    let mut expansion = Expansion { macros, context, source, version, active, produced, log };
     let items = tokens.into_iter().map(ExpansionItem::Token).collect();
     let result = expansion.run(items, None, 0)?;
     let plain = |item| match item {
@@ -237,7 +239,7 @@ impl Expansion<'_> {
     /// The body with arguments in place of parameters and `##` applied (GLSL 1.30 section 3.3).
     /// Operands of `##` are the arguments as written; elsewhere they are `expanded`.
     fn paste(
-        &self,
+        &mut self,
         body: &[Token],
         parameters: &[Arc<str>],
         written: &[Vec<Token>],
@@ -250,9 +252,10 @@ impl Expansion<'_> {
         let mut before = false;
         for (index, token) in body.iter().enumerate() {
             if token.is("##") {
-                if self.version < Version::V130 {
+                if index == 0 || index + 1 == body.len() {
                     return Err(nothing_to_join(token));
                 }
+                self.check_version(token)?;
                 joining = true;
                 continue;
             }
@@ -289,6 +292,28 @@ impl Expansion<'_> {
             joining = false;
         }
         Ok(output)
+    }
+}
+
+impl Expansion<'_> {
+    /// Reports a `##` before GLSL 1.30. Every desktop compiler accepts it; compilers of GLSL ES do not.
+    fn check_version(&mut self, at: &Token) -> Result<(), Box<Diagnostic>> {
+        let message = format!("`##` is not in {}", self.version.title());
+        let problem = match self.version {
+            Version::V130 | Version::V140 => return Ok(()),
+            Version::Es100 => Diagnostic::error(at.span, message)
+                .rule("GLSL ES 1.00 section 3.4: there is no operator `##`"),
+            Version::V110 | Version::V120 => {
+                Diagnostic::deviation(self.log.strictness, at.span, message)
+                    .rule("GLSL 1.30 section 3.3: `##` joins two tokens, from version 130 on")
+                    .help("write `#version 130` first; other compilers may refuse this")
+            }
+        };
+        if problem.severity == Severity::Error {
+            return Err(problem.into());
+        }
+        self.log.push(problem);
+        Ok(())
     }
 }
 

@@ -3,7 +3,7 @@
 use super::expansion::{self, ExpansionContext, nothing_to_join};
 use crate::language::{Extension, Version};
 use crate::lex::{Token, TokenKind};
-use crate::text::diagnostics::Diagnostic;
+use crate::text::diagnostics::{Diagnostic, Log};
 use crate::text::source::{Source, Span};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -65,8 +65,8 @@ impl Macro {
     }
 }
 
-/// The body of a macro: `##` has a token on both sides. Before GLSL 1.30, which added `##`, only
-/// its use is an error.
+/// The body of a macro: `##` has a token on both sides. Before GLSL 1.30, which added `##`, this
+/// is checked where the macro is used.
 fn body(tokens: &[Token], version: Version) -> Result<Vec<Token>, Box<Diagnostic>> {
     let ends = [tokens.first(), tokens.last()];
     match ends.into_iter().flatten().find(|token| token.is("##")) {
@@ -127,8 +127,9 @@ impl Macros {
         tokens: Vec<Token>,
         source: &Source,
         version: Version,
+        log: &mut Log,
     ) -> Result<Vec<Token>, Box<Diagnostic>> {
-        self.expand_in(ExpansionContext::Text, tokens, source, version)
+        self.expand_in(ExpansionContext::Text, tokens, source, version, log)
     }
 
     /// Expands every macro in a condition, and replaces `defined X` and `defined(X)` by 1 or 0,
@@ -138,8 +139,9 @@ impl Macros {
         tokens: Vec<Token>,
         source: &Source,
         version: Version,
+        log: &mut Log,
     ) -> Result<Vec<Token>, Box<Diagnostic>> {
-        self.expand_in(ExpansionContext::Condition, tokens, source, version)
+        self.expand_in(ExpansionContext::Condition, tokens, source, version, log)
     }
 
     fn expand_in(
@@ -148,9 +150,10 @@ impl Macros {
         tokens: Vec<Token>,
         source: &Source,
         version: Version,
+        log: &mut Log,
     ) -> Result<Vec<Token>, Box<Diagnostic>> {
         let mut produced = self.produced;
-        let result = expansion::expand(self, context, tokens, source, version, &mut produced);
+        let result = expansion::expand(self, context, tokens, source, version, &mut produced, log);
         self.produced = produced;
         result
     }

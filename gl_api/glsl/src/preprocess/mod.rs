@@ -65,12 +65,6 @@ pub fn preprocess(source: &mut Source, log: &mut Log) -> Preprocessed {
     if let Some(span) = lexed.unclosed {
         log.push(Diagnostic::error(span, "comment is not closed by `*/`"));
     }
-    if let Some(span) = lexed.continued {
-        let message = "a line continued by `\\` is not in this version";
-        let problem = Diagnostic::warning(span, message)
-            .rule("GLSL 1.30 section 3.1: the backslash is no character of the language");
-        log.push(problem.help("write it in one line; other compilers may refuse this"));
-    }
     if let Some(span) = lexed.terminator {
         let message = "the text ends with U+0000, which is no character of the language";
         let problem = Diagnostic::warning(span, message);
@@ -87,7 +81,13 @@ pub fn preprocess(source: &mut Source, log: &mut Log) -> Preprocessed {
         program_begun: false,
     };
     let tokens = preprocessor.run(&lexed.tokens);
-    let Preprocessor { language, all_invariant, .. } = preprocessor;
+    let Preprocessor { language, all_invariant, log, .. } = preprocessor;
+    if let Some(span) = lexed.continued {
+        let message = format!("a line continued by `\\` is not in {}", language.version.title());
+        let problem = Diagnostic::deviation(log.strictness, span, message)
+            .rule("GLSL 1.30 section 3.1: the backslash is no character of the language");
+        log.push(problem.help("write it in one line; other compilers may refuse this"));
+    }
     Preprocessed { tokens, language, all_invariant }
 }
 
@@ -133,7 +133,8 @@ impl Preprocessor<'_> {
     }
 
     fn flush(&mut self, text: &mut Vec<Token>, output: &mut Vec<Token>) {
-        match self.macros.expand(std::mem::take(text), self.source, self.language.version) {
+        match self.macros.expand(std::mem::take(text), self.source, self.language.version, self.log)
+        {
             Ok(expanded) => output.extend(expanded),
             Err(problem) => self.log.push(*problem),
         }

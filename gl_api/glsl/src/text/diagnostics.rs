@@ -17,6 +17,16 @@ pub enum Severity {
     Warning,
 }
 
+/// Whether what a shader's version does not have is accepted, with a warning, where all drivers accept it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Strictness {
+    /// It is accepted, and the warning names the version.
+    #[default]
+    Lenient,
+    /// It is an error, as the specification says.
+    Strict,
+}
+
 /// A replacement of a span of the source.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Edit {
@@ -70,6 +80,14 @@ impl Diagnostic {
     /// An error at a span.
     pub fn error(span: Span, message: impl Into<String>) -> Self {
         Self::new(Severity::Error, Some(span), message)
+    }
+
+    /// What the version does not have and all drivers accept: a warning or an error.
+    pub fn deviation(strictness: Strictness, span: Span, message: impl Into<String>) -> Self {
+        match strictness {
+            Strictness::Lenient => Self::warning(span, message),
+            Strictness::Strict => Self::error(span, message),
+        }
     }
 
     /// A warning at a span.
@@ -186,10 +204,17 @@ fn ascii(text: &str) -> String {
 pub struct Log {
     /// In the order found.
     pub items: Vec<Diagnostic>,
+    /// How deviations from the version are reported.
+    pub strictness: Strictness,
     errors: usize,
 }
 
 impl Log {
+    /// An empty log.
+    pub fn new(strictness: Strictness) -> Self {
+        Self { strictness, ..Self::default() }
+    }
+
     /// Adds a diagnostic, unless there are enough or it is a duplicate.
     pub fn push(&mut self, diagnostic: Diagnostic) {
         if self.items.len() >= 2 * MAX_ERRORS || self.is_full() {

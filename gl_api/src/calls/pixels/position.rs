@@ -109,7 +109,8 @@ pub(crate) fn shade(context: &mut Context, position: [f32; 4]) -> Result<Vertice
             | Input::FrontFacing
             | Input::PointCoord(_)
             | Input::Slope { .. }
-            | Input::Coverage => 0.0,
+            | Input::Coverage
+            | Input::LineDirection(_) => 0.0,
         };
         *out = U32s::splat(number.to_bits());
     });

@@ -87,5 +87,14 @@ pub(crate) fn pixel_storei(context: &mut Context, pname: GLenum, param: GLint) -
 }
 
 pub(crate) fn pixel_storef(context: &mut Context, pname: GLenum, param: GLfloat) -> Result<()> {
-    pixel_storei(context, pname, (param + 0.5).floor() as GLint)
+    let param = match PARAMETER.decode("pname", pname)?.1 {
+        Parameter::SwapBytes | Parameter::LsbFirst => GLint::from(param != 0.0),
+        Parameter::RowLength
+        | Parameter::SkipRows
+        | Parameter::ImageHeight
+        | Parameter::SkipImages
+        | Parameter::SkipPixels
+        | Parameter::Alignment => param.round() as GLint,
+    };
+    pixel_storei(context, pname, param)
 }

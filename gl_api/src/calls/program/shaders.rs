@@ -79,7 +79,7 @@ pub(crate) fn shader_source(
 }
 
 pub(crate) fn compile_shader(context: &mut Context, name: GLuint) -> Result<()> {
-    let options = glsl::Options { fix_its: context.fix_its };
+    let options = context.compiler.clone();
     let shader = shader(context, name)?;
     let compiled = glsl::compile(shader.stage, &shader.source, &options);
     shader.compiled = compiled.shader;

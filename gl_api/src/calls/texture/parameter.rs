@@ -90,19 +90,22 @@ fn parameter(pname: GLenum) -> Result<Parameter> {
     }
 }
 
-fn level_number(target: TextureTarget, pname: GLenum, value: f32) -> Result<u32> {
+/// A level's number: an integer, to which floats are rounded before it is checked.
+fn level_number(target: TextureTarget, pname: GLenum, number: f64) -> Result<u32> {
     let name = enum_name(pname);
-    if value.is_nan() || value < 0.0 {
+    let (value, level) = (number as f32, number.round());
+    if level.is_nan() || level < 0.0 {
         return invalid_value(SECTION, format!("{name} = {value} must not be negative"));
     }
-    if target.levels() == 1 && pname == GL_TEXTURE_BASE_LEVEL && value != 0.0 {
+    if target.levels() == 1 && pname == GL_TEXTURE_BASE_LEVEL && level != 0.0 {
         let target = enum_name(TARGET.encode(target));
         return invalid_operation(
             "GL 3.3, section 3.8.7",
             format!("{name} = {value} of {target} must be 0"),
         );
     }
-    Ok(value.round() as u32)
+    // The state is an integer with a sign.
+    Ok(level.min(GLint::MAX.into()) as u32)
 }
 
 /// A target whose textures have parameters: those of buffers have none.
@@ -141,9 +144,10 @@ fn set(
     target: TextureTarget,
     pname: GLenum,
     parameter: Parameter,
-    value: f32,
+    values: &Values,
 ) -> Result<()> {
-    let symbol = symbol(value);
+    let value = values.one(SECTION, pname)?;
+    let symbol = symbol(value as f32);
     let texture = bound_mut(context, target);
     let before = texture.state.clone();
     // Levels that were given for good bound these parameters (ARB_texture_storage, section 3.8.X).
@@ -151,7 +155,9 @@ fn set(
     let sampler = &mut texture.state.sampler;
     match parameter {
         Parameter::Sampler(parameter) => texture.state.set(Some(target), parameter, value)?,
-        Parameter::Priority => texture.priority = unit(value.into()) as f32,
+        Parameter::Priority => {
+            texture.priority = unit(values.fraction(SECTION, pname)?.into()) as f32;
+        }
         Parameter::BaseLevel => {
             sampler.base_level = level_number(target, pname, value)?.min(last.unwrap_or(u32::MAX));
         }
@@ -179,7 +185,7 @@ fn set(
     Ok(())
 }
 
-fn scalar(context: &mut Context, target: GLenum, pname: GLenum, value: f32) -> Result<()> {
+fn scalar(context: &mut Context, target: GLenum, pname: GLenum, value: &Values) -> Result<()> {
     let target = checked_target(target)?;
     set(context, target, pname, parameter_of(target, pname)?, value)
 }
@@ -196,7 +202,7 @@ fn vector(context: &mut Context, target: GLenum, pname: GLenum, values: &Values)
             values.four(SECTION, pname)?;
             let mut swizzle = Swizzle::IDENTITY;
             for (component, &value) in swizzle.iter_mut().zip(&values.plain) {
-                *component = SWIZZLE.decode("params", symbol(value))?;
+                *component = SWIZZLE.decode("params", symbol(value as f32))?;
             }
             bound_mut(context, target).state.sampler.swizzle = swizzle;
         }
@@ -209,7 +215,7 @@ fn vector(context: &mut Context, target: GLenum, pname: GLenum, values: &Values)
         | Parameter::DepthMode
         | Parameter::GenerateMipmap
         | Parameter::Swizzle(_) => {
-            return set(context, target, pname, parameter, values.one(SECTION, pname)?);
+            return set(context, target, pname, parameter, values);
         }
     }
     Ok(())
@@ -221,7 +227,7 @@ pub(crate) fn tex_parameteri(
     pname: GLenum,
     param: GLint,
 ) -> Result<()> {
-    scalar(context, target, pname, param as f32)
+    scalar(context, target, pname, &Values::fixed(&[param]))
 }
 
 pub(crate) fn tex_parameterf(
@@ -230,7 +236,7 @@ pub(crate) fn tex_parameterf(
     pname: GLenum,
     param: GLfloat,
 ) -> Result<()> {
-    scalar(context, target, pname, param)
+    scalar(context, target, pname, &Values::floats(&[param]))
 }
 
 pub(crate) fn tex_parameteriv(
@@ -276,7 +282,9 @@ pub(crate) fn clamped(context: &Context, answer: Answer) -> Answer {
         Answer::Color(Border::Float(color)) => Answer::Color(Border::Float(
             crate::draw::color_clamp::of_fragments(context).color(color),
         )),
-        Answer::Color(Border::Sint(_) | Border::Uint(_)) | Answer::Numbers(_) => answer,
+        Answer::Color(Border::Sint(_) | Border::Uint(_))
+        | Answer::Numbers(_)
+        | Answer::Fraction(_) => answer,
     }
 }
 
@@ -286,18 +294,18 @@ fn get(context: &Context, target: TextureTarget, parameter: Parameter) -> Answer
     let one = match parameter {
         Parameter::BorderColor => return Answer::Color(sampler.border),
         Parameter::Swizzles => {
-            let names = sampler.swizzle.iter().map(|&from| SWIZZLE.encode(from) as f32);
+            let names = sampler.swizzle.iter().map(|&from| SWIZZLE.encode(from).into());
             return Answer::Numbers(names.collect());
         }
-        Parameter::Sampler(parameter) => texture.state.get(parameter),
-        Parameter::Priority => texture.priority,
+        Parameter::Sampler(parameter) => texture.state.get(parameter).into(),
+        Parameter::Priority => return Answer::Fraction(texture.priority),
         Parameter::Resident => 1.0,
-        Parameter::Immutable => f32::from(u8::from(texture.immutable.is_some())),
-        Parameter::BaseLevel => sampler.base_level as f32,
-        Parameter::MaxLevel => sampler.max_level as f32,
-        Parameter::DepthMode => DEPTH_MODE.encode(sampler.depth_mode) as f32,
-        Parameter::GenerateMipmap => f32::from(u8::from(texture.generate_mipmap)),
-        Parameter::Swizzle(at) => SWIZZLE.encode(sampler.swizzle[usize::from(at)]) as f32,
+        Parameter::Immutable => f64::from(u8::from(texture.immutable.is_some())),
+        Parameter::BaseLevel => sampler.base_level.into(),
+        Parameter::MaxLevel => sampler.max_level.into(),
+        Parameter::DepthMode => DEPTH_MODE.encode(sampler.depth_mode).into(),
+        Parameter::GenerateMipmap => f64::from(u8::from(texture.generate_mipmap)),
+        Parameter::Swizzle(at) => SWIZZLE.encode(sampler.swizzle[usize::from(at)]).into(),
     };
     Answer::Numbers(vec![one])
 }

@@ -95,7 +95,7 @@ fn parameter(pname: GLenum) -> Result<Option<SamplerParameter>> {
     }
 }
 
-fn scalar(context: &mut Context, sampler: GLuint, pname: GLenum, value: f32) -> Result<()> {
+fn scalar(context: &mut Context, sampler: GLuint, pname: GLenum, value: f64) -> Result<()> {
     let state = found(context, sampler)?;
     match parameter(pname)? {
         Some(parameter) => state.set(None, parameter, value),
@@ -120,7 +120,7 @@ pub(crate) fn sampler_parameteri(
     pname: GLenum,
     param: GLint,
 ) -> Result<()> {
-    scalar(context, sampler, pname, param as f32)
+    scalar(context, sampler, pname, param.into())
 }
 
 pub(crate) fn sampler_parameterf(
@@ -129,7 +129,7 @@ pub(crate) fn sampler_parameterf(
     pname: GLenum,
     param: GLfloat,
 ) -> Result<()> {
-    scalar(context, sampler, pname, param)
+    scalar(context, sampler, pname, param.into())
 }
 
 pub(crate) fn sampler_parameteriv(
@@ -171,7 +171,7 @@ pub(crate) fn sampler_parameter_i_uiv(
 fn got(context: &mut Context, sampler: GLuint, pname: GLenum) -> Result<Answer> {
     let state = found(context, sampler)?;
     Ok(match parameter(pname)? {
-        Some(parameter) => Answer::Numbers(vec![state.get(parameter)]),
+        Some(parameter) => Answer::Numbers(vec![state.get(parameter).into()]),
         None => Answer::Color(state.sampler.border),
     })
 }

@@ -34,12 +34,13 @@ fn indexed_reach(
 ) -> VertexRange<'static> {
     let mut vertex_range = VertexRange { first: 0, last: 0, instances, scattered: None };
     if needs_vertex_range(context) {
-        let indices = bytes.chunks_exact(ty.size());
-        let indices = indices.map(IndexType::index);
+        let indices = bytes.chunks_exact(ty.size()).map(IndexType::index);
+        // Sums wrap (ARB_draw_elements_base_vertex, section 2.8).
+        let vertices = indices.map(|index| index.wrapping_add_signed(base_vertex));
         let (low, high) =
-            indices.fold((u32::MAX, 0), |(low, high), index| (low.min(index), high.max(index)));
-        vertex_range.last = high.saturating_add_signed(base_vertex);
-        vertex_range.first = low.saturating_add_signed(base_vertex).min(vertex_range.last);
+            vertices.fold((u32::MAX, 0), |(low, high), at| (low.min(at), high.max(at)));
+        vertex_range.last = high;
+        vertex_range.first = low.min(high);
     }
     vertex_range
 }

@@ -48,8 +48,8 @@ fn last_vertex(context: &Context, elements: &Elements) -> Option<u32> {
             let size = indices.ty.size();
             let bytes = indices.buffer.bytes().get(indices.offset..)?;
             let bytes = bytes.get(..*count as usize * size).filter(|_| context.debug.listens())?;
-            let last = bytes.chunks_exact(size).map(IndexType::index).max()?;
-            last.checked_add_signed(indices.base_vertex)
+            let vertices = bytes.chunks_exact(size).map(IndexType::index);
+            vertices.map(|index| index.wrapping_add_signed(indices.base_vertex)).max()
         }
     }
 }

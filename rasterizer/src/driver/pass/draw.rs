@@ -7,7 +7,7 @@ use crate::driver::chunk::{DrawState, MergedDraws, RUN};
 use crate::driver::report::SubmitReport;
 use crate::driver::resources::Resources;
 use crate::driver::visibility::Visibility;
-use crate::plan::{Counting, DrawPlan, Pipeline, PlanInput, sprite_slots};
+use crate::plan::{Counting, DrawPlan, Pipeline, PlanInput, draws_lines, sprite_slots};
 use crate::primitive::Setup;
 use crate::raster::DrawJob;
 use crate::shader::{OverBudget, Prepared};
@@ -36,6 +36,10 @@ impl Pass<'_> {
         let pipeline = match sprite_slots(pipeline.desc(), &self.bound.raster) {
             [] => pipeline,
             _ => pipeline.of_sprites(),
+        };
+        let pipeline = match draws_lines(pipeline.desc(), &self.bound.raster) {
+            true => pipeline.of_lines(),
+            false => pipeline,
         };
         let area = self.area(self.bound.scissor);
         if area[0][0] >= area[1][0] || area[0][1] >= area[1][1] {

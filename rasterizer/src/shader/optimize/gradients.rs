@@ -5,21 +5,25 @@
 //! Formal differentiation over the few operations that such coordinates are made of. A coordinate
 //! that is made of anything else keeps the differences of the quad, and so do the others of its
 //! lookup.
+//!
+//! Of lines, the scale factor is made of the derivative along the line (GL 2.1, section 3.8.8), which
+//! takes the place of that along x; that along y is 0.
 
 use crate::ir::{
     Access, Axis, Block, Expr, Input, Interpolation, Lod, Module, Op, Stage, Stmt, Ty, Value,
 };
+use crate::shader::LevelOfDetail;
 
 /// The depth of operations up to which a coordinate is followed.
 const DEPTH: u32 = 12;
 
 /// Runs the pass; returns whether it changed the module.
-pub(super) fn run(module: &mut Module) -> bool {
+pub(super) fn run(module: &mut Module, lod: LevelOfDetail) -> bool {
     if module.stage != Stage::Fragment {
         return false;
     }
     let body = std::mem::take(&mut module.body);
-    let mut pass = Pass { module, changed: false };
+    let mut pass = Pass { module, lod, changed: false };
     let body = pass.block(body);
     let changed = pass.changed;
     module.body = body;
@@ -28,6 +32,7 @@ pub(super) fn run(module: &mut Module) -> bool {
 
 struct Pass<'a> {
     module: &'a mut Module,
+    lod: LevelOfDetail,
     changed: bool,
 }
 
@@ -87,10 +92,14 @@ impl Pass<'_> {
         for (gradient, coord) in gradients.iter_mut().zip(&coords[..axes]) {
             match self.gradient(*coord, DEPTH, &mut emitted) {
                 Some(found) => *gradient = found,
-                None => return,
+                None if self.lod == LevelOfDetail::OfPolygons => return,
+                None => *gradient = Gradient::Values(self.differences(*coord, &mut emitted)),
             }
         }
         let zero = self.push(Expr::Const { bits: 0, ty: Ty::F32 });
+        if self.lod == LevelOfDetail::OfLines {
+            self.derivatives_along_line(&mut gradients, zero, &mut emitted);
+        }
         let along = |axis: usize| {
             gradients.map(|gradient| match gradient {
                 Gradient::Zero => zero,
@@ -102,6 +111,42 @@ impl Pass<'_> {
             sample.lod = lod;
             self.changed = true;
             out.extend(emitted.into_iter().map(Stmt::Eval));
+        }
+    }
+
+    /// The differences of a value in its quad.
+    fn differences(&mut self, value: Value, emitted: &mut Vec<Value>) -> [Value; 2] {
+        [Axis::X, Axis::Y].map(|axis| {
+            let difference = self.push(Expr::Derivative { axis, value });
+            emitted.push(difference);
+            difference
+        })
+    }
+
+    /// Where the fragment is of a line, makes derivatives along x and y that along the line and 0: the formula of
+    /// polygons then gives that of lines.
+    fn derivatives_along_line(
+        &mut self,
+        gradients: &mut [Gradient; 3],
+        zero: Value,
+        emitted: &mut Vec<Value>,
+    ) {
+        let direction =
+            [Axis::X, Axis::Y].map(|axis| self.push(Expr::Input(Input::LineDirection(axis))));
+        let is_set = direction.map(|part| self.op(Op::NotEqual, [part, zero], emitted));
+        let is_line = self.op(Op::Or, is_set, emitted);
+        for gradient in gradients {
+            let Gradient::Values(values) = *gradient else { continue };
+            let parts =
+                [0, 1].map(|axis| self.op(Op::Mul, [values[axis], direction[axis]], emitted));
+            let along = self.op(Op::Add, parts, emitted);
+            let turned = [(along, values[0]), (zero, values[1])].map(|(of_line, other)| {
+                let select = Expr::Op { op: Op::SelectF, args: [is_line, of_line, other] };
+                let value = self.push(select);
+                emitted.push(value);
+                value
+            });
+            *gradient = Gradient::Values(turned);
         }
     }
 

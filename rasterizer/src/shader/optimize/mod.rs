@@ -29,6 +29,7 @@ mod unroll;
 
 pub(super) use affine::hoist_to_vertex;
 
+use super::LevelOfDetail;
 use crate::ir::Module;
 
 /// How often the passes that make work for each other are repeated at most.
@@ -51,8 +52,8 @@ pub(super) fn optimize(module: &mut Module) {
 }
 
 /// The final passes.
-pub(super) fn finish(module: &mut Module) {
-    if gradients::run(module) {
+pub(super) fn finish(module: &mut Module, lod: LevelOfDetail) {
+    if gradients::run(module, lod) {
         simplify::run(module);
         dead::run(module);
     }
