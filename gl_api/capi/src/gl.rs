@@ -117,5 +117,5 @@ pub(crate) fn functions() -> Vec<(&'static str, *const ())> {
     all
 }
 
-#[cfg(test)]
+#[cfg(all(test, target_os = "linux"))]
 mod storm;

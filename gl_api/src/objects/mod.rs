@@ -35,7 +35,7 @@ use rasterizer::driver::Image;
 /// The objects that a context can reach.
 #[derive(Debug)]
 pub(crate) struct Objects {
-    /// Those of its share group.
+    /// Those of its share group; the first access of a call locks the group.
     pub shared: GroupAccess,
     /// The textures named 0, by target.
     pub default_textures: [Texture; TextureTarget::COUNT],

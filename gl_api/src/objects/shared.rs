@@ -7,11 +7,13 @@
 //!
 //! **When the lock is taken.** With the first access of a call to an object of the group ([`GroupAccess`]), and it is
 //! held until the call ends. So each call sees and leaves the objects in a state in which no other call is half done,
-//! and a call that needs none, as most that set state, takes no lock. `glFlush`, `glFinish` and the end of a picture
-//! release it while the recorded draws are executed: contexts of one group draw at the same time.
+//! and a call that needs none, as most that set state, takes no lock. The calls of a display list are calls of their
+//! own: others may run between them. `glFlush`, `glFinish` and the end of a picture release the lock while the recorded
+//! draws are executed, so contexts of one group draw at the same time; a wait for a fence releases it, too.
 //!
-//! **What another context sees.** Names and parameters: with the next call. What was drawn: after `glFlush` or
-//! `glFinish`, as draws are recorded until then; a recorded draw keeps the contents that it had when it was recorded.
+//! **What another context sees.** Names, parameters and uploaded texels and bytes: with its next call. What was drawn:
+//! after `glFlush` or `glFinish`, as draws are recorded until then; a recorded draw keeps the contents that it had when
+//! it was recorded.
 
 use crate::base::types::GLuint;
 use crate::objects::assemblies::Assembly;
