@@ -107,20 +107,23 @@ fn lists(count: u32) {
     }
 }
 
+/// The objects, how they are made and deleted, and how many of them.
+type Case = (&'static str, fn(u32), u32);
+
 #[test]
 fn thousands_of_objects_leave_the_process_as_large_as_the_first_ones_did() {
     if resident_bytes().is_none() {
         eprintln!("skipped: this system has no /proc/self/statm");
         return;
     }
-    let kinds: &[(&str, fn(u32), u32)] = &[
+    let cases: &[Case] = &[
         ("contexts", contexts, 2_000),
         ("textures", textures, 10_000),
         ("buffers", buffers, 10_000),
         ("lists", lists, 10_000),
         ("programs", programs, 1_000),
     ];
-    for (kind, make, count) in kinds {
+    for (kind, make, count) in cases {
         // Caches and the allocator's pools are filled by the first ones.
         make(count / 4);
         let before = resident_bytes().expect("as above");
