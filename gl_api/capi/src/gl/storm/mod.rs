@@ -130,16 +130,44 @@ const LEFT_OUT_OF_STORMS: &[&str] = &[
     "glDebugMessageCallbackARB",
 ];
 
+/// Calls that write as much as an object of the share group has: another thread may give it more between the moment at
+/// which the memory is measured and the call, which a program prevents by its own order of calls.
+const LEFT_OUT_OF_GROUPS: &[&str] = &[
+    "glGetAttachedShaders",
+    "glGetAttachedObjectsARB",
+    "glGetUniformfv",
+    "glGetUniformfvARB",
+    "glGetUniformiv",
+    "glGetUniformivARB",
+    "glGetUniformuiv",
+    "glGetUniformuivEXT",
+    "glGetActiveUniformsiv",
+    "glGetActiveUniformBlockiv",
+];
+
+/// Whether other threads call at the same time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Company {
+    Alone,
+    Group,
+}
+
+impl Company {
+    fn leaves_out(self, name: &str) -> bool {
+        LEFT_OUT_OF_STORMS.contains(&name)
+            || (self == Self::Group && LEFT_OUT_OF_GROUPS.contains(&name))
+    }
+}
+
 /// Random calls on a context that keeps its state; with `Counts::Hostile`, now and then.
-fn storm(mut c: Context, seed: u64, calls: usize) -> Context {
+fn storm(mut c: Context, seed: u64, company: Company) -> Context {
     let slots = guarded();
     let random = Random(Cell::new(seed));
     let cases = cases();
-    let cases: Vec<&Case> =
-        cases.iter().filter(|case| !LEFT_OUT_OF_STORMS.contains(&case.name)).collect();
+    let cases: Vec<&Case> = cases.iter().filter(|case| !company.leaves_out(case.name)).collect();
     c = with_objects(c);
     let current = c.make_current();
-    for number in 0..calls {
+    for number in 0..CALLS {
         let case = cases[random.below(cases.len() as u64) as usize];
         NAME.set(case.name);
         let counts = match case.counts.as_slice() {
@@ -197,7 +225,7 @@ fn assert_draws(c: &mut Context) {
 #[test]
 fn random_calls_leave_a_context_that_works() {
     for seed in seeds() {
-        let mut c = storm(new_context(), seed, CALLS);
+        let mut c = storm(new_context(), seed, Company::Alone);
         assert_draws(&mut c);
     }
 }
@@ -211,7 +239,7 @@ fn random_calls_on_several_threads_of_a_group_leave_contexts_that_work() {
         std::thread::scope(|scope| {
             for (number, c) in (0..).zip(std::iter::once(first).chain(others)) {
                 let seed = seed * THREADS + number;
-                scope.spawn(move || assert_draws(&mut storm(c, seed, CALLS)));
+                scope.spawn(move || assert_draws(&mut storm(c, seed, Company::Group)));
             }
         });
     }
