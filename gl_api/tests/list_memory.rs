@@ -1,5 +1,8 @@
 //! What display lists copy: never more than a call could use, and no allocation ends the process.
 
+#[path = "common/shading.rs"]
+mod shading;
+
 use gl_api::*;
 
 fn context() -> Context {
@@ -46,14 +49,8 @@ fn images_of_impossible_sizes_are_not_copied() {
 #[test]
 fn elements_past_the_end_of_an_array_of_uniforms_need_not_be_there() {
     let mut c = context();
-    let shader = c.create_shader(GL_FRAGMENT_SHADER);
     let source = "uniform vec4 u[2]; void main() { gl_FragColor = u[0] + u[1]; }";
-    c.shader_source(shader, 1, Strings(vec![source]), &[]);
-    c.compile_shader(shader);
-    let program = c.create_program();
-    c.attach_shader(program, shader);
-    c.link_program(program);
-    c.use_program(program);
+    let program = shading::use_program(&mut c, "", source);
     let location = c.get_uniform_location(program, "u");
     let values = [0.25, 0.5, 0.0, 0.5, 0.25, 0.0, 0.5, 0.5];
     c.new_list(1, GL_COMPILE);

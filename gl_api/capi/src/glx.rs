@@ -16,7 +16,7 @@ const BAD_CONTEXT: isize = 5;
 /// `UST`, `MSC` and `SBC` are not negative; a pointer is no offset into AGP memory.
 const MINUS_ONE: isize = -1;
 
-/// Whether an answer is a failure, of which the user is told.
+/// Whether an answer prints the line about a failure.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Report {
     Failure,

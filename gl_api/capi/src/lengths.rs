@@ -52,6 +52,9 @@ pub(crate) enum Rule {
     TextBelow(usize, usize),
 }
 
+/// `glGetDebugMessageLog`: an element for each message, of which there are no more than the log has.
+const PER_MESSAGE: Rule = Rule::TimesAtMost { argument: 0, factor: 1, limit: MAX_LOGGED };
+
 /// Where the registry is silent, says the largest of several lengths, or where a call has a limit; by the first name of
 /// an entry point, for its other names too.
 const OVERRIDES: &[(&str, usize, Rule)] = &[
@@ -86,14 +89,13 @@ const OVERRIDES: &[(&str, usize, Rule)] = &[
         2,
         Rule::TimesAtMost { argument: 1, factor: 1, limit: MAX_CAPTURED_COMPONENTS + 1 },
     ),
-    ("glGetDebugMessageLog", 2, Rule::TimesAtMost { argument: 0, factor: 1, limit: MAX_LOGGED }),
-    ("glGetDebugMessageLog", 3, Rule::TimesAtMost { argument: 0, factor: 1, limit: MAX_LOGGED }),
-    ("glGetDebugMessageLog", 4, Rule::TimesAtMost { argument: 0, factor: 1, limit: MAX_LOGGED }),
-    ("glGetDebugMessageLog", 5, Rule::TimesAtMost { argument: 0, factor: 1, limit: MAX_LOGGED }),
-    ("glGetDebugMessageLog", 6, Rule::TimesAtMost { argument: 0, factor: 1, limit: MAX_LOGGED }),
+    ("glGetDebugMessageLog", 2, PER_MESSAGE),
+    ("glGetDebugMessageLog", 3, PER_MESSAGE),
+    ("glGetDebugMessageLog", 4, PER_MESSAGE),
+    ("glGetDebugMessageLog", 5, PER_MESSAGE),
+    ("glGetDebugMessageLog", 6, PER_MESSAGE),
     ("glGetSynciv", 4, Rule::TimesAtMost { argument: 2, factor: 1, limit: 1 }),
     ("glGetAttachedShaders", 3, Rule::Computed(attached_shaders)),
-    ("glGetAttachedObjectsARB", 3, Rule::Computed(attached_shaders)),
     ("glGetActiveUniformsiv", 2, Rule::Computed(of_program)),
     ("glGetActiveUniformsiv", 4, Rule::Computed(of_program)),
 ];

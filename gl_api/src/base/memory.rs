@@ -14,17 +14,6 @@ pub(crate) fn copied<T: Copy>(from: &[T]) -> Result<Vec<T>, TryReserveError> {
     Ok(to)
 }
 
-/// Zero bytes.
-///
-/// # Errors
-/// If there is no memory for them.
-pub(crate) fn zeroed(bytes: usize) -> Result<Vec<u8>, TryReserveError> {
-    let mut zeros = Vec::new();
-    zeros.try_reserve_exact(bytes)?;
-    zeros.resize(bytes, 0);
-    Ok(zeros)
-}
-
 /// `GL_OUT_OF_MEMORY` for `what`, in the plural.
 pub(crate) fn out_of_memory(
     section: &'static str,

@@ -72,7 +72,6 @@ fn execute(context: &mut Context) {
     }
     context.outdate_mirror();
     let result = context.recorder.device.submit(&commands);
-    context.recorder.fences.signal();
     // Their memory is used again.
     commands.commands.clear();
     context.recorder.commands = commands;
@@ -91,6 +90,8 @@ fn execute(context: &mut Context) {
     }
     let written = std::mem::take(&mut context.recorder.written);
     context.objects.images_changed(|image| written.iter().any(|other| other.is_same_image(image)));
+    // Last: a context that waited finds the textures noted as changed.
+    context.recorder.fences.signal();
 }
 
 /// The pixels that fragments reach: the attachments' area within the scissor rectangle.

@@ -2,7 +2,7 @@
 
 use gl_api::*;
 
-/// What comes before, a call, the flag it must set, and words that its message must have.
+/// The preparation, the call, the error flag that it must set, and words that its message must have.
 type Case = (fn(&mut Context), fn(&mut Context), GLenum, &'static str);
 
 /// Most rows need nothing.

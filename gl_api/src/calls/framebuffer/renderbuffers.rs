@@ -107,7 +107,7 @@ struct StorageRequest {
 }
 
 impl StorageRequest {
-    /// There are one and four samples: what lies between is rounded up.
+    /// Supported are 1 and 4 samples; a count between them is rounded up to 4.
     fn new(
         context: &mut Context,
         samples: GLsizei,

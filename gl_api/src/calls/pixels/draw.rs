@@ -3,7 +3,6 @@
 use crate::base::args::Data;
 use crate::base::constants::enum_name;
 use crate::base::error::{Result, invalid_operation, not_negative};
-use crate::base::memory::{out_of_memory, zeroed};
 use crate::base::types::*;
 use crate::calls::pixels::memory::pixel_source;
 use crate::calls::pixels::stencil;
@@ -119,9 +118,11 @@ impl<'a> DrawPixelsRequest<'a> {
             Ok(texels)
         };
         // Row by row: all of them would be written and read once more.
-        zeroed(width.saturating_mul(format.bytes()))
-            .map_err(out_of_memory(SECTION, "a row of pixels"))?;
         let conversion = to(format);
+        if !conversion.is_copy(&layout) {
+            // So large a row as the client names may have no memory.
+            drop(scratch(format, [width, 1, 1])?);
+        }
         let rows = |y: usize| {
             let row = &bytes[layout.start + y * layout.stride..][..layout.row_bytes()];
             if conversion.is_copy(&layout) {

@@ -1,4 +1,4 @@
-//! Memory that ends where what follows cannot be reached, and who is told when a call goes there.
+//! Pages that an unmapped page follows, and the signal handler that names the call which reaches that one.
 
 use super::random::Random;
 use std::cell::Cell;

@@ -1,5 +1,5 @@
-//! Every C function of GL with typed arguments, alone and in random sequences. Each pointer ends where memory ends: it has
-//! as many elements as the specification says, and what follows is not mapped. So a call that reads or writes one byte
+//! Every C function of GL with typed arguments, alone and in random sequences. The memory of each pointer has as
+//! many elements as the specification says, and an unmapped page follows it. So a call that reads or writes one byte
 //! more ends the test, which names it.
 //!
 //! Lengths of typed pointers are those of the Khronos registry ([`crate::lengths`]), of untyped ones the formulas of
