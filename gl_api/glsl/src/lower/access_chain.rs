@@ -75,12 +75,14 @@ impl Lowerer<'_> {
 
     /// New IR variables for scalars of these types.
     pub(super) fn new_vars(&mut self, name: &str, types: &[Ty]) -> VarStorage {
+        self.emit.work.add(types.len());
         let builder = &mut self.emit.builder;
         VarStorage::Vars(types.iter().map(|&ty| builder.variable(name, ty)).collect())
     }
 
     /// New IR arrays for scalars of these types.
     fn new_arrays(&mut self, name: &str, types: &[Ty]) -> Arrays {
+        self.emit.work.add(types.len());
         let mut vars: Vec<(Ty, Var)> = Vec::new();
         for &ty in types {
             if !vars.iter().any(|(known, _)| *known == ty) {
@@ -281,6 +283,7 @@ impl Lowerer<'_> {
     /// Loads what a chain leads to.
     pub(super) fn load(&mut self, chain: &AccessChain) -> LowerResult<Vec<Value>> {
         let offsets = chain.offsets();
+        self.emit.work.add(offsets.len());
         let storage = chain.storage.clone();
         match (&storage, chain.dynamic_offset) {
             (VarStorage::Values(values), None) => {

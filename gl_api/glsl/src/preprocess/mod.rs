@@ -8,6 +8,7 @@ mod macros;
 
 use crate::language::{Language, Version};
 use crate::lex::{Token, TokenKind, tokens};
+use crate::limits;
 use crate::text::diagnostics::{Diagnostic, Log};
 use crate::text::source::{Source, Span};
 use macros::Macros;
@@ -86,8 +87,17 @@ pub fn preprocess(source: &mut Source, log: &mut Log) -> Preprocessed {
         begun: false,
         program_begun: false,
     };
-    let tokens = preprocessor.run(&lexed.tokens);
-    let Preprocessor { language, all_invariant, .. } = preprocessor;
+    let mut tokens = preprocessor.run(&lexed.tokens);
+    let Preprocessor { language, all_invariant, macros, log, .. } = preprocessor;
+    log.work = macros.work;
+    let is_over = log.work.is_over();
+    log.work.add(lexed.tokens.len().max(tokens.len()));
+    if log.work.is_over() && !is_over {
+        // The parser gets no more than the end.
+        let first_left_out = tokens.get(limits::MAX_WORK as usize).or(tokens.last());
+        log.push(Diagnostic::too_much_work(first_left_out.map_or(Span::default(), |t| t.span)));
+        tokens.drain(..tokens.len() - 1);
+    }
     Preprocessed { tokens, language, all_invariant }
 }
 
