@@ -23,6 +23,16 @@ fn context(size: u32, threads: usize, isa: Isa, draw_budget: Option<u64>) -> Con
     let (rgba, data) = (GL_RGBA as GLint, Data::Bytes(&texels));
     c.tex_image_2d(GL_TEXTURE_2D, 0, rgba, 64, 64, 0, GL_RGBA, ty, data);
     c.generate_mipmap(GL_TEXTURE_2D);
+    c.tex_image_3d(GL_TEXTURE_3D, 0, rgba, 16, 16, 16, 0, GL_RGBA, ty, Data::Bytes(&texels));
+    c.generate_mipmap(GL_TEXTURE_3D);
+    for face in 0..6 {
+        let target = GL_TEXTURE_CUBE_MAP_POSITIVE_X + face;
+        c.tex_image_2d(target, 0, rgba, 32, 32, 0, GL_RGBA, ty, Data::Bytes(&texels[..4096]));
+    }
+    c.generate_mipmap(GL_TEXTURE_CUBE_MAP);
+    for target in [GL_TEXTURE_2D, GL_TEXTURE_3D, GL_TEXTURE_CUBE_MAP] {
+        c.tex_parameteri(target, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR as GLint);
+    }
     c.clear_color(0.0, 0.0, 1.0, 1.0);
     c
 }
@@ -56,7 +66,7 @@ fn picture(c: &mut Context, size: u32) -> Vec<u8> {
 const VERTEX: &str = "void main() { gl_Position = gl_Vertex; }";
 const STOPPED: &str = "so long that its draw was left out";
 
-const ENDLESS: [(&str, &str); 6] = [
+const ENDLESS: [(&str, &str); 8] = [
     ("empty", "void main() { while (true) ; gl_FragColor = vec4(1.0); }"),
     (
         "sums",
@@ -75,14 +85,26 @@ const ENDLESS: [(&str, &str); 6] = [
          gl_FragColor = s; }",
     ),
     (
+        "volumes",
+        "uniform sampler3D t; void main() { vec4 s = vec4(0.0);
+         while (s.x < 20.0) s = texture3D(t, gl_FragCoord.xyx * 0.013 + s.xyz);
+         gl_FragColor = s; }",
+    ),
+    (
+        "cubes",
+        "uniform samplerCube t; void main() { vec4 s = vec4(0.0);
+         while (s.x < 20.0) s = textureCube(t, gl_FragCoord.xyx * 0.013 - 2.0 + s.xyz);
+         gl_FragColor = s; }",
+    ),
+    (
         "arrays",
         "void main() { float a[64]; int i = int(gl_FragCoord.x);
-         while (a[i & 63] < 1.0) { i += 7; a[i & 63] *= 0.5; } gl_FragColor = vec4(a[5]); }",
+         while (a[i] < 1.0) { i = i > 50 ? 0 : i + 7; a[i] *= 0.5; } gl_FragColor = vec4(a[5]); }",
     ),
     (
         "above",
         "void main() { float s = 0.0; while (gl_FragCoord.y > SIZE * 0.7 && s < 2.0) s = fract(s + 0.37);
-         gl_FragColor = vec4(0.0, 1.0, 0.0, 1.0); }",
+         gl_FragColor = vec4(s); }",
     ),
 ];
 

@@ -100,12 +100,12 @@ impl SamplePlan {
 
     /// About how many additions of 64 lanes a lookup takes as long as, at most.
     pub fn cost(&self) -> u32 {
-        const OVERHEAD: u32 = 16;
+        const OVERHEAD: u32 = 32;
         let Ok(texture) = &self.0 else { return OVERHEAD };
         let (per_texel, overhead) = match texture.texel_path {
-            TexelPath::Words(_) => (8, OVERHEAD),
+            TexelPath::Words(_) => (16, OVERHEAD),
             TexelPath::General | TexelPath::Blocks(_) | TexelPath::ComparedWords(_) => {
-                (24, 2 * OVERHEAD)
+                (64, 4 * OVERHEAD)
             }
         };
         let texels = |filter: Filter| match filter {
@@ -122,7 +122,8 @@ impl SamplePlan {
                     Anisotropy::Probes(most) | Anisotropy::Scan(most) => most.div_ceil(2),
                 };
                 let texels = texels(*min).max(texels(*mag));
-                2 * overhead + per_texel * texels * levels * probes
+                // Lanes read different levels.
+                4 * overhead + 2 * per_texel * texels * levels * probes
             }
         }
     }

@@ -36,8 +36,9 @@ pub enum Explain {
 }
 
 impl DeviceDesc {
-    /// The default budget: about half a second of two threads, if with it all that is free is used.
-    pub const BUDGET: u64 = 1 << 26;
+    /// The default budget. A draw that does not end uses it up, and what is free in the tiles of a wave: less than half
+    /// a second of two threads.
+    pub const BUDGET: u64 = 1 << 25;
 
     /// The operations of a batch that are not charged to its draw.
     pub const FREE_OPERATIONS: u64 = FREE_OPERATIONS;

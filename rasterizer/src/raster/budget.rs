@@ -7,12 +7,12 @@
 //! next wave on.
 
 /// The operations of a batch that are not charged to its draw: additions of 64 lanes.
-pub const FREE_OPERATIONS: u64 = 1 << 19;
+pub const FREE_OPERATIONS: u64 = 1 << 20;
 
 /// The tiles of the first wave: few, so that draws that do not end anywhere are found soon.
 pub const FIRST_WAVE: usize = 8;
 /// The tiles of each other wave.
-pub const WAVE: usize = 128;
+pub const WAVE: usize = 64;
 
 /// The budget of a draw in the current wave.
 #[derive(Clone, Copy, Debug)]

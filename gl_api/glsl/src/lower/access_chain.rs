@@ -53,6 +53,9 @@ pub struct AccessChain {
     pub ty: Type,
 }
 
+/// The steps of a new IR variable, which has a name.
+const VARIABLE: usize = 3;
+
 impl AccessChain {
     /// The scalars that the path leads to, without `dynamic_offset`.
     fn offsets(&self) -> Vec<u32> {
@@ -75,7 +78,7 @@ impl Lowerer<'_> {
 
     /// New IR variables for scalars of these types.
     pub(super) fn new_vars(&mut self, name: &str, types: &[Ty]) -> VarStorage {
-        self.emit.work.add(types.len());
+        self.emit.work.add(VARIABLE * types.len());
         let builder = &mut self.emit.builder;
         VarStorage::Vars(types.iter().map(|&ty| builder.variable(name, ty)).collect())
     }
