@@ -66,7 +66,7 @@ fn picture(c: &mut Context, size: u32) -> Vec<u8> {
 const VERTEX: &str = "void main() { gl_Position = gl_Vertex; }";
 const STOPPED: &str = "so long that its draw was left out";
 
-const ENDLESS: [(&str, &str); 8] = [
+const ENDLESS: [(&str, &str); 9] = [
     ("empty", "void main() { while (true) ; gl_FragColor = vec4(1.0); }"),
     (
         "sums",
@@ -82,6 +82,12 @@ const ENDLESS: [(&str, &str); 8] = [
         "lookups",
         "uniform sampler2D t; void main() { vec4 s = vec4(0.0);
          while (s.x < 20.0) s = texture2D(t, gl_FragCoord.xy * 0.013 + s.xy);
+         gl_FragColor = s; }",
+    ),
+    (
+        "anisotropic lookups",
+        "uniform sampler2D t; void main() { vec4 s = vec4(0.0);
+         while (s.x < 20.0) s = texture2D(t, gl_FragCoord.xy * vec2(0.4, 0.013) + s.xy);
          gl_FragColor = s; }",
     ),
     (
@@ -114,6 +120,9 @@ fn they_end_soon_at_every_size() {
         for size in [64, 512, 1024] {
             let mut c = context(size, 2, Isa::best(), None);
             use_shaders(&mut c, VERTEX, &source.replace("SIZE", &format!("{size}.0")));
+            if name.contains("anisotropic") {
+                c.tex_parameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, 16.0);
+            }
             c.clear(GL_COLOR_BUFFER_BIT);
             c.finish();
             let start = Instant::now();
@@ -129,7 +138,8 @@ fn they_end_soon_at_every_size() {
             assert!(picture(&mut c, size).chunks(4).all(|pixel| pixel == [0, 255, 0, 255]));
         }
     }
-    let endless = "void main() { gl_Position = gl_Vertex; while (gl_Position.x < 9.0) ; }";
+    let endless = "void main() { gl_Position = gl_Vertex; float s = 0.0;
+        while (s < 2.0) s = fract(s + gl_Vertex.x * 0.37); gl_Position.x += s; }";
     let mut c = context(64, 2, Isa::best(), None);
     use_shaders(&mut c, endless, "void main() { gl_FragColor = vec4(1.0); }");
     let start = Instant::now();
@@ -201,8 +211,8 @@ fn long_loops_are_drawn() {
 
 #[test]
 fn a_context_has_its_own_budget() {
-    let source = "void main() { int i = 0; while (i < 400000) i += 1 + int(gl_FragCoord.x) / 5000;
-         gl_FragColor = vec4(i == 400000 ? 1.0 : 0.0); }";
+    let source = "void main() { int i = 0; while (i < 1000000) i += 1 + int(gl_FragCoord.x) / 5000;
+         gl_FragColor = vec4(i == 1000000 ? 1.0 : 0.0); }";
     for (budget, is_drawn) in [(0, false), (u64::MAX, true)] {
         let mut c = context(8, 1, Isa::best(), Some(budget));
         c.clear(GL_COLOR_BUFFER_BIT);

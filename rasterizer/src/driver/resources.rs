@@ -38,7 +38,7 @@ pub enum Explain {
 impl DeviceDesc {
     /// The default budget. A draw that does not end uses it up, and what is free in the tiles of a wave: less than half
     /// a second of two threads.
-    pub const BUDGET: u64 = 1 << 25;
+    pub const BUDGET: u64 = 1 << 26;
 
     /// The operations of a batch that are not charged to its draw.
     pub const FREE_OPERATIONS: u64 = FREE_OPERATIONS;

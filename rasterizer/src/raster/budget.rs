@@ -7,7 +7,7 @@
 //! next wave on.
 
 /// The operations of a batch that are not charged to its draw: additions of 64 lanes.
-pub const FREE_OPERATIONS: u64 = 1 << 20;
+pub const FREE_OPERATIONS: u64 = 1 << 21;
 
 /// The tiles of the first wave: few, so that draws that do not end anywhere are found soon.
 pub const FIRST_WAVE: usize = 8;
