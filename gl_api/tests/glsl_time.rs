@@ -133,7 +133,23 @@ fn constants_and_macros() {
         }
         source + "M4999\nM4999\n"
     };
-    for (name, source) in [("constant arrays", array), ("parameters", wide), ("chain", chain)] {
+    let overloads = {
+        let ty = |digit: u32| ["float", "vec2", "vec3", "vec4"][digit as usize % 4];
+        let types =
+            |number: u32| (0..6).map(|at| ty(number >> (2 * at))).collect::<Vec<_>>().join(", ");
+        let mut source: String =
+            (0..1 << 12).map(|number| format!("void f({});\n", types(number))).collect();
+        source.push_str("void main() {\n");
+        (0..4096).for_each(|_| source.push_str("f(1.0, 1.0, 1.0, 1.0, 1.0, 1.0);\n"));
+        source + "}"
+    };
+    let all = [
+        ("constant arrays", array),
+        ("parameters", wide),
+        ("chain", chain),
+        ("overloads", overloads),
+    ];
+    for (name, source) in all {
         let log = refused(name, &source);
         assert!(log.contains("(more than 2097152 steps)"), "{name}: {log}");
         assert!(log.starts_with("0:"), "{name}: no line in {log}");
@@ -144,4 +160,29 @@ fn constants_and_macros() {
     }
     let log = refused("macro bomb", &(bomb + "float f = M39;\n"));
     assert!(log.contains("more than 1048576 tokens"), "{log}");
+}
+
+/// What is long, and grows with its source only, is compiled: a variable and a constant for each of many loops, calls of
+/// functions with many overloads.
+#[test]
+fn many_loops_and_lookups() {
+    let shader = |line: &str, count: usize| {
+        let lines = line.repeat(count);
+        format!(
+            "#version 130\nuniform sampler2D t; uniform float u; void main() {{ vec4 s = vec4(0.0);\n{lines}gl_FragColor = s; }}"
+        )
+    };
+    for (name, source) in [
+        ("loops", shader("for (int j = 2 - 2; j < 9; j++) s = s * s + u;\n", 3000)),
+        ("lookups", shader("s += texture(t, s.xy);\n", 5000)),
+    ] {
+        let start = Instant::now();
+        let compiled = compile(Stage::Fragment, &source, &Options::default());
+        let shader = compiled.shader.unwrap_or_else(|| panic!("{name}: {}", compiled.log));
+        let linked = link(&[&shader], &Bindings::default());
+        assert!(linked.program.is_some(), "{name}: {}", linked.log);
+        let elapsed = start.elapsed();
+        println!("{name}: {elapsed:?}");
+        assert!(elapsed < SOON, "{name}: {elapsed:?}");
+    }
 }

@@ -150,7 +150,8 @@ impl Lowerer<'_> {
         let variable = self.variable(var);
         let known = match var {
             VarRef::Global(_) => self.globals.get(&variable.name).cloned(),
-            VarRef::Local(index) => self.frame().storages[index as usize].clone(),
+            // While a constant is folded, no local has storage.
+            VarRef::Local(index) => self.frame().storages.get(index as usize).cloned().flatten(),
         };
         if let Some(storage) = known {
             return Ok(storage);

@@ -141,6 +141,16 @@ impl<'a> Lowerer<'a> {
     fn open_frame(&mut self, unit: usize, function: Option<&'a Function>, locals: &'a [Variable]) {
         self.emit.work.add(locals.len() + 1);
         let storages = vec![None; locals.len()];
+        self.push_frame(unit, function, locals, storages);
+    }
+
+    fn push_frame(
+        &mut self,
+        unit: usize,
+        function: Option<&'a Function>,
+        locals: &'a [Variable],
+        storages: Vec<Option<VarStorage>>,
+    ) {
         let (regions, result) = (Vec::new(), Vec::new());
         let labelled = false;
         self.frames.push(Frame { function, unit, locals, storages, regions, result, labelled });
@@ -212,7 +222,7 @@ pub fn constant(
 ) -> Option<Vec<u32>> {
     let mut lowerer = Lowerer::new(Stage::Vertex, vec![globals]);
     lowerer.emit.work = *work;
-    lowerer.open_frame(0, None, locals);
+    lowerer.push_frame(0, None, locals, Vec::new());
     let values = lowerer.expr(expr);
     *work = lowerer.emit.work;
     values.ok()?.into_iter().map(|value| lowerer.emit.known(value)).collect()
