@@ -296,3 +296,53 @@ fn contexts_of_a_group_share_objects_over_threads() {
     c.call_list(4);
     assert_eq!(&picture(&mut c)[..4], [20, 19, 7, 255]);
 }
+
+/// Lists that call the next list several times: 64 deep, more commands than any machine carries out.
+#[test]
+fn lists_that_call_each_other_end_soon() {
+    for commands in [0, 100] {
+        for calls in [2, 1 << 12] {
+            let mut c = context();
+            for list in 1..=64 {
+                c.new_list(list, GL_COMPILE);
+                for _ in 0..commands {
+                    c.enable(GL_DITHER);
+                    c.color_4f(1.0, 0.5, 0.25, 1.0);
+                }
+                for _ in 0..calls {
+                    c.call_list(list + 1);
+                }
+                c.end_list();
+            }
+            c.new_list(65, GL_COMPILE);
+            c.enable(GL_BLEND);
+            c.end_list();
+            let start = std::time::Instant::now();
+            c.call_list(1);
+            let elapsed = start.elapsed();
+            // Half a second where it is compiled for speed.
+            assert!(elapsed < std::time::Duration::from_secs(5), "{elapsed:?}");
+            let messages = c.messages();
+            let warned = messages.iter().filter(|m| m.text.contains("2097152 commands")).count();
+            assert_eq!(warned, 1, "{messages:?}");
+            // The next call has a budget of its own.
+            c.disable(GL_BLEND);
+            c.call_list(65);
+            assert!(c.is_enabled(GL_BLEND));
+        }
+    }
+}
+
+/// The commands of the list itself are as many as the application recorded.
+#[test]
+fn a_long_list_is_carried_out() {
+    let mut c = context();
+    c.new_list(1, GL_COMPILE);
+    for _ in 0..(1 << 21) + 1 {
+        c.enable(GL_DITHER);
+    }
+    c.enable(GL_BLEND);
+    c.end_list();
+    c.call_list(1);
+    assert!(c.is_enabled(GL_BLEND) && c.messages().is_empty());
+}

@@ -17,7 +17,7 @@ pub(crate) use texture::{Alpha, Anisotropy, LevelSelection, SampleKernel, TexelP
 
 use crate::image::{Image, Incomplete, Level, Shape};
 use crate::lanes::{I32s, LANES};
-use crate::sampler::Sampler;
+use crate::sampler::{Filter, Mipmap, Sampler};
 use std::sync::Arc;
 use texture::layers;
 
@@ -96,6 +96,36 @@ impl SamplePlan {
             }
         }
         out
+    }
+
+    /// About how many additions of 64 lanes a lookup takes as long as, at most.
+    pub fn cost(&self) -> u32 {
+        const OVERHEAD: u32 = 32;
+        let Ok(texture) = &self.0 else { return OVERHEAD };
+        let (per_texel, overhead) = match texture.texel_path {
+            TexelPath::Words(_) => (16, OVERHEAD),
+            TexelPath::General | TexelPath::Blocks(_) | TexelPath::ComparedWords(_) => {
+                (64, 4 * OVERHEAD)
+            }
+        };
+        let texels = |filter: Filter| match filter {
+            Filter::Nearest => 1,
+            Filter::Linear => 1 << texture.shape.axes(),
+        };
+        match &texture.level_selection {
+            LevelSelection::Fixed { filter, .. } => overhead + per_texel * texels(*filter),
+            LevelSelection::PerLane { min, mag, range, anisotropy } => {
+                let levels = if range.mipmap == Mipmap::Linear { 2 } else { 1 };
+                // Footprints are rarely as long as they may be.
+                let probes = match anisotropy {
+                    Anisotropy::Off => 1,
+                    Anisotropy::Probes(most) | Anisotropy::Scan(most) => most.div_ceil(2),
+                };
+                let texels = texels(*min).max(texels(*mag));
+                // Lanes read different levels.
+                4 * overhead + 2 * per_texel * texels * levels * probes
+            }
+        }
     }
 
     /// The plan without fast paths.

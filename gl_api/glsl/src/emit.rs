@@ -2,6 +2,7 @@
 //! of values.
 
 use crate::limits::MAX_VALUES;
+use crate::work::Work;
 use rasterizer::ir::{
     Access, Axis, Builder, Expr, Input, Op, Sample, Stage, Stmt, Texture, TextureDecl, Ty, Value,
     Var,
@@ -20,6 +21,8 @@ enum PooledExpr {
 pub struct Emit {
     /// The module.
     pub builder: Builder,
+    /// The work of all that was emitted, and of what calls this.
+    pub work: Work,
     pool: BTreeMap<PooledExpr, Value>,
 }
 
@@ -35,7 +38,7 @@ fn tag(ty: Ty) -> u8 {
 impl Emit {
     /// An empty module.
     pub fn new(stage: Stage) -> Self {
-        Self { builder: Builder::new(stage), pool: BTreeMap::new() }
+        Self { builder: Builder::new(stage), work: Work::default(), pool: BTreeMap::new() }
     }
 
     /// Whether there are too many values; from then on, operations give constants.
@@ -55,6 +58,7 @@ impl Emit {
 
     /// A constant.
     pub fn constant(&mut self, bits: u32, ty: Ty) -> Value {
+        self.work.add(1);
         let builder = &mut self.builder;
         *self
             .pool
@@ -74,6 +78,7 @@ impl Emit {
 
     /// A uniform word.
     pub fn uniform(&mut self, word: u32, ty: Ty) -> Value {
+        self.work.add(1);
         let builder = &mut self.builder;
         *self
             .pool
@@ -89,6 +94,7 @@ impl Emit {
 
     /// Any expression, unless there are too many.
     pub fn value(&mut self, expr: Expr, ty: Ty) -> Value {
+        self.work.add(1);
         if self.is_full() {
             return self.constant(0, ty);
         }
@@ -195,6 +201,7 @@ impl Emit {
 
     /// Appends a statement.
     pub fn push(&mut self, stmt: Stmt) {
+        self.work.add(1);
         self.builder.push(stmt);
     }
 

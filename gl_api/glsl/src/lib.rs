@@ -10,6 +10,7 @@
 //! | `lex`, `preprocess` | text to tokens, directives and macros |
 //! | `types` | the types of the language |
 //! | `ast`, `parse` | tokens to the syntax tree |
+//! | `work` | counts the work of a compilation or a link |
 //! | `emit` | appending IR, with constants folded |
 //! | `builtins` | the table of built-in functions and variables |
 //! | `hir` | the checked shader: typed expressions, resolved names |
@@ -35,6 +36,7 @@ mod preprocess;
 mod program;
 mod text;
 mod types;
+mod work;
 
 pub use compile::{Compiled, FixIts, Options, Shader, Strictness, compile};
 pub use limits::{GATHER_OFFSETS, TEXEL_OFFSETS};

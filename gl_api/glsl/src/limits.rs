@@ -39,6 +39,8 @@ pub const GATHER_OFFSETS: std::ops::RangeInclusive<i32> = -32..=31;
 
 /// The longest source that is accepted, in bytes.
 pub const MAX_SOURCE: usize = 1 << 24;
+/// How many steps a compilation or a link may take ([`crate::work`]).
+pub const MAX_WORK: u64 = 1 << 21;
 /// How many errors are reported before the compiler gives up.
 pub const MAX_ERRORS: usize = 20;
 

@@ -12,6 +12,7 @@ use std::collections::{BTreeSet, VecDeque};
 use std::ffi::CString;
 use std::io::Write;
 use std::sync::Once;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::{fmt, io};
 use texunit::lanes::FloatEnv;
 
@@ -118,6 +119,15 @@ impl Debug {
         if given.insert(text.clone()) {
             self.warn_each_time(text);
         }
+    }
+
+    /// As [`Self::warn`]; the first of the process is printed to stderr even where nothing else is.
+    pub fn warn_unasked(&mut self, text: &str) {
+        static PRINTED: AtomicBool = AtomicBool::new(false);
+        if self.echo != Echo::Stderr && !PRINTED.swap(true, Ordering::Relaxed) {
+            print(&text);
+        }
+        self.warn(text.to_owned());
     }
 
     /// Gives a warning as often as it happens: of a compile or a link, which the application asked for.

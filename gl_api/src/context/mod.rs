@@ -62,13 +62,16 @@ pub struct ContextDesc {
     pub device: Option<Arc<Device>>,
     /// The buffers of the default framebuffer.
     pub surface: SurfaceDesc,
+    /// How long the shaders of a draw may run ([`DeviceDesc::budget`]); `None` is the budget of the device.
+    pub draw_budget: Option<u64>,
 }
 
 impl Default for ContextDesc {
     fn default() -> Self {
         let surface = SurfaceDesc::default();
         let (fix_its, strictness) = (FixIts::Suggest, Strictness::Lenient);
-        Self { width: 512, height: 512, fix_its, strictness, device: None, surface }
+        let (device, draw_budget) = (None, None);
+        Self { width: 512, height: 512, fix_its, strictness, device, surface, draw_budget }
     }
 }
 
@@ -158,14 +161,16 @@ impl Context {
     /// When the size is out of range or the device cannot be made.
     pub fn new(desc: ContextDesc) -> Result<Self, ContextError> {
         let _float_env = FloatEnv::enter();
-        let compiler = desc.compiler();
+        let (compiler, draw_budget) = (desc.compiler(), desc.draw_budget);
         let (device, window) = Self::parts(desc)?;
-        Ok(Self::assemble(device, window, compiler, ShareGroup::default()))
+        let mut context = Self::assemble(device, window, compiler, ShareGroup::default());
+        context.recorder.draw_budget = draw_budget;
+        Ok(context)
     }
 
     /// The parts that may fail to be made: the device and the default framebuffer.
     fn parts(desc: ContextDesc) -> Result<(Arc<Device>, Window), ContextError> {
-        let ContextDesc { width, height, fix_its: _, strictness: _, device, surface } = desc;
+        let ContextDesc { width, height, device, surface, .. } = desc;
         let limit = crate::base::limits::MAX_VIEWPORT_DIMS;
         if !(1..=limit).contains(&width) || !(1..=limit).contains(&height) {
             return Err(ContextError::Size { width, height, limit });
@@ -222,13 +227,15 @@ impl Context {
         shared: Option<ShareHandle>,
     ) -> Result<Box<Self>, ContextError> {
         let _float_env = FloatEnv::enter();
-        let compiler = desc.compiler();
+        let (compiler, draw_budget) = (desc.compiler(), desc.draw_budget);
         let (group, device) = match shared {
             Some(ShareHandle { group, device }) => (group.join(), Some(device)),
             None => (ShareGroup::default(), None),
         };
         let (device, window) = Self::parts(ContextDesc { device: desc.device.or(device), ..desc })?;
-        Ok(Box::new(Self::assemble(device, window, compiler, group)))
+        let mut context = Box::new(Self::assemble(device, window, compiler, group));
+        context.recorder.draw_budget = draw_budget;
+        Ok(context)
     }
 
     /// What a new context needs to share this one's objects. Takes no lock.

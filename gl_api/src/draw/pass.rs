@@ -39,6 +39,9 @@ pub(crate) fn begin_pass(context: &mut Context, pass: PassDesc) {
         }
     }
     recorder.push(Command::BeginPass(pass.clone()));
+    if let Some(budget) = recorder.draw_budget {
+        recorder.push(Command::SetBudget(budget));
+    }
     recorder.pass = Some(pass);
 }
 
@@ -79,10 +82,9 @@ fn execute(context: &mut Context) {
         Ok(report) => {
             context.recorder.sight.add(report.visibility);
             if !report.over_budget.is_empty() {
-                context.debug.warn(
+                context.debug.warn_unasked(
                     "a shader ran so long that its draw was left out: look for a loop that does \
-                     not end"
-                        .into(),
+                     not end, or raise DETGL_DRAW_BUDGET",
                 );
             }
         }

@@ -15,9 +15,10 @@ const SECTION: &str = "GL 2.1, section 5.4";
 /// Lists call lists to this depth; deeper calls are ignored (GL 2.1, table 6.35).
 pub(crate) const MAX_LIST_NESTING: usize = 64;
 
-/// A `glCallList` carries out this many lists at most: lists that call lists that call lists could
-/// otherwise keep a program busy forever.
-const BUDGET: usize = 1 << 24;
+/// The nested lists of a `glCallList` have this many commands at most: lists that call lists that call lists could
+/// otherwise keep a program busy forever. The commands of the list that it names are free: there are as many as the
+/// application recorded.
+const BUDGET: u64 = 1 << 21;
 
 pub(crate) const MODE: Table<ListMode> = Table {
     section: SECTION,
@@ -107,7 +108,7 @@ pub(crate) fn end_list(context: &mut Context) -> Result<()> {
     let Some(compiling) = context.compiling.take() else {
         return invalid_operation(SECTION, "no list is being compiled: glNewList is missing");
     };
-    let list = List { steps: join(compiling.steps) };
+    let list = List::new(join(compiling.steps));
     context.objects.shared.lists.insert(compiling.name, Arc::new(list));
     Ok(())
 }
@@ -140,7 +141,26 @@ pub(crate) fn call_list(context: &mut Context, list: GLuint) -> Result<()> {
     if list != 0 && !context.objects.shared.lists.contains(list) {
         not_there(context, list);
     }
-    run_list(context, list)
+    let charge = if begin_outermost(context) { Charge::Free } else { Charge::Cost };
+    run_list(context, list, charge)
+}
+
+/// Whether a list is charged to the budget of the outermost call.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Charge {
+    /// The list that the outermost `glCallList` names.
+    Free,
+    /// Any other.
+    Cost,
+}
+
+/// Gives an outermost call its budget; returns whether this is one.
+fn begin_outermost(context: &mut Context) -> bool {
+    let lists = &mut context.lists;
+    if lists.depth == 0 {
+        lists.budget = Some(BUDGET);
+    }
+    lists.depth == 0
 }
 
 #[cold]
@@ -154,12 +174,8 @@ fn not_there(context: &mut Context, list: GLuint) {
 }
 
 /// Carries out a list, if there is one.
-fn run_list(context: &mut Context, list: GLuint) -> Result<()> {
+fn run_list(context: &mut Context, list: GLuint, charge: Charge) -> Result<()> {
     context.state_changes.count_call();
-    let lists = &mut context.lists;
-    if lists.depth == 0 {
-        lists.budget = BUDGET;
-    }
     let found = context
         .objects
         .shared
@@ -168,21 +184,33 @@ fn run_list(context: &mut Context, list: GLuint) -> Result<()> {
         .cloned()
         .and_then(|found| found.downcast::<List>().ok());
     let Some(found) = found else { return Ok(()) };
-    if lists.depth >= MAX_LIST_NESTING || lists.budget == 0 {
-        if lists.budget == 0 {
-            context.debug.warn(format!(
-                "glCallList: the outermost call has called {BUDGET} lists: the rest is left out; \
-                 do the lists call each other?"
-            ));
-        }
+    let lists = &mut context.lists;
+    if lists.depth >= MAX_LIST_NESTING {
         return Ok(());
     }
-    lists.budget -= 1;
+    if charge == Charge::Cost
+        && let Some(left) = lists.budget
+    {
+        lists.budget = left.checked_sub(found.cost);
+        if lists.budget.is_none() {
+            context.debug.warn(format!(
+                "glCallList: the outermost call has called lists of {BUDGET} commands: the rest is left out; do the \
+                 lists call each other?"
+            ));
+        }
+    }
+    let lists = &mut context.lists;
+    if lists.budget.is_none() {
+        return Ok(());
+    }
     lists.depth += 1;
     // A list that is carried out while another is compiled is not recorded.
     let compiling = context.compiling.take();
     for step in &found.steps {
         context.run_step(step);
+        if context.lists.budget.is_none() {
+            break;
+        }
     }
     context.compiling = compiling;
     context.lists.depth -= 1;
@@ -209,13 +237,10 @@ pub(crate) fn call_lists(
             format!("n = {n} names of {size} bytes each, but lists has {} bytes", bytes.len()),
         );
     };
-    let outermost = context.lists.depth == 0;
-    if outermost {
-        context.lists.budget = BUDGET;
-    }
+    begin_outermost(context);
     for name in bytes.chunks_exact(size) {
         let name = context.lists.base.wrapping_add(ty.read(name));
-        run_list(context, name)?;
+        run_list(context, name, Charge::Cost)?;
     }
     Ok(())
 }

@@ -17,6 +17,7 @@ pub struct BoundState {
     pub scissor: Option<Rect>,
     pub raster: Arc<RasterState>,
     pub counter: Option<Counter>,
+    pub budget: u64,
     /// The decisions of the previous draw, as long as no state that they depend on has changed.
     pub decided: Option<DrawDecisions>,
     /// The label of a watched pixel.
@@ -32,7 +33,7 @@ pub struct DrawDecisions {
 
 impl BoundState {
     /// The state at the beginning of a pass.
-    pub fn new() -> Self {
+    pub fn new(budget: u64) -> Self {
         let none: Textures = Arc::new([]);
         Self {
             pipeline: None,
@@ -51,6 +52,7 @@ impl BoundState {
             },
             scissor: None,
             counter: None,
+            budget,
             raster: Arc::default(),
             decided: None,
             label: 0,
@@ -83,6 +85,10 @@ impl BoundState {
             }
             Command::SetScissor(scissor) => {
                 self.scissor = *scissor;
+                return;
+            }
+            Command::SetBudget(budget) => {
+                self.budget = *budget;
                 return;
             }
             Command::BeginPass(_)

@@ -66,7 +66,8 @@ pub fn check(commands: &[Command]) -> Result<(), SubmitError> {
             | Command::SetUniforms(_)
             | Command::SetScissor(_)
             | Command::Watch(_)
-            | Command::SetCounter(_) => {}
+            | Command::SetCounter(_)
+            | Command::SetBudget(_) => {}
         }
     }
     if pass.is_some() {

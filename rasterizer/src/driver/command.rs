@@ -76,6 +76,8 @@ pub enum Command {
     Watch(Watch),
     /// What counts the samples of the draws to come.
     SetCounter(Option<Counter>),
+    /// The budget of each draw to come; that of the device until it is set ([`super::DeviceDesc::budget`]).
+    SetBudget(u64),
     /// Draws vertices `first .. first + count` for each instance.
     Draw {
         /// First vertex.

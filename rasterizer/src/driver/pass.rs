@@ -75,7 +75,6 @@ impl<'a> Pass<'a> {
             bins: vec![Vec::new(); tiles],
             job: PassJob {
                 isa: resources.desc.isa,
-                budget: resources.desc.budget,
                 width: desc.width,
                 height: desc.height,
                 draws: Vec::new(),
@@ -86,7 +85,7 @@ impl<'a> Pass<'a> {
             commands: Vec::new(),
             shapes: 0,
             merged: None,
-            bound: BoundState::new(),
+            bound: BoundState::new(resources.desc.budget),
         }
     }
 
@@ -102,7 +101,8 @@ impl<'a> Pass<'a> {
             | Command::SetRaster(_)
             | Command::SetViewport(_)
             | Command::SetScissor(_)
-            | Command::SetCounter(_) => self.bound.set(command),
+            | Command::SetCounter(_)
+            | Command::SetBudget(_) => self.bound.set(command),
             Command::Watch(watch) => {
                 self.bound.label = watch.label();
                 self.job.watch = Some(watch.clone());

@@ -13,6 +13,9 @@ pub enum DeviceError {
     /// `DETGL_THREADS` is wrong.
     #[error("DETGL_THREADS={0}: must be a whole number from 1 to 1024")]
     Threads(String),
+    /// `DETGL_DRAW_BUDGET` is wrong.
+    #[error("DETGL_DRAW_BUDGET={0}: must be a whole number below 2^64")]
+    Budget(String),
     /// The threads could not be started.
     #[error("cannot start threads: {0}")]
     Pool(String),
@@ -37,8 +40,8 @@ pub struct SubmitError {
 /// What a submission has to say.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct SubmitReport {
-    /// Draws whose shader ran past the device's instruction budget, by index of their command.
-    /// What they would have drawn is left out.
+    /// Draws whose shaders ran over their budget, by index of their command. What they would have drawn from there on is
+    /// left out.
     pub over_budget: Vec<usize>,
     /// Whether anything of its draws may be seen.
     pub visibility: Visibility,

@@ -1,7 +1,7 @@
 //! What passes of a device use: its description, pools of reusable objects, explanations of plans.
 
 use super::report::DeviceError;
-use crate::raster::{ShapeLists, TileRenderer};
+use crate::raster::{FIRST_WAVE, FREE_OPERATIONS, ShapeLists, TileRenderer};
 use crate::shader::Machine;
 use crate::threads::ObjectPool;
 use crate::vertex::Geometry;
@@ -16,7 +16,8 @@ pub struct DeviceDesc {
     pub isa: Isa,
     /// How many threads shade tiles, with the one that asks; at least 1.
     pub threads: usize,
-    /// How many instructions a batch of a shader may run before its draw is dropped.
+    /// The operations that the batches of a draw may run, beyond what is free for each batch, before the rest of the draw
+    /// is left out: about as many additions of 64 lanes.
     pub budget: u64,
     /// Whether each draw's plan is printed.
     pub explain: Explain,
@@ -35,11 +36,20 @@ pub enum Explain {
 }
 
 impl DeviceDesc {
-    /// The default budget.
+    /// The default budget. A draw that does not end uses it up, and what is free in the tiles of a wave: less than half
+    /// a second of two threads.
     pub const BUDGET: u64 = 1 << 26;
 
-    /// From `DETGL_ISA`, `DETGL_THREADS` and `DETGL_EXPLAIN`, else the widest instruction set,
-    /// every core, and silence.
+    /// The operations of a batch that are not charged to its draw.
+    pub const FREE_OPERATIONS: u64 = FREE_OPERATIONS;
+
+    /// The operations of a batch of vertices, of a draw with this budget.
+    pub const fn batch_budget(budget: u64) -> u64 {
+        FREE_OPERATIONS.saturating_add(budget / FIRST_WAVE as u64)
+    }
+
+    /// From `DETGL_ISA`, `DETGL_THREADS`, `DETGL_DRAW_BUDGET` and `DETGL_EXPLAIN`, else the widest instruction set,
+    /// every core, the default budget, and silence.
     ///
     /// # Errors
     /// When a variable names something that this machine does not have.
@@ -57,7 +67,11 @@ impl DeviceDesc {
             Ok(text) if text != "0" => Explain::Print,
             Ok(_) | Err(_) => Explain::Off,
         };
-        Ok(Self { isa, threads, budget: Self::BUDGET, explain })
+        let budget = match std::env::var("DETGL_DRAW_BUDGET") {
+            Ok(text) => text.parse().map_err(|_| DeviceError::Budget(text))?,
+            Err(_) => Self::BUDGET,
+        };
+        Ok(Self { isa, threads, budget, explain })
     }
 }
 

@@ -28,6 +28,7 @@ pub fn run(resources: &Resources, thread_pool: &ThreadPool, commands: &[Command]
             | Command::SetScissor(_)
             | Command::Watch(_)
             | Command::SetCounter(_)
+            | Command::SetBudget(_)
             | Command::Draw { .. }
             | Command::DrawIndexed { .. } => {
                 if let Some(pass) = pass.as_mut() {

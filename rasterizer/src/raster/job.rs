@@ -1,5 +1,6 @@
 //! The work of a pass: its draws, chunks of shapes and clears, and the entries of each tile.
 
+use super::budget::{Charge, DrawBudget};
 use super::clear::ClearJob;
 use super::watched::WatchedPixel;
 use crate::attachment::TileTarget;
@@ -9,7 +10,6 @@ use crate::primitive::Shape;
 use crate::trace::Watch;
 use crate::vertex::Geometry;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 use texunit::lanes::Isa;
 
 /// A draw of a pass.
@@ -21,8 +21,8 @@ pub struct DrawJob {
     pub area: [[i32; 2]; 2],
     /// What counts the samples that pass its tests.
     pub counter: Option<Counter>,
-    /// Set when its shader exceeded the budget: the rest of the draw is skipped.
-    pub stopped: AtomicBool,
+    /// What it may still run beyond the budget.
+    pub budget: DrawBudget,
     /// The label of the draw in the events of a watched pixel.
     pub label: u32,
 }
@@ -39,7 +39,7 @@ impl DrawJob {
     pub fn can_share_chunk(&self, next: &Self) -> bool {
         self.can_share_batches(next)
             && (self.area, self.label) == (next.area, next.label)
-            && !self.stopped.load(Ordering::Relaxed)
+            && !self.budget.is_stopped
     }
 
     /// Counts the samples of masks, if the draw has a counter.
@@ -93,8 +93,6 @@ pub enum Entry {
 pub struct PassJob {
     /// The instruction set.
     pub isa: Isa,
-    /// Instructions a batch may run.
-    pub budget: u64,
     /// Pixels across.
     pub width: u32,
     /// Pixels up.
@@ -122,6 +120,8 @@ pub struct TileJob {
     pub depth: Option<TileTarget>,
     /// The operations, in order.
     pub entries: Vec<Entry>,
+    /// What draws have run in it beyond what is free.
+    pub charges: Vec<Charge>,
     /// The watched pixel, if it is in this tile.
     pub watched: Option<Box<WatchedPixel>>,
 }

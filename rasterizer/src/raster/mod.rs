@@ -7,6 +7,7 @@ mod area;
 mod batch;
 mod block;
 mod block_run;
+mod budget;
 mod clear;
 mod edge_functions;
 mod fragment_depth;
@@ -29,6 +30,7 @@ mod tile;
 mod watched;
 mod window_blocks;
 
+pub use budget::{DrawBudget, FIRST_WAVE, FREE_OPERATIONS, WAVE};
 pub use clear::ClearJob;
 pub use job::{Chunk, DrawJob, Entry, PassJob, ShapeLists, TileJob};
 pub use tile::TileRenderer;

@@ -3,6 +3,7 @@
 
 use super::batch::{Batch, BlockOf};
 use super::block_run::BlockRun;
+use super::budget::TileBudget;
 use super::fragment_depth::{BatchDepth, BlockDepth, clamp_depth};
 use super::inputs::{Interpolate, InterpolateRun};
 use super::job::{DrawJob, PassJob, TileJob};
@@ -16,7 +17,6 @@ use crate::output::{
 use crate::plan::{DrawPlan, SampleMasks, ShaderTestOutputs, Shading, TestTiming, moved};
 use crate::shader::{MAX_REGISTER_FILES, Machine, OverBudget, Run, TexelProduct};
 use crate::trace::{Fate, When};
-use std::sync::atomic::Ordering;
 use texunit::lanes::{F32s, Isa, Kernel, Simd};
 
 /// The early tests of a whole block of one shape.
@@ -77,6 +77,8 @@ fn write_run<'a>(
 pub struct Shader {
     /// Runs the fragment program.
     pub machine: Machine,
+    /// How long the current draw may run in the current tile.
+    pub budget: TileBudget,
     products: Products,
     depth: F32s,
     /// The lanes that are left of the batch.
@@ -87,6 +89,9 @@ impl Shader {
     /// Makes the early tests that a batch still has to make, and shades what is left; a shader that
     /// runs over its budget stops the draw.
     pub fn shade(&mut self, pass: &PassJob, job: &DrawJob, batch: &Batch<'_>, tile: &mut TileJob) {
+        if self.budget.is_stopped() {
+            return;
+        }
         let plan = &job.plan;
         let is_due = plan.timing == TestTiming::Early && batch.tested != !0;
         match tile.depth.as_mut().filter(|_| is_due) {
@@ -124,7 +129,7 @@ impl Shader {
             prepared: &plan.prepared,
             textures: &plan.textures,
             active: !0,
-            budget: pass.budget,
+            budget: u64::MAX,
         };
         let done = match product {
             Some((_, product)) => {
@@ -147,7 +152,7 @@ impl Shader {
                     None => color.unwritten(i),
                 });
             }
-            (Err(OverBudget), _) => job.stopped.store(true, Ordering::Relaxed),
+            (Err(OverBudget), _) => self.budget.stop(),
         }
         blocks.clear();
     }
@@ -238,7 +243,7 @@ impl Shader {
     ) {
         match self.run(pass, job, batch, shaded) {
             Ok(()) => self.output(pass, job, batch, tile, shaded),
-            Err(OverBudget) => job.stopped.store(true, Ordering::Relaxed),
+            Err(OverBudget) => self.budget.stop(),
         }
     }
 
@@ -259,12 +264,13 @@ impl Shader {
             prepared: &plan.prepared,
             textures: &plan.textures,
             active: batch.active(),
-            budget: pass.budget,
+            budget: self.budget.of_batch(),
         };
         let alive = match shaded {
             None => self.machine.run(run)?,
             Some(shaded) => shaded.run(&mut self.machine, plan, batch, run)?,
         };
+        self.budget.batch_left(self.machine.left());
         let samples = &plan.samples;
         self.left.set(batch.masks, alive);
         if let Some(alpha) = samples.alpha {

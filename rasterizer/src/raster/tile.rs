@@ -20,7 +20,6 @@ use super::window_blocks::{DivideWindows, WindowBlock, WindowBlocks};
 use crate::plan::{FragmentInput, Packing, SampleMasks};
 use crate::primitive::{ConstantDirection, DepthSetup};
 use fill::ShapeBlock;
-use std::sync::atomic::Ordering;
 use texunit::lanes::{F32s, LANES, U32s, prefetch};
 
 /// The least number of shapes in a group for which windows are computed.
@@ -81,6 +80,7 @@ impl TileRenderer {
             }
         }
         self.flush(pass, tile);
+        self.charge(tile);
         self.draw = None;
         if let Some(pixel) = tile.watched.take() {
             pixel.finish();
@@ -100,7 +100,9 @@ impl TileRenderer {
             return;
         }
         self.flush(pass, tile);
+        self.charge(tile);
         self.draw = Some(draw);
+        self.shader.budget.begin(&pass.draws[draw].budget);
         let plan = &pass.draws[draw].plan;
         let machine = &mut self.shader.machine;
         machine.begin(&plan.pipeline.compiled().fragment);
@@ -113,6 +115,11 @@ impl TileRenderer {
         self.pending_quads.clear(plan.planes.len(), plan.samples.count);
         self.pending_pixels.clear(plan.planes.len());
         self.planes.resize(plan.planes.len(), [0.0; 3]);
+    }
+
+    /// Charges the current draw for what it has run.
+    fn charge(&mut self, tile: &mut TileJob) {
+        tile.charges.extend(self.draw.and_then(|draw| self.shader.budget.charge(draw)));
     }
 
     /// Shades all pending fragments.
@@ -174,7 +181,8 @@ impl TileRenderer {
     fn fill_group(&mut self, pass: &PassJob, tile: &mut TileJob, chunk: &Chunk, group: &[u32]) {
         self.select(pass, tile, chunk.draw);
         let job = &pass.draws[chunk.draw];
-        if job.stopped.load(Ordering::Relaxed) {
+        // Draws that share batches share the budget in the tile; whether one is stopped is its own.
+        if job.budget.is_stopped || self.shader.budget.is_stopped() {
             return;
         }
         let plan = &job.plan;
@@ -203,7 +211,7 @@ impl TileRenderer {
             }
         }
         for (lane, shape) in shapes.enumerate() {
-            if job.stopped.load(Ordering::Relaxed) {
+            if self.shader.budget.is_stopped() {
                 return;
             }
             let window = if has_windows { self.windows.get(lane) } else { None };
@@ -223,7 +231,7 @@ impl TileRenderer {
         let (windows, window_blocks) = (&*self.windows, &mut *self.window_blocks);
         pass.isa.run(DivideWindows { windows, shapes: group.len(), window_blocks });
         loop {
-            if job.stopped.load(Ordering::Relaxed) {
+            if self.shader.budget.is_stopped() {
                 return;
             }
             let stop = pass.isa.run(Pack {

@@ -7,6 +7,8 @@
 
 use super::compute::{Compute, OPERANDS};
 use crate::ir::{Access, Axis};
+use std::sync::Arc;
+use texunit::plan::SamplePlan;
 
 /// A register. While lowering: a virtual one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -178,6 +180,11 @@ impl Inst {
         stores || (self.is_control() && !is_uniform)
     }
 
+    /// Whether it is the end of a loop.
+    pub fn repeats(&self) -> bool {
+        matches!(self, Self::Repeat { .. } | Self::EndIteration { .. })
+    }
+
     /// Whether it removes lanes from the execution mask of the next instructions.
     pub fn removes_lanes(&self) -> bool {
         matches!(self, Self::Leave { .. } | Self::LeaveIf { .. } | Self::Discard)
@@ -188,6 +195,38 @@ impl Inst {
     pub fn is_straight(&self) -> bool {
         let moves = matches!(self, Self::Move { .. } | Self::Derivative { .. });
         moves || matches!(self, Self::Compute { .. } | Self::Sample(_))
+    }
+
+    /// About how many additions of 64 lanes it takes as long as. The textures are those of the draw.
+    pub fn cost(&self, textures: &[Option<Arc<SamplePlan>>]) -> u32 {
+        /// One lane after the other.
+        const BY_LANE: u32 = 16;
+        /// The dispatch of an instruction.
+        const DISPATCH: u32 = 1;
+        match self {
+            Self::Compute { what, .. } => DISPATCH + what.size()[0],
+            Self::Sample(sample) => {
+                let plan = textures.get(sample.texture as usize).and_then(Option::as_ref);
+                DISPATCH + plan.map_or(1, |plan| plan.cost())
+            }
+            Self::LoadAt { .. } | Self::StoreAt { .. } | Self::UniformAt { .. } => BY_LANE,
+            Self::Zero { len, .. } => DISPATCH + len,
+            Self::Move { .. }
+            | Self::Store { .. }
+            | Self::Derivative { .. }
+            | Self::If { .. }
+            | Self::Unless { .. }
+            | Self::Jump { .. }
+            | Self::Repeat { .. }
+            | Self::Else { .. }
+            | Self::Join { .. }
+            | Self::Open { .. }
+            | Self::Leave { .. }
+            | Self::LeaveIf { .. }
+            | Self::Discard
+            | Self::SkipEmpty { .. }
+            | Self::EndIteration { .. } => 1 + DISPATCH,
+        }
     }
 
     /// Whether it changes which lanes execute, or is a jump.

@@ -48,6 +48,8 @@ pub struct Machine {
     outputs: Vec<u32>,
     /// Registers of a register file.
     file: usize,
+    /// What the last run left of its budget.
+    left: u64,
 }
 
 impl Machine {
@@ -121,7 +123,14 @@ impl Machine {
             self.exec.whole(run.active);
             self.start.clone_from(&self.exec.lanes);
         }
-        run.budget.checked_sub(run.program.code.len() as u64).ok_or(OverBudget)
+        let operations = run.prepared.operations(0, run.program.code.len());
+        self.left = 0;
+        run.budget.checked_sub(operations).ok_or(OverBudget)
+    }
+
+    /// What the last run left of its budget; 0 if it exceeded it.
+    pub fn left(&self) -> u64 {
+        self.left
     }
 
     /// The register of the program's output `index`, after a run. Inactive lanes hold any bits.
@@ -209,13 +218,13 @@ impl Machine {
         head: Target,
         exit: Slot,
         pc: usize,
-        left: &mut u64,
+        (prepared, left): (&Prepared, &mut u64),
     ) -> Result<usize, OverBudget> {
         if self.exec.is_empty() {
             self.exec.take(&mut self.slots[exit.0 as usize], &self.start);
             return Ok(pc);
         }
-        repeat_loop(head, pc, left)
+        repeat_loop(head, pc, prepared, left)
     }
 
     #[inline(always)]

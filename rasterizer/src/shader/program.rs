@@ -37,6 +37,8 @@ pub struct Program {
     pub(super) reads_uniforms: bool,
     /// Whether it matters which lanes execute.
     pub(super) masked: bool,
+    /// Whether any of it may run several times.
+    pub(super) has_loops: bool,
     /// Register files that one run may fill.
     pub(super) files: usize,
     pub(super) product: Option<TexelProduct>,
@@ -62,12 +64,23 @@ pub struct Prepared {
     pub(super) uniforms: Vec<u32>,
     /// The repeated lookups of the program that reuse texel addresses, bit by number.
     pub(super) reused_addresses: u64,
+    /// By instruction: the operations of the code before it; empty if the program has no loops.
+    pub(super) operations: Vec<u64>,
 }
 
 impl Prepared {
     /// The identity of the prepared values, unique.
     pub fn id(&self) -> u64 {
         self.id
+    }
+
+    /// The operations of the code from one instruction to another, in additions of 64 lanes.
+    #[inline(always)]
+    pub(super) fn operations(&self, from: usize, to: usize) -> u64 {
+        match (self.operations.get(from), self.operations.get(to)) {
+            (Some(from), Some(to)) => to - from,
+            (None, _) | (_, None) => 0,
+        }
     }
 
     /// Whether the texel addresses of a lookup are computed or reused.
@@ -174,6 +187,7 @@ impl Program {
             statements: [0; 2],
             product,
             masked: lowered.code.iter().any(Inst::uses_mask),
+            has_loops: lowered.code.iter().any(Inst::repeats),
             files: files(&lowered.code, &layout),
             code: lowered.code,
             source_order: lowered.source_order,
@@ -215,6 +229,22 @@ impl Program {
     /// Whether all of it runs once, whatever lanes hold.
     pub fn is_straight(&self) -> bool {
         self.code.iter().all(Inst::is_straight)
+    }
+
+    /// Whether any of it may run several times.
+    pub fn has_loops(&self) -> bool {
+        self.has_loops
+    }
+
+    /// By instruction, and at the end of the code: the operations of the code before it.
+    fn operations(&self, textures: &[Option<Arc<SamplePlan>>]) -> Vec<u64> {
+        let costs = self.code.iter().map(|inst| inst.cost(textures));
+        let mut before = 0;
+        let sums = costs.map(|cost| {
+            before += u64::from(cost);
+            before
+        });
+        std::iter::once(0).chain(sums).collect()
     }
 
     /// Whether what it computes depends on uniform words.
@@ -286,6 +316,7 @@ impl Program {
             reused_addresses: repeated_lookups::reused_addresses(&self.repeats, textures),
             id: identity(),
             words: self.preamble.run(uniforms),
+            operations: if self.has_loops() { self.operations(textures) } else { Vec::new() },
             uniforms: if self.reads_uniforms { uniforms.to_vec() } else { Vec::new() },
         }
     }

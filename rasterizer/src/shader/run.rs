@@ -18,8 +18,8 @@ pub struct Run<'a> {
     pub textures: &'a [Option<Arc<SamplePlan>>],
     /// Which lanes run, bit by lane. For fragments: whole quads.
     pub active: u64,
-    /// How many instructions may run: the program's length, plus each loop's length for each iteration after the
-    /// first.
+    /// The operations that may run, in additions of 64 lanes: those of the program, and those of each loop again for each
+    /// iteration after the first. Only programs with loops count them.
     pub budget: u64,
 }
 

@@ -16,6 +16,9 @@ use crate::text::spelling::closest;
 use crate::types::Type;
 use rasterizer::ir::Stage;
 
+/// The steps of a candidate of a call.
+const CANDIDATE: usize = 4;
+
 /// The function that a candidate stands for.
 #[derive(Clone, Debug)]
 enum CallTarget {
@@ -92,9 +95,10 @@ impl Checker<'_> {
             self.error(void.span, "6.1", "an argument has no value");
             return Expr::error(span);
         }
-        let candidates = self.candidates(name);
-        if candidates.is_empty() {
-            self.unknown_function(name);
+        let candidates = self.candidates(name, |parameters| parameters == arguments.len());
+        self.log.work.add(CANDIDATE * candidates.len());
+        if self.log.work.is_over() {
+            self.log.push(Diagnostic::too_much_work(name.span));
             return Expr::error(span);
         }
         let version = self.version;
@@ -108,6 +112,11 @@ impl Checker<'_> {
             fitting.retain(|c| c.is_user());
         }
         let Some(&best) = fitting.iter().min_by_key(|c| fits(c)) else {
+            let candidates = self.candidates(name, |_| true);
+            if candidates.is_empty() {
+                self.unknown_function(name);
+                return Expr::error(span);
+            }
             if let Some(function) = self.integer_candidate(name, &arguments) {
                 return self.finish_call(name, function, arguments, span);
             }
@@ -121,7 +130,7 @@ impl Checker<'_> {
             self.log.push(problem.note(format!("there are: {}", list.join(", "))));
             return Expr::error(span);
         }
-        if hides && !best.is_user() && candidates.iter().any(Candidate::is_user) {
+        if hides && !best.is_user() && !self.scopes.functions(&name.text).is_empty() {
             let message = format!("the shader's own `{0}` hides the language's `{0}`", name.text);
             let problem = Diagnostic::warning(name.span, message).rule(self.rule("4.2"));
             self.log.push(problem.help("name it otherwise: other compilers refuse this call"));
@@ -130,23 +139,28 @@ impl Checker<'_> {
         self.finish_call(name, best, arguments, span)
     }
 
-    /// The candidates of a name: the functions of the shader, and the built-in functions with other
-    /// parameters.
-    fn candidates(&mut self, name: &ast::Name) -> Vec<Candidate> {
+    /// The candidates of a name that have so many parameters: the functions of the shader, and the built-in functions with
+    /// other parameters.
+    fn candidates(
+        &mut self,
+        name: &ast::Name,
+        has_count: impl Fn(usize) -> bool,
+    ) -> Vec<Candidate> {
         if self.scopes.hides_functions(&name.text) {
             return Vec::new();
         }
-        let own = self.scopes.functions(&name.text).iter().map(|&index| {
+        let own = self.scopes.functions(&name.text).iter().filter_map(|&index| {
             let function = &self.unit.functions[index as usize];
-            Candidate {
+            has_count(function.directions.len()).then(|| Candidate {
                 target: CallTarget::User(index),
                 parameters: function.parameters().cloned().collect(),
                 directions: function.directions.clone(),
                 result: function.result.clone(),
-            }
+            })
         });
         let mut candidates: Vec<Candidate> = own.collect();
-        for row in function::find(&name.text, self.stage, self.language) {
+        let rows = function::find(&name.text, self.stage, self.language);
+        for row in rows.filter(|row| has_count(row.parameters.len())) {
             for (parameters, result) in row.signatures() {
                 if candidates.iter().any(|candidate| candidate.parameters == parameters) {
                     continue;

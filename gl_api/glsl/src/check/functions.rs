@@ -35,6 +35,7 @@ impl Checker<'_> {
             locals,
             body: None,
             span: declared.name.span,
+            line: self.source.line_of(declared.name.span.start).1,
             calls: Vec::new(),
             globals: Vec::new(),
         };

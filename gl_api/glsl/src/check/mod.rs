@@ -196,12 +196,17 @@ impl Checker<'_> {
     }
 
     /// The words of a constant expression, from the lowering itself: the same bits as at run time.
-    fn evaluate(&self, expr: &Expr) -> Option<Arc<[u32]>> {
-        if !expr.constant || expr.is_error() {
+    fn evaluate(&mut self, expr: &Expr) -> Option<Arc<[u32]>> {
+        if !expr.constant || expr.is_error() || self.log.work.is_over() {
             return None;
         }
         let locals = self.body.as_ref().map_or(&[][..], |body| &body.locals);
-        crate::lower::constant(expr, &self.unit.globals, locals).map(Arc::from)
+        let (globals, work) = (&self.unit.globals, &mut self.log.work);
+        let words = crate::lower::constant(expr, globals, locals, work).map(Arc::from);
+        if self.log.work.is_over() {
+            self.log.push(Diagnostic::too_much_work(expr.span));
+        }
+        words
     }
 
     /// Checks statements in a scope of their own.

@@ -20,6 +20,8 @@ pub struct Function {
     pub body: Option<Vec<Stmt>>,
     /// Where its name stands.
     pub span: Span,
+    /// The line of that, as `#line` counts.
+    pub line: i64,
     /// The functions it calls, with repetitions.
     pub calls: Vec<(u32, Span)>,
     /// The globals it references, each once, in order.

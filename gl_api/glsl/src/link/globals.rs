@@ -7,6 +7,7 @@ use crate::limits::MAX_SCALARS;
 use crate::lower;
 use crate::text::diagnostics::{Diagnostic, Log};
 use crate::types::Type;
+use crate::work::Work;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -91,7 +92,7 @@ pub fn same_globals(units: &[&Unit], stage: &str, log: &mut Log) {
         } else if let (Some(a), Some(b)) = (&other.init, &variable.init)
             && variable.storage != Storage::Uniform
             && !std::ptr::eq(other, variable)
-            && !same_value((home, a), (unit, b))
+            && !same_value((home, a), (unit, b), &mut log.work)
         {
             format!("has two initial values in the {stage} shaders")
         } else {
@@ -107,10 +108,10 @@ pub fn same_globals(units: &[&Unit], stage: &str, log: &mut Log) {
 
 /// Whether two initializers give one value. Of several shaders, only constant initializers can
 /// (GLSL 1.30 section 4.3).
-fn same_value((home, a): (&Unit, &Expr), (away, b): (&Unit, &Expr)) -> bool {
+fn same_value((home, a): (&Unit, &Expr), (away, b): (&Unit, &Expr), work: &mut Work) -> bool {
     if a.has_effects() || b.has_effects() {
         return false;
     }
-    let a = lower::constant(a, &home.globals, &[]);
-    a.is_some() && a == lower::constant(b, &away.globals, &[])
+    let a = lower::constant(a, &home.globals, &[], work);
+    a.is_some() && a == lower::constant(b, &away.globals, &[], work)
 }

@@ -125,7 +125,10 @@ fn lowered(
     log: &mut Log,
 ) -> Option<Module> {
     let stage = of.stage;
-    match lower_stage(stage, &of.units, &of.reachable, locations, words.clone()) {
+    let mut work = log.work;
+    let result = lower_stage(stage, &of.units, &of.reachable, locations, words.clone(), &mut work);
+    log.work = work;
+    match result {
         Ok(lowered) => {
             *words = lowered.words;
             let slots = lowered.samplers.into_iter();

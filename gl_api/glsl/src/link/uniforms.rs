@@ -9,6 +9,7 @@ use crate::lower::{self, Words};
 use crate::program::{BuiltinUniform, Uniform};
 use crate::text::diagnostics::{Diagnostic, Log};
 use crate::types::Type;
+use crate::work::Work;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -38,7 +39,7 @@ pub fn uniforms(
     for variable in named.chain(valued) {
         if !names.contains_key(&*variable.name) {
             names.insert(&variable.name, all.len());
-            all.push((variable, initial(variable)));
+            all.push((variable, initial(variable, &mut log.work)));
         }
     }
     // The first declaration of each name.
@@ -56,7 +57,7 @@ pub fn uniforms(
         }
         let Some(&index) = names.get(&*variable.name) else { continue };
         let (known, value) = &mut all[index];
-        let mine = initial(variable);
+        let mine = initial(variable, &mut log.work);
         if known.init.is_none() && variable.init.is_some() {
             (*known, *value) = (variable, mine);
         } else if variable.init.is_some() && *value != mine {
@@ -92,8 +93,8 @@ pub fn uniforms(
     uniforms
 }
 
-fn initial(variable: &Variable) -> Vec<u32> {
-    let words = variable.init.as_ref().and_then(|init| lower::constant(init, &[], &[]));
+fn initial(variable: &Variable, work: &mut Work) -> Vec<u32> {
+    let words = variable.init.as_ref().and_then(|init| lower::constant(init, &[], &[], work));
     words.unwrap_or_else(|| vec![0; variable.ty.scalars() as usize])
 }
 

@@ -53,6 +53,9 @@ pub struct AccessChain {
     pub ty: Type,
 }
 
+/// The steps of a new IR variable, which has a name.
+const VARIABLE: usize = 3;
+
 impl AccessChain {
     /// The scalars that the path leads to, without `dynamic_offset`.
     fn offsets(&self) -> Vec<u32> {
@@ -75,12 +78,14 @@ impl Lowerer<'_> {
 
     /// New IR variables for scalars of these types.
     pub(super) fn new_vars(&mut self, name: &str, types: &[Ty]) -> VarStorage {
+        self.emit.work.add(VARIABLE * types.len());
         let builder = &mut self.emit.builder;
         VarStorage::Vars(types.iter().map(|&ty| builder.variable(name, ty)).collect())
     }
 
     /// New IR arrays for scalars of these types.
     fn new_arrays(&mut self, name: &str, types: &[Ty]) -> Arrays {
+        self.emit.work.add(types.len());
         let mut vars: Vec<(Ty, Var)> = Vec::new();
         for &ty in types {
             if !vars.iter().any(|(known, _)| *known == ty) {
@@ -145,7 +150,8 @@ impl Lowerer<'_> {
         let variable = self.variable(var);
         let known = match var {
             VarRef::Global(_) => self.globals.get(&variable.name).cloned(),
-            VarRef::Local(index) => self.frame().storages[index as usize].clone(),
+            // While a constant is folded, no local has storage.
+            VarRef::Local(index) => self.frame().storages.get(index as usize).cloned().flatten(),
         };
         if let Some(storage) = known {
             return Ok(storage);
@@ -281,6 +287,7 @@ impl Lowerer<'_> {
     /// Loads what a chain leads to.
     pub(super) fn load(&mut self, chain: &AccessChain) -> LowerResult<Vec<Value>> {
         let offsets = chain.offsets();
+        self.emit.work.add(offsets.len());
         let storage = chain.storage.clone();
         match (&storage, chain.dynamic_offset) {
             (VarStorage::Values(values), None) => {

@@ -2,20 +2,28 @@
 
 use super::access_chain::{AccessChain, VarStorage};
 use super::expr::not_a_variable;
-use super::{LowerError, LowerResult, Lowerer, Region};
+use super::{CallTarget, LowerError, LowerResult, Lowerer, Region};
 use crate::hir::{Direction, Expr, Function, Stmt, Variable};
 use crate::types::Type;
 use rasterizer::ir::{Stmt as IrStmt, Value};
 use std::rc::Rc;
 
+/// The steps of a call, beside its arguments and its body.
+const CALL: usize = 4;
+
 impl<'a> Lowerer<'a> {
     pub(super) fn call(&mut self, index: u32, arguments: &[Expr]) -> LowerResult<Vec<Value>> {
         self.check_size()?;
         let unit = self.frame().unit;
-        let signature = self.unit_functions[unit][index as usize].signature();
-        let Some(&(unit, function)) = self.functions.get(&signature) else {
-            return Err(LowerError(format!("`{signature}` is called and never defined")));
+        let (unit, function, returns_early) = match &self.targets[unit][index as usize] {
+            &CallTarget::Defined { unit, function, returns_early } => {
+                (unit, function, returns_early)
+            }
+            CallTarget::Undefined(signature) => {
+                return Err(LowerError(format!("`{signature}` is called and never defined")));
+            }
         };
+        self.emit.work.add(CALL);
 
         // Arguments are evaluated once, in the frame of the caller, from left to right.
         let mut chains: Vec<Option<AccessChain>> = Vec::new();
@@ -45,11 +53,11 @@ impl<'a> Lowerer<'a> {
             }
         }
 
-        self.open_frame(unit, &function.locals);
+        self.open_frame(unit, Some(function), &function.locals);
         for (number, storage) in storages.iter().enumerate() {
             self.frame().storages[number] = Some(storage.clone());
         }
-        let result = self.nested(|lowerer| lowerer.inline(function));
+        let result = self.nested(|lowerer| lowerer.inline(function, returns_early));
         self.frames.pop();
         let result = result?;
         for ((chain, storage), parameter) in chains.into_iter().zip(storages).zip(&function.locals)
@@ -94,9 +102,9 @@ impl<'a> Lowerer<'a> {
     }
 
     /// Inlines the body of a function whose frame is open; gives its result.
-    fn inline(&mut self, function: &'a Function) -> LowerResult<Vec<Value>> {
+    fn inline(&mut self, function: &'a Function, returns_early: bool) -> LowerResult<Vec<Value>> {
         let Some(body) = &function.body else { return Ok(Vec::new()) };
-        if !returns_early(body) {
+        if !returns_early {
             let Some((Stmt::Return(value), before)) = body.split_last() else {
                 self.statements(body)?;
                 // A missing `return` gives zeros.

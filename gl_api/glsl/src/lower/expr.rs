@@ -11,7 +11,9 @@ use rasterizer::ir::{Op, Stmt, Ty, Value};
 impl Lowerer<'_> {
     /// The scalars of an expression.
     pub(super) fn expr(&mut self, expr: &Expr) -> LowerResult<Vec<Value>> {
-        self.nested(|lowerer| lowerer.expr_kind(expr))
+        let values = self.nested(|lowerer| lowerer.expr_kind(expr))?;
+        self.emit.work.add(values.len());
+        Ok(values)
     }
 
     fn expr_kind(&mut self, expr: &Expr) -> LowerResult<Vec<Value>> {

@@ -13,8 +13,9 @@ use crate::builtins::variable::StateArray;
 use crate::emit::Emit;
 use crate::hir::{Expr, Function, Unit, VarRef, Variable};
 use crate::interface::{StateBinding, StateVar};
-use crate::limits::{MAX_INLINED_DEPTH, MAX_VALUES};
+use crate::limits::{MAX_INLINED_DEPTH, MAX_VALUES, MAX_WORK};
 use crate::types::{ComparisonResult, Dim};
+use crate::work::Work;
 use access_chain::VarStorage;
 use rasterizer::ir::{Stage, Texture, TextureDecl, Ty, Value, Var};
 pub use stage::{Binding, lower_stage, named_globals, varying_slots};
@@ -81,6 +82,8 @@ enum Region {
 
 /// A function being inlined.
 struct Frame<'a> {
+    /// The function; `None` for initializers of globals and `main`.
+    function: Option<&'a Function>,
     /// Which unit it is in.
     unit: usize,
     /// Its variables.
@@ -100,10 +103,8 @@ struct Lowerer<'a> {
     emit: Emit,
     /// The globals of each unit.
     units: Vec<&'a [Variable]>,
-    /// The functions with bodies, by signature.
-    functions: BTreeMap<String, (usize, &'a Function)>,
-    /// The functions of each unit.
-    unit_functions: Vec<&'a [Function]>,
+    /// By unit and function: what a call of it inlines.
+    targets: Vec<Vec<CallTarget<'a>>>,
     /// The storage of the globals, by name.
     globals: BTreeMap<Arc<str>, VarStorage>,
     frames: Vec<Frame<'a>>,
@@ -122,8 +123,7 @@ impl<'a> Lowerer<'a> {
         Self {
             emit: Emit::new(stage),
             units,
-            functions: BTreeMap::new(),
-            unit_functions: Vec::new(),
+            targets: Vec::new(),
             globals: BTreeMap::new(),
             frames: Vec::new(),
             depth: 0,
@@ -138,15 +138,29 @@ impl<'a> Lowerer<'a> {
         self.frames.last_mut().expect("a frame is open wherever code is lowered")
     }
 
-    fn open_frame(&mut self, unit: usize, locals: &'a [Variable]) {
+    fn open_frame(&mut self, unit: usize, function: Option<&'a Function>, locals: &'a [Variable]) {
+        self.emit.work.add(locals.len() + 1);
         let storages = vec![None; locals.len()];
-        let (regions, result) = (Vec::new(), Vec::new());
-        let labelled = false;
-        self.frames.push(Frame { unit, locals, storages, regions, result, labelled });
+        self.push_frame(unit, function, locals, storages);
     }
 
-    /// Fails when there are too many values.
+    fn push_frame(
+        &mut self,
+        unit: usize,
+        function: Option<&'a Function>,
+        locals: &'a [Variable],
+        storages: Vec<Option<VarStorage>>,
+    ) {
+        let (regions, result) = (Vec::new(), Vec::new());
+        let labelled = false;
+        self.frames.push(Frame { function, unit, locals, storages, regions, result, labelled });
+    }
+
+    /// Fails when there are too many values, or there was too much work.
     fn check_size(&self) -> LowerResult<()> {
+        if self.emit.work.is_over() {
+            return Err(self.too_much_work());
+        }
         if self.emit.is_full() {
             return Err(LowerError(format!(
                 "function calls and loops expand to too many operations (more than {MAX_VALUES})"
@@ -155,8 +169,23 @@ impl<'a> Lowerer<'a> {
         Ok(())
     }
 
+    #[cold]
+    fn too_much_work(&self) -> LowerError {
+        let called = self.frames.iter().find_map(|frame| frame.function);
+        let within = called.map_or(String::new(), |function| {
+            format!(", at a call of `{}`, which line {} defines", function.name, function.line)
+        });
+        LowerError(format!(
+            "function calls and constants expand to too much work (more than {MAX_WORK} steps){within}"
+        ))
+    }
+
     /// Runs `lower` one level deeper.
     fn nested<T>(&mut self, lower: impl FnOnce(&mut Self) -> LowerResult<T>) -> LowerResult<T> {
+        self.emit.work.add(1);
+        if self.emit.work.is_over() {
+            return Err(self.too_much_work());
+        }
         if self.depth >= MAX_INLINED_DEPTH {
             let message = "statements, expressions and calls nest too deeply";
             return Err(LowerError(message.to_owned()));
@@ -184,12 +213,48 @@ impl<'a> Lowerer<'a> {
     }
 }
 
-/// The words of a constant expression; `None` if it is not constant.
-pub fn constant(expr: &Expr, globals: &[Variable], locals: &[Variable]) -> Option<Vec<u32>> {
+/// The words of a constant expression; `None` if it is not constant, or when there was too much work.
+pub fn constant(
+    expr: &Expr,
+    globals: &[Variable],
+    locals: &[Variable],
+    work: &mut Work,
+) -> Option<Vec<u32>> {
     let mut lowerer = Lowerer::new(Stage::Vertex, vec![globals]);
-    lowerer.open_frame(0, locals);
-    let values = lowerer.expr(expr).ok()?;
-    values.into_iter().map(|value| lowerer.emit.known(value)).collect()
+    lowerer.emit.work = *work;
+    lowerer.push_frame(0, None, locals, Vec::new());
+    let values = lowerer.expr(expr);
+    *work = lowerer.emit.work;
+    values.ok()?.into_iter().map(|value| lowerer.emit.known(value)).collect()
+}
+
+/// What a call of a function inlines.
+#[derive(Clone)]
+enum CallTarget<'a> {
+    /// No shader defines the function of this signature.
+    Undefined(String),
+    Defined {
+        unit: usize,
+        function: &'a Function,
+        /// Whether a `return` stands anywhere but at its end.
+        returns_early: bool,
+    },
+}
+
+/// The targets of the calls of each unit.
+fn call_targets<'a>(units: &[&'a Unit]) -> Vec<Vec<CallTarget<'a>>> {
+    let bodies = functions(units);
+    let target = |function: &Function| {
+        let signature = function.signature();
+        match bodies.get(&signature) {
+            Some(&(unit, function)) => {
+                let returns_early = function.body.as_deref().is_some_and(call::returns_early);
+                CallTarget::Defined { unit, function, returns_early }
+            }
+            None => CallTarget::Undefined(signature),
+        }
+    };
+    units.iter().map(|unit| unit.functions.iter().map(target).collect()).collect()
 }
 
 /// The functions with bodies, by signature, each with its unit.

@@ -3,9 +3,10 @@
 use super::access_chain::VarStorage;
 use super::call::{returns_early, without_last_return};
 use super::outputs::OutputCopy;
-use super::{LowerError, LowerResult, Lowerer, Words, functions};
+use super::{LowerError, LowerResult, Lowerer, Words, call_targets};
 use crate::hir::{Function, Storage, Unit, Variable};
 use crate::types::{ComparisonResult, Dim};
+use crate::work::Work;
 use rasterizer::ir::{Input, Interpolation, Module, Op, Output, Stage, Texture, Ty, Value};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -48,10 +49,11 @@ pub fn lower_stage(
     reachable: &[(usize, &Function)],
     bindings: &BTreeMap<Arc<str>, Binding>,
     words: Words,
+    work: &mut Work,
 ) -> Result<LoweredStage, LowerError> {
     let mut lowerer = Lowerer::new(stage, units.iter().map(|unit| &unit.globals[..]).collect());
-    lowerer.functions = functions(units);
-    lowerer.unit_functions = units.iter().map(|unit| &unit.functions[..]).collect();
+    lowerer.targets = call_targets(units);
+    lowerer.emit.work = *work;
     lowerer.words = words;
     let mut copies = Vec::new();
     let mut globals = used_globals(units, reachable, bindings);
@@ -85,7 +87,7 @@ pub fn lower_stage(
     let Some(body) = &main.body else {
         return Err(LowerError("there is no function `main`".to_owned()));
     };
-    lowerer.open_frame(unit, &main.locals);
+    lowerer.open_frame(unit, None, &main.locals);
     if returns_early(body) {
         lowerer.scope(body)?;
     } else {
@@ -96,6 +98,7 @@ pub fn lower_stage(
         lowerer.copy(&copy)?;
     }
     lowerer.check_size()?;
+    *work = lowerer.emit.work;
     let Lowerer { emit, samplers, words, .. } = lowerer;
     Ok(LoweredStage { module: emit.builder.finish(), samplers, words })
 }
@@ -192,7 +195,7 @@ impl Lowerer<'_> {
         unit: usize,
         lower: impl FnOnce(&mut Self) -> LowerResult<T>,
     ) -> LowerResult<T> {
-        self.open_frame(unit, &[]);
+        self.open_frame(unit, None, &[]);
         let result = lower(self);
         self.frames.pop();
         result

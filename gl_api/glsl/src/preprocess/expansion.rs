@@ -6,6 +6,7 @@ use crate::lex::{Token, TokenKind};
 use crate::limits::{MAX_EXPANDED_TOKENS, MAX_MACRO_DEPTH};
 use crate::text::diagnostics::{Diagnostic, Log, Severity};
 use crate::text::source::{Source, Span};
+use crate::work::Work;
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
@@ -35,22 +36,30 @@ struct Expansion<'a> {
     version: Version,
     /// The macros that are being expanded.
     active: BTreeSet<Arc<str>>,
-    produced: &'a mut usize,
+    spent: &'a mut Spent,
     log: &'a mut Log,
 }
 
-/// Expands every macro in `tokens`. `produced` counts the tokens of all expansions of the shader.
+/// What the expansions of a shader have cost so far.
+pub struct Spent {
+    /// The tokens that macros were replaced by.
+    pub produced: usize,
+    /// The work.
+    pub work: Work,
+}
+
+/// Expands every macro in `tokens`. `spent` is that of all expansions of the shader.
 pub fn expand(
     macros: &Macros,
     context: ExpansionContext,
     tokens: Vec<Token>,
     source: &Source,
     version: Version,
-    produced: &mut usize,
+    spent: &mut Spent,
     log: &mut Log,
 ) -> Result<Vec<Token>, Box<Diagnostic>> {
     let active = BTreeSet::new();
-    let mut expansion = Expansion { macros, context, source, version, active, produced, log };
+    let mut expansion = Expansion { macros, context, source, version, active, spent, log };
     let items = tokens.into_iter().map(ExpansionItem::Token).collect();
     let result = expansion.run(items, None, 0)?;
     let plain = |item| match item {
@@ -133,6 +142,7 @@ impl Expansion<'_> {
                     let mut arguments = Vec::new();
                     for argument in &raw {
                         let items = argument.iter().cloned().map(ExpansionItem::Token).collect();
+                        self.spent.work.add(self.active.len());
                         let active = self.active.clone();
                         arguments.push(self.run(items, None, depth + 1)?);
                         self.active = active;
@@ -140,9 +150,12 @@ impl Expansion<'_> {
                     self.paste(&found.body, parameters, &raw, &arguments, token.span)?
                 }
             };
-            *self.produced += body.len() + 1;
-            if *self.produced > MAX_EXPANDED_TOKENS {
+            self.spent.produced += body.len() + 1;
+            if self.spent.produced > MAX_EXPANDED_TOKENS {
                 return Err(too_many_tokens(token.span));
+            }
+            if self.spent.work.is_over() {
+                return Err(Diagnostic::too_much_work(token.span).into());
             }
             self.active.insert(name.clone());
             work.push(ExpansionItem::EndOf(name));
@@ -246,6 +259,7 @@ impl Expansion<'_> {
         expanded: &[Vec<ExpansionItem>],
         at: Span,
     ) -> Result<Vec<ExpansionItem>, Box<Diagnostic>> {
+        self.spent.work.add(body.len() * (parameters.len() / 4 + 1));
         let mut output: Vec<ExpansionItem> = Vec::new();
         let mut joining = false;
         // Whether the left operand of `##` gave a token: an empty argument gives none.
@@ -281,7 +295,7 @@ impl Expansion<'_> {
                     output.push(ExpansionItem::Token(Token { kind: token.kind.clone(), span: at }))
                 }
             }
-            if *self.produced + output.len() > MAX_EXPANDED_TOKENS {
+            if self.spent.produced + output.len() > MAX_EXPANDED_TOKENS {
                 return Err(too_many_tokens(at));
             }
             let given = start < output.len();

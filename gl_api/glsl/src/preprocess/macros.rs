@@ -1,10 +1,11 @@
 //! Macros and their expansion, with a bounded result.
 
-use super::expansion::{self, ExpansionContext, nothing_to_join};
+use super::expansion::{self, ExpansionContext, Spent, nothing_to_join};
 use crate::language::{Extension, Version};
 use crate::lex::{Token, TokenKind};
 use crate::text::diagnostics::{Diagnostic, Log};
 use crate::text::source::{Source, Span};
+use crate::work::Work;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -80,6 +81,8 @@ fn body(tokens: &[Token], version: Version) -> Result<Vec<Token>, Box<Diagnostic
 pub struct Macros {
     table: BTreeMap<Arc<str>, Macro>,
     produced: usize,
+    /// The work of all expansions.
+    pub work: Work,
 }
 
 impl Macros {
@@ -94,7 +97,7 @@ impl Macros {
             Version::V130 | Version::V140 => names.chain([HIGH]).map(row).collect(),
             Version::V110 | Version::V120 => names.map(row).collect(),
         };
-        Self { table, produced: 0 }
+        Self { table, produced: 0, work: Work::default() }
     }
 
     /// Adds a macro; false if there is a different one.
@@ -152,9 +155,9 @@ impl Macros {
         version: Version,
         log: &mut Log,
     ) -> Result<Vec<Token>, Box<Diagnostic>> {
-        let mut produced = self.produced;
-        let result = expansion::expand(self, context, tokens, source, version, &mut produced, log);
-        self.produced = produced;
+        let mut spent = Spent { produced: self.produced, work: self.work };
+        let result = expansion::expand(self, context, tokens, source, version, &mut spent, log);
+        (self.produced, self.work) = (spent.produced, spent.work);
         result
     }
 }

@@ -8,6 +8,7 @@ mod macros;
 
 use crate::language::{Language, Version};
 use crate::lex::{Token, TokenKind, tokens};
+use crate::limits;
 use crate::text::diagnostics::{Diagnostic, Log};
 use crate::text::source::{Source, Span};
 use macros::Macros;
@@ -80,13 +81,22 @@ pub fn preprocess(source: &mut Source, log: &mut Log) -> Preprocessed {
         begun: false,
         program_begun: false,
     };
-    let tokens = preprocessor.run(&lexed.tokens);
-    let Preprocessor { language, all_invariant, log, .. } = preprocessor;
+    let mut tokens = preprocessor.run(&lexed.tokens);
+    let Preprocessor { language, all_invariant, macros, log, .. } = preprocessor;
     if let Some(span) = lexed.continued {
         let message = format!("a line continued by `\\` is not in {}", language.version.title());
         let problem = Diagnostic::deviation(log.strictness, span, message)
             .rule("GLSL 1.30 section 3.1: the backslash is no character of the language");
         log.push(problem.help("write it in one line; other compilers may refuse this"));
+    }
+    log.work = macros.work;
+    let is_over = log.work.is_over();
+    log.work.add(lexed.tokens.len().max(tokens.len()));
+    if log.work.is_over() && !is_over {
+        // The parser gets no more than the end.
+        let first_left_out = tokens.get(limits::MAX_WORK as usize).or(tokens.last());
+        log.push(Diagnostic::too_much_work(first_left_out.map_or(Span::default(), |t| t.span)));
+        tokens.drain(..tokens.len() - 1);
     }
     Preprocessed { tokens, language, all_invariant }
 }

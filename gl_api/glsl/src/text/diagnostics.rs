@@ -1,7 +1,8 @@
 //! Diagnostics, and how an info log shows them.
 
-use crate::limits::MAX_ERRORS;
+use crate::limits::{MAX_ERRORS, MAX_WORK};
 use crate::text::source::{Source, Span};
+use crate::work::Work;
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use std::fmt::Write as _;
 
@@ -93,6 +94,14 @@ impl Diagnostic {
     /// A warning at a span.
     pub fn warning(span: Span, message: impl Into<String>) -> Self {
         Self::new(Severity::Warning, Some(span), message)
+    }
+
+    /// The error where a compilation takes too many steps.
+    pub fn too_much_work(span: Span) -> Self {
+        Self::error(
+            span,
+            format!("the shader takes too much work to compile (more than {MAX_WORK} steps)"),
+        )
     }
 
     /// An error of the link.
@@ -206,6 +215,8 @@ pub struct Log {
     pub items: Vec<Diagnostic>,
     /// How deviations from the version are reported.
     pub strictness: Strictness,
+    /// The work so far.
+    pub work: Work,
     errors: usize,
 }
 

@@ -62,6 +62,34 @@ impl fmt::Debug for Step {
 #[derive(Debug, Default)]
 pub(crate) struct List {
     pub steps: Vec<Step>,
+    /// What a call of it costs, without the lists that it calls: its commands, and more for those that take longer.
+    pub cost: u64,
+}
+
+impl List {
+    /// A list of these steps.
+    pub fn new(steps: Vec<Step>) -> Self {
+        let cost = 1 + steps.iter().map(Step::cost).sum::<u64>();
+        Self { steps, cost }
+    }
+}
+
+impl Step {
+    /// What it costs beside a command that sets state.
+    fn cost(&self) -> u64 {
+        const DRAW: u64 = 8;
+        const VERTICES: u64 = 8;
+        const PIXELS: u64 = 32;
+        match self {
+            Self::Attribute(..) | Self::Call { unpack: None, .. } => 1,
+            Self::Call { unpack: Some(_), .. } => PIXELS,
+            Self::Primitives(primitives) => DRAW + primitives.count as u64 / VERTICES,
+            Self::Arrays(draw) => {
+                let (count, instances) = draw.elements.counts();
+                DRAW + u64::from(count) * instances.len() as u64 / VERTICES
+            }
+        }
+    }
 }
 
 /// `GL_LIST_BASE`, and the nesting of the calls of lists that run.
@@ -70,8 +98,8 @@ pub(crate) struct Lists {
     pub base: GLuint,
     /// How deep calls of lists are nested now.
     pub depth: usize,
-    /// How many more lists the outermost call may still call.
-    pub budget: usize,
+    /// What the lists that the outermost call calls may still cost ([`List::cost`]); `None` once one has cost more.
+    pub budget: Option<u64>,
 }
 
 impl Lists {

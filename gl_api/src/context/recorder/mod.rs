@@ -37,6 +37,8 @@ const MAX_HELD: usize = 1 << 26;
 #[derive(Debug)]
 pub(crate) struct Recorder {
     pub device: Arc<Device>,
+    /// How long the shaders of a draw may run, if not as long as the device lets them.
+    pub draw_budget: Option<u64>,
     pub commands: CommandBuffer,
     /// The fences among the recorded commands.
     pub fences: PendingFences,
@@ -93,6 +95,7 @@ impl Recorder {
     pub fn new(device: Arc<Device>) -> Self {
         Self {
             device,
+            draw_budget: None,
             commands: CommandBuffer::new(),
             fences: PendingFences::default(),
             pass: None,

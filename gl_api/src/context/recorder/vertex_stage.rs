@@ -5,7 +5,7 @@ use crate::base::error::{Result, invalid_operation};
 use crate::context::recorder::fixed_function::StageKeys;
 use crate::context::recorder::stages::Textures;
 use crate::interface::{MAX_TEXTURE_UNITS, VARYING_BACK_COLOR, VARYING_COLOR, VARYING_TEX_COORD};
-use rasterizer::driver::ShaderModule;
+use rasterizer::driver::{DeviceDesc, ShaderModule};
 use rasterizer::ir::{Input, Output};
 use rasterizer::shader::{Machine, Prepared, Program, Run};
 use std::ops::Range;
@@ -206,7 +206,7 @@ impl PreparedStage {
                 prepared,
                 textures,
                 active: u64::MAX >> (LANES - lanes),
-                budget: rasterizer::driver::DeviceDesc::BUDGET,
+                budget: DeviceDesc::batch_budget(DeviceDesc::BUDGET),
             };
             if machine.run(run).is_err() {
                 return invalid_operation(

@@ -5,15 +5,14 @@ use crate::attachment::DepthFormat;
 use crate::driver::bound::DrawDecisions;
 use crate::driver::chunk::{DrawState, MergedDraws, RUN};
 use crate::driver::report::SubmitReport;
-use crate::driver::resources::Resources;
+use crate::driver::resources::{DeviceDesc, Resources};
 use crate::driver::visibility::Visibility;
 use crate::plan::{Counting, DrawPlan, Pipeline, PlanInput, draws_lines, sprite_slots};
 use crate::primitive::Setup;
-use crate::raster::DrawJob;
+use crate::raster::{DrawBudget, DrawJob};
 use crate::shader::{OverBudget, Prepared};
 use crate::vertex::{VertexIds, primitives};
 use std::ops::Range;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, OnceLock};
 
 /// The number of binned shapes at which tiles run before the pass ends. The next chunks then reuse memory that is in
@@ -52,9 +51,9 @@ impl Pass<'_> {
         };
         let raster = plan.raster.clone();
         let draw = self.job.draws.len();
-        let (counter, stopped) = (self.bound.counter.clone(), AtomicBool::new(false));
+        let (counter, budget) = (self.bound.counter.clone(), DrawBudget::new(self.bound.budget));
         let label = self.bound.label;
-        self.job.draws.push(DrawJob { plan, area: inner, counter, stopped, label });
+        self.job.draws.push(DrawJob { plan, area: inner, counter, budget, label });
         self.commands.push(command);
 
         let compiled = pipeline.compiled();
@@ -67,7 +66,7 @@ impl Pass<'_> {
         let mut state = DrawState {
             draw,
             isa: self.job.isa,
-            budget: self.job.budget,
+            budget: DeviceDesc::batch_budget(self.bound.budget),
             thread_pool: self.thread_pool,
             machines: &self.resources.machines,
             geometries: &self.resources.geometries,
@@ -106,7 +105,7 @@ impl Pass<'_> {
             false => self.draw_in_own_chunks(&mut state, report),
         };
         let Ok(is_visible) = drawn else {
-            self.job.draws[draw].stopped.store(true, Ordering::Relaxed);
+            self.job.draws[draw].budget.is_stopped = true;
             return;
         };
         if self.shapes >= BINS_FULL {

@@ -5,10 +5,9 @@ use crate::attachment::{DepthFormat, Surface};
 use crate::driver::chunk::TileRun;
 use crate::driver::report::SubmitReport;
 use crate::primitive::Shape;
-use crate::raster::{Chunk, ClearJob, Entry, Formats, TileJob, WatchedPixel};
+use crate::raster::{Chunk, ClearJob, Entry, FIRST_WAVE, Formats, TileJob, WAVE, WatchedPixel};
 use crate::sizes::TILE;
 use std::sync::Arc;
-use std::sync::atomic::Ordering;
 
 /// Pixels that a short program shades before another thread would wake.
 const SMALL_WORK_PIXELS: u64 = 1 << 14;
@@ -62,6 +61,41 @@ impl Pass<'_> {
             && job.chunks.iter().map(cost).sum::<u64>() <= SMALL_WORK_PIXELS
     }
 
+    /// Whether the fragment program of a draw in the bins has loops.
+    fn has_loops(&self) -> bool {
+        let mut draws = self.job.chunks.iter().map(|chunk| &self.job.draws[chunk.draw]);
+        draws.any(|draw| draw.plan.pipeline.compiled().fragment.has_loops())
+    }
+
+    /// Divides the budget of each draw among those tiles of a wave that it touches.
+    fn divide_budgets(&mut self, wave: &[TileJob]) {
+        // By draw: how many tiles, and the last of them.
+        let mut touched = vec![(0, usize::MAX); self.job.draws.len()];
+        for (at, tile) in wave.iter().enumerate() {
+            for entry in &tile.entries {
+                let Entry::Shapes { chunk, .. } = *entry else { continue };
+                let (count, last) = &mut touched[self.job.chunks[chunk as usize].draw];
+                if *last != at {
+                    (*count, *last) = (*count + 1, at);
+                }
+            }
+        }
+        for (draw, (tiles, _)) in self.job.draws.iter_mut().zip(touched) {
+            draw.budget.divide(tiles);
+        }
+    }
+
+    /// Runs tiles in parallel, at least so many by one thread.
+    fn run_wave(&self, tiles: &mut [TileJob], least: usize) {
+        let (job, tile_renderers) = (&self.job, &self.resources.tile_renderers);
+        self.thread_pool.for_each_chunk(
+            tiles,
+            least,
+            || tile_renderers.borrow(),
+            |renderer, tiles| tiles.iter_mut().for_each(|tile| renderer.get().run(job, tile)),
+        );
+    }
+
     /// Runs every tile that has something to do, and empties the bins.
     pub(super) fn run_tiles(&mut self, report: &mut SubmitReport) {
         self.bin_merged();
@@ -91,17 +125,25 @@ impl Pass<'_> {
                     .as_ref()
                     .and_then(|watch| WatchedPixel::new(watch, [tx, ty], &formats)),
                 entries: std::mem::take(bin),
+                charges: Vec::new(),
             });
             positions.push((tx, ty));
         }
-        let (job, tile_renderers) = (&self.job, &self.resources.tile_renderers);
         let least = if self.is_small_work() { tiles.len().max(1) } else { 1 };
-        self.thread_pool.for_each_chunk(
-            &mut tiles,
-            least,
-            || tile_renderers.borrow(),
-            |renderer, tiles| tiles.iter_mut().for_each(|tile| renderer.get().run(job, tile)),
-        );
+        match self.has_loops() {
+            false => self.run_wave(&mut tiles, least),
+            true => {
+                let count = FIRST_WAVE.min(tiles.len());
+                let (first, rest) = tiles.split_at_mut(count);
+                for wave in std::iter::once(first).chain(rest.chunks_mut(WAVE)) {
+                    self.divide_budgets(wave);
+                    self.run_wave(wave, least);
+                    for charge in wave.iter_mut().flat_map(|tile| tile.charges.drain(..)) {
+                        self.job.draws[charge.draw].budget.deduct(&charge);
+                    }
+                }
+            }
+        }
         for (tile, (tx, ty)) in tiles.into_iter().zip(positions) {
             let surfaces = self.colors.iter_mut().chain([&mut self.depth]);
             for (surface, target) in surfaces.zip(tile.colors.into_iter().chain([tile.depth])) {
@@ -112,7 +154,7 @@ impl Pass<'_> {
             }
         }
         for (draw, &command) in self.job.draws.iter().zip(&self.commands) {
-            if draw.stopped.load(Ordering::Relaxed) && !report.over_budget.contains(&command) {
+            if draw.budget.is_stopped && !report.over_budget.contains(&command) {
                 report.over_budget.push(command);
             }
         }

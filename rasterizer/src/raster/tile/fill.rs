@@ -315,6 +315,9 @@ impl TileRenderer {
         shape_block: ShapeBlock,
         masks: &mut SampleMasks,
     ) {
+        if self.shader.budget.is_stopped() {
+            return;
+        }
         let plan = &job.plan;
         let covered = masks.any();
         let ShapeBlock { at, facing, tests } = shape_block;

@@ -1,7 +1,7 @@
 //! The loop over the instructions, compiled for each instruction set.
 
 use super::super::inst::{Inst, Target, Test};
-use super::super::{OverBudget, Run};
+use super::super::{OverBudget, Prepared, Run};
 use super::Machine;
 use texunit::lanes::{Kernel, Simd, U32s};
 
@@ -38,7 +38,7 @@ pub(super) struct Interpreter<'a> {
     /// For how many files.
     pub files: usize,
     pub pc: usize,
-    /// How many instructions may still run.
+    /// The operations that may still run.
     pub left: u64,
 }
 
@@ -62,7 +62,10 @@ impl Kernel for Interpreter<'_> {
                     pc += 1;
                 }
             }
-            let Some(inst) = code.get(pc) else { return Ok(pc) };
+            let Some(inst) = code.get(pc) else {
+                m.left = left;
+                return Ok(pc);
+            };
             pc += 1;
             match *inst {
                 Inst::Compute { .. } => {}
@@ -98,7 +101,7 @@ impl Kernel for Interpreter<'_> {
                     }
                 }
                 Inst::Jump { to } => pc = to.0 as usize,
-                Inst::Repeat { head } => pc = repeat_loop(head, pc, &mut left)?,
+                Inst::Repeat { head } => pc = repeat_loop(head, pc, run.prepared, &mut left)?,
                 Inst::If { condition, slot, reject } => {
                     let rest = &mut m.slots[slot.0 as usize];
                     m.exec.split(&m.registers[condition.0 as usize], rest);
@@ -128,7 +131,7 @@ impl Kernel for Interpreter<'_> {
                     }
                 }
                 Inst::EndIteration { head, exit } => {
-                    pc = m.end_iteration(head, exit, pc, &mut left)?
+                    pc = m.end_iteration(head, exit, pc, (run.prepared, &mut left))?
                 }
             }
         }
@@ -137,8 +140,13 @@ impl Kernel for Interpreter<'_> {
 
 /// The head of a loop that ends at `pc`; an iteration is deducted from the budget.
 #[inline(always)]
-pub(super) fn repeat_loop(head: Target, pc: usize, left: &mut u64) -> Result<usize, OverBudget> {
+pub(super) fn repeat_loop(
+    head: Target,
+    pc: usize,
+    prepared: &Prepared,
+    left: &mut u64,
+) -> Result<usize, OverBudget> {
     let head = head.0 as usize;
-    *left = left.checked_sub((pc - head) as u64).ok_or(OverBudget)?;
+    *left = left.checked_sub(prepared.operations(head, pc)).ok_or(OverBudget)?;
     Ok(head)
 }

@@ -123,9 +123,9 @@ impl Machine {
             };
             pc = match *inst {
                 Inst::EndIteration { head, exit } => {
-                    self.end_iteration(head, exit, pc + 1, &mut left)?
+                    self.end_iteration(head, exit, pc + 1, (run.prepared, &mut left))?
                 }
-                Inst::Repeat { head } => repeat_loop(head, pc + 1, &mut left)?,
+                Inst::Repeat { head } => repeat_loop(head, pc + 1, run.prepared, &mut left)?,
                 Inst::Compute { .. }
                 | Inst::Move { .. }
                 | Inst::Zero { .. }
@@ -161,6 +161,7 @@ impl Machine {
             }
         }
         tracer.finish_straight_run();
+        self.left = left;
         Ok(run.active & !self.discarded.bits())
     }
 
