@@ -108,6 +108,7 @@ fn egl_constants(xml: &str) -> String {
     let registry = Registry::new(Api::Egl, (1, 5), Profile::Core, Fallbacks::All, extensions);
     let mut text = String::new();
     let unique: BTreeMap<_, _> = registry.enums.iter().map(|item| (&item.ident, item)).collect();
+    let mut names: BTreeMap<i64, String> = BTreeMap::new();
     for item in unique.into_values() {
         let ty = match item.ty.as_ref() {
             "&'static str" => continue,
@@ -119,9 +120,25 @@ fn egl_constants(xml: &str) -> String {
         let name = format!("EGL_{}", item.ident.strip_prefix('_').unwrap_or(&item.ident));
         writeln!(text, "/// `{name}`, {}.\npub const {name}: {ty} = {};", item.value, item.value)
             .expect("a String takes everything");
+        // Several extensions may have the same value: the shortest name has no suffix.
+        let value = item.value.strip_prefix("0x").and_then(|hex| i64::from_str_radix(hex, 16).ok());
+        if let Some(value) = value.filter(|value| NAMED.contains(value)) {
+            let shortest = names.entry(value).or_insert_with(|| name.clone());
+            if name.len() < shortest.len() {
+                *shortest = name;
+            }
+        }
     }
+    text.push_str("/// Names of values, in order.\npub(super) const NAMES: &[(i32, &str)] = &[\n");
+    for (value, name) in names {
+        writeln!(text, "    ({value:#x}, {name:?}),").expect("a String takes everything");
+    }
+    text.push_str("];\n");
     text
 }
+
+/// The values of EGL that are enumerants, not bits.
+const NAMED: std::ops::RangeInclusive<i64> = 0x3000..=0x3fff;
 
 /// The `len` attributes of every command's parameters, by name of the command.
 fn lengths(xml: &str) -> String {

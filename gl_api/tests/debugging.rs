@@ -194,6 +194,73 @@ fn messages_are_announced() {
     assert_eq!(said("0"), Vec::<String>::new());
 }
 
+/// Draws a picture with an error and a warning, which only the environment's way reads:
+/// [`messages_that_nobody_reads_are_announced`] runs it in a process of its own.
+#[test]
+fn draws_wrongly() {
+    let Some(reads) = std::env::var_os("READS") else { return };
+    let mut c = context();
+    if reads == "callback" {
+        c.enable(GL_DEBUG_OUTPUT);
+        c.debug_message_callback(Some(ignored), std::ptr::null());
+    }
+    let mut pixel = [0_u8; 4];
+    for _ in 0..3 {
+        c.begin(99);
+        c.draw_arrays(GL_TRIANGLES, 0, 3);
+        match reads.to_str() {
+            Some("messages") => drop(c.messages()),
+            Some("log") => drop(log(&mut c)),
+            Some("error") => assert_eq!(c.get_error(), GL_INVALID_ENUM),
+            Some(_) | None => {}
+        }
+        c.read_pixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, DataOut::Bytes(&mut pixel));
+    }
+}
+
+extern "system" fn ignored(
+    _: GLenum,
+    _: GLenum,
+    _: GLuint,
+    _: GLenum,
+    _: GLsizei,
+    _: *const GLchar,
+    _: *mut GLvoid,
+) {
+}
+
+#[test]
+fn messages_that_nobody_reads_are_announced() {
+    let said = |reads: &str, value: Option<&str>| {
+        let mut child = Command::new(std::env::current_exe().expect("this program"));
+        child.args(["--exact", "draws_wrongly", "--nocapture"]).env("READS", reads);
+        match value {
+            Some(value) => child.env("DETGL_DEBUG", value),
+            None => child.env_remove("DETGL_DEBUG"),
+        };
+        let output = child.output().expect("it runs");
+        assert!(output.status.success());
+        let text = String::from_utf8_lossy(&output.stderr).into_owned();
+        let lines = text.lines().filter(|line| line.starts_with("detgl:"));
+        lines.map(str::to_owned).collect::<Vec<_>>()
+    };
+    for reads in ["nothing", "error"] {
+        let lines = said(reads, None);
+        assert_eq!(lines.len(), 1, "{reads}: {lines:?}");
+        let begin =
+            "detgl: 1 error and 1 warning that nobody read; the first, error: glBegin: mode = ";
+        assert!(lines[0].starts_with(begin), "{lines:?}");
+        assert!(lines[0].ends_with("(DETGL_DEBUG=1 prints all, DETGL_DEBUG=0 not even this)"));
+        assert_eq!(said(reads, Some("0")), [""; 0], "{reads}");
+    }
+    for reads in ["messages", "log", "callback"] {
+        assert_eq!(said(reads, None), [""; 0], "{reads}");
+    }
+    let all = said("nothing", Some("1"));
+    assert!(all.iter().all(|line| !line.contains("nobody read")), "{all:?}");
+    assert!(all.len() > 3, "{all:?}");
+}
+
 static CALLED: Mutex<Vec<String>> = Mutex::new(Vec::new());
 
 extern "system" fn called(

@@ -329,3 +329,15 @@ fn a_fragment_stage_alone_may_read_what_nobody_writes() {
     assert!(compile(Stage::Fragment, query, &Options::default()).shader.is_some());
     assert!(compile(Stage::Vertex, query, &Options::default()).shader.is_none());
 }
+
+#[test]
+fn a_misspelt_varying_is_suggested() {
+    let vertex =
+        "varying vec2 texCoord; void main() { texCoord = vec2(0); gl_Position = gl_Vertex; }";
+    let reads = |name: &str| {
+        format!("varying vec2 {name}; void main() {{ gl_FragColor = vec4({name}, 0, 1); }}")
+    };
+    let suggested = "reads `texcoord`, which no vertex shader writes; did you mean `texCoord`?";
+    fails(&[vertex], &[&reads("texcoord")], suggested);
+    fails(&[vertex], &[&reads("normal")], "reads `normal`, which no vertex shader writes (GLSL");
+}

@@ -139,6 +139,9 @@ pub(crate) fn debug_message_callback(
     user: *const GLvoid,
 ) -> Result<()> {
     context.debug.log.set_callback(callback, user as usize);
+    if callback.is_some() {
+        context.debug.read();
+    }
     Ok(())
 }
 
@@ -167,6 +170,7 @@ pub(crate) fn get_debug_message_log(
             not_negative(SECTION, "bufSize", buf_size.into())?
         }
     };
+    context.debug.read();
     let mut all = String::new();
     let mut taken = 0;
     while taken < count as usize {

@@ -105,6 +105,6 @@ fn between_begin_and_end() -> GlError {
     GlError::new(
         ErrorCode::InvalidOperation,
         "GL 2.1, section 2.6.3",
-        "must not be called between glBegin and glEnd",
+        "must not be called between glBegin and glEnd: glEnd is missing",
     )
 }

@@ -3,6 +3,7 @@
 //! Messages are queued; a callback ([`super::log`]) is called only when the call is over.
 
 use super::log::{GLDEBUGPROC, Log, LogMessage, MAX_LENGTH, MessageClass};
+use super::unread::{Unread, UnreadReport};
 use crate::base::constants::*;
 use crate::base::error::{ErrorCode, GlError};
 use crate::base::types::*;
@@ -64,6 +65,8 @@ pub(crate) struct Debug {
     /// that was off.
     given: [BTreeSet<String>; 2],
     echo: Echo,
+    /// Messages that nobody has read.
+    unread: Unread,
     /// What `KHR_debug` reads.
     pub log: Log,
     /// Whether messages are logged (`GL_DEBUG_OUTPUT`).
@@ -80,10 +83,13 @@ pub(crate) enum Output {
 }
 
 impl Debug {
-    /// Prints to stderr if `DETGL_DEBUG` is set to anything but 0, first the version.
+    /// Prints to stderr if `DETGL_DEBUG` is set to anything but 0, first the version. Where it is not set, one line says
+    /// that there are messages.
     pub fn from_env(device: &DeviceDesc) -> Self {
         static GREETED: Once = Once::new();
-        let on = std::env::var_os("DETGL_DEBUG").is_some_and(|value| value != "0");
+        let wanted = std::env::var_os("DETGL_DEBUG");
+        let report = if wanted.is_some() { UnreadReport::Off } else { UnreadReport::Due };
+        let on = wanted.is_some_and(|value| value != "0");
         if on {
             GREETED.call_once(|| print(&greeting(device)));
         }
@@ -95,6 +101,7 @@ impl Debug {
             output: Output::Off,
             at_first: Output::Off,
             echo: if on { Echo::Stderr } else { Echo::Off },
+            unread: Unread::new(report),
         };
         if !FloatEnv::IS_KNOWN {
             float_environment::warning().into_iter().for_each(|text| debug.warn(text));
@@ -178,10 +185,24 @@ impl Debug {
 
     /// Takes the messages, oldest first.
     pub fn drain(&mut self) -> Vec<Message> {
+        self.unread.read();
         self.queue.drain(..).collect()
     }
 
+    /// Notes that the application reads messages: it took the queue, read the log, or set a callback.
+    pub fn read(&mut self) {
+        self.unread.read();
+    }
+
+    /// At the end of a frame, says once that there are messages which nobody has read.
+    pub fn end_of_frame(&mut self) {
+        if let Some(line) = self.unread.end_of_frame() {
+            print(&line);
+        }
+    }
+
     fn push(&mut self, message: Message) {
+        self.unread.count(&message);
         if self.echo == Echo::Stderr {
             print(&message);
         }

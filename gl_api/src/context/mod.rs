@@ -1,6 +1,7 @@
 //! The context: all state, all objects, and the driver they are drawn with.
 
 pub(crate) mod debug;
+pub(crate) mod depth_history;
 pub(crate) mod feedback;
 pub(crate) mod immediate;
 pub(crate) mod lists;
@@ -10,9 +11,9 @@ pub(crate) mod pending_bitmaps;
 pub(crate) mod pending_primitives;
 pub(crate) mod recorder;
 pub(crate) mod sharing;
-pub(crate) mod stale_depth;
 mod state_changes;
 mod surface;
+mod unread;
 pub(crate) mod warnings;
 pub(crate) mod watched_pixel;
 pub(crate) mod window;
@@ -120,6 +121,8 @@ pub struct Context {
     pub(crate) debug: debug::Debug,
     /// The draw warnings that were given.
     given_warnings: warnings::GivenWarnings,
+    /// The attributes that were set outside of `glBegin` and `glEnd`, bit by location, for warnings.
+    pub(crate) attributes_set: u64,
     /// The vertices since `glBegin`; `None` outside of `glBegin` and `glEnd`.
     pub(crate) immediate: Option<Immediate>,
     /// Primitives after `glEnd`, and bitmaps, that wait to be batched with more.
@@ -200,6 +203,7 @@ impl Context {
             read_window: None,
             debug: debug::Debug::from_env(device.desc()),
             given_warnings: warnings::GivenWarnings::default(),
+            attributes_set: 0,
             immediate: None,
             pending: None,
             recorder: Recorder::new(device),

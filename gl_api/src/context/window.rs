@@ -3,7 +3,7 @@
 //! EGL's surfaces and OSMesa's memory are default framebuffers that a context takes in place of its own; a context can
 //! also be current without one ([`Presence::Absent`]).
 
-use crate::context::stale_depth::DepthHistory;
+use crate::context::depth_history::{DepthHistory, KnownStencil};
 use crate::context::{Context, SurfaceDesc};
 use crate::objects::color_buffers::Selection;
 use crate::objects::framebuffers::{Accumulation, Planes};
@@ -81,6 +81,8 @@ pub(crate) struct Window {
     pub accumulation: Accumulation,
     /// Where its depths are from, for warnings.
     pub depths: DepthHistory,
+    /// Its stencils, for warnings.
+    pub stencils: KnownStencil,
 }
 
 impl Window {
@@ -98,6 +100,7 @@ impl Window {
             presence: Presence::Present,
             accumulation: Accumulation::default(),
             depths: DepthHistory::default(),
+            stencils: KnownStencil::default(),
         })
     }
 
@@ -128,6 +131,7 @@ impl Window {
             presence: Presence::Absent,
             accumulation: Accumulation::default(),
             depths: DepthHistory::default(),
+            stencils: KnownStencil::default(),
         }
     }
 }

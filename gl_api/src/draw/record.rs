@@ -15,8 +15,8 @@ use crate::draw::{assembly_words, warnings};
 use crate::interface::ATTRIB_EDGE_FLAG;
 use crate::state::enable::Flag;
 use rasterizer::driver::{
-    Antialiasing, Cull, FrontFace, PassDesc, PipelineDesc, PolygonState, Provoking, RasterState,
-    SampleRule, Topology, VertexBinding, VertexSource,
+    Antialiasing, Cull, DepthWrite, FrontFace, PassDesc, PipelineDesc, PolygonState, Provoking,
+    RasterState, SampleRule, Topology, VertexBinding, VertexSource,
 };
 use texunit::format::Format;
 
@@ -86,7 +86,7 @@ pub(crate) fn draw(
     let mut raster = raster_state(context, topology, &vertices);
     raster.multisample = multisample_state(context, SampleRule::Each);
     let desc = pipeline_desc(context, &pass, topology, vertex, fragment);
-    warnings::state::check(context, &pass, &desc, elements);
+    warnings::state::check(context, &pass, &desc, &reads, (&vertices, elements));
     emit(context, PreparedDraw { pass, desc, raster, viewport, reads }, vertices, elements)
 }
 
@@ -121,6 +121,11 @@ pub(crate) fn draw_rectangle(
         provoking: Provoking::Last,
         ..pipeline_desc(context, &pass, topology, vertex, fragment)
     };
+    if context.state.bindings.draw_framebuffer == 0
+        && desc.depth.as_ref().is_some_and(|depth| depth.write == DepthWrite::On)
+    {
+        context.window.depths.copied();
+    }
     emit(context, PreparedDraw { pass, desc, raster, viewport, reads }, vertices, elements)
 }
 

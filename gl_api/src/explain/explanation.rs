@@ -67,10 +67,7 @@ impl fmt::Display for Explanation {
         let ([x, y], [width, height]) = (self.pixel, self.size);
         page.line(
             0,
-            &format!(
-                "pixel ({x}, {}) of {width}×{height}: column {x}, row {y} from the bottom",
-                height - 1 - y
-            ),
+            &format!("pixel ({x}, {y}) of {width}×{height}: column {x}, row {y} from the bottom"),
             "",
         );
         if self.events.is_empty() {

@@ -15,12 +15,14 @@
 //! | `texture_access` | a texture access: λ, levels, texels with weights |
 //! | `shader` | the arithmetic of the fragment stage |
 //! | `output` | tests, blending, what is stored |
+//! | `plan_names` | GL's names in the texture unit's description of a plan |
 //! | `page` | lines and tables of text |
 
 pub(crate) mod event;
 pub(crate) mod explanation;
 pub(crate) mod output;
 pub(crate) mod page;
+pub(crate) mod plan_names;
 pub(crate) mod shader;
 pub(crate) mod texture_access;
 

@@ -1,7 +1,11 @@
 //! The tests and the blending of a fragment, and what is stored.
 
+use crate::base::constants::enum_name;
 use crate::explain::explanation::Explanation;
 use crate::explain::page::{Page, number, numbers};
+use crate::pixel::formats::format_name;
+use crate::state::blend::SRC_FACTOR;
+use crate::state::draw_buffers::LOGIC_OP;
 use rasterizer::driver::{BlendEquation, BlendFactor, DepthWrite};
 use rasterizer::trace::{Blending, Fragment, Test, When, Write};
 use texunit::sampler::Compare;
@@ -75,7 +79,11 @@ pub fn writes(page: &mut Page, fragment: &Fragment) {
             blend(page, blending);
         }
         if let Some(op) = write.logic_op {
-            page.line(1, &format!("logical operation {op:?}"), "GL 2.1, section 4.1.10");
+            page.line(
+                1,
+                &format!("logical operation {}", enum_name(LOGIC_OP.encode(op))),
+                "GL 2.1, section 4.1.10",
+            );
         }
         stored(page, write);
     }
@@ -83,7 +91,9 @@ pub fn writes(page: &mut Page, fragment: &Fragment) {
 
 fn blend(page: &mut Page, blending: &Blending) {
     let state = &blending.state;
-    let factor = |factors: [BlendFactor; 2]| format!("{:?}, {:?}", factors[0], factors[1]);
+    let factor = |factors: [BlendFactor; 2]| {
+        factors.map(|factor| enum_name(SRC_FACTOR.encode(factor))).join(", ")
+    };
     let formula = |equation: BlendEquation| match equation {
         BlendEquation::Add => "C = C_s S + C_d D",
         BlendEquation::Subtract => "C = C_s S - C_d D",
@@ -117,8 +127,8 @@ fn stored(page: &mut Page, write: &Write) {
         .map(|word| format!("{word:08x}"))
         .collect();
     let text = format!(
-        "stored as {:?}: {}, word {}; before, {}",
-        write.format,
+        "stored as {}: {}, word {}; before, {}",
+        format_name(write.format),
         numbers(&write.after.color),
         words.join(" "),
         numbers(&write.before.color)

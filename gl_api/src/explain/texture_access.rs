@@ -1,7 +1,10 @@
 //! A texture access: coordinates, λ, levels, texels with their weights.
 
+use crate::base::compare::COMPARE;
+use crate::base::constants::enum_name;
 use crate::context::watched_pixel::DrawNote;
 use crate::explain::page::{Page, number, numbers};
+use crate::explain::plan_names::in_gl_names;
 use crate::explain::shader::{operand, value};
 use rasterizer::ir::{Access, Ty};
 use rasterizer::trace::Lookup;
@@ -29,7 +32,7 @@ pub fn lookup(page: &mut Page, lookup: &Lookup, note: &DrawNote) {
         Access::Lod => ("level of detail".to_owned(), "ARB_texture_query_lod"),
     };
     page.line(2, &format!("lookup{}: {what} of {texture}", lookup.number), section);
-    page.line(3, &lookup.texture, "");
+    page.line(3, &in_gl_names(&lookup.texture), "");
     for (letter, coord) in ["s", "t", "r"].iter().zip(&lookup.coords) {
         page.line(3, &format!("{letter} = {}", operand(coord, note)), "");
     }
@@ -87,7 +90,7 @@ fn texel(step: &SampleStep, weights: &mut Vec<f32>, texels: &mut Vec<Vec<String>
         (TexelSource::Border, _) => "the border colour".to_owned(),
         (TexelSource::Corner, _) => "beyond the cube's corner: the mean of the others".to_owned(),
         (TexelSource::Stored, Some((op, reference, passes))) => {
-            format!("r = {} {op:?}: {passes}", number(*reference))
+            format!("r = {} {}: {passes}", number(*reference), enum_name(COMPARE.encode(*op)))
         }
         (TexelSource::Stored, None) if *face > 0 => format!("face {}", FACES[*face as usize % 6]),
         (TexelSource::Stored, None) => String::new(),

@@ -10,7 +10,7 @@ use crate::base::types::*;
 use crate::objects::target::TextureTarget;
 use texunit::sampler::{Border, Compare, Filter, MAX_ANISOTROPY, Mipmap, Sampler, SrgbRead, Wrap};
 
-const WRAP: Table<Wrap> = Table {
+pub(crate) const WRAP: Table<Wrap> = Table {
     section: "GL 2.1, table 3.18",
     rows: &[
         (GL_REPEAT, Wrap::Repeat),

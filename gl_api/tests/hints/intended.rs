@@ -19,6 +19,7 @@ fn mask(c: &mut Context) {
 
 pub const ROWS: &[Case] = &[
     ("a triangle", |c| {
+        c.clear(GL_DEPTH_BUFFER_BIT);
         c.enable(GL_DEPTH_TEST);
         c.enable(GL_STENCIL_TEST);
         c.enable(GL_SCISSOR_TEST);
@@ -60,6 +61,7 @@ pub const ROWS: &[Case] = &[
         draw(c);
     }),
     ("depth alone, with masked colours", |c| {
+        c.clear(GL_DEPTH_BUFFER_BIT);
         mask(c);
         c.enable(GL_DEPTH_TEST);
         triangle(c);
@@ -71,6 +73,7 @@ pub const ROWS: &[Case] = &[
         triangle(c);
     }),
     ("a mask in the stencil buffer", |c| {
+        c.clear(GL_DEPTH_BUFFER_BIT);
         mask(c);
         c.depth_mask(false);
         c.enable(GL_DEPTH_TEST);
@@ -211,5 +214,80 @@ pub const ROWS: &[Case] = &[
     ("pixels, whatever the viewport is", |c| {
         c.viewport(0, 0, 0, 0);
         c.draw_pixels(1, 1, GL_RGBA, GL_UNSIGNED_BYTE, Data::Bytes(&[0; 4]));
+    }),
+    ("a texture that is drawn to, and not sampled", |c| {
+        draw_to_color(c);
+        c.bind_texture(GL_TEXTURE_2D, 1);
+        triangle(c);
+        c.bind_framebuffer(GL_FRAMEBUFFER, 0);
+        triangle(c);
+    }),
+    ("a viewport that is larger than the framebuffer", |c| {
+        draw_to_color(c);
+        c.viewport(0, 0, 512, 512);
+        triangle(c);
+    }),
+    ("a texture's silhouette", |c| {
+        texture(c, 1, GL_ALPHA);
+        c.enable(GL_TEXTURE_2D);
+        c.color_3f(0.0, 0.0, 0.0);
+        triangle(c);
+    }),
+    ("a shadow of a picture", |c| {
+        texture(c, 1, GL_RGBA);
+        c.enable(GL_TEXTURE_2D);
+        c.enable(GL_BLEND);
+        c.blend_func(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+        c.color_4f(0.0, 0.0, 0.0, 0.5);
+        triangle(c);
+    }),
+    ("one texel for all", |c| {
+        texture(c, 1, GL_RGBA);
+        c.enable(GL_TEXTURE_2D);
+        c.tex_coord_2f(0.5, 0.5);
+        c.rectf(0.0, 0.0, 1.0, 1.0);
+    }),
+    ("black for all vertices", |c| {
+        let vertex = "#version 120\nattribute vec2 pos; attribute vec4 col; varying vec4 c;\n\
+            void main() { c = col; gl_Position = vec4(pos, 0.0, 1.0); }";
+        let fragment = "#version 120\nvarying vec4 c; void main() { gl_FragColor = c; }";
+        let program = use_program(c, vertex, fragment);
+        let location = c.get_attrib_location(program, "col");
+        c.vertex_attrib_4f(location as GLuint, 0.0, 0.0, 0.0, 1.0);
+        let at = c.get_attrib_location(program, "pos") as GLuint;
+        let corners = bytes(&[-1.0, -1.0, 3.0, -1.0, -1.0, 3.0]);
+        c.enable_vertex_attrib_array(at);
+        c.vertex_attrib_pointer(at, 2, GL_FLOAT, false, 0, Data::Bytes(&corners));
+        draw(c);
+    }),
+    ("a mask that is drawn before it is compared", |c| {
+        c.enable(GL_STENCIL_TEST);
+        c.stencil_func(GL_ALWAYS, 1, 0xff);
+        c.stencil_op(GL_KEEP, GL_KEEP, GL_REPLACE);
+        triangle(c);
+        c.stencil_func(GL_EQUAL, 1, 0xff);
+        c.stencil_op(GL_KEEP, GL_KEEP, GL_KEEP);
+        triangle(c);
+    }),
+    ("depths that are drawn before they are compared", |c| {
+        c.enable(GL_DEPTH_TEST);
+        c.depth_func(GL_ALWAYS);
+        triangle(c);
+        c.depth_func(GL_LEQUAL);
+        triangle(c);
+    }),
+    ("depths the other way round", |c| {
+        c.clear_depth(0.0);
+        c.clear(GL_DEPTH_BUFFER_BIT);
+        c.enable(GL_DEPTH_TEST);
+        c.depth_func(GL_GREATER);
+        triangle(c);
+    }),
+    ("a cut-out", |c| {
+        texture(c, 1, GL_RGBA);
+        c.enable(GL_TEXTURE_2D);
+        c.enable(GL_ALPHA_TEST);
+        c.alpha_func(GL_GREATER, 0.5);
+        triangle(c);
     }),
 ];

@@ -189,6 +189,7 @@ fn pictures(begin: fn(&mut Context), depth_func: GLenum) -> Vec<String> {
     let mut c = context();
     c.enable(GL_DEPTH_TEST);
     c.depth_func(depth_func);
+    c.clear(GL_DEPTH_BUFFER_BIT);
     let mut said = Vec::new();
     for _ in 0..3 {
         begin(&mut c);

@@ -347,4 +347,207 @@ pub const ROWS: &[Case] = &[
         "draw: the uniform block \"B\" needs 16 bytes, and buffer 1, bound to index 0 of \
          GL_UNIFORM_BUFFER, has 8",
     ),
+    (
+        "depths that were never cleared",
+        |c| {
+            c.enable(GL_DEPTH_TEST);
+        },
+        triangle,
+        "draw: GL_DEPTH_TEST is enabled, but the depths that it compares with were never cleared, so they \
+         are undefined",
+    ),
+    (
+        "depths that were cleared to 0",
+        |c| {
+            c.clear_depth(0.0);
+            c.clear(GL_DEPTH_BUFFER_BIT);
+            c.enable(GL_DEPTH_TEST);
+        },
+        triangle,
+        "draw: glDepthFunc is GL_LESS, and the depths were cleared to 0 (glClearDepth), so nothing in front \
+         of or behind that depth passes GL_DEPTH_TEST: call glClearDepth(1), or glDepthFunc(GL_GREATER)",
+    ),
+    (
+        "a depth function against the clear",
+        |c| {
+            c.clear(GL_DEPTH_BUFFER_BIT);
+            c.enable(GL_DEPTH_TEST);
+            c.depth_func(GL_GEQUAL);
+        },
+        triangle,
+        "draw: glDepthFunc is GL_GEQUAL, and the depths were cleared to 1 (glClearDepth)",
+    ),
+    (
+        "a depth function that rejects all",
+        |c| {
+            c.clear(GL_DEPTH_BUFFER_BIT);
+            c.enable(GL_DEPTH_TEST);
+            c.depth_func(GL_NEVER);
+        },
+        triangle,
+        "draw: GL_DEPTH_TEST is enabled and glDepthFunc is GL_NEVER, so no fragment passes",
+    ),
+    (
+        "a near plane at 0",
+        |c| {
+            c.clear(GL_DEPTH_BUFFER_BIT);
+            c.enable(GL_DEPTH_TEST);
+            c.matrix_mode(GL_PROJECTION);
+            // gluPerspective(90, 1, 0, 100).
+            c.load_matrixf(&[
+                1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, -1.0, -1.0, 0.0, 0.0, 0.0, 0.0,
+            ]);
+            c.matrix_mode(GL_MODELVIEW);
+            c.translatef(0.0, 0.0, -2.0);
+        },
+        triangle,
+        "draw: GL_PROJECTION is a perspective with zNear = 0, so all that is drawn has the same depth",
+    ),
+    (
+        "an attribute that nobody enabled",
+        |c| {
+            colored(c);
+            positions(c);
+        },
+        draw,
+        "draw: program 1 reads the attribute \"col\", whose array is not enabled and whose value was never \
+         set, so it is (0, 0, 0, 1) at all vertices: call glEnableVertexAttribArray(1), or glVertexAttrib4f(1",
+    ),
+    (
+        "texture coordinates that a program reads and nobody gives",
+        |c| {
+            texture(c, 1, GL_RGBA);
+            let vertex = "#version 120\nvarying vec2 uv;\n\
+                void main() { uv = gl_MultiTexCoord0.st; gl_Position = gl_Vertex; }";
+            use_program(c, vertex, TEXTURED);
+        },
+        untextured,
+        "draw: program 1 reads the attribute \"gl_MultiTexCoord0\", whose array is not enabled",
+    ),
+    (
+        "no texture coordinates",
+        |c| {
+            texture(c, 1, GL_RGBA);
+            c.enable(GL_TEXTURE_2D);
+        },
+        untextured,
+        "draw: texture 1 is sampled by unit 0, but no texture coordinate was given, so every vertex has (0, 0) \
+         and all fragments the same texel: call glTexCoord2f before each glVertex",
+    ),
+    (
+        "a stencil that nobody wrote",
+        |c| {
+            c.enable(GL_STENCIL_TEST);
+            c.stencil_func(GL_EQUAL, 1, 0xff);
+        },
+        triangle,
+        "draw: glStencilFunc(GL_EQUAL, 1, 0xff) passes nowhere, as every stencil is 0",
+    ),
+    (
+        "a stencil function that rejects all",
+        |c| {
+            c.enable(GL_STENCIL_TEST);
+            c.stencil_func(GL_NEVER, 1, 0xff);
+        },
+        triangle,
+        "draw: GL_STENCIL_TEST is enabled, glStencilFunc has GL_NEVER and glStencilOp keeps what fails",
+    ),
+    (
+        "an alpha reference that nothing is above",
+        |c| {
+            c.enable(GL_ALPHA_TEST);
+            c.alpha_func(GL_GREATER, 1.0);
+        },
+        triangle,
+        "draw: GL_ALPHA_TEST is enabled with glAlphaFunc(GL_GREATER, 1), and every fragment has alpha 1, so \
+         every fragment is rejected",
+    ),
+    (
+        "a program whose alpha cannot pass",
+        |c| {
+            c.enable(GL_ALPHA_TEST);
+            c.alpha_func(GL_LESS, 0.0);
+            shaded(c, WHITE);
+        },
+        triangle,
+        "glAlphaFunc(GL_LESS, 0), and alpha is 0 to 1, so every fragment is rejected",
+    ),
+    (
+        "blending with alpha 0",
+        |c| {
+            c.enable(GL_BLEND);
+            c.blend_func(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+            c.color_4f(1.0, 0.0, 0.0, 0.0);
+        },
+        triangle,
+        "draw: GL_BLEND is enabled with glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA), and the current \
+         colour has alpha 0, so nothing is seen: call glColor4f",
+    ),
+    (
+        "a texture that is multiplied by black",
+        |c| {
+            texture(c, 1, GL_RGBA);
+            c.enable(GL_TEXTURE_2D);
+            c.color_3f(0.0, 0.0, 0.0);
+        },
+        triangle,
+        "draw: the current colour is (0, 0, 0), and GL_TEXTURE_ENV_MODE of unit 0 is GL_MODULATE, which \
+         multiplies the texture by it, so it is black: call glColor3f(1, 1, 1)",
+    ),
+    (
+        "texturing is off",
+        |c| texture(c, 1, GL_RGBA),
+        triangle,
+        "draw: texture 1 is bound to GL_TEXTURE_2D of unit 0, but texturing is off: call \
+         glEnable(GL_TEXTURE_2D)",
+    ),
+    (
+        "texturing with the default texture is off",
+        |c| texture(c, 0, GL_RGBA),
+        triangle,
+        "draw: texture 0 is bound to GL_TEXTURE_2D of unit 0, but texturing is off",
+    ),
+    (
+        "the second unit is off",
+        |c| {
+            texture(c, 1, GL_RGBA);
+            c.enable(GL_TEXTURE_2D);
+            c.active_texture(GL_TEXTURE1);
+            texture(c, 2, GL_RGBA);
+        },
+        |c| {
+            c.begin(GL_TRIANGLES);
+            for [x, y] in [[-1.0, -1.0], [3.0, -1.0], [-1.0, 3.0]] {
+                c.multi_tex_coord_2f(GL_TEXTURE0, x, y);
+                c.multi_tex_coord_2f(GL_TEXTURE1, x, y);
+                c.vertex_2f(x, y);
+            }
+            c.end();
+        },
+        "draw: texture 2 is bound to GL_TEXTURE_2D of unit 1, which is given texture coordinates, but it is \
+         off: call glActiveTexture(GL_TEXTURE1) and glEnable(GL_TEXTURE_2D)",
+    ),
+    (
+        "a program in use whose last link failed",
+        |c| {
+            let program = shaded(c, WHITE);
+            let broken = c.create_shader(GL_FRAGMENT_SHADER);
+            c.shader_source(broken, 1, Strings(vec!["void main() { oops }"]), &[]);
+            c.compile_shader(broken);
+            c.attach_shader(program, broken);
+            c.link_program(program);
+        },
+        triangle,
+        "draw: program 1 is in use, but its last glLinkProgram failed, so what it was before is drawn: see \
+         glGetProgramInfoLog (GL 2.1, section 2.15.2)",
+    ),
 ];
+
+/// A triangle over the whole picture, without texture coordinates.
+fn untextured(c: &mut Context) {
+    c.begin(GL_TRIANGLES);
+    for [x, y] in [[-1.0, -1.0], [3.0, -1.0], [-1.0, 3.0]] {
+        c.vertex_2f(x, y);
+    }
+    c.end();
+}

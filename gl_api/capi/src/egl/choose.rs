@@ -2,7 +2,7 @@
 
 use super::config::{CONFIGS, Config};
 use super::constants::*;
-use super::error::{Code, Result, fail, say};
+use super::error::{Code, Result, fail, name_of, say};
 use super::raw::{Attrib, Handle, Int, handle, int_attributes, put};
 use super::registry::registry;
 use std::cmp::Reverse;
@@ -134,8 +134,8 @@ fn why_none(wanted: &[Row]) -> String {
                 .to_owned()
         }
         Some((name, _, value, _)) => format!(
-            "eglChooseConfig: no config, as none meets attribute {name:#x} = {value} (EGL 1.5, \
-             section 3.4)"
+            "eglChooseConfig: no config, as none meets attribute {} = {value} (EGL 1.5, \
+             section 3.4)", name_of(*name)
         ),
         None => "eglChooseConfig: no config has all that is asked for together".to_owned(),
     }
@@ -148,11 +148,15 @@ fn matching(request: &[(Int, Attrib)]) -> Result<Vec<&'static Config>> {
         match wanted.iter_mut().find(|row| row.0 == name) {
             Some(row) if row.3.has(value as Int) => row.2 = value as Int,
             Some(_) => {
-                let rule = format!("attrib_list: attribute {name:#x} has no value {value:#x}");
+                let rule =
+                    format!("attrib_list: attribute {} has no value {value:#x}", name_of(name));
                 return fail(Code::BadAttribute, rule);
             }
             None => {
-                return fail(Code::BadAttribute, format!("attrib_list: no attribute {name:#x}"));
+                return fail(
+                    Code::BadAttribute,
+                    format!("attrib_list: no attribute {}", name_of(name)),
+                );
             }
         }
     }
@@ -242,7 +246,10 @@ pub(super) unsafe fn get_config_attrib(
     registry().display(dpy)?;
     let config = Config::find(config)?;
     let Some(found) = config.get(attribute) else {
-        return fail(Code::BadAttribute, format!("attribute = {attribute:#x} is none of configs"));
+        return fail(
+            Code::BadAttribute,
+            format!("attribute = {} is none of configs", name_of(attribute)),
+        );
     };
     if value.is_null() {
         return fail(Code::BadParameter, "value must not be NULL");

@@ -2,7 +2,7 @@
 
 use super::config::Config;
 use super::constants::*;
-use super::error::{Code, Result, fail};
+use super::error::{Code, Result, fail, name_of};
 use super::raw::{Attrib, Handle, Id, Int, handle, put};
 use super::registry::{ContextEntry, Holder, Registry, registry};
 use super::thread::{Api, thread};
@@ -64,7 +64,12 @@ fn check(attributes: &[(Int, Attrib)]) -> Result<DebugOutput> {
                     );
                 }
             },
-            _ => return fail(Code::BadAttribute, format!("attrib_list: no attribute {name:#x}")),
+            _ => {
+                return fail(
+                    Code::BadAttribute,
+                    format!("attrib_list: no attribute {}", name_of(name)),
+                );
+            }
         }
     }
     let known = EGL_CONTEXT_OPENGL_DEBUG_BIT_KHR
@@ -173,7 +178,7 @@ pub(super) unsafe fn query(
         EGL_RENDER_BUFFER if bound.is_some_and(|bound| bound.surface.is_some()) => EGL_BACK_BUFFER,
         EGL_RENDER_BUFFER => EGL_NONE,
         _ => {
-            let rule = format!("attribute = {attribute:#x} is none of contexts");
+            let rule = format!("attribute = {} is none of contexts", name_of(attribute));
             return fail(Code::BadAttribute, rule);
         }
     };
@@ -187,7 +192,7 @@ pub(super) unsafe fn query(
 
 pub(super) fn bind_api(api: u32) -> Result<u32> {
     if api as Int != EGL_OPENGL_API {
-        return fail(Code::BadParameter, format!("api = {api:#x} must be EGL_OPENGL_API"));
+        return fail(Code::BadParameter, format!("api = {} must be EGL_OPENGL_API", name_of(api)));
     }
     thread(|thread| thread.api.set(Api::OpenGl));
     Ok(1)

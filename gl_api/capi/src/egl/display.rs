@@ -1,7 +1,7 @@
 //! Platforms, devices and displays (EGL 1.5, sections 3.2 and 3.3).
 
 use super::constants::*;
-use super::error::{Code, Result, fail};
+use super::error::{Code, Result, fail, name_of};
 use super::raw::{Attrib, Handle, Int, handle, put};
 use super::registry::{DEVICE, Platform, display, registry};
 use std::ffi::{CStr, c_char};
@@ -48,15 +48,18 @@ pub(crate) fn get_platform_display(
             return fail(
                 Code::BadParameter,
                 format!(
-                    "platform = {other:#x} must be EGL_PLATFORM_SURFACELESS_MESA or \
-                     EGL_PLATFORM_DEVICE_EXT"
+                    "platform = {} must be EGL_PLATFORM_SURFACELESS_MESA or \
+                     EGL_PLATFORM_DEVICE_EXT",
+                    name_of(other)
                 ),
             );
         }
     };
     match attributes.first() {
         None => Ok(handle(platform.display())),
-        Some((name, _)) => fail(Code::BadAttribute, format!("attrib_list: no attribute {name:#x}")),
+        Some((name, _)) => {
+            fail(Code::BadAttribute, format!("attrib_list: no attribute {}", name_of(*name)))
+        }
     }
 }
 
@@ -111,8 +114,9 @@ pub(super) fn query_string(dpy: Handle, name: Int) -> Result<*const c_char> {
             return fail(
                 Code::BadParameter,
                 format!(
-                    "name = {name:#x} must be EGL_CLIENT_APIS, EGL_EXTENSIONS, EGL_VENDOR or \
-                     EGL_VERSION"
+                    "name = {} must be EGL_CLIENT_APIS, EGL_EXTENSIONS, EGL_VENDOR or \
+                     EGL_VERSION",
+                    name_of(name)
                 ),
             );
         }
@@ -151,13 +155,13 @@ pub(super) fn query_device_string(handle: Handle, name: Int) -> Result<*const c_
     match name {
         EGL_EXTENSIONS => Ok(DEVICE_EXTENSIONS.as_ptr()),
         EGL_VENDOR | EGL_RENDERER_EXT => Ok(c"DetGL".as_ptr()),
-        _ => fail(Code::BadParameter, format!("name = {name:#x} is none of devices")),
+        _ => fail(Code::BadParameter, format!("name = {} is none of devices", name_of(name))),
     }
 }
 
 pub(super) fn query_device_attrib(handle: Handle, attribute: Int) -> Result<u32> {
     device(handle)?;
-    fail(Code::BadAttribute, format!("attribute = {attribute:#x} is none of devices"))
+    fail(Code::BadAttribute, format!("attribute = {} is none of devices", name_of(attribute)))
 }
 
 pub(super) unsafe fn query_display_attrib(
@@ -167,7 +171,10 @@ pub(super) unsafe fn query_display_attrib(
 ) -> Result<u32> {
     registry().display(dpy)?;
     if name != EGL_DEVICE_EXT {
-        return fail(Code::BadAttribute, format!("attribute = {name:#x} is none of displays"));
+        return fail(
+            Code::BadAttribute,
+            format!("attribute = {} is none of displays", name_of(name)),
+        );
     }
     if value.is_null() {
         return fail(Code::BadParameter, "value must not be NULL");

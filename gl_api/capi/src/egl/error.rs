@@ -5,6 +5,16 @@ use super::raw::Int;
 use super::thread::thread;
 use crate::guard::enter_computing;
 
+/// EGL's name of a value, or its digits.
+pub(super) fn name_of(value: impl TryInto<i64>) -> String {
+    let Ok(value) = value.try_into() else { return "a value that EGL does not have".to_owned() };
+    let found = i32::try_from(value).ok().and_then(|value| {
+        let row = NAMES.binary_search_by_key(&value, |row| row.0).ok()?;
+        Some(NAMES[row].1.to_owned())
+    });
+    found.unwrap_or_else(|| format!("{value:#x}"))
+}
+
 /// The error codes of EGL 1.5, table 3.1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Code {
@@ -39,6 +49,26 @@ impl Code {
             Self::BadParameter => EGL_BAD_PARAMETER,
             Self::BadSurface => EGL_BAD_SURFACE,
             Self::BadDevice => EGL_BAD_DEVICE_EXT,
+        }
+    }
+}
+
+impl Code {
+    fn name(self) -> &'static str {
+        match self {
+            Self::NotInitialized => "EGL_NOT_INITIALIZED",
+            Self::BadAccess => "EGL_BAD_ACCESS",
+            Self::BadAlloc => "EGL_BAD_ALLOC",
+            Self::BadAttribute => "EGL_BAD_ATTRIBUTE",
+            Self::BadConfig => "EGL_BAD_CONFIG",
+            Self::BadContext => "EGL_BAD_CONTEXT",
+            Self::BadDisplay => "EGL_BAD_DISPLAY",
+            Self::BadMatch => "EGL_BAD_MATCH",
+            Self::BadNativePixmap => "EGL_BAD_NATIVE_PIXMAP",
+            Self::BadNativeWindow => "EGL_BAD_NATIVE_WINDOW",
+            Self::BadParameter => "EGL_BAD_PARAMETER",
+            Self::BadSurface => "EGL_BAD_SURFACE",
+            Self::BadDevice => "EGL_BAD_DEVICE_EXT",
         }
     }
 }
@@ -91,7 +121,7 @@ pub(crate) fn call<R: Answer>(name: &str, f: impl FnOnce() -> Result<R>) -> R {
             value
         }
         Err(Error { code, rule }) => {
-            say("error", &format!("{name}: {rule}; {code:?}"));
+            say("error", &format!("{name}: {rule}; {}", code.name()));
             thread(|thread| thread.error.set(code.to_egl()));
             R::FAILURE
         }

@@ -2,7 +2,7 @@
 
 use super::config::Config;
 use super::constants::*;
-use super::error::{Code, Result, fail};
+use super::error::{Code, Result, fail, name_of};
 use super::raw::{Attrib, Handle, Id, Int, handle, int_attributes, put};
 use super::registry::{Registry, Settings, SurfaceEntry, SwapBehavior, registry};
 use super::thread::thread;
@@ -31,7 +31,7 @@ struct Request {
 
 /// The refusal of a value that an attribute never has.
 fn no_value<T>(attribute: Int, value: Int) -> Result<T> {
-    fail(Code::BadAttribute, format!("attribute {attribute:#x} has no value {value:#x}"))
+    fail(Code::BadAttribute, format!("attribute {} has no value {value:#x}", name_of(attribute)))
 }
 
 fn request(attributes: &[(Int, Attrib)]) -> Result<Request> {
@@ -63,7 +63,12 @@ fn request(attributes: &[(Int, Attrib)]) -> Result<Request> {
                 }
                 value => return no_value(name, value),
             },
-            _ => return fail(Code::BadAttribute, format!("attrib_list: no attribute {name:#x}")),
+            _ => {
+                return fail(
+                    Code::BadAttribute,
+                    format!("attrib_list: no attribute {}", name_of(name)),
+                );
+            }
         }
     }
     if request.largest {
@@ -146,7 +151,7 @@ pub(super) unsafe fn query(
         EGL_MIPMAP_TEXTURE => 0,
         EGL_HORIZONTAL_RESOLUTION | EGL_VERTICAL_RESOLUTION | EGL_PIXEL_ASPECT_RATIO => EGL_UNKNOWN,
         _ => {
-            let rule = format!("attribute = {attribute:#x} is none of surfaces");
+            let rule = format!("attribute = {} is none of surfaces", name_of(attribute));
             return fail(Code::BadAttribute, rule);
         }
     };
@@ -168,12 +173,12 @@ pub(super) fn set_attrib(dpy: Handle, surface: Handle, attribute: Int, value: In
         (EGL_SWAP_BEHAVIOR, EGL_BUFFER_PRESERVED) => settings.swap = SwapBehavior::Preserved,
         (EGL_SWAP_BEHAVIOR, EGL_BUFFER_DESTROYED) => settings.swap = SwapBehavior::Destroyed,
         (EGL_MULTISAMPLE_RESOLVE, EGL_MULTISAMPLE_RESOLVE_BOX) => {
-            let rule = format!("no config has {value:#x} for attribute {attribute:#x}");
+            let rule = format!("no config has {value:#x} for attribute {}", name_of(attribute));
             return fail(Code::BadMatch, rule);
         }
         (EGL_MULTISAMPLE_RESOLVE | EGL_SWAP_BEHAVIOR, _) => return no_value(attribute, value),
         _ => {
-            let rule = format!("attribute = {attribute:#x} cannot be set");
+            let rule = format!("attribute = {} cannot be set", name_of(attribute));
             return fail(Code::BadAttribute, rule);
         }
     }

@@ -3,7 +3,7 @@
 
 use super::constants::*;
 use super::current::{current_context, current_display};
-use super::error::{Code, Result, fail};
+use super::error::{Code, Result, fail, name_of};
 use super::raw::{Attrib, Handle, Id, Int, handle, put};
 use super::registry::{Registry, registry};
 
@@ -16,10 +16,10 @@ pub(super) fn create(
 ) -> Result<Handle> {
     let display = registry().display(dpy)?;
     if ty as Int != EGL_SYNC_FENCE {
-        return fail(unknown, format!("type = {ty:#x} must be EGL_SYNC_FENCE"));
+        return fail(unknown, format!("type = {} must be EGL_SYNC_FENCE", name_of(ty)));
     }
     if let Some((name, _)) = attributes.first() {
-        return fail(Code::BadAttribute, format!("attrib_list: no attribute {name:#x}"));
+        return fail(Code::BadAttribute, format!("attrib_list: no attribute {}", name_of(*name)));
     }
     if current_display()? != dpy {
         return fail(Code::BadMatch, "no context of dpy is current");
@@ -73,7 +73,10 @@ fn attribute(dpy: Handle, sync: Handle, attribute: Int) -> Result<Int> {
         EGL_SYNC_TYPE => Ok(EGL_SYNC_FENCE),
         EGL_SYNC_STATUS => Ok(EGL_SIGNALED),
         EGL_SYNC_CONDITION => Ok(EGL_SYNC_PRIOR_COMMANDS_COMPLETE),
-        _ => fail(Code::BadAttribute, format!("attribute = {attribute:#x} is none of fences")),
+        _ => fail(
+            Code::BadAttribute,
+            format!("attribute = {} is none of fences", name_of(attribute)),
+        ),
     }
 }
 

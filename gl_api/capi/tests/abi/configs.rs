@@ -198,7 +198,7 @@ fn a_request_that_no_config_meets_says_why() {
     let lines: Vec<&str> = said.lines().filter(|line| line.contains("eglChooseConfig")).collect();
     assert_eq!(lines.len(), 2, "{said}");
     assert!(lines[0].contains("there are no windows: ask for EGL_PBUFFER_BIT"), "{said}");
-    assert!(lines[1].contains("none meets attribute 0x3025 = 64"), "{said}");
+    assert!(lines[1].contains("none meets attribute EGL_DEPTH_SIZE = 64"), "{said}");
 }
 
 /// Attributes of configs, a value that is a possible one and one that is none.

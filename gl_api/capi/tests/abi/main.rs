@@ -12,6 +12,7 @@ mod osmesa;
 mod stack;
 mod syncs;
 mod threads;
+mod unread;
 
 use gl_api::{COMMANDS, GLenum, implemented};
 use std::collections::BTreeSet;

@@ -57,3 +57,12 @@ fn run(command: &mut Command) -> Result<Output, String> {
 fn python_program() -> OsString {
     std::env::var_os("DETGL_PYTHON").unwrap_or_else(|| "python3".into())
 }
+
+#[test]
+fn help_has_examples() {
+    let output = run(detgl().arg("--help")).expect("it prints");
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    for example in ["detgl run -- python3 draw.py", "DETGL_DEBUG=1 detgl run", "detgl install"] {
+        assert!(text.contains(example), "{text}");
+    }
+}

@@ -10,6 +10,7 @@ use crate::limits::{
 use crate::lower::{Binding, varying_slots};
 use crate::program::{BufferMode, Capture, CaptureRequest, Captured, CapturedScalar};
 use crate::text::diagnostics::{Diagnostic, Log};
+use crate::text::spelling::closest;
 use crate::types::Type;
 use rasterizer::ir::{Output, Ty};
 
@@ -70,7 +71,10 @@ fn find(
     let is_output = |variable: &&Variable| matches!(variable.storage, Storage::Output(_));
     let declared = vertex.declared().filter(is_output).find(named);
     let Some(variable) = declared.or_else(|| vertex.used.iter().copied().find(named)) else {
-        return Err("the vertex shader has no such output".to_owned());
+        let names = vertex.declared().filter(is_output).map(|output| &*output.name);
+        let near = closest(&wanted.variable, names);
+        let near = near.map_or_else(String::new, |near| format!("; did you mean `{near}`?"));
+        return Err(format!("the vertex shader has no such output{near}"));
     };
     let native = match variable.storage {
         Storage::Output(_) => None,

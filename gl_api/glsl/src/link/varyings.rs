@@ -7,6 +7,7 @@ use crate::language::Version;
 use crate::limits::MAX_VARYING_FLOATS;
 use crate::lower::{Binding, varying_slots};
 use crate::text::diagnostics::{Diagnostic, Log};
+use crate::text::spelling::closest;
 use rasterizer::ir::Interpolation;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -51,8 +52,10 @@ pub fn varyings(
     for input in fragment.with(is_input) {
         let name = &input.name;
         let Some((_, written)) = named.get(&**name).map(|&at| outputs[at]) else {
+            let near = closest(name, outputs.iter().map(|(output, _)| &*output.name));
+            let near = near.map_or_else(String::new, |near| format!("; did you mean `{near}`?"));
             let message =
-                format!("the fragment shader reads `{name}`, which no vertex shader writes");
+                format!("the fragment shader reads `{name}`, which no vertex shader writes{near}");
             log.push(Diagnostic::link_error(message).rule("GLSL 1.30 section 4.3.6"));
             continue;
         };

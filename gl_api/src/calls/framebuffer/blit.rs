@@ -16,6 +16,7 @@ use crate::draw::completeness::{
 };
 use crate::draw::pass::drawn_area;
 use crate::draw::pipeline::srgb_write;
+use crate::pixel::formats::format_name;
 use rasterizer::driver::{Attachment, Rect};
 use texunit::format::Format;
 use texunit::image::Level;
@@ -257,7 +258,11 @@ fn check_formats(aspect: Aspect, from: Format, to: Format, filter: Filter) -> Re
         if from != to {
             return invalid_operation(
                 SECTION,
-                format!("depth and stencil are not converted, from {from:?} to {to:?}"),
+                format!(
+                    "depth and stencil are not converted, from {} to {}",
+                    format_name(from),
+                    format_name(to)
+                ),
             );
         }
         return Ok(());
@@ -265,7 +270,11 @@ fn check_formats(aspect: Aspect, from: Format, to: Format, filter: Filter) -> Re
     if !same_kind(from, to) {
         return invalid_operation(
             SECTION,
-            format!("{from:?} is not converted to {to:?}: integers stay integers of their kind"),
+            format!(
+                "{} is not converted to {}: integers stay integers of their kind",
+                format_name(from),
+                format_name(to)
+            ),
         );
     }
     if filter == Filter::Linear && from.is_integer() {
@@ -307,6 +316,9 @@ pub(crate) fn blit_framebuffer(
         Axis { src: [src_y0, src_y1], dst: [dst_y0, dst_y1] },
     ];
     BlitRequest::new(context, axes, mask, filter)?.apply(context);
+    if mask & !GL_COLOR_BUFFER_BIT != 0 {
+        context.depth_stencil_copied();
+    }
     Ok(())
 }
 

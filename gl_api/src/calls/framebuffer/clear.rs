@@ -67,6 +67,16 @@ fn record(context: &mut Context, pass: PassDesc, clears: Vec<ClearValue>) {
     }
     if context.state.bindings.draw_framebuffer == 0 {
         context.window.depths.clear(&clears);
+        let is_whole = [area.width, area.height] == [pass.width, pass.height];
+        for value in &clears {
+            match *value {
+                ClearValue::Stencil { value, mask } if is_whole => {
+                    context.window.stencils.clear(value, mask);
+                }
+                ClearValue::Stencil { .. } => context.window.stencils.written(),
+                ClearValue::Depth(_) | ClearValue::Color { .. } | ClearValue::Texel { .. } => {}
+            }
+        }
     }
     let watched = crate::draw::watched_pixel::is_watched(context, &pass);
     crate::draw::pass::begin_pass(context, pass);

@@ -33,6 +33,7 @@ pub(crate) fn draw(
         return Ok(());
     };
     let Some(zoomed) = Zoomed::new(context, size, area) else { return Ok(()) };
+    context.depth_stencil_copied();
     let mask = context.state.fragment.stencil.active().write_mask as u8;
     edit(context, &to, |level, first, _| {
         let (format, bytes, row_bytes) = (level.format, level.format.bytes(), level.row_bytes());

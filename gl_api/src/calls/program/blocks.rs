@@ -10,6 +10,8 @@ use crate::base::types::*;
 use crate::calls::program::data_type::gl_type;
 use crate::calls::program::inspect::{Active, active_uniforms, first_member};
 use crate::calls::program::programs::program;
+use crate::calls::program::similar_names;
+use crate::calls::program::similar_names::NamedResource;
 use crate::context::Context;
 use crate::glsl::{MatrixOrder, Stage, UniformBlock};
 use crate::objects::programs::ProgramObject;
@@ -38,6 +40,11 @@ pub(crate) fn get_uniform_indices(
     let indices = destination(uniform_indices, count)?;
     for (place, name) in indices.iter_mut().zip(names) {
         *place = index(name);
+    }
+    let missing = indices.iter().zip(names).filter(|(index, _)| **index == GL_INVALID_INDEX);
+    let missing: Vec<&str> = missing.map(|(_, asked)| *asked).collect();
+    for asked in missing {
+        similar_names::not_found(context, name, NamedResource::UniformIndex, asked);
     }
     Ok(())
 }

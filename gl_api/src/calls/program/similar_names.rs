@@ -15,6 +15,8 @@ use crate::objects::programs::ShaderOrProgram;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum NamedResource {
     Uniform,
+    /// A uniform by its index, not its location.
+    UniformIndex,
     Attribute,
 }
 
@@ -24,6 +26,7 @@ pub(crate) enum NamedResource {
 pub(crate) fn not_found(context: &mut Context, program: GLuint, of: NamedResource, asked: &str) {
     let (warning, call, what) = match of {
         NamedResource::Uniform => (DrawWarning::NoUniform, "glGetUniformLocation", "uniform"),
+        NamedResource::UniformIndex => (DrawWarning::NoUniform, "glGetUniformIndices", "uniform"),
         NamedResource::Attribute => (DrawWarning::NoAttribute, "glGetAttribLocation", "attribute"),
     };
     // Asked for in each frame, it is looked at once.
@@ -34,8 +37,12 @@ pub(crate) fn not_found(context: &mut Context, program: GLuint, of: NamedResourc
         return;
     }
     let Some(near) = nearest(context, program, of, asked) else { return };
+    let answer = match of {
+        NamedResource::Uniform | NamedResource::Attribute => "-1",
+        NamedResource::UniformIndex => "GL_INVALID_INDEX",
+    };
     context.debug.warn(format!(
-        "{call}: -1, as program {program} has no active {what} \"{asked}\"; did you mean \"{near}\"?"
+        "{call}: {answer}, as program {program} has no active {what} \"{asked}\"; did you mean \"{near}\"?"
     ));
 }
 
@@ -76,7 +83,7 @@ fn nearest(context: &Context, program: GLuint, of: NamedResource, asked: &str) -
         near && letters(name) != letters(asked)
     };
     let mut names: Vec<&String> = match of {
-        NamedResource::Uniform => uniforms.collect(),
+        NamedResource::Uniform | NamedResource::UniformIndex => uniforms.collect(),
         NamedResource::Attribute => generic.collect(),
     };
     names.retain(is_near);

@@ -153,6 +153,7 @@ pub(crate) fn attribute(context: &mut Context, slot: Slot, value: [f32; 4]) -> R
     let Some(location) = location(slot)? else {
         // Outside of glBegin and glEnd, generic attribute 0 has a value as others do.
         if matches!(slot, Slot::Generic(_)) && context.immediate.is_none() {
+            context.attributes_set |= 1;
             set_current(context, 0, value);
         }
         return vertex(context, value);
@@ -167,6 +168,9 @@ pub(crate) fn attribute(context: &mut Context, slot: Slot, value: [f32; 4]) -> R
         if location >= LOCATIONS && immediate.materials.is_none() {
             immediate.materials = Some(Box::new(context.state.materials.clone()));
         }
+    }
+    if context.immediate.is_none() && location < LOCATIONS {
+        context.attributes_set |= 1 << location;
     }
     set_current(context, location, value);
     Ok(())

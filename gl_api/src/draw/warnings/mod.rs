@@ -4,7 +4,10 @@
 //! a few numbers that it has at hand; the text is made only where a warning is given.
 
 pub(crate) mod arrays;
-pub(crate) mod stale_depth;
+pub(crate) mod constant_color;
+pub(crate) mod depth;
+pub(crate) mod inputs;
+pub(crate) mod rejected;
 pub(crate) mod state;
 pub(crate) mod textures;
 pub(crate) mod visibility;

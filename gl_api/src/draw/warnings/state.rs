@@ -2,13 +2,17 @@
 
 use crate::context::Context;
 use crate::context::recorder::elements::Elements;
+use crate::context::recorder::fixed_function::StageKeys;
+use crate::context::recorder::stages::Reads;
 use crate::context::warnings::DrawWarning;
 use crate::draw::assembly_words::has_vertex_program;
 use crate::draw::material::material;
+use crate::draw::warnings::constant_color::ConstantColor;
+use crate::draw::warnings::{depth, inputs, rejected, textures};
 use crate::interface::Side;
 use crate::state::enable::Flag;
 use crate::state::stencil::Face;
-use rasterizer::driver::{DepthWrite, PassDesc, PipelineDesc, Topology};
+use rasterizer::driver::{DepthWrite, PassDesc, PipelineDesc, Topology, VertexBinding};
 use rasterizer::ir::Output;
 use texunit::sampler::Compare;
 
@@ -17,7 +21,8 @@ pub(crate) fn check(
     context: &mut Context,
     pass: &PassDesc,
     desc: &PipelineDesc,
-    elements: &Elements,
+    reads: &Reads,
+    (vertices, elements): (&[VertexBinding], &Elements),
 ) {
     let state = &context.state;
     let enables = &state.enables;
@@ -57,7 +62,22 @@ pub(crate) fn check(
         left_out(context, remainder);
     }
     colors(context, pass, desc);
-    crate::draw::warnings::stale_depth::check(context, desc.depth.as_ref());
+    depth::check(context, desc);
+    rejected::stencil(context, desc);
+    inputs::program(context, desc.topology, vertices);
+    let color = reads.keys.as_ref().and_then(|keys| ConstantColor::new(context, vertices, keys));
+    rejected::alpha(context, color.as_ref());
+    if let Some(color) = &color {
+        rejected::blending(context, desc, color);
+    }
+    let Some(StageKeys { vertex: Some(_), fragment: Some(fragment), .. }) = &reads.keys else {
+        return;
+    };
+    inputs::texture_coordinates(context, desc.topology, vertices, fragment);
+    textures::unit_off(context, vertices, fragment);
+    if let Some(color) = &color {
+        rejected::black(context, desc, fragment, color);
+    }
 }
 
 const NO_SCISSOR: &str = "draw: GL_SCISSOR_TEST is enabled and the scissor box is 0×0, so nothing is \

@@ -5,14 +5,15 @@ use crate::base::types::GLuint;
 use crate::context::Context;
 use crate::context::warnings::DrawWarning;
 use crate::draw::assembly_words::has_fragment_program;
-use crate::interface::MAX_COMBINED_TEXTURE_IMAGE_UNITS;
+use crate::generate::fixed::fragment::FragmentKey;
+use crate::interface::{ATTRIB_TEX_COORD, MAX_COMBINED_TEXTURE_IMAGE_UNITS, MAX_TEXTURE_UNITS};
 use crate::objects::bound::Bound;
 use crate::objects::color_buffers::attachment_index;
 use crate::objects::framebuffers::{Attached, Source};
 use crate::objects::target::{TARGET, TextureTarget};
 use crate::state::enable::{CAPABILITY, Flag};
 use crate::state::texture_units::Unit;
-use rasterizer::driver::{DepthWrite, Image};
+use rasterizer::driver::{DepthWrite, Image, VertexBinding, VertexSource};
 use rasterizer::ir::TextureDecl;
 use texunit::sampler::{Mipmap, Sampler};
 
@@ -234,18 +235,56 @@ pub(crate) fn nothing_enabled(context: &mut Context) {
         return;
     }
     let bound = units.iter().zip(0..MAX_COMBINED_TEXTURE_IMAGE_UNITS).find_map(|(unit, number)| {
-        // Targets that cannot be enabled are for shaders alone.
-        let target = TextureTarget::ALL.into_iter().find(|&target| {
-            unit.bound[target as usize].name() != 0
-                && CAPABILITY.get(TARGET.encode(target)).is_some()
-        })?;
-        Some((number, target, unit.bound[target as usize].name()))
+        set_up(context, unit).map(|(target, name)| (number, target, name))
     });
     if let Some((unit, target, name)) = bound {
         let target = target_name(target);
         context.debug.warn(format!(
             "draw: texture {name} is bound to {target} of unit {unit}, but texturing is off: call \
              glEnable({target})"
+        ));
+    }
+}
+
+/// The texture that is set up at a unit for the fixed function: bound, or the default one with an image. A texture that
+/// is drawn to is bound to be made.
+fn set_up(context: &Context, unit: &Unit) -> Option<(TextureTarget, GLuint)> {
+    TextureTarget::ALL.into_iter().find_map(|target| {
+        // Targets that cannot be enabled are for shaders alone.
+        CAPABILITY.get(TARGET.encode(target))?;
+        let bound = &unit.bound[target as usize];
+        let image = &context.objects.texture(target, bound).image;
+        let is_set_up = bound.name() != 0 || image.level(0, 0).is_some();
+        let is_attached = || {
+            let mut framebuffers = context.objects.framebuffers.values();
+            framebuffers.any(|object| object.attached().any(|at| at.image.is_same_image(image)))
+        };
+        (is_set_up && !is_attached()).then_some((target, bound.name()))
+    })
+}
+
+/// Checks the units that are not enabled beside others that are: one that has a texture and is given coordinates was
+/// forgotten, perhaps.
+pub(crate) fn unit_off(context: &mut Context, vertices: &[VertexBinding], fragment: &FragmentKey) {
+    if fragment.units.is_empty() {
+        return;
+    }
+    let given = |unit: u8| {
+        vertices.iter().any(|binding| {
+            binding.location == ATTRIB_TEX_COORD + unit
+                && matches!(binding.source, VertexSource::Array { .. })
+        })
+    };
+    let enabled = context.recorder.unit_summary.enabled;
+    let off = (0..MAX_TEXTURE_UNITS).find(|&unit| enabled >> unit & 1 == 0 && given(unit));
+    let Some(unit) = off else { return };
+    if let Some((target, name)) = set_up(context, &context.state.units.units[usize::from(unit)])
+        && context.is_first_warning(DrawWarning::UnitOff, unit.into())
+    {
+        let target = target_name(target);
+        context.debug.warn(format!(
+            "draw: texture {name} is bound to {target} of unit {unit}, which is given texture coordinates, but it is off: \
+             call glActiveTexture(GL_TEXTURE{unit}) and glEnable({target}) (GL 2.1, section 3.8.16)"
         ));
     }
 }

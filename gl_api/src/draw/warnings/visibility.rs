@@ -1,4 +1,5 @@
-//! The warning of a picture in which nothing that was drawn is visible, with the reasons.
+//! What is said when a picture is taken: that nothing which was drawn is visible in it, with the reasons, and that there
+//! are messages which nobody has read.
 
 use crate::context::Context;
 use crate::context::warnings::DrawWarning;
@@ -8,11 +9,12 @@ use rasterizer::driver::{
 
 /// Warns, when a picture is taken, if nothing is visible of what was drawn since the one before.
 pub(crate) fn picture(context: &mut Context) {
-    crate::draw::warnings::stale_depth::picture(context);
+    crate::draw::warnings::depth::picture(context);
     match std::mem::take(&mut context.recorder.sight) {
         Visibility::NothingDrawn | Visibility::Visible => {}
         Visibility::Invisible(reasons) => nothing_visible(context, &reasons),
     }
+    context.debug.end_of_frame();
 }
 
 #[cold]

@@ -2,6 +2,8 @@
 //! explanations.
 
 use crate::base::clamp::Clamp;
+use crate::base::compare::COMPARE;
+use crate::base::constants::enum_name;
 use crate::generate::fixed::combine::CombineKey;
 use crate::generate::fixed::environment::Environment;
 use crate::generate::fixed::fog::FogKey;
@@ -26,10 +28,28 @@ impl FragmentKey {
         }
         formulas.extend(self.fog.map(fog));
         if let Some(compare) = self.alpha {
-            let test = format!("alpha test: A must be {compare:?} to GL_ALPHA_TEST_REF");
+            let test = format!(
+                "alpha test: {} of A and GL_ALPHA_TEST_REF",
+                enum_name(COMPARE.encode(compare))
+            );
             formulas.push((test, "GL 2.1, section 4.1.4"));
         }
         formulas
+    }
+}
+
+/// GL's name of a base format.
+fn base_name(base: BaseFormat) -> &'static str {
+    match base {
+        BaseFormat::Alpha => "GL_ALPHA",
+        BaseFormat::Luminance => "GL_LUMINANCE",
+        BaseFormat::LuminanceAlpha => "GL_LUMINANCE_ALPHA",
+        BaseFormat::Intensity => "GL_INTENSITY",
+        BaseFormat::Red => "GL_RED",
+        BaseFormat::Rg => "GL_RG",
+        BaseFormat::Rgb => "GL_RGB",
+        BaseFormat::Rgba => "GL_RGBA",
+        BaseFormat::Depth => "GL_DEPTH_COMPONENT",
     }
 }
 
@@ -38,7 +58,8 @@ fn environment(unit: &UnitKey, clamp: Clamp) -> Vec<Formula> {
     match unit.environment {
         Environment::Standard(mode) => {
             let (name, color) = standard(mode, unit.base);
-            vec![(format!("unit {number}: {name} of {:?}: {color}", unit.base), SECTION_STANDARD)]
+            let base = base_name(unit.base);
+            vec![(format!("unit {number}: {name} of {base}: {color}"), SECTION_STANDARD)]
         }
         Environment::Combine(CombineKey { color, alpha, arguments }) => {
             let line = |(name, of)| {

@@ -79,9 +79,15 @@ pub(crate) fn general_purpose_formats() -> Vec<GLenum> {
     FORMATS.iter().filter(general).map(|format| format.name).collect()
 }
 
-/// GL's name of a stored format: that of the last row that is stored so.
+/// How formats are stored.
+pub(crate) fn stored_formats() -> impl Iterator<Item = Format> {
+    FORMATS.iter().map(|format| format.stored)
+}
+
+/// GL's name of a stored format: that of the last row with a size that is stored so, or else of the last row.
 pub(crate) fn format_name(stored: Format) -> String {
-    let row = FORMATS.iter().rev().find(|format| format.stored == stored);
+    let rows = || FORMATS.iter().rev().filter(|format| format.stored == stored);
+    let row = rows().find(|format| format.class == FormatClass::Sized).or_else(|| rows().next());
     row.map_or_else(String::new, |format| enum_name(format.name))
 }
 

@@ -18,9 +18,21 @@ use std::ffi::OsString;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
+/// Shown at the end of `detgl --help`.
+const EXAMPLES: &str = "\
+Examples:
+  detgl run -- python3 draw.py             runs a program on DetGL
+  DETGL_DEBUG=1 detgl run -- ./app         prints every error and warning to stderr
+  DETGL_THREADS=1 detgl run -- ./app       draws with one thread
+  detgl run --glu -- ./app                 takes GLU from DetGL too
+  detgl install /opt/detgl                 lays the library out; then:
+  LD_LIBRARY_PATH=/opt/detgl ./app         runs without this command
+  cc app.c -L/opt/detgl -lOSMesa -o app    links with it
+";
+
 /// DetGL in place of libEGL, libGL, libOpenGL and libOSMesa.
 #[derive(Parser)]
-#[command(version, about)]
+#[command(version, about, after_help = EXAMPLES)]
 struct Arguments {
     #[command(subcommand)]
     task: Task,
