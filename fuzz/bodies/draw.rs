@@ -2,7 +2,7 @@
 
 use gl_api::glsl::{Bindings, Options, Stage, compile, link};
 use rasterizer::ir::Module;
-use rasterizer::shader::{Machine, Program, Run};
+use rasterizer::shader::{Invocation, Machine, Program};
 use texunit::lanes::Isa;
 
 /// Compiles a text as a fragment shader, links it and runs it.
@@ -31,7 +31,7 @@ fn run(module: &Module, words: u32) {
             *word = (lane as u32).wrapping_mul(0x85eb_ca6b);
         }
     }
-    let run = Run {
+    let invocation = Invocation {
         isa,
         program: &program,
         prepared: &prepared,
@@ -39,5 +39,5 @@ fn run(module: &Module, words: u32) {
         active: !0,
         budget: 20_000,
     };
-    let _ = machine.run(run);
+    let _ = machine.run(invocation);
 }

@@ -9,7 +9,7 @@ use crate::base::types::{GLenum, GLint, GLuint};
 use crate::calls::framebuffer::read::{ClientRows, RowOrder, read_rows};
 use crate::context::debug::Output;
 use crate::context::sharing::CallScope;
-use crate::context::window::{Visible, Window, format_of, whole};
+use crate::context::window::{Visible, Window, base_level_attachment, format_of};
 use crate::context::{Context, ContextDesc, ContextError, SurfaceDesc, sharing};
 use crate::draw::warnings::visibility;
 use crate::glu::{GLUquadric, GLUquadricCallback};
@@ -215,7 +215,7 @@ fn copy(
     first: FirstRow,
     (bytes, stride): (&mut [u8], usize),
 ) {
-    let from = whole(image);
+    let from = base_level_attachment(image);
     let (Some([width, height]), Some(format)) = (from.size(), format_of(&from)) else { return };
     let all = Visible { x: 0, y: 0, width: width as usize, height: height as usize };
     let Ok(pixel) = Pixel::new(pixels.gl.0, pixels.gl.1) else { return };

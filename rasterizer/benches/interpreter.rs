@@ -4,7 +4,7 @@
 //! of a hundred such operations in a chain, by a hundred, the fastest of many runs.
 
 use rasterizer::ir::{Builder, Input, Interpolation, Op, Output, Stage, Ty, Value};
-use rasterizer::shader::{Machine, Program, Run};
+use rasterizer::shader::{Invocation, Machine, Program};
 use std::time::Instant;
 use texunit::lanes::{Isa, U32s};
 
@@ -60,8 +60,14 @@ fn nanoseconds(isa: Isa, program: &Program) -> f64 {
         let input = machine.input_mut(index);
         *input = U32s::from_fn(|lane| (lane as f32 * 0.37 + index as f32 + 0.5).to_bits());
     }
-    let run =
-        Run { isa, program, prepared: &prepared, textures: &[], active: !0, budget: u64::MAX };
+    let run = Invocation {
+        isa,
+        program,
+        prepared: &prepared,
+        textures: &[],
+        active: !0,
+        budget: u64::MAX,
+    };
     let times = (0..RUNS).map(|_| {
         let start = Instant::now();
         for _ in 0..TOGETHER {

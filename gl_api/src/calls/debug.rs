@@ -147,8 +147,8 @@ pub(crate) fn debug_message_callback(
 
 /// Writes an element, where there is buf_size for it.
 fn set<T>(slice: &mut [T], at: usize, value: T) {
-    if let Some(place) = slice.get_mut(at) {
-        *place = value;
+    if let Some(out) = slice.get_mut(at) {
+        *out = value;
     }
 }
 

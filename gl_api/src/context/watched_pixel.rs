@@ -55,7 +55,7 @@ impl DrawNote {
         };
         match input {
             Input::Varying(slot) => self.varying(slot),
-            Input::Slope { slot, axis: along } => {
+            Input::Gradient { slot, axis: along } => {
                 format!("∂{}/{}", self.varying(slot), axis(along))
             }
             Input::FragCoord(component) => {

@@ -56,7 +56,7 @@ pub(crate) fn texels(format: Format, width: u32, height: u32) -> Result<Texels, 
 }
 
 /// The only face and level of a surface.
-pub(crate) fn whole(image: &Image) -> Attachment {
+pub(crate) fn base_level_attachment(image: &Image) -> Attachment {
     Attachment { image: image.clone(), face: 0, level: 0 }
 }
 

@@ -4,7 +4,7 @@
 use crate::context::Context;
 use crate::context::pending_primitives::vertices_of_primitive;
 use crate::context::recorder::Recorder;
-use crate::context::recorder::batching::{BatchState, LastDraw, is_whole};
+use crate::context::recorder::batching::{BatchState, LastDraw, makes_whole_primitives};
 use crate::context::recorder::elements::Elements;
 use crate::context::recorder::emitted_state::EmittedState;
 use crate::draw::draw_reuse::allows_reuse;
@@ -17,17 +17,21 @@ const MAX_ADDED: u32 = 1 << 10;
 /// Nothing is added to draws of more vertices than this.
 const MAX_BATCH: u32 = 1 << 16;
 
-/// Keeps the draw that this call has just recorded, whose buffers it reads whole, so that others can be added.
-pub(crate) fn keep(context: &mut Context, topology: Topology, count: u32) {
-    let batch = if is_whole(topology, count) { BatchState::Single } else { BatchState::Closed };
+/// Remembers the draw that this call has recorded from whole buffers, so that later draws can be appended to it.
+pub(crate) fn remember_last_draw(context: &mut Context, topology: Topology, count: u32) {
+    let batch = if makes_whole_primitives(topology, count) {
+        BatchState::Single
+    } else {
+        BatchState::Closed
+    };
     let call = context.state_changes.calls;
     let last_draw = LastDraw { call, topology, array_limits: None, batch };
     context.recorder.emitted.last_draw = Some(last_draw);
 }
 
-/// Draws with the state of the draw before, if nothing but draws was called since and there is nothing to warn of;
-/// `false` if the draw has to be recorded anew.
-pub(crate) fn batch(context: &mut Context, topology: Topology, elements: &Elements) -> bool {
+/// Appends a draw to the draw before, if only draws were called since and the draw causes no warning; `false` if the
+/// draw must be recorded as a draw of its own.
+pub(crate) fn try_append(context: &mut Context, topology: Topology, elements: &Elements) -> bool {
     context.state_changes.no_change();
     let Some(last) = &context.recorder.emitted.last_draw else { return false };
     let changed =
@@ -44,7 +48,7 @@ pub(crate) fn batch(context: &mut Context, topology: Topology, elements: &Elemen
         }
         Elements::Indexed { .. } => !context.debug.listens(),
     };
-    if !is_whole(topology, count) || !is_inside || instances.end > most {
+    if !makes_whole_primitives(topology, count) || !is_inside || instances.end > most {
         return false;
     }
     // Counts primitives; nothing is captured.

@@ -5,7 +5,7 @@ use crate::base::constants::*;
 use crate::base::error::{ErrorCode, GlError, Result};
 use crate::base::types::*;
 use crate::context::Context;
-use crate::context::window::{Presence, whole};
+use crate::context::window::{Presence, base_level_attachment};
 use crate::objects::color_buffers::attachment_index;
 use crate::objects::framebuffers::{Attached, Framebuffer, Planes, Source};
 use crate::objects::target::TextureTarget;
@@ -101,7 +101,7 @@ fn find(attached: &Attached) -> std::result::Result<AttachedImage, String> {
         (Source::Renderbuffer(name), None) => {
             Err(format!("renderbuffer {name} has no image: call glRenderbufferStorage with a size"))
         }
-        (Source::Renderbuffer(_), Some(info)) => Ok(found(info, whole(&image))),
+        (Source::Renderbuffer(_), Some(info)) => Ok(found(info, base_level_attachment(&image))),
     }
 }
 
@@ -118,31 +118,29 @@ fn fixed_locations(context: &Context, attached: &Attached) -> Option<bool> {
     }
 }
 
-/// What is drawn to an attachment point.
+/// The aspects of a framebuffer: what an attachment point holds, and what is read, copied or drawn to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum AttachmentUse {
+pub(crate) enum Aspect {
     Color,
     Depth,
     Stencil,
 }
 
 /// Why an image cannot be at a point, if so.
-fn unsuitable(attached: &Attached, wants: AttachmentUse, found: &AttachedImage) -> Option<String> {
+fn unsuitable(attached: &Attached, aspect: Aspect, found: &AttachedImage) -> Option<String> {
     let format = found.format;
     if !is_renderable(format) {
         return Some(format!("nothing is drawn to images of {}", format_name(format)));
     }
-    match wants {
-        AttachmentUse::Color if format.is_depth() => {
-            Some("a depth format cannot be a colour".to_owned())
-        }
-        AttachmentUse::Depth if !(format.is_depth() && attached.planes.depth) => {
+    match aspect {
+        Aspect::Color if format.is_depth() => Some("a depth format cannot be a colour".to_owned()),
+        Aspect::Depth if !(format.is_depth() && attached.planes.depth) => {
             Some("its format has no depth".to_owned())
         }
-        AttachmentUse::Stencil if !(format.has_stencil() && attached.planes.stencil) => {
+        Aspect::Stencil if !(format.has_stencil() && attached.planes.stencil) => {
             Some("its format has no stencil".to_owned())
         }
-        AttachmentUse::Color | AttachmentUse::Depth | AttachmentUse::Stencil => None,
+        Aspect::Color | Aspect::Depth | Aspect::Stencil => None,
     }
 }
 
@@ -159,19 +157,15 @@ pub(crate) fn completeness(context: &Context, name: GLuint) -> std::result::Resu
         };
     };
     let (mut samples, mut locations) = (None, None);
-    let colors = object
-        .colors
-        .iter()
-        .enumerate()
-        .map(|(index, attached)| (attached, AttachmentUse::Color, index));
-    let others =
-        [(&object.depth, AttachmentUse::Depth, 0), (&object.stencil, AttachmentUse::Stencil, 0)];
-    for (attached, wants, index) in colors.chain(others) {
+    let colors =
+        object.colors.iter().enumerate().map(|(index, attached)| (attached, Aspect::Color, index));
+    let others = [(&object.depth, Aspect::Depth, 0), (&object.stencil, Aspect::Stencil, 0)];
+    for (attached, aspect, index) in colors.chain(others) {
         let Some(attached) = attached else { continue };
-        let point = || match wants {
-            AttachmentUse::Color => format!("GL_COLOR_ATTACHMENT{index}"),
-            AttachmentUse::Depth => "GL_DEPTH_ATTACHMENT".to_owned(),
-            AttachmentUse::Stencil => "GL_STENCIL_ATTACHMENT".to_owned(),
+        let point = || match aspect {
+            Aspect::Color => format!("GL_COLOR_ATTACHMENT{index}"),
+            Aspect::Depth => "GL_DEPTH_ATTACHMENT".to_owned(),
+            Aspect::Stencil => "GL_STENCIL_ATTACHMENT".to_owned(),
         };
         let reason = match find(attached) {
             Ok(found) => {
@@ -198,7 +192,7 @@ pub(crate) fn completeness(context: &Context, name: GLuint) -> std::result::Resu
                         ),
                     );
                 }
-                unsuitable(attached, wants, &found)
+                unsuitable(attached, aspect, &found)
             }
             Err(reason) => Some(reason),
         };
@@ -234,7 +228,7 @@ pub(crate) fn completeness(context: &Context, name: GLuint) -> std::result::Resu
 /// The draw or read buffer that is selected but has no attachment, if there is one. Such a framebuffer is complete by
 /// OpenGL 4.1, and in drivers of all versions; what is drawn there is dropped. `ARB_framebuffer_object` calls it
 /// incomplete.
-pub(crate) fn selects_nothing(object: &Framebuffer) -> Option<String> {
+pub(crate) fn missing_buffer_warning(object: &Framebuffer) -> Option<String> {
     let absent = |buffer: GLenum| {
         attachment_index(buffer).is_some_and(|index| object.colors[index].is_none())
     };
@@ -309,10 +303,11 @@ pub(crate) fn draw_pass(context: &Context) -> Result<PassDesc> {
     let name = context.state.bindings.draw_framebuffer;
     let Some(object) = context.objects.framebuffers.get(name) else {
         let window = &context.window;
-        let color = (window.selection.draw[0] != GL_NONE).then(|| whole(&window.color));
+        let color =
+            (window.selection.draw[0] != GL_NONE).then(|| base_level_attachment(&window.color));
         return Ok(PassDesc {
             colors: vec![color],
-            depth: window.depth.as_ref().map(whole),
+            depth: window.depth.as_ref().map(base_level_attachment),
             width: window.width,
             height: window.height,
         });
@@ -336,35 +331,27 @@ pub(crate) fn draw_pass(context: &Context) -> Result<PassDesc> {
     Ok(PassDesc { colors, depth, width, height })
 }
 
-/// What can be read from a framebuffer.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Readable {
-    Color,
-    Depth,
-    Stencil,
-}
-
 /// The image that is read from, if there is one.
-pub(crate) fn read_attachment(context: &Context, what: Readable) -> Result<Option<Attachment>> {
+pub(crate) fn read_attachment(context: &Context, aspect: Aspect) -> Result<Option<Attachment>> {
     let name = context.state.bindings.read_framebuffer;
     checked_complete(context, name)?;
     let Some(object) = context.objects.framebuffers.get(name) else {
         let window = context.read_window();
-        let depth = |there: bool| window.depth.as_ref().filter(|_| there).map(whole);
-        return Ok(match what {
-            Readable::Color => {
-                (context.window.selection.read != GL_NONE).then(|| whole(&window.color))
-            }
-            Readable::Depth => depth(window.planes.depth),
-            Readable::Stencil => depth(window.planes.stencil),
+        let depth =
+            |there: bool| window.depth.as_ref().filter(|_| there).map(base_level_attachment);
+        return Ok(match aspect {
+            Aspect::Color => (context.window.selection.read != GL_NONE)
+                .then(|| base_level_attachment(&window.color)),
+            Aspect::Depth => depth(window.planes.depth),
+            Aspect::Stencil => depth(window.planes.stencil),
         });
     };
-    let attached = match what {
-        Readable::Color => {
+    let attached = match aspect {
+        Aspect::Color => {
             attachment_index(object.selection.read).and_then(|index| object.colors[index].as_ref())
         }
-        Readable::Depth => object.depth.as_ref(),
-        Readable::Stencil => object.stencil.as_ref(),
+        Aspect::Depth => object.depth.as_ref(),
+        Aspect::Stencil => object.stencil.as_ref(),
     };
     Ok(attached.and_then(|attached| find(attached).ok()).map(|found| found.attachment))
 }

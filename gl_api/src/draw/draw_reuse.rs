@@ -2,7 +2,7 @@
 //! read from): they use its shaders, pipeline and textures, which `context/recorder/emitted_state.rs` keeps.
 
 use crate::context::Context;
-use crate::context::recorder::batching::is_whole;
+use crate::context::recorder::batching::makes_whole_primitives;
 use crate::context::recorder::elements::Elements;
 use crate::context::recorder::emitted_state::{DrawDecisions, arrays};
 use crate::context::recorder::fixed_function::StageKeys;
@@ -45,7 +45,7 @@ pub(crate) fn words(
     let is_alike = context.state_changes.last_state_change <= decided.call
         && topology == decided.topology
         // Else there is a warning to give.
-        && is_whole(topology, elements.counts().0)
+        && makes_whole_primitives(topology, elements.counts().0)
         && arrays(vertices).eq(decided.arrays.iter().copied())
         && allows_reuse(context)
         && !context.queries.discards()

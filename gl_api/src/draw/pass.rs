@@ -80,7 +80,7 @@ fn execute(context: &mut Context) {
     context.recorder.commands = commands;
     match result {
         Ok(report) => {
-            context.recorder.sight.add(report.visibility);
+            context.recorder.visibility.add(report.visibility);
             if !report.over_budget.is_empty() {
                 context.debug.warn_unasked(
                     "a shader ran so long that its draw was left out: look for a loop that does \

@@ -29,7 +29,7 @@ pub(crate) fn can_batch(context: &Context) -> bool {
 pub(crate) fn append_pending(context: &mut Context, immediate: &mut Immediate) -> bool {
     let Some(PendingPrimitives::Vertices(pending)) = &mut context.pending else { return false };
     let same = pending.topology == immediate.topology
-        && is_whole(immediate)
+        && has_whole_primitives(immediate)
         && pending.columns.len() == immediate.columns.len()
         && pending.columns.iter().all(|column| immediate.column_of(column.location).is_some());
     if !same {
@@ -47,8 +47,8 @@ pub(crate) fn append_pending(context: &mut Context, immediate: &mut Immediate) -
     true
 }
 
-/// Whether there are only whole primitives, and at least one.
-fn is_whole(immediate: &Immediate) -> bool {
+/// Whether the vertices form whole primitives, at least one.
+fn has_whole_primitives(immediate: &Immediate) -> bool {
     let count = immediate.positions.len();
     let each = vertices_of_primitive(immediate.topology);
     count > 0 && each.is_some_and(|each| count.is_multiple_of(each))
@@ -58,7 +58,7 @@ fn is_whole(immediate: &Immediate) -> bool {
 pub(crate) fn keep_pending(context: &mut Context, mut immediate: Immediate) {
     let constant = immediate.columns.iter().all(|column| column.location < LOCATIONS);
     if constant
-        && is_whole(&immediate)
+        && has_whole_primitives(&immediate)
         && context.objects.shared.is_exclusive()
         && can_batch(context)
     {

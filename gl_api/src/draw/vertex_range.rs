@@ -3,7 +3,7 @@
 //!
 //! Copies are taken of a C program's memory, which is valid only during the call, and of buffer objects that are
 //! written between draws: a recorded draw that held such a buffer whole would make each write copy all of it. Where
-//! indices lie far apart, vertices are copied one by one.
+//! indices lie far scattered, vertices are copied one by one.
 
 use crate::base::client_memory::ClientPointer;
 use crate::base::error::{ErrorCode, GlError, Result};
@@ -115,8 +115,8 @@ pub(crate) fn small_range(buffer: &Buffer, range: Range<usize>) -> Option<Buffer
     Some(Buffer::new(part.to_vec()))
 }
 
-/// The vertices of a draw by index, in the order of the indices, where they lie so far apart that they are copied one
-/// by one; not where something reads their numbers.
+/// The vertices of a draw by index, in the order of the indices, where they lie so far scattered that they are copied
+/// one by one; not where something reads their numbers.
 pub(crate) fn scattered_vertices(
     context: &Context,
     bytes: &[u8],
@@ -127,7 +127,7 @@ pub(crate) fn scattered_vertices(
         || context.compiling.is_some()
         || context.watched.is_some()
         || vertex_range.last >= array_limits(context)[0]
-        || numbers_vertices(context)
+        || reads_vertex_id(context)
     {
         return None;
     }
@@ -135,8 +135,8 @@ pub(crate) fn scattered_vertices(
     Some(indices.map(|index| index.wrapping_add_signed(base_vertex)).collect())
 }
 
-/// Whether the program in use reads its vertices' numbers.
-fn numbers_vertices(context: &Context) -> bool {
+/// Whether the program in use reads `gl_VertexID`.
+fn reads_vertex_id(context: &Context) -> bool {
     let linked = context.objects.shared.linked_program(context.state.bindings.program.name());
     let values =
         linked.and_then(|linked| linked.vertex.as_ref()).map(|stage| &stage.module().values);
@@ -174,8 +174,8 @@ pub(crate) fn vertex_source(
     vertex_range: VertexRange<'_>,
 ) -> Result<VertexSource> {
     let array = &context.state.arrays.by_location[location];
-    let apart = vertex_range.scattered.filter(|_| array.divisor == 0);
-    let (buffer, first, offset) = match (&array.source, apart) {
+    let scattered = vertex_range.scattered.filter(|_| array.divisor == 0);
+    let (buffer, first, offset) = match (&array.source, scattered) {
         (_, Some(vertices)) => (gathered(context, array, vertices), 0, 0),
         (Source::Client(buffer), None) => (buffer.clone(), 0, 0),
         (Source::Pointer(pointer), None) => {
@@ -201,7 +201,7 @@ pub(crate) fn vertex_source(
         buffer,
         first,
         offset,
-        stride: if apart.is_some() { array.size() } else { array.step() },
+        stride: if scattered.is_some() { array.size() } else { array.step() },
         ty: array.ty,
         components: array.components,
         format: array.format,

@@ -45,7 +45,7 @@ fn input(
         | Input::FragCoord(_)
         | Input::FrontFacing
         | Input::PointCoord(_)
-        | Input::Slope { .. }
+        | Input::Gradient { .. }
         | Input::Coverage
         | Input::LineDirection(_) => *out = U32s::splat(0),
     }

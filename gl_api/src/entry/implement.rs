@@ -90,7 +90,7 @@ macro_rules! implement {
                         return $context.record(name, $crate::base::begin_end::BeginEnd::$begin_end, Box::new(run));
                     }
                     Err($crate::record::arguments::NotRecorded::NoMemory) => return $context.has_no_memory_to_record(name),
-                    Err($crate::record::arguments::NotRecorded::Answers) => {}
+                    Err($crate::record::arguments::NotRecorded::ReturnsData) => {}
                 }
             }
         }

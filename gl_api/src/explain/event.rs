@@ -81,7 +81,7 @@ fn value(input: Input, bits: u32) -> String {
         Input::VertexId | Input::InstanceId => (bits as i32).to_string(),
         Input::Attribute { .. }
         | Input::Varying(_)
-        | Input::Slope { .. }
+        | Input::Gradient { .. }
         | Input::FragCoord(_)
         | Input::PointCoord(_)
         | Input::Coverage
@@ -112,8 +112,8 @@ fn inputs(page: &mut Page, fragment: &Fragment, note: &DrawNote) {
                     format!("linear, from {} at the vertices", numbers(vertices))
                 }
                 InputSource::Flat => "the same all over the primitive".into(),
-                InputSource::Slope => "exact, from the planes of the primitive".into(),
-                InputSource::Pixel if matches!(input.input, Input::Slope { .. }) => {
+                InputSource::Gradient => "exact, from the planes of the primitive".into(),
+                InputSource::Pixel if matches!(input.input, Input::Gradient { .. }) => {
                     "left out: no texture of this draw needs λ".into()
                 }
                 InputSource::Pixel => String::new(),

@@ -195,7 +195,7 @@ const fn face(face: u8) -> FaceTarget {
     FaceTarget { target: TextureTarget::Cube, face }
 }
 
-const fn whole(target: TextureTarget) -> FaceTarget {
+const fn single_face(target: TextureTarget) -> FaceTarget {
     FaceTarget { target, face: 0 }
 }
 
@@ -203,15 +203,15 @@ const fn whole(target: TextureTarget) -> FaceTarget {
 pub(crate) const FACE_TARGET: Table<FaceTarget> = Table {
     section: "GL 2.1, section 3.8.1",
     rows: &[
-        (GL_TEXTURE_2D, whole(TextureTarget::D2)),
+        (GL_TEXTURE_2D, single_face(TextureTarget::D2)),
         (GL_TEXTURE_CUBE_MAP_POSITIVE_X, face(0)),
         (GL_TEXTURE_CUBE_MAP_NEGATIVE_X, face(1)),
         (GL_TEXTURE_CUBE_MAP_POSITIVE_Y, face(2)),
         (GL_TEXTURE_CUBE_MAP_NEGATIVE_Y, face(3)),
         (GL_TEXTURE_CUBE_MAP_POSITIVE_Z, face(4)),
         (GL_TEXTURE_CUBE_MAP_NEGATIVE_Z, face(5)),
-        (GL_TEXTURE_RECTANGLE, whole(TextureTarget::Rect)),
-        (GL_TEXTURE_2D_MULTISAMPLE, whole(TextureTarget::D2Multisample)),
+        (GL_TEXTURE_RECTANGLE, single_face(TextureTarget::Rect)),
+        (GL_TEXTURE_2D_MULTISAMPLE, single_face(TextureTarget::D2Multisample)),
     ],
 };
 
@@ -219,11 +219,11 @@ pub(crate) const FACE_TARGET: Table<FaceTarget> = Table {
 pub(crate) fn attachable_target(axes: usize, textarget: GLenum) -> Result<FaceTarget> {
     const LINES: Table<FaceTarget> = Table {
         section: "ARB_framebuffer_object, section 4.4.2",
-        rows: &[(GL_TEXTURE_1D, whole(TextureTarget::D1))],
+        rows: &[(GL_TEXTURE_1D, single_face(TextureTarget::D1))],
     };
     const VOLUMES: Table<FaceTarget> = Table {
         section: "ARB_framebuffer_object, section 4.4.2",
-        rows: &[(GL_TEXTURE_3D, whole(TextureTarget::D3))],
+        rows: &[(GL_TEXTURE_3D, single_face(TextureTarget::D3))],
     };
     let table = match axes {
         1 => &LINES,
@@ -238,7 +238,7 @@ const SECTION: &str = "GL 2.1, section 3.8.1";
 const IMAGE_1D: Table<ImageTarget> = Table {
     section: SECTION,
     rows: &[
-        (GL_TEXTURE_1D, ImageTarget::Bound(whole(TextureTarget::D1))),
+        (GL_TEXTURE_1D, ImageTarget::Bound(single_face(TextureTarget::D1))),
         (GL_PROXY_TEXTURE_1D, ImageTarget::Proxy(TextureTarget::D1)),
     ],
 };
@@ -246,15 +246,15 @@ const IMAGE_1D: Table<ImageTarget> = Table {
 const IMAGE_2D: Table<ImageTarget> = Table {
     section: SECTION,
     rows: &[
-        (GL_TEXTURE_2D, ImageTarget::Bound(whole(TextureTarget::D2))),
+        (GL_TEXTURE_2D, ImageTarget::Bound(single_face(TextureTarget::D2))),
         (GL_TEXTURE_CUBE_MAP_POSITIVE_X, ImageTarget::Bound(face(0))),
         (GL_TEXTURE_CUBE_MAP_NEGATIVE_X, ImageTarget::Bound(face(1))),
         (GL_TEXTURE_CUBE_MAP_POSITIVE_Y, ImageTarget::Bound(face(2))),
         (GL_TEXTURE_CUBE_MAP_NEGATIVE_Y, ImageTarget::Bound(face(3))),
         (GL_TEXTURE_CUBE_MAP_POSITIVE_Z, ImageTarget::Bound(face(4))),
         (GL_TEXTURE_CUBE_MAP_NEGATIVE_Z, ImageTarget::Bound(face(5))),
-        (GL_TEXTURE_RECTANGLE, ImageTarget::Bound(whole(TextureTarget::Rect))),
-        (GL_TEXTURE_1D_ARRAY, ImageTarget::Bound(whole(TextureTarget::D1Array))),
+        (GL_TEXTURE_RECTANGLE, ImageTarget::Bound(single_face(TextureTarget::Rect))),
+        (GL_TEXTURE_1D_ARRAY, ImageTarget::Bound(single_face(TextureTarget::D1Array))),
         (GL_PROXY_TEXTURE_2D, ImageTarget::Proxy(TextureTarget::D2)),
         (GL_PROXY_TEXTURE_CUBE_MAP, ImageTarget::Proxy(TextureTarget::Cube)),
         (GL_PROXY_TEXTURE_RECTANGLE, ImageTarget::Proxy(TextureTarget::Rect)),
@@ -265,9 +265,9 @@ const IMAGE_2D: Table<ImageTarget> = Table {
 const IMAGE_3D: Table<ImageTarget> = Table {
     section: SECTION,
     rows: &[
-        (GL_TEXTURE_3D, ImageTarget::Bound(whole(TextureTarget::D3))),
-        (GL_TEXTURE_2D_ARRAY, ImageTarget::Bound(whole(TextureTarget::D2Array))),
-        (GL_TEXTURE_CUBE_MAP_ARRAY, ImageTarget::Bound(whole(TextureTarget::CubeArray))),
+        (GL_TEXTURE_3D, ImageTarget::Bound(single_face(TextureTarget::D3))),
+        (GL_TEXTURE_2D_ARRAY, ImageTarget::Bound(single_face(TextureTarget::D2Array))),
+        (GL_TEXTURE_CUBE_MAP_ARRAY, ImageTarget::Bound(single_face(TextureTarget::CubeArray))),
         (GL_PROXY_TEXTURE_3D, ImageTarget::Proxy(TextureTarget::D3)),
         (GL_PROXY_TEXTURE_2D_ARRAY, ImageTarget::Proxy(TextureTarget::D2Array)),
         (GL_PROXY_TEXTURE_CUBE_MAP_ARRAY, ImageTarget::Proxy(TextureTarget::CubeArray)),
@@ -279,7 +279,7 @@ const IMAGE_3D: Table<ImageTarget> = Table {
 pub(crate) const IMAGE_2D_MULTISAMPLE: Table<ImageTarget> = Table {
     section: "ARB_texture_multisample, section 3.8.X",
     rows: &[
-        (GL_TEXTURE_2D_MULTISAMPLE, ImageTarget::Bound(whole(TextureTarget::D2Multisample))),
+        (GL_TEXTURE_2D_MULTISAMPLE, ImageTarget::Bound(single_face(TextureTarget::D2Multisample))),
         (GL_PROXY_TEXTURE_2D_MULTISAMPLE, ImageTarget::Proxy(TextureTarget::D2Multisample)),
     ],
 };
@@ -290,7 +290,7 @@ pub(crate) const IMAGE_3D_MULTISAMPLE: Table<ImageTarget> = Table {
     rows: &[
         (
             GL_TEXTURE_2D_MULTISAMPLE_ARRAY,
-            ImageTarget::Bound(whole(TextureTarget::D2MultisampleArray)),
+            ImageTarget::Bound(single_face(TextureTarget::D2MultisampleArray)),
         ),
         (
             GL_PROXY_TEXTURE_2D_MULTISAMPLE_ARRAY,
@@ -302,7 +302,7 @@ pub(crate) const IMAGE_3D_MULTISAMPLE: Table<ImageTarget> = Table {
 /// The texels of a buffer, which are specified as a buffer's bytes.
 const IMAGE_BUFFER: Table<ImageTarget> = Table {
     section: "ARB_texture_buffer_object, section 6.1.3",
-    rows: &[(GL_TEXTURE_BUFFER, ImageTarget::Bound(whole(TextureTarget::Buffer)))],
+    rows: &[(GL_TEXTURE_BUFFER, ImageTarget::Bound(single_face(TextureTarget::Buffer)))],
 };
 
 /// The dimensions that a call's name ends in.

@@ -37,7 +37,7 @@ pub(crate) fn rows(isa: Isa, level: &Level) -> impl Iterator<Item = Vec<u8>> {
         let runs = row.chunks_mut(LANES * COLORS.bytes());
         for (x, out) in (0..width).step_by(LANES).zip(runs) {
             let (mut channels, one) = ([F32s::ZERO; 4], F32s::splat(1.0));
-            level.channels_of_run(isa, [x, y, z], &mut channels);
+            level.channels_of_row_span(isa, [x, y, z], &mut channels);
             let rgba = texel::rgba(format, channels.each_ref(), &F32s::ZERO, &one);
             pixel::write_floats(isa, rgba, out);
         }

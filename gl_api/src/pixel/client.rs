@@ -29,8 +29,7 @@ impl Pixel {
     /// The combination of a call's `format` and `type`.
     ///
     /// # Errors
-    /// `GL_INVALID_ENUM` for unknown ones, for integers written as floats, and for bits that are no
-    /// indices,
+    /// `GL_INVALID_ENUM` for unknown ones, for integers written as floats, and for bits that are no indices,
     /// `GL_INVALID_OPERATION` for packed types that hold another number of components
     /// (GL 2.1, table 3.8).
     pub fn new(format: GLenum, ty: GLenum) -> Result<Self> {

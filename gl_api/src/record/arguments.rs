@@ -36,8 +36,8 @@ pub(crate) trait RecordArgument {
 /// Why a call is not recorded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum NotRecorded {
-    /// It answers something, and so is executed.
-    Answers,
+    /// It returns data to the client, and so is executed.
+    ReturnsData,
     /// There is no memory for a copy of what it reads.
     NoMemory,
 }
@@ -181,7 +181,7 @@ macro_rules! answers {
             type Recorded = Unrecordable<$mark>;
 
             fn record(&self, _: &mut Context, _: &str, _: &[i64]) -> Result<Unrecordable<$mark>, NotRecorded> {
-                Err(NotRecorded::Answers)
+                Err(NotRecorded::ReturnsData)
             }
         }
 

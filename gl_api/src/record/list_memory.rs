@@ -18,8 +18,8 @@ type Integers<'a> = &'a [i64];
 /// Bytes that a call reads, by its integers; `None` where it refuses them: then nothing is read.
 type Needed = fn(&Context, Integers<'_>) -> Option<usize>;
 
-/// The calls that read the memory their last argument points to, and how much of it.
-const READERS: &[(&str, Needed)] = &[
+/// The calls whose last argument is a pointer to memory that they read, and the length of that memory.
+const VOID_POINTER_LENGTHS: &[(&str, Needed)] = &[
     ("glBitmap", |c, a| bits(c, [a[0], a[1]])),
     ("glCallLists", |_, a| size(a[0])?.checked_mul(NAME_TYPE.get(a[1] as u32)?.size())),
     ("glCompressedTexImage1D", |_, a| blocks([a[3], 1, 1], a[5])),
@@ -42,7 +42,7 @@ const READERS: &[(&str, Needed)] = &[
 ];
 
 fn reader(name: &str) -> Option<Needed> {
-    READERS.iter().find(|row| row.0 == name).map(|row| row.1)
+    VOID_POINTER_LENGTHS.iter().find(|row| row.0 == name).map(|row| row.1)
 }
 
 impl Context {

@@ -29,7 +29,7 @@ pub(crate) struct Light {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Derived {
     /// The position, or the unit vector toward a light at infinity.
-    pub place: DVec3,
+    pub position: DVec3,
     /// The unit vector between that toward the light and (0, 0, 1).
     pub half: DVec3,
     /// The spot's direction, of length one.
@@ -66,7 +66,7 @@ impl Derived {
         let toward = position.truncate().normalize_or_zero();
         let local = position.w != 0.0;
         Self {
-            place: if local { position.truncate() / position.w } else { toward },
+            position: if local { position.truncate() / position.w } else { toward },
             half: (toward + DVec3::Z).normalize_or_zero(),
             spot_axis: spot_direction.normalize_or_zero(),
             cos_cutoff: sin_cos_degrees(spot_cutoff.into()).1,

@@ -3,7 +3,7 @@
 
 use gl_api::glsl::{Bindings, Options, Stage, compile, link};
 use rasterizer::ir::{Input, Module, Output};
-use rasterizer::shader::{Machine, Program, Run};
+use rasterizer::shader::{Invocation, Machine, Program};
 use texunit::lanes::{Isa, LANES};
 
 /// Zeros, subnormals, limits of domains, neighbours of integers, numbers whose squares overflow.
@@ -321,8 +321,14 @@ fn run(isa: Isa, module: &Module, words: &[u32], lanes: &Lanes) -> [u32; LANES] 
             register[lane] = lanes[lane][usize::from(*component)].to_bits();
         }
     }
-    let run =
-        Run { isa, program, prepared: &prepared, textures: &[], active: !0, budget: 1_000_000 };
+    let run = Invocation {
+        isa,
+        program,
+        prepared: &prepared,
+        textures: &[],
+        active: !0,
+        budget: 1_000_000,
+    };
     machine.run(run).expect("the shaders end");
     std::array::from_fn(|lane| machine.output(0)[lane])
 }

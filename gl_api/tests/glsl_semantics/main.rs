@@ -19,7 +19,7 @@ mod versions;
 
 use gl_api::glsl::{Bindings, Options, Stage, compile, link};
 use rasterizer::ir::{Input, Output};
-use rasterizer::shader::{Machine, Program, Run};
+use rasterizer::shader::{Invocation, Machine, Program};
 use texunit::lanes::{Isa, LANES};
 
 /// The lane that is checked: column 3, row 0.
@@ -135,8 +135,14 @@ fn run(isa: Isa, program: &Program, words: &[u32]) -> [f32; 4] {
             register[lane] = value.to_bits();
         }
     }
-    let run =
-        Run { isa, program, prepared: &prepared, textures: &[], active: !0, budget: 1_000_000 };
+    let run = Invocation {
+        isa,
+        program,
+        prepared: &prepared,
+        textures: &[],
+        active: !0,
+        budget: 1_000_000,
+    };
     machine.run(run).expect("the shaders end soon");
     let mut found = [0.0; 4];
     for (index, output) in program.outputs().enumerate() {

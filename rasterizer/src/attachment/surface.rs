@@ -25,6 +25,7 @@ use texunit::lanes::{Isa, LANES, QUADS, U32s, lane_x, lane_y};
 const WORTH_THREADS: usize = 32;
 /// The fewest tiles that a thread loads.
 const WORTH_A_THREAD: usize = 8;
+
 /// A level in the attachment layout.
 #[derive(Clone, Debug)]
 pub struct Surface {
@@ -52,20 +53,20 @@ pub enum Slices {
     Each(usize),
 }
 
-/// By what a surface is stored.
+/// The instruction set and the threads that store a surface.
 #[derive(Clone, Copy, Debug)]
 pub struct StoreContext<'a> {
-    /// What resolves samples: the device's.
+    /// The instruction set of the device, which resolves samples.
     pub isa: Isa,
-    /// Who stores many tiles.
+    /// The threads that store the tiles of a large surface.
     pub thread_pool: &'a ThreadPool,
 }
 
 /// One attachment's part of a tile.
 #[derive(Debug)]
 pub struct TileTarget {
-    /// Planes of a sample.
-    pub words: usize,
+    /// Number of planes of one sample: the words of a texel.
+    pub planes_per_sample: usize,
     /// As in [`Surface::tiles`].
     pub planes: Vec<WordPlane>,
 }
@@ -73,10 +74,10 @@ pub struct TileTarget {
 impl TileTarget {
     /// The planes of one sample.
     pub fn sample(&mut self, sample: usize) -> &mut [WordPlane] {
-        &mut self.planes[sample * self.words..][..self.words]
+        &mut self.planes[sample * self.planes_per_sample..][..self.planes_per_sample]
     }
 
-    /// Asks for the words of blocks that are written soon.
+    /// Prefetches the words of blocks that are written soon.
     #[inline]
     pub fn prefetch(&self, blocks: impl Iterator<Item = usize> + Clone) {
         for plane in &self.planes {
@@ -147,7 +148,7 @@ impl Surface {
     pub fn take(&mut self, tile: usize) -> TileTarget {
         self.changed[tile] = true;
         let planes = std::mem::take(&mut self.tiles[tile]);
-        TileTarget { words: attachment_words(self.format), planes }
+        TileTarget { planes_per_sample: attachment_words(self.format), planes }
     }
 }
 

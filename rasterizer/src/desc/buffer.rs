@@ -13,17 +13,17 @@ impl Buffer {
         Self(Arc::new(bytes))
     }
 
-    /// What it holds.
+    /// The bytes.
     pub fn bytes(&self) -> &[u8] {
         &self.0
     }
 
-    /// Whether anything else has it, such as a draw that was recorded.
+    /// Whether its bytes are shared with another handle, such as a recorded draw.
     pub fn is_shared(&self) -> bool {
         Arc::strong_count(&self.0) > 1
     }
 
-    /// How many bytes are there for this handle alone.
+    /// The number of bytes that only this handle holds.
     pub fn own_bytes(&self) -> usize {
         if self.is_shared() { 0 } else { self.0.len() }
     }
@@ -33,14 +33,14 @@ impl Buffer {
         Version(Arc::downgrade(&self.0))
     }
 
-    /// Its bytes for writing. Draws that were recorded earlier keep what they saw.
+    /// Its bytes for writing. Draws recorded earlier keep the bytes as they were.
     pub fn bytes_mut(&mut self) -> &mut Vec<u8> {
         Arc::make_mut(&mut self.0)
     }
 }
 
-/// A weak reference to the bytes that a [`Buffer`] had. A write moves the bytes elsewhere, as
-/// [`Arc::make_mut`] moves them away from what is still watched.
+/// A weak reference to the bytes of a [`Buffer`]. A write moves the bytes to another allocation, as
+/// [`Arc::make_mut`] does while weak references exist.
 #[derive(Clone, Debug, Default)]
 pub struct Version(Weak<Vec<u8>>);
 

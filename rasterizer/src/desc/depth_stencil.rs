@@ -34,17 +34,17 @@ pub struct StencilState {
 pub struct StencilFace {
     /// `(reference & read_mask) OP (stored & read_mask)` must hold.
     pub test: Compare,
-    /// What is compared with, and what [`StencilOp::Replace`] writes.
+    /// The reference of the comparison, and the value that [`StencilOp::Replace`] writes.
     pub reference: u8,
     /// The bits that are compared.
     pub read_mask: u8,
     /// The bits that are written.
     pub write_mask: u8,
-    /// Where the stencil test fails.
+    /// The operation where the stencil test fails.
     pub fail: StencilOp,
-    /// Where it passes and the depth test fails.
+    /// The operation where it passes and the depth test fails.
     pub depth_fail: StencilOp,
-    /// Where both pass.
+    /// The operation where both pass.
     pub pass: StencilOp,
 }
 

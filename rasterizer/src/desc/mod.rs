@@ -1,4 +1,4 @@
-//! What a client describes: plain data, without anything that runs.
+//! The descriptions that a client passes to the driver: plain data without behaviour.
 
 mod blend;
 mod buffer;

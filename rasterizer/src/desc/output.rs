@@ -1,4 +1,4 @@
-//! What happens to fragments after the shader, besides the depth test and blending: stencil,
+//! The operations on fragments after the shader, besides the depth test and blending: stencil,
 //! logical operation, sRGB encoding.
 
 use super::depth_stencil::StencilState;
@@ -9,9 +9,9 @@ use texunit::format::Format;
 pub struct OutputState {
     /// The stencil test; `None` neither tests nor writes.
     pub stencil: Option<StencilState>,
-    /// Takes the place of blending where the attachment is fixed-point or of integers.
+    /// The logical operation; it replaces blending where the attachment is fixed-point or of integers.
     pub logic_op: Option<LogicOp>,
-    /// What is written to attachments of an sRGB format.
+    /// The encoding of colours for attachments of an sRGB format.
     pub srgb: SrgbWrite,
 }
 
@@ -52,7 +52,7 @@ pub enum LogicOp {
     Set,
 }
 
-/// What is written to attachments of an sRGB format (`ARB_framebuffer_sRGB`).
+/// The encoding of colours for attachments of an sRGB format (`ARB_framebuffer_sRGB`).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum SrgbWrite {
     /// Colours are written and blended as if the format were not sRGB.

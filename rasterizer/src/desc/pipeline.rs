@@ -1,4 +1,4 @@
-//! What a pipeline is made of.
+//! The description of a pipeline.
 
 use super::blend::ColorState;
 use super::depth_stencil::DepthState;
@@ -14,7 +14,7 @@ use thiserror::Error;
 pub struct ShaderModule(Arc<Module>);
 
 impl ShaderModule {
-    /// Takes a module in.
+    /// Validates a module.
     ///
     /// # Errors
     /// When the module breaks a rule of the IR.
@@ -43,7 +43,7 @@ impl Hash for ShaderModule {
     }
 }
 
-/// Everything a pipeline is made of; also the key to cache it by.
+/// The complete description of a pipeline; also its cache key.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct PipelineDesc {
     /// The vertex stage.
@@ -56,17 +56,17 @@ pub struct PipelineDesc {
     pub cull: Cull,
     /// Which winding is the front.
     pub front_face: FrontFace,
-    /// Where flat varyings come from.
+    /// The provoking vertex, the source of flat varyings.
     pub provoking: Provoking,
     /// Depth test; `None` neither tests nor writes.
     pub depth: Option<DepthState>,
     /// By colour attachment; missing ones are not written.
     pub colors: Vec<ColorState>,
-    /// What else happens to fragments after the shader.
+    /// The other operations on fragments after the shader.
     pub output: OutputState,
 }
 
-/// A pipeline that cannot be.
+/// Why a pipeline is invalid.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error("pipeline: {0}")]
 pub struct PipelineError(pub String);

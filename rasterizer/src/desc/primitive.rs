@@ -1,4 +1,4 @@
-//! How vertices make primitives, and which sides of polygons are drawn.
+//! How vertices form primitives, and which sides of polygons are drawn.
 
 /// How vertices form primitives (GL 2.1, section 2.6.1).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -47,7 +47,7 @@ pub enum FrontFace {
     Cw,
 }
 
-/// Which vertex flat varyings come from.
+/// The provoking vertex: the source of flat varyings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Provoking {
     /// GL's default.

@@ -40,13 +40,13 @@ pub struct PolygonOffset {
     pub units: f32,
 }
 
-/// Which pixels are left of filled polygons.
+/// The stipple of filled polygons: the pixels that are drawn.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Stipple {
     /// Of every 32×32, row by row from the lowest, the leftmost pixel in the highest bit (GL 2.1, section
     /// 3.5.2).
     Pattern([u32; 32]),
-    /// Those of a set.
+    /// The pixels of a bitmap.
     Mask(Arc<PixelMask>),
 }
 
@@ -59,20 +59,20 @@ pub struct PolygonState {
     pub offset: [Option<PolygonOffset>; 3],
     /// Antialiasing of filled ones.
     pub antialiasing: Antialiasing,
-    /// Which pixels are left of filled ones; `None` leaves all.
+    /// The stipple of filled ones; `None` draws all pixels.
     pub stipple: Option<Stipple>,
     /// The location of an attribute of one component: not zero where a boundary edge begins (GL 2.1,
     /// section 2.6.2). `None` makes all edges boundaries.
     pub edge_flag: Option<u8>,
 }
 
-/// Which fragments of a line are left: bit `(s / factor) mod 16` of the pattern for the fragment `s`
+/// The stipple of lines: fragment `s` is drawn if bit `(s / factor) mod 16` of the pattern is set
 /// (GL 2.1, section 3.4.2).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LineStipple {
     /// Fragments per bit, 1 to 256.
     pub factor: u16,
-    /// From its lowest bit up.
+    /// The pattern, from its lowest bit up.
     pub pattern: u16,
 }
 
@@ -83,7 +83,7 @@ pub struct LineState {
     pub width: f32,
     /// Their antialiasing.
     pub antialiasing: Antialiasing,
-    /// Which fragments are left.
+    /// The stipple; `None` draws all fragments.
     pub stipple: Option<LineStipple>,
 }
 
@@ -97,7 +97,7 @@ pub enum PointSize {
     Vertex,
 }
 
-/// Where in a point sprite t is 0 (GL 2.1, section 3.3).
+/// The edge of a point sprite at which t is 0 (GL 2.1, section 3.3).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum SpriteOrigin {
     /// At its upper edge.
@@ -112,14 +112,14 @@ pub enum SpriteOrigin {
 pub struct PointState {
     /// In pixels; above zero.
     pub size: f32,
-    /// Whether the vertex stage's stands in for it.
+    /// Whether the vertex stage replaces it.
     pub source: PointSize,
     /// Antialiasing of those that are no sprites.
     pub antialiasing: Antialiasing,
     /// The first of four varying slots that become (s, t, 0, 1) of the sprite; `None` where points
     /// are no sprites.
     pub sprite: Option<Vec<u16>>,
-    /// Where `Input::PointCoord` begins.
+    /// The origin of `Input::PointCoord`.
     pub origin: SpriteOrigin,
 }
 

@@ -1,4 +1,4 @@
-//! Where the attributes of vertices come from.
+//! The sources of vertex attributes.
 
 use super::buffer::Buffer;
 use std::num::NonZeroU32;
@@ -74,13 +74,13 @@ pub enum VertexFormat {
 pub enum VertexSource {
     /// The same for every vertex.
     Constant([f32; 4]),
-    /// From memory. What lies past the buffer's end reads as zero bytes.
+    /// A strided array in memory. Bytes past the end of the buffer read as zeros.
     Array {
         /// The bytes.
         buffer: Buffer,
-        /// The element that they begin with; those before it read as zeros.
+        /// The number of the first element in them; elements before it read as zeros.
         first: u32,
-        /// Where in the bytes that element is.
+        /// Byte offset of that element.
         offset: usize,
         /// Bytes from a vertex to the next.
         stride: usize,
@@ -115,7 +115,7 @@ impl VertexSource {
 pub struct VertexBinding {
     /// Which attribute.
     pub location: u8,
-    /// Where from.
+    /// Its source.
     pub source: VertexSource,
 }
 
@@ -128,7 +128,7 @@ impl VertexSource {
         }
     }
 
-    /// Where that memory ends, in bytes from where element 0 counts from.
+    /// The end of that memory, in bytes from element 0.
     pub fn end(&self) -> usize {
         match self {
             Self::Array { buffer, first, stride, .. } => {

@@ -1,4 +1,4 @@
-//! Where primitives go in the window, and what becomes of depths outside [0, 1].
+//! The viewport, and the treatment of depths outside [0, 1].
 
 /// The viewport in pixels (GL 2.1, section 2.11.1). It may extend beyond the attachments.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,7 +30,7 @@ pub enum DepthClip {
 }
 
 impl Viewport {
-    /// The least and the largest depth of fragments, whatever planes, offsets and shaders gave.
+    /// The least and the largest depth of fragments, after planes, offsets and shaders.
     pub(crate) fn depths(&self) -> [f32; 2] {
         match self.depth_clip {
             DepthClip::Cut => [0.0, 1.0],

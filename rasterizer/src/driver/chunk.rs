@@ -15,8 +15,8 @@ use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 use texunit::lanes::Isa;
 
-/// Primitives of a draw whose vertices, where indices share them, are shaded together.
-pub const RUN: u32 = 1 << 14;
+/// Consecutive primitives of an indexed draw whose shared vertices are shaded once.
+pub const SHARED_VERTEX_PRIMITIVES: u32 = 1 << 14;
 /// Primitives of a chunk.
 const CHUNK: u32 = 1 << 12;
 
@@ -45,15 +45,15 @@ pub struct DrawState<'a> {
     pub stipple: u32,
     /// Which instances: several only of [`Self::instances_per_chunk`].
     pub instances: Range<u32>,
-    /// The most primitives for which the reason is recorded, if no primitive is visible.
+    /// Upper bound of the primitives whose reason is recorded when no primitive of the draw is visible.
     pub max_reasons: u32,
-    /// These reasons.
-    pub invisible: OnceLock<InvisibleReasons>,
+    /// Why none of the first `max_reasons` primitives is visible, set if so.
+    pub invisible_reasons: OnceLock<InvisibleReasons>,
 }
 
-/// The shapes of one tile in a chunk's `binned`.
+/// The shapes of one tile: a range of `binned` of a chunk.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct TileRun {
+pub struct TileBin {
     /// The tile, across and up.
     pub tile: [u32; 2],
     pub first: u32,
@@ -87,15 +87,15 @@ impl MergedDraws {
     }
 
     /// The chunk.
-    pub fn finish(self) -> (Chunk, Vec<TileRun>) {
+    pub fn finish(self) -> (Chunk, Vec<TileBin>) {
         chunk_of(self.draw, Arc::new(self.geometry), self.lists)
     }
 }
 
 /// A chunk of these shapes.
-fn chunk_of(draw: usize, geometry: Arc<Geometry>, mut lists: ShapeLists) -> (Chunk, Vec<TileRun>) {
-    let runs = sort_by_tile(&mut lists);
-    (Chunk { draw, geometry, lists }, runs)
+fn chunk_of(draw: usize, geometry: Arc<Geometry>, mut lists: ShapeLists) -> (Chunk, Vec<TileBin>) {
+    let bins = sort_by_tile(&mut lists);
+    (Chunk { draw, geometry, lists }, bins)
 }
 
 impl DrawState<'_> {
@@ -119,11 +119,11 @@ impl DrawState<'_> {
         }
     }
 
-    /// Shades, sets up and sorts the primitives of `range`, at most [`RUN`].
+    /// Shades, sets up and sorts the primitives of `range`, at most [`SHARED_VERTEX_PRIMITIVES`].
     ///
     /// # Errors
     /// When a batch of vertices runs over its budget.
-    pub fn chunks(&mut self, range: Range<u32>) -> Result<Vec<(Chunk, Vec<TileRun>)>, OverBudget> {
+    pub fn chunks(&mut self, range: Range<u32>) -> Result<Vec<(Chunk, Vec<TileBin>)>, OverBudget> {
         // Indices may share vertices all over the run; consecutive ones belong to their primitives,
         // but for the few that strips and fans share.
         let vertices = |range: &Range<u32>| {
@@ -155,7 +155,7 @@ impl DrawState<'_> {
         let is_stippled = self.setup.raster.line.stipple.is_some();
         let chunk = |(geometry, mut lists): (Arc<Geometry>, ShapeLists)| {
             if is_stippled {
-                lists.shapes.retain(Shape::is_somewhere);
+                lists.shapes.retain(Shape::has_pixels);
             }
             chunk_of(draw, geometry, lists)
         };
@@ -263,10 +263,11 @@ impl DrawState<'_> {
         };
         set_up(vertex_list);
         (1..self.instances.len() as u32).for_each(|at| set_up(&vertex_list.of_instance(at)));
-        let is_visible = lists.shapes[before..].iter().any(Shape::is_somewhere);
+        let is_visible = lists.shapes[before..].iter().any(Shape::has_pixels);
         if !is_visible && range.start == 0 && self.max_reasons > 0 {
             let first = (&self.primitives, 0..range.end.min(self.max_reasons));
-            self.invisible.get_or_init(|| reasons(&self.setup, geometry, first, vertex_list));
+            self.invisible_reasons
+                .get_or_init(|| reasons(&self.setup, geometry, first, vertex_list));
         }
     }
 }
@@ -281,7 +282,7 @@ fn provoking(primitive: Primitive) -> u32 {
 }
 
 /// The shapes of each tile that they may touch, in order, tile after tile.
-fn sort_by_tile(lists: &mut ShapeLists) -> Vec<TileRun> {
+fn sort_by_tile(lists: &mut ShapeLists) -> Vec<TileBin> {
     let ShapeLists { shapes, binned } = lists;
     let tile = |pixel: u16| u32::from(pixel) / TILE;
     let Some(first) = shapes.first() else { return Vec::new() };
@@ -298,7 +299,7 @@ fn sort_by_tile(lists: &mut ShapeLists) -> Vec<TileRun> {
         let end = shapes.len() as u32;
         binned.clear();
         binned.extend(0..end);
-        return vec![TileRun { tile: low, first: 0, end }];
+        return vec![TileBin { tile: low, first: 0, end }];
     }
     let across = (high[0] - low[0] + 1) as usize;
     let up = (high[1] - low[1] + 1) as usize;
@@ -319,14 +320,14 @@ fn sort_by_tile(lists: &mut ShapeLists) -> Vec<TileRun> {
             (_, true) => all(shape).for_each(|tile| ends[tile] += 1),
         }
     }
-    let mut runs = Vec::new();
+    let mut bins = Vec::new();
     let mut total = 0;
     for (index, end) in ends.iter_mut().enumerate() {
         let first = total;
         total += *end;
         if *end > 0 {
             let tile = [low[0] + (index % across) as u32, low[1] + (index / across) as u32];
-            runs.push(TileRun { tile, first, end: total });
+            bins.push(TileBin { tile, first, end: total });
         }
         *end = first;
     }
@@ -343,7 +344,7 @@ fn sort_by_tile(lists: &mut ShapeLists) -> Vec<TileRun> {
             (_, true) => all(shape).for_each(put),
         }
     }
-    runs
+    bins
 }
 
 #[cfg(test)]
@@ -370,11 +371,11 @@ mod tests {
             shape([64, 0], [127, 63]),
         ];
         let mut lists = ShapeLists { shapes: shapes.to_vec(), binned: vec![7] };
-        let runs = sort_by_tile(&mut lists);
+        let bins = sort_by_tile(&mut lists);
         let binned = lists.binned;
-        let by_tile: Vec<([u32; 2], &[u32])> = runs
+        let by_tile: Vec<([u32; 2], &[u32])> = bins
             .iter()
-            .map(|run| (run.tile, &binned[run.first as usize..run.end as usize]))
+            .map(|bin| (bin.tile, &binned[bin.first as usize..bin.end as usize]))
             .collect();
         let want: &[([u32; 2], &[u32])] =
             &[([0, 0], &[1]), ([1, 0], &[0, 1, 3]), ([0, 1], &[1]), ([1, 1], &[1]), ([3, 1], &[2])];

@@ -278,7 +278,7 @@ impl Image {
         drop(state);
         let Some((level, slice)) = self.resolved_with(face, level, context) else { return };
         for (y, row) in (span.y as usize..).zip(rows) {
-            writer.row(level.run([span.x as usize, y, slice], span.width as usize), row);
+            writer.row(level.row_span([span.x as usize, y, slice], span.width as usize), row);
         }
     }
 

@@ -15,7 +15,7 @@ use super::resources::Resources;
 use crate::attachment::{DepthFormat, Surface, all_bits, component_bits, texel_words};
 use crate::desc::Rect;
 use crate::plan::DrawPlan;
-use crate::raster::{ClearJob, Entry, PassJob};
+use crate::raster::{ClearJob, PassJob, TileCommand};
 use crate::sizes::TILE;
 use crate::threads::ThreadPool;
 use crate::trace::Cleared;
@@ -34,7 +34,7 @@ pub struct Pass<'a> {
     colors: Vec<Option<Surface>>,
     depth: Option<Surface>,
     across: u32,
-    bins: Vec<Vec<Entry>>,
+    bins: Vec<Vec<TileCommand>>,
     job: PassJob,
     /// The command of each draw.
     commands: Vec<usize>,
@@ -136,7 +136,7 @@ impl<'a> Pass<'a> {
     }
 
     /// The pixels of `area` that have their centre in the viewport.
-    fn inner_area(&self, mut area: [[i32; 2]; 2]) -> [[i32; 2]; 2] {
+    fn area_in_viewport(&self, mut area: [[i32; 2]; 2]) -> [[i32; 2]; 2] {
         let [first, end] = self.bound.viewport.pixels();
         for axis in 0..2 {
             area[0][axis] = area[0][axis].max(first[axis]);
@@ -190,7 +190,7 @@ impl<'a> Pass<'a> {
         self.bin_merged();
         let index = self.job.clears.len() as u32;
         self.job.clears.push(job);
-        self.bin(area[0], [area[1][0] - 1, area[1][1] - 1], Entry::Clear(index));
+        self.bin(area[0], [area[1][0] - 1, area[1][1] - 1], TileCommand::Clear(index));
     }
 
     /// Runs what is left and gives the attachments back.

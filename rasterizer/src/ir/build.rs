@@ -22,7 +22,7 @@ use super::{
 #[derive(Debug)]
 pub struct Builder {
     module: Module,
-    /// The blocks that are open, outermost first; the last takes what is appended.
+    /// The open blocks, outermost first; statements are appended to the last.
     open: Vec<Block>,
 }
 
@@ -79,7 +79,7 @@ impl Builder {
         self.open.push(Vec::new());
     }
 
-    /// Closes the innermost block and gives it back, to be put into a statement.
+    /// Closes the innermost block and returns it, as a block of a statement.
     ///
     /// # Panics
     /// When no block was opened.

@@ -1,4 +1,4 @@
-//! What a shader reads from the pipeline and writes to it.
+//! The inputs and outputs of a shader.
 
 use super::types::{Axis, Ty};
 
@@ -11,7 +11,7 @@ pub enum Stage {
     Fragment,
 }
 
-/// What a shader reads from the pipeline, one scalar at a time.
+/// An input of a shader: one scalar.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Input {
     /// Component 0 to 3 of the vertex attribute at a location (`f32`).
@@ -29,7 +29,7 @@ pub enum Input {
     Varying(u16),
     /// How that scalar changes from pixel to pixel, at this pixel: the exact derivative of its
     /// interpolation, from the planes of the primitive (`f32`).
-    Slope {
+    Gradient {
         /// Of which varying.
         slot: u16,
         /// Along which axis.
@@ -39,15 +39,15 @@ pub enum Input {
     FragCoord(u8),
     /// Whether the primitive faces the viewer (`bool`).
     FrontFacing,
-    /// Where in a point sprite the fragment is, 0 to 1 (`f32`).
+    /// The position of the fragment in a point sprite, 0 to 1 (`f32`).
     PointCoord(u8),
     /// The part of the pixel that the primitive covers, 0 to 1; 1 unless it is antialiased (`f32`).
     Coverage,
-    /// Where the fragment is of a line, its direction in the window, of length 1, either way; else 0 (`f32`).
+    /// Of a fragment of a line, the direction of the line in the window, of length 1 and either sign; else 0 (`f32`).
     LineDirection(Axis),
 }
 
-/// What a shader writes to the pipeline, one scalar at a time. All are `f32`, but the stencil's reference (`i32`) and
+/// An output of a shader: one scalar. All are `f32`, but the stencil's reference (`i32`) and
 /// colours for attachments of integers, which are `i32` or `u32`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Output {
@@ -68,7 +68,7 @@ pub enum Output {
     },
     /// `gl_FragDepth`.
     Depth,
-    /// `gl_FragStencilRefARB`: stands in for the reference of the stencil test, of either face; its lowest 8 bits count.
+    /// `gl_FragStencilRefARB`: replaces the reference of the stencil test of both faces; its lowest 8 bits count.
     StencilReference,
 }
 
@@ -91,7 +91,7 @@ impl Input {
             Self::FrontFacing => Ty::Bool,
             Self::Attribute { .. }
             | Self::Varying(_)
-            | Self::Slope { .. }
+            | Self::Gradient { .. }
             | Self::FragCoord(_)
             | Self::PointCoord(_)
             | Self::Coverage

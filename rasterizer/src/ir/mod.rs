@@ -6,7 +6,7 @@
 //!
 //! # Semantics
 //!
-//! - **A value is evaluated once**, where its [`Stmt::Eval`] stands, and can be used by any later
+//! - **A value is evaluated once**, at its [`Stmt::Eval`], and can be used by any later
 //!   statement of the same block or of blocks inside it. Constants, inputs and uniforms need no
 //!   `Eval`: they are the same everywhere. Every operand must have been evaluated before.
 //! - **Lanes.** A module runs over 64 lanes at once. Each lane sees exactly the control flow it
@@ -14,13 +14,13 @@
 //!   evaluated; a store writes only the active lanes.
 //! - **Variables start as zero.** An index out of range is clamped to the last element (an `i32` or
 //!   `u32` index is compared as unsigned, so a negative one reads the last element too).
-//! - **Outputs** are variables: what [`Module::outputs`] names is read when the body has ended.
+//! - **Outputs** are variables: those of [`Module::outputs`] are read when the body has ended.
 //! - **Inputs** never change during a run.
 //! - **Booleans** are words: `0` or `!0` ([`TRUE`]).
 //! - **Operations** ([`Op`]) are pure, total (no operation traps: an integer division by zero is
 //!   defined) and the same bits everywhere.
 //! - **Derivatives** and implicit-LOD samples read the neighbours of the lane's quad, active or not.
-//!   What an inactive neighbour holds is the same on every machine, but not otherwise defined: it
+//!   The value of an inactive neighbour is the same on every machine, but not otherwise defined: it
 //!   may change with the optimizer (GLSL 1.30, section 8.8, leaves it undefined).
 //!
 //! [`Module::validate`] checks all of this; the rest of the crate relies on it.

@@ -115,7 +115,7 @@ pub enum Stmt {
     Scope(Block),
     /// Leave the innermost loop.
     Break,
-    /// Go to the innermost loop's `continuing`.
+    /// Continue with the `continuing` block of the innermost loop.
     Continue,
     /// Leave the innermost scope, and the loops inside it.
     Leave,
@@ -149,7 +149,7 @@ pub struct Module {
     pub uniform_words: u32,
     /// Fragment stage: how each varying slot it may read is interpolated. Empty in the vertex stage.
     pub varyings: Vec<Interpolation>,
-    /// Fragment stage: the slots that are taken at the centroid of a pixel's covered samples, where a
+    /// Fragment stage: the slots that are evaluated at the centroid of a pixel's covered samples, where a
     /// pixel has several; the others are taken at its centre.
     pub centroids: Vec<u16>,
     /// Fragment stage: the first of two flat varying slots that the driver writes itself: the low and
@@ -158,9 +158,9 @@ pub struct Module {
     pub primitive_id: Option<u16>,
     /// The variables (of length 1, type `f32`) that hold the outputs at the end.
     pub outputs: Vec<(Output, Var)>,
-    /// What runs.
+    /// The statements.
     pub body: Block,
-    /// What its maker left out of it and why, for explanations. No meaning.
+    /// What the front end left out and why, for explanations. No effect on the result.
     pub notes: Vec<String>,
 }
 

@@ -110,7 +110,7 @@ macro_rules! operations {
             }
         }
 
-        /// Every operation on 64 lanes of a file of registers: what is at `args` to `out`, which may be
+        /// Every operation on 64 lanes of a register file: from the registers `args` to `out`, which may be
         /// one of them. Operands beyond the arity are not looked at.
         #[allow(non_snake_case, unused_variables, reason = "called as in the table")]
         pub mod batch {
@@ -167,9 +167,9 @@ operations! { $
     Min "min" (a: f32, b: f32) -> f32 = math::min_number(a, b);
     /// The larger; the other if one is NaN.
     Max "max" (a: f32, b: f32) -> f32 = math::max_number(a, b);
-    /// `Self::Min` of `a` and what is known to be a number, in one step; `b` if `a` is NaN.
+    /// `Self::Min` of `a` and an operand that is known not to be NaN, in one step; `b` if `a` is NaN.
     AtMost "at_most" (a: f32, b: f32) -> f32 = math::min(a, b);
-    /// `Self::Max` of `a` and what is known to be a number, in one step; `b` if `a` is NaN.
+    /// `Self::Max` of `a` and an operand that is known not to be NaN, in one step; `b` if `a` is NaN.
     AtLeast "at_least" (a: f32, b: f32) -> f32 = math::max(a, b);
     /// The largest integer not above.
     Floor "floor" (a: f32) -> f32 = S::floor(a);
@@ -251,9 +251,9 @@ operations! { $
     ISub "isub" (a: i32, b: i32) -> i32 = a.wrapping_sub(b);
     /// Wrapping product.
     IMul "imul" (a: i32, b: i32) -> i32 = a.wrapping_mul(b);
-    /// Quotient toward zero; by zero gives -1.
+    /// Quotient toward zero; -1 for a zero divisor.
     IDiv "idiv" (a: i32, b: i32) -> i32 = div_i32(a, b);
-    /// Remainder with the sign of `a`; by zero gives -1.
+    /// Remainder with the sign of `a`; -1 for a zero divisor.
     IRem "irem" (a: i32, b: i32) -> i32 = rem_i32(a, b);
     /// Wrapping negation.
     INeg "ineg" (a: i32) -> i32 = a.wrapping_neg();
@@ -282,9 +282,9 @@ operations! { $
     USub "usub" (a: u32, b: u32) -> u32 = a.wrapping_sub(b);
     /// Wrapping product.
     UMul "umul" (a: u32, b: u32) -> u32 = a.wrapping_mul(b);
-    /// Quotient; by zero gives all ones.
+    /// Quotient; all ones for a zero divisor.
     UDiv "udiv" (a: u32, b: u32) -> u32 = div_u32(a, b);
-    /// Remainder; by zero gives all ones.
+    /// Remainder; all ones for a zero divisor.
     URem "urem" (a: u32, b: u32) -> u32 = rem_u32(a, b);
     /// The smaller.
     UMin "umin" (a: u32, b: u32) -> u32 = if a < b { a } else { b };
@@ -320,13 +320,13 @@ operations! { $
     /// The opposite.
     Not "not" (a: bool) -> bool = !a;
 
-    /// `b` where `a`, else `c`.
+    /// `b` where `a` is true, else `c`.
     SelectF "select_f32" (a: bool, b: f32, c: f32) -> f32 = select(a, b, c);
-    /// `b` where `a`, else `c`.
+    /// `b` where `a` is true, else `c`.
     SelectI "select_i32" (a: bool, b: i32, c: i32) -> i32 = select(a, b, c);
-    /// `b` where `a`, else `c`.
+    /// `b` where `a` is true, else `c`.
     SelectU "select_u32" (a: bool, b: u32, c: u32) -> u32 = select(a, b, c);
-    /// `b` where `a`, else `c`.
+    /// `b` where `a` is true, else `c`.
     SelectB "select_bool" (a: bool, b: bool, c: bool) -> bool = select(a, b, c);
 
     /// The integer part toward zero; out of range clamps, NaN gives the smallest.
@@ -350,7 +350,7 @@ operations! { $
 }
 
 impl Op {
-    /// About how many additions the operation takes as long as.
+    /// The approximate cost of the operation, in additions.
     #[inline(always)]
     pub const fn cost(self) -> u32 {
         match self {

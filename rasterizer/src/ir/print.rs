@@ -1,6 +1,6 @@
 //! Listings of modules, for traces and tests.
 //!
-//! Values are `%n`, variables `vn`; constants, inputs and uniform words stand where they are used.
+//! Values are `%n`, variables `vn`; constants, inputs and uniform words are printed inline.
 
 use super::{Access, Axis, Block, Expr, Lod, Module, Sample, Stmt, Ty, Value, Var};
 use std::fmt::{Display, Formatter, Result};

@@ -9,8 +9,8 @@ pub struct TextureDecl {
     pub shape: texunit::image::Shape,
     /// Whether samples are compared against a reference (`sampler2DShadow`).
     pub compare: bool,
-    /// What a sample is made of: `f32`, or the integers of an integer texture (`isampler2D`: `i32`,
-    /// `usampler2D`: `u32`). A texture of another kind gives its bits.
+    /// The type of the components of a sample: `f32`, or the integers of an integer texture (`isampler2D`: `i32`,
+    /// `usampler2D`: `u32`). The samples of a texture of another type are its bits.
     pub texels: Ty,
 }
 
@@ -42,7 +42,7 @@ pub enum Lod {
     },
 }
 
-/// What a texture access does (GLSL 1.30, section 8.7).
+/// The operation of a texture access (GLSL 1.30, section 8.7).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Access {
     /// `texture` and its kin, with texels added to the coordinates on each level.
@@ -50,8 +50,7 @@ pub enum Access {
         /// Along s, t, r.
         offset: [i32; 3],
     },
-    /// `textureGather`: the first component of each of the four texels that a linear filter of the base level would
-    /// weigh,
+    /// `textureGather`: the first component of each of the four texels that a linear filter of the base level would weigh,
     /// of textures with two axes. Its λ is implicit, without a bias, and does not matter. No compare.
     Gather {
         /// Texels added along s, t.
@@ -81,7 +80,7 @@ impl Access {
 pub struct Sample {
     /// Which texture.
     pub texture: Texture,
-    /// What is done.
+    /// The operation.
     pub access: Access,
     /// s, t, r; coordinates that the shape lacks are a constant zero.
     pub coords: [Value; 3],

@@ -1,6 +1,6 @@
 //! Types of scalars, and handles into a module.
 
-/// The word that stands for `true`.
+/// The word that represents `true`.
 pub const TRUE: u32 = !0;
 
 /// The type of a scalar.

@@ -1,4 +1,4 @@
-//! What a module must keep to, checked once, so that everything after can rely on it.
+//! The rules of a module, checked once, so that all later passes can rely on them.
 //!
 //! One pass in program order, linear in the size of the module. Blocks may nest [`MAX_NESTING`]
 //! deep, so that a pass over a valid module may recurse over its blocks.
@@ -103,7 +103,7 @@ impl Module {
     }
 }
 
-/// Where a value stands in its life.
+/// The state of a value during validation.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum State {
     /// Not evaluated yet.
@@ -168,7 +168,7 @@ impl Body<'_> {
         let (stage, in_range) = match input {
             Input::Attribute { component, .. } => (Stage::Vertex, component < 4),
             Input::VertexId | Input::InstanceId => (Stage::Vertex, true),
-            Input::Varying(slot) | Input::Slope { slot, .. } => {
+            Input::Varying(slot) | Input::Gradient { slot, .. } => {
                 (Stage::Fragment, usize::from(slot) < self.module.varyings.len())
             }
             Input::FragCoord(component) => (Stage::Fragment, component < 4),

@@ -93,7 +93,7 @@ impl Stmt {
         }
     }
 
-    /// Whether nothing after it in its block runs.
+    /// Whether the statements after it in its block are unreachable.
     pub fn is_jump(&self) -> bool {
         match self {
             Self::Break | Self::Continue | Self::Leave | Self::Discard => true,
@@ -108,7 +108,7 @@ impl Stmt {
 }
 
 impl Module {
-    /// Whether statements stand more than `levels` blocks deep.
+    /// Whether statements are nested more than `levels` blocks deep.
     pub(crate) fn nests_deeper_than(&self, levels: usize) -> bool {
         fn deeper(block: &[Stmt], levels: usize) -> bool {
             let mut inner = block.iter().flat_map(Stmt::blocks);

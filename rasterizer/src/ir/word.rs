@@ -1,4 +1,4 @@
-//! Scalars of the IR as Rust types, and what the bodies of operations share.
+//! Scalars of the IR as Rust types, and the helpers of the operations.
 
 use super::types::{TRUE, Ty};
 use texunit::lanes::{LANES, U32s};
@@ -8,7 +8,7 @@ pub(super) trait Scalar: Copy {
     const TY: Ty;
     fn from_word(word: u32) -> Self;
     fn to_word(self) -> u32;
-    /// What a lane holds.
+    /// The type of a lane.
     #[inline(always)]
     fn of_lane(words: &U32s, lane: usize) -> Self {
         Self::from_word(words[lane])
@@ -69,7 +69,7 @@ impl Scalar for bool {
     }
 }
 
-/// Integer division that is total: by zero gives all ones, `MIN / -1` wraps.
+/// Integer division that is total: all ones for a zero divisor; `MIN / -1` wraps.
 #[inline(always)]
 pub(super) fn div_i32(a: i32, b: i32) -> i32 {
     if b == 0 { -1 } else { a.wrapping_div(b) }
@@ -90,7 +90,7 @@ pub(super) fn rem_u32(a: u32, b: u32) -> u32 {
     a.checked_rem(b).unwrap_or(u32::MAX)
 }
 
-/// `b` where `a`, else `c`, by bits: both are always loaded, so that nothing is left to branch on.
+/// `b` where `a` is true, else `c`, by bits: both are always loaded, so that no branch remains.
 #[inline(always)]
 pub(super) fn select<T: Scalar>(a: bool, b: T, c: T) -> T {
     let mask = a.to_word();

@@ -32,8 +32,8 @@ pub struct ColorPlan {
     pub logic_op: Option<LogicOp>,
     /// Bits of the words that are written.
     pub write: WordMask,
-    /// Whether these are all that there are.
-    pub whole: bool,
+    /// Whether these are all bits of the format.
+    pub all_bits_written: bool,
 }
 
 /// How the texels of a format are written.
@@ -41,8 +41,8 @@ pub struct ColorPlan {
 pub enum ColorClass {
     /// Bytes: red in the lowest, then green, blue, alpha, as far as there are any.
     Bytes,
-    /// Numbers, through the table of formats.
-    Numbers,
+    /// Numbers that the table of formats converts.
+    Converted,
     /// Integers, which are neither blended nor converted.
     Integers,
 }
@@ -65,7 +65,7 @@ impl ColorClass {
         } else if in_order && format.is_bytes() {
             Self::Bytes
         } else {
-            Self::Numbers
+            Self::Converted
         }
     }
 }
@@ -79,26 +79,26 @@ impl ColorPlan {
         const ONE_INTEGER: &F32s = &F32s::splat(f32::from_bits(1));
         match (component, self.class) {
             (3, ColorClass::Integers) => ONE_INTEGER,
-            (3, ColorClass::Bytes | ColorClass::Numbers) => ONE,
+            (3, ColorClass::Bytes | ColorClass::Converted) => ONE,
             (_, _) => ZERO,
         }
     }
 
-    /// Whether what is written depends on what is stored.
-    pub fn old(&self) -> LoadOp {
-        let is_read = self.blend.is_some() || self.logic_op.is_some() || !self.whole;
+    /// Whether the stored texels are read: by blending, by a logical operation, or as the write mask keeps bits.
+    pub fn load_op(&self) -> LoadOp {
+        let is_read = self.blend.is_some() || self.logic_op.is_some() || !self.all_bits_written;
         if is_read { LoadOp::Load } else { LoadOp::DontCare }
     }
 
-    /// [`Self::old`] of a block of which the fragments of a mask are written.
-    pub fn old_under(&self, mask: u64) -> LoadOp {
-        if mask == !0 { self.old() } else { LoadOp::Load }
+    /// [`Self::load_op`] of a block of which the fragments of a mask are written.
+    pub fn load_op_for_mask(&self, mask: u64) -> LoadOp {
+        if mask == !0 { self.load_op() } else { LoadOp::Load }
     }
 
     /// The bits that are written of a word of each texel.
     #[inline(always)]
     pub const fn write_of(&self, word: usize) -> Write {
-        Write { mask: self.write[word], whole: self.whole }
+        Write { mask: self.write[word], all_bits_written: self.all_bits_written }
     }
 
     /// What is done to an attachment that is written as `format`.
@@ -123,27 +123,27 @@ impl ColorPlan {
         let logic_op = logic_op.filter(|_| is_fixed);
         let blend = blend.filter(|_| !format.is_integer() && logic_op.is_none());
         let class = match ColorClass::of(format) {
-            ColorClass::Bytes if logic_op.is_some() => ColorClass::Numbers,
+            ColorClass::Bytes if logic_op.is_some() => ColorClass::Converted,
             class => class,
         };
-        let whole = write == all_bits(format);
-        Self { target, outputs, format, class, blend, logic_op, write, whole }
+        let all_bits_written = write == all_bits(format);
+        Self { target, outputs, format, class, blend, logic_op, write, all_bits_written }
     }
 }
 
 /// Which bits of a word are written.
 #[derive(Clone, Copy, Debug)]
 pub struct Write {
-    /// These.
+    /// The bits that are written.
     pub mask: u32,
-    /// Whether they are all that there are.
-    pub whole: bool,
+    /// Whether these are all bits of the format.
+    pub all_bits_written: bool,
 }
 
-/// `new` in the fragments of a mask, through the write mask.
+/// Stores `new` in the fragments of a mask, through the write mask.
 #[inline(always)]
-pub fn put(stored: &mut U32s, new: &U32s, mask: u64, write: Write) {
-    if mask == !0 && write.whole {
+pub fn store_masked(stored: &mut U32s, new: &U32s, mask: u64, write: Write) {
+    if mask == !0 && write.all_bits_written {
         *stored = *new;
         return;
     }

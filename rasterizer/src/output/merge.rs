@@ -111,12 +111,12 @@ pub fn write(
             write_planes(isa, plan, planes, &[BlockColors { block, color, mask }]);
         }
         (ColorClass::Bytes, [plane], _) => {
-            with_words(isa, plane, layout, mask, plan.old(), |stored| {
+            with_words(isa, plane, layout, mask, plan.load_op(), |stored| {
                 let colors = &[BlockColors { block: 0, color, mask }];
                 isa.run(WriteBytes { plan, colors, blocks: std::slice::from_mut(stored) });
             });
         }
-        (_, planes, _) => with_texels(isa, planes, layout, mask, plan.old(), |words| {
+        (_, planes, _) => with_texels(isa, planes, layout, mask, plan.load_op(), |words| {
             let colors = &[BlockColors { block: 0, color, mask }];
             isa.run(WriteTexels { plan, colors, words });
         }),
@@ -136,7 +136,7 @@ pub fn write_blocks(
 fn write_planes(isa: Isa, plan: &ColorPlan, planes: &mut [WordPlane], colors: &[BlockColors<'_>]) {
     for plane in &mut *planes {
         for color in colors {
-            plane.materialize(color.block, plan.old_under(color.mask));
+            plane.materialize(color.block, plan.load_op_for_mask(color.mask));
         }
     }
     match (plan.class, planes) {

@@ -10,7 +10,7 @@ mod merge;
 mod stencil;
 
 pub use blend::factors as blend_factors;
-pub use color::{BlockColors, Color, ColorClass, ColorPlan, pack_colors, put};
+pub use color::{BlockColors, Color, ColorClass, ColorPlan, pack_colors, store_masked};
 pub use depth::{DepthPlan, DepthTest};
 pub use mask::expand_mask;
 pub use merge::{Fragments, Tests, test, write, write_blocks};

@@ -44,9 +44,9 @@ pub enum FragmentInput {
     /// The plane's value at the provoking vertex.
     Flat(usize),
     /// The derivative of a smooth value along an axis.
-    SmoothSlope(usize, Axis),
+    SmoothGradient(usize, Axis),
     /// The derivative of a linear value along an axis.
-    LinearSlope(usize, Axis),
+    LinearGradient(usize, Axis),
     /// Window x.
     X,
     /// Window y.
@@ -78,7 +78,7 @@ impl FilledInput {
             |&number: &usize| inputs[number] != FragmentInput::Zero && is_needed(number);
         let all: Vec<usize> = (0..inputs.len()).filter(is_filled).collect();
         let slope = |plane: usize, axis: Axis| {
-            let of = FragmentInput::SmoothSlope(plane, axis);
+            let of = FragmentInput::SmoothGradient(plane, axis);
             all.iter().copied().find(|&number| inputs[number] == of)
         };
         let filled = all.iter().map(|&number| {
@@ -88,8 +88,8 @@ impl FilledInput {
                 | FragmentInput::SmoothAtCentroid(_)
                 | FragmentInput::LinearAtCentroid(_)
                 | FragmentInput::Flat(_)
-                | FragmentInput::SmoothSlope(..)
-                | FragmentInput::LinearSlope(..)
+                | FragmentInput::SmoothGradient(..)
+                | FragmentInput::LinearGradient(..)
                 | FragmentInput::X
                 | FragmentInput::Y
                 | FragmentInput::Depth
@@ -150,7 +150,7 @@ impl InputPlanner<'_> {
     fn input(&mut self, input: Input) -> FragmentInput {
         match input {
             Input::Varying(slot) => self.varying(slot),
-            Input::Slope { slot, axis } => self.slope(slot, axis),
+            Input::Gradient { slot, axis } => self.slope(slot, axis),
             Input::FragCoord(0) => FragmentInput::X,
             Input::FragCoord(1) => FragmentInput::Y,
             Input::FragCoord(2) => FragmentInput::Depth,
@@ -191,10 +191,10 @@ impl InputPlanner<'_> {
     fn slope(&mut self, slot: u16, axis: Axis) -> FragmentInput {
         match self.varying_at(slot).filter(|_| self.needs_slopes && !self.is_constant(slot)) {
             Some((at, Interpolation::Smooth)) => {
-                FragmentInput::SmoothSlope(self.smooth(slot, at), axis)
+                FragmentInput::SmoothGradient(self.smooth(slot, at), axis)
             }
             Some((at, Interpolation::NoPerspective)) => {
-                FragmentInput::LinearSlope(self.plane(PlaneSource::NoPerspective(at)), axis)
+                FragmentInput::LinearGradient(self.plane(PlaneSource::NoPerspective(at)), axis)
             }
             Some((_, Interpolation::Flat)) | None => FragmentInput::Zero,
         }

@@ -41,7 +41,7 @@ pub enum TestTiming {
     Never,
     /// Before shading: fragments that fail are not shaded.
     Early,
-    /// After shading: the shader discards fragments, or writes depth or the stencil reference.
+    /// After shading: the shader discards fragments while the tests write, or writes depth or the stencil reference.
     Late(ShaderTestOutputs),
 }
 
@@ -68,7 +68,7 @@ pub struct DrawPlan {
     /// By input of the fragment program.
     pub inputs: Vec<FragmentInput>,
     /// Those of them that batches fill.
-    pub filled: Vec<FilledInput>,
+    pub interpolated_inputs: Vec<FilledInput>,
     /// Whether any of them is taken at the centroid of the covered samples.
     pub centroids: bool,
     /// Whether any of them is how much of its pixel is covered.
@@ -90,7 +90,7 @@ pub struct DrawPlan {
     /// Whether the fragment program has to run at all.
     pub shading: Shading,
     /// Blocks that may be shaded together, see [`crate::shader::Machine::run_files`].
-    pub blocks_per_run: usize,
+    pub blocks_per_group: usize,
     /// How whole blocks are shaded without the interpreter, if they are.
     pub product: Option<ProductPlan>,
     /// How sparse fragments are packed.
@@ -124,7 +124,7 @@ pub enum Packing {
 pub enum Shading {
     /// Yes.
     On,
-    /// No colour is written and nothing is discarded: only the depth test runs.
+    /// No: no colour is written and no fragment discarded. Only the depth and stencil tests and the sample counter run.
     Off,
 }
 
@@ -261,15 +261,15 @@ impl DrawPlan {
         let is_without_helper_lanes = is_whole && !fragment.reads_neighbours(needs_lod);
         // With nothing left to decide once they are shaded.
         let is_plain = is_whole && shading == Shading::On && !late;
-        let blocks_per_run = if is_plain { fragment.register_files() } else { 1 };
-        let may_multiply = blocks_per_run > 1 && colors.len() == 1 && colors[0].target == 0;
+        let blocks_per_group = if is_plain { fragment.register_files() } else { 1 };
+        let may_multiply = blocks_per_group > 1 && colors.len() == 1 && colors[0].target == 0;
         Self {
             product: if may_multiply {
                 ProductPlan::new(input.isa, fragment, &inputs, &input.textures)
             } else {
                 None
             },
-            blocks_per_run,
+            blocks_per_group,
             shades_depth: late || inputs.contains(&FragmentInput::Depth),
             packing: if is_without_helper_lanes { Packing::Pixels } else { Packing::Quads },
             centroids: inputs.iter().any(within),
@@ -277,7 +277,7 @@ impl DrawPlan {
             prepared: fragment.prepare(input.isa, input.uniforms, &input.textures),
             textures: input.textures,
             planes,
-            filled: FilledInput::of(&inputs, |_| true),
+            interpolated_inputs: FilledInput::of(&inputs, |_| true),
             inputs,
             depth_plane,
             denominator_plane,
@@ -300,7 +300,7 @@ impl DrawPlan {
 
     /// Whether this plan is valid for another draw of the same pass, whose fragment program has the per-draw values
     /// `prepared`.
-    pub fn is_of(
+    pub fn is_reusable_for(
         &self,
         pipeline: &Pipeline,
         input: &PlanInput<'_>,

@@ -46,7 +46,7 @@ impl Pipeline {
             Input::VertexId
             | Input::InstanceId
             | Input::Varying(_)
-            | Input::Slope { .. }
+            | Input::Gradient { .. }
             | Input::FragCoord(_)
             | Input::FrontFacing
             | Input::PointCoord(_)
@@ -158,7 +158,7 @@ impl Compiled {
             .inputs()
             .iter()
             .filter_map(|input| match *input {
-                Input::Varying(slot) | Input::Slope { slot, .. } => {
+                Input::Varying(slot) | Input::Gradient { slot, .. } => {
                     let mode = modes.get(usize::from(slot)).copied();
                     Some((slot, mode.unwrap_or(Interpolation::Smooth)))
                 }

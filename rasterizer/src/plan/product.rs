@@ -71,8 +71,8 @@ impl ProductPlan {
                 FragmentInput::Zero => {}
                 FragmentInput::SmoothAtCentroid(_)
                 | FragmentInput::LinearAtCentroid(_)
-                | FragmentInput::SmoothSlope(..)
-                | FragmentInput::LinearSlope(..)
+                | FragmentInput::SmoothGradient(..)
+                | FragmentInput::LinearGradient(..)
                 | FragmentInput::X
                 | FragmentInput::Y
                 | FragmentInput::Depth
@@ -115,8 +115,8 @@ fn lod_planes(lods: &[usize], inputs: &[FragmentInput]) -> Option<Vec<usize>> {
     let (mut smooth, mut any) = (Vec::new(), false);
     for &index in lods {
         match inputs[index] {
-            FragmentInput::SmoothSlope(plane, _) => smooth.push(plane),
-            FragmentInput::LinearSlope(..) => {}
+            FragmentInput::SmoothGradient(plane, _) => smooth.push(plane),
+            FragmentInput::LinearGradient(..) => {}
             FragmentInput::Zero => continue,
             FragmentInput::Smooth(_)
             | FragmentInput::Linear(_)

@@ -16,7 +16,7 @@ const HALF: i32 = SUBPIXEL / 2;
 /// The fragments of a line: one or more rows in each of a run of columns (or, for a steep line, the
 /// same with the axes exchanged).
 #[derive(Clone, Copy, Debug)]
-pub struct LineRun {
+pub struct LineFragments {
     /// The axis along which it runs, 0 for x.
     pub major: usize,
     /// First column.
@@ -39,7 +39,7 @@ fn diamond(p: [i32; 2]) -> Option<[i32; 2]> {
     (sum < HALF || (sum == HALF && away[0] > 0)).then_some(pixel)
 }
 
-impl LineRun {
+impl LineFragments {
     /// The run of a line from `a` to `b` (in subpixels), `width` pixels wide: wide lines are moved
     /// by half of what they have more than one row, towards the first (section 3.4.2).
     pub fn new(mut a: [i32; 2], mut b: [i32; 2], width: i32) -> Self {
@@ -179,7 +179,7 @@ mod tests {
     }
 
     fn pixels(a: [i32; 2], b: [i32; 2], width: i32) -> BTreeSet<(i32, i32)> {
-        let run = LineRun::new(a, b, width);
+        let run = LineFragments::new(a, b, width);
         let mut out = BTreeSet::new();
         for column in run.first..=run.last {
             for row in run.row(column)..run.row(column) + width {

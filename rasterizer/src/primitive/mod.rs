@@ -10,7 +10,7 @@ mod setup;
 mod triangles;
 
 pub use invisible::{InvisibleReason, InvisibleReasons, PrimitiveKind, ViewVolumeSide, reasons};
-pub use line::LineRun;
+pub use line::LineFragments;
 pub use outline::{rectangle, stipple_lines};
 pub use planes::{
     ConstantDirection, DepthSetup, InverseMatrix, Plane, VertexPlanes, line_direction, point_coord,

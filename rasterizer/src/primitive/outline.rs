@@ -2,15 +2,15 @@
 //! 3.5.4).
 
 use super::clip::{Corner, Edge};
-use super::line::LineRun;
+use super::line::LineFragments;
 use super::planes::depth_offset;
-use super::setup::{Clipping, NOWHERE, Scratch, Setup, Shape, ShapeKind, bounds, snap};
+use super::setup::{Clipping, EMPTY_BOUNDS, Scratch, Setup, Shape, ShapeKind, bounds, snap};
 use crate::desc::{Antialiasing, Facing, LineState, MAX_POINT_SIZE, PointState, PolygonMode};
 use crate::sizes::SUBPIXEL;
 use crate::vertex::{EdgeFlags, Geometry, Outcode};
 
 /// A triangle that may be drawn as lines or points.
-pub(super) struct Outline {
+pub(super) struct PolygonTriangle {
     pub vertices: [u32; 3],
     pub provoking: u8,
     /// Which edges are edges of its polygon, bit by their first vertex.
@@ -28,30 +28,29 @@ pub(super) struct Line {
 }
 
 impl Setup<'_> {
-    /// The boundary edges of a triangle as lines, or the vertices where they begin as points; where planes of the
-    /// user's
-    /// cut it, those that they make too (section 2.12).
+    /// The boundary edges of a triangle as lines, or the vertices where they begin as points; where user clip planes
+    /// cut it, the edges that the cuts make too (section 2.12).
     pub(super) fn outline(
         &self,
         geometry: &Geometry,
-        outline: &Outline,
+        outline: &PolygonTriangle,
         facing: Facing,
         scratch: &mut Scratch,
         out: &mut Vec<Shape>,
     ) {
-        let &Outline { vertices, provoking, edges } = outline;
+        let &PolygonTriangle { vertices, provoking, edges } = outline;
         let polygon = &self.raster.polygon;
         let mode = polygon.mode[facing as usize];
         let bias = polygon.offset[mode as usize].map_or(0.0, |offset| {
             depth_offset(&self.viewport, offset, self.resolution, geometry, vertices)
         });
-        let is_marked = |i: usize| match self.edge_flags {
+        let is_boundary_edge = |i: usize| match self.edge_flags {
             EdgeFlags::AllSet => true,
             EdgeFlags::ByVertex => geometry.begins_boundary(vertices[i]),
         };
         for i in 0..3 {
             let from = vertices[i];
-            if edges >> i & 1 == 0 || !is_marked(i) {
+            if edges >> i & 1 == 0 || !is_boundary_edge(i) {
                 continue;
             }
             match mode {
@@ -74,7 +73,7 @@ impl Setup<'_> {
         self.cut(geometry, &vertices, Outcode(any), scratch);
         let corners = scratch.polygon.iter().zip(&scratch.snapped);
         for (at, (corner, &from)) in corners.enumerate() {
-            let (bounds, clipping) = (NOWHERE, Clipping::Cut);
+            let (bounds, clipping) = (EMPTY_BOUNDS, Clipping::Cut);
             match mode {
                 PolygonMode::Line if corner.edge == Edge::Made => {
                     let to = scratch.snapped[(at + 1) % scratch.snapped.len()];
@@ -84,7 +83,7 @@ impl Setup<'_> {
                         Shape { corners, bounds, vertices, provoking, clipping, kind, facing };
                     self.segment(edge, out);
                 }
-                PolygonMode::Point if is_vertex(corner, edges, is_marked) => {
+                PolygonMode::Point if is_vertex(corner, edges, is_boundary_edge) => {
                     let size = self.size_at(geometry, vertices, corner.weights);
                     let (kind, corners) = (ShapeKind::Point { size, bias }, [from; 3]);
                     let point =
@@ -131,7 +130,7 @@ impl Setup<'_> {
         }
         let shape = Shape {
             corners: [corners[0], corners[1], corners[1]],
-            bounds: NOWHERE,
+            bounds: EMPTY_BOUNDS,
             vertices: line.vertices,
             provoking: line.provoking,
             clipping: Clipping::Whole,
@@ -153,12 +152,13 @@ impl Setup<'_> {
             Some(bounds) => bounds,
             // The stipple advances across the edges of the scissor and of the image.
             None if self.raster.line.stipple.is_some() => {
-                let area = [[i32::MIN / 2; 2], [i32::MAX / 2; 2]];
-                let unbounded = Setup { area, inner: self.viewport.pixels(), ..*self };
+                let drawable_area = [[i32::MIN / 2; 2], [i32::MAX / 2; 2]];
+                let unbounded =
+                    Setup { drawable_area, area_in_viewport: self.viewport.pixels(), ..*self };
                 if unbounded.line_bounds(ends).is_none() {
                     return;
                 }
-                NOWHERE
+                EMPTY_BOUNDS
             }
             None => return,
         };
@@ -203,23 +203,23 @@ impl Setup<'_> {
         let width = state.drawn_width();
         let extend = |mut area: [[i32; 2]; 2], axis: usize| {
             let margin = (width * 0.5).ceil() as i32;
-            area[0][axis] = (area[0][axis] - margin).max(self.area[0][axis]);
-            area[1][axis] = (area[1][axis] + margin).min(self.area[1][axis]);
+            area[0][axis] = (area[0][axis] - margin).max(self.drawable_area[0][axis]);
+            area[1][axis] = (area[1][axis] + margin).min(self.drawable_area[1][axis]);
             area
         };
         match state.antialiasing {
             Antialiasing::Aliased => {
-                let run = LineRun::new(a, b, width as i32);
+                let run = LineFragments::new(a, b, width as i32);
                 if run.first > run.last {
                     return None;
                 }
                 let (major, minor) = (run.major, 1 - run.major);
-                let area = extend(self.inner, minor);
+                let area = extend(self.area_in_viewport, minor);
                 let [view, end] = self.viewport.pixels().map(|pixel| pixel[minor]);
                 let is_inside = |p: [i32; 2]| (view..end).contains(&p[minor].div_euclid(SUBPIXEL));
                 let mut columns = [run.first, run.last];
                 if !(is_inside(a) && is_inside(b)) {
-                    columns = LineRun::new(a, b, 1).columns_within(columns, view..end)?;
+                    columns = LineFragments::new(a, b, 1).columns_within(columns, view..end)?;
                 }
                 let [first, last] = columns;
                 let rows = [run.row(first), run.row(last)];
@@ -244,7 +244,7 @@ impl Setup<'_> {
                 let around = |p: [i32; 2], by: i32| [p[0] + by, p[1] + by];
                 let corners =
                     [around(a, reach), around(a, -reach), around(b, reach), around(b, -reach)];
-                bounds(&corners, Antialiasing::Smooth, &extend(extend(self.inner, 0), 1))
+                bounds(&corners, Antialiasing::Smooth, &extend(extend(self.area_in_viewport, 0), 1))
             }
         }
     }
@@ -266,7 +266,7 @@ impl Setup<'_> {
         let size = drawn_size(state, geometry.point_size(vertex).unwrap_or(state.size));
         let point = Shape {
             corners: [geometry.snapped[vertex as usize]; 3],
-            bounds: NOWHERE,
+            bounds: EMPTY_BOUNDS,
             vertices: [vertex; 3],
             provoking: 0,
             clipping: Clipping::Whole,
@@ -291,23 +291,21 @@ impl Setup<'_> {
             Antialiasing::Aliased => [[low[0], low[1] + 1], [high[0] - 1, high[1]]],
             Antialiasing::Smooth => [low, high],
         };
-        let Some(bounds) = bounds(&corners, antialiasing, &self.area) else { return };
+        let Some(bounds) = bounds(&corners, antialiasing, &self.drawable_area) else { return };
         out.push(Shape { bounds, ..point });
     }
 }
 
-/// Whether a corner that a plane of the user's has made is a vertex of the polygon, and not only of one of its
-/// triangles.
-/// One where an edge begins that the plane has made is marked, one on the rest of an edge as that edge is. A vertex
-/// that
-/// lies on the plane is there already.
-fn is_vertex(corner: &Corner, edges: u8, is_marked: impl Fn(usize) -> bool) -> bool {
+/// Whether a corner that a user clip plane makes is a vertex of the polygon, and not only of one of its triangles.
+/// A corner where a cut edge begins is one; a corner on an edge of the triangle is one if that edge is a boundary edge.
+/// A vertex on the plane is a vertex already.
+fn is_vertex(corner: &Corner, edges: u8, is_boundary_edge: impl Fn(usize) -> bool) -> bool {
     match corner.cut {
         Some(_) if corner.weights.contains(&1.0) => false,
         None | Some(Edge::View) => false,
         Some(Edge::Made) => true,
         Some(Edge::Own(edge)) => {
-            edges >> edge & 1 == 1 && (corner.edge == Edge::Made || is_marked(edge.into()))
+            edges >> edge & 1 == 1 && (corner.edge == Edge::Made || is_boundary_edge(edge.into()))
         }
     }
 }
@@ -363,27 +361,27 @@ pub(super) fn stipple_around(state: &LineState, shapes: &mut [Shape], closing: [
 }
 
 /// Where the stipple of each line of a strip begins: where that of the line before ends (section
-/// 3.4.2). `before` is how far it has come before `shapes`; gives how far it comes.
+/// 3.4.2). `before` is the phase before `shapes`; returns the phase after them.
 pub fn stipple_lines(state: &LineState, shapes: &mut [Shape], before: u32) -> u32 {
     let Some(stipple) = state.stipple else { return before };
     let period = 16 * u32::from(stipple.factor) * SUBPIXEL as u32;
     let width = state.drawn_width();
-    let mut come = before;
+    let mut stipple_phase = before;
     for shape in shapes {
         let [a, b, _] = shape.corners;
         if let ShapeKind::Line { stipple, .. } = &mut shape.kind {
-            *stipple = come;
+            *stipple = stipple_phase;
             let length = match state.antialiasing {
                 Antialiasing::Aliased => {
-                    LineRun::new(a, b, width as i32).columns() * SUBPIXEL as u32
+                    LineFragments::new(a, b, width as i32).columns() * SUBPIXEL as u32
                 }
                 Antialiasing::Smooth => {
                     let d = [0, 1].map(|axis| f64::from(b[axis]) - f64::from(a[axis]));
                     (d[0] * d[0] + d[1] * d[1]).sqrt() as u32
                 }
             };
-            come = (come + length % period) % period;
+            stipple_phase = (stipple_phase + length % period) % period;
         }
     }
-    come
+    stipple_phase
 }

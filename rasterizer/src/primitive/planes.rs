@@ -16,6 +16,7 @@ use super::setup::{Clipping, Shape, ShapeKind};
 use crate::desc::{Antialiasing, Facing, LineState, PolygonOffset, SpriteOrigin, Viewport};
 use crate::sizes::SUBPIXEL;
 use crate::vertex::{Geometry, Outcode};
+
 /// `a · (x - origin.x) + b · (y - origin.y) + c`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Plane {

@@ -1,7 +1,7 @@
 //! From a primitive to shapes on the subpixel grid, culled.
 
 use super::clip::{Corner, Edge, clip, planes};
-use super::outline::{Line, Outline, stipple_around};
+use super::outline::{Line, PolygonTriangle, stipple_around};
 use super::triangles::Triangles;
 use crate::desc::{Antialiasing, Cull, Facing, FrontFace, PolygonMode, RasterState, Viewport};
 use crate::sizes::SUBPIXEL;
@@ -61,12 +61,12 @@ pub struct Shape {
 }
 
 /// The bounds of a line that covers no pixel here, and only carries a stipple on.
-pub(super) const NOWHERE: [[u16; 2]; 2] = [[u16::MAX; 2], [0; 2]];
+pub(super) const EMPTY_BOUNDS: [[u16; 2]; 2] = [[u16::MAX; 2], [0; 2]];
 
 impl Shape {
     /// Whether there are pixels that it may cover.
-    pub fn is_somewhere(&self) -> bool {
-        self.bounds != NOWHERE
+    pub fn has_pixels(&self) -> bool {
+        self.bounds != EMPTY_BOUNDS
     }
 
     /// How many pixels lie within its bounds.
@@ -102,10 +102,10 @@ pub struct Setup<'a> {
     pub edge_flags: EdgeFlags,
     /// First and one past the last pixel that can be drawn to, x then y; what lies outside is
     /// dropped here.
-    pub area: [[i32; 2]; 2],
-    /// The part of `area` whose pixels have their centre in the viewport. Clipping cuts nothing at
+    pub drawable_area: [[i32; 2]; 2],
+    /// The part of `drawable_area` whose pixels have their centre in the viewport. Clipping cuts nothing at
     /// the sides of the view volume; this does.
-    pub inner: [[i32; 2]; 2],
+    pub area_in_viewport: [[i32; 2]; 2],
     /// The smallest resolvable difference of depth; `None` for floating-point depth.
     pub resolution: Option<f64>,
 }
@@ -156,7 +156,7 @@ pub fn setup(
                     end(polygon, out);
                     polygon = Some((number, out.len(), [vertices[2], vertices[0]]));
                 }
-                let triangle = Outline { vertices, provoking, edges };
+                let triangle = PolygonTriangle { vertices, provoking, edges };
                 setup.triangle(geometry, &triangle, &mut scratch, out);
             }
             Primitive::Line(v, provoking) => {
@@ -178,11 +178,11 @@ impl Setup<'_> {
     pub(super) fn triangle(
         &self,
         geometry: &Geometry,
-        triangle: &Outline,
+        triangle: &PolygonTriangle,
         scratch: &mut Scratch,
         out: &mut Vec<Shape>,
     ) {
-        let Outline { vertices, provoking, .. } = *triangle;
+        let PolygonTriangle { vertices, provoking, .. } = *triangle;
         let all = vertices.map(|v| geometry.outcode(v).0);
         let (any, every) = (all[0] | all[1] | all[2], all[0] & all[1] & all[2]);
         if every & Outcode::REJECT != 0 || any & Outcode::INVALID != 0 {
@@ -274,7 +274,9 @@ impl Setup<'_> {
             if doubled_area(corners) <= 0 {
                 continue;
             }
-            if let Some(bounds) = bounds(&corners, self.raster.polygon.antialiasing, &self.inner) {
+            if let Some(bounds) =
+                bounds(&corners, self.raster.polygon.antialiasing, &self.area_in_viewport)
+            {
                 out.push(Shape { corners, bounds, ..shape });
             }
         }

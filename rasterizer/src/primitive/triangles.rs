@@ -1,7 +1,7 @@
 //! Filled triangles, 64 at a time: the arithmetic of [`super::setup`] over lanes. Triangles that must be clipped take
 //! the general path.
 
-use super::outline::Outline;
+use super::outline::PolygonTriangle;
 use super::setup::{Clipping, Scratch, Setup, Shape, ShapeKind};
 use crate::desc::{Antialiasing, Cull, Facing, FrontFace};
 use crate::sizes::SUBPIXEL;
@@ -81,7 +81,7 @@ impl Triangles {
             let vertices = [a[lane], b[lane], c[lane]];
             let provoking = self.provoking[lane];
             if fates.cut >> lane & 1 == 1 {
-                let triangle = Outline { vertices, provoking, edges: 0 };
+                let triangle = PolygonTriangle { vertices, provoking, edges: 0 };
                 setup.triangle(geometry, &triangle, scratch, out);
                 continue;
             }
@@ -173,7 +173,7 @@ impl Kernel for Project<'_> {
             Antialiasing::Smooth => (0, 1),
         };
         let [low, high] = bounds;
-        let [area_low, area_high] = setup.inner;
+        let [area_low, area_high] = setup.area_in_viewport;
         for axis in 0..2 {
             let (from, to) = (area_low[axis], area_high[axis] - 1);
             for lane in 0..LANES {

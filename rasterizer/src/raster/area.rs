@@ -8,14 +8,14 @@ type Point = [f64; 2];
 /// A number of each pixel of a block.
 pub type Areas = [f64; LANES];
 
-/// Less than this of a pixel is rounding, and none.
-pub const LEAST: f64 = 1.0 / (1u64 << 32) as f64;
+/// A smaller part of a pixel is rounding error, and counts as not covered.
+pub const MIN_AREA: f64 = 1.0 / (1u64 << 32) as f64;
 
 fn cross(a: Point, b: Point) -> f64 {
     a[0] * b[1] - a[1] * b[0]
 }
 
-/// How a convex outline and a square lie.
+/// How a convex outline and a square overlap.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Overlap {
     /// They are apart.
@@ -26,18 +26,18 @@ pub enum Overlap {
     All,
 }
 
-/// How a convex polygon, counter-clockwise, and the square of `side` from `at` on lie: seen from the polygon's sides
-/// alone, so that a square off a corner may be called a part.
+/// How a convex polygon, counter-clockwise, and the square of `side` from `at` on overlap. Only the sides of the
+/// polygon are tested, so a square beyond a corner may be reported as `Part`.
 pub fn overlap(corners: &[Point], at: Point, side: f64) -> Overlap {
     let mut overlap = Overlap::All;
     for (i, &a) in corners.iter().enumerate() {
         let b = corners[(i + 1) % corners.len()];
         let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
-        // Of the square's corners, those farthest out of this side and farthest in.
+        // The corners of the square that are farthest outside and farthest inside of this side.
         let corner = cross([dx, dy], [at[0] - a[0], at[1] - a[1]]);
         let out = corner + side * ((-dy).min(0.0) + dx.min(0.0));
         let inward = corner + side * ((-dy).max(0.0) + dx.max(0.0));
-        // A millionth of a pixel is beyond what rounding can do.
+        // Larger than the rounding error by orders of magnitude: a millionth of a pixel.
         let margin = (dx.abs() + dy.abs()) * 1e-6;
         if inward < -margin {
             return Overlap::None;
@@ -51,7 +51,7 @@ pub fn overlap(corners: &[Point], at: Point, side: f64) -> Overlap {
 
 /// Adds the area that a convex polygon, counter-clockwise, shares with each pixel of the block whose lower left
 /// corner is `first`.
-pub fn add(isa: Isa, corners: &[Point], first: Point, areas: &mut Areas) {
+pub fn add_polygon_areas(isa: Isa, corners: &[Point], first: Point, areas: &mut Areas) {
     isa.run(Polygon { corners, first, areas });
 }
 
@@ -101,7 +101,7 @@ fn at_least_1(v: f64) -> f64 {
     if v > 1.0 { v } else { 1.0 }
 }
 
-/// How a disc and the square of `side` from `at` on lie.
+/// How a disc and the square of `side` from `at` on overlap.
 pub fn disc_overlap(center: Point, radius: f64, at: Point, side: f64) -> Overlap {
     // From the centre to the nearest and to the farthest point of the square, along each axis.
     let [(near_x, far_x), (near_y, far_y)] = [0, 1].map(|axis| {
@@ -109,7 +109,7 @@ pub fn disc_overlap(center: Point, radius: f64, at: Point, side: f64) -> Overlap
         (low.max(-high).max(0.0), high.max(-low))
     });
     let (near, far) = (near_x * near_x + near_y * near_y, far_x * far_x + far_y * far_y);
-    // A millionth of a pixel is beyond what rounding can do.
+    // Larger than the rounding error by orders of magnitude: a millionth of a pixel.
     let [less, more] = [radius - 1e-6, radius + 1e-6];
     if near > more * more {
         Overlap::None
@@ -241,7 +241,7 @@ mod tests {
                 .map(|i| [f64::from(i) % side, (f64::from(i) / side).floor()]);
             let mut parts = pixels.map(|pixel| disc(center, r, pixel));
             match disc_overlap(center, r, at, side) {
-                Overlap::None => prop_assert!(parts.all(|part| part < LEAST)),
+                Overlap::None => prop_assert!(parts.all(|part| part < MIN_AREA)),
                 Overlap::All => prop_assert!(parts.all(|part| part as f32 == 1.0)),
                 Overlap::Part => {}
             }
@@ -257,8 +257,8 @@ mod tests {
             prop_assert!((disc([cx, cy], r, [0.0, 0.0]) - want).abs() < 1e-5);
         }
 
-        /// Whatever its size and place: the sum over all pixels is the polygon's own area, and what lies apart or
-        /// inside is told as such.
+        /// Whatever its size and place: the sum over all pixels is the polygon's own area, and squares that
+        /// are apart or inside are reported as such.
         #[test]
         fn the_pixels_of_a_rectangle_sum_to_its_area(
             (x, y) in (0.0..40.0f64, 0.0..40.0f64),
@@ -272,10 +272,10 @@ mod tests {
                 for block in 0..12 * 12 {
                     let first = [block % 12, block / 12].map(|at| f64::from(at) * 8.0 - 32.0);
                     let mut areas = [0.0; LANES];
-                    add(isa, &corners, first, &mut areas);
+                    add_polygon_areas(isa, &corners, first, &mut areas);
                     prop_assert!(areas.iter().all(|area| (-1e-12..1.0 + 1e-12).contains(area)));
                     match overlap(&corners, first, 8.0) {
-                        Overlap::None => prop_assert!(areas.iter().all(|&area| area < LEAST)),
+                        Overlap::None => prop_assert!(areas.iter().all(|&area| area < MIN_AREA)),
                         Overlap::All => prop_assert!(areas.iter().all(|&area| area as f32 == 1.0)),
                         Overlap::Part => {}
                     }
@@ -313,7 +313,7 @@ mod tests {
             });
             for isa in Isa::available() {
                 let mut areas = [0.0; LANES];
-                add(isa, &c, [0.0, 0.0], &mut areas);
+                add_polygon_areas(isa, &c, [0.0, 0.0], &mut areas);
                 prop_assert!((areas[0] - want).abs() < 2e-4);
             }
         }

@@ -9,20 +9,20 @@ use texunit::lanes::{F32s, QUADS};
 /// Fragments that are shaded together.
 #[derive(Clone, Copy)]
 pub struct Batch<'a> {
-    /// Where they are, and what is interpolated there.
-    pub quads: BatchPixels<'a>,
+    /// Their pixels, and the planes that are interpolated there.
+    pub pixels: BatchPixels<'a>,
     /// Which lanes are covered, by sample.
     pub masks: &'a SampleMasks,
-    /// Lanes of quads that went through the early tests before they came here.
+    /// Lanes of quads whose early tests are done.
     pub tested: u64,
 }
 
-/// The quads of a batch.
+/// The pixels of a batch.
 #[derive(Clone, Copy)]
 pub enum BatchPixels<'a> {
     /// All of a block.
     Block(&'a BlockOf<'a>),
-    /// Quads of anywhere.
+    /// Quads from anywhere in the tile.
     Packed(&'a Packed),
     /// No quads: each lane is a pixel by itself.
     Pixels(&'a Pixels),
@@ -34,7 +34,7 @@ pub struct BlockOf<'a> {
     pub planes: &'a [[f32; 3]],
     /// The facing of the primitive.
     pub facing: Facing,
-    /// Whether its lanes went through the early tests, if there are any.
+    /// Whether the early tests of its lanes are done.
     pub tests: EarlyTests,
     /// Which block of the tile.
     pub block: usize,
@@ -46,12 +46,12 @@ pub struct BlockOf<'a> {
     pub coverage: Option<&'a F32s>,
 }
 
-/// Whether fragments went through the early tests already.
+/// Whether the early tests of fragments are done.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EarlyTests {
-    /// They did; what is left of them passed.
+    /// Done: the remaining lanes passed.
     Done,
-    /// Their batch has to, if the draw has any.
+    /// Due: the batch runs them, if the draw has any.
     Due,
 }
 
@@ -62,13 +62,13 @@ impl<'a> Batch<'a> {
             EarlyTests::Done => !0,
             EarlyTests::Due => 0,
         };
-        Self { quads: BatchPixels::Block(of), masks, tested }
+        Self { pixels: BatchPixels::Block(of), masks, tested }
     }
 
     /// Lanes that run: of quads the whole, so that derivatives have their neighbours.
     pub fn active(&self) -> u64 {
         let any = self.masks.any();
-        match self.quads {
+        match self.pixels {
             BatchPixels::Block(_) | BatchPixels::Packed(_) if any != !0 => lanes_of(quads_of(any)),
             BatchPixels::Block(_) | BatchPixels::Packed(_) | BatchPixels::Pixels(_) => any,
         }
@@ -76,7 +76,7 @@ impl<'a> Batch<'a> {
 
     /// Lanes of back faces.
     pub fn back(&self) -> u64 {
-        match self.quads {
+        match self.pixels {
             BatchPixels::Block(of) => match of.facing {
                 Facing::Front => 0,
                 Facing::Back => !0,
@@ -94,7 +94,7 @@ impl<'a> Batch<'a> {
 
     /// Where its pixels are.
     pub fn layout(&self) -> BatchLayout<'a> {
-        match self.quads {
+        match self.pixels {
             BatchPixels::Block(of) => BatchLayout::Block(of.block),
             BatchPixels::Packed(packed) => {
                 BatchLayout::Quads(&packed.blocks[..packed.len], &packed.quads[..packed.len])
@@ -182,7 +182,7 @@ impl Packed {
 
     /// The pending quads as a batch.
     pub fn batch(&self) -> Batch<'_> {
-        Batch { quads: BatchPixels::Packed(self), masks: &self.masks, tested: self.tested }
+        Batch { pixels: BatchPixels::Packed(self), masks: &self.masks, tested: self.tested }
     }
 
     /// Removes all quads, and prepares for a draw with these numbers of planes and samples.

@@ -16,9 +16,9 @@ pub struct ClearJob {
     pub target: Cleared,
     /// The words of a texel.
     pub words: WordMask,
-    /// Their bits that are written.
+    /// The bits of the words that are written.
     pub write: WordMask,
-    /// Their bits that hold anything.
+    /// The bits of the words that the format uses.
     pub all: WordMask,
     /// First and one past the last pixel, within the pass, x then y.
     pub area: [[i32; 2]; 2],
@@ -28,7 +28,7 @@ pub struct ClearJob {
 
 impl ClearJob {
     /// Whether it writes all of every pixel of a pass of this size, so that no word is written yet.
-    pub fn is_whole(&self, width: u32, height: u32) -> bool {
+    pub fn writes_all(&self, width: u32, height: u32) -> bool {
         let is_written = |(write, all): (&u32, &u32)| *write == 0 || write == all;
         self.covers([0, 0], [width as i32, height as i32])
             && self.write.iter().zip(&self.all).all(is_written)
@@ -60,16 +60,17 @@ pub fn clear(pass: &PassJob, job: &ClearJob, tile: &mut TileJob) {
         Cleared::Stencil => (tile.depth.as_mut(), 1),
     };
     let Some(target) = target else { return };
-    // What a tile has beyond the pass is never seen.
+    // Pixels of the tile outside of the pass are never read.
     let end = |start: i32, size: u32| (start + TILE as i32).min(size as i32);
-    let whole = job.covers([tile.x, tile.y], [end(tile.x, pass.width), end(tile.y, pass.height)]);
-    for sample in target.planes.chunks_mut(target.words) {
+    let covers_tile =
+        job.covers([tile.x, tile.y], [end(tile.x, pass.width), end(tile.y, pass.height)]);
+    for sample in target.planes.chunks_mut(target.planes_per_sample) {
         for (index, plane) in sample.iter_mut().skip(first).enumerate() {
             let (word, write, all) = (job.words[index], job.write[index], job.all[index]);
             if write == 0 {
                 continue;
             }
-            if whole && write == all {
+            if covers_tile && write == all {
                 plane.clear(word);
                 continue;
             }
@@ -130,7 +131,7 @@ mod tests {
             ([[0, 0], [70, 29]], all, false),
             ([[0, 0], [70, 30]], [!1, 0xFF, 0, 0], false),
         ] {
-            assert_eq!(clear(area, write).is_whole(70, 30), want, "{area:?} {write:x?}");
+            assert_eq!(clear(area, write).writes_all(70, 30), want, "{area:?} {write:x?}");
         }
     }
 }

@@ -20,7 +20,7 @@ pub struct Edge {
     pub y: i32,
 }
 
-/// How a block lies to a triangle.
+/// The coverage of a block by a triangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Coverage {
     /// No pixel is covered.
@@ -53,7 +53,7 @@ pub fn edges(corners: &[[i32; 2]; 3], x: i32, y: i32) -> [Edge; 3] {
         let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
         let px = i64::from(x) * i64::from(SUBPIXEL) + i64::from(SUBPIXEL / 2) - i64::from(a[0]);
         let py = i64::from(y) * i64::from(SUBPIXEL) + i64::from(SUBPIXEL / 2) - i64::from(a[1]);
-        // A centre on a left edge (going down) or on a top edge (going left) is inside.
+        // A centre on a left edge (pointing down) or on a top edge (pointing left) is inside.
         let top_left = dy < 0 || (dy == 0 && dx < 0);
         let e = i64::from(dx) * py - i64::from(dy) * px - i64::from(!top_left);
         *edge = Edge { value: e.div_euclid(i64::from(SUBPIXEL)), x: -dy, y: dx };
@@ -89,7 +89,8 @@ pub fn block(isa: Isa, edges: &[Edge; 3], bx: i32, by: i32) -> Coverage {
     }
 }
 
-/// The edges of a triangle for many blocks of a tile: what they rise by to each lane of a block.
+/// The edge functions of a triangle for many blocks of a tile: their increments from the first lane of a block to each
+/// lane.
 pub struct TileEdges<'a> {
     edges: &'a [Edge; 3],
     rise: [I32s; 3],
@@ -116,7 +117,7 @@ impl<'a> TileEdges<'a> {
             let first = edge.value
                 + i64::from(edge.x) * i64::from(8 * bx)
                 + i64::from(edge.y) * i64::from(8 * by);
-            // What it rises and falls by within a block is less than this, and then it is nowhere negative.
+            // The edge function changes by less than this within a block, so it is negative nowhere.
             let first = first.min(MOST_RISE) as i32;
             for lane in 0..LANES {
                 outside[lane] |= first.wrapping_add(rise[lane]) as u32 & 1 << 31;

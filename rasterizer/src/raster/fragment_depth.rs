@@ -1,4 +1,4 @@
-//! The depth of fragments before anything is shaded: the same numbers as [`super::inputs`] gives.
+//! The depth of fragments before shading: the same numbers as those of [`super::inputs`].
 
 use super::batch::{Batch, BatchPixels};
 use super::inputs::InterpolationSource;
@@ -9,7 +9,7 @@ use crate::output::{DepthPlan, DepthTest};
 use crate::plan::moved;
 use texunit::lanes::{F32s, Kernel, LANES, Simd, U32s, lane_x, lane_y};
 
-/// Window depth lies within bounds, [0, 1] or closer ones, whatever the planes and offsets gave (GL 2.1,
+/// Window depth lies within bounds, [0, 1] or closer ones, also after planes and offsets (GL 2.1,
 /// section 2.11.1; `ARB_depth_clamp`).
 #[inline(always)]
 pub fn clamp_depth(depth: &mut F32s, [low, high]: [f32; 2]) {
@@ -22,7 +22,7 @@ pub fn clamp_depth(depth: &mut F32s, [low, high]: [f32; 2]) {
 pub struct BlockDepth {
     /// At the first pixel, per pixel across, per pixel up.
     pub plane: [f32; 3],
-    /// What depths are held within.
+    /// The least and the largest depth.
     pub depths: [f32; 2],
 }
 
@@ -43,7 +43,7 @@ impl Kernel for BlockDepth {
 pub struct TestBlocks<'a> {
     /// What is tested.
     pub plan: DepthPlan,
-    /// What depths are held within.
+    /// The least and the largest depth.
     pub depths: [f32; 2],
     /// The depth at the first pixel of each block.
     pub corners: &'a F32s,
@@ -70,7 +70,7 @@ impl Kernel for TestBlocks<'_> {
     }
 }
 
-/// The depth of a batch at a sample: the same numbers as [`BlockDepth`] gives for a plane that was
+/// The depth of a batch at a sample: the same numbers as those of [`BlockDepth`] for a plane that was
 /// moved there.
 pub struct BatchDepth<'a> {
     /// The quads.
@@ -79,7 +79,7 @@ pub struct BatchDepth<'a> {
     pub plane: usize,
     /// From the pixel's centre to the sample, in pixels; `None` for the centre itself.
     pub offset: Option<[f32; 2]>,
-    /// What depths are held within.
+    /// The least and the largest depth.
     pub depths: [f32; 2],
     /// Receives the depth.
     pub depth: &'a mut F32s,
@@ -89,7 +89,7 @@ impl Kernel for BatchDepth<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: Simd>(self) {
-        match self.batch.quads {
+        match self.batch.pixels {
             BatchPixels::Block(block) => self.fill(block),
             BatchPixels::Packed(packed) => self.fill(packed),
             BatchPixels::Pixels(pixels) => self.fill(pixels),

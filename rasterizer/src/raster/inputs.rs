@@ -1,7 +1,7 @@
 //! The inputs of a fragment program: planes at the pixels of a batch.
 
 use super::batch::{Batch, BatchPixels, BlockOf, Packed, QUAD_X, QUAD_Y, front_word};
-use super::block_run::BlockRun;
+use super::block_group::BlockGroup;
 use super::fragment_depth::clamp_depth;
 use super::perspective::{
     X, Y, along, divided, evaluate, evaluate_moved, invert, value_at, with_slopes,
@@ -14,7 +14,7 @@ use crate::shader::Machine;
 use std::iter::once;
 use texunit::lanes::{F32s, Kernel, LANES, QUADS, Simd, U32s};
 
-/// What interpolation reads of a batch, for pixel `e` of its quad `q`.
+/// What interpolation reads of a batch. `quad` is a quad of the batch, `pixel` one of its four pixels.
 pub(super) trait InterpolationSource {
     /// A plane: at the first pixel of the block, per pixel across, per pixel up.
     fn plane(&self, plane: usize) -> impl Fn(usize, usize) -> [f32; 3];
@@ -22,11 +22,11 @@ pub(super) trait InterpolationSource {
     fn is_one(&self, plane: usize) -> bool;
     /// Whether two planes may be the same at any lane: whether they are at the first pixel of any block.
     fn may_be_equal<S: Simd>(&self, planes: [usize; 2]) -> bool;
-    /// Its column and row in its block.
-    fn position_in_block(&self, e: usize, q: usize) -> [f32; 2];
-    /// The first pixel of its block.
-    fn block_origin(&self, e: usize, q: usize) -> [f32; 2];
-    fn front(&self, e: usize, q: usize) -> u32;
+    /// The column and row of a pixel in its block.
+    fn position_in_block(&self, pixel: usize, quad: usize) -> [f32; 2];
+    /// The first pixel of the block of a pixel.
+    fn block_origin(&self, pixel: usize, quad: usize) -> [f32; 2];
+    fn front(&self, pixel: usize, quad: usize) -> u32;
     fn coverage(&self) -> Option<&F32s>;
 }
 
@@ -41,19 +41,19 @@ impl InterpolationSource for BlockOf<'_> {
         self.planes[plane] == [1.0, 0.0, 0.0]
     }
     #[inline(always)]
-    fn may_be_equal<S: Simd>(&self, [of, by]: [usize; 2]) -> bool {
-        self.planes[of][0] == self.planes[by][0]
+    fn may_be_equal<S: Simd>(&self, [numerator, denominator]: [usize; 2]) -> bool {
+        self.planes[numerator][0] == self.planes[denominator][0]
     }
     #[inline(always)]
-    fn position_in_block(&self, e: usize, q: usize) -> [f32; 2] {
-        [QUAD_X[q] + X[e], QUAD_Y[q] + Y[e]]
+    fn position_in_block(&self, pixel: usize, quad: usize) -> [f32; 2] {
+        [QUAD_X[quad] + X[pixel], QUAD_Y[quad] + Y[pixel]]
     }
     #[inline(always)]
-    fn block_origin(&self, _e: usize, _q: usize) -> [f32; 2] {
+    fn block_origin(&self, _pixel: usize, _quad: usize) -> [f32; 2] {
         [self.x as f32, self.y as f32]
     }
     #[inline(always)]
-    fn front(&self, _e: usize, _q: usize) -> u32 {
+    fn front(&self, _pixel: usize, _quad: usize) -> u32 {
         front_word(self.facing)
     }
     #[inline(always)]
@@ -66,7 +66,7 @@ impl InterpolationSource for Packed {
     #[inline(always)]
     fn plane(&self, plane: usize) -> impl Fn(usize, usize) -> [f32; 3] {
         let plane = &self.planes[plane];
-        move |_, q| [plane.corner[q], plane.a[q], plane.b[q]]
+        move |_, quad| [plane.corner[quad], plane.a[quad], plane.b[quad]]
     }
     #[inline(always)]
     fn is_one(&self, _plane: usize) -> bool {
@@ -74,20 +74,20 @@ impl InterpolationSource for Packed {
     }
     #[inline(always)]
     fn may_be_equal<S: Simd>(&self, planes: [usize; 2]) -> bool {
-        let [of, by] = planes.map(|plane| &self.planes[plane].corner);
-        of.iter().zip(by).any(|(of, by)| of == by)
+        let [numerator, denominator] = planes.map(|plane| &self.planes[plane].corner);
+        numerator.iter().zip(denominator).any(|(numerator, denominator)| numerator == denominator)
     }
     #[inline(always)]
-    fn position_in_block(&self, e: usize, q: usize) -> [f32; 2] {
-        [self.dx[q] + X[e], self.dy[q] + Y[e]]
+    fn position_in_block(&self, pixel: usize, quad: usize) -> [f32; 2] {
+        [self.dx[quad] + X[pixel], self.dy[quad] + Y[pixel]]
     }
     #[inline(always)]
-    fn block_origin(&self, _e: usize, q: usize) -> [f32; 2] {
-        [self.x[q], self.y[q]]
+    fn block_origin(&self, _pixel: usize, quad: usize) -> [f32; 2] {
+        [self.x[quad], self.y[quad]]
     }
     #[inline(always)]
-    fn front(&self, _e: usize, q: usize) -> u32 {
-        self.front[q]
+    fn front(&self, _pixel: usize, quad: usize) -> u32 {
+        self.front[quad]
     }
     #[inline(always)]
     fn coverage(&self) -> Option<&F32s> {
@@ -99,8 +99,8 @@ impl InterpolationSource for Pixels {
     #[inline(always)]
     fn plane(&self, plane: usize) -> impl Fn(usize, usize) -> [f32; 3] {
         let plane = &self.planes[plane];
-        move |e, q| {
-            let lane = e * QUADS + q;
+        move |pixel, quad| {
+            let lane = pixel * QUADS + quad;
             [plane.corner[lane], plane.a[lane], plane.b[lane]]
         }
     }
@@ -117,24 +117,24 @@ impl InterpolationSource for Pixels {
     }
     #[inline(always)]
     fn may_be_equal<S: Simd>(&self, planes: [usize; 2]) -> bool {
-        let [of, by] = planes.map(|plane| &self.planes[plane].corner);
+        let [numerator, denominator] = planes.map(|plane| &self.planes[plane].corner);
         let mut same = U32s::ZERO;
         for lane in 0..LANES {
-            same[lane] = u32::from(of[lane] == by[lane]);
+            same[lane] = u32::from(numerator[lane] == denominator[lane]);
         }
         S::any(&same)
     }
     #[inline(always)]
-    fn position_in_block(&self, e: usize, q: usize) -> [f32; 2] {
-        [self.position[0][e * QUADS + q], self.position[1][e * QUADS + q]]
+    fn position_in_block(&self, pixel: usize, quad: usize) -> [f32; 2] {
+        [self.position[0][pixel * QUADS + quad], self.position[1][pixel * QUADS + quad]]
     }
     #[inline(always)]
-    fn block_origin(&self, e: usize, q: usize) -> [f32; 2] {
-        [self.block[0][e * QUADS + q], self.block[1][e * QUADS + q]]
+    fn block_origin(&self, pixel: usize, quad: usize) -> [f32; 2] {
+        [self.block[0][pixel * QUADS + quad], self.block[1][pixel * QUADS + quad]]
     }
     #[inline(always)]
-    fn front(&self, e: usize, q: usize) -> u32 {
-        let is_back = self.back >> (e * QUADS + q) & 1 == 1;
+    fn front(&self, pixel: usize, quad: usize) -> u32 {
+        let is_back = self.back >> (pixel * QUADS + quad) & 1 == 1;
         front_word(if is_back { Facing::Back } else { Facing::Front })
     }
     #[inline(always)]
@@ -160,9 +160,9 @@ impl Kernel for Interpolate<'_> {
     #[inline(always)]
     fn run<S: Simd>(self) {
         let Self { plan, batch, machine, depth } = self;
-        let inputs = &plan.filled[..];
+        let inputs = &plan.interpolated_inputs[..];
         let mut fill = Fill { plan, inputs, masks: batch.masks, machine, file: 0, depth };
-        match batch.quads {
+        match batch.pixels {
             BatchPixels::Block(block) => fill.fill::<S>(block),
             BatchPixels::Packed(packed) => fill.fill::<S>(packed),
             BatchPixels::Pixels(pixels) => fill.fill::<S>(pixels),
@@ -170,28 +170,28 @@ impl Kernel for Interpolate<'_> {
     }
 }
 
-/// Fills the input registers of a program from a run, register file by register file.
-pub struct InterpolateRun<'a> {
+/// Fills the input registers of a program from a block group, register file by register file.
+pub struct InterpolateGroup<'a> {
     /// The draw.
     pub plan: &'a DrawPlan,
-    /// What is filled of the first register file, and of the others.
+    /// The inputs that are filled in the first register file, and in the others.
     pub inputs: [&'a [FilledInput]; 2],
     /// The blocks.
-    pub run: &'a BlockRun,
+    pub block_group: &'a BlockGroup,
     /// The first pixel of their tile.
     pub tile: [i32; 2],
     /// Receives the inputs.
     pub machine: &'a mut Machine,
 }
 
-impl Kernel for InterpolateRun<'_> {
+impl Kernel for InterpolateGroup<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: Simd>(self) {
-        let Self { plan, inputs: [first, others], run, tile, machine } = self;
+        let Self { plan, inputs: [first, others], block_group, tile, machine } = self;
         let (masks, mut depth) = (&SampleMasks::default(), F32s::ZERO);
         let depth = &mut depth;
-        for (file, block) in run.blocks(tile).enumerate() {
+        for (file, block) in block_group.blocks(tile).enumerate() {
             let inputs = if file == 0 { first } else { others };
             Fill { plan, inputs, masks, machine, file, depth }.fill::<S>(&block);
         }
@@ -220,7 +220,7 @@ impl Fill<'_> {
         }
         let mut w = F32s::splat(1.0);
         let denominator = plan.denominator_plane.unwrap_or(0);
-        // Of shapes that do not lie in perspective nothing is divided.
+        // Shapes without perspective need no division.
         let is_divided = plan.denominator_plane.is_some_and(|index| !source.is_one(index));
         if is_divided {
             w = evaluate::<S>(source, denominator);
@@ -234,9 +234,9 @@ impl Fill<'_> {
         for &FilledInput { number, from, slopes } in *inputs {
             if let (FragmentInput::Smooth(index), Some(slopes)) = (from, slopes) {
                 let all = with_slopes::<S>(source, [index, denominator], &w);
-                for (number, filled) in once(number).chain(slopes).zip(all) {
+                for (number, value) in once(number).chain(slopes).zip(all) {
                     if let Some(out) = registers.get_mut(number) {
-                        *out.as_f32_mut() = filled;
+                        *out.as_f32_mut() = value;
                     }
                 }
                 continue;
@@ -259,31 +259,33 @@ impl Fill<'_> {
                 FragmentInput::LinearAtCentroid(index) => {
                     *out.as_f32_mut() = evaluate_moved::<S>(source, index, &centroids);
                 }
-                FragmentInput::SmoothSlope(index, axis) => {
+                FragmentInput::SmoothGradient(index, axis) => {
                     let [_, across, up] = with_slopes::<S>(source, [index, denominator], &w);
                     *out.as_f32_mut() = match axis {
                         Axis::X => across,
                         Axis::Y => up,
                     };
                 }
-                FragmentInput::LinearSlope(index, axis) => {
+                FragmentInput::LinearGradient(index, axis) => {
                     let plane = source.plane(index);
-                    by_quad(out, |e, q| along(axis, plane(e, q)).to_bits());
+                    by_quad(out, |pixel, quad| along(axis, plane(pixel, quad)).to_bits());
                 }
                 FragmentInput::Depth => *out.as_f32_mut() = **depth,
                 FragmentInput::Flat(index) => {
                     let plane = source.plane(index);
-                    by_quad(out, |e, q| plane(e, q)[0].to_bits());
+                    by_quad(out, |pixel, quad| plane(pixel, quad)[0].to_bits());
                 }
-                FragmentInput::X => by_quad(out, |e, q| {
-                    (source.block_origin(e, q)[0] + (source.position_in_block(e, q)[0] + 0.5))
+                FragmentInput::X => by_quad(out, |pixel, quad| {
+                    (source.block_origin(pixel, quad)[0]
+                        + (source.position_in_block(pixel, quad)[0] + 0.5))
                         .to_bits()
                 }),
-                FragmentInput::Y => by_quad(out, |e, q| {
-                    (source.block_origin(e, q)[1] + (source.position_in_block(e, q)[1] + 0.5))
+                FragmentInput::Y => by_quad(out, |pixel, quad| {
+                    (source.block_origin(pixel, quad)[1]
+                        + (source.position_in_block(pixel, quad)[1] + 0.5))
                         .to_bits()
                 }),
-                FragmentInput::Front => by_quad(out, |e, q| source.front(e, q)),
+                FragmentInput::Front => by_quad(out, |pixel, quad| source.front(pixel, quad)),
                 FragmentInput::Coverage => {
                     if let Some(coverage) = source.coverage() {
                         *out.as_f32_mut() = *coverage;
@@ -320,14 +322,16 @@ impl Batch<'_> {
 
     /// A plane, and the column and row of a lane in its block.
     fn plane_and_position(&self, plane: usize, lane: usize) -> ([f32; 3], [f32; 2]) {
-        let (e, q) = (lane / QUADS, lane % QUADS);
-        match self.quads {
-            BatchPixels::Block(block) => (block.plane(plane)(e, q), block.position_in_block(e, q)),
+        let (pixel, quad) = (lane / QUADS, lane % QUADS);
+        match self.pixels {
+            BatchPixels::Block(block) => {
+                (block.plane(plane)(pixel, quad), block.position_in_block(pixel, quad))
+            }
             BatchPixels::Packed(packed) => {
-                (packed.plane(plane)(e, q), packed.position_in_block(e, q))
+                (packed.plane(plane)(pixel, quad), packed.position_in_block(pixel, quad))
             }
             BatchPixels::Pixels(pixels) => {
-                (pixels.plane(plane)(e, q), pixels.position_in_block(e, q))
+                (pixels.plane(plane)(pixel, quad), pixels.position_in_block(pixel, quad))
             }
         }
     }

@@ -13,7 +13,7 @@ use crate::primitive::{
 use crate::sizes::SUBPIXEL;
 use crate::vertex::Geometry;
 
-/// What the planes of a draw's shapes depend on besides the shape.
+/// The state of a draw that the planes of its shapes depend on.
 #[derive(Clone, Copy, Debug)]
 pub struct PlaneSetup<'a> {
     /// Which planes.
@@ -29,7 +29,7 @@ pub struct PlaneSetup<'a> {
 /// The planes of a shape.
 #[derive(Debug, Default)]
 pub struct Planes {
-    /// What the planes count from, in pixels.
+    /// The origin of the planes, in pixels.
     pub origin: [f64; 2],
     /// In the order of [`PlaneSetup::sources`].
     pub planes: Vec<Plane>,

@@ -1,4 +1,4 @@
-//! The work of a pass: its draws, chunks of shapes and clears, and the entries of each tile.
+//! The work of a pass: its draws, chunks of shapes and clears, and the commands of each tile.
 
 use super::budget::{Charge, DrawBudget};
 use super::clear::ClearJob;
@@ -19,7 +19,7 @@ pub struct DrawJob {
     pub plan: Arc<DrawPlan>,
     /// First and one past the last pixel its triangles may touch, x then y.
     pub area: [[i32; 2]; 2],
-    /// What counts the samples that pass its tests.
+    /// The counter of the samples that pass its tests.
     pub counter: Option<Counter>,
     /// What it may still run beyond the budget.
     pub budget: DrawBudget,
@@ -52,7 +52,7 @@ impl DrawJob {
     }
 }
 
-/// The shapes of a run of primitives and the vertices they stand on.
+/// The shapes of a run of primitives and their vertices.
 #[derive(Debug)]
 pub struct Chunk {
     /// Which draw.
@@ -72,9 +72,9 @@ pub struct ShapeLists {
     pub binned: Vec<u32>,
 }
 
-/// An operation on a tile.
+/// An operation of a tile: a clear, or shapes of a chunk.
 #[derive(Clone, Copy, Debug)]
-pub enum Entry {
+pub enum TileCommand {
     /// A clear, by index.
     Clear(u32),
     /// Shapes of a chunk: a range of its `binned`.
@@ -118,8 +118,8 @@ pub struct TileJob {
     pub colors: Vec<Option<TileTarget>>,
     /// Its part of the depth attachment.
     pub depth: Option<TileTarget>,
-    /// The operations, in order.
-    pub entries: Vec<Entry>,
+    /// Its operations, in order.
+    pub commands: Vec<TileCommand>,
     /// What draws have run in it beyond what is free.
     pub charges: Vec<Charge>,
     /// The watched pixel, if it is in this tile.

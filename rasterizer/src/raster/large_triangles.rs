@@ -1,5 +1,5 @@
-//! A triangle that covers many blocks of a tile: what it covers of them, and its planes there, computed over lanes
-//! that are blocks. The numbers are those of [`super::edge_functions::block`] and [`PlaneGroup::at`].
+//! A triangle that covers many blocks of a tile: its coverage and its planes in each block, computed with one lane per
+//! block. The numbers are those of [`super::edge_functions::block`] and [`PlaneGroup::at`].
 
 use super::batch::is_dense;
 use super::edge_functions::{Edge, TileEdges, edges};
@@ -16,17 +16,20 @@ use texunit::lanes::{F32s, Isa, Kernel, LANES, Simd, U32s};
 pub const MIN_BLOCKS: i32 = 3;
 
 /// Blocks along a side of a tile.
-const SIDE: usize = TILE as usize / 8;
-const _: () = assert!(BLOCKS == LANES && SIDE * SIDE == LANES, "lanes are the blocks of a tile");
+const TILE_BLOCKS: usize = TILE as usize / 8;
+const _: () = assert!(
+    BLOCKS == LANES && TILE_BLOCKS * TILE_BLOCKS == LANES,
+    "lanes are the blocks of a tile"
+);
 
 /// The coverage and the planes of a large triangle in each block of a tile.
 #[derive(Debug)]
 pub struct LargeTriangle {
-    /// Those of which it covers any pixel, bit by block.
+    /// The blocks of which it covers any pixel, bit by block.
     pub touched: u64,
-    /// Those that it covers so densely that they are shaded as blocks.
+    /// The blocks that it covers so densely that they are shaded as blocks.
     pub dense: u64,
-    /// The lanes that it covers, of those that it touches.
+    /// The covered lanes of each touched block.
     pub covered: [u64; BLOCKS],
     planes: Vec<TilePlane>,
 }
@@ -71,7 +74,7 @@ impl LargeTriangle {
     }
 
     /// Removes the lanes outside an area; `inside` gives the lanes of a block inside it.
-    pub fn cut(&mut self, packing: Packing, inside: impl Fn(usize) -> u64) {
+    pub fn clip_to_area(&mut self, packing: Packing, inside: impl Fn(usize) -> u64) {
         let touched = std::mem::take(&mut self.touched);
         self.dense = 0;
         for block in bits(touched) {
@@ -82,11 +85,11 @@ impl LargeTriangle {
 
     /// Whether a pending batch holds a fragment in any of the covered lanes.
     #[inline]
-    pub fn any(&self, has_pending: impl Fn(usize, u64) -> bool) -> bool {
+    pub fn overlaps_pending(&self, has_pending: impl Fn(usize, u64) -> bool) -> bool {
         bits(self.touched).any(|block| has_pending(block, self.covered[block]))
     }
 
-    /// Sets the bits of a block by what is covered of it.
+    /// Sets the bits of a block in `touched` and `dense` from its covered lanes.
     #[inline(always)]
     fn set_bits(&mut self, packing: Packing, block: usize) {
         let lanes = self.covered[block];
@@ -94,7 +97,7 @@ impl LargeTriangle {
         self.dense |= u64::from(is_dense(packing, lanes)) << block;
     }
 
-    /// Tests the depth of some blocks, bit by block, which `of` is the plane of, and leaves the lanes that pass.
+    /// Tests the depth of some blocks, bit by block, by the plane `of`; lanes that fail are removed.
     pub fn test(
         &mut self,
         isa: Isa,
@@ -108,8 +111,8 @@ impl LargeTriangle {
         isa.run(TestBlocks { plan, depths, corners, steps: *steps, words, blocks, lanes });
     }
 
-    /// The planes' steps, which are those of every block; their values are left alone.
-    pub fn steps(&self, out: &mut [[f32; 3]]) {
+    /// Writes the steps of the planes, equal in all blocks, to `out`; the first values there are kept.
+    pub fn write_steps(&self, out: &mut [[f32; 3]]) {
         for ([_, a, b], plane) in out.iter_mut().zip(&self.planes) {
             [*a, *b] = plane.steps;
         }
@@ -125,9 +128,9 @@ impl LargeTriangle {
         })
     }
 
-    /// The planes' values at the first pixel of a block; their steps are left alone.
+    /// Writes the values of the planes at the first pixel of a block to `out`; the steps there are kept.
     #[inline]
-    pub fn corners(&self, block: usize, out: &mut [[f32; 3]]) {
+    pub fn write_first_values(&self, block: usize, out: &mut [[f32; 3]]) {
         let block = block % BLOCKS;
         for ([corner, ..], plane) in out.iter_mut().zip(&self.planes) {
             *corner = plane.corners[block];
@@ -154,7 +157,7 @@ impl Kernel for ComputeBlocks<'_> {
         let origin = group.origin(lane);
         // From the planes' origin to the first pixel of each column and row of blocks.
         let along = |axis: usize| {
-            let mut along = [0.0; SIDE];
+            let mut along = [0.0; TILE_BLOCKS];
             for (number, along) in along.iter_mut().enumerate() {
                 *along = f64::from(tile[axis] + 8 * number as i32) + 0.5 - origin[axis];
             }
@@ -168,7 +171,7 @@ impl Kernel for ComputeBlocks<'_> {
             for row in rows.clone() {
                 let up = dy[row] * b;
                 for (column, dx) in dx.iter().enumerate() {
-                    out.corners[row * SIDE + column] = ((dx * a + up) + c) as f32;
+                    out.corners[row * TILE_BLOCKS + column] = ((dx * a + up) + c) as f32;
                 }
             }
         }
@@ -176,7 +179,7 @@ impl Kernel for ComputeBlocks<'_> {
 }
 
 impl LargeTriangle {
-    /// What lies within the edges of each block.
+    /// Computes the lanes of each block that are inside all edges.
     #[inline(always)]
     fn cover<S: Simd>(&mut self, edges: &[Edge; 3], rows: Range<usize>, packing: Packing) {
         let [touched, full] = blocks::<S>(edges, rows);
@@ -184,33 +187,34 @@ impl LargeTriangle {
         self.covered = [!0; BLOCKS];
         let tile_edges = TileEdges::of(edges);
         for block in bits(touched & !full) {
-            let at = [block % SIDE, block / SIDE].map(|at| at as i32);
+            let at = [block % TILE_BLOCKS, block / TILE_BLOCKS].map(|at| at as i32);
             self.covered[block] = tile_edges.lanes::<S>(at);
             self.set_bits(packing, block);
         }
     }
 }
 
-/// The blocks that no edge leaves out, and those that all edges hold whole.
+/// The blocks that are not outside of any edge, and the blocks that are entirely inside all edges.
 #[inline(always)]
 fn blocks<S: Simd>(edges: &[Edge; 3], rows: Range<usize>) -> [u64; 2] {
     let (mut outside, mut crossed) = (U32s::ZERO, U32s::ZERO);
-    let within = !0 << (SIDE * rows.start) & !0 >> (LANES - SIDE * rows.end.clamp(1, SIDE));
+    let within = !0 << (TILE_BLOCKS * rows.start)
+        & !0 >> (LANES - TILE_BLOCKS * rows.end.clamp(1, TILE_BLOCKS));
     for edge in edges {
         let (x, y) = (i64::from(edge.x), i64::from(edge.y));
         let most = 7 * (x.max(0) + y.max(0));
         let least = 7 * (x.min(0) + y.min(0));
-        let mut across = [0; SIDE];
+        let mut across = [0; TILE_BLOCKS];
         for (number, across) in across.iter_mut().enumerate() {
             *across = edge.value + 8 * x * number as i64;
         }
         for row in rows.clone() {
             let up = 8 * y * row as i64;
-            for column in 0..SIDE {
+            for column in 0..TILE_BLOCKS {
                 let first = across[column] + up;
                 // The sign is in the upper word.
-                outside[row * SIDE + column] |= ((first + most) >> 32) as u32 & 1 << 31;
-                crossed[row * SIDE + column] |= ((first + least) >> 32) as u32 & 1 << 31;
+                outside[row * TILE_BLOCKS + column] |= ((first + most) >> 32) as u32 & 1 << 31;
+                crossed[row * TILE_BLOCKS + column] |= ((first + least) >> 32) as u32 & 1 << 31;
             }
         }
     }
@@ -230,7 +234,7 @@ mod tests {
         #[inline(always)]
         fn run<S: Simd>(self) -> LargeTriangle {
             let mut triangle = LargeTriangle::default();
-            triangle.cover::<S>(self.0, 0..SIDE, self.1);
+            triangle.cover::<S>(self.0, 0..TILE_BLOCKS, self.1);
             triangle
         }
     }

@@ -1,4 +1,4 @@
-//! A line as a rectangle: what a smooth one covers of pixels (GL 2.1, section 3.4.2), and which samples one holds
+//! A line as a rectangle: the coverage of pixels by a smooth line (GL 2.1, section 3.4.2), and which samples one holds
 //! (section 3.4.4).
 
 use super::area::{self, Areas};
@@ -10,7 +10,7 @@ use texunit::lanes::{Isa, Kernel, LANES, Simd, U32s, lane_x, lane_y};
 /// The stipple of a line, and its phase at the start of the line in subpixels.
 pub type Dashes = Option<(LineStipple, u32)>;
 
-/// Whether the stipple leaves what is `at` subpixels from a line's start.
+/// Whether the stipple draws the point `at` subpixels from the start of a line.
 pub fn is_dash(dashes: Dashes, at: u32) -> bool {
     dashes.is_none_or(|(stipple, before)| {
         let fragment = before.wrapping_add(at) / SUBPIXEL as u32;
@@ -39,7 +39,7 @@ impl LineRectangle {
         Self { ends, width, direction, length, corners: rectangle(ends, width, [0.0, length]) }
     }
 
-    /// How far along the line a point lies.
+    /// The distance of a point from the start, along the line.
     #[inline(always)]
     fn along(&self, point: [f64; 2]) -> f64 {
         let [a, _] = self.ends;
@@ -47,11 +47,11 @@ impl LineRectangle {
             / self.length
     }
 
-    /// Adds what the line covers of each pixel of the block from `first` on: of the pieces one pixel long that its
-    /// stipple leaves.
+    /// Adds the area that the line covers of each pixel of the block from `first` on: of the pieces one pixel long that
+    /// its stipple draws.
     pub fn add(&self, isa: Isa, dashes: Dashes, first: [f64; 2], areas: &mut Areas) {
         if dashes.is_none() {
-            area::add(isa, &self.corners, first, areas);
+            area::add_polygon_areas(isa, &self.corners, first, areas);
             return;
         }
         let (x, y) = (first[0], first[1]);
@@ -66,14 +66,14 @@ impl LineRectangle {
             }
             if begin < piece {
                 let part = [f64::from(begin), f64::from(piece)];
-                area::add(isa, &rectangle(self.ends, self.width, part), first, areas);
+                area::add_polygon_areas(isa, &rectangle(self.ends, self.width, part), first, areas);
             } else {
                 piece += 1;
             }
         }
     }
 
-    /// The lanes of the block from pixel `first` on whose centres the line holds, where its stipple leaves it.
+    /// The lanes of the block from pixel `first` on whose centres the line holds, where its stipple draws it.
     pub fn centers(&self, isa: Isa, dashes: Dashes, first: [i32; 2]) -> u64 {
         let covered = isa.run(SamplesCovered { band: self, first: first.map(f64::from) });
         if dashes.is_none() {

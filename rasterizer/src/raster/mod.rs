@@ -1,12 +1,12 @@
 //! Filling: which pixels a shape covers, how values run over it, and the tiles that do the work.
 //!
-//! A pass is cut into tiles of 64×64 pixels; each thread takes tiles, and within a tile every
+//! A pass is cut into tiles of 64×64 pixels; each thread renders tiles, and within a tile every
 //! clear and shape of the pass is done in order, so that the result does not depend on threads.
 
 mod area;
 mod batch;
 mod block;
-mod block_run;
+mod block_group;
 mod budget;
 mod clear;
 mod edge_functions;
@@ -32,6 +32,6 @@ mod window_blocks;
 
 pub use budget::{DrawBudget, FIRST_WAVE, FREE_OPERATIONS, WAVE};
 pub use clear::ClearJob;
-pub use job::{Chunk, DrawJob, Entry, PassJob, ShapeLists, TileJob};
+pub use job::{Chunk, DrawJob, PassJob, ShapeLists, TileCommand, TileJob};
 pub use tile::TileRenderer;
 pub use watched::{Formats, WatchedPixel};

@@ -1,8 +1,9 @@
-//! Puts small triangles, and blocks that a large one covers sparsely, into the pending batch of pixels: the innermost
-//! loop of fine meshes. Kernels, so that bits are counted and planes copied by what the instruction set has for it.
+//! Packs small triangles, and blocks that a large triangle covers sparsely, into the pending batch of pixels: the
+//! innermost loop of fine meshes. These are kernels, so that bits are counted and planes copied by instructions of the
+//! selected instruction set.
 
 use super::batch::is_dense;
-use super::block_run::BlockRun;
+use super::block_group::BlockGroup;
 use super::large_triangles::LargeTriangle;
 use super::pixel_batch::Pixels;
 use super::plane_group::PlaneGroup;
@@ -34,7 +35,7 @@ pub struct Pack<'a> {
     pub window_blocks: &'a mut WindowBlocks,
     pub pixels: &'a mut Pixels,
     /// The pending blocks.
-    pub run: &'a BlockRun,
+    pub block_group: &'a BlockGroup,
 }
 
 impl Kernel for Pack<'_> {
@@ -43,7 +44,7 @@ impl Kernel for Pack<'_> {
     #[inline(always)]
     fn run<S: Simd>(self) -> Stop {
         let mut reader = self.window_blocks.reader;
-        let Self { shapes, group, window_blocks, pixels, run } = self;
+        let Self { shapes, group, window_blocks, pixels, block_group } = self;
         let stop = loop {
             let Some(window_block) = window_blocks.front(&mut reader) else { break Stop::Done };
             let WindowBlock { shape, index, block, lanes } = window_block;
@@ -54,7 +55,7 @@ impl Kernel for Pack<'_> {
             if pixels.is_full() || pixels.has_pending(block, lanes) {
                 break Stop::Pixels;
             }
-            if run.has_pending(block, lanes) {
+            if block_group.has_pending(block, lanes) {
                 break Stop::Blocks;
             }
             let planes = group.in_window(shape, index);
@@ -66,8 +67,8 @@ impl Kernel for Pack<'_> {
     }
 }
 
-/// Packs blocks of a large triangle, bit by block, until the pending batch is full; gives the blocks of
-/// which any pixel is left.
+/// Packs blocks of a large triangle, bit by block, until the pending batch is full; returns the blocks
+/// that have unpacked pixels.
 pub struct PackLargeTriangle<'a> {
     pub triangle: &'a mut LargeTriangle,
     pub facing: Facing,

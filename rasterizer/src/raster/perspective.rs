@@ -1,5 +1,5 @@
-//! Planes at the pixels of a batch, over the denominator's where they lie in perspective (GL 2.1, equation 3.6), and
-//! how the quotients change from pixel to pixel.
+//! Planes at the pixels of a batch, divided by the denominator plane for perspective (GL 2.1, equation 3.6), and the
+//! derivatives of the quotients.
 
 use super::inputs::InterpolationSource;
 use crate::ir::Axis;
@@ -10,8 +10,8 @@ pub const X: [f32; 4] = [0.0, 1.0, 0.0, 1.0];
 /// Row of each pixel of a quad.
 pub const Y: [f32; 4] = [0.0, 0.0, 1.0, 1.0];
 
-/// A plane over the denominator's, given its inverse. Where both are the same plane that is 1: what is 1 at all
-/// vertices is so in between.
+/// A plane divided by the denominator plane, given the inverse of the latter. If both are equal the quotient is exactly
+/// 1: a varying that is 1 at all vertices is 1 everywhere.
 #[inline(always)]
 pub fn divided<S: Simd>(
     source: &impl InterpolationSource,
@@ -26,7 +26,7 @@ pub fn divided<S: Simd>(
         return out;
     }
     let (of, by) = (source.plane(plane), source.plane(denominator));
-    let is_one = |e, q| of(e, q) == by(e, q);
+    let is_one = |pixel, quad| of(pixel, quad) == by(pixel, quad);
     let [a, b, c, d] = pixels(&mut out);
     divide_pixel(is_one, 0, inverse, a);
     divide_pixel(is_one, 1, inverse, b);
@@ -39,17 +39,17 @@ pub fn divided<S: Simd>(
 #[inline(always)]
 fn divide_pixel(
     is_one: impl Fn(usize, usize) -> bool,
-    e: usize,
+    pixel: usize,
     inverse: &F32s,
     out: &mut [f32; QUADS],
 ) {
-    for (q, out) in out.iter_mut().enumerate() {
-        let quotient = *out * inverse[e * QUADS + q];
-        *out = if is_one(e, q) { 1.0 } else { quotient };
+    for (quad, out) in out.iter_mut().enumerate() {
+        let quotient = *out * inverse[pixel * QUADS + quad];
+        *out = if is_one(pixel, quad) { 1.0 } else { quotient };
     }
 }
 
-/// [`divided`], and how it changes across and up. One loop, as all three are made of the same quotient.
+/// [`divided`], and its derivatives across and up. One loop, as all three share the quotient.
 #[inline(always)]
 pub fn with_slopes<S: Simd>(
     source: &impl InterpolationSource,
@@ -73,9 +73,9 @@ impl<P: InterpolationSource> Kernel for WithSlopes<'_, P> {
         let mut all = [F32s::ZERO; 3];
         let [value, across, up] = all.each_mut().map(pixels);
         let planes = (source.plane(plane), source.plane(denominator));
-        for e in 0..4 {
-            let out = (&mut value[e], &mut across[e], &mut up[e]);
-            with_slopes_pixel(source, &planes, e, inverse, out);
+        for pixel in 0..4 {
+            let out = (&mut value[pixel], &mut across[pixel], &mut up[pixel]);
+            with_slopes_pixel(source, &planes, pixel, inverse, out);
         }
         all
     }
@@ -86,16 +86,16 @@ impl<P: InterpolationSource> Kernel for WithSlopes<'_, P> {
 fn with_slopes_pixel(
     source: &impl InterpolationSource,
     (of, by): &(impl Fn(usize, usize) -> [f32; 3], impl Fn(usize, usize) -> [f32; 3]),
-    e: usize,
+    pixel: usize,
     inverse: &F32s,
     (value, across, up): (&mut [f32; QUADS], &mut [f32; QUADS], &mut [f32; QUADS]),
 ) {
-    for q in 0..QUADS {
-        let (of, by, inverse) = (of(e, q), by(e, q), inverse[e * QUADS + q]);
-        let quotient = value_at(of, source.position_in_block(e, q)) * inverse;
-        value[q] = if of == by { 1.0 } else { quotient };
-        across[q] = slope(along(Axis::X, of), along(Axis::X, by), quotient, inverse);
-        up[q] = slope(along(Axis::Y, of), along(Axis::Y, by), quotient, inverse);
+    for quad in 0..QUADS {
+        let (of, by, inverse) = (of(pixel, quad), by(pixel, quad), inverse[pixel * QUADS + quad]);
+        let quotient = value_at(of, source.position_in_block(pixel, quad)) * inverse;
+        value[quad] = if of == by { 1.0 } else { quotient };
+        across[quad] = slope(along(Axis::X, of), along(Axis::X, by), quotient, inverse);
+        up[quad] = slope(along(Axis::Y, of), along(Axis::Y, by), quotient, inverse);
     }
 }
 
@@ -164,15 +164,15 @@ pub fn evaluate_plane(
 fn evaluate_pixel(
     source: &impl InterpolationSource,
     plane: &impl Fn(usize, usize) -> [f32; 3],
-    e: usize,
+    pixel: usize,
     out: &mut [f32; QUADS],
 ) {
-    for (q, out) in out.iter_mut().enumerate() {
-        *out = value_at(plane(e, q), source.position_in_block(e, q));
+    for (quad, out) in out.iter_mut().enumerate() {
+        *out = value_at(plane(pixel, quad), source.position_in_block(pixel, quad));
     }
 }
 
-/// A plane at a place in its block.
+/// A plane at a position in its block.
 #[inline(always)]
 pub fn value_at([corner, a, b]: [f32; 3], [dx, dy]: [f32; 2]) -> f32 {
     (corner + dx * a) + dy * b

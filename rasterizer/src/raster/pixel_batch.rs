@@ -1,8 +1,8 @@
 //! A batch of fragments without helper lanes: up to 64 pixels of any blocks of
 //! the tile.
 //!
-//! Where nothing that a draw computes depends on the other pixels of a quad, there is no reason to
-//! shade those that are not covered: a triangle of five pixels is five lanes, not four quads.
+//! If no computation of a draw depends on the other pixels of a quad, helper lanes are not needed: a triangle of five
+//! pixels is five lanes, not four quads.
 
 use super::batch::{Batch, BatchPixels, EachPlane};
 use crate::attachment::{BLOCKS, BatchLayout};
@@ -26,7 +26,7 @@ pub struct Pixels {
     at: [u16; PADDED_LANES],
     /// The occupied lanes, once it is a batch.
     masks: SampleMasks,
-    /// Those of back faces, bit by lane.
+    /// The lanes of back faces, bit by lane.
     pub back: u64,
     pub planes: Vec<EachPlane<PADDED_LANES>>,
     /// Column and row of each in its block.
@@ -83,7 +83,7 @@ impl Pixels {
     pub fn batch(&mut self, isa: Isa, tile: [i32; 2]) -> Batch<'_> {
         isa.run(LocatePixels { pixels: self, tile });
         self.masks = SampleMasks::one(self.mask());
-        Batch { quads: BatchPixels::Pixels(self), masks: &self.masks, tested: 0 }
+        Batch { pixels: BatchPixels::Pixels(self), masks: &self.masks, tested: 0 }
     }
 
     /// Where the pixels are in the tile.
@@ -128,7 +128,7 @@ impl Pixels {
         self.blocks |= 1 << (block % BLOCKS);
         let block = (block * LANES) as u64 * EACH_U16;
         for at in (first..self.len).step_by(STORED_LANES) {
-            // Which it is; so that nothing is checked.
+            // Always true; the compiler then omits the bounds checks.
             let at = at % LANES;
             for to in self.at[at..at + STORED_LANES].as_chunks_mut::<4>().0 {
                 let mut next = || {

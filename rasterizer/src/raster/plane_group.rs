@@ -4,7 +4,7 @@
 use super::interpolate::{PlaneSetup, Planes};
 use super::plane_weights::{PlaneLanes, Weights, sum, to_depth};
 use super::shape_lanes::ShapeLanes;
-use super::small_triangles::{REACHED, Windows};
+use super::small_triangles::{WINDOW_BLOCKS, Windows};
 use crate::plan::{FactorPlanes, PlaneSource};
 use crate::primitive::Shape;
 use crate::sizes::SUBPIXEL;
@@ -22,44 +22,44 @@ pub struct PlaneGroup {
     /// The same planes in the blocks of the shapes' windows.
     windows: Vec<WindowPlane>,
     single: Planes,
-    lanes: Box<Lanes>,
+    lanes: Box<KernelBuffers>,
 }
 
-/// A plane of each shape in the blocks that its window reaches into.
+/// A plane of each shape in the blocks that its window overlaps.
 #[derive(Clone, Debug)]
 struct WindowPlane {
     /// At the first pixel of each of the blocks, row by row.
-    corners: [F32s; REACHED * REACHED],
+    corners: [F32s; WINDOW_BLOCKS * WINDOW_BLOCKS],
     /// Per pixel across.
     a: F32s,
     /// Per pixel up.
     b: F32s,
 }
 
-/// What the kernels read and write.
+/// The buffers that the kernels read and write.
 #[derive(Debug)]
-struct Lanes {
+struct KernelBuffers {
     origin: [F64s; 2],
     /// Four values that planes interpolate, by vertex.
     values: [[F32s; 4]; 3],
     weights: Weights,
-    /// Not zero where the general computation must do it.
-    general: [u64; LANES],
+    /// Not zero in the lanes whose planes only the scalar path ([`PlaneGroup::single`]) computes exactly.
+    needs_scalar_path: [u64; LANES],
 }
 
-impl Default for Lanes {
+impl Default for KernelBuffers {
     fn default() -> Self {
         Self {
             origin: [F64s::ZERO; 2],
             values: [[F32s::ZERO; 4]; 3],
             weights: Weights::default(),
-            general: [0; LANES],
+            needs_scalar_path: [0; LANES],
         }
     }
 }
 
 impl PlaneGroup {
-    /// What the planes of the shape `lane` count from, in pixels.
+    /// The origin of the planes of the shape `lane`, in pixels.
     #[inline(always)]
     pub fn origin(&self, lane: usize) -> [f64; 2] {
         let [x, y] = &self.lanes.origin;
@@ -79,8 +79,8 @@ impl PlaneGroup {
         self.planes.iter().map(move |[a, b, c]| [a[lane], b[lane], c[lane]])
     }
 
-    /// Whether what factors depend on is the same all over the shape `lane`: planes that do not rise, or that are
-    /// the denominator they are divided by.
+    /// Whether the inputs of the factors are uniform over the shape `lane`: their planes are constant, or equal the
+    /// denominator plane.
     pub fn has_uniform_factors(
         &self,
         lane: usize,
@@ -102,8 +102,8 @@ impl PlaneGroup {
                 .all(|index| by == Some(plane(*index)) || is_one && is_constant(index))
     }
 
-    /// Whether the quotients of these planes rise by the same steps all over the shape `lane`: if they are divided by
-    /// one.
+    /// Whether the quotients of these planes have constant derivatives over the shape `lane`: the denominator plane is
+    /// 1.
     pub fn has_uniform_slopes(
         &self,
         lane: usize,
@@ -111,7 +111,7 @@ impl PlaneGroup {
         denominator: Option<usize>,
     ) -> bool {
         let plane = |index: usize| self.plane(lane, index);
-        // Taking away what is nothing may change the sign of a zero, and of what is infinite it is not nothing.
+        // Subtracting 0 · d may change the sign of a zero, and is NaN where an operand is infinite.
         let has_exact_slopes = |index: &usize| {
             let [a, b, c] = plane(*index);
             let is_far_from_infinite = [a, b, c].iter().all(|number| number.abs() < 1e30);
@@ -142,7 +142,7 @@ impl PlaneGroup {
     /// may reach into.
     #[inline(always)]
     pub fn in_window(&self, lane: usize, block: usize) -> impl Iterator<Item = [f32; 3]> + Clone {
-        let (lane, block) = (lane % LANES, block.min(REACHED * REACHED - 1));
+        let (lane, block) = (lane % LANES, block.min(WINDOW_BLOCKS * WINDOW_BLOCKS - 1));
         self.windows
             .iter()
             .map(move |plane| [plane.corners[block][lane], plane.a[lane], plane.b[lane]])
@@ -170,18 +170,19 @@ impl PlaneGroup {
                 | PlaneSource::LineDirection(_)
                 | PlaneSource::Sprite(..) => false,
             });
-        let mut general = !0;
+        let mut scalar_lanes = !0;
         if plain && lanes.len >= MIN_SHAPES {
             let (planes, out) = (&mut self.planes, &mut *self.lanes);
-            general = isa.run(ComputePlanes { setup, geometry, shapes: lanes, lanes: out, planes });
-            // The planes of a cut triangle are those of thick ones, whatever it looks like.
-            general |= !lanes.whole;
+            scalar_lanes =
+                isa.run(ComputePlanes { setup, geometry, shapes: lanes, lanes: out, planes });
+            // A clipped triangle has the planes of a thick one even if it is thin; only the scalar path handles this.
+            scalar_lanes |= !lanes.whole;
         }
-        if general & !0 >> (LANES - lanes.len.clamp(1, LANES)) == 0 {
+        if scalar_lanes & !0 >> (LANES - lanes.len.clamp(1, LANES)) == 0 {
             return;
         }
         for (lane, shape) in shapes.enumerate().take(LANES) {
-            if general >> lane & 1 == 0 {
+            if scalar_lanes >> lane & 1 == 0 {
                 continue;
             }
             self.single.compute(setup, geometry, shape);
@@ -196,8 +197,11 @@ impl PlaneGroup {
 
     /// Evaluates the planes in the blocks of windows of the tile whose first pixel is `tile`.
     pub fn evaluate_windows(&mut self, isa: Isa, tile: [i32; 2], windows: &Windows) {
-        const NONE: WindowPlane =
-            WindowPlane { corners: [F32s::ZERO; REACHED * REACHED], a: F32s::ZERO, b: F32s::ZERO };
+        const NONE: WindowPlane = WindowPlane {
+            corners: [F32s::ZERO; WINDOW_BLOCKS * WINDOW_BLOCKS],
+            a: F32s::ZERO,
+            b: F32s::ZERO,
+        };
         self.windows.resize(self.planes.len(), NONE);
         let Self { planes, windows: out, lanes, .. } = self;
         isa.run(EvaluateWindows { tile, windows, origin: &lanes.origin, planes, out });
@@ -209,12 +213,12 @@ fn is_minus_zero(number: f64) -> bool {
     (number as f32).to_bits() == (-0.0_f32).to_bits()
 }
 
-/// The planes of 64 shapes; gives the lanes that the general computation must do.
+/// The planes of 64 shapes; returns the lanes that need the scalar path.
 struct ComputePlanes<'a> {
     setup: &'a PlaneSetup<'a>,
     geometry: &'a Geometry,
     shapes: &'a ShapeLanes,
-    lanes: &'a mut Lanes,
+    lanes: &'a mut KernelBuffers,
     planes: &'a mut [PlaneLanes],
 }
 
@@ -229,11 +233,11 @@ impl Kernel for ComputePlanes<'_> {
                 lanes.origin[axis][lane] = origin;
             }
         }
-        lanes.general = [0; LANES];
+        lanes.needs_scalar_path = [0; LANES];
         gather::<S>(geometry, shapes, 0, &mut lanes.values);
-        let Lanes { values, origin, weights, general } = lanes;
-        weights.compute::<S>(values, origin, &setup.depth.viewport, general);
-        let mut four = 0;
+        let KernelBuffers { values, origin, weights, needs_scalar_path } = lanes;
+        weights.compute::<S>(values, origin, &setup.depth.viewport, needs_scalar_path);
+        let mut varying_group = 0;
         for (source, out) in setup.sources.iter().zip(planes) {
             let (weights, at) = match *source {
                 PlaneSource::Depth => (weights.projective(), 2),
@@ -257,11 +261,11 @@ impl Kernel for ComputePlanes<'_> {
                 | PlaneSource::LineDirection(_)
                 | PlaneSource::PointCoord(_) => continue,
             };
-            if at / 4 != four {
-                four = at / 4;
-                gather::<S>(geometry, shapes, four, values);
+            if at / 4 != varying_group {
+                varying_group = at / 4;
+                gather::<S>(geometry, shapes, varying_group, values);
             }
-            sum(weights, values, at % 4, out, general);
+            sum(weights, values, at % 4, out, needs_scalar_path);
             if *source == PlaneSource::Depth {
                 let (near, far) =
                     (f64::from(setup.depth.viewport.near), f64::from(setup.depth.viewport.far));
@@ -270,22 +274,22 @@ impl Kernel for ComputePlanes<'_> {
         }
         let mut marked = U32s::ZERO;
         for lane in 0..LANES {
-            marked[lane] = u32::from(general[lane] != 0);
+            marked[lane] = u32::from(needs_scalar_path[lane] != 0);
         }
         S::nonzero(&marked)
     }
 }
 
-/// Four values, from `4 four` on, of the three vertices of each shape.
+/// Four values, from `4 · varying_group` on, of the three vertices of each shape.
 #[inline(always)]
 fn gather<S: Simd>(
     geometry: &Geometry,
     shapes: &ShapeLanes,
-    four: usize,
+    varying_group: usize,
     out: &mut [[F32s; 4]; 3],
 ) {
     let values: &[u8] = bytemuck::cast_slice(&geometry.values);
-    let [stride, first] = [geometry.stride, 4 * four].map(|values| 4 * values as u32);
+    let [stride, first] = [geometry.stride, 4 * varying_group].map(|values| 4 * values as u32);
     for (vertices, out) in shapes.vertices.iter().zip(out) {
         let mut offsets = U32s::ZERO;
         for lane in 0..LANES {
@@ -310,14 +314,14 @@ impl Kernel for EvaluateWindows<'_> {
     #[inline(always)]
     fn run<S: Simd>(self) {
         let Self { tile, windows, origin, planes, out } = self;
-        let extra_blocks = windows.extra_blocks.map(|blocks| blocks.min(REACHED - 1));
-        // Here and below on the stack, where the compiler sees that nothing overlaps: from the origin to the first
+        let extra_blocks = windows.extra_blocks.map(|blocks| blocks.min(WINDOW_BLOCKS - 1));
+        // Here and below on the stack, where the compiler sees that no references overlap: from the origin to the first
         // pixel of each column of blocks that a window reaches into, and of each row.
-        let mut to_block = [[F64s::ZERO; REACHED]; 2];
+        let mut to_block = [[F64s::ZERO; WINDOW_BLOCKS]; 2];
         for axis in 0..2 {
             for (block, to) in to_block[axis].iter_mut().enumerate().take(extra_blocks[axis] + 1) {
                 for lane in 0..LANES {
-                    let first = 2 * (windows.quads[axis][lane] & !3) + 8 * block as i32;
+                    let first = 2 * (windows.first_quads[axis][lane] & !3) + 8 * block as i32;
                     to[lane] = f64::from(tile[axis] + first) + 0.5 - origin[axis][lane];
                 }
             }
@@ -331,7 +335,7 @@ impl Kernel for EvaluateWindows<'_> {
             }
             for (row, y) in y.iter().enumerate().take(up + 1) {
                 for (column, x) in x.iter().enumerate().take(across + 1) {
-                    let to = &mut out.corners[row * REACHED + column];
+                    let to = &mut out.corners[row * WINDOW_BLOCKS + column];
                     for lane in 0..LANES {
                         to[lane] = ((x[lane] * a[lane] + y[lane] * b[lane]) + c[lane]) as f32;
                     }

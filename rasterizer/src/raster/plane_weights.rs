@@ -17,12 +17,12 @@ pub struct Weights {
     /// x, y and w in clip coordinates of each vertex.
     clip: [[F64s; 3]; 3],
     projective: [PlaneLanes; 3],
-    /// Those of smooth values, and what these are divided by; in a parallel view neither is needed.
+    /// The weights of smooth values, and of their denominator; a parallel view needs neither.
     smooth: [PlaneLanes; 3],
     denominator: PlaneLanes,
 }
 
-/// How vertices came into the window.
+/// The projection of the vertices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum View {
     /// Undivided: w is 1 at all of them.
@@ -73,16 +73,15 @@ impl ToWindow {
 }
 
 impl Weights {
-    /// Of triangles whose vertices these are (x, y, z and w of each), from an origin of each. Marks in `general`
-    /// those
-    /// that are too thin: they are left to the general computation.
+    /// Of triangles whose vertices these are (x, y, z and w of each), from an origin of each. Marks the triangles that
+    /// are too thin in `needs_scalar_path`.
     #[inline(always)]
     pub fn compute<S: Simd>(
         &mut self,
         vertices: &[[F32s; 4]; 3],
         origin: &[F64s; 2],
         viewport: &Viewport,
-        general: &mut [u64; LANES],
+        needs_scalar_path: &mut [u64; LANES],
     ) {
         for (clip, [x, y, _, w]) in self.clip.iter_mut().zip(vertices) {
             for (to, from) in clip.iter_mut().zip([x, y, w]) {
@@ -94,13 +93,18 @@ impl Weights {
         let window = ToWindow { half: viewport.half(), center: viewport.center() };
         self.view = View::of::<S>(vertices);
         match self.view {
-            View::Parallel => self.parallel(origin, window, general),
-            View::Perspective => self.perspective(origin, window, general),
+            View::Parallel => self.parallel(origin, window, needs_scalar_path),
+            View::Perspective => self.perspective(origin, window, needs_scalar_path),
         }
     }
 
     #[inline(always)]
-    fn perspective(&mut self, origin: &[F64s; 2], window: ToWindow, general: &mut [u64; LANES]) {
+    fn perspective(
+        &mut self,
+        origin: &[F64s; 2],
+        window: ToWindow,
+        needs_scalar_path: &mut [u64; LANES],
+    ) {
         let Self { clip, projective, smooth, denominator, .. } = self;
         for lane in 0..LANES {
             let from = [origin[0][lane], origin[1][lane]];
@@ -123,13 +127,18 @@ impl Weights {
                 smooth[1][part][lane] = if same { row[1] * p1[2] } else { row[1] };
                 smooth[2][part][lane] = if same { row[2] * p2[2] } else { row[2] };
             }
-            general[lane] |= u64::from(!inverse.is_thick());
+            needs_scalar_path[lane] |= u64::from(!inverse.is_thick());
         }
     }
 
-    /// The same where nothing is multiplied by w.
+    /// The same for a parallel view: no products with w.
     #[inline(always)]
-    fn parallel(&mut self, origin: &[F64s; 2], window: ToWindow, general: &mut [u64; LANES]) {
+    fn parallel(
+        &mut self,
+        origin: &[F64s; 2],
+        window: ToWindow,
+        needs_scalar_path: &mut [u64; LANES],
+    ) {
         let Self { clip, projective: [first, second, third], .. } = self;
         for lane in 0..LANES {
             let from = [origin[0][lane], origin[1][lane]];
@@ -141,17 +150,17 @@ impl Weights {
                 second[part][lane] = r1[part] * scale;
                 third[part][lane] = r2[part] * scale;
             }
-            general[lane] |= u64::from(!inverse.is_thick());
+            needs_scalar_path[lane] |= u64::from(!inverse.is_thick());
         }
     }
 
-    /// Those of depth.
+    /// The weights of depth.
     #[inline(always)]
     pub fn projective(&self) -> &[PlaneLanes; 3] {
         &self.projective
     }
 
-    /// Those of smooth values.
+    /// The weights of smooth values.
     #[inline(always)]
     pub fn smooth(&self) -> &[PlaneLanes; 3] {
         match self.view {
@@ -160,7 +169,7 @@ impl Weights {
         }
     }
 
-    /// What smooth values are divided by.
+    /// The denominator plane of smooth values.
     #[inline(always)]
     pub fn denominator(&self) -> PlaneLanes {
         match self.view {
@@ -177,7 +186,7 @@ pub fn sum(
     values: &[[F32s; 4]; 3],
     at: usize,
     out: &mut PlaneLanes,
-    general: &mut [u64; LANES],
+    needs_scalar_path: &mut [u64; LANES],
 ) {
     let [first, second, third] = rows;
     let [a, b, c] = out;
@@ -188,7 +197,7 @@ pub fn sum(
         b[lane] = first[1][lane] * x + second[1][lane] * y + third[1][lane] * z;
         c[lane] = first[2][lane] * x + second[2][lane] * y + third[2][lane] * z;
         let finite = a[lane].is_finite() & b[lane].is_finite() & c[lane].is_finite();
-        general[lane] |= u64::from(!finite);
+        needs_scalar_path[lane] |= u64::from(!finite);
     }
 }
 

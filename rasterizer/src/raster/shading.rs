@@ -1,11 +1,11 @@
-//! Shading: runs batches of fragments, tests those that could not be tested before, and writes
+//! Shading: runs the program over batches of fragments, runs their late tests, and writes
 //! their colours.
 
 use super::batch::{Batch, BlockOf};
-use super::block_run::BlockRun;
+use super::block_group::BlockGroup;
 use super::budget::TileBudget;
 use super::fragment_depth::{BatchDepth, BlockDepth, clamp_depth};
-use super::inputs::{Interpolate, InterpolateRun};
+use super::inputs::{Interpolate, InterpolateGroup};
 use super::job::{DrawJob, PassJob, TileJob};
 use super::texel_product::{Multiply, Products, Words};
 use super::watched::{Shaded, Tested};
@@ -15,7 +15,7 @@ use crate::output::{
     BlockColors, ColorClass, ColorPlan, Fragments, Reference, test, write, write_blocks,
 };
 use crate::plan::{DrawPlan, SampleMasks, ShaderTestOutputs, Shading, TestTiming, moved};
-use crate::shader::{MAX_REGISTER_FILES, Machine, OverBudget, Run, TexelProduct};
+use crate::shader::{Invocation, MAX_REGISTER_FILES, Machine, OverBudget, TexelProduct};
 use crate::trace::{Fate, When};
 use texunit::lanes::{F32s, Isa, Kernel, Simd};
 
@@ -46,12 +46,12 @@ pub fn early_tests(
     }
 }
 
-/// Writes the colours of a run: of a register file, an attachment's plan and a component.
+/// Writes the colours of a block group: of a register file, an attachment's plan and a component.
 #[inline(always)]
-fn write_run<'a>(
+fn write_group<'a>(
     isa: Isa,
     job: &'a DrawJob,
-    blocks: &BlockRun,
+    blocks: &BlockGroup,
     tile: &mut TileJob,
     color_of: impl Fn(usize, &'a ColorPlan, usize) -> &'a F32s,
 ) {
@@ -81,12 +81,12 @@ pub struct Shader {
     pub budget: TileBudget,
     products: Products,
     depth: F32s,
-    /// The lanes that are left of the batch.
+    /// The lanes of the batch that are neither discarded nor failed a test.
     left: SampleMasks,
 }
 
 impl Shader {
-    /// Makes the early tests that a batch still has to make, and shades what is left; a shader that
+    /// Runs the early tests of a batch that are due, and shades the lanes that pass; a shader that
     /// runs over its budget stops the draw.
     pub fn shade(&mut self, pass: &PassJob, job: &DrawJob, batch: &Batch<'_>, tile: &mut TileJob) {
         if self.budget.is_stopped() {
@@ -105,25 +105,31 @@ impl Shader {
         }
     }
 
-    /// Shades a run, whose early tests are done, and empties it. Its plan has no late tests.
-    pub fn shade_run(
+    /// Shades a block group, whose early tests are done, and empties it. Its plan has no late tests.
+    pub fn shade_group(
         &mut self,
         pass: &PassJob,
         job: &DrawJob,
-        blocks: &mut BlockRun,
+        blocks: &mut BlockGroup,
         tile: &mut TileJob,
     ) {
         let (isa, plan, machine) = (pass.isa, &job.plan, &mut self.machine);
         tile.prefetch(plan, blocks.numbers());
         let program = &plan.pipeline.compiled().fragment;
         let product = plan.product.as_ref().zip(program.product());
-        let all = &plan.filled[..];
+        let all = &plan.interpolated_inputs[..];
         let inputs = match product {
             Some((of, _)) => self.products.inputs_of(plan, of, blocks),
             None => [all; 2],
         };
-        isa.run(InterpolateRun { plan, inputs, run: blocks, tile: [tile.x, tile.y], machine });
-        let run = Run {
+        isa.run(InterpolateGroup {
+            plan,
+            inputs,
+            block_group: blocks,
+            tile: [tile.x, tile.y],
+            machine,
+        });
+        let invocation = Invocation {
             isa,
             program,
             prepared: &plan.prepared,
@@ -133,9 +139,9 @@ impl Shader {
         };
         let done = match product {
             Some((_, product)) => {
-                self.products.begin(&mut self.machine, &run, product, blocks.len())
+                self.products.begin(&mut self.machine, &invocation, product, blocks.len())
             }
-            None => self.machine.run_files(run, blocks.len()),
+            None => self.machine.run_files(invocation, blocks.len()),
         };
         if done.is_ok() {
             for file in 0..blocks.len() {
@@ -147,7 +153,7 @@ impl Shader {
             (Ok(()), Some((_, product))) => self.multiply(isa, job, product, blocks, tile),
             (Ok(()), None) => {
                 let machine = &self.machine;
-                write_run(isa, job, blocks, tile, |file, color, i| match color.outputs[i] {
+                write_group(isa, job, blocks, tile, |file, color, i| match color.outputs[i] {
                     Some(output) => machine.output_of(file, output).as_f32(),
                     None => color.unwritten(i),
                 });
@@ -157,13 +163,13 @@ impl Shader {
         blocks.clear();
     }
 
-    /// Shades a run of a program that is a product.
+    /// Shades a block group of a program that is a product.
     fn multiply(
         &mut self,
         isa: Isa,
         job: &DrawJob,
         product: &TexelProduct,
-        blocks: &BlockRun,
+        blocks: &BlockGroup,
         tile: &mut TileJob,
     ) {
         let Self { machine, products, .. } = self;
@@ -177,20 +183,22 @@ impl Shader {
         {
             for file in 0..blocks.len() {
                 let (block, mask) = blocks.covered(file);
-                plane.materialize(block, color.old_under(mask));
+                plane.materialize(block, color.load_op_for_mask(mask));
             }
             words = Some(Words { color, blocks: plane.materialized_blocks() });
         }
         let is_done = words.is_some();
-        isa.run(Multiply { isa, plan, product, machine, run: blocks, products, words });
-        products.finish_run(blocks);
+        isa.run(Multiply { isa, plan, product, machine, block_group: blocks, products, words });
+        products.finish_group(blocks);
         if !is_done {
             let products = &self.products;
-            write_run(isa, job, blocks, tile, |file, _, component| products.color(file, component));
+            write_group(isa, job, blocks, tile, |file, _, component| {
+                products.color(file, component)
+            });
         }
     }
 
-    /// Shades what passed the early tests.
+    /// Shades the lanes that passed the early tests.
     fn shade_tested(
         &mut self,
         pass: &PassJob,
@@ -258,7 +266,7 @@ impl Shader {
     ) -> Result<(), OverBudget> {
         let (isa, plan) = (pass.isa, &job.plan);
         isa.run(Interpolate { plan, batch, machine: &mut self.machine, depth: &mut self.depth });
-        let run = Run {
+        let invocation = Invocation {
             isa,
             program: &plan.pipeline.compiled().fragment,
             prepared: &plan.prepared,
@@ -267,8 +275,8 @@ impl Shader {
             budget: self.budget.of_batch(),
         };
         let alive = match shaded {
-            None => self.machine.run(run)?,
-            Some(shaded) => shaded.run(&mut self.machine, plan, batch, run)?,
+            None => self.machine.run(invocation)?,
+            Some(shaded) => shaded.run(&mut self.machine, plan, batch, invocation)?,
         };
         self.budget.batch_left(self.machine.left());
         let samples = &plan.samples;
@@ -355,8 +363,8 @@ impl Shader {
         }
     }
 
-    /// The stencil and depth tests of the lanes that are left; leaves those that passed. The program has `written`
-    /// some of what is tested; `record_depth` is called with the depth of each sample.
+    /// The stencil and depth tests of the remaining lanes; lanes that fail are removed. `written` are the outputs of
+    /// the program for the tests; `record_depth` is called with the depth of each sample.
     fn test(
         &mut self,
         isa: Isa,

@@ -1,12 +1,12 @@
-//! What a shape covers of the blocks of a tile, for every kind of shape, aliased or smooth.
+//! The coverage of the blocks of a tile by a shape of any kind, aliased or smooth.
 
-use super::area::{self, Areas, LEAST, Overlap};
+use super::area::{self, Areas, MIN_AREA, Overlap};
 use super::block::BlockAt;
 use super::edge_functions::{self, Edge};
 use super::line_rectangle::{Dashes, LineRectangle, is_dash};
 use crate::desc::Antialiasing;
 use crate::plan::DrawPlan;
-use crate::primitive::{LineRun, Shape, ShapeKind};
+use crate::primitive::{LineFragments, Shape, ShapeKind};
 use crate::sizes::{SUBPIXEL, TILE};
 use crate::vertex::Geometry;
 use texunit::lanes::{F32s, Isa, LANES, lane_x, lane_y};
@@ -17,7 +17,7 @@ pub enum Cover {
     /// A triangle, by its edges relative to the tile.
     Triangle([Edge; 3]),
     /// An aliased line, and its width in rows.
-    Run(LineRun, i32),
+    AliasedLine(LineFragments, i32),
     /// All of the shape's bounds.
     Box,
     /// A triangle with a smooth edge.
@@ -60,7 +60,7 @@ impl Cover {
                 match raster.line.antialiasing {
                     Antialiasing::Aliased => {
                         let [a, b, _] = shape.corners;
-                        Self::Run(LineRun::new(a, b, width as i32), width as i32)
+                        Self::AliasedLine(LineFragments::new(a, b, width as i32), width as i32)
                     }
                     Antialiasing::Smooth => {
                         let [a, b, _] = corners();
@@ -119,7 +119,7 @@ impl Cover {
             Overlap::Part | Overlap::All => !0,
         };
         match self {
-            Self::Run(run, width) => run_blocks(run, *width, tile),
+            Self::AliasedLine(fragments, width) => line_blocks(fragments, *width, tile),
             Self::SmoothTriangle(corners) => touched_by(corners),
             Self::LineRectangle(band) | Self::LineSample(band) => touched_by(&band.corners),
             Self::Triangle(_) | Self::Box | Self::Disc(..) | Self::DiscSample(..) => !0,
@@ -146,10 +146,10 @@ impl Cover {
         };
         match self {
             Self::Triangle(edges) => edge_functions::block(isa, edges, bx, by).lanes(),
-            Self::Run(run, width) => run_lanes(run, *width, dashes, first),
+            Self::AliasedLine(fragments, width) => line_lanes(fragments, *width, dashes, first),
             Self::Box => !0,
             Self::SmoothTriangle(corners) => {
-                let add = |areas: &mut Areas| area::add(isa, corners, origin, areas);
+                let add = |areas: &mut Areas| area::add_polygon_areas(isa, corners, origin, areas);
                 smooth(shape, at, area::overlap(corners, origin, 8.0), coverage, add)
             }
             Self::LineRectangle(band) => {
@@ -185,19 +185,19 @@ impl Cover {
     }
 }
 
-/// The blocks of a tile that a run of columns touches.
-fn run_blocks(run: &LineRun, width: i32, tile: [i32; 2]) -> u64 {
-    let (major, minor) = (run.major, 1 - run.major);
+/// The blocks of a tile that an aliased line touches.
+fn line_blocks(line: &LineFragments, width: i32, tile: [i32; 2]) -> u64 {
+    let (major, minor) = (line.major, 1 - line.major);
     let last_row = TILE as i32 - 1;
     let mut blocks = 0;
     for along in 0..TILE as i32 / 8 {
         let first = tile[major] + 8 * along;
-        let (low, high) = (run.first.max(first), run.last.min(first + 7));
+        let (low, high) = (line.first.max(first), line.last.min(first + 7));
         if low > high {
             continue;
         }
         // Rows only rise, or only fall, from column to column.
-        let ends = [run.row(low), run.row(high)].map(|row| row - tile[minor]);
+        let ends = [line.row(low), line.row(high)].map(|row| row - tile[minor]);
         let lowest = ends[0].min(ends[1]).max(0);
         let highest = (ends[0].max(ends[1]) + width - 1).min(last_row);
         for across in lowest / 8..(highest + 8) / 8 {
@@ -208,17 +208,17 @@ fn run_blocks(run: &LineRun, width: i32, tile: [i32; 2]) -> u64 {
     blocks
 }
 
-/// The lanes of the block from pixel `first` on that a run of columns covers.
-fn run_lanes(run: &LineRun, width: i32, dashes: Dashes, first: [i32; 2]) -> u64 {
-    let (major, minor) = (run.major, 1 - run.major);
-    let low = run.first.max(first[major]);
-    let high = run.last.min(first[major] + 7);
+/// The lanes of the block from pixel `first` on that an aliased line covers.
+fn line_lanes(line: &LineFragments, width: i32, dashes: Dashes, first: [i32; 2]) -> u64 {
+    let (major, minor) = (line.major, 1 - line.major);
+    let low = line.first.max(first[major]);
+    let high = line.last.min(first[major] + 7);
     let mut lanes = 0;
     for column in low..=high {
-        if !is_dash(dashes, run.index(column) * SUBPIXEL as u32) {
+        if !is_dash(dashes, line.index(column) * SUBPIXEL as u32) {
             continue;
         }
-        let row = run.row(column);
+        let row = line.row(column);
         for row in row.max(first[minor])..(row + width).min(first[minor] + 8) {
             let mut at = [0; 2];
             (at[major], at[minor]) = (column - first[major], row - first[minor]);
@@ -252,7 +252,7 @@ fn smooth(
             let mut lanes = 0;
             for (lane, area) in areas.into_iter().enumerate() {
                 coverage[lane] = area.min(1.0) as f32;
-                lanes |= u64::from(area >= LEAST) << lane;
+                lanes |= u64::from(area >= MIN_AREA) << lane;
             }
             lanes & inside
         }

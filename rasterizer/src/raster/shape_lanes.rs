@@ -16,13 +16,13 @@ pub struct ShapeLanes {
     pub bounds: [[I32s; 2]; 2],
     /// Vertices in the draw's geometry; also of lanes without a shape there are such.
     pub vertices: [U32s; 3],
-    /// The vertex that gives flat varyings.
+    /// The provoking vertex.
     pub provoking: U32s,
-    /// Those that are triangles, bit by lane.
+    /// The lanes of triangles, bit by lane.
     pub triangles: u64,
-    /// Those of them that are whole.
+    /// The lanes of triangles that clipping has not cut.
     pub whole: u64,
-    /// Those that show their back.
+    /// The lanes of back faces.
     back: u64,
 }
 

@@ -1,8 +1,8 @@
 //! Small triangles: what up to 64 of them cover of a tile, computed together.
 //!
 //! A triangle is small when all that it may cover of the tile lies in a window of 16×16 pixels that
-//! begins at a quad (not at a block). Its edge functions then fit 32 bits from the start, nothing
-//! has to be asked of blocks, and its pixels go straight into the batch that waits. A window has four
+//! begins at a quad (not at a block). Its edge functions fit 32 bits, no block needs a coverage test,
+//! and its pixels are packed directly into the pending batch. A window has four
 //! parts of 8×8 pixels, in the order of a block's lanes; the loop visits the quads that the largest triangle of the
 //! 64 may reach.
 
@@ -14,20 +14,20 @@ use texunit::lanes::{I32s, Isa, Kernel, LANES, QUADS, Simd, U32s};
 
 /// Subpixels that the corners of a small triangle may lie apart along an axis: the product of two
 /// such distances, and the sum of two of these, fit an `i32`.
-const REACH: i32 = 1 << 14;
+const MAX_EXTENT: i32 = 1 << 14;
 
 /// Quads along a side of a window.
-const SIDE: usize = 8;
+const WINDOW_QUADS: usize = 8;
 /// Pixels along it.
-const PIXELS: usize = 2 * SIDE;
-/// Blocks along a side that a window can reach into.
-pub const REACHED: usize = 3;
+const PIXELS: usize = 2 * WINDOW_QUADS;
+/// Blocks along a side that a window can overlap.
+pub const WINDOW_BLOCKS: usize = 3;
 
 /// The windows of up to 64 shapes.
 #[derive(Debug, Default)]
 pub struct Windows {
     /// The first quad of each window in the tile, across and up.
-    pub quads: [I32s; 2],
+    pub first_quads: [I32s; 2],
     /// The largest number of blocks beyond its first that a window reaches, across and up.
     pub extra_blocks: [usize; 2],
     /// How many parts there are.
@@ -35,7 +35,7 @@ pub struct Windows {
     /// By part, the pixels inside the edges and the spans as the two words of a mask of lanes.
     inside: [[U32s; 2]; 4],
     /// The shapes that have one, bit by lane.
-    small: u64,
+    small_mask: u64,
 }
 
 /// The window of a small triangle.
@@ -70,22 +70,22 @@ impl Windows {
 
     /// The shapes that have one, bit by lane.
     #[inline(always)]
-    pub fn small(&self) -> u64 {
-        self.small
+    pub fn small_mask(&self) -> u64 {
+        self.small_mask
     }
 
     /// The window of the shape in a lane; `None` where it is not small.
     #[inline(always)]
     pub fn get(&self, lane: usize) -> Option<Window> {
         let lane = lane % LANES;
-        if self.small >> lane & 1 == 0 {
+        if self.small_mask >> lane & 1 == 0 {
             return None;
         }
         let mut covered = [0; 4];
         for (covered, [even, odd]) in covered.iter_mut().zip(self.inside()) {
             *covered = u64::from(even[lane]) | u64::from(odd[lane]) << 32;
         }
-        let [x, y] = &self.quads;
+        let [x, y] = &self.first_quads;
         Some(Window { quad: [x[lane] as usize, y[lane] as usize], covered })
     }
 }
@@ -102,21 +102,21 @@ impl Kernel for CoverWindows<'_> {
     #[inline(always)]
     fn run<S: Simd>(self) {
         let Self { windows, tile, shapes } = self;
-        let Windows { quads, extra_blocks, parts, inside, small } = windows;
+        let Windows { first_quads, extra_blocks, parts, inside, small_mask } = windows;
         let ShapeLanes { corners, bounds, .. } = shapes;
-        // What loops read and write is here, where the compiler sees that nothing overlaps.
+        // Loops read and write these locals, so that the compiler sees that no references overlap.
         //
         // The first and the last column, and row, of its window that a shape may cover.
         let mut spans = [[I32s::ZERO; 2]; 2];
         // The edge functions at the first pixel of a row of quads, and per pixel across and up.
         let mut edges = [[I32s::ZERO; 3]; 3];
-        // By part, what lies outside of any edge.
+        // By part, the pixels outside of any edge.
         let mut outside = [[U32s::ZERO; 2]; 4];
         // Not zero where a triangle is not small.
         let mut large = U32s::ZERO;
         let mut origin = [I32s::ZERO; 2];
-        // How many quads of the window the shape reaches, less one.
-        let mut reach = [U32s::ZERO; 2];
+        // The last quad of the window that the shape covers, counted from the first.
+        let mut last_quad = [U32s::ZERO; 2];
         let mut blocks = [U32s::ZERO; 2];
         for axis in 0..2 {
             for lane in 0..LANES {
@@ -126,19 +126,20 @@ impl Kernel for CoverWindows<'_> {
                 let (a, b) = (corners[0][axis][lane], corners[1][axis][lane]);
                 let c = corners[2][axis][lane];
                 let extent = a.max(b).max(c).wrapping_sub(a.min(b).min(c));
-                let is_large = (high < low) | (high - first >= PIXELS as i32) | (extent > REACH);
+                let is_large =
+                    (high < low) | (high - first >= PIXELS as i32) | (extent > MAX_EXTENT);
                 large[lane] |= u32::from(is_large);
-                quads[axis][lane] = first >> 1;
+                first_quads[axis][lane] = first >> 1;
                 spans[axis][0][lane] = low - first;
                 spans[axis][1][lane] = high - first;
-                reach[axis][lane] = if is_large { 0 } else { (high - first) as u32 >> 1 };
-                blocks[axis][lane] = (reach[axis][lane] + (first as u32 >> 1) % 4) / 4;
+                last_quad[axis][lane] = if is_large { 0 } else { (high - first) as u32 >> 1 };
+                blocks[axis][lane] = (last_quad[axis][lane] + (first as u32 >> 1) % 4) / 4;
                 origin[axis][lane] = (tile[axis] + first) * SUBPIXEL + SUBPIXEL / 2;
             }
         }
         let present = !0 >> (LANES - shapes.len.clamp(1, LANES));
-        *small = !S::nonzero(&large) & shapes.triangles & present;
-        // Lanes without a small triangle hold anything: hence the wrapping operations.
+        *small_mask = !S::nonzero(&large) & shapes.triangles & present;
+        // Lanes without a small triangle hold arbitrary values: hence the wrapping operations.
         for (i, [value, x, y]) in edges.iter_mut().enumerate() {
             let (a, b) = (&corners[i], &corners[(i + 1) % 3]);
             for lane in 0..LANES {
@@ -154,17 +155,17 @@ impl Kernel for CoverWindows<'_> {
             }
         }
         let [[e0, x0, y0], [e1, x1, y1], [e2, x2, y2]] = &mut edges;
-        let last = |reach: &U32s| (S::largest(reach) as usize).min(SIDE - 1);
-        let (across, up) = (last(&reach[0]), last(&reach[1]));
+        let largest = |quads: &U32s| (S::largest(quads) as usize).min(WINDOW_QUADS - 1);
+        let (across, up) = (largest(&last_quad[0]), largest(&last_quad[1]));
         *extra_blocks = [S::largest(&blocks[0]) as usize, S::largest(&blocks[1]) as usize];
-        *parts = if up < SIDE / 2 { 1 + across / (SIDE / 2) } else { 4 };
+        *parts = if up < WINDOW_QUADS / 2 { 1 + across / (WINDOW_QUADS / 2) } else { 4 };
         for row in 0..=up {
             let (mut a, mut b, mut c) = (*e0, *e1, *e2);
             for column in 0..=across {
                 let [even, odd] = &mut outside[row / 4 * 2 + column / 4];
                 let quad = (row % 4 * 4 + column % 4) as u32;
                 for lane in 0..LANES {
-                    // The sign bit is set where any of them is negative; it goes to bit `at`.
+                    // The sign bit is set where any of them is negative; it is shifted to bit `at`.
                     let negative = |dx: i32, dy: i32, at: u32| {
                         let step = |e: i32, x: i32, y: i32| {
                             e.wrapping_add(x.wrapping_mul(dx)).wrapping_add(y.wrapping_mul(dy))
@@ -191,7 +192,7 @@ impl Kernel for CoverWindows<'_> {
         }
         let [[left, right], [low, high]] = &spans;
         for (part, (outside, inside)) in outside.iter().zip(&mut inside[..*parts]).enumerate() {
-            let [x, y] = [part % 2, part / 2].map(|part| (part * SIDE) as i32);
+            let [x, y] = [part % 2, part / 2].map(|part| (part * WINDOW_QUADS) as i32);
             for lane in 0..LANES {
                 let columns = columns(left[lane] - x, right[lane] - x);
                 let rows = rows(low[lane] - y, high[lane] - y);
@@ -203,7 +204,7 @@ impl Kernel for CoverWindows<'_> {
     }
 }
 
-/// The bits from `first` to `last` of eight, which both may lie beyond.
+/// The bits from `first` to `last` of eight; both may be out of range.
 #[inline(always)]
 fn span(first: i32, last: i32) -> u32 {
     let first = first.clamp(0, 8);

@@ -1,10 +1,12 @@
 //! Shading without registers: of programs that are a product ([`crate::shader::TexelProduct`]), texels are multiplied
-//! as they come, and where nothing is blended they go straight into the attachment's words.
+//! by the factors as the lookups return them; without blending the products are written to the words of the attachment.
 
-use super::block_run::{BlockRun, UniformOverShape};
-use crate::output::{Color, ColorPlan, pack_colors, put};
+use super::block_group::{BlockGroup, UniformOverShape};
+use crate::output::{Color, ColorPlan, pack_colors, store_masked};
 use crate::plan::{DrawPlan, FactorPlanes, FilledInput, ProductInputs, ProductPlan};
-use crate::shader::{MAX_REGISTER_FILES, Machine, OverBudget, ProductCode, Run, TexelProduct};
+use crate::shader::{
+    Invocation, MAX_REGISTER_FILES, Machine, OverBudget, ProductCode, TexelProduct,
+};
 use texunit::lanes::{F32s, Isa, Kernel, LANES, QUADS, Simd, U32s};
 use texunit::plan::SamplePlan;
 use texunit::sample::{
@@ -12,7 +14,7 @@ use texunit::sample::{
     UniformLevels,
 };
 
-/// The colours of a run, and the state between its lookups.
+/// The colours of a block group, and the state between its lookups.
 #[derive(Debug, Default)]
 pub struct Products {
     /// Red, green, blue and alpha of each block.
@@ -21,115 +23,121 @@ pub struct Products {
     partial_products: Box<[[F32s; 4]; 2]>,
     /// The scratch of the lookups.
     scratch: Box<LookupScratch>,
-    /// How the factors of the run are computed.
-    factor_source: Factors,
-    /// Factors that are the same all over a run, for as long as these are what they depend on: the draw, and the
-    /// values of planes.
+    /// How the factors of the group are computed.
+    factor_source: FactorReuse,
+    /// Factors that are the same all over a block group, for as long as these are what they depend on: the draw, and
+    /// the values of planes.
     factors: Box<[F32s; 4]>,
     draw: u64,
     factor_values: Vec<u32>,
-    /// What each lookup reads, where that is the same all over a shape.
+    /// The levels of each lookup, if they are uniform over a shape.
     lookup_levels: Vec<LookupLevels>,
-    /// Whether the lookups read the levels of the previous run.
-    lods: LookupLods,
+    /// Whether the lookups read the levels of the previous group.
+    lods: LodReuse,
     /// The shapes all over which the factors and the levels of the lookups are known to be the same.
     uniform: UniformOverShape,
-    /// The planes' values of this run.
+    /// The planes' values of this group.
     plane_values: Vec<u32>,
     /// Whether all of `factors` are 1, so that multiplication has no effect.
-    is_one: bool,
+    factors_are_one: bool,
 }
 
-/// How the factors of a run are computed.
+/// How the factors of a block group are computed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Factors {
+pub enum FactorReuse {
     /// They differ from pixel to pixel: computed in each register file.
     #[default]
     Varying,
     /// Equal at all pixels: computed in the first register file only.
     Uniform,
-    /// Equal to those of the previous run, and reused.
+    /// Equal to those of the previous group, and reused.
     Reused,
 }
 
-/// What a lookup reads, and the weight of the second level.
+/// The levels that a lookup reads if they are uniform, and the weight of the second.
 type LookupLevels = (Option<UniformLevels>, F32s);
 
-/// How the levels that the lookups of a run read are selected.
+/// How the levels that the lookups of a block group read are selected.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum LookupLods {
+pub enum LodReuse {
     /// Selected for each block.
     #[default]
     Varying,
-    /// Equal to those of the previous run, and reused.
+    /// Equal to those of the previous group, and reused.
     Reused,
 }
 
 impl Products {
-    /// The inputs that a run needs: those of the first register file, and of the others.
+    /// The inputs that a block group needs: those of the first register file, and of the others.
     pub fn inputs_of<'a>(
         &mut self,
         plan: &DrawPlan,
         of: &'a ProductPlan,
-        run: &BlockRun,
+        block_group: &BlockGroup,
     ) -> [&'a [FilledInput]; 2] {
-        let lods = run.uniform_over_shape().lods;
+        let lods = block_group.uniform_over_shape().lods;
         let is_known = lods.is_some() && lods == self.uniform.lods;
-        self.lods = if is_known { LookupLods::Reused } else { LookupLods::Varying };
+        self.lods = if is_known { LodReuse::Reused } else { LodReuse::Varying };
         let ProductInputs { all, lookups } = match self.lods {
-            LookupLods::Varying => &of.inputs,
-            LookupLods::Reused => &of.without_lods,
+            LodReuse::Varying => &of.inputs,
+            LodReuse::Reused => &of.without_lods,
         };
-        match self.factors_of(plan, of, run) {
-            Factors::Varying => [all; 2],
-            Factors::Uniform => [all, lookups],
-            Factors::Reused => [lookups; 2],
+        match self.factors_of(plan, of, block_group) {
+            FactorReuse::Varying => [all; 2],
+            FactorReuse::Uniform => [all, lookups],
+            FactorReuse::Reused => [lookups; 2],
         }
     }
 
-    /// Decides how the factors of a run are computed.
-    fn factors_of(&mut self, plan: &DrawPlan, of: &ProductPlan, run: &BlockRun) -> Factors {
-        let level = run.uniform_over_shape().factors;
-        if level.is_some() && level == self.uniform.factors {
-            self.factor_source = Factors::Reused;
+    /// Decides how the factors of a block group are computed.
+    fn factors_of(
+        &mut self,
+        plan: &DrawPlan,
+        of: &ProductPlan,
+        block_group: &BlockGroup,
+    ) -> FactorReuse {
+        let shape_number = block_group.uniform_over_shape().factors;
+        if shape_number.is_some() && shape_number == self.uniform.factors {
+            self.factor_source = FactorReuse::Reused;
             return self.factor_source;
         }
         let shared = match &of.factor_planes {
             Some(FactorPlanes { smooth, linear }) => {
                 let values = &mut self.plane_values;
                 values.clear();
-                let denominator = plan.denominator_plane.filter(|&plane| !run.is_one(plane));
-                run.are_uniform(linear, values)
+                let denominator =
+                    plan.denominator_plane.filter(|&plane| !block_group.is_one(plane));
+                block_group.are_uniform(linear, values)
                     && match denominator {
-                        Some(plane) => run.are_uniform_ones(smooth, plane, values),
-                        None => run.are_uniform(smooth, values),
+                        Some(plane) => block_group.are_uniform_ones(smooth, plane, values),
+                        None => block_group.are_uniform(smooth, values),
                     }
             }
             None => false,
         };
-        self.uniform.factors = level.filter(|_| shared);
+        self.uniform.factors = shape_number.filter(|_| shared);
         self.factor_source = match shared {
-            false => Factors::Varying,
+            false => FactorReuse::Varying,
             true if self.draw == plan.prepared.id() && self.plane_values == self.factor_values => {
-                Factors::Reused
+                FactorReuse::Reused
             }
             true => {
                 self.draw = plan.prepared.id();
                 self.factor_values.clone_from(&self.plane_values);
-                Factors::Uniform
+                FactorReuse::Uniform
             }
         };
         self.factor_source
     }
 
-    /// Runs the code before the lookups of a run, whose inputs are in the machine.
+    /// Runs the code before the lookups of a block group, whose inputs are in the machine.
     ///
     /// # Errors
     /// When the budget is used up.
     pub fn begin(
         &mut self,
         machine: &mut Machine,
-        run: &Run<'_>,
+        invocation: &Invocation<'_>,
         product: &TexelProduct,
         files: usize,
     ) -> Result<(), OverBudget> {
@@ -137,42 +145,44 @@ impl Products {
             self.lookup_levels.resize(product.lookups(), (None, F32s::ZERO));
         }
         match self.factor_source {
-            Factors::Varying => return machine.run_before(run, product, ProductCode::Whole, files),
-            Factors::Uniform => {
-                machine.run_before(run, product, ProductCode::Factors, 1)?;
-                *self.factors = machine.factors(product, 0).map(|factor| *factor);
-                self.is_one = self.factors.iter().all(|factor| factor[0] == 1.0);
+            FactorReuse::Varying => {
+                return machine.run_before(invocation, product, ProductCode::Whole, files);
             }
-            Factors::Reused => {}
+            FactorReuse::Uniform => {
+                machine.run_before(invocation, product, ProductCode::Factors, 1)?;
+                *self.factors = machine.factors(product, 0).map(|factor| *factor);
+                self.factors_are_one = self.factors.iter().all(|factor| factor[0] == 1.0);
+            }
+            FactorReuse::Reused => {}
         }
-        machine.run_before(run, product, ProductCode::Lookups, files)
+        machine.run_before(invocation, product, ProductCode::Lookups, files)
     }
 
-    /// Stores after a run what the next run of the same shape may reuse.
-    pub fn finish_run(&mut self, run: &BlockRun) {
-        self.uniform.lods = run.uniform_over_shape().lods;
+    /// Stores after a block group what the next group of the same shape may reuse.
+    pub fn finish_group(&mut self, block_group: &BlockGroup) {
+        self.uniform.lods = block_group.uniform_over_shape().lods;
     }
 
-    /// Red, green, blue or alpha of a block of the run, if colours were requested.
+    /// Red, green, blue or alpha of a block of the group, if colours were requested.
     #[inline(always)]
     pub fn color(&self, file: usize, component: usize) -> &F32s {
         &self.colors[file][component]
     }
 }
 
-/// Computes the products of a run, whose inputs are in the machine.
+/// Computes the products of a block group, whose inputs are in the machine.
 pub struct Multiply<'a> {
     pub isa: Isa,
     pub plan: &'a DrawPlan,
     pub product: &'a TexelProduct,
     pub machine: &'a Machine,
-    pub run: &'a BlockRun,
+    pub block_group: &'a BlockGroup,
     pub products: &'a mut Products,
     /// Receives the colours as words if present; otherwise they are stored here.
     pub words: Option<Words<'a>>,
 }
 
-/// Where colours go that are four bytes a pixel, and are not blended.
+/// The destination of colours of four bytes a pixel that are not blended.
 pub struct Words<'a> {
     pub color: &'a ColorPlan,
     /// The attachment's words.
@@ -184,47 +194,48 @@ impl Kernel for Multiply<'_> {
 
     #[inline(always)]
     fn run<S: Simd>(self) {
-        let Self { isa, plan, product, machine, run, products, mut words } = self;
+        let Self { isa, plan, product, machine, block_group, products, mut words } = self;
         let Products {
             colors,
             partial_products,
             scratch,
             factors,
             factor_source,
-            is_one,
+            factors_are_one,
             lookup_levels,
             lods,
             ..
         } = products;
-        let (factor_source, is_one) =
-            (*factor_source, *is_one && *factor_source != Factors::Varying);
+        let (factor_source, factors_are_one) =
+            (*factor_source, *factors_are_one && *factor_source != FactorReuse::Varying);
         let addresses = plan.product.as_ref().map_or(&[][..], |product| &product.addresses[..]);
         let [even, odd] = &mut **partial_products;
         let known = match lods {
-            LookupLods::Varying => None,
-            LookupLods::Reused => Some(&lookup_levels[..]),
+            LodReuse::Varying => None,
+            LodReuse::Reused => Some(&lookup_levels[..]),
         };
-        prefetch_lookups::<S>(plan, product, machine, run.len(), known);
-        let is_stored = *lods == LookupLods::Varying && run.uniform_over_shape().lods.is_some();
-        for (file, colors) in colors.iter_mut().enumerate().take(run.len()) {
+        prefetch_lookups::<S>(plan, product, machine, block_group.len(), known);
+        let is_stored =
+            *lods == LodReuse::Varying && block_group.uniform_over_shape().lods.is_some();
+        for (file, colors) in colors.iter_mut().enumerate().take(block_group.len()) {
             let run_factors = match factor_source {
-                Factors::Varying => machine.factors(product, file),
-                Factors::Uniform | Factors::Reused => factors.each_ref(),
+                FactorReuse::Varying => machine.factors(product, file),
+                FactorReuse::Uniform | FactorReuse::Reused => factors.each_ref(),
             };
             // On the stack, so that the compiler sees that no store of colours changes them.
-            let (mut read, mut weight) = (None, F32s::ZERO);
+            let (mut selected_levels, mut weight) = (None, F32s::ZERO);
             for (at, (stored_levels, &addresses)) in
                 lookup_levels.iter_mut().zip(addresses).enumerate()
             {
                 let is_last = at + 1 == product.lookups();
                 let (before, after) =
                     if at % 2 == 0 { (&*odd, &mut *even) } else { (&*even, &mut *odd) };
-                let times = MultiplyKernel {
+                let multiply = MultiplyKernel {
                     factors: if at == 0 { run_factors } else { before.each_ref() },
-                    is_one: is_one && at == 0,
+                    factors_are_one: factors_are_one && at == 0,
                     to: match &mut words {
                         Some(Words { color, blocks }) if is_last => {
-                            let (block, mask) = run.covered(file);
+                            let (block, mask) = block_group.covered(file);
                             ProductTarget::Words { color, stored: &mut blocks[block], mask }
                         }
                         _ if is_last => ProductTarget::Lanes(colors),
@@ -236,25 +247,27 @@ impl Kernel for Multiply<'_> {
                     let coords = machine.coords(product, at, file);
                     let lod = lod_of(texture, machine, product, at, file);
                     match (&*lods, addresses) {
-                        (LookupLods::Reused, _) => (read, weight) = *stored_levels,
-                        (LookupLods::Varying, Addresses::Compute) => {
-                            read = texture.uniform_levels::<S>(coords, &lod, &mut weight);
+                        (LodReuse::Reused, _) => (selected_levels, weight) = *stored_levels,
+                        (LodReuse::Varying, Addresses::Compute) => {
+                            selected_levels =
+                                texture.uniform_levels::<S>(coords, &lod, &mut weight);
                         }
-                        (LookupLods::Varying, Addresses::Reuse) => {}
+                        (LodReuse::Varying, Addresses::Reuse) => {}
                     }
                     if is_stored {
-                        *stored_levels = (read, weight);
+                        *stored_levels = (selected_levels, weight);
                     }
-                    let known = SelectedLevels { levels: read, weight: &weight, addresses };
-                    texture.sample_fused::<S, _>(isa, coords, lod, known, scratch, times);
+                    let known =
+                        SelectedLevels { levels: selected_levels, weight: &weight, addresses };
+                    texture.sample_fused::<S, _>(isa, coords, lod, known, scratch, multiply);
                 }
             }
         }
     }
 }
 
-/// Prefetches the texels of a run, at every other pixel of each block. `known` are the levels of the lookups, where
-/// they are reused.
+/// Prefetches the texels of a block group, at every other pixel of each block. `known` are the levels of the lookups,
+/// where they are reused.
 #[inline(always)]
 fn prefetch_lookups<S: Simd>(
     plan: &DrawPlan,
@@ -267,7 +280,7 @@ fn prefetch_lookups<S: Simd>(
         let texture = plan.textures.get(product.texture(at));
         let Some(texture) = texture.and_then(Option::as_ref) else { continue };
         let hint = match known.and_then(|levels| levels[at].0) {
-            Some(read) => LevelHint::Uniform(read),
+            Some(levels) => LevelHint::Uniform(levels),
             None => {
                 let lod = lod_of(texture, machine, product, at, 0);
                 LevelHint::FirstLane(machine.coords(product, at, 0), lod)
@@ -300,11 +313,11 @@ fn lod_of<'a>(
 struct MultiplyKernel<'a> {
     factors: [&'a F32s; 4],
     /// Whether all of them are 1.
-    is_one: bool,
+    factors_are_one: bool,
     to: ProductTarget<'a>,
 }
 
-/// Where products go.
+/// The destination of products.
 enum ProductTarget<'a> {
     Lanes(&'a mut [F32s; 4]),
     Words { color: &'a ColorPlan, stored: &'a mut U32s, mask: u64 },
@@ -315,7 +328,7 @@ impl TexelConsumer for MultiplyKernel<'_> {
 
     #[inline(always)]
     fn consume<S: Simd>(self, texels: &impl FilteredTexels) {
-        let Self { factors, is_one, to } = self;
+        let Self { factors, factors_are_one, to } = self;
         match to {
             ProductTarget::Lanes([r, g, b, a]) => {
                 multiply(texels, factors, 0, r);
@@ -327,14 +340,14 @@ impl TexelConsumer for MultiplyKernel<'_> {
                 let write = color.write_of(0);
                 match texels.bytes() {
                     // A byte over 255 is that byte again.
-                    Some(bytes) if is_one => put(stored, bytes, mask, write),
-                    None if is_one => {
+                    Some(bytes) if factors_are_one => store_masked(stored, bytes, mask, write),
+                    None if factors_are_one => {
                         let words = pack_colors(&LookupColors(texels));
-                        put(stored, &words, mask, write);
+                        store_masked(stored, &words, mask, write);
                     }
                     Some(_) | None => {
                         let words = pack_colors(&ProductColors { texels, factors });
-                        put(stored, &words, mask, write);
+                        store_masked(stored, &words, mask, write);
                     }
                 }
             }

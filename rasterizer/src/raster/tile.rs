@@ -4,10 +4,10 @@ mod fill;
 
 use super::batch::{EarlyTests, Packed};
 use super::block::BlockAt;
-use super::block_run::{BlockRun, UniformOverShape};
+use super::block_group::{BlockGroup, UniformOverShape};
 use super::clear::clear;
 use super::interpolate::PlaneSetup;
-use super::job::{Chunk, DrawJob, Entry, PassJob, TileJob};
+use super::job::{Chunk, DrawJob, PassJob, TileCommand, TileJob};
 use super::large_triangles::LargeTriangle;
 use super::pack_pixels::{Pack, Stop};
 use super::pixel_batch::Pixels;
@@ -33,8 +33,8 @@ pub struct TileRenderer {
     pending_quads: Packed,
     /// Pixels of the current draw that are collected for a batch.
     pending_pixels: Pixels,
-    /// Blocks of the current draw that are collected for a run.
-    pending_blocks: BlockRun,
+    /// Blocks of the current draw that are collected for a block group.
+    pending_blocks: BlockGroup,
     /// The shapes of the group, over lanes.
     shapes: Box<ShapeLanes>,
     group: PlaneGroup,
@@ -56,17 +56,17 @@ pub struct TileRenderer {
 }
 
 impl TileRenderer {
-    /// Runs all entries of a tile.
+    /// Runs all commands of a tile.
     pub fn run(&mut self, pass: &PassJob, tile: &mut TileJob) {
-        let entries = std::mem::take(&mut tile.entries);
-        for entry in entries {
-            match entry {
-                Entry::Clear(index) => {
+        let commands = std::mem::take(&mut tile.commands);
+        for command in commands {
+            match command {
+                TileCommand::Clear(index) => {
                     self.flush(pass, tile);
                     clear(pass, &pass.clears[index as usize], tile);
                     tile.record_clear(&pass.clears[index as usize]);
                 }
-                Entry::Shapes { chunk, first, end } => {
+                TileCommand::Shapes { chunk, first, end } => {
                     let chunk = &pass.chunks[chunk as usize];
                     let mut groups =
                         chunk.lists.binned[first as usize..end as usize].chunks(LANES).peekable();
@@ -108,7 +108,7 @@ impl TileRenderer {
         machine.begin(&plan.pipeline.compiled().fragment);
         for (index, &input) in plan.inputs.iter().enumerate() {
             if input == FragmentInput::Zero {
-                (0..plan.blocks_per_run)
+                (0..plan.blocks_per_group)
                     .for_each(|file| machine.inputs_of(file)[index] = U32s::ZERO);
             }
         }
@@ -128,7 +128,7 @@ impl TileRenderer {
         let job = &pass.draws[draw];
         self.flush_quads(pass, job, tile);
         self.flush_pixels(pass, job, tile);
-        self.flush_run(pass, job, tile);
+        self.flush_blocks(pass, job, tile);
     }
 
     /// Shades the pending batches that hold fragments in these lanes of a block: fragments of a pixel keep their order.
@@ -149,7 +149,7 @@ impl TileRenderer {
             self.flush_pixels(pass, job, tile);
         }
         if self.pending_blocks.has_pending(block, lanes) {
-            self.flush_run(pass, job, tile);
+            self.flush_blocks(pass, job, tile);
         }
     }
 
@@ -162,9 +162,9 @@ impl TileRenderer {
     }
 
     /// Shades the pending blocks.
-    fn flush_run(&mut self, pass: &PassJob, job: &DrawJob, tile: &mut TileJob) {
+    fn flush_blocks(&mut self, pass: &PassJob, job: &DrawJob, tile: &mut TileJob) {
         if self.pending_blocks.len() > 0 {
-            self.shader.shade_run(pass, job, &mut self.pending_blocks, tile);
+            self.shader.shade_group(pass, job, &mut self.pending_blocks, tile);
         }
     }
 
@@ -239,12 +239,12 @@ impl TileRenderer {
                 group: &self.group,
                 window_blocks: &mut self.window_blocks,
                 pixels: &mut self.pending_pixels,
-                run: &self.pending_blocks,
+                block_group: &self.pending_blocks,
             });
             match stop {
                 Stop::Done => return,
                 Stop::Pixels => self.flush_pixels(pass, job, tile),
-                Stop::Blocks => self.flush_run(pass, job, tile),
+                Stop::Blocks => self.flush_blocks(pass, job, tile),
                 Stop::WholeBlock(WindowBlock { shape: lane, lanes: 0, .. }) => {
                     self.fill(pass, tile, chunk, shape(lane), lane);
                 }

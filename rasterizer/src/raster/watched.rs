@@ -111,7 +111,7 @@ impl WatchedPixel {
             let words = [0, 1, 2, 3].map(word);
             Texel { words, color: color(words) }
         };
-        target.planes.chunks(target.words.max(1)).map(texel).collect()
+        target.planes.chunks(target.planes_per_sample.max(1)).map(texel).collect()
     }
 
     /// A clear was done.
@@ -179,7 +179,7 @@ impl WatchedPixel {
         }))));
     }
 
-    /// The tests before shading were made: `masks` are left.
+    /// Records the early tests; `masks` are the samples that passed.
     fn tested_early(&mut self, plan: &DrawPlan, of: &Tested<'_>, masks: &SampleMasks) {
         let left: u64 = masks.any();
         let Some(pending) = self.pending.back() else { return };
@@ -238,7 +238,7 @@ impl TileJob {
         }
     }
 
-    /// Tests of a block were made before shading; `before` is what was stored.
+    /// Records the early tests of a block; `before` is the depth stored before.
     pub fn record_early_tests(
         &mut self,
         isa: Isa,

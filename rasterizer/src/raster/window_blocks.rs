@@ -1,14 +1,14 @@
-//! What the windows of small triangles cover of blocks. A window begins at a quad, so each of its parts may lie in
+//! The coverage of blocks by the windows of small triangles. A window begins at a quad, so each of its parts may lie in
 //! four blocks. Computed over lanes of shapes, and read block by block ([`super::pack_pixels`]).
 
-use super::small_triangles::{REACHED, Windows};
+use super::small_triangles::{WINDOW_BLOCKS, Windows};
 use crate::attachment::BLOCKS;
 use crate::output::expand_mask;
 use crate::sizes::TILE;
 use texunit::lanes::{Kernel, LANES, Simd, U32s};
 
 /// The most blocks that a window can reach into.
-const MAX_BLOCKS: usize = REACHED * REACHED;
+const MAX_BLOCKS: usize = WINDOW_BLOCKS * WINDOW_BLOCKS;
 /// Shapes whose blocks are the bits of one word.
 const SHAPES_PER_WORD: usize = 4;
 /// Bits of a shape.
@@ -19,21 +19,21 @@ const BLOCK_OFFSETS: [usize; BITS_PER_SHAPE] = {
     let mut table = [0; BITS_PER_SHAPE];
     let mut block = 0;
     while block < MAX_BLOCKS {
-        table[block] = block / REACHED * (TILE as usize / 8) + block % REACHED;
+        table[block] = block / WINDOW_BLOCKS * (TILE as usize / 8) + block % WINDOW_BLOCKS;
         block += 1;
     }
     table
 };
 
-/// What up to 64 shapes cover of the blocks that their windows reach into.
+/// The coverage by up to 64 shapes of the blocks that their windows overlap.
 #[derive(Debug)]
 pub struct WindowBlocks {
-    /// The lanes, by block in rows of [`REACHED`]; the rest of the array avoids a bounds check.
+    /// The lanes, by block in rows of [`WINDOW_BLOCKS`]; the rest of the array avoids a bounds check.
     lanes: [[u64; LANES]; BITS_PER_SHAPE],
     /// The first block of each shape.
     first: U32s,
-    /// Of each shape the blocks of which it covers anything, four shapes a word. One without a window has its
-    /// first, and covers nothing of it.
+    /// The blocks of which each shape covers any pixel, four shapes a word. A shape without a window has its first
+    /// block, with no covered pixel.
     any: [u64; LANES / SHAPES_PER_WORD],
     /// The position up to which the blocks are read.
     pub reader: Reader,
@@ -44,7 +44,7 @@ pub struct WindowBlocks {
 pub struct Reader {
     /// How many words are begun.
     begun: usize,
-    /// What is left of the last of them.
+    /// The lanes of the current block that are not yet packed.
     left: u64,
 }
 
@@ -59,12 +59,12 @@ impl Default for WindowBlocks {
     }
 }
 
-/// What a window covers of one block.
+/// The coverage of one block by a window.
 #[derive(Clone, Copy, Debug)]
 pub struct WindowBlock {
     /// The shape that the window belongs to, as its lane in the group.
     pub shape: usize,
-    /// The index of the block among those that the window reaches into.
+    /// The index of the block among those that the window overlaps.
     pub index: usize,
     /// The number of the block in the tile.
     pub block: usize,
@@ -120,28 +120,28 @@ impl Kernel for DivideWindows<'_> {
             window_blocks: WindowBlocks { lanes: blocks, first, any, reader },
         } = self;
         *reader = Reader::default();
-        let [x, y] = &windows.quads;
+        let [x, y] = &windows.first_quads;
         for lane in 0..LANES {
             first[lane] = (y[lane] / 4 * 8 + x[lane] / 4) as u32 % BLOCKS as u32;
         }
-        let [across, up] = windows.extra_blocks.map(|blocks| blocks.min(REACHED - 1));
+        let [across, up] = windows.extra_blocks.map(|blocks| blocks.min(WINDOW_BLOCKS - 1));
         for row in 0..=up {
-            blocks[row * REACHED..][..=across].fill([0; LANES]);
+            blocks[row * WINDOW_BLOCKS..][..=across].fill([0; LANES]);
         }
-        let small = expand_mask(windows.small());
+        let small = expand_mask(windows.small_mask());
         for (part, words) in windows.inside().iter().enumerate() {
             for (right, above) in [(0, 0), (1, 0), (0, 1), (1, 1)] {
                 let (column, row) = (part % 2 + right, part / 2 + above);
                 if column > across || row > up {
                     continue;
                 }
-                let ([even, odd], out) = (words, &mut blocks[row * REACHED + column]);
+                let ([even, odd], out) = (words, &mut blocks[row * WINDOW_BLOCKS + column]);
                 for lane in 0..LANES {
                     let (x, y) = (x[lane] as u32 % 4, y[lane] as u32 % 4);
                     let moved = select_lanes(lanes_in_right_block(x), right)
                         & select_lanes(lanes_in_upper_block(y), above)
                         & small[lane];
-                    // By so many quads within each half of a word; none leaves it.
+                    // The shift in quads within each half of a word; no bit crosses to the other half.
                     let by = (4 * y + x).wrapping_sub((4 * right + 16 * above) as u32) % 32;
                     let (even, odd) = (even[lane] & moved, odd[lane] & moved);
                     let (even, odd) = (even.rotate_left(by), odd.rotate_left(by));
@@ -155,7 +155,7 @@ impl Kernel for DivideWindows<'_> {
         }
         for row in 0..=up {
             for column in 0..=across {
-                let block = row * REACHED + column;
+                let block = row * WINDOW_BLOCKS + column;
                 for lane in 0..LANES {
                     found[lane] |= u32::from(blocks[block][lane] != 0) << block;
                 }
@@ -177,7 +177,7 @@ fn lanes_in_right_block(x: u32) -> u32 {
     (0xF0 >> x & 0xF) * 0x1111_1111
 }
 
-/// Of one that begins at row `y`: those in the block above.
+/// Of a part that begins at row `y`: the lanes in the block above.
 #[inline(always)]
 fn lanes_in_upper_block(y: u32) -> u32 {
     (0xFFFF_0000 >> (4 * y) & 0xFFFF) * 0x1_0001

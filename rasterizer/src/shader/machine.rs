@@ -18,7 +18,7 @@ pub use trace::Tracer;
 use super::inst::{Reg, Slot, Target};
 use super::mask::{Extent, Mask, blend};
 use super::preamble::uniform_at;
-use super::{OverBudget, Prepared, Program, Run};
+use super::{Invocation, OverBudget, Prepared, Program};
 use crate::ir::Axis;
 use texunit::lanes::{F32s, LANES, QUADS, U32s};
 use texunit::sample::LookupScratch;
@@ -103,29 +103,30 @@ impl Machine {
     ///
     /// # Errors
     /// When the program is longer than that.
-    pub fn start(&mut self, run: &Run<'_>) -> Result<u64, OverBudget> {
-        self.begin(run.program);
-        if self.prepared != run.prepared.id {
-            let splats = run.program.layout.splats.iter();
+    pub fn start(&mut self, invocation: &Invocation<'_>) -> Result<u64, OverBudget> {
+        self.begin(invocation.program);
+        if self.prepared != invocation.prepared.id {
+            let splats = invocation.program.layout.splats.iter();
             self.splats.clear();
-            self.splats
-                .extend(splats.map(|&word| f32::from_bits(run.prepared.words[word as usize])));
-            for file in 0..run.program.files {
+            self.splats.extend(
+                splats.map(|&word| f32::from_bits(invocation.prepared.words[word as usize])),
+            );
+            for file in 0..invocation.program.files {
                 let registers = &mut self.registers[file * self.file..];
-                for (reg, word) in registers.iter_mut().zip(&run.program.layout.splats) {
-                    *reg = U32s::splat(run.prepared.words[*word as usize]);
+                for (reg, word) in registers.iter_mut().zip(&invocation.program.layout.splats) {
+                    *reg = U32s::splat(invocation.prepared.words[*word as usize]);
                 }
             }
-            self.prepared = run.prepared.id;
+            self.prepared = invocation.prepared.id;
         }
         self.discarded.clear();
-        if run.program.masked {
-            self.exec.whole(run.active);
+        if invocation.program.masked {
+            self.exec.whole(invocation.active);
             self.start.clone_from(&self.exec.lanes);
         }
-        let operations = run.prepared.operations(0, run.program.code.len());
+        let operations = invocation.prepared.operations(0, invocation.program.code.len());
         self.left = 0;
-        run.budget.checked_sub(operations).ok_or(OverBudget)
+        invocation.budget.checked_sub(operations).ok_or(OverBudget)
     }
 
     /// What the last run left of its budget; 0 if it exceeded it.

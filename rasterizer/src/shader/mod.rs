@@ -25,6 +25,7 @@ mod compute;
 mod exits;
 mod fuse;
 mod inst;
+mod invocation;
 mod lower;
 mod machine;
 mod mask;
@@ -34,18 +35,17 @@ mod preamble;
 mod product;
 mod program;
 mod repeated_lookups;
-mod run;
 mod schedule;
 mod uniformity;
 
 pub(crate) use attribute_dependencies::AttributeSet;
+pub use invocation::{Invocation, OverBudget};
 pub use machine::{Machine, Tracer};
 pub use product::{ProductCode, TexelProduct};
 #[cfg(test)]
 use program::Fusing;
 pub(crate) use program::{LevelOfDetail, OptimizedModule};
 pub use program::{MAX_REGISTER_FILES, Prepared, Program};
-pub use run::{OverBudget, Run};
 
 #[cfg(test)]
 mod tests;

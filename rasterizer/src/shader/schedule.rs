@@ -239,7 +239,7 @@ impl Order {
 #[cfg(test)]
 mod tests {
     use crate::ir::{Builder, Input, Interpolation, Op, Output, Stage};
-    use crate::shader::{Machine, Program, Run, Tracer};
+    use crate::shader::{Invocation, Machine, Program, Tracer};
     use crate::trace::{Expression, Name, Step};
     use texunit::lanes::{Isa, U32s};
 
@@ -282,9 +282,15 @@ mod tests {
         }
         let mut tracer = Tracer::new(&program, 3);
         let (active, budget) = (!0, 100);
-        let run =
-            Run { isa, program: &program, prepared: &prepared, textures: &[], active, budget };
-        assert_eq!(machine.run_traced(run, &mut tracer), Ok(!0));
+        let invocation = Invocation {
+            isa,
+            program: &program,
+            prepared: &prepared,
+            textures: &[],
+            active,
+            budget,
+        };
+        assert_eq!(machine.run_traced(invocation, &mut tracer), Ok(!0));
         let of = |step: &Step| match step {
             Step::Value { number, expression: Expression::Apply(Op::Sqrt, args), bits, .. } => {
                 let [Expression::Operand(operand)] = args[..] else { panic!("{args:?}") };

@@ -132,7 +132,7 @@ pub enum InputSource {
     /// The value of the provoking vertex.
     Flat,
     /// The derivative of a quotient of planes: `(n' - n/d · d') / d`.
-    Slope,
+    Gradient,
     /// Of the pixel or the primitive itself.
     Pixel,
 }

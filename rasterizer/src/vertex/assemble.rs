@@ -8,7 +8,7 @@ use crate::desc::{Provoking, Topology};
 pub enum EdgeFlags {
     /// All edges are boundaries.
     AllSet,
-    /// Those are whose first vertex says so.
+    /// An edge is a boundary if the edge flag of its first vertex is set.
     ByVertex,
 }
 
@@ -37,7 +37,7 @@ pub struct Primitives {
     pub len: u32,
 }
 
-/// The primitives that `vertices` vertices make. Incomplete ones at the end are left out.
+/// The primitives of `vertices` vertices. Incomplete primitives at the end are dropped.
 pub fn primitives(topology: Topology, provoking: Provoking, vertices: u32) -> Primitives {
     let n = vertices;
     let len = match topology {
@@ -115,7 +115,7 @@ impl Primitives {
         }
     }
 
-    /// The number that a shader has for primitive `i`: halves of a quadrilateral have one, and so have
+    /// `gl_PrimitiveID` of primitive `i`: halves of a quadrilateral have one, and so have
     /// the parts of a polygon (`EXT_gpu_shader4`). No vertex provokes two that differ in it.
     pub fn number(&self, i: u32) -> u32 {
         match self.topology {

@@ -12,13 +12,13 @@ pub struct Elements<'a> {
 }
 
 impl<'a> Elements<'a> {
-    /// These.
+    /// The elements with these numbers.
     pub fn new(ids: &'a [u32]) -> Self {
         debug_assert!(ids.len() <= LANES);
         Self { ids, furthest: ids.iter().copied().max().unwrap_or(0) }
     }
 
-    /// Counted from this one on; those before it become such as no memory has.
+    /// Relative to this first element; elements before it get numbers beyond any buffer.
     fn counted_from(self, first: u32, memory: &'a mut [u32; LANES]) -> Self {
         if first == 0 {
             return self;
@@ -147,7 +147,7 @@ pub fn component(
     }
 }
 
-/// An integer's bits, in the type that lanes of attributes have.
+/// The bits of an integer as an `f32`, the type of attribute lanes.
 fn bits(c: i32) -> f32 {
     f32::from_bits(c as u32)
 }
@@ -199,7 +199,7 @@ struct Words<'a> {
 }
 
 impl Words<'_> {
-    /// Reads floats: gathered where 64 of them are all inside.
+    /// Reads floats: a gather if all 64 are inside the buffer.
     fn floats(&self, isa: Isa, out: &mut F32s) {
         let ids = <&[u32; LANES]>::try_from(self.elements.ids);
         match (ids, u32::try_from(self.start), self.end::<4>()) {
@@ -211,16 +211,16 @@ impl Words<'_> {
         }
     }
 
-    /// One past the last byte of all `N`-byte words; `None` where some are not there.
+    /// One past the last byte of all `N`-byte words; `None` if some are outside the buffer.
     fn end<const N: usize>(&self) -> Option<usize> {
         let furthest = self.elements.furthest as usize;
         let last = furthest.checked_mul(self.stride)?.checked_add(self.start)?;
         last.checked_add(N).filter(|&end| end <= self.bytes.len())
     }
 
-    /// Reads `N` bytes a vertex; what lies past the end reads as zeros.
+    /// Reads `N` bytes a vertex; bytes past the end of the buffer read as zeros.
     fn each<const N: usize>(&self, out: &mut F32s, convert: impl Fn([u8; N]) -> f32) {
-        // One check for all where the furthest is inside.
+        // One bounds check for all: the furthest element is inside.
         if let Some(end) = self.end::<N>() {
             let bytes = &self.bytes[..end];
             for (value, &id) in out.0.iter_mut().zip(self.elements.ids) {

@@ -24,7 +24,7 @@ pub struct Geometry {
     pub(super) edge_flags: Vec<f32>,
 }
 
-/// Where the varyings of a vertex begin among its values.
+/// Index of the first varying among the values of a vertex.
 pub const VARYINGS: usize = 4;
 
 impl Geometry {
@@ -33,7 +33,7 @@ impl Geometry {
         self.outcodes.len()
     }
 
-    /// Takes all vertices away.
+    /// Removes all vertices.
     pub fn clear(&mut self) {
         self.values.clear();
         self.snapped.clear();
@@ -67,12 +67,12 @@ impl Geometry {
         viewport.window(&self.clip(vertex).map(f64::from))
     }
 
-    /// On which sides of the clip volume a vertex is out.
+    /// The sides of the clip volume that a vertex is outside of.
     pub fn outcode(&self, vertex: u32) -> Outcode {
         Outcode(self.outcodes[vertex as usize])
     }
 
-    /// The size that the vertex stage gave a point, if it did.
+    /// The point size that the vertex stage wrote, if it did.
     pub fn point_size(&self, vertex: u32) -> Option<f32> {
         self.point_sizes.get(vertex as usize).copied()
     }

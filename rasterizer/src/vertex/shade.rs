@@ -1,11 +1,11 @@
-//! The vertex program over batches of 64, and the viewport transform of what it gives.
+//! The vertex program over batches of 64 vertices, and the viewport transform of its outputs.
 
 use super::fetch::{self, Elements};
 use super::geometry::{Geometry, VARYINGS};
 use super::viewport::{ViewportTransform, WindowVertices, cut};
 use crate::desc::{PointSize, VertexBinding, VertexSource, Viewport};
 use crate::ir::{Input, Output};
-use crate::shader::{Machine, OverBudget, Prepared, Program, Run};
+use crate::shader::{Invocation, Machine, OverBudget, Prepared, Program};
 use crate::threads::{ObjectPool, ThreadPool};
 use std::num::NonZeroU32;
 use std::ops::Range;
@@ -64,12 +64,12 @@ pub fn shade(
     shade_all(stage, &ids.repeat(instances.len()), Instances::Each(&numbers), to)
 }
 
-/// Which instances some vertices are of.
+/// The instances of the vertices of a batch.
 #[derive(Clone, Copy)]
 enum Instances<'a> {
-    /// All of this one.
+    /// All vertices are of this instance.
     One(u32),
-    /// Each of its own.
+    /// The instance of each vertex.
     Each(&'a [u32]),
 }
 
@@ -103,7 +103,7 @@ fn shade_all(
     let targets: Vec<OutputTarget> = outputs.map(|o| stage.target(o, &mut plane)).collect();
     (geometry.stride, geometry.planes) = (stride, planes);
     let sizes = usize::from(targets.contains(&OutputTarget::PointSize));
-    // What it holds of another draw is written over, but for values that this one does not write.
+    // Values of an earlier draw are overwritten, except those that this draw does not write.
     let count = first + ids.len();
     geometry.values.resize(count * stride, 0.0);
     geometry.snapped.resize(count, [0; 2]);
@@ -162,7 +162,7 @@ fn shade_all(
     if stopped.into_inner() { Err(OverBudget) } else { Ok(()) }
 }
 
-/// The rest of a slice with `each` values for every vertex, from which batches are taken. (`chunks_mut` takes no
+/// The rest of a slice with `each` values for every vertex, which is split into batches. (`chunks_mut` has no
 /// stride of zero.)
 struct VertexSlices<'a, T> {
     rest: &'a mut [T],
@@ -170,7 +170,7 @@ struct VertexSlices<'a, T> {
 }
 
 impl<'a, T> VertexSlices<'a, T> {
-    /// Those of the next `count` vertices.
+    /// The values of the next `count` vertices.
     fn next(&mut self, count: usize) -> &'a mut [T] {
         let (piece, rest) = std::mem::take(&mut self.rest).split_at_mut(count * self.each);
         self.rest = rest;
@@ -195,7 +195,7 @@ enum OutputTarget {
     PointSize,
     /// One of the vertex's values.
     Value(usize),
-    /// A clip distance, by its place among the distances.
+    /// A clip distance, by its index among the distances.
     Distance(usize),
     Nowhere,
 }
@@ -231,7 +231,7 @@ impl VertexStage<'_> {
             Input::VertexId => InputSource::VertexId,
             Input::InstanceId => InputSource::InstanceId,
             Input::Varying(_)
-            | Input::Slope { .. }
+            | Input::Gradient { .. }
             | Input::FragCoord(_)
             | Input::FrontFacing
             | Input::PointCoord(_)
@@ -305,7 +305,7 @@ impl VertexStage<'_> {
                 },
             }
         }
-        machine.run(Run {
+        machine.run(Invocation {
             isa: self.isa,
             program: self.program,
             prepared: self.prepared,
@@ -348,7 +348,7 @@ impl VertexStage<'_> {
     }
 }
 
-/// Gives each vertex of a batch its value `at`.
+/// Writes value `at` of each vertex of a batch.
 fn scatter(values: &mut [f32], at: usize, stride: usize, lanes: &F32s) {
     let Some(values) = values.get_mut(at..) else { return };
     for (to, &value) in values.iter_mut().step_by(stride).zip(&lanes.0) {

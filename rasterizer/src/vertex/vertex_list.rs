@@ -5,7 +5,7 @@ use crate::desc::{IndexType, Indices, Topology};
 use std::ops::Range;
 use texunit::lanes::U32s;
 
-/// Where a draw's vertex numbers come from.
+/// The source of the vertex numbers of a draw.
 pub enum VertexIds<'a> {
     /// Consecutive, from this one.
     Range(u32),
@@ -34,7 +34,7 @@ impl VertexIds<'_> {
     }
 }
 
-/// Reads indices of `N` bytes; those that are not there are 0.
+/// Reads indices of `N` bytes; indices past the end of the buffer are 0.
 fn read<const N: usize>(
     indices: &Indices,
     ordinals: Range<u32>,
@@ -64,7 +64,7 @@ impl Ordinals {
         self.run.len() + usize::from(self.zero)
     }
 
-    /// Where an ordinal stands: vertex 0 first, if it is there, then the run.
+    /// The position of an ordinal in the list: vertex 0 first, if it is used, then the run.
     fn position(&self, ordinal: u32) -> usize {
         if self.zero && ordinal == 0 {
             0
@@ -101,7 +101,7 @@ pub struct VertexList {
     pub ids: Vec<u32>,
     /// By ordinal, its index in `ids`; `None` where `ids` has the order of the ordinals.
     local_indices: Option<Vec<u32>>,
-    /// Where the shaded ones of the instance begin.
+    /// Index of the first shaded vertex of the instance.
     pub base: u32,
 }
 
@@ -127,7 +127,7 @@ impl VertexList {
         Self { ordinals, ids, local_indices: None, base: 0 }
     }
 
-    /// The same of an instance, of several whose vertices lie one behind the other.
+    /// The same list for another instance: the shaded vertices of instances are consecutive.
     pub fn of_instance(&self, number: u32) -> Self {
         Self {
             ordinals: self.ordinals.clone(),
@@ -137,8 +137,8 @@ impl VertexList {
         }
     }
 
-    /// Where among the shaded ones the vertices of `len` times three ordinals from `first` on are, of which
-    /// none is the vertex 0 of a fan.
+    /// The indices of the shaded vertices of `3 · len` ordinals from `first` on, none of which is the vertex 0 of a
+    /// fan.
     #[inline]
     pub fn triples(&self, first: u32, out: &mut [U32s; 3], len: usize) {
         let at = self.ordinals.position(first);
@@ -159,7 +159,7 @@ impl VertexList {
         }
     }
 
-    /// Where among the shaded ones the vertex of an ordinal is.
+    /// The index of the shaded vertex of an ordinal.
     #[inline]
     pub fn local(&self, ordinal: u32) -> u32 {
         let at = self.ordinals.position(ordinal);

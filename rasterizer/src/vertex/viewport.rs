@@ -1,11 +1,11 @@
-//! Where shaded vertices lie: the viewport transform and the clip tests, 64 at a time.
+//! The viewport transform and the clip tests of shaded vertices, 64 at a time.
 
 use crate::desc::{DepthClip, Viewport};
 use crate::sizes::{GUARD_BAND, SUBPIXEL};
 use texunit::lanes::{F32s, Kernel, LANES, Simd};
 
-/// On which sides of the clip volume a vertex is out, a bit each; from bit 16 on, beyond which of the
-/// user's planes.
+/// The sides of the clip volume that a vertex is outside of, a bit each; from bit 16 on, the user clip planes that it
+/// is beyond.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Outcode(pub u32);
 
@@ -28,21 +28,21 @@ impl Outcode {
     pub const GUARD: u32 = 128;
     /// A coordinate is inf or NaN: the primitive is dropped.
     pub const INVALID: u32 = 256;
-    /// Beyond one of the user's clip planes.
+    /// Beyond a user clip plane.
     pub const USER: u32 = 512;
-    /// Out on one of these by every vertex: nothing can be seen.
+    /// If every vertex is outside of one of these, the primitive is rejected.
     pub const REJECT: u32 =
         Self::LEFT | Self::RIGHT | Self::BOTTOM | Self::TOP | Self::NEAR | Self::FAR | Self::BEHIND;
-    /// Out on one of these by any vertex: the primitive is cut.
+    /// If any vertex is outside of one of these, the primitive is clipped.
     pub const CUT: u32 = Self::NEAR | Self::FAR | Self::BEHIND | Self::GUARD | Self::USER;
 
-    /// Beyond which of the user's clip planes, bit by plane.
+    /// The user clip planes that the vertex is beyond, bit by plane.
     pub fn user(self) -> u8 {
         (self.0 >> 16) as u8
     }
 }
 
-/// Adding and taking away this rounds to an integer, which is then in the lowest bits.
+/// Adding and subtracting this rounds to an integer, which is then in the lowest bits.
 const TO_INTEGER: f64 = 6_755_399_441_055_744.0;
 
 /// Viewport transform (GL 2.1, section 2.11.1), snap and clip tests of 64 vertices.
@@ -52,7 +52,7 @@ pub(super) struct ViewportTransform<'a> {
     pub out: &'a mut WindowVertices,
 }
 
-/// Where 64 vertices are.
+/// The positions of 64 vertices.
 pub(super) struct WindowVertices {
     pub snapped: [[i32; LANES]; 2],
     pub outcodes: [u32; LANES],
@@ -64,7 +64,7 @@ impl Kernel for ViewportTransform<'_> {
     fn run<S: Simd>(self) {
         let Self { clip: [x, y, z, w], viewport, out } = self;
         let (half, center) = (viewport.half(), viewport.center());
-        // As `Viewport::window` has it.
+        // The same operations as `Viewport::window`.
         let mut window = [[0.0; LANES]; 2];
         for (axis, (position, window)) in [x, y].into_iter().zip(&mut window).enumerate() {
             for lane in 0..LANES {
@@ -100,7 +100,7 @@ impl Kernel for ViewportTransform<'_> {
 }
 
 /// To the nearest subpixel, within 24 bits. The clamp acts only where a cut between coordinates of
-/// 1e30 and of 1 has rounded to a point outside the guard band; what is no number becomes its edge.
+/// 1e30 and of 1 has rounded to a point outside the guard band; NaN becomes the edge of the band.
 #[inline(always)]
 pub fn snap(window: f64) -> i32 {
     let window = if window > -GUARD_BAND { window } else { -GUARD_BAND };
@@ -108,11 +108,11 @@ pub fn snap(window: f64) -> i32 {
     let v = window * f64::from(SUBPIXEL) + 0.5;
     let rounded = v + TO_INTEGER;
     let integer = rounded.to_bits() as i32;
-    // Rounded to nearest: one less where that was up.
+    // Rounded to nearest: subtract one where the rounding was upward.
     integer - i32::from(rounded - TO_INTEGER > v)
 }
 
-/// Clip tests against the user's planes. A distance that is no number drops the primitive.
+/// Clip tests against the user clip planes. A NaN distance drops the primitive.
 pub(super) fn cut(outcode: &mut u32, distances: &[f32]) {
     for (plane, distance) in distances.iter().enumerate() {
         if !distance.is_finite() {

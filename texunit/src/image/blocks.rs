@@ -12,8 +12,8 @@ impl Level {
     ///
     /// # Panics
     /// When there is no such texel.
-    pub fn channels_of_run(&self, isa: Isa, at: [u32; 3], out: &mut [F32s; 4]) {
-        isa.run(Run { level: self, at, out });
+    pub fn channels_of_row_span(&self, isa: Isa, at: [u32; 3], out: &mut [F32s; 4]) {
+        isa.run(FetchRowSpan { level: self, at, out });
     }
 
     /// [`Level::fill`] of a level without border from colours of four `f32` each, tightly packed, as many as it has
@@ -33,13 +33,13 @@ fn color(bytes: &[u8; COLOR]) -> [f32; 4] {
     [0, 1, 2, 3].map(|channel| f32::from_le_bytes(channels[channel]))
 }
 
-struct Run<'a> {
+struct FetchRowSpan<'a> {
     level: &'a Level,
     at: [u32; 3],
     out: &'a mut [F32s; 4],
 }
 
-impl Kernel for Run<'_> {
+impl Kernel for FetchRowSpan<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: Simd>(self) {
@@ -87,7 +87,7 @@ mod tests {
                     let mut out = [F32s::ZERO; 4];
                     for x in (0..width).step_by(LANES) {
                         let (y, z) = (height - 1, depth - 1);
-                        level.channels_of_run(isa, [x, y, z].map(|at| at as u32), &mut out);
+                        level.channels_of_row_span(isa, [x, y, z].map(|at| at as u32), &mut out);
                         for (x, lane) in (x..width).zip(0..LANES) {
                             let want = level.channels_at([x, y, z]).unwrap();
                             for (got, want) in out.iter().zip(want).take(format.channels()) {

@@ -156,7 +156,7 @@ impl Level {
     ///
     /// # Panics
     /// When they are not within the level.
-    pub fn run(&self, [x, y, slice]: [usize; 3], width: usize) -> &[u8] {
+    pub fn row_span(&self, [x, y, slice]: [usize; 3], width: usize) -> &[u8] {
         let size = self.format.bytes();
         let row = self.origin() + slice * self.slice_bytes() + y * self.row_bytes();
         &self.texels[row + x * size..][..width * size]

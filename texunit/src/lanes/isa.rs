@@ -17,10 +17,10 @@ use x86::{run_avx2, run_avx512};
 /// An instruction set that this processor has. Values exist only for instruction sets that were
 /// detected, which is what makes [`Isa::run`] safe.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct Isa(Level);
+pub struct Isa(IsaLevel);
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-enum Level {
+enum IsaLevel {
     Baseline,
     #[cfg(target_arch = "x86_64")]
     Avx2,
@@ -28,7 +28,7 @@ enum Level {
     Avx512,
 }
 
-impl Level {
+impl IsaLevel {
     /// Every level of this architecture, from the plainest to the widest.
     const ALL: &'static [Self] = &[
         Self::Baseline,
@@ -72,11 +72,11 @@ pub struct IsaError {
 
 impl Isa {
     /// The plain target of the build: SSE2 on x86-64, NEON on AArch64.
-    pub const BASELINE: Self = Self(Level::Baseline);
+    pub const BASELINE: Self = Self(IsaLevel::Baseline);
 
     /// Every instruction set of this processor, from the plainest to the widest.
     pub fn available() -> Vec<Self> {
-        Level::ALL.iter().copied().filter(|level| level.is_there()).map(Self).collect()
+        IsaLevel::ALL.iter().copied().filter(|level| level.is_there()).map(Self).collect()
     }
 
     /// The widest instruction set of this processor.
@@ -110,11 +110,11 @@ impl Isa {
     /// The name that `DETGL_ISA` takes.
     pub fn name(self) -> &'static str {
         match self.0 {
-            Level::Baseline => "baseline",
+            IsaLevel::Baseline => "baseline",
             #[cfg(target_arch = "x86_64")]
-            Level::Avx2 => "avx2",
+            IsaLevel::Avx2 => "avx2",
             #[cfg(target_arch = "x86_64")]
-            Level::Avx512 => "avx512",
+            IsaLevel::Avx512 => "avx512",
         }
     }
 
@@ -127,13 +127,13 @@ impl Isa {
     #[inline]
     pub fn run<K: Kernel>(self, kernel: K) -> K::Output {
         match self.0 {
-            Level::Baseline => run_baseline(kernel),
+            IsaLevel::Baseline => run_baseline(kernel),
             // SAFETY: the value exists, so the processor has these features.
             #[cfg(target_arch = "x86_64")]
-            Level::Avx2 => unsafe { run_avx2(kernel) },
+            IsaLevel::Avx2 => unsafe { run_avx2(kernel) },
             // SAFETY: as above.
             #[cfg(target_arch = "x86_64")]
-            Level::Avx512 => unsafe { run_avx512(kernel) },
+            IsaLevel::Avx512 => unsafe { run_avx512(kernel) },
         }
     }
 }
@@ -144,13 +144,13 @@ impl Isa {
     #[inline]
     pub(crate) fn run_above_baseline<K: Kernel>(self, kernel: K) -> Result<K::Output, K> {
         match self.0 {
-            Level::Baseline => Err(kernel),
+            IsaLevel::Baseline => Err(kernel),
             // SAFETY: the value exists, so the processor has these features.
             #[cfg(target_arch = "x86_64")]
-            Level::Avx2 => Ok(unsafe { run_avx2(kernel) }),
+            IsaLevel::Avx2 => Ok(unsafe { run_avx2(kernel) }),
             // SAFETY: as above.
             #[cfg(target_arch = "x86_64")]
-            Level::Avx512 => Ok(unsafe { run_avx512(kernel) }),
+            IsaLevel::Avx512 => Ok(unsafe { run_avx512(kernel) }),
         }
     }
 }

@@ -35,6 +35,6 @@ pub use float_env::{FloatEnv, OutlinedFloatEnv};
 pub use isa::{Baseline, Isa, IsaError};
 pub use log2::{log2, log2_of_root};
 pub use prefetch::{prefetch, prefetch_at};
-pub use row_walk::{ONE, RowWalk, SecondTexel, weights};
+pub use row_walk::{RowWalk, SecondTexel, WEIGHT_ONE, weights};
 pub use simd::{Kernel, Simd};
 pub use weigh::Sums;

@@ -6,8 +6,8 @@
 use super::weigh::Sums;
 use super::{I32s, LANES, Simd, U32s};
 
-/// All of a row's weight.
-pub const ONE: i32 = 1 << 14;
+/// The weight of a row that counts in full, in fixed point.
+pub const WEIGHT_ONE: i32 = 1 << 14;
 
 /// The position of the second texel of a row.
 #[derive(Clone, Copy, Debug)]
@@ -31,11 +31,11 @@ pub struct RowWalk<'a> {
     pub position: &'a I32s,
     /// Change of the position from row to row.
     pub step: &'a I32s,
-    /// The length of the rows, in units of [`ONE`], including `before`.
+    /// The length of the rows, in units of [`WEIGHT_ONE`], including `skipped`.
     pub remaining: &'a I32s,
-    /// The part of the first row that does not count, in units of [`ONE`].
+    /// The part of the first row that does not count, in units of [`WEIGHT_ONE`].
     pub skipped: &'a I32s,
-    /// The minimum weight of each of the two texels, in units of [`ONE`].
+    /// The minimum weight of each of the two texels, in units of [`WEIGHT_ONE`].
     pub min_weight: &'a I32s,
     /// Number of rows.
     pub rows: u32,
@@ -44,15 +44,15 @@ pub struct RowWalk<'a> {
 /// The weights of both texels of a row, the second in the upper half.
 #[inline(always)]
 pub fn weights(position: i32, remaining: i32, skipped: i32, min_weight: i32) -> u32 {
-    let fraction = position >> 2 & (ONE - 1);
-    let second = min_weight + ((fraction * (ONE - 2 * min_weight)) >> 14);
-    let remaining = if remaining < ONE { remaining } else { ONE };
+    let fraction = position >> 2 & (WEIGHT_ONE - 1);
+    let second = min_weight + ((fraction * (WEIGHT_ONE - 2 * min_weight)) >> 14);
+    let remaining = if remaining < WEIGHT_ONE { remaining } else { WEIGHT_ONE };
     let weight = (if remaining > 0 { remaining } else { 0 }) - skipped;
     let second = (second * weight) >> 14;
     ((second << 16) + (weight - second)) as u32
 }
 
-/// Row by row.
+/// Adds the weighted texels of all rows to `sums`, one row at a time.
 #[inline(always)]
 pub(super) fn sum_rows<S: Simd>(bytes: &[u8], walk: &RowWalk<'_>, sums: &mut Sums) {
     let last = walk.last_offset(bytes);
@@ -83,13 +83,13 @@ pub(super) fn sum_rows<S: Simd>(bytes: &[u8], walk: &RowWalk<'_>, sums: &mut Sum
                     S::weigh(&texels, &second, &weighed, sums);
                 }
             }
-            SecondTexel::Stride(apart) => {
+            SecondTexel::Stride(texel_stride) => {
                 let mut second = U32s::ZERO;
                 for lane in 0..LANES {
                     let number = (position[lane] >> 16) as u32;
-                    let at = start[lane].wrapping_add(number.wrapping_mul(apart[lane]));
+                    let at = start[lane].wrapping_add(number.wrapping_mul(texel_stride[lane]));
                     first[lane] = clamp_offset(at, last);
-                    second[lane] = clamp_offset(at.wrapping_add(apart[lane]), last);
+                    second[lane] = clamp_offset(at.wrapping_add(texel_stride[lane]), last);
                 }
                 let (first, second) = (S::gather(bytes, &first), S::gather(bytes, &second));
                 S::weigh(&first, &second, &weighed, sums);
@@ -98,7 +98,7 @@ pub(super) fn sum_rows<S: Simd>(bytes: &[u8], walk: &RowWalk<'_>, sums: &mut Sum
         for lane in 0..LANES {
             start[lane] = start[lane].wrapping_add(walk.stride[lane]);
             position[lane] = position[lane].wrapping_add(walk.step[lane]);
-            remaining[lane] = remaining[lane].wrapping_sub(ONE);
+            remaining[lane] = remaining[lane].wrapping_sub(WEIGHT_ONE);
         }
     }
 }
@@ -137,21 +137,21 @@ pub(super) unsafe fn avx2(bytes: &[u8], walk: &RowWalk<'_>, sums: &mut Sums) {
     use std::arch::x86_64::*;
     let last = walk.last_offset(bytes);
     let base = bytes.as_ptr();
-    let (size, apart) = match walk.second_texel {
+    let (size, texel_stride) = match walk.second_texel {
         SecondTexel::Adjacent(size) => (size, None),
-        SecondTexel::Stride(apart) => (4, Some(apart)),
+        SecondTexel::Stride(texel_stride) => (4, Some(texel_stride)),
     };
     let pairs = walk.reads_pairs();
-    // Offsets go through memory, from where each is an address.
+    // Offsets are stored to memory: the loads of texels read each as a scalar.
     let (mut firsts, mut seconds) = (U32s::ZERO, U32s::ZERO);
     for at in (0..LANES).step_by(8) {
-        // SAFETY: batches hold 8 words at `at`; offsets are held to where all bytes of a read are there, and are
-        // below 2^31.
+        // SAFETY: batches hold 8 words at `at`; offsets are clamped to `last`, up to which all bytes of a read are
+        // there, and are below 2^31.
         unsafe {
             let load = |words: *const i32| _mm256_load_si256(words.add(at).cast::<__m256i>());
             let signed = |words: &I32s| load(words.0.as_ptr());
             let unsigned = |words: &U32s| load(words.0.as_ptr().cast());
-            let (one, zero) = (_mm256_set1_epi32(ONE), _mm256_setzero_si256());
+            let (one, zero) = (_mm256_set1_epi32(WEIGHT_ONE), _mm256_setzero_si256());
             let last = _mm256_set1_epi32(last as i32);
             let shuffles = avx2_shuffles(if pairs { size } else { 4 });
             let shift = _mm_cvtsi32_si128(8 * size as i32);
@@ -159,12 +159,12 @@ pub(super) unsafe fn avx2(bytes: &[u8], walk: &RowWalk<'_>, sums: &mut Sums) {
             let (mut position, step) = (signed(walk.position), signed(walk.step));
             let (mut remaining, mut skipped) = (signed(walk.remaining), signed(walk.skipped));
             let min_weight = signed(walk.min_weight);
-            let part = _mm256_sub_epi32(one, _mm256_slli_epi32::<1>(min_weight));
+            let weight_range = _mm256_sub_epi32(one, _mm256_slli_epi32::<1>(min_weight));
             let mut totals = [[zero; 2]; 2];
             for _ in 0..walk.rows {
                 let number = _mm256_srai_epi32::<16>(position);
-                let number = match apart {
-                    Some(apart) => _mm256_mullo_epi32(number, unsigned(apart)),
+                let number = match texel_stride {
+                    Some(texel_stride) => _mm256_mullo_epi32(number, unsigned(texel_stride)),
                     // Of 16 bits, as is the size.
                     None => _mm256_madd_epi16(number, _mm256_set1_epi32(size as i32)),
                 };
@@ -173,8 +173,8 @@ pub(super) unsafe fn avx2(bytes: &[u8], walk: &RowWalk<'_>, sums: &mut Sums) {
                 _mm256_store_si256(to, _mm256_min_epu32(offset, last));
                 // `weights`; all factors are below 2^15.
                 let fraction = _mm256_srli_epi32::<2>(position);
-                let fraction = _mm256_and_si256(fraction, _mm256_set1_epi32(ONE - 1));
-                let second = _mm256_srli_epi32::<14>(_mm256_madd_epi16(fraction, part));
+                let fraction = _mm256_and_si256(fraction, _mm256_set1_epi32(WEIGHT_ONE - 1));
+                let second = _mm256_srli_epi32::<14>(_mm256_madd_epi16(fraction, weight_range));
                 let second = _mm256_add_epi32(min_weight, second);
                 let whole = _mm256_max_epi32(_mm256_min_epi32(remaining, one), zero);
                 let weight = _mm256_sub_epi32(whole, skipped);
@@ -190,8 +190,8 @@ pub(super) unsafe fn avx2(bytes: &[u8], walk: &RowWalk<'_>, sums: &mut Sums) {
                     ]
                 } else {
                     let a = eight_words::<1>(base, &firsts, 0);
-                    let b = if let Some(apart) = apart {
-                        let offset = _mm256_add_epi32(offset, unsigned(apart));
+                    let b = if let Some(texel_stride) = texel_stride {
+                        let offset = _mm256_add_epi32(offset, unsigned(texel_stride));
                         let to = seconds.0.as_mut_ptr().cast::<__m256i>();
                         _mm256_store_si256(to, _mm256_min_epu32(offset, last));
                         eight_words::<1>(base, &seconds, 0)
@@ -200,14 +200,14 @@ pub(super) unsafe fn avx2(bytes: &[u8], walk: &RowWalk<'_>, sums: &mut Sums) {
                     };
                     [_mm256_unpacklo_epi32(a, b), _mm256_unpackhi_epi32(a, b)]
                 };
-                let twice = [
+                let weights_by_byte_pair = [
                     _mm256_unpacklo_epi32(weights, weights),
                     _mm256_unpackhi_epi32(weights, weights),
                 ];
                 for half in 0..2 {
                     for part in 0..2 {
                         let bytes = _mm256_shuffle_epi8(texels[part], shuffles[half]);
-                        let products = _mm256_madd_epi16(bytes, twice[part]);
+                        let products = _mm256_madd_epi16(bytes, weights_by_byte_pair[part]);
                         totals[half][part] = _mm256_add_epi32(totals[half][part], products);
                     }
                 }
@@ -235,19 +235,19 @@ pub(super) unsafe fn avx512(bytes: &[u8], walk: &RowWalk<'_>, sums: &mut Sums) {
     use std::arch::x86_64::*;
     let last = walk.last_offset(bytes);
     let base = bytes.as_ptr();
-    let (size, apart) = match walk.second_texel {
+    let (size, texel_stride) = match walk.second_texel {
         SecondTexel::Adjacent(size) => (size, None),
-        SecondTexel::Stride(apart) => (4, Some(apart)),
+        SecondTexel::Stride(texel_stride) => (4, Some(texel_stride)),
     };
     let pairs = walk.reads_pairs();
     for at in (0..LANES).step_by(16) {
-        // SAFETY: batches hold 16 words at `at`; offsets are held to where all bytes of a read are
+        // SAFETY: batches hold 16 words at `at`; offsets are clamped to `last`, up to which all bytes of a read are
         // there, and are below 2^31.
         unsafe {
             let load = |words: *const i32| _mm512_load_si512(words.add(at).cast::<__m512i>());
             let signed = |words: &I32s| load(words.0.as_ptr());
             let unsigned = |words: &U32s| load(words.0.as_ptr().cast());
-            let (one, zero) = (_mm512_set1_epi32(ONE), _mm512_setzero_si512());
+            let (one, zero) = (_mm512_set1_epi32(WEIGHT_ONE), _mm512_setzero_si512());
             let last = _mm512_set1_epi32(last as i32);
             let low = _mm512_set_epi32(7, 7, 6, 6, 5, 5, 4, 4, 3, 3, 2, 2, 1, 1, 0, 0);
             let high = _mm512_set_epi32(15, 15, 14, 14, 13, 13, 12, 12, 11, 11, 10, 10, 9, 9, 8, 8);
@@ -256,8 +256,8 @@ pub(super) unsafe fn avx512(bytes: &[u8], walk: &RowWalk<'_>, sums: &mut Sums) {
             let mixed_high =
                 _mm512_set_epi32(31, 15, 30, 14, 29, 13, 28, 12, 27, 11, 26, 10, 25, 9, 24, 8);
             let shuffles = avx512_shuffles(if pairs { size } else { 4 });
-            let across = match apart {
-                Some(apart) => unsigned(apart),
+            let across = match texel_stride {
+                Some(texel_stride) => unsigned(texel_stride),
                 None => _mm512_set1_epi32(size as i32),
             };
             let shift = _mm_cvtsi32_si128(8 * size as i32);
@@ -265,7 +265,7 @@ pub(super) unsafe fn avx512(bytes: &[u8], walk: &RowWalk<'_>, sums: &mut Sums) {
             let (mut position, step) = (signed(walk.position), signed(walk.step));
             let (mut remaining, mut skipped) = (signed(walk.remaining), signed(walk.skipped));
             let min_weight = signed(walk.min_weight);
-            let part = _mm512_sub_epi32(one, _mm512_slli_epi32::<1>(min_weight));
+            let weight_range = _mm512_sub_epi32(one, _mm512_slli_epi32::<1>(min_weight));
             let mut totals = [[zero; 2]; 2];
             for _ in 0..walk.rows {
                 let number = _mm512_srai_epi32::<16>(position);
@@ -273,8 +273,8 @@ pub(super) unsafe fn avx512(bytes: &[u8], walk: &RowWalk<'_>, sums: &mut Sums) {
                 let first = _mm512_min_epu32(offset, last);
                 // `weights`; all factors are below 2^15.
                 let fraction = _mm512_srli_epi32::<2>(position);
-                let fraction = _mm512_and_si512(fraction, _mm512_set1_epi32(ONE - 1));
-                let second = _mm512_srli_epi32::<14>(_mm512_madd_epi16(fraction, part));
+                let fraction = _mm512_and_si512(fraction, _mm512_set1_epi32(WEIGHT_ONE - 1));
+                let second = _mm512_srli_epi32::<14>(_mm512_madd_epi16(fraction, weight_range));
                 let second = _mm512_add_epi32(min_weight, second);
                 let whole = _mm512_max_epi32(_mm512_min_epi32(remaining, one), zero);
                 let weight = _mm512_sub_epi32(whole, skipped);
@@ -292,7 +292,7 @@ pub(super) unsafe fn avx512(bytes: &[u8], walk: &RowWalk<'_>, sums: &mut Sums) {
                     ]
                 } else {
                     let a = _mm512_i32gather_epi32::<1>(first, base.cast::<i32>());
-                    let b = if apart.is_some() {
+                    let b = if texel_stride.is_some() {
                         let offset = _mm512_min_epu32(_mm512_add_epi32(offset, across), last);
                         _mm512_i32gather_epi32::<1>(offset, base.cast::<i32>())
                     } else {
@@ -303,14 +303,14 @@ pub(super) unsafe fn avx512(bytes: &[u8], walk: &RowWalk<'_>, sums: &mut Sums) {
                         _mm512_permutex2var_epi32(a, mixed_high, b),
                     ]
                 };
-                let twice = [
+                let weights_by_byte_pair = [
                     _mm512_permutexvar_epi32(low, weights),
                     _mm512_permutexvar_epi32(high, weights),
                 ];
                 for half in 0..2 {
                     for part in 0..2 {
                         let bytes = _mm512_shuffle_epi8(texels[part], shuffles[half]);
-                        let products = _mm512_madd_epi16(bytes, twice[part]);
+                        let products = _mm512_madd_epi16(bytes, weights_by_byte_pair[part]);
                         totals[half][part] = _mm512_add_epi32(totals[half][part], products);
                     }
                 }
@@ -348,15 +348,15 @@ mod tests {
     fn a_walk_leads_nowhere_but_over_its_bytes() {
         let start = U32s::from_fn(|lane| (lane as u32).wrapping_mul(0x1234_5679));
         let stride = U32s::from_fn(|lane| [0, 1, 1 << 31, u32::MAX][lane % 4]);
-        let apart = U32s::from_fn(|lane| [3, u32::MAX, 1 << 31, 5][lane % 4]);
+        let texel_stride = U32s::from_fn(|lane| [3, u32::MAX, 1 << 31, 5][lane % 4]);
         let position = I32s::from_fn(|lane| (lane as i32 - 32) << 24 | 0x1234);
         let (step, min_weight) = (I32s::splat(0x0123_4567), I32s::ZERO);
-        let (remaining, skipped) = (I32s::splat(5 * ONE / 2), I32s::splat(ONE / 3));
+        let (remaining, skipped) = (I32s::splat(5 * WEIGHT_ONE / 2), I32s::splat(WEIGHT_ONE / 3));
         for second_texel in [
             SecondTexel::Adjacent(1),
             SecondTexel::Adjacent(3),
             SecondTexel::Adjacent(4),
-            SecondTexel::Stride(&apart),
+            SecondTexel::Stride(&texel_stride),
         ] {
             for length in [8, 9, 67] {
                 let bytes: Box<[u8]> = (0..length).map(|at| (at * 29) as u8).collect();

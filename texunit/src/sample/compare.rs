@@ -1,5 +1,5 @@
 //! Depth comparison (GL 2.1, section 3.8.14). Each texel is compared before the filter, so that a
-//! linear filter gives the weighted share of texels that pass.
+//! linear filter returns the weighted share of texels that pass.
 
 use crate::lanes::math::clamp;
 use crate::lanes::{F32s, LANES};

@@ -9,7 +9,7 @@ use crate::trace::SampleStep;
 
 /// The point that each lane samples.
 pub(crate) struct Coordinates<'a> {
-    /// s, t, r as given; of a cube, the direction.
+    /// s, t, r of the lookup; of a cube, the direction.
     pub given: [&'a F32s; 3],
     /// The face of a cube, else 0.
     pub face: U32s,

@@ -11,7 +11,7 @@ use std::ops::Neg;
 pub struct Projected {
     /// Per lane 0 to 5: +X, -X, +Y, -Y, +Z, -Z.
     pub face: U32s,
-    /// Coordinates on the face, 0 to 1. The zero direction and infinite ones give NaN.
+    /// Coordinates on the face, 0 to 1; NaN for the zero direction and infinite ones.
     pub st: [F32s; 2],
 }
 
@@ -112,7 +112,7 @@ pub struct EdgeTexels {
 }
 
 /// The texels at `(i, j) + step` of a face of `size`, of which each index is -1 to `size`. Beyond
-/// an edge, the texel of the other face that touches this edge at the same place: with indices
+/// an edge, the texel of the other face that touches this edge at the same position: with indices
 /// doubled and centred, a texel's centre is `(2i + 1 - size, 2j + 1 - size, size)` in `(sc, tc, ma)`,
 /// and one beyond an edge is moved onto the edge, where both faces have the same direction.
 #[inline(always)]

@@ -18,7 +18,7 @@ use crate::plan::{SampleKernel, SamplePlan, TexelClass, Texture};
 use crate::trace::SampleTrace;
 use std::marker::PhantomData;
 
-/// What an incomplete texture gives (GL 2.1, section 3.11.2).
+/// The texel of an incomplete texture (GL 2.1, section 3.11.2).
 const OPAQUE_BLACK: [F32s; 4] = [F32s::ZERO, F32s::ZERO, F32s::ZERO, F32s::splat(1.0)];
 
 impl SamplePlan {
@@ -40,7 +40,7 @@ impl SamplePlan {
 
     /// [`SamplePlan::sample`] with texels added along s, t, r on each level that is read
     /// (`textureOffset`, GLSL 1.30, section 8.7). The result is in `scratch.lanes`. λ does not depend on the offset.
-    /// With [`Addresses::Reuse`], levels and texel addresses are those that the lookup before left in `scratch`.
+    /// With [`Addresses::Reuse`], levels and texel addresses are those of the previous lookup, in `scratch`.
     #[inline(always)]
     pub fn sample_offset(
         &self,
@@ -68,7 +68,7 @@ impl SamplePlan {
                     recorder,
                     footprints,
                 };
-                // Separate kernels: each is only as large as what it does.
+                // Separate kernels keep the code of each small.
                 match (texture.kernel, lod) {
                     (SampleKernel::UniformLevel(class), _) if offset == [0; 3] => {
                         sample.run_uniform(isa, class, addresses, (quads, levels));
@@ -161,7 +161,7 @@ impl SamplePlan {
         }
     }
 
-    /// What level of detail a lookup with these coordinates has (`textureQueryLOD`): the level that
+    /// The level of detail of a lookup with these coordinates (`textureQueryLOD`): the level that
     /// it reads, counted from the base level, with a fraction where it mixes two; and λ with every
     /// bias before it is held in the sampler's range. An incomplete image has zeros.
     pub fn query_lod(&self, isa: Isa, coords: [&F32s; 3], lod: Lod<'_>, out: &mut [F32s; 2]) {
@@ -173,7 +173,7 @@ impl SamplePlan {
 
     /// Single texels by column, row and slice (of an array: layer, after the coordinates that are
     /// filtered along), of a level counted from the base level (`texelFetch`). No filter, no wrap,
-    /// no compare. A texel or level that is not there gives 0 in all components, and so do the
+    /// no compare. A texel or level out of range reads as 0 in all components, and so do the
     /// border's texels.
     pub fn fetch(
         &self,

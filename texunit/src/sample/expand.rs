@@ -45,7 +45,7 @@ pub fn expand(format: Format, depth: DepthMode, c: &mut [F32s; 4]) {
     }
 }
 
-/// Takes each component from where the swizzle says.
+/// Applies the swizzle.
 #[inline(always)]
 pub fn swizzle(format: Format, swizzle: [Swizzle; 4], c: &mut [F32s; 4]) {
     if swizzle == Swizzle::IDENTITY {

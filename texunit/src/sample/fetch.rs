@@ -98,7 +98,7 @@ pub fn split_threes([low, high]: [&mut U32s; 2]) {
     }
 }
 
-/// The border colour where an index lies outside, then the comparison.
+/// Replaces texels whose index is outside by the border colour, then compares.
 #[inline(always)]
 fn finish<S: Simd>(
     view: &LevelView<'_>,

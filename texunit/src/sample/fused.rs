@@ -28,7 +28,7 @@ pub trait FilteredTexels {
 
 /// The code that a lookup is fused into: see [`crate::plan::SamplePlan::sample_fused`].
 pub trait TexelConsumer {
-    /// What the kernel returns.
+    /// The result of the kernel.
     type Output;
     /// Uses the result. Must be `#[inline(always)]`, see [`crate::lanes::Kernel`].
     fn consume<S: Simd>(self, texels: &impl FilteredTexels) -> Self::Output;

@@ -22,7 +22,7 @@ pub(crate) struct Gather<'a> {
     pub points: Points<'a>,
     /// Texels added along s, t.
     pub offset: [i32; 2],
-    /// Those at (i, j + 1), (i + 1, j + 1), (i + 1, j), (i, j).
+    /// The texels at (i, j + 1), (i + 1, j + 1), (i + 1, j), (i, j).
     pub out: &'a mut [F32s; 4],
 }
 

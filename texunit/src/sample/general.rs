@@ -52,7 +52,7 @@ struct SampleContext<'a> {
     scan: Option<&'a RowScan>,
 }
 
-/// The running mean of the probes: equal probes give exactly themselves.
+/// The running mean of the probes: the mean of equal probes is exactly their value.
 #[inline(always)]
 fn sample_probes<S: Simd, F: FootprintSet>(
     context: &SampleContext<'_>,

@@ -82,13 +82,12 @@ impl LevelTaps {
     /// The same levels on other faces.
     #[inline(always)]
     pub fn on_faces(&self, face: &U32s) -> Self {
-        let level = FACE_MASK;
         let mut keys = [U32s::ZERO; 2];
         let mut weight = F32s::ZERO;
         for lane in 0..LANES {
             let [first, second] = self.of_lane(lane);
-            keys[0][lane] = first & level | face[lane] << FACE;
-            keys[1][lane] = second & level | face[lane] << FACE;
+            keys[0][lane] = first & NON_FACE_BITS | face[lane] << FACE_SHIFT;
+            keys[1][lane] = second & NON_FACE_BITS | face[lane] << FACE_SHIFT;
             weight[lane] = match self {
                 Self::Uniform(_) => 0.0,
                 Self::UniformPair { weight, .. } | Self::PerLane { weight, .. } => weight[lane],
@@ -98,11 +97,11 @@ impl LevelTaps {
     }
 }
 
-/// Where the face and the filter begin in a key; the level is below.
-const FACE: u32 = 5;
-const FILTER: u32 = 8;
+/// First bits of the face and the filter in a key; the level is in the bits below.
+const FACE_SHIFT: u32 = 5;
+const FILTER_SHIFT: u32 = 8;
 /// All bits of a key except the face.
-const FACE_MASK: u32 = !(7 << FACE);
+const NON_FACE_BITS: u32 = !(7 << FACE_SHIFT);
 
 /// A (filter, face, level) as a number above 0. Levels count from the base level.
 #[inline(always)]
@@ -111,14 +110,14 @@ fn key(filter: Filter, face: u32, level: u32) -> u32 {
         Filter::Nearest => 1,
         Filter::Linear => 2,
     };
-    filter << FILTER | face << FACE | level
+    filter << FILTER_SHIFT | face << FACE_SHIFT | level
 }
 
 /// The filter, face and level of a key.
 #[inline(always)]
 pub fn split_key(key: u32) -> (Filter, usize, usize) {
-    let filter = if key >> FILTER == 1 { Filter::Nearest } else { Filter::Linear };
-    (filter, (key >> FACE & 7) as usize, (key & 31) as usize)
+    let filter = if key >> FILTER_SHIFT == 1 { Filter::Nearest } else { Filter::Linear };
+    (filter, (key >> FACE_SHIFT & 7) as usize, (key & 31) as usize)
 }
 
 /// The keys of each lane, and the footprints.
@@ -170,7 +169,7 @@ pub fn taps<S: Simd, F: FootprintSet>(
     let (min, mag) = (key(*min, 0, 0), key(*mag, 0, 0));
     for lane in 0..LANES {
         let minified = lambda[lane] > range.magnified_to;
-        let face = at.face[lane] << FACE;
+        let face = at.face[lane] << FACE_SHIFT;
         let first = min | face | levels[0][lane];
         let second = min | face | levels[1][lane];
         let second = if weight[lane] > 0.0 { second } else { first };
@@ -255,7 +254,7 @@ fn fixed_taps<S: Simd>(texture: &Texture, at: &Coordinates) -> LevelTaps {
     }
     let mut keys = U32s::ZERO;
     for lane in 0..LANES {
-        keys[lane] = every | at.face[lane] << FACE;
+        keys[lane] = every | at.face[lane] << FACE_SHIFT;
     }
     per_lane_taps::<S>([keys, keys], F32s::ZERO)
 }

@@ -1,7 +1,7 @@
 //! Linear filtering across the edges of a cube (ARB_seamless_cube_map).
 //!
 //! A texel beyond an edge is the one that touches the edge from the other face. Beyond a corner
-//! there is none: the mean of the other three stands for it.
+//! there is none: the mean of the other three replaces it.
 
 use super::interpolate::{divide, mean};
 use super::level_view::LevelView;

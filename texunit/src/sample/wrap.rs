@@ -22,11 +22,11 @@ pub struct Axis {
     pub scale: f32,
 }
 
-/// Indices along one axis and whether they lie outside of what is stored (a mask).
+/// Indices along one axis, and a mask of those outside of the stored texels.
 pub struct Indices {
     /// Of the stored texels: 0 is the first, the border's if there is one.
     pub index: U32s,
-    /// `!0` where the border colour stands, else 0.
+    /// `!0` where the texel is the border colour, else 0.
     pub outside: U32s,
 }
 

@@ -60,7 +60,7 @@ impl Checker<'_> {
         types: impl Iterator<Item = &'a Type> + Clone,
     ) -> Option<(&'static FunctionRow, Vec<Type>, Type)> {
         // Compilers of OpenGL ES follow the specification.
-        if !self.language.has(Availability::V110) {
+        if !self.language.has(Availability::DESKTOP) {
             return None;
         }
         let rows = function::named(name).filter(|row| {

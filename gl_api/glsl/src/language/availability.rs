@@ -35,10 +35,10 @@ pub struct Availability {
 }
 
 impl Availability {
-    /// Every version.
-    pub const ALL: Self = Self { es: true, ..Self::V110 };
-    /// Every version but that of OpenGL ES.
-    pub const V110: Self = Self::from_version(Version::V110);
+    /// Every version of desktop GLSL, and GLSL ES 1.00.
+    pub const DESKTOP_AND_ES: Self = Self { es: true, ..Self::DESKTOP };
+    /// Every version of desktop GLSL.
+    pub const DESKTOP: Self = Self::from_version(Version::V110);
     /// From GLSL 1.20 on.
     pub const V120: Self = Self::from_version(Version::V120);
     /// From GLSL 1.30 on.

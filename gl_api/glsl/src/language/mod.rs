@@ -103,9 +103,9 @@ mod tests {
     fn the_core_profile_is_without_what_only_compatibility_has() {
         let compatibility = Language::from(Version::V140);
         let core = Language { profile: Profile::Core, ..compatibility };
-        let removed = Availability::V110.in_compatibility();
+        let removed = Availability::DESKTOP.in_compatibility();
         assert!(compatibility.has(removed) && !core.has(removed));
-        assert!(core.has(Availability::V110));
+        assert!(core.has(Availability::DESKTOP));
         let older = Language { profile: Profile::Core, ..Language::from(Version::V130) };
         assert!(older.has(removed));
     }

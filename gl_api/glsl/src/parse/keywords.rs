@@ -4,7 +4,7 @@ use crate::ast::{BlockLayout, Qualifier};
 use crate::language::{Availability, Extension, Language, Version};
 use crate::types::Type;
 
-const ALWAYS: Availability = Availability::ALL;
+const DESKTOP_AND_ES: Availability = Availability::DESKTOP_AND_ES;
 const V120: Availability = Availability::V120;
 const V130: Availability = Availability::V130;
 /// Precision qualifiers.
@@ -39,25 +39,25 @@ pub enum WordClass {
 
 /// Keywords that name no types, and their availability.
 const KEYWORDS: [(&str, Availability); 32] = [
-    ("attribute", ALWAYS),
-    ("const", ALWAYS),
-    ("uniform", ALWAYS),
-    ("varying", ALWAYS),
-    ("break", ALWAYS),
-    ("continue", ALWAYS),
-    ("do", ALWAYS),
-    ("for", ALWAYS),
-    ("while", ALWAYS),
-    ("if", ALWAYS),
-    ("else", ALWAYS),
-    ("in", ALWAYS),
-    ("out", ALWAYS),
-    ("inout", ALWAYS),
-    ("true", ALWAYS),
-    ("false", ALWAYS),
-    ("discard", ALWAYS),
-    ("return", ALWAYS),
-    ("struct", ALWAYS),
+    ("attribute", DESKTOP_AND_ES),
+    ("const", DESKTOP_AND_ES),
+    ("uniform", DESKTOP_AND_ES),
+    ("varying", DESKTOP_AND_ES),
+    ("break", DESKTOP_AND_ES),
+    ("continue", DESKTOP_AND_ES),
+    ("do", DESKTOP_AND_ES),
+    ("for", DESKTOP_AND_ES),
+    ("while", DESKTOP_AND_ES),
+    ("if", DESKTOP_AND_ES),
+    ("else", DESKTOP_AND_ES),
+    ("in", DESKTOP_AND_ES),
+    ("out", DESKTOP_AND_ES),
+    ("inout", DESKTOP_AND_ES),
+    ("true", DESKTOP_AND_ES),
+    ("false", DESKTOP_AND_ES),
+    ("discard", DESKTOP_AND_ES),
+    ("return", DESKTOP_AND_ES),
+    ("struct", DESKTOP_AND_ES),
     ("centroid", V120.or(Extension::GpuShader4)),
     ("invariant", V120.and_es()),
     ("flat", V130.or(Extension::GpuShader4)),
@@ -65,7 +65,7 @@ const KEYWORDS: [(&str, Availability); 32] = [
     ("noperspective", V130.or(Extension::GpuShader4)),
     ("switch", V130),
     ("case", V130),
-    ("default", ALWAYS),
+    ("default", DESKTOP_AND_ES),
     ("lowp", PRECISION),
     ("mediump", PRECISION),
     ("precision", PRECISION),
@@ -75,13 +75,13 @@ const KEYWORDS: [(&str, Availability); 32] = [
 
 /// Qualifiers, and their availability.
 const QUALIFIERS: [(&str, Qualifier, Availability); 15] = [
-    ("const", Qualifier::Const, ALWAYS),
-    ("attribute", Qualifier::Attribute, ALWAYS),
-    ("varying", Qualifier::Varying, ALWAYS),
-    ("uniform", Qualifier::Uniform, ALWAYS),
-    ("in", Qualifier::In, ALWAYS),
-    ("out", Qualifier::Out, ALWAYS),
-    ("inout", Qualifier::Inout, ALWAYS),
+    ("const", Qualifier::Const, DESKTOP_AND_ES),
+    ("attribute", Qualifier::Attribute, DESKTOP_AND_ES),
+    ("varying", Qualifier::Varying, DESKTOP_AND_ES),
+    ("uniform", Qualifier::Uniform, DESKTOP_AND_ES),
+    ("in", Qualifier::In, DESKTOP_AND_ES),
+    ("out", Qualifier::Out, DESKTOP_AND_ES),
+    ("inout", Qualifier::Inout, DESKTOP_AND_ES),
     ("centroid", Qualifier::Centroid, V120.or(Extension::GpuShader4)),
     ("invariant", Qualifier::Invariant, V120.and_es()),
     ("smooth", Qualifier::Smooth, V130),

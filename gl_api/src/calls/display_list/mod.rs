@@ -1,9 +1,5 @@
-//! Recording calls into a display list, and calling it: GL 2.1, section 5.4.
-//!
-//! While a list is compiled, an entry point records its call with copies of its arguments instead
-//! of carrying it out; which calls are never compiled is in the table of entry points, and in [`crate::record::proxy`].
-//! The vertices between `glBegin` and `glEnd` become one buffer, and a draw of vertex arrays keeps the
-//! buffers it would have read, so that calling a list costs what drawing from buffers costs.
+//! Recording calls into a display list, and calling it: GL 2.1, section 5.4. What a list records is described in
+//! [`crate::context::lists`].
 
 pub(crate) mod primitives;
 

@@ -4,11 +4,11 @@
 use crate::base::constants::*;
 use crate::base::error::{ErrorCode, GlError, Result, Table, invalid_operation};
 use crate::base::types::*;
-use crate::calls::framebuffer::blit::edit;
+use crate::calls::framebuffer::blit::update_attachment_texels;
 use crate::calls::framebuffer::read::ReadBuffer;
 use crate::context::Context;
 use crate::context::feedback::RenderMode;
-use crate::draw::completeness::{Readable, draw_pass};
+use crate::draw::completeness::{Aspect, draw_pass};
 use crate::draw::pass::drawn_area;
 use crate::pixel::convert::Conversion;
 use rasterizer::driver::{Rect, SrgbWrite};
@@ -127,7 +127,7 @@ fn colors(
     factor: f32,
     change: impl Fn(&mut f32, f32),
 ) -> Result<()> {
-    let from = ReadBuffer::new(context, Readable::Color)?.pixels(context)?;
+    let from = ReadBuffer::new(context, Aspect::Color)?.pixels(context)?;
     let isa = context.recorder.isa();
     let conversion = Conversion::blit(isa, from.format(), from.format(), SrgbWrite::AsIs);
     let width = context.window.width as usize;
@@ -151,7 +151,7 @@ fn return_sums(context: &mut Context, area: Rect, factor: f32) -> Result<()> {
     let (isa, width) = (context.recorder.isa(), context.window.width as usize);
     let sums = std::mem::take(all(context)?);
     for attachment in pass.colors.iter().flatten() {
-        edit(context, attachment, |level, first, _| {
+        update_attachment_texels(context, attachment, |level, first, _| {
             let (format, size, row) = (level.format, level.format.bytes(), level.row_bytes());
             let conversion = Conversion::blit(isa, format, format, SrgbWrite::AsIs);
             for (y, x, count) in runs(area) {

@@ -6,7 +6,7 @@ use crate::base::limits;
 use crate::base::types::*;
 use crate::calls::framebuffer::names::bound;
 use crate::context::Context;
-use crate::draw::completeness::{completeness, selects_nothing};
+use crate::draw::completeness::{completeness, missing_buffer_warning};
 use crate::objects::framebuffers::{
     Attached, AttachmentPoint, Binding, FRAMEBUFFER_TARGET, Planes, Source, attachment_point,
 };
@@ -241,7 +241,7 @@ pub(crate) fn check_framebuffer_status(context: &mut Context, target: GLenum) ->
     Ok(match completeness(context, name) {
         Ok(()) => {
             let object = context.objects.framebuffers.get(name);
-            if let Some(reason) = object.and_then(selects_nothing) {
+            if let Some(reason) = object.and_then(missing_buffer_warning) {
                 context.debug.warn(format!("glCheckFramebufferStatus: {reason}"));
             }
             GL_FRAMEBUFFER_COMPLETE

@@ -8,11 +8,11 @@ pub(crate) mod rows;
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation, invalid_value};
 use crate::base::types::*;
-use crate::calls::framebuffer::blit::rows::{Aspect, RowConversion};
+use crate::calls::framebuffer::blit::rows::RowConversion;
 use crate::calls::framebuffer::read::{Pixels, resolved_pixels, same_kind, sample_pixels};
 use crate::context::Context;
 use crate::draw::completeness::{
-    Readable, checked_complete, draw_pass, draw_planes, read_attachment, read_samples, samples,
+    Aspect, checked_complete, draw_pass, draw_planes, read_attachment, read_samples, samples,
 };
 use crate::draw::pass::drawn_area;
 use crate::draw::pipeline::srgb_write;
@@ -127,13 +127,13 @@ impl BlitRequest {
         let pass = draw_pass(context)?;
         check_samples(context, axes)?;
         let mut copies = Vec::new();
-        for (bit, aspect, readable) in ASPECTS {
+        for (bit, aspect) in ASPECTS {
             if mask & bit == 0 {
                 continue;
             }
             // What is missing on either side is left out (section 4.3.3).
             let to = destinations(context, aspect)?;
-            let Some(from) = read_attachment(context, readable)?.filter(|_| !to.is_empty()) else {
+            let Some(from) = read_attachment(context, aspect)?.filter(|_| !to.is_empty()) else {
                 continue;
             };
             let format = crate::context::window::format_of(&from);
@@ -174,10 +174,10 @@ impl BlitRequest {
         let (srgb, isa) = (srgb_write(context), context.recorder.isa());
         let columns = self.axes[0].taps(area.x, area.width, width, self.filter);
         let rows = self.axes[1].taps(area.y, area.height, height, self.filter);
-        // What is neither scaled nor moved by parts of a texel has no means.
+        // A copy without scaling and without a fractional offset needs no averaging.
         let is_exact = columns.taps.iter().chain(&rows.taps).all(|tap| tap.weight == 0.0);
         let filter = if is_exact { Filter::Nearest } else { self.filter };
-        edit(context, to, |level, first, sample| {
+        update_attachment_texels(context, to, |level, first, sample| {
             let Some(from) = from.get(sample).or(from.first()) else { return };
             let (format, row_bytes) = (level.format, level.row_bytes());
             let mut conversion =
@@ -194,7 +194,7 @@ impl BlitRequest {
 
 /// Lets `change` write the texels of an attachment, of one sample after the other: a level, where in
 /// its bytes they begin, and the number of the sample.
-pub(crate) fn edit(
+pub(crate) fn update_attachment_texels(
     context: &mut Context,
     attachment: &Attachment,
     change: impl Fn(&mut Level, usize, usize),
@@ -234,11 +234,11 @@ fn edit_slice(attachment: &Attachment, change: impl FnOnce(&mut Level, usize)) {
     });
 }
 
-/// What of a framebuffer a mask names, in the order in which it is copied.
-const ASPECTS: [(GLbitfield, Aspect, Readable); 3] = [
-    (GL_COLOR_BUFFER_BIT, Aspect::Color, Readable::Color),
-    (GL_DEPTH_BUFFER_BIT, Aspect::Depth, Readable::Depth),
-    (GL_STENCIL_BUFFER_BIT, Aspect::Stencil, Readable::Stencil),
+/// The aspects that the bits of a mask name, in the order in which they are copied.
+const ASPECTS: [(GLbitfield, Aspect); 3] = [
+    (GL_COLOR_BUFFER_BIT, Aspect::Color),
+    (GL_DEPTH_BUFFER_BIT, Aspect::Depth),
+    (GL_STENCIL_BUFFER_BIT, Aspect::Stencil),
 ];
 
 /// The attachments of the draw framebuffer that an aspect goes to.

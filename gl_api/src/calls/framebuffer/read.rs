@@ -7,7 +7,7 @@ use crate::base::types::*;
 use crate::calls::texture::specify::kinds_match;
 use crate::context::Context;
 use crate::context::window::{Region, Visible, format_of};
-use crate::draw::completeness::{Readable, read_attachment};
+use crate::draw::completeness::{Aspect, read_attachment};
 use crate::draw::warnings::visibility;
 use crate::pixel::client::Pixel;
 use crate::pixel::client::format::{ClientFormat, LuminanceOf};
@@ -46,7 +46,7 @@ impl Pixels {
 
     /// The texels of a row from column `x` on, `width` of them.
     pub fn row(&self, x: usize, y: usize, width: usize) -> &[u8] {
-        self.level.run([x, y, self.slice], width)
+        self.level.row_span([x, y, self.slice], width)
     }
 
     /// The texels of a region, tightly packed; zeros where it lies outside.
@@ -83,7 +83,7 @@ pub(crate) fn sample_pixels(context: &mut Context, attachment: &Attachment) -> V
 
 /// A buffer of the framebuffer that is read from: it is there, and has one sample a pixel.
 pub(crate) struct ReadBuffer {
-    name: Readable,
+    aspect: Aspect,
     attachment: Attachment,
     pub format: Format,
 }
@@ -91,39 +91,39 @@ pub(crate) struct ReadBuffer {
 impl ReadBuffer {
     /// # Errors
     /// Where the framebuffer is incomplete, has several samples a pixel, or has no such buffer.
-    pub fn new(context: &Context, name: Readable) -> Result<Self> {
+    pub fn new(context: &Context, aspect: Aspect) -> Result<Self> {
         check_samples(context)?;
-        let attachment = read_attachment(context, name)?;
+        let attachment = read_attachment(context, aspect)?;
         let found = attachment.and_then(|found| format_of(&found).map(|format| (found, format)));
         match found {
-            Some((attachment, format)) => Ok(Self { name, attachment, format }),
-            None => invalid_operation(SECTION, nothing_there(context, name)),
+            Some((attachment, format)) => Ok(Self { aspect, attachment, format }),
+            None => invalid_operation(SECTION, nothing_there(context, aspect)),
         }
     }
 
     /// Depths with stencils, which one image has.
     pub fn depth_stencil(context: &Context) -> Result<Self> {
-        Self::new(context, Readable::Stencil)?;
-        Self::new(context, Readable::Depth)
+        Self::new(context, Aspect::Stencil)?;
+        Self::new(context, Aspect::Depth)
     }
 
     /// Its pixels as everything recorded leaves them.
     pub fn pixels(&self, context: &mut Context) -> Result<Pixels> {
         match resolved_pixels(context, &self.attachment) {
             Some(pixels) => Ok(pixels),
-            None => invalid_operation(SECTION, nothing_there(context, self.name)),
+            None => invalid_operation(SECTION, nothing_there(context, self.aspect)),
         }
     }
 }
 
 /// What is missing in the framebuffer that is read from, and what to do about it.
-fn nothing_there(context: &Context, what: Readable) -> String {
+fn nothing_there(context: &Context, aspect: Aspect) -> String {
     let name = context.state.bindings.read_framebuffer;
     let object = context.objects.framebuffers.get(name);
-    let kind = match what {
-        Readable::Depth => "depth",
-        Readable::Stencil => "stencil",
-        Readable::Color => {
+    let kind = match aspect {
+        Aspect::Depth => "depth",
+        Aspect::Stencil => "stencil",
+        Aspect::Color => {
             let read = object.map_or(context.window.selection.read, |object| object.selection.read);
             let first = object.and_then(|object| object.colors.iter().position(Option::is_some));
             let fix = match (object, first) {
@@ -166,7 +166,7 @@ struct ReadPixelsRequest {
     buffer: ReadBuffer,
     region: Region,
     layout: Layout,
-    last: FinalConversion,
+    final_conversion: FinalConversion,
 }
 
 impl ReadPixelsRequest {
@@ -180,29 +180,33 @@ impl ReadPixelsRequest {
         let size = [region.width, region.height, 1];
         let layout = Layout::new(&context.state.pack, pixel, size, Extent::Flat)?;
         let buffer = match pixel.format.kind() {
-            TransferKind::Depth => ReadBuffer::new(context, Readable::Depth)?,
-            TransferKind::Stencil => ReadBuffer::new(context, Readable::Stencil)?,
+            TransferKind::Depth => ReadBuffer::new(context, Aspect::Depth)?,
+            TransferKind::Stencil => ReadBuffer::new(context, Aspect::Stencil)?,
             TransferKind::DepthStencil => ReadBuffer::depth_stencil(context)?,
             TransferKind::Color | TransferKind::ColorIndex => {
-                ReadBuffer::new(context, Readable::Color)?
+                ReadBuffer::new(context, Aspect::Color)?
             }
         };
         let from = buffer.format;
         if pixel.format != ClientFormat::Stencil {
             kinds_match(pixel, from)?;
         }
-        let mut last = FinalConversion::of(from, LuminanceOf::Sum);
+        let mut final_conversion = FinalConversion::of(from, LuminanceOf::Sum);
         if !pixel.format.is_depth() && !from.is_integer() {
-            last.clamp = crate::draw::color_clamp::of_reading(context, from);
+            final_conversion.clamp = crate::draw::color_clamp::of_reading(context, from);
         }
-        Ok(Self { buffer, region, layout, last })
+        Ok(Self { buffer, region, layout, final_conversion })
     }
 
     /// # Errors
     /// Where the memory is none, or too short.
     fn apply(&self, context: &mut Context, pixels: DataOut<'_>) -> Result<()> {
-        let &Self { buffer: ReadBuffer { ref attachment, format, .. }, region, ref layout, last } =
-            self;
+        let &Self {
+            buffer: ReadBuffer { ref attachment, format, .. },
+            region,
+            ref layout,
+            final_conversion,
+        } = self;
         crate::draw::pass::submit_draws_to(context, &attachment.image);
         visibility::picture(context);
         let (device, isa) = (context.recorder.device(), context.recorder.isa());
@@ -214,7 +218,7 @@ impl ReadPixelsRequest {
             let column = (visible.x as i64 - region.x) as usize;
             let row = (visible.y as i64 - region.y) as usize;
             let run = layout.run(column, row, visible.width);
-            let conversion = Conversion::pack(isa, &run, format, &transfer, last);
+            let conversion = Conversion::pack(isa, &run, format, &transfer, final_conversion);
             let convert = |texels: &[u8], out: &mut [u8]| conversion.pack_row(&run, texels, out);
             let writer = if conversion.is_copy(&run) {
                 RowWriter::Copy

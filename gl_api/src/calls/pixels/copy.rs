@@ -11,7 +11,7 @@ use crate::context::feedback::record::PrimitiveToken;
 use crate::context::recorder::pixel_rectangle::ReplacedValue;
 use crate::context::window::Region;
 use crate::context::{Context, feedback};
-use crate::draw::completeness::{Readable, checked_drawable, draw_planes};
+use crate::draw::completeness::{Aspect, checked_drawable, draw_planes};
 use crate::draw::pixel_rectangle;
 use crate::pixel::convert;
 use crate::pixel::convert::Conversion;
@@ -63,9 +63,9 @@ impl CopyPixelsRequest {
             );
         }
         let from = match kind {
-            CopiedBuffer::Color => ReadBuffer::new(context, Readable::Color)?,
-            CopiedBuffer::Depth => ReadBuffer::new(context, Readable::Depth)?,
-            CopiedBuffer::Stencil => ReadBuffer::new(context, Readable::Stencil)?,
+            CopiedBuffer::Color => ReadBuffer::new(context, Aspect::Color)?,
+            CopiedBuffer::Depth => ReadBuffer::new(context, Aspect::Depth)?,
+            CopiedBuffer::Stencil => ReadBuffer::new(context, Aspect::Stencil)?,
             CopiedBuffer::DepthStencil => ReadBuffer::depth_stencil(context)?,
         };
         if from.format.is_integer() {

@@ -108,7 +108,7 @@ pub(crate) fn shade(context: &mut Context, position: [f32; 4]) -> Result<Vertice
             | Input::FragCoord(_)
             | Input::FrontFacing
             | Input::PointCoord(_)
-            | Input::Slope { .. }
+            | Input::Gradient { .. }
             | Input::Coverage
             | Input::LineDirection(_) => 0.0,
         };
@@ -234,14 +234,14 @@ fn first<const N: usize, T: Copy>(v: &[T]) -> Result<[T; N]> {
 }
 
 macro_rules! positions {
-    ($($place:ident { $($name:ident, $vector:ident, $ty:ty, ($($c:ident),+);)* })*) => {$($(
+    ($($set_position:ident { $($name:ident, $vector:ident, $ty:ty, ($($c:ident),+);)* })*) => {$($(
         pub(crate) fn $name(context: &mut Context $(, $c: $ty)+) -> Result<()> {
-            $place(context, filled([$(f64::from($c)),+]))
+            $set_position(context, filled([$(f64::from($c)),+]))
         }
 
         pub(crate) fn $vector(context: &mut Context, v: &[$ty]) -> Result<()> {
             let [$($c),+] = first(v)?;
-            $place(context, filled([$(f64::from($c)),+]))
+            $set_position(context, filled([$(f64::from($c)),+]))
         }
     )*)*};
 }

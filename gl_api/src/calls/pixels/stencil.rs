@@ -2,7 +2,7 @@
 //! write masks count (GL 2.1, section 4.3.1; `EXT_packed_depth_stencil`).
 
 use crate::base::error::Result;
-use crate::calls::framebuffer::blit::edit;
+use crate::calls::framebuffer::blit::update_attachment_texels;
 use crate::context::Context;
 use crate::context::window::format_of;
 use crate::draw::completeness::draw_pass;
@@ -35,7 +35,7 @@ pub(crate) fn draw(
     let Some(zoomed) = Zoomed::new(context, size, area) else { return Ok(()) };
     context.depth_stencil_copied();
     let mask = context.state.fragment.stencil.active().write_mask as u8;
-    edit(context, &to, |level, first, _| {
+    update_attachment_texels(context, &to, |level, first, _| {
         let (format, bytes, row_bytes) = (level.format, level.format.bytes(), level.row_bytes());
         for (y, &row) in (zoomed.origin[1] as usize..).zip(&zoomed.rows) {
             let from = &texels[row * size[0] * bytes..][..size[0] * bytes];

@@ -38,8 +38,8 @@ pub(crate) fn get_uniform_indices(
         found.map_or(GL_INVALID_INDEX, |index| index as GLuint)
     };
     let indices = destination(uniform_indices, count)?;
-    for (place, name) in indices.iter_mut().zip(names) {
-        *place = index(name);
+    for (out, name) in indices.iter_mut().zip(names) {
+        *out = index(name);
     }
     let missing = indices.iter().zip(names).filter(|(index, _)| **index == GL_INVALID_INDEX);
     let missing: Vec<&str> = missing.map(|(_, asked)| *asked).collect();
@@ -79,16 +79,16 @@ impl OfUniform {
 
     /// Of a uniform of no block offset and strides are -1.
     fn of(self, uniform: &Active<'_>) -> GLint {
-        let place = |value: Option<u32>| value.map_or(-1, |value| value as GLint);
+        let or_minus_one = |value: Option<u32>| value.map_or(-1, |value| value as GLint);
         let member = uniform.member;
         match self {
             Self::Type => gl_type(uniform.ty) as GLint,
             Self::Size => uniform.array.unwrap_or(1) as GLint,
             Self::NameLength => c_length(&uniform.listed()),
-            Self::BlockIndex => place(member.map(|member| member.block)),
-            Self::Offset => place(member.map(|member| member.offset)),
-            Self::ArrayStride => place(member.map(|member| member.array_stride)),
-            Self::MatrixStride => place(member.map(|member| member.matrix_stride)),
+            Self::BlockIndex => or_minus_one(member.map(|member| member.block)),
+            Self::Offset => or_minus_one(member.map(|member| member.offset)),
+            Self::ArrayStride => or_minus_one(member.map(|member| member.array_stride)),
+            Self::MatrixStride => or_minus_one(member.map(|member| member.matrix_stride)),
             Self::IsRowMajor => {
                 GLint::from(member.is_some_and(|member| member.order == MatrixOrder::Rows))
             }
@@ -122,8 +122,8 @@ pub(crate) fn get_active_uniformsiv(
     if let Some(at) = indices.iter().position(is_missing) {
         return no_uniform(object, &format!("uniformIndices[{at}]"), indices[at]);
     }
-    for (place, &index) in destination(params, count)?.iter_mut().zip(indices) {
-        *place = property.of(&uniforms[index as usize]);
+    for (out, &index) in destination(params, count)?.iter_mut().zip(indices) {
+        *out = property.of(&uniforms[index as usize]);
     }
     Ok(())
 }

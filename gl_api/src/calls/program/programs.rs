@@ -62,8 +62,8 @@ pub(crate) fn detach_shader(context: &mut Context, name: GLuint, gone: GLuint) -
     shader(context, gone)?;
     let program = program(context, name)?;
     match program.attached.iter().position(|attached| *attached == gone) {
-        Some(place) => {
-            program.attached.remove(place);
+        Some(index) => {
+            program.attached.remove(index);
             context.objects.shared.detach(gone);
             Ok(())
         }

@@ -90,12 +90,12 @@ fn store(
         );
     }
     let first = uniform.word as usize + element * each;
-    let place = linked.words.get_mut(first..first + taken * each).unwrap_or_default();
+    let words = linked.words.get_mut(first..first + taken * each).unwrap_or_default();
     let mut differs = 0;
-    for (index, place) in place.iter_mut().enumerate() {
+    for (index, stored) in words.iter_mut().enumerate() {
         let word = word(uniform, index);
-        differs |= *place ^ word;
-        *place = word;
+        differs |= *stored ^ word;
+        *stored = word;
     }
     match differs {
         0 => context.state_changes.no_change(),

@@ -70,7 +70,7 @@ pub(crate) fn line_stipple(context: &mut Context, factor: GLint, pattern: GLusho
 }
 
 pub(crate) fn hint(context: &mut Context, target: GLenum, mode: GLenum) -> Result<()> {
-    let place = HINTS.decode("target", target)?;
-    context.state.raster.hints[place] = HINT_MODE.decode("mode", mode)?;
+    let index = HINTS.decode("target", target)?;
+    context.state.raster.hints[index] = HINT_MODE.decode("mode", mode)?;
     Ok(())
 }

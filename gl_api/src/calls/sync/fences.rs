@@ -160,7 +160,7 @@ pub(crate) fn get_synciv(
     };
     if buf_size > 0 {
         match values.first_mut() {
-            Some(place) => *place = value as GLint,
+            Some(out) => *out = value as GLint,
             None => return invalid_operation(SECTION, "values has room for nothing"),
         }
     }

@@ -7,7 +7,7 @@ use crate::calls::texture::level_request::{ImageRequest, LevelDesc, LevelRequest
 use crate::calls::texture::sub::BoxRequest;
 use crate::context::Context;
 use crate::context::window::Region;
-use crate::draw::completeness::Readable;
+use crate::draw::completeness::Aspect;
 use crate::objects::target::{Dimensions, ImageTarget};
 use crate::pixel::formats::{COMPRESSED, UNCOMPRESSED, format_name};
 use crate::pixel::storage_error::storage_error;
@@ -25,7 +25,7 @@ struct CopySource {
 
 impl CopySource {
     fn new(context: &Context, region: Region, to: Format) -> Result<Self> {
-        let what = if to.is_depth() { Readable::Depth } else { Readable::Color };
+        let what = if to.is_depth() { Aspect::Depth } else { Aspect::Color };
         let buffer = ReadBuffer::new(context, what)?;
         let from = buffer.format;
         if from.is_integer() != to.is_integer() {

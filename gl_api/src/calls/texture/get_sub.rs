@@ -24,7 +24,7 @@ struct TexelBox {
     offset: [usize; 3],
     size: [usize; 3],
     /// Width, height and depth of the level.
-    whole: [usize; 3],
+    level_size: [usize; 3],
 }
 
 impl TexelBox {
@@ -59,22 +59,22 @@ impl TexelBox {
             return invalid_operation(SECTION, "the faces of the cube map are not all alike there");
         }
         // A level without an image has no texels.
-        let mut whole = first.map_or([0; 3], |(size, _)| target.level_box(size));
+        let mut level_size = first.map_or([0; 3], |(size, _)| target.level_box(size));
         if faces > 1 {
-            whole[2] = faces as u32;
+            level_size[2] = faces as u32;
         }
-        let whole = whole.map(|side| side as usize);
-        for (axis, whole) in whole.iter().enumerate() {
+        let level_size = level_size.map(|side| side as usize);
+        for (axis, level_end) in level_size.iter().enumerate() {
             let end = offset[axis] + size[axis];
-            if end > *whole {
+            if end > *level_end {
                 let axis = ["x", "y", "z"][axis];
                 return invalid_value(
                     SECTION,
-                    format!("the box ends at {axis} = {end}; the level has {whole}"),
+                    format!("the box ends at {axis} = {end}; the level has {level_end}"),
                 );
             }
         }
-        Ok(Self { target, level, texels, offset, size, whole })
+        Ok(Self { target, level, texels, offset, size, level_size })
     }
 
     /// The faces that it reaches into.
@@ -100,8 +100,9 @@ impl TexelBox {
     fn append_texels(&self, all: &[u8], unit: StorageUnit, out: &mut Vec<u8>) {
         let StorageUnit { side, bytes, border } = unit;
         let sides = [side, side, 1];
-        let stored: [usize; 3] =
-            std::array::from_fn(|axis| self.whole[axis].div_ceil(sides[axis]) + 2 * border[axis]);
+        let stored: [usize; 3] = std::array::from_fn(|axis| {
+            self.level_size[axis].div_ceil(sides[axis]) + 2 * border[axis]
+        });
         let first: [usize; 3] =
             std::array::from_fn(|axis| self.offset[axis] / sides[axis] + border[axis]);
         let count: [usize; 3] = std::array::from_fn(|axis| self.size[axis].div_ceil(sides[axis]));
@@ -207,7 +208,7 @@ pub(crate) fn get_compressed_texture_sub_image(
     let side = format.block_side() as usize;
     for axis in [0, 1] {
         let (start, end) = (texel_box.offset[axis], texel_box.offset[axis] + texel_box.size[axis]);
-        let ends = end.is_multiple_of(side) || end == texel_box.whole[axis];
+        let ends = end.is_multiple_of(side) || end == texel_box.level_size[axis];
         if !start.is_multiple_of(side) || !ends {
             return invalid_value(
                 SECTION,

@@ -1,4 +1,4 @@
-//! Textures with several samples a texel: `glTexImage2DMultisample`, `3D` and those for good
+//! Textures with several samples a texel: `glTexImage2DMultisample`, `3D` and those with immutable storage
 //! (`ARB_texture_multisample`, section 3.8.X; `ARB_texture_storage_multisample`).
 //!
 //! An image is stored as layers, one for each sample, which is how shaders fetch them. What is arguments
@@ -56,7 +56,7 @@ fn checked_format(internal: GLenum, lifetime: Lifetime) -> Result<Format> {
     }
 }
 
-/// What storage for good needs besides (`ARB_texture_storage`, section 3.8.X).
+/// What immutable storage needs besides (`ARB_texture_storage`, section 3.8.X).
 fn checked_storage(context: &Context, image: ImageTarget, size: [GLsizei; 3]) -> Result<()> {
     if size.iter().any(|side| *side < 1) {
         let [width, height, depth] = size;

@@ -41,7 +41,7 @@ enum Parameter {
     BorderColor,
     Priority,
     Resident,
-    /// Whether its levels were given for good.
+    /// Whether it has immutable storage.
     Immutable,
     BaseLevel,
     MaxLevel,
@@ -150,7 +150,7 @@ fn set(
     let symbol = symbol(value as f32);
     let texture = bound_mut(context, target);
     let before = texture.state.clone();
-    // Levels that were given for good bound these parameters (ARB_texture_storage, section 3.8.X).
+    // The levels of immutable storage bound these parameters (ARB_texture_storage, section 3.8.X).
     let last = texture.immutable.map(|levels| levels - 1);
     let sampler = &mut texture.state.sampler;
     match parameter {
@@ -310,7 +310,7 @@ fn get(context: &Context, target: TextureTarget, parameter: Parameter) -> Answer
     Answer::Numbers(vec![one])
 }
 
-fn got(context: &Context, target: GLenum, pname: GLenum) -> Result<Answer> {
+fn query(context: &Context, target: GLenum, pname: GLenum) -> Result<Answer> {
     let target = checked_target(target)?;
     Ok(get(context, target, parameter(pname)?))
 }
@@ -321,7 +321,7 @@ pub(crate) fn get_tex_parameteriv(
     pname: GLenum,
     params: &mut [GLint],
 ) -> Result<()> {
-    put(params, &clamped(context, got(context, target, pname)?).fixed())
+    put(params, &clamped(context, query(context, target, pname)?).fixed())
 }
 
 pub(crate) fn get_tex_parameterfv(
@@ -330,7 +330,7 @@ pub(crate) fn get_tex_parameterfv(
     pname: GLenum,
     params: &mut [GLfloat],
 ) -> Result<()> {
-    put(params, &clamped(context, got(context, target, pname)?).floats())
+    put(params, &clamped(context, query(context, target, pname)?).floats())
 }
 
 pub(crate) fn get_tex_parameter_i_iv(
@@ -339,7 +339,7 @@ pub(crate) fn get_tex_parameter_i_iv(
     pname: GLenum,
     params: &mut [GLint],
 ) -> Result<()> {
-    put(params, &got(context, target, pname)?.signed())
+    put(params, &query(context, target, pname)?.signed())
 }
 
 pub(crate) fn get_tex_parameter_i_uiv(
@@ -348,5 +348,5 @@ pub(crate) fn get_tex_parameter_i_uiv(
     pname: GLenum,
     params: &mut [GLuint],
 ) -> Result<()> {
-    put(params, &got(context, target, pname)?.unsigned())
+    put(params, &query(context, target, pname)?.unsigned())
 }

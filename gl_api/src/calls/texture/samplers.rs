@@ -168,7 +168,7 @@ pub(crate) fn sampler_parameter_i_uiv(
     vector(context, sampler, pname, &Values::unsigned(params))
 }
 
-fn got(context: &mut Context, sampler: GLuint, pname: GLenum) -> Result<Answer> {
+fn query(context: &mut Context, sampler: GLuint, pname: GLenum) -> Result<Answer> {
     let state = found(context, sampler)?;
     Ok(match parameter(pname)? {
         Some(parameter) => Answer::Numbers(vec![state.get(parameter).into()]),
@@ -182,7 +182,7 @@ pub(crate) fn get_sampler_parameteriv(
     pname: GLenum,
     params: &mut [GLint],
 ) -> Result<()> {
-    let answer = got(context, sampler, pname)?;
+    let answer = query(context, sampler, pname)?;
     put(params, &clamped(context, answer).fixed())
 }
 
@@ -192,7 +192,7 @@ pub(crate) fn get_sampler_parameterfv(
     pname: GLenum,
     params: &mut [GLfloat],
 ) -> Result<()> {
-    let answer = got(context, sampler, pname)?;
+    let answer = query(context, sampler, pname)?;
     put(params, &clamped(context, answer).floats())
 }
 
@@ -202,7 +202,7 @@ pub(crate) fn get_sampler_parameter_i_iv(
     pname: GLenum,
     params: &mut [GLint],
 ) -> Result<()> {
-    put(params, &got(context, sampler, pname)?.signed())
+    put(params, &query(context, sampler, pname)?.signed())
 }
 
 pub(crate) fn get_sampler_parameter_i_uiv(
@@ -211,5 +211,5 @@ pub(crate) fn get_sampler_parameter_i_uiv(
     pname: GLenum,
     params: &mut [GLuint],
 ) -> Result<()> {
-    put(params, &got(context, sampler, pname)?.unsigned())
+    put(params, &query(context, sampler, pname)?.unsigned())
 }

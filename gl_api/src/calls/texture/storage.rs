@@ -1,4 +1,4 @@
-//! `glTexStorage1D`, `2D` and `3D`: all levels at once, for good (`ARB_texture_storage`).
+//! `glTexStorage1D`, `2D` and `3D`: immutable storage of all levels (`ARB_texture_storage`).
 
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_enum, invalid_operation, invalid_value};
@@ -12,14 +12,14 @@ use texunit::image::{Image as Texels, Level};
 
 const SECTION: &str = "ARB_texture_storage, section 3.8.X";
 
-const fn whole(target: TextureTarget) -> ImageTarget {
+const fn texture(target: TextureTarget) -> ImageTarget {
     ImageTarget::Bound(FaceTarget { target, face: 0 })
 }
 
 const STORAGE_1D: Table<ImageTarget> = Table {
     section: SECTION,
     rows: &[
-        (GL_TEXTURE_1D, whole(TextureTarget::D1)),
+        (GL_TEXTURE_1D, texture(TextureTarget::D1)),
         (GL_PROXY_TEXTURE_1D, ImageTarget::Proxy(TextureTarget::D1)),
     ],
 };
@@ -27,10 +27,10 @@ const STORAGE_1D: Table<ImageTarget> = Table {
 const STORAGE_2D: Table<ImageTarget> = Table {
     section: SECTION,
     rows: &[
-        (GL_TEXTURE_2D, whole(TextureTarget::D2)),
-        (GL_TEXTURE_RECTANGLE, whole(TextureTarget::Rect)),
-        (GL_TEXTURE_CUBE_MAP, whole(TextureTarget::Cube)),
-        (GL_TEXTURE_1D_ARRAY, whole(TextureTarget::D1Array)),
+        (GL_TEXTURE_2D, texture(TextureTarget::D2)),
+        (GL_TEXTURE_RECTANGLE, texture(TextureTarget::Rect)),
+        (GL_TEXTURE_CUBE_MAP, texture(TextureTarget::Cube)),
+        (GL_TEXTURE_1D_ARRAY, texture(TextureTarget::D1Array)),
         (GL_PROXY_TEXTURE_2D, ImageTarget::Proxy(TextureTarget::D2)),
         (GL_PROXY_TEXTURE_RECTANGLE, ImageTarget::Proxy(TextureTarget::Rect)),
         (GL_PROXY_TEXTURE_CUBE_MAP, ImageTarget::Proxy(TextureTarget::Cube)),
@@ -41,9 +41,9 @@ const STORAGE_2D: Table<ImageTarget> = Table {
 const STORAGE_3D: Table<ImageTarget> = Table {
     section: SECTION,
     rows: &[
-        (GL_TEXTURE_3D, whole(TextureTarget::D3)),
-        (GL_TEXTURE_2D_ARRAY, whole(TextureTarget::D2Array)),
-        (GL_TEXTURE_CUBE_MAP_ARRAY, whole(TextureTarget::CubeArray)),
+        (GL_TEXTURE_3D, texture(TextureTarget::D3)),
+        (GL_TEXTURE_2D_ARRAY, texture(TextureTarget::D2Array)),
+        (GL_TEXTURE_CUBE_MAP_ARRAY, texture(TextureTarget::CubeArray)),
         (GL_PROXY_TEXTURE_3D, ImageTarget::Proxy(TextureTarget::D3)),
         (GL_PROXY_TEXTURE_2D_ARRAY, ImageTarget::Proxy(TextureTarget::D2Array)),
         (GL_PROXY_TEXTURE_CUBE_MAP_ARRAY, ImageTarget::Proxy(TextureTarget::CubeArray)),

@@ -29,7 +29,7 @@ pub(crate) struct BoxRequest {
     /// The level's format.
     pub format: Format,
     /// Width, height and depth of the level.
-    whole: [u32; 3],
+    level_size: [u32; 3],
     /// The lowest corner within the level; -1 is the border.
     at: [i32; 3],
     /// Width, height and depth within the level.
@@ -75,7 +75,7 @@ impl BoxRequest {
             target,
             level,
             format: texels.format,
-            whole: texels.size(),
+            level_size: texels.size(),
             at: target.target.level_box(offset),
             size: target.target.level_box(size.map(|side| side as u32)),
         })
@@ -87,10 +87,11 @@ impl BoxRequest {
         if self.format.block().is_none() {
             return Ok(());
         }
-        let &Self { at, size, whole, .. } = self;
+        let &Self { at, size, level_size, .. } = self;
         let side = self.format.block_side();
         let cuts = |axis: usize| {
-            let reaches_edge = i64::from(at[axis]) + i64::from(size[axis]) >= whole[axis].into();
+            let reaches_edge =
+                i64::from(at[axis]) + i64::from(size[axis]) >= level_size[axis].into();
             at[axis].rem_euclid(side as i32) != 0
                 || !size[axis].is_multiple_of(side) && !reaches_edge
         };

@@ -12,7 +12,7 @@ use crate::context::immediate::Slot;
 use crate::context::recorder::elements::Elements;
 use crate::draw::array_names::{array_of, extent};
 use crate::draw::assembly_words::has_vertex_program;
-use crate::draw::batching::{batch, keep};
+use crate::draw::batching::{remember_last_draw, try_append};
 use crate::draw::record::{constants_needed, draw};
 use crate::draw::vertex_range::{
     VertexRange, needs_vertex_range, scattered_vertices, vertex_source,
@@ -25,8 +25,8 @@ use std::ops::Range;
 pub(crate) const SECTION: &str = "GL 2.1, section 2.8";
 const INSTANCED: &str = "ARB_draw_instanced";
 
-/// The vertices that a draw by index reaches; looked for only where it matters.
-fn indexed_reach(
+/// The range of vertices that an indexed draw reads; computed only if the vertex source needs it.
+fn indexed_vertex_range(
     context: &Context,
     bytes: &[u8],
     (ty, base_vertex): (IndexType, GLint),
@@ -142,7 +142,7 @@ fn draw_or_record(
     if let Some((vertices, elements)) = context.record_arrays(topology, vertices, elements) {
         draw(context, topology, vertices, &elements)?;
         if is_whole && context.recorder.draws > before {
-            keep(context, topology, count);
+            remember_last_draw(context, topology, count);
         }
     }
     Ok(())
@@ -154,11 +154,11 @@ pub(crate) fn draw_arrays(
     first: GLint,
     count: GLsizei,
 ) -> Result<()> {
-    draw_ranges(context, mode, first, count, 1)
+    draw_range(context, mode, first, count, 1)
 }
 
-/// Instances are no part of lists (`ARB_draw_instanced`).
-fn not_in_a_list(context: &Context) -> Result<()> {
+/// Refuses an instanced draw while a list is compiled (`ARB_draw_instanced`).
+fn refuse_in_list(context: &Context) -> Result<()> {
     if context.compiling.is_some() {
         return invalid_operation(INSTANCED, "draws of instances are not compiled into lists");
     }
@@ -172,12 +172,12 @@ pub(crate) fn draw_arrays_instanced(
     count: GLsizei,
     instances: GLsizei,
 ) -> Result<()> {
-    not_in_a_list(context)?;
-    draw_ranges(context, mode, first, count, instances)
+    refuse_in_list(context)?;
+    draw_range(context, mode, first, count, instances)
 }
 
 /// Draws vertices in their order.
-fn draw_ranges(
+fn draw_range(
     context: &mut Context,
     mode: GLenum,
     first: GLint,
@@ -192,7 +192,7 @@ fn draw_ranges(
         let (last, instances) = ((first + count - 1) as u32, instances as u32);
         let range = (first as u32, count as u32);
         let elements = Elements::Range { first: range.0, count: range.1, instances: 0..instances };
-        if batch(context, topology, &elements) {
+        if try_append(context, topology, &elements) {
             return Ok(());
         }
         let vertices =
@@ -231,8 +231,9 @@ pub(crate) fn draw_indexed(
     let runs = crate::calls::vertex::restart::runs(context, &buffer, offset, ty, count);
     let indexed =
         |run: &Range<usize>| &buffer.bytes()[offset..][run.start * ty.size()..run.end * ty.size()];
-    let vertex_range =
-        |context: &Context, run| indexed_reach(context, indexed(run), (ty, base_vertex), instances);
+    let vertex_range = |context: &Context, run| {
+        indexed_vertex_range(context, indexed(run), (ty, base_vertex), instances)
+    };
     // What several runs read is taken once.
     let all = runs.iter().map(|run| vertex_range(context, run)).reduce(VertexRange::union);
     let all = all.filter(|all| runs.len() > 1 && all.is_dense(count));
@@ -245,7 +246,7 @@ pub(crate) fn draw_indexed(
             let indices = Indices { buffer: buffer.clone(), offset, ty, base_vertex };
             let (count, last) = (run.len() as u32, first + step);
             let mut elements = Elements::Indexed { indices, count, instances: first..last };
-            if batch(context, topology, &elements) {
+            if try_append(context, topology, &elements) {
                 continue;
             }
             if let Some(vertices) = &shared {
@@ -284,7 +285,7 @@ pub(crate) fn draw_elements_instanced(
     indices: Data<'_>,
     instances: GLsizei,
 ) -> Result<()> {
-    not_in_a_list(context)?;
+    refuse_in_list(context)?;
     draw_indexed(context, mode, IndexRequest { count, ty, indices, base_vertex: 0 }, instances)
 }
 
@@ -366,6 +367,6 @@ pub(crate) fn draw_elements_instanced_base_vertex(
     instances: GLsizei,
     base_vertex: GLint,
 ) -> Result<()> {
-    not_in_a_list(context)?;
+    refuse_in_list(context)?;
     draw_indexed(context, mode, IndexRequest { count, ty, indices, base_vertex }, instances)
 }

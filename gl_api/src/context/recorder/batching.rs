@@ -32,7 +32,7 @@ pub(crate) enum BatchState {
 }
 
 /// Whether a number of vertices makes whole primitives, with no vertex left over.
-pub(crate) fn is_whole(topology: Topology, count: u32) -> bool {
+pub(crate) fn makes_whole_primitives(topology: Topology, count: u32) -> bool {
     vertices_of_primitive(topology).is_none_or(|each| (count as usize).is_multiple_of(each))
 }
 

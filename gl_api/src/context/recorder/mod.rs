@@ -70,7 +70,7 @@ pub(crate) struct Recorder {
     /// Relocated stages of assembly programs: the module, its first uniform word, and the relocated module.
     pub moved: Vec<(ShaderModule, u32, ShaderModule)>,
     /// Whether anything is visible of what was submitted since the last picture was taken.
-    pub sight: Visibility,
+    pub visibility: Visibility,
     /// The counter of the active occlusion query.
     pub counter: Option<Counter>,
     pub rectangles: PixelRectangleModules,
@@ -114,7 +114,7 @@ impl Recorder {
             variants: HashMap::new(),
             vertex_variants: HashMap::new(),
             moved: Vec::new(),
-            sight: Visibility::default(),
+            visibility: Visibility::default(),
             counter: None,
             rectangles: PixelRectangleModules::default(),
             standalone: HashMap::new(),

@@ -7,7 +7,7 @@ use crate::context::recorder::stages::Textures;
 use crate::interface::{MAX_TEXTURE_UNITS, VARYING_BACK_COLOR, VARYING_COLOR, VARYING_TEX_COORD};
 use rasterizer::driver::{DeviceDesc, ShaderModule};
 use rasterizer::ir::{Input, Output};
-use rasterizer::shader::{Machine, Prepared, Program, Run};
+use rasterizer::shader::{Invocation, Machine, Prepared, Program};
 use std::ops::Range;
 use std::sync::Arc;
 use texunit::lanes::{Isa, LANES, U32s};
@@ -200,7 +200,7 @@ impl PreparedStage {
             for (index, &wanted) in program.inputs().iter().enumerate() {
                 fill(wanted, first..first + lanes, machine.input_mut(index));
             }
-            let run = Run {
+            let invocation = Invocation {
                 isa,
                 program,
                 prepared,
@@ -208,7 +208,7 @@ impl PreparedStage {
                 active: u64::MAX >> (LANES - lanes),
                 budget: DeviceDesc::batch_budget(DeviceDesc::BUDGET),
             };
-            if machine.run(run).is_err() {
+            if machine.run(invocation).is_err() {
                 return invalid_operation(
                     "GL 2.1, section 2.15",
                     "the vertex shader runs so long that it was stopped",

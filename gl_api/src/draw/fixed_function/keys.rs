@@ -49,7 +49,7 @@ pub(crate) fn vertex_key(context: &Context, vertices: &[VertexBinding], base: u3
         matrices,
         generated: context.recorder.unit_summary.generated,
         lighting: lighting_key(context, vertices),
-        normals: Normals::AsTheyAre,
+        normals: Normals::Unnormalized,
         clip_planes: state.clip.enabled,
         fog: state.fog.source,
         point_size: match state.raster.points.attenuates() {
@@ -88,13 +88,13 @@ fn lighting_key(context: &Context, vertices: &[VertexBinding]) -> Option<Lightin
     let materials = [Side::Front, Side::Back].map(|side| varying(context, vertices, side));
     let model = &state.lights.model;
     let sides: &[Side] = if model.two_side { &[Side::Front, Side::Back] } else { &[Side::Front] };
-    let shines = sides.iter().zip(&materials).any(|(&side, varying)| {
+    let has_specular = sides.iter().zip(&materials).any(|(&side, varying)| {
         varying.specular.is_some() || is_colored(material(context, side).specular)
     });
     let lights = std::array::from_fn(|index| {
         let on = state.lights.enabled >> index & 1 == 1;
         let mut key = on.then(|| light_key(&state.lights.lights[index]))?;
-        key.specular &= shines;
+        key.specular &= has_specular;
         Some(key)
     });
     let specular = lights.iter().flatten().any(|light: &LightKey| light.specular);
@@ -113,7 +113,7 @@ fn is_colored(color: [f32; 4]) -> bool {
 
 fn light_key(light: &Light) -> LightKey {
     LightKey {
-        place: match light.is_local() {
+        position: match light.is_local() {
             false => LightPosition::Infinite,
             true if light.attenuation == [1.0, 0.0, 0.0] => LightPosition::Local,
             true => LightPosition::Attenuated,

@@ -165,7 +165,7 @@ fn object_plane(context: &Context, to_eye: DMat4, unit: usize, coord: usize) -> 
 
 fn put_light(words: &mut [u32], at: u32, light: &Light) {
     let derived = &light.derived;
-    put(words, at, derived.place.to_array());
+    put(words, at, derived.position.to_array());
     put(words, at + 3, derived.half.to_array());
     put(words, at + 6, derived.spot_axis.to_array());
     put(words, at + 9, [derived.cos_cutoff, light.spot_exponent.into()]);

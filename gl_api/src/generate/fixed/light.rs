@@ -31,7 +31,7 @@ pub(crate) enum Spot {
 /// The state of a light that the code depends on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct LightKey {
-    pub place: LightPosition,
+    pub position: LightPosition,
     pub spot: Spot,
     /// Whether its specular product with any material is not black.
     pub specular: bool,
@@ -103,13 +103,13 @@ fn product(b: &mut Builder, left: Option<Value>, right: Option<Value>) -> Option
 }
 
 fn ray(b: &mut Builder, key: &LightingKey, light: LightKey, at: u32, vertex: &Vertex) -> Ray {
-    let place: [Value; 3] = words(b, at);
-    let (toward, attenuation) = match light.place {
-        LightPosition::Infinite => (place, None),
+    let position: [Value; 3] = words(b, at);
+    let (toward, attenuation) = match light.position {
+        LightPosition::Infinite => (position, None),
         LightPosition::Local | LightPosition::Attenuated => {
-            let difference = each(b, Op::Sub, place, vertex.eye);
+            let difference = each(b, Op::Sub, position, vertex.eye);
             let (toward, distance) = unit(b, difference);
-            let attenuated = light.place == LightPosition::Attenuated;
+            let attenuated = light.position == LightPosition::Attenuated;
             (toward, attenuated.then(|| attenuation(b, at + 11, distance)))
         }
     };
@@ -123,7 +123,7 @@ fn ray(b: &mut Builder, key: &LightingKey, light: LightKey, at: u32, vertex: &Ve
             let (viewer, _) = unit(b, opposite);
             let sum = each(b, Op::Add, toward, viewer);
             unit(b, sum).0
-        } else if light.place == LightPosition::Infinite {
+        } else if light.position == LightPosition::Infinite {
             words(b, at + 3)
         } else {
             let one = b.float(1.0);

@@ -21,7 +21,7 @@ pub(crate) enum Generated {
 /// The treatment of normals in eye coordinates. Rescaling is part of their matrix.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Normals {
-    AsTheyAre,
+    Unnormalized,
     Normalized,
 }
 
@@ -119,7 +119,7 @@ fn normal(b: &mut Builder, key: &VertexKey) -> [Value; 3] {
     let [x, y, z, _] = attribute(b, ATTRIB_NORMAL);
     let normal = transform(b, key.base + word::NORMAL, [x, y, z]);
     match key.normals {
-        Normals::AsTheyAre => normal,
+        Normals::Unnormalized => normal,
         Normals::Normalized => unit(b, normal).0,
     }
 }

@@ -38,7 +38,7 @@ pub const COUNT: u32 = TEXTURE_MATRIX + 16 * MAX_TEXTURE_UNITS as u32;
 
 /// Of a material: what of the scene's colour is constant (3 words), alpha, shininess.
 pub const MATERIAL_WORDS: u32 = 5;
-/// Of a light: place (or direction) and half vector (3 words each), spot axis (3), cosine of the
+/// Of a light: position (or direction) and half vector (3 words each), spot axis (3), cosine of the
 /// cutoff, spot exponent, attenuation (3), then for each side its products with the material's
 /// ambient, diffuse and specular colour (3 each).
 pub const LIGHT_WORDS: u32 = GEOMETRY_WORDS + 2 * 9;

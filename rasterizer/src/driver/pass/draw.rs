@@ -3,7 +3,7 @@
 use super::{Pass, SMALL_DRAW};
 use crate::attachment::DepthFormat;
 use crate::driver::bound::DrawDecisions;
-use crate::driver::chunk::{DrawState, MergedDraws, RUN};
+use crate::driver::chunk::{DrawState, MergedDraws, SHARED_VERTEX_PRIMITIVES};
 use crate::driver::report::SubmitReport;
 use crate::driver::resources::{DeviceDesc, Resources};
 use crate::driver::visibility::Visibility;
@@ -44,7 +44,7 @@ impl Pass<'_> {
         if area[0][0] >= area[1][0] || area[0][1] >= area[1][1] {
             return;
         }
-        let inner = self.inner_area(area);
+        let area_in_viewport = self.area_in_viewport(area);
         let (plan, vertex) = match &self.bound.decided {
             Some(DrawDecisions { plan, vertex }) => (plan.clone(), vertex.clone()),
             None => self.decide(&pipeline),
@@ -53,7 +53,7 @@ impl Pass<'_> {
         let draw = self.job.draws.len();
         let (counter, budget) = (self.bound.counter.clone(), DrawBudget::new(self.bound.budget));
         let label = self.bound.label;
-        self.job.draws.push(DrawJob { plan, area: inner, counter, budget, label });
+        self.job.draws.push(DrawJob { plan, area: area_in_viewport, counter, budget, label });
         self.commands.push(command);
 
         let compiled = pipeline.compiled();
@@ -79,7 +79,7 @@ impl Pass<'_> {
             stipple: 0,
             instances: instances.clone(),
             max_reasons: report.visibility.reasons_left(),
-            invisible: OnceLock::new(),
+            invisible_reasons: OnceLock::new(),
             prepared: vertex,
             slots: &compiled.slots,
             setup: Setup {
@@ -89,8 +89,8 @@ impl Pass<'_> {
                 front_face: desc.front_face,
                 raster: &raster,
                 edge_flags: primitives.edge_flags(),
-                area,
-                inner,
+                drawable_area: area,
+                area_in_viewport,
                 resolution,
             },
         };
@@ -111,7 +111,7 @@ impl Pass<'_> {
         if self.shapes >= BINS_FULL {
             self.run_tiles(report);
         }
-        report.visibility.add(match (is_visible, state.invisible.into_inner()) {
+        report.visibility.add(match (is_visible, state.invisible_reasons.into_inner()) {
             (true, _) => Visibility::Visible,
             (false, None) => Visibility::NothingDrawn,
             (false, Some(reasons)) => Visibility::Invisible(reasons),
@@ -150,7 +150,7 @@ impl Pass<'_> {
             state.stipple = 0;
             let mut start = 0;
             while start < state.primitives.len {
-                let range = start..state.primitives.len.min(start + RUN);
+                let range = start..state.primitives.len.min(start + SHARED_VERTEX_PRIMITIVES);
                 start = range.end;
                 is_visible |= self.bin_chunks(state.chunks(range)?);
                 if self.shapes >= BINS_FULL {
@@ -188,17 +188,18 @@ impl Pass<'_> {
             .depends_on_uniforms()
             .then(|| fragment.prepare(isa, &bound.uniforms, &bound.fragment_textures));
         let mut recent = self.recent.iter().rev();
-        let plan = match recent.find(|plan| plan.is_of(pipeline, &input, prepared.as_ref())) {
-            Some(plan) => plan.clone(),
-            None => {
-                let plan = Arc::new(DrawPlan::new(pipeline, input));
-                if self.recent.len() == KEPT_PLANS {
-                    self.recent.remove(0);
+        let plan =
+            match recent.find(|plan| plan.is_reusable_for(pipeline, &input, prepared.as_ref())) {
+                Some(plan) => plan.clone(),
+                None => {
+                    let plan = Arc::new(DrawPlan::new(pipeline, input));
+                    if self.recent.len() == KEPT_PLANS {
+                        self.recent.remove(0);
+                    }
+                    self.recent.push(plan.clone());
+                    plan
                 }
-                self.recent.push(plan.clone());
-                plan
-            }
-        };
+            };
         self.resources.explain(&|| plan.describe());
         let vertex = compiled.vertex.prepare(isa, &bound.uniforms, &bound.vertex_textures);
         let vertex = Arc::new(vertex);

@@ -2,10 +2,12 @@
 
 use super::{Pass, SMALL_DRAW};
 use crate::attachment::{DepthFormat, Surface};
-use crate::driver::chunk::TileRun;
+use crate::driver::chunk::TileBin;
 use crate::driver::report::SubmitReport;
 use crate::primitive::Shape;
-use crate::raster::{Chunk, ClearJob, Entry, FIRST_WAVE, Formats, TileJob, WAVE, WatchedPixel};
+use crate::raster::{
+    Chunk, ClearJob, FIRST_WAVE, Formats, TileCommand, TileJob, WAVE, WatchedPixel,
+};
 use crate::sizes::TILE;
 use std::sync::Arc;
 
@@ -13,26 +15,26 @@ use std::sync::Arc;
 const SMALL_WORK_PIXELS: u64 = 1 << 14;
 
 impl Pass<'_> {
-    /// Puts an entry into the tiles from pixel `low` to pixel `high`, both inside the pass.
-    pub(super) fn bin(&mut self, low: [i32; 2], high: [i32; 2], entry: Entry) {
+    /// Appends a command to the bins of the tiles from pixel `low` to pixel `high`, both inside the pass.
+    pub(super) fn bin(&mut self, low: [i32; 2], high: [i32; 2], command: TileCommand) {
         if low[0] > high[0] || low[1] > high[1] {
             return;
         }
         for ty in low[1] / TILE as i32..=high[1] / TILE as i32 {
             for tx in low[0] / TILE as i32..=high[0] / TILE as i32 {
-                self.bins[ty as usize * self.across as usize + tx as usize].push(entry);
+                self.bins[ty as usize * self.across as usize + tx as usize].push(command);
             }
         }
     }
 
     /// Puts chunks into the bins of their tiles; returns whether there are any shapes.
-    pub(super) fn bin_chunks(&mut self, chunks: Vec<(Chunk, Vec<TileRun>)>) -> bool {
+    pub(super) fn bin_chunks(&mut self, chunks: Vec<(Chunk, Vec<TileBin>)>) -> bool {
         let before = self.shapes;
         for (chunk, runs) in chunks {
             let index = self.job.chunks.len() as u32;
-            for TileRun { tile: [x, y], first, end } in runs {
+            for TileBin { tile: [x, y], first, end } in runs {
                 let bin = &mut self.bins[(y * self.across + x) as usize];
-                bin.push(Entry::Shapes { chunk: index, first, end });
+                bin.push(TileCommand::Shapes { chunk: index, first, end });
             }
             self.shapes += chunk.lists.shapes.len();
             self.job.chunks.push(chunk);
@@ -50,14 +52,14 @@ impl Pass<'_> {
     /// Whether the tiles finish before another thread would wake: whole clears, and shapes of few pixels.
     fn is_small_work(&self) -> bool {
         let Self { job, shapes, .. } = self;
-        let is_whole = |clear: &ClearJob| clear.is_whole(job.width, job.height);
+        let writes_all = |clear: &ClearJob| clear.writes_all(job.width, job.height);
         let cost = |chunk: &Chunk| {
             let pixels: u64 = chunk.lists.shapes.iter().map(Shape::pixels).sum();
             // What runs by itself is long.
-            if job.draws[chunk.draw].plan.blocks_per_run > 1 { pixels } else { 16 * pixels }
+            if job.draws[chunk.draw].plan.blocks_per_group > 1 { pixels } else { 16 * pixels }
         };
         *shapes <= SMALL_DRAW
-            && job.clears.iter().all(is_whole)
+            && job.clears.iter().all(writes_all)
             && job.chunks.iter().map(cost).sum::<u64>() <= SMALL_WORK_PIXELS
     }
 
@@ -72,8 +74,8 @@ impl Pass<'_> {
         // By draw: how many tiles, and the last of them.
         let mut touched = vec![(0, usize::MAX); self.job.draws.len()];
         for (at, tile) in wave.iter().enumerate() {
-            for entry in &tile.entries {
-                let Entry::Shapes { chunk, .. } = *entry else { continue };
+            for command in &tile.commands {
+                let TileCommand::Shapes { chunk, .. } = *command else { continue };
                 let (count, last) = &mut touched[self.job.chunks[chunk as usize].draw];
                 if *last != at {
                     (*count, *last) = (*count + 1, at);
@@ -124,7 +126,7 @@ impl Pass<'_> {
                     .watch
                     .as_ref()
                     .and_then(|watch| WatchedPixel::new(watch, [tx, ty], &formats)),
-                entries: std::mem::take(bin),
+                commands: std::mem::take(bin),
                 charges: Vec::new(),
             });
             positions.push((tx, ty));

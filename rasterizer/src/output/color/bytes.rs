@@ -1,7 +1,7 @@
 //! Colours of bytes in the order red, green, blue, alpha.
 
 use super::super::blend;
-use super::{ColorPlan, put};
+use super::{ColorPlan, store_masked};
 use crate::desc::{Blend, BlendEquation, BlendFactor};
 use texunit::format::convert::byte_channel;
 use texunit::format::{Encoding, Format};
@@ -39,7 +39,7 @@ impl Kernel for WriteBytes<'_> {
                 None => pack(|lane, channel| color[channel][lane]),
                 Some(state) => blended_bytes(state, plan.format, color, stored),
             };
-            put(stored, &word, mask, plan.write_of(0));
+            store_masked(stored, &word, mask, plan.write_of(0));
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Colours of every other format, through its row of the table of formats.
 
 use super::super::{blend, logic};
-use super::{ColorClass, ColorPlan, put};
+use super::{ColorClass, ColorPlan, store_masked};
 use crate::attachment::{decode_color, encode_color};
 use crate::desc::Blend;
 use crate::output::color::bytes::BlockColors;
@@ -27,7 +27,7 @@ impl Kernel for WriteTexels<'_> {
         for &BlockColors { block, color, mask } in colors {
             match plan.class {
                 ColorClass::Integers => encode_integers(plan.format, color, &mut texels),
-                ColorClass::Bytes | ColorClass::Numbers => {
+                ColorClass::Bytes | ColorClass::Converted => {
                     let mixed;
                     let color = match &plan.blend {
                         None => color,
@@ -48,8 +48,8 @@ impl Kernel for WriteTexels<'_> {
                 }
                 // Bits that no field has stay as they were under a logical operation.
                 let mut write = plan.write_of(index);
-                write.whole &= plan.logic_op.is_none();
-                put(stored, &texels[index], mask, write);
+                write.all_bits_written &= plan.logic_op.is_none();
+                store_masked(stored, &texels[index], mask, write);
             }
         }
     }

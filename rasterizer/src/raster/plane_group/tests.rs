@@ -95,7 +95,7 @@ fn have_the_planes_they_have_alone(is_flat: impl Fn(u32) -> bool) {
                 }
                 let block = row * 3 + column;
                 let [x, y] = [0, 1].map(|axis| {
-                    let first = 2 * (windows.quads[axis][lane] & !3);
+                    let first = 2 * (windows.first_quads[axis][lane] & !3);
                     [320, 192][axis] + first + 8 * [column, row][axis] as i32
                 });
                 single.at(0, x, y, &mut at_block);

@@ -1,8 +1,9 @@
-//! Shapes into batches: what a shape covers of each block of the tile, X//! at once, or is shaded by itself.
+//! Shapes into batches: what a shape covers of each block of the tile. A covered block is packed into a pending batch,
+//! tested at once, or shaded by itself.
 
 use super::super::batch::{Batch, BlockOf, EarlyTests, is_dense, moved_quad, quads_of};
 use super::super::block::BlockAt;
-use super::super::block_run::UniformOverShape;
+use super::super::block_group::UniformOverShape;
 use super::super::edge_functions;
 use super::super::job::{Chunk, DrawJob, PassJob, TileJob};
 use super::super::large_triangles::{self, bits};
@@ -102,7 +103,7 @@ impl TileRenderer {
         }
         let (area, stipple) = match shape.kind {
             ShapeKind::Triangle => (job.area, plan.stipple.as_ref()),
-            // Their outlines do not know where the view volume ends.
+            // The view volume does not clip their outlines.
             ShapeKind::Line { .. } | ShapeKind::Point { .. } => (pixels(&shape.bounds), None),
         };
         if plan.reads_coverage {
@@ -161,23 +162,29 @@ impl TileRenderer {
         if !edge_functions::is_inside_area(&job.area, tile.x, tile.y, TILE as i32) {
             let inside =
                 |block| edge_functions::inside_area(&job.area, BlockAt::numbered(first, block));
-            self.large_triangle.cut(plan.packing, inside);
+            self.large_triangle.clip_to_area(plan.packing, inside);
         }
         // Pending fragments of other shapes are shaded first, as in `flush_overlapping`. Blocks of one shape do not overlap.
         if !self.pending_quads.is_empty()
-            && self.large_triangle.any(|of, lanes| self.pending_quads.has_pending(of, lanes))
+            && self
+                .large_triangle
+                .overlaps_pending(|of, lanes| self.pending_quads.has_pending(of, lanes))
         {
             self.flush_quads(pass, job, tile);
         }
         if !self.pending_pixels.is_empty()
-            && self.large_triangle.any(|of, lanes| self.pending_pixels.has_pending(of, lanes))
+            && self
+                .large_triangle
+                .overlaps_pending(|of, lanes| self.pending_pixels.has_pending(of, lanes))
         {
             self.flush_pixels(pass, job, tile);
         }
         if self.pending_blocks.len() > 0
-            && self.large_triangle.any(|of, lanes| self.pending_blocks.has_pending(of, lanes))
+            && self
+                .large_triangle
+                .overlaps_pending(|of, lanes| self.pending_blocks.has_pending(of, lanes))
         {
-            self.flush_run(pass, job, tile);
+            self.flush_blocks(pass, job, tile);
         }
         let tested = self.test_large_triangle(pass, job, tile);
         if plan.shading == Shading::Off && tested == self.large_triangle.touched {
@@ -192,11 +199,11 @@ impl TileRenderer {
         let ready =
             if plan.timing == TestTiming::Never { self.large_triangle.dense } else { tested };
         self.uniform = self.uniform_over_shape(plan, lane);
-        self.large_triangle.steps(&mut self.planes);
+        self.large_triangle.write_steps(&mut self.planes);
         for block in bits(left) {
             let lanes = self.large_triangle.covered[block];
             let is_ready = ready >> block & 1 == 1;
-            if is_ready && plan.blocks_per_run > 1 && is_shaded_as_block(plan.packing, lanes) {
+            if is_ready && plan.blocks_per_group > 1 && is_shaded_as_block(plan.packing, lanes) {
                 self.pending_blocks.push(
                     self.large_triangle.at(block),
                     shape.facing,
@@ -204,21 +211,21 @@ impl TileRenderer {
                     lanes,
                     self.uniform,
                 );
-                if self.pending_blocks.len() == plan.blocks_per_run {
-                    self.flush_run(pass, job, tile);
+                if self.pending_blocks.len() == plan.blocks_per_group {
+                    self.flush_blocks(pass, job, tile);
                 }
             } else if lanes != 0 {
                 let at = BlockAt::numbered(first, block);
                 let tests = if is_ready { EarlyTests::Done } else { EarlyTests::Due };
                 let shape_block = ShapeBlock { at, facing: shape.facing, tests };
-                self.large_triangle.corners(block, &mut self.planes);
+                self.large_triangle.write_first_values(block, &mut self.planes);
                 self.fill_block(pass, tile, job, shape_block, &mut SampleMasks::one(lanes));
             }
         }
         self.uniform = UniformOverShape::default();
     }
 
-    /// Puts the pixels of the blocks that a large triangle covers sparsely into the pending batch.
+    /// Packs the pixels of the blocks that a large triangle covers sparsely into the pending batch.
     fn pack_large_triangle(
         &mut self,
         pass: &PassJob,
@@ -241,8 +248,8 @@ impl TileRenderer {
         }
     }
 
-    /// Makes the early test of what a large triangle covers of blocks that are shaded as blocks, at once for all
-    /// where there is no test but that of depth. Gives the blocks.
+    /// Runs the early depth test of the blocks of a large triangle that are shaded as blocks, in one kernel if depth is
+    /// the only test. Returns these blocks.
     fn test_large_triangle(&mut self, pass: &PassJob, job: &DrawJob, tile: &mut TileJob) -> u64 {
         let plan = &job.plan;
         let Tests { stencil: None, depth: Some(test) } = plan.tests else { return 0 };
@@ -285,7 +292,7 @@ impl TileRenderer {
         }
     }
 
-    /// What `self.outlines` cover of those lanes of a block that are `inside`.
+    /// The coverage by `self.outlines` of the lanes of a block that are `inside`.
     #[inline]
     fn covered(
         &mut self,
@@ -306,7 +313,7 @@ impl TileRenderer {
         }
     }
 
-    /// Puts the covered lanes of a block into a batch.
+    /// Adds the covered lanes of a block to a batch.
     pub(super) fn fill_block(
         &mut self,
         pass: &PassJob,
@@ -325,7 +332,7 @@ impl TileRenderer {
         self.flush_overlapping(pass, job, tile, block, covered);
         let packing = if tile.watched.is_some() { Packing::Quads } else { plan.packing };
         let is_due = tests == EarlyTests::Due;
-        // To test a block costs less than to pack its pixels, where nothing is shaded.
+        // Without shading, testing a block costs less than packing its pixels.
         let packs = is_due && packing == Packing::Pixels && plan.shading == Shading::On;
         if packs && !is_dense(packing, covered) {
             let mut left = covered;
@@ -341,7 +348,7 @@ impl TileRenderer {
         let coverage = plan.reads_coverage.then_some(&self.coverage);
         let mut of = BlockOf { planes: &self.planes, facing, tests, block, x, y, coverage };
         let is_eager = is_shaded_as_block(packing, covered) || tile.watched.is_some();
-        let shades_one = plan.blocks_per_run == 1 || tile.watched.is_some();
+        let shades_one = plan.blocks_per_group == 1 || tile.watched.is_some();
         if is_eager && shades_one {
             tile.prefetch(plan, std::iter::once(block));
         }
@@ -361,8 +368,8 @@ impl TileRenderer {
             } else {
                 let planes = self.planes.iter().copied();
                 self.pending_blocks.push(planes, facing, block, masks.any(), self.uniform);
-                if self.pending_blocks.len() == plan.blocks_per_run {
-                    self.flush_run(pass, job, tile);
+                if self.pending_blocks.len() == plan.blocks_per_group {
+                    self.flush_blocks(pass, job, tile);
                 }
             }
             return;

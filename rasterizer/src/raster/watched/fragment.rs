@@ -5,17 +5,17 @@ use super::Stored;
 use crate::desc::{Facing, StencilFace};
 use crate::output::{ColorPlan, blend_factors};
 use crate::plan::{DrawPlan, FragmentInput, SampleMasks};
-use crate::shader::{Machine, OverBudget, Run, Tracer};
+use crate::shader::{Invocation, Machine, OverBudget, Tracer};
 use crate::trace::{Blending, Fate, Fragment, InputSource, InputValue, Test, When, Write};
 use texunit::lanes::{F32s, math};
 
-/// What is known of tests once they are made.
+/// The results of the tests.
 pub struct Tested<'a> {
     /// When.
     pub when: When,
     /// By sample.
     pub depths: &'a [f32],
-    /// What the shader wrote for stencils to be compared with, if it did.
+    /// The stencil reference that the shader wrote, if it did.
     pub reference: Option<u8>,
     /// By sample.
     pub before: &'a Stored,
@@ -24,7 +24,7 @@ pub struct Tested<'a> {
 }
 
 impl Tested<'_> {
-    /// The tests of a lane's samples, which passed where `masks` are left.
+    /// The tests of a lane's samples, of which `masks` passed.
     pub(super) fn tests(
         &self,
         plan: &DrawPlan,
@@ -84,13 +84,13 @@ impl Shaded {
         machine: &mut Machine,
         plan: &DrawPlan,
         batch: &Batch<'_>,
-        run: Run<'_>,
+        invocation: Invocation<'_>,
     ) -> Result<u64, OverBudget> {
         self.fragment.fate = if plan.colors.is_empty() { Fate::NoColor } else { Fate::Written };
         self.interpolated(plan, batch, machine);
-        let mut tracer = Tracer::new(run.program, self.lane);
-        let alive = machine.run_traced(run, &mut tracer);
-        for (index, output) in run.program.outputs().enumerate() {
+        let mut tracer = Tracer::new(invocation.program, self.lane);
+        let alive = machine.run_traced(invocation, &mut tracer);
+        for (index, output) in invocation.program.outputs().enumerate() {
             self.fragment.outputs.push((output, tracer.output(machine, index)));
         }
         (self.fragment.steps, self.fragment.more_steps) = (tracer.steps, tracer.more);
@@ -124,8 +124,8 @@ impl Shaded {
                     InputSource::Linear(values(plane))
                 }
                 FragmentInput::Flat(_) => InputSource::Flat,
-                FragmentInput::SmoothSlope(..) | FragmentInput::LinearSlope(..) => {
-                    InputSource::Slope
+                FragmentInput::SmoothGradient(..) | FragmentInput::LinearGradient(..) => {
+                    InputSource::Gradient
                 }
                 FragmentInput::X
                 | FragmentInput::Y
@@ -139,12 +139,12 @@ impl Shaded {
         }
     }
 
-    /// Its samples were tested after shading: `masks` are left.
+    /// Records the late tests of its samples, of which `masks` passed.
     pub fn tested(&mut self, plan: &DrawPlan, of: &Tested<'_>, masks: &SampleMasks) {
         self.fragment.tests.extend(of.tests(plan, self.fragment.facing, masks, self.lane));
     }
 
-    /// Its colour was written to the samples of `masks`.
+    /// Records that its colour is written to the samples of `masks`.
     pub fn written(
         &mut self,
         plan: &ColorPlan,

@@ -1,7 +1,7 @@
 //! The loop over the instructions, compiled for each instruction set.
 
 use super::super::inst::{Inst, Target, Test};
-use super::super::{OverBudget, Prepared, Run};
+use super::super::{Invocation, OverBudget, Prepared};
 use super::Machine;
 use texunit::lanes::{Kernel, Simd, U32s};
 
@@ -10,11 +10,18 @@ impl Machine {
     ///
     /// # Errors
     /// When the budget is used up.
-    pub fn run(&mut self, run: Run<'_>) -> Result<u64, OverBudget> {
-        let left = self.start(&run)?;
-        let code = &run.program.code;
-        run.isa.run(Interpreter { machine: self, run: &run, code, files: 1, pc: 0, left })?;
-        Ok(run.active & !self.discarded.bits())
+    pub fn run(&mut self, invocation: Invocation<'_>) -> Result<u64, OverBudget> {
+        let left = self.start(&invocation)?;
+        let code = &invocation.program.code;
+        invocation.isa.run(Interpreter {
+            machine: self,
+            invocation: &invocation,
+            code,
+            files: 1,
+            pc: 0,
+            left,
+        })?;
+        Ok(invocation.active & !self.discarded.bits())
     }
 
     /// Runs the program once for each of the first `files` register files, at most [`crate::shader::Program::register_files`], over
@@ -22,10 +29,21 @@ impl Machine {
     ///
     /// # Errors
     /// When the budget is used up.
-    pub fn run_files(&mut self, run: Run<'_>, files: usize) -> Result<(), OverBudget> {
-        let left = self.start(&run)?;
-        let (code, files) = (&run.program.code, files.min(run.program.files));
-        run.isa.run(Interpreter { machine: self, run: &run, code, files, pc: 0, left })?;
+    pub fn run_files(
+        &mut self,
+        invocation: Invocation<'_>,
+        files: usize,
+    ) -> Result<(), OverBudget> {
+        let left = self.start(&invocation)?;
+        let (code, files) = (&invocation.program.code, files.min(invocation.program.files));
+        invocation.isa.run(Interpreter {
+            machine: self,
+            invocation: &invocation,
+            code,
+            files,
+            pc: 0,
+            left,
+        })?;
         Ok(())
     }
 }
@@ -33,7 +51,7 @@ impl Machine {
 /// Runs from an instruction to the end of the code; gives the index of the next instruction.
 pub(super) struct Interpreter<'a> {
     pub machine: &'a mut Machine,
-    pub run: &'a Run<'a>,
+    pub invocation: &'a Invocation<'a>,
     pub code: &'a [Inst],
     /// For how many files.
     pub files: usize,
@@ -47,7 +65,7 @@ impl Kernel for Interpreter<'_> {
 
     #[inline(always)]
     fn run<S: Simd>(self) -> Result<usize, OverBudget> {
-        let Self { machine: m, run, code, files: count, mut pc, mut left } = self;
+        let Self { machine: m, invocation, code, files: count, mut pc, mut left } = self;
         let size = m.file;
         // The first register of each register file.
         let files = || (0..count).map(|file| file * size);
@@ -83,17 +101,17 @@ impl Kernel for Interpreter<'_> {
                 Inst::LoadAt { out, base, len, index } => m.load_at(out, base, len, index),
                 Inst::StoreAt { base, len, index, from } => m.store_at(base, len, index, from),
                 Inst::UniformAt { out, base, len, index } => {
-                    m.uniform_at(run.prepared, out, base, len, index);
+                    m.uniform_at(invocation.prepared, out, base, len, index);
                 }
                 Inst::Derivative { axis, out, from } => {
                     files().for_each(|file| m.derivative(file, axis, out, from));
                 }
                 Inst::Sample(ref sample) => {
-                    (0..count).for_each(|file| m.sample(file, run, sample));
+                    (0..count).for_each(|file| m.sample(file, invocation, sample));
                 }
                 Inst::Unless { test, to } => {
                     let word = match test {
-                        Test::Word(word) => run.prepared.words[word as usize],
+                        Test::Word(word) => invocation.prepared.words[word as usize],
                         Test::Lanes(reg) => m.reg(reg)[0],
                     };
                     if word == 0 {
@@ -101,7 +119,9 @@ impl Kernel for Interpreter<'_> {
                     }
                 }
                 Inst::Jump { to } => pc = to.0 as usize,
-                Inst::Repeat { head } => pc = repeat_loop(head, pc, run.prepared, &mut left)?,
+                Inst::Repeat { head } => {
+                    pc = repeat_loop(head, pc, invocation.prepared, &mut left)?
+                }
                 Inst::If { condition, slot, reject } => {
                     let rest = &mut m.slots[slot.0 as usize];
                     m.exec.split(&m.registers[condition.0 as usize], rest);
@@ -131,7 +151,7 @@ impl Kernel for Interpreter<'_> {
                     }
                 }
                 Inst::EndIteration { head, exit } => {
-                    pc = m.end_iteration(head, exit, pc, (run.prepared, &mut left))?
+                    pc = m.end_iteration(head, exit, pc, (invocation.prepared, &mut left))?
                 }
             }
         }

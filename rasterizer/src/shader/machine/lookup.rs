@@ -1,6 +1,6 @@
 //! Texture accesses of the interpreter.
 
-use super::super::Run;
+use super::super::Invocation;
 use super::super::inst::{Reg, SampleInst, SampleLod};
 use super::Machine;
 use crate::ir::Access;
@@ -10,8 +10,8 @@ use texunit::sample::{Lod, Points};
 impl Machine {
     /// Samples for a register file.
     #[inline(always)]
-    pub(super) fn sample(&mut self, file: usize, run: &Run<'_>, sample: &SampleInst) {
-        let plan = run.textures.get(sample.texture as usize).and_then(Option::as_ref);
+    pub(super) fn sample(&mut self, file: usize, invocation: &Invocation<'_>, sample: &SampleInst) {
+        let plan = invocation.textures.get(sample.texture as usize).and_then(Option::as_ref);
         let registers = &mut self.registers[file * self.file..];
         let scratch = &mut self.lookup_scratch[file * self.scratch_stride];
         match plan.filter(|plan| plan.incomplete().is_none()) {
@@ -24,7 +24,7 @@ impl Machine {
                 match (sample.access, lod) {
                     (Access::Fetch { offset }, Lod::Explicit(level)) => {
                         let texel = coords.map(|c| c.as_u32().as_i32());
-                        plan.fetch(run.isa, texel, level.as_u32().as_i32(), offset, out);
+                        plan.fetch(invocation.isa, texel, level.as_u32().as_i32(), offset, out);
                     }
                     (Access::Size, Lod::Explicit(level)) => {
                         let size = plan.size(level.as_u32().as_i32());
@@ -38,19 +38,19 @@ impl Machine {
                     }
                     (Access::Gather { offset }, _) => {
                         let points = Points { coords, layer, reference };
-                        plan.gather(run.isa, points, offset, out);
+                        plan.gather(invocation.isa, points, offset, out);
                     }
                     (Access::Lod, lod) => {
                         let [level, lambda, rest @ ..] = out;
                         let mut found = [F32s::ZERO; 2];
-                        plan.query_lod(run.isa, coords, lod, &mut found);
+                        plan.query_lod(invocation.isa, coords, lod, &mut found);
                         [*level, *lambda] = found;
                         *rest = [F32s::ZERO; 2];
                     }
                     (Access::Filter { offset }, lod) => {
                         let points = Points { coords, layer, reference };
-                        let addresses = run.prepared.addresses(sample);
-                        plan.sample_offset(run.isa, points, offset, lod, addresses, scratch);
+                        let addresses = invocation.prepared.addresses(sample);
+                        plan.sample_offset(invocation.isa, points, offset, lod, addresses, scratch);
                     }
                     // Validation wants a level for these.
                     (Access::Fetch { .. } | Access::Size, Lod::Implicit { .. })

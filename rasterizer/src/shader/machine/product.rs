@@ -3,8 +3,8 @@
 use super::Machine;
 use super::interpreter::Interpreter;
 use super::lookup::lod;
+use crate::shader::invocation::{Invocation, OverBudget};
 use crate::shader::product::{ProductCode, TexelProduct};
-use crate::shader::run::{OverBudget, Run};
 use texunit::lanes::F32s;
 use texunit::sample::Lod;
 
@@ -16,19 +16,26 @@ impl Machine {
     /// When the budget is used up.
     pub fn run_before(
         &mut self,
-        run: &Run<'_>,
+        invocation: &Invocation<'_>,
         product: &TexelProduct,
         part: ProductCode,
         files: usize,
     ) -> Result<(), OverBudget> {
-        let left = self.start(run)?;
+        let left = self.start(invocation)?;
         let code = match part {
             ProductCode::Factors => &product.before_factors,
             ProductCode::Lookups => &product.before_lookups,
             ProductCode::Whole => &product.before,
         };
         if !code.is_empty() {
-            run.isa.run(Interpreter { machine: self, run, code, files, pc: 0, left })?;
+            invocation.isa.run(Interpreter {
+                machine: self,
+                invocation,
+                code,
+                files,
+                pc: 0,
+                left,
+            })?;
         }
         Ok(())
     }

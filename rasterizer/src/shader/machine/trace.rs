@@ -6,7 +6,7 @@ use super::interpreter::{Interpreter, repeat_loop};
 use super::lookup::lod;
 use crate::ir::{Access, Ty};
 use crate::shader::inst::{Inst, Reg, SampleInst};
-use crate::shader::run::Run;
+use crate::shader::invocation::Invocation;
 use crate::shader::{OverBudget, Program};
 use crate::trace::{Expression, Lookup, MAX_STEPS, Name, Operand, Step};
 use texunit::sample::Points;
@@ -105,27 +105,31 @@ impl Machine {
     ///
     /// # Errors
     /// When the budget is used up.
-    pub fn run_traced(&mut self, run: Run<'_>, tracer: &mut Tracer) -> Result<u64, OverBudget> {
-        let mut left = self.start(&run)?;
-        let code = &run.program.code[..];
+    pub fn run_traced(
+        &mut self,
+        invocation: Invocation<'_>,
+        tracer: &mut Tracer,
+    ) -> Result<u64, OverBudget> {
+        let mut left = self.start(&invocation)?;
+        let code = &invocation.program.code[..];
         let mut pc = 0;
         while let Some(inst) = code.get(pc) {
             if inst.is_control() {
                 tracer.finish_straight_run();
             }
-            let position = run.program.source_order[pc];
-            let executes =
-                !run.program.masked || !self.exec.is_empty() && self.exec.lanes[tracer.lane] != 0;
+            let position = invocation.program.source_order[pc];
+            let executes = !invocation.program.masked
+                || !self.exec.is_empty() && self.exec.lanes[tracer.lane] != 0;
             let before = if executes {
-                self.read_operands(&run, inst, tracer)
+                self.read_operands(&invocation, inst, tracer)
             } else {
                 OperandsBefore::Control
             };
             pc = match *inst {
                 Inst::EndIteration { head, exit } => {
-                    self.end_iteration(head, exit, pc + 1, (run.prepared, &mut left))?
+                    self.end_iteration(head, exit, pc + 1, (invocation.prepared, &mut left))?
                 }
-                Inst::Repeat { head } => repeat_loop(head, pc + 1, run.prepared, &mut left)?,
+                Inst::Repeat { head } => repeat_loop(head, pc + 1, invocation.prepared, &mut left)?,
                 Inst::Compute { .. }
                 | Inst::Move { .. }
                 | Inst::Zero { .. }
@@ -146,9 +150,9 @@ impl Machine {
                 | Inst::Discard
                 | Inst::SkipEmpty { .. } => {
                     let code = &code[..=pc];
-                    run.isa.run(Interpreter {
+                    invocation.isa.run(Interpreter {
                         machine: self,
-                        run: &run,
+                        invocation: &invocation,
                         code,
                         files: 1,
                         pc,
@@ -162,10 +166,15 @@ impl Machine {
         }
         tracer.finish_straight_run();
         self.left = left;
-        Ok(run.active & !self.discarded.bits())
+        Ok(invocation.active & !self.discarded.bits())
     }
 
-    fn read_operands(&self, run: &Run<'_>, inst: &Inst, tracer: &Tracer) -> OperandsBefore {
+    fn read_operands(
+        &self,
+        invocation: &Invocation<'_>,
+        inst: &Inst,
+        tracer: &Tracer,
+    ) -> OperandsBefore {
         let operand = |reg: Reg, ty: Ty| Expression::Operand(tracer.operand(self, reg, ty));
         let name = |reg: Reg| tracer.names[reg.0 as usize];
         match inst {
@@ -191,7 +200,7 @@ impl Machine {
             }
             Inst::UniformAt { out, .. } => OperandsBefore::Copy { out: *out, name: Name::Draw },
             Inst::Zero { out, len } => OperandsBefore::Zero { out: *out, len: *len },
-            Inst::Sample(sample) => self.read_sample_operands(run, sample, tracer),
+            Inst::Sample(sample) => self.read_sample_operands(invocation, sample, tracer),
             Inst::Unless { .. }
             | Inst::Jump { .. }
             | Inst::Repeat { .. }
@@ -209,11 +218,11 @@ impl Machine {
 
     fn read_sample_operands(
         &self,
-        run: &Run<'_>,
+        invocation: &Invocation<'_>,
         sample: &SampleInst,
         tracer: &Tracer,
     ) -> OperandsBefore {
-        let plan = run.textures.get(sample.texture as usize).and_then(Option::as_ref);
+        let plan = invocation.textures.get(sample.texture as usize).and_then(Option::as_ref);
         let coords = sample.coords.map(|reg| self.reg(reg).as_f32());
         let [layer, reference] =
             [sample.layer, sample.reference].map(|reg| reg.map(|reg| self.reg(reg).as_f32()));

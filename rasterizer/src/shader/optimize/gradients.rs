@@ -162,7 +162,7 @@ impl Pass<'_> {
                     return Some(Gradient::Zero);
                 }
                 let gradients = [Axis::X, Axis::Y]
-                    .map(|axis| self.push(Expr::Input(Input::Slope { slot, axis })));
+                    .map(|axis| self.push(Expr::Input(Input::Gradient { slot, axis })));
                 Some(Gradient::Values(gradients))
             }
             Expr::Op { op, args: [a, b, _] } => {

@@ -24,7 +24,7 @@ fn fragment() -> (Builder, Var) {
 fn by_lane(input: Input, lane: usize) -> u32 {
     match input {
         Input::Varying(slot) => (lane as f32 - 20.0 + f32::from(slot)).to_bits(),
-        Input::Slope { .. } => 0,
+        Input::Gradient { .. } => 0,
         other => unreachable!("{other:?}"),
     }
 }

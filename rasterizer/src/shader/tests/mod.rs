@@ -6,7 +6,7 @@ mod reference;
 mod repeated_lookups;
 mod uniform_loops;
 
-use super::{Fusing, Machine, OverBudget, Program, Run};
+use super::{Fusing, Invocation, Machine, OverBudget, Program};
 use crate::ir::{Input, Module};
 use reference::Outcome;
 use texunit::lanes::{Isa, LANES, U32s};
@@ -26,8 +26,14 @@ fn run(
     for (index, wanted) in program.inputs().iter().enumerate() {
         *machine.input_mut(index) = U32s::from_fn(|lane| input(*wanted, lane));
     }
-    let kept =
-        machine.run(Run { isa, program, prepared: &prepared, textures: &[], active, budget })?;
+    let kept = machine.run(Invocation {
+        isa,
+        program,
+        prepared: &prepared,
+        textures: &[],
+        active,
+        budget,
+    })?;
     Ok((0..LANES)
         .map(|lane| {
             (kept >> lane & 1 != 0).then(|| {
@@ -100,8 +106,9 @@ fn run_files(
             machine.inputs_of(file)[index] = lanes;
         }
     }
-    let run = Run { isa, program, prepared, textures: &[], active: !0, budget: 10_000_000 };
-    machine.run_files(run, program.register_files()).expect("the budget is large");
+    let invocation =
+        Invocation { isa, program, prepared, textures: &[], active: !0, budget: 10_000_000 };
+    machine.run_files(invocation, program.register_files()).expect("the budget is large");
     let of = |file, lane: usize| {
         let outputs = 0..program.outputs().len();
         outputs.map(|index| any_nan(machine.output_of(file, index)[lane])).collect()

@@ -103,7 +103,7 @@ impl Kernel for LoadQuad<'_> {
 /// Byte offsets of the lower left texels, and the weights of the right and of the upper texels. `false` if a quad
 /// crosses an edge of the level, or the wrap modes are not both `Repeat` or both `ClampToEdge`.
 ///
-/// One loop: several would spill what lies between them where an instruction set has few registers.
+/// One loop: several loops would spill their intermediate values where an instruction set has few registers.
 #[inline(always)]
 fn inside_offsets<S: Simd>(
     view: &LevelView<'_>,

@@ -19,7 +19,7 @@ pub struct QuadPosition {
     pub pairs: [PairPosition; 2],
 }
 
-/// Where the two texels along an axis lie.
+/// The indices of the two texels along an axis.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum PairPosition {
     /// Inside the level in every lane.

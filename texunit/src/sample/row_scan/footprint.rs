@@ -2,7 +2,7 @@
 
 use super::fixed_point::to_fixed;
 use crate::lanes::math::max;
-use crate::lanes::{F32s, I32s, LANES, ONE, U32s, log2_of_root};
+use crate::lanes::{F32s, I32s, LANES, U32s, WEIGHT_ONE, log2_of_root};
 use crate::sample::derivatives::Derivatives;
 use crate::sample::recorder::Recorder;
 use crate::trace::SampleStep;
@@ -66,7 +66,7 @@ pub fn footprint(
         scan.along_t[lane] = if difference > 0.0 { !0 } else { 0 };
         scan.excess[lane] = if is_long { along } else { 0.0 };
         scan.slope[lane] = slope;
-        scan.min_weight[lane] = to_fixed(min_weight, ONE);
+        scan.min_weight[lane] = to_fixed(min_weight, WEIGHT_ONE);
         majors[lane] = major;
         minors[lane] = minor;
     }

@@ -6,7 +6,7 @@
 use super::footprint::RowScan;
 use super::rows::Rows;
 use crate::lanes::math::{floor_small, min};
-use crate::lanes::{F32s, I32s, LANES, ONE, SecondTexel, Simd, Sums, U32s};
+use crate::lanes::{F32s, I32s, LANES, SecondTexel, Simd, Sums, U32s, WEIGHT_ONE};
 use crate::plan::{TexelClass, TexelPath};
 use crate::sample::fast::{channels_of_texel, word_offsets};
 use crate::sample::fetch;
@@ -59,7 +59,7 @@ fn general<S: Simd>(
     let mut sums = [I32s::ZERO; 4];
     recorder.record(|lane| SampleStep::Rows {
         rows: rows.count[lane],
-        length: rows.total[lane] as f32 / ONE as f32,
+        length: rows.total[lane] as f32 / WEIGHT_ONE as f32,
     });
     while rows.number < rows.max_count {
         let weights = rows.weights();
@@ -96,7 +96,7 @@ fn general<S: Simd>(
     }
 }
 
-/// A texel as the general fetch takes it.
+/// The texel that the general fetch reads.
 #[inline(always)]
 fn indices(view: &LevelView<'_>, texel: &[U32s; 2]) -> [Indices; 2] {
     let border = view.level.border;

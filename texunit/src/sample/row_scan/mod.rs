@@ -2,7 +2,7 @@
 //!
 //! EXT_texture_filter_anisotropic leaves the scheme open. Its usual one, several filtered samples
 //! in a row, reads most texels twice and more. This one walks the rows that the footprint crosses
-//! (columns, where it lies rather along s) and takes from each one pair of neighbours, so that
+//! (columns, if its major axis is closer to s) and takes from each one pair of neighbours, so that
 //! every texel is read once and the sum along the footprint is the exact one of whole texels.
 //!
 //! With the derivatives in texels of the base level, the footprint has the second moments
@@ -14,8 +14,8 @@
 //! - *Length.* On a level whose texels are `x` of the base's, `L = √(1 + a²/x²)` rows, at most
 //!   [`fixed_point::MAX_ROWS`], each weighted by how much of it lies within `L/2` of the sample. A round footprint
 //!   has `L = 1`, and these weights are those of a bilinear filter.
-//! - *Slope.* From row to row the place moves by `c / (max(m², 1) + a²)`.
-//! - *Across.* The two texels about the place weigh `1 - w` and `w` with `w = b + (1 - 2b)·α` of the
+//! - *Slope.* From row to row the position moves by `c / (max(m², 1) + a²)`.
+//! - *Across.* The two texels around the position weigh `1 - w` and `w` with `w = b + (1 - 2b)·α` of the
 //!   place's fraction `α`: `b = 7/16 slope² min(m², 1)` evens the weights out where the rows are
 //!   crossed at an angle, as the pair is then narrower, measured across the footprint, than a pair
 //!   of a level should be. (Where pixels are nearer to one another than texels, no step may show.)

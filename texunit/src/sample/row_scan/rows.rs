@@ -1,12 +1,12 @@
 //! The rows of one level that lanes scan: positions and weights as integers.
 //!
-//! Along the footprint a texel is [`ONE`], 2^14 units, so that the weights of a row fit the halves of a word;
+//! Along the footprint a texel is [`WEIGHT_ONE`], 2^14 units, so that the weights of a row fit the halves of a word;
 //! across it 2^16. A position is computed once, and advances from row to row by integer additions.
 
 use super::fixed_point::{MAX_ROWS, to_fixed, to_large_fixed};
 use super::footprint::RowScan;
 use crate::lanes::math::{clamp, min};
-use crate::lanes::{F32s, I32s, LANES, ONE, RowWalk, SecondTexel, Simd, U32s, weights};
+use crate::lanes::{F32s, I32s, LANES, RowWalk, SecondTexel, Simd, U32s, WEIGHT_ONE, weights};
 use crate::sample::level_view::LevelView;
 use crate::sample::wrap::{Axis, mirrored_repeat, modulo};
 use crate::sampler::Wrap;
@@ -119,13 +119,13 @@ impl Rows {
                 min((1.0 + scan.excess[lane] * level_scale * level_scale).sqrt(), MAX_ROWS);
             let length = if mask[lane] != 0 { length } else { 1.0 };
 
-            let total = to_fixed(length, ONE);
-            let middle = to_large_fixed::<S>(along, ONE);
+            let total = to_fixed(length, WEIGHT_ONE);
+            let middle = to_large_fixed::<S>(along, WEIGHT_ONE);
             let low = middle - (total >> 1);
             let first = low >> 14;
-            let skipped = low & (ONE - 1);
+            let skipped = low & (WEIGHT_ONE - 1);
             // From the middle to the first row's.
-            let offset = ((first << 14) + ONE / 2 - middle) as f32 / ONE as f32;
+            let offset = ((first << 14) + WEIGHT_ONE / 2 - middle) as f32 / WEIGHT_ONE as f32;
             let shift = to_fixed(slope * offset, 1 << 16);
             // The centre of texel i is at i + 1/2; half a unit of the weight, to round it.
             let across = to_large_fixed::<S>(across, 1 << 16) + shift - (1 << 15) + 2;
@@ -135,7 +135,7 @@ impl Rows {
             rows.total[lane] = total;
             rows.skipped[lane] = skipped;
             rows.remaining[lane] = total + skipped;
-            rows.count[lane] = ((total + skipped + ONE - 1) >> 14) as u32;
+            rows.count[lane] = ((total + skipped + WEIGHT_ONE - 1) >> 14) as u32;
         }
         rows.max_count = S::largest(&rows.count);
         rows
@@ -180,7 +180,7 @@ impl Rows {
         for lane in 0..LANES {
             self.along[lane] += 1;
             self.across[lane] += self.step[lane];
-            self.remaining[lane] -= ONE;
+            self.remaining[lane] -= WEIGHT_ONE;
         }
         if self.number == 0 {
             self.skipped = I32s::ZERO;
@@ -229,7 +229,7 @@ impl Rows {
     }
 }
 
-/// The texels that stand for those of any index within [`MARGIN`] of the image.
+/// The wrapped texel of any index within [`MARGIN`] of the image.
 #[inline(always)]
 fn wrapped(axis: &Axis, index: &I32s) -> U32s {
     let mut out = U32s::ZERO;

@@ -92,20 +92,20 @@ pub const SAMPLERS: [SamplerRow; 15] = {
         }
     }
     // GLSL 1.40 has left these names to the compatibility profile.
-    const V110: Availability = Availability::V110.in_compatibility();
-    const ALL_VERSIONS: Availability = Availability::ALL.in_compatibility();
+    const DESKTOP_COMPATIBILITY: Availability = Availability::DESKTOP.in_compatibility();
+    const COMPATIBILITY_AND_ES: Availability = Availability::DESKTOP_AND_ES.in_compatibility();
     const RECT: Availability = Availability::extension(Extension::TextureRectangle);
     const ARRAY: Availability = GPU_SHADER4.or(Extension::TextureArray);
     [
-        row((D1, No), 1, &[2, 4], [1, 1, 1], All, ("texture1D", V110)),
-        row((D2, No), 2, &[3, 4], [2, 2, 2], All, ("texture2D", ALL_VERSIONS)),
-        row((D3, No), 3, &[4], [3, 3, 3], All, ("texture3D", V110)),
-        row((Cube, No), 3, &[], [3, 0, 2], All, ("textureCube", ALL_VERSIONS)),
+        row((D1, No), 1, &[2, 4], [1, 1, 1], All, ("texture1D", DESKTOP_COMPATIBILITY)),
+        row((D2, No), 2, &[3, 4], [2, 2, 2], All, ("texture2D", COMPATIBILITY_AND_ES)),
+        row((D3, No), 3, &[4], [3, 3, 3], All, ("texture3D", DESKTOP_COMPATIBILITY)),
+        row((Cube, No), 3, &[], [3, 0, 2], All, ("textureCube", COMPATIBILITY_AND_ES)),
         row((Rect, No), 2, &[3, 4], [2, 2, 2], Derived, ("texture2DRect", RECT)),
         row((D1Array, No), 2, &[], [1, 1, 2], All, ("texture1DArray", ARRAY)),
         row((D2Array, No), 3, &[], [2, 2, 3], All, ("texture2DArray", ARRAY)),
-        row((D1, Yes), 3, &[4], [1, 1, 1], All, ("shadow1D", V110)),
-        row((D2, Yes), 3, &[4], [2, 2, 2], All, ("shadow2D", V110)),
+        row((D1, Yes), 3, &[4], [1, 1, 1], All, ("shadow1D", DESKTOP_COMPATIBILITY)),
+        row((D2, Yes), 3, &[4], [2, 2, 2], All, ("shadow2D", DESKTOP_COMPATIBILITY)),
         row((Cube, Yes), 4, &[], [3, 0, 2], Biased, ("shadowCube", GPU_SHADER4)),
         row((Rect, Yes), 3, &[4], [2, 2, 2], Derived, ("shadow2DRect", RECT)),
         row((D1Array, Yes), 3, &[], [1, 1, 2], All, ("shadow1DArray", ARRAY)),

@@ -33,13 +33,13 @@ use crate::limits::{
     MAX_VARYING_FLOATS, MAX_VERTEX_ATTRIBS, TEXEL_OFFSETS,
 };
 
-const ALL: Availability = Availability::ALL;
-const V110: Availability = Availability::V110;
+const DESKTOP_AND_ES: Availability = Availability::DESKTOP_AND_ES;
+const DESKTOP: Availability = Availability::DESKTOP;
 const V120: Availability = Availability::V120;
 const V130: Availability = Availability::V130;
 const ES: Availability = Availability::ES;
 /// Not in the core profile.
-const COMPATIBILITY: Availability = V110.in_compatibility();
+const COMPATIBILITY: Availability = DESKTOP.in_compatibility();
 const GPU_SHADER4: Availability = Availability::extension(Extension::GpuShader4);
 const DRAW_INSTANCED: Availability = Availability::extension(Extension::DrawInstanced);
 const INSTANCE_ID: Availability =
@@ -130,8 +130,8 @@ const fn limit(name: &'static str, value: i32, availability: Availability) -> Va
 
 /// Every variable, of both stages.
 pub static VARIABLES: [VariableRow; 97] = [
-    row("gl_Position", Vec(4), Vertex, ALL, ReadWrite, Position),
-    row("gl_PointSize", Vec(1), Vertex, ALL, ReadWrite, PointSize),
+    row("gl_Position", Vec(4), Vertex, DESKTOP_AND_ES, ReadWrite, Position),
+    row("gl_PointSize", Vec(1), Vertex, DESKTOP_AND_ES, ReadWrite, PointSize),
     row("gl_ClipVertex", Vec(4), Vertex, COMPATIBILITY, ReadWrite, ClipVertex),
     row("gl_VertexID", Int, Vertex, V130.or(Extension::GpuShader4), ReadOnly, VertexId),
     row("gl_InstanceIDARB", Int, Vertex, DRAW_INSTANCED, ReadOnly, InstanceId),
@@ -185,13 +185,13 @@ pub static VARIABLES: [VariableRow; 97] = [
     row("gl_TexCoord", PER_UNIT, Fragment, COMPATIBILITY, ReadOnly, Varying(VARYING_TEX_COORD)),
     row("gl_FogFragCoord", Vec(1), Fragment, COMPATIBILITY, ReadOnly, Varying(VARYING_FOG)),
     // The fragment stage
-    row("gl_FragCoord", Vec(4), Fragment, ALL, ReadOnly, FragCoord),
+    row("gl_FragCoord", Vec(4), Fragment, DESKTOP_AND_ES, ReadOnly, FragCoord),
     row("gl_PrimitiveID", Int, Fragment, GPU_SHADER4, ReadOnly, PrimitiveId),
-    row("gl_FrontFacing", Bool, Fragment, ALL, ReadOnly, FrontFacing),
+    row("gl_FrontFacing", Bool, Fragment, DESKTOP_AND_ES, ReadOnly, FrontFacing),
     row("gl_PointCoord", Vec(2), Fragment, V120.and_es(), ReadOnly, PointCoord),
-    row("gl_FragColor", Vec(4), Fragment, ALL, ReadWrite, FragColor),
-    row("gl_FragData", Vec4Array(MAX_DRAW_BUFFERS), Fragment, ALL, ReadWrite, FragData),
-    row("gl_FragDepth", Vec(1), Fragment, V110, ReadWrite, FragDepth),
+    row("gl_FragColor", Vec(4), Fragment, DESKTOP_AND_ES, ReadWrite, FragColor),
+    row("gl_FragData", Vec4Array(MAX_DRAW_BUFFERS), Fragment, DESKTOP_AND_ES, ReadWrite, FragData),
+    row("gl_FragDepth", Vec(1), Fragment, DESKTOP, ReadWrite, FragDepth),
     row("gl_FragStencilRefARB", Int, Fragment, STENCIL_EXPORT, ReadWrite, FragStencilRef),
     // State of the context (GLSL 1.30 section 7.4)
     state("gl_ModelViewMatrix", Mat(4), Matrix(ModelView, Plain)),
@@ -248,20 +248,24 @@ pub static VARIABLES: [VariableRow; 97] = [
         StructArray(&LIGHT_PRODUCT, MAX_LIGHTS),
         StateArray::LightProduct(Back),
     ),
-    row("gl_DepthRange", Struct(&DEPTH_RANGE), Any, ALL, ReadOnly, State(DepthRange)),
+    row("gl_DepthRange", Struct(&DEPTH_RANGE), Any, DESKTOP_AND_ES, ReadOnly, State(DepthRange)),
     // Implementation limits
     limit("gl_MaxLights", MAX_LIGHTS as i32, COMPATIBILITY),
     limit("gl_MaxClipPlanes", MAX_CLIP_PLANES as i32, COMPATIBILITY),
     limit("gl_MaxTextureUnits", MAX_TEXTURE_UNITS as i32, COMPATIBILITY),
     limit("gl_MaxTextureCoords", MAX_TEXTURE_UNITS as i32, COMPATIBILITY),
-    limit("gl_MaxVertexAttribs", MAX_VERTEX_ATTRIBS as i32, ALL),
-    limit("gl_MaxVertexUniformComponents", MAX_UNIFORM_COMPONENTS, V110),
-    limit("gl_MaxVaryingFloats", MAX_VARYING_FLOATS as i32, V110),
-    limit("gl_MaxVertexTextureImageUnits", MAX_TEXTURE_IMAGE_UNITS as i32, ALL),
-    limit("gl_MaxCombinedTextureImageUnits", MAX_COMBINED_TEXTURE_IMAGE_UNITS as i32, ALL),
-    limit("gl_MaxTextureImageUnits", MAX_TEXTURE_IMAGE_UNITS as i32, ALL),
-    limit("gl_MaxFragmentUniformComponents", MAX_UNIFORM_COMPONENTS, V110),
-    limit("gl_MaxDrawBuffers", MAX_DRAW_BUFFERS as i32, ALL),
+    limit("gl_MaxVertexAttribs", MAX_VERTEX_ATTRIBS as i32, DESKTOP_AND_ES),
+    limit("gl_MaxVertexUniformComponents", MAX_UNIFORM_COMPONENTS, DESKTOP),
+    limit("gl_MaxVaryingFloats", MAX_VARYING_FLOATS as i32, DESKTOP),
+    limit("gl_MaxVertexTextureImageUnits", MAX_TEXTURE_IMAGE_UNITS as i32, DESKTOP_AND_ES),
+    limit(
+        "gl_MaxCombinedTextureImageUnits",
+        MAX_COMBINED_TEXTURE_IMAGE_UNITS as i32,
+        DESKTOP_AND_ES,
+    ),
+    limit("gl_MaxTextureImageUnits", MAX_TEXTURE_IMAGE_UNITS as i32, DESKTOP_AND_ES),
+    limit("gl_MaxFragmentUniformComponents", MAX_UNIFORM_COMPONENTS, DESKTOP),
+    limit("gl_MaxDrawBuffers", MAX_DRAW_BUFFERS as i32, DESKTOP_AND_ES),
     limit("gl_MaxVaryingComponents", MAX_VARYING_FLOATS as i32, V130),
     limit("gl_MaxClipDistances", MAX_CLIP_DISTANCES as i32, V130),
     limit("gl_MaxVertexUniformVectors", MAX_UNIFORM_COMPONENTS / 4, ES),

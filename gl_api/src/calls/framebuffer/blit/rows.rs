@@ -1,6 +1,7 @@
 //! The conversion of a row of texels of a blit to the format of the destination.
 
 use crate::calls::framebuffer::read::Pixels;
+use crate::draw::completeness::Aspect;
 use crate::pixel::convert::Conversion;
 use crate::pixel::texel;
 use rasterizer::driver::{DepthWrite, SrgbWrite};
@@ -12,14 +13,6 @@ use texunit::sampler::Filter;
 
 /// R, G, B and A of a row of texels.
 type Colors = Vec<[f64; 4]>;
-
-/// What of a texel is copied.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Aspect {
-    Color,
-    Depth,
-    Stencil,
-}
 
 /// How a row of texels is converted.
 pub(crate) enum RowConversion<'a> {

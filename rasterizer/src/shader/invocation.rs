@@ -1,13 +1,13 @@
-//! What one run of a program is given, and how it can fail.
+//! One invocation of a program over 64 lanes: its arguments and its error.
 
 use super::program::{Prepared, Program};
 use std::sync::Arc;
 use texunit::lanes::Isa;
 use texunit::plan::SamplePlan;
 
-/// What one run needs besides the registers.
+/// The arguments of one invocation of a program, besides the registers.
 #[derive(Clone, Copy)]
-pub struct Run<'a> {
+pub struct Invocation<'a> {
     /// The instruction set.
     pub isa: Isa,
     /// The program that [`crate::shader::Machine::begin`] was given.
@@ -23,6 +23,6 @@ pub struct Run<'a> {
     pub budget: u64,
 }
 
-/// A run that would not end within its budget.
+/// The error of an invocation that exceeds its budget.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct OverBudget;

@@ -1,6 +1,6 @@
-//! A run: up to four blocks that are shaded together, each with a register file of its own.
+//! A block group: up to four blocks that are shaded together, each with a register file of its own.
 //!
-//! Inputs, each straight part of the program, and colours are computed for all blocks of a run, one block after the
+//! Inputs, each straight part of the program, and colours are computed for all blocks of a group, one block after the
 //! other. Dispatch of instructions is shared, and the instructions of one block fill the latencies of another.
 
 use super::batch::{BlockOf, EarlyTests};
@@ -10,7 +10,7 @@ use crate::shader::MAX_REGISTER_FILES;
 
 /// Blocks of shapes of one draw, whose early tests are done. No pixel is in two of them.
 #[derive(Debug, Default)]
-pub struct BlockRun {
+pub struct BlockGroup {
     /// The planes of the first block, then those of the next.
     planes: Vec<[f32; 3]>,
     blocks: [BlockLanes; MAX_REGISTER_FILES],
@@ -46,7 +46,7 @@ struct BlockLanes {
     lanes: u64,
 }
 
-impl BlockRun {
+impl BlockGroup {
     /// How many blocks there are.
     pub fn len(&self) -> usize {
         self.len
@@ -111,8 +111,8 @@ impl BlockRun {
         self.len = 0;
     }
 
-    /// Adds a block of a shape, of which these lanes are left. There may be
-    /// [`MAX_REGISTER_FILES`] of them. `uniform` says what is uniform over the shape.
+    /// Adds a block of a shape with the lanes that passed the early tests, at most [`MAX_REGISTER_FILES`] blocks.
+    /// `uniform` says what is uniform over the shape.
     #[inline]
     pub fn push(
         &mut self,
