@@ -87,7 +87,10 @@ pub(crate) fn draw(
     raster.multisample = multisample_state(context, SampleRule::Each);
     let desc = pipeline_desc(context, &pass, topology, vertex, fragment);
     warnings::state::check(context, &pass, &desc, &reads, (&vertices, elements));
-    emit(context, PreparedDraw { pass, desc, raster, viewport, reads }, vertices, elements)
+    let unset = warnings::inputs::unset_attributes(context, topology, &vertices);
+    emit(context, PreparedDraw { pass, desc, raster, viewport, reads }, vertices, elements)?;
+    warnings::inputs::without_arrays(context, unset);
+    Ok(())
 }
 
 /// Records the draw of rectangles of pixels: four vertices of each in clip coordinates of the whole

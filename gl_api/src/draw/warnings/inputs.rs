@@ -3,6 +3,7 @@
 
 use crate::base::types::GLuint;
 use crate::context::Context;
+use crate::context::recorder::elements::bit;
 use crate::context::warnings::DrawWarning;
 use crate::generate::fixed::fragment::FragmentKey;
 use crate::interface::{ATTRIB_TEX_COORD, MAX_VERTEX_ATTRIBS};
@@ -24,35 +25,50 @@ fn constant(vertices: &[VertexBinding], location: u8) -> Option<[f32; 4]> {
     }
 }
 
-/// Checks the attributes of the program in use, and how it was linked.
-pub(crate) fn program(context: &mut Context, topology: Topology, vertices: &[VertexBinding]) {
+/// Checks how the program in use was linked.
+pub(crate) fn link(context: &mut Context) {
     let name = context.state.bindings.program.name();
-    if name == 0 {
-        return;
-    }
     if let Some(ShaderOrProgram::Program(program)) = context.objects.shared.programs.get(name)
         && program.link == LinkStatus::Failed
     {
         not_linked(context, name);
     }
+}
+
+/// The attributes of the program in use that have neither an array nor a value of the client, bit by location.
+pub(crate) fn unset_attributes(
+    context: &Context,
+    topology: Topology,
+    vertices: &[VertexBinding],
+) -> u64 {
+    let name = context.state.bindings.program.name();
     // Without any array, `arrays::none` warns.
     let is_array = |binding: &VertexBinding| matches!(binding.source, VertexSource::Array { .. });
-    if topology == Topology::Points || !vertices.iter().any(is_array) {
+    if name == 0 || topology == Topology::Points || !vertices.iter().any(is_array) {
+        return 0;
+    }
+    let Some(linked) = context.objects.shared.linked_program(name) else { return 0 };
+    let locations = linked.program.attributes.iter().map(|attribute| attribute.location);
+    let is_unset = |location: &u8| {
+        (*location < MAX_VERTEX_ATTRIBS
+            || (ATTRIB_TEX_COORD..ATTRIB_TEX_COORD + 8).contains(location))
+            && context.attributes_set >> location & 1 == 0
+            && constant(vertices, *location) == Some(INITIAL)
+    };
+    locations.filter(is_unset).fold(0, |all, location| all | bit(location))
+}
+
+/// Warns of the first of `unset` ([`unset_attributes`]) that the pipeline last emitted reads: an attribute without an
+/// influence on the picture needs no value.
+pub(crate) fn without_arrays(context: &mut Context, unset: u64) {
+    let read = unset & context.recorder.emitted.attributes;
+    if read == 0 {
         return;
     }
-    let Some(linked) = context.objects.shared.linked_program(name) else { return };
-    let never_set = context.attributes_set;
-    let missing = linked.program.attributes.iter().position(|attribute| {
-        let generic = attribute.location < MAX_VERTEX_ATTRIBS;
-        (generic || (ATTRIB_TEX_COORD..ATTRIB_TEX_COORD + 8).contains(&attribute.location))
-            && never_set >> attribute.location & 1 == 0
-            && constant(vertices, attribute.location) == Some(INITIAL)
-    });
-    if let Some(missing) = missing {
-        let location = linked.program.attributes[missing].location;
-        if context.is_first_warning(DrawWarning::MissingArray, name << 6 | u32::from(location)) {
-            without_array(context, name, missing);
-        }
+    let name = context.state.bindings.program.name();
+    let location = read.trailing_zeros();
+    if context.is_first_warning(DrawWarning::MissingArray, name << 6 | location) {
+        without_array(context, name, location as u8);
     }
 }
 
@@ -69,12 +85,13 @@ fn not_linked(context: &mut Context, name: GLuint) {
 
 #[cold]
 #[inline(never)]
-fn without_array(context: &mut Context, name: GLuint, missing: usize) {
+fn without_array(context: &mut Context, name: GLuint, location: u8) {
     let linked = context.objects.shared.linked_program(name);
-    let Some(attribute) = linked.and_then(|linked| linked.program.attributes.get(missing)) else {
+    let mut attributes = linked.iter().flat_map(|linked| &linked.program.attributes);
+    let Some(attribute) = attributes.find(|attribute| attribute.location == location) else {
         return;
     };
-    let (attribute, location) = (attribute.name.clone(), attribute.location);
+    let attribute = attribute.name.clone();
     let fix = match CLIENT_ARRAY.rows.iter().find(|row| row.1 == location) {
         Some((array, _)) => {
             format!("glEnableClientState({})", crate::base::constants::enum_name(*array))

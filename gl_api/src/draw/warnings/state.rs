@@ -64,7 +64,7 @@ pub(crate) fn check(
     colors(context, pass, desc);
     depth::check(context, desc);
     rejected::stencil(context, desc);
-    inputs::program(context, desc.topology, vertices);
+    inputs::link(context);
     let color = reads.keys.as_ref().and_then(|keys| ConstantColor::new(context, vertices, keys));
     rejected::alpha(context, color.as_ref());
     if let Some(color) = &color {
