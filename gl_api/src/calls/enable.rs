@@ -51,6 +51,10 @@ fn is_already(context: &Context, capability: Capability, to: Switch) -> bool {
 fn switch(context: &mut Context, cap: GLenum, to: Switch) -> Result<()> {
     let on = to == Switch::On;
     let capability = capability(cap)?;
+    if let Capability::Texture(_) = capability {
+        let active = u32::from(context.state.units.active);
+        context.units_switched |= 1u8.checked_shl(active).unwrap_or(0);
+    }
     if is_already(context, capability, to) {
         context.state_changes.no_change();
         return Ok(());

@@ -123,6 +123,8 @@ pub struct Context {
     given_warnings: warnings::GivenWarnings,
     /// The attributes that were set outside of `glBegin` and `glEnd`, bit by location, for warnings.
     pub(crate) attributes_set: u64,
+    /// The units whose targets were enabled or disabled by the client at any time, bit by unit, for warnings.
+    pub(crate) units_switched: u8,
     /// The vertices since `glBegin`; `None` outside of `glBegin` and `glEnd`.
     pub(crate) immediate: Option<Immediate>,
     /// Primitives after `glEnd`, and bitmaps, that wait to be batched with more.
@@ -204,6 +206,7 @@ impl Context {
             debug: debug::Debug::from_env(device.desc()),
             given_warnings: warnings::GivenWarnings::default(),
             attributes_set: 0,
+            units_switched: 0,
             immediate: None,
             pending: None,
             recorder: Recorder::new(device),

@@ -505,7 +505,7 @@ pub const ROWS: &[Case] = &[
         "texturing with the default texture is off",
         |c| texture(c, 0, GL_RGBA),
         triangle,
-        "draw: texture 0 is bound to GL_TEXTURE_2D of unit 0, but texturing is off",
+        "draw: texture 0 is bound to GL_TEXTURE_2D of unit 0, which is given texture coordinates, but it is off",
     ),
     (
         "the second unit is off",

@@ -220,8 +220,8 @@ fn maybe_loop(
     }
 }
 
-/// Warns of textures that are bound while no unit is enabled and no program is in use. It is checked
-/// again only when the units have changed.
+/// Warns of textures that are bound while no unit is enabled and no program is in use, unless the client switched the
+/// unit itself. It is checked again only when the units have changed.
 pub(crate) fn nothing_enabled(context: &mut Context) {
     if context.state.bindings.program.name() != 0 || has_fragment_program(context) {
         return;
@@ -234,8 +234,12 @@ pub(crate) fn nothing_enabled(context: &mut Context) {
     if units.iter().any(|unit| unit.enabled.contains(&true)) {
         return;
     }
+    let is_known =
+        |number: u8| number < MAX_TEXTURE_UNITS && context.units_switched >> number & 1 == 1;
     let bound = units.iter().zip(0..MAX_COMBINED_TEXTURE_IMAGE_UNITS).find_map(|(unit, number)| {
-        set_up(context, unit).map(|(target, name)| (number, target, name))
+        // The default texture may be set up for later draws: `unit_off` looks at the coordinates, too.
+        let found = set_up(context, unit).filter(|(_, name)| *name != 0 && !is_known(number));
+        found.map(|(target, name)| (number, target, name))
     });
     if let Some((unit, target, name)) = bound {
         let target = target_name(target);
@@ -263,22 +267,21 @@ fn set_up(context: &Context, unit: &Unit) -> Option<(TextureTarget, GLuint)> {
     })
 }
 
-/// Checks the units that are not enabled beside others that are: one that has a texture and is given coordinates was
-/// forgotten, perhaps.
+/// Checks the units that are not enabled: one that has a texture, is given coordinates and was never switched on or off by
+/// the client was forgotten, perhaps.
 pub(crate) fn unit_off(context: &mut Context, vertices: &[VertexBinding], fragment: &FragmentKey) {
-    if fragment.units.is_empty() {
-        return;
-    }
     let given = |unit: u8| {
         vertices.iter().any(|binding| {
             binding.location == ATTRIB_TEX_COORD + unit
                 && matches!(binding.source, VertexSource::Array { .. })
         })
     };
-    let enabled = context.recorder.unit_summary.enabled;
-    let off = (0..MAX_TEXTURE_UNITS).find(|&unit| enabled >> unit & 1 == 0 && given(unit));
+    let known = context.recorder.unit_summary.enabled | context.units_switched;
+    let off = (0..MAX_TEXTURE_UNITS).find(|&unit| known >> unit & 1 == 0 && given(unit));
     let Some(unit) = off else { return };
+    // Of bound textures where no unit is enabled, `nothing_enabled` warns.
     if let Some((target, name)) = set_up(context, &context.state.units.units[usize::from(unit)])
+        && (name == 0 || !fragment.units.is_empty())
         && context.is_first_warning(DrawWarning::UnitOff, unit.into())
     {
         let target = target_name(target);
