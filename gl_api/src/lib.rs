@@ -64,7 +64,8 @@ pub use base::constants::*;
 pub use base::types::*;
 pub use base::{constants, error, types};
 pub use context::{
-    Context, ContextDesc, ContextError, GLDEBUGPROC, Message, Severity, SurfaceColor, SurfaceDesc,
+    Context, ContextDesc, ContextError, GLDEBUGPROC, Message, ResetNotification, Severity,
+    SurfaceColor, SurfaceDesc,
 };
 pub use entry::*;
 pub use glsl::interface;

@@ -64,7 +64,7 @@ fn picture(c: &mut Context, size: u32) -> Vec<u8> {
 }
 
 const VERTEX: &str = "void main() { gl_Position = gl_Vertex; }";
-const STOPPED: &str = "so long that its draw was left out";
+const STOPPED: &str = "so long that the rest of its draw was left out";
 
 const ENDLESS: [(&str, &str); 9] = [
     ("empty", "void main() { while (true) ; gl_FragColor = vec4(1.0); }"),
@@ -222,4 +222,37 @@ fn a_context_has_its_own_budget() {
         assert_eq!(white, is_drawn);
         assert_eq!(c.messages().is_empty(), is_drawn);
     }
+}
+
+#[test]
+fn a_context_that_asks_for_notifications_is_told_once_of_a_stopped_draw() {
+    let desc = ContextDesc {
+        width: 16,
+        height: 16,
+        draw_budget: Some(1000),
+        reset_notification: ResetNotification::LoseContextOnReset,
+        ..ContextDesc::default()
+    };
+    let mut other = Context::new(ContextDesc { draw_budget: Some(1000), ..ContextDesc::default() })
+        .expect("a context");
+    let mut c = Context::new(desc).expect("a context");
+    let (mut strategy, mut is_robust) = ([0], [0]);
+    c.get_integerv(GL_RESET_NOTIFICATION_STRATEGY, &mut strategy);
+    c.get_integerv(GL_CONTEXT_ROBUST_ACCESS, &mut is_robust);
+    assert_eq!((strategy[0] as GLenum, is_robust), (GL_LOSE_CONTEXT_ON_RESET, [1]));
+    other.get_integerv(GL_RESET_NOTIFICATION_STRATEGY, &mut strategy);
+    assert_eq!(strategy[0] as GLenum, GL_NO_RESET_NOTIFICATION);
+    assert_eq!(c.get_graphics_reset_status(), GL_NO_ERROR);
+    for (context, told) in [(&mut c, GL_GUILTY_CONTEXT_RESET), (&mut other, GL_NO_ERROR)] {
+        use_shaders(context, VERTEX, ENDLESS[0].1);
+        draw(context);
+        assert_eq!(context.get_graphics_reset_status(), told);
+        assert_eq!(context.get_graphics_reset_status(), GL_NO_ERROR);
+    }
+    // It can be used further.
+    c.use_program(0);
+    c.color_3f(1.0, 0.0, 0.0);
+    draw(&mut c);
+    assert_eq!(picture(&mut c, 16)[..4], [255, 0, 0, 255]);
+    assert_eq!((c.get_graphics_reset_status(), c.get_error()), (GL_NO_ERROR, GL_NO_ERROR));
 }

@@ -31,6 +31,7 @@ pub(crate) mod parameter_forms;
 pub(crate) mod pixels;
 pub(crate) mod program;
 pub(crate) mod raster;
+pub(crate) mod robustness;
 pub(crate) mod sync;
 pub(crate) mod texture;
 pub(crate) mod transform;

@@ -10,6 +10,7 @@ pub(crate) mod mirror;
 pub(crate) mod pending_bitmaps;
 pub(crate) mod pending_primitives;
 pub(crate) mod recorder;
+pub(crate) mod reset;
 pub(crate) mod sharing;
 mod state_changes;
 mod surface;
@@ -40,6 +41,8 @@ pub use debug::{Message, Severity};
 pub use log::GLDEBUGPROC;
 use mirror::Mirror;
 use rasterizer::driver::{Device, DeviceDesc, DeviceError};
+pub use reset::ResetNotification;
+use reset::Resets;
 use state_changes::StateChanges;
 use std::sync::{Arc, OnceLock};
 pub use surface::{SurfaceColor, SurfaceDesc};
@@ -65,6 +68,8 @@ pub struct ContextDesc {
     pub surface: SurfaceDesc,
     /// How long the shaders of a draw may run ([`DeviceDesc::budget`]); `None` is the budget of the device.
     pub draw_budget: Option<u64>,
+    /// What is reported of draws that exceed it.
+    pub reset_notification: ResetNotification,
 }
 
 impl Default for ContextDesc {
@@ -72,7 +77,16 @@ impl Default for ContextDesc {
         let surface = SurfaceDesc::default();
         let (fix_its, strictness) = (FixIts::Suggest, Strictness::Lenient);
         let (device, draw_budget) = (None, None);
-        Self { width: 512, height: 512, fix_its, strictness, device, surface, draw_budget }
+        Self {
+            width: 512,
+            height: 512,
+            fix_its,
+            strictness,
+            device,
+            surface,
+            draw_budget,
+            reset_notification: ResetNotification::Never,
+        }
     }
 }
 
@@ -119,6 +133,7 @@ pub struct Context {
     /// What the default framebuffer is read from, if not from `window`.
     pub(crate) read_window: Option<Window>,
     pub(crate) debug: debug::Debug,
+    pub(crate) resets: Resets,
     /// The draw warnings that were given.
     given_warnings: warnings::GivenWarnings,
     /// The attributes that were set outside of `glBegin` and `glEnd`, bit by location, for warnings.
@@ -166,10 +181,12 @@ impl Context {
     /// When the size is out of range or the device cannot be made.
     pub fn new(desc: ContextDesc) -> Result<Self, ContextError> {
         let _float_env = FloatEnv::enter();
-        let (compiler, draw_budget) = (desc.compiler(), desc.draw_budget);
+        let (compiler, draw_budget, resets) =
+            (desc.compiler(), desc.draw_budget, Resets::new(desc.reset_notification));
         let (device, window) = Self::parts(desc)?;
         let mut context = Self::assemble(device, window, compiler, ShareGroup::default());
         context.recorder.draw_budget = draw_budget;
+        context.resets = resets;
         Ok(context)
     }
 
@@ -204,6 +221,7 @@ impl Context {
             window,
             read_window: None,
             debug: debug::Debug::from_env(device.desc()),
+            resets: Resets::new(ResetNotification::Never),
             given_warnings: warnings::GivenWarnings::default(),
             attributes_set: 0,
             units_switched: 0,
@@ -234,7 +252,8 @@ impl Context {
         shared: Option<ShareHandle>,
     ) -> Result<Box<Self>, ContextError> {
         let _float_env = FloatEnv::enter();
-        let (compiler, draw_budget) = (desc.compiler(), desc.draw_budget);
+        let (compiler, draw_budget, resets) =
+            (desc.compiler(), desc.draw_budget, Resets::new(desc.reset_notification));
         let (group, device) = match shared {
             Some(ShareHandle { group, device }) => (group.join(), Some(device)),
             None => (ShareGroup::default(), None),
@@ -242,6 +261,7 @@ impl Context {
         let (device, window) = Self::parts(ContextDesc { device: desc.device.or(device), ..desc })?;
         let mut context = Box::new(Self::assemble(device, window, compiler, group));
         context.recorder.draw_budget = draw_budget;
+        context.resets = resets;
         Ok(context)
     }
 

@@ -2,6 +2,7 @@
 //! of its attachments draws reach.
 
 use crate::context::Context;
+use crate::context::reset::ResetNotification;
 use crate::context::window::Region;
 use crate::draw::pending_primitives::draw_pending;
 use crate::state::enable::Flag;
@@ -82,10 +83,7 @@ fn execute(context: &mut Context) {
         Ok(report) => {
             context.recorder.visibility.add(report.visibility);
             if !report.over_budget.is_empty() {
-                context.debug.warn_unasked(
-                    "a shader ran so long that its draw was left out: look for a loop that does \
-                     not end, or raise DETGL_DRAW_BUDGET",
-                );
+                stopped(context);
             }
         }
         Err(error) => context.debug.warn(format!("the driver refused recorded draws: {error}")),
@@ -94,6 +92,19 @@ fn execute(context: &mut Context) {
     context.objects.images_changed(|image| written.iter().any(|other| other.is_same_image(image)));
     // Last: a context that waited finds the textures noted as changed.
     context.recorder.fences.signal();
+}
+
+/// Reports that a draw was stopped.
+#[cold]
+#[inline(never)]
+fn stopped(context: &mut Context) {
+    const STOPPED: &str = "a shader ran so long that the rest of its draw was left out: look for a loop that does \
+                           not end, or raise DETGL_DRAW_BUDGET";
+    context.resets.draw_was_stopped();
+    match context.resets.notification {
+        ResetNotification::Never => context.debug.warn_unasked(STOPPED),
+        ResetNotification::LoseContextOnReset => context.debug.warn(STOPPED.to_owned()),
+    }
 }
 
 /// The pixels that fragments reach: the attachments' area within the scissor rectangle.

@@ -182,6 +182,7 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     "GL_ARB_texture_buffer_range",
     "GL_ARB_texture_storage_multisample",
     "GL_KHR_debug",
+    "GL_KHR_robustness",
     // 2013
     "GL_ARB_texture_mirror_clamp_to_edge",
     // 2014

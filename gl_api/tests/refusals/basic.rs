@@ -175,6 +175,19 @@ const CASES: &[Case] = &[
         GL_INVALID_OPERATION,
         "format = GL_COLOR_INDEX",
     ),
+    (
+        |c| {
+            let out = DataOut::Bytes(&mut [0; 8]);
+            c.readn_pixels(0, 0, 2, 1, GL_RGBA, GL_UNSIGNED_BYTE, 7, out);
+        },
+        GL_INVALID_OPERATION,
+        "bufSize = 7, but 8 bytes are needed",
+    ),
+    (
+        |c| c.readn_pixels(0, 0, -2, 1, GL_RGBA, GL_UNSIGNED_BYTE, 8, DataOut::Null),
+        GL_INVALID_VALUE,
+        "width = -2",
+    ),
     // Transformation.
     (|c| c.matrix_mode(GL_FRONT), GL_INVALID_ENUM, "GL_MODELVIEW"),
     (|c| c.pop_matrix(), GL_STACK_UNDERFLOW, "cannot be popped"),

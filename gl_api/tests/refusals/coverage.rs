@@ -12,6 +12,7 @@ const CANNOT_FAIL: &[(&str, &[&str])] = &[
             "glFinish",
             "glFlush",
             "glGetError",
+            "glGetGraphicsResetStatus",
             "glInitNames",
             "glLoadIdentity",
             "glReleaseShaderCompiler",

@@ -134,6 +134,34 @@ const CASES: &[Case] = &[
     (|c| c.get_uniformfv(P, -1, &mut [0.0]), OPERATION, "location = -1"),
     (|c| c.get_uniformiv(P, 999, &mut [0]), OPERATION, "location = 999"),
     (|c| c.get_uniformuiv(P, -2, &mut [0]), OPERATION, "location = -2"),
+    (|c| c.getn_uniformfv(99, 0, 4, &mut [0.0]), VALUE, "program = 99"),
+    (|c| c.getn_uniformfv(P, -1, 4, &mut [0.0]), OPERATION, "location = -1"),
+    (|c| c.getn_uniformiv(P, 999, 4, &mut [0]), OPERATION, "location = 999"),
+    (|c| c.getn_uniformuiv(P, -2, 4, &mut [0]), OPERATION, "location = -2"),
+    (
+        |c| {
+            let l = at(c, "f");
+            c.getn_uniformfv(P, l, 3, &mut [0.0]);
+        },
+        OPERATION,
+        "bufSize = 3, but 4 bytes are needed",
+    ),
+    (
+        |c| {
+            let l = at(c, "f");
+            c.getn_uniformiv(P, l, -1, &mut [0]);
+        },
+        OPERATION,
+        "bufSize = -1, but 4 bytes are needed",
+    ),
+    (
+        |c| {
+            let l = at(c, "f");
+            c.getn_uniformuiv(P, l, 0, &mut [0]);
+        },
+        OPERATION,
+        "bufSize = 0, but 4 bytes are needed",
+    ),
     // Uniforms: types, sizes, counts, locations.
     (
         |c| {

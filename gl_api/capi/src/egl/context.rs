@@ -6,8 +6,8 @@ use super::error::{Code, Result, fail, name_of};
 use super::raw::{Attrib, Handle, Id, Int, handle, put};
 use super::registry::{ContextEntry, Holder, Registry, registry};
 use super::thread::{Api, thread};
-use gl_api::ContextDesc;
 use gl_api::host::{self, DebugOutput, ShareHandle, limits};
+use gl_api::{ContextDesc, ResetNotification};
 
 impl Registry {
     /// Removes a context, now or when it is current no more.
@@ -32,9 +32,16 @@ fn is_version(major: Attrib, minor: Attrib) -> bool {
     }
 }
 
-/// Checks that the attributes ask for no more than there is. The log of messages is on at first in
-/// debug contexts (`KHR_debug`, section 5.5).
-fn check(attributes: &[(Int, Attrib)]) -> Result<DebugOutput> {
+/// What the attributes ask for.
+struct Asked {
+    /// The log of messages is on at first in debug contexts (`KHR_debug`, section 5.5).
+    output: DebugOutput,
+    reset_notification: ResetNotification,
+}
+
+/// Checks that the attributes ask for no more than there is.
+fn check(attributes: &[(Int, Attrib)]) -> Result<Asked> {
+    let mut reset_notification = ResetNotification::Never;
     let (mut major, mut minor, mut flags) = (1, 0, 0);
     let (mut forward, mut debug, mut robust, mut no_error) = (false, false, false, false);
     let mut profile = EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT as Attrib;
@@ -46,14 +53,17 @@ fn check(attributes: &[(Int, Attrib)]) -> Result<DebugOutput> {
             EGL_CONTEXT_FLAGS_KHR => flags = value,
             EGL_CONTEXT_OPENGL_FORWARD_COMPATIBLE => forward = value != 0,
             EGL_CONTEXT_OPENGL_DEBUG => debug = value != 0,
-            // Accesses and errors are always checked, and nothing is ever lost.
+            // Accesses and errors are always checked.
             EGL_CONTEXT_OPENGL_ROBUST_ACCESS | EGL_CONTEXT_OPENGL_ROBUST_ACCESS_EXT => {
                 robust = value != 0;
             }
             EGL_CONTEXT_OPENGL_NO_ERROR_KHR => no_error = value != 0,
             EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY
             | EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY_EXT => match value as Int {
-                EGL_NO_RESET_NOTIFICATION | EGL_LOSE_CONTEXT_ON_RESET => {}
+                EGL_NO_RESET_NOTIFICATION => reset_notification = ResetNotification::Never,
+                EGL_LOSE_CONTEXT_ON_RESET => {
+                    reset_notification = ResetNotification::LoseContextOnReset;
+                }
                 value => {
                     return fail(
                         Code::BadAttribute,
@@ -116,7 +126,8 @@ fn check(attributes: &[(Int, Attrib)]) -> Result<DebugOutput> {
              DetGL has all of it",
         );
     }
-    Ok(if debug { DebugOutput::On } else { DebugOutput::Off })
+    let output = if debug { DebugOutput::On } else { DebugOutput::Off };
+    Ok(Asked { output, reset_notification })
 }
 
 /// What a new context needs to share the objects of another, wherever that is current.
@@ -138,9 +149,9 @@ pub(super) fn create(
             "there is no OpenGL ES: call eglBindAPI(EGL_OPENGL_API) before",
         );
     }
-    let output = check(attributes)?;
+    let Asked { output, reset_notification } = check(attributes)?;
     // The surface comes with eglMakeCurrent.
-    let desc = ContextDesc { width: 1, height: 1, ..ContextDesc::default() };
+    let desc = ContextDesc { width: 1, height: 1, reset_notification, ..ContextDesc::default() };
     let shared = if share.is_null() { None } else { Some(shared_by(display, share)?) };
     let context = match host::new_context(desc, shared, output) {
         Ok(context) => context,

@@ -164,6 +164,14 @@ fn contexts_are_what_was_asked_for_or_refused() {
                 glGetIntegerv(gl_api::GL_CONTEXT_FLAGS, &mut flags);
                 let bit = if logs { gl_api::GL_CONTEXT_FLAG_DEBUG_BIT } else { 0 };
                 assert_eq!(flags as u32, bit, "{what}: of the context, whatever is enabled later");
+                let mut strategy = -1;
+                glGetIntegerv(gl_api::GL_RESET_NOTIFICATION_STRATEGY, &mut strategy);
+                let asked = if what.contains("lose") {
+                    gl_api::GL_LOSE_CONTEXT_ON_RESET
+                } else {
+                    gl_api::GL_NO_RESET_NOTIFICATION
+                };
+                assert_eq!(strategy as u32, asked, "{what}");
                 assert_eq!(eglMakeCurrent(dpy, null_mut(), null_mut(), null_mut()), 1);
             }
         }

@@ -162,7 +162,7 @@ fn check_samples(context: &Context) -> Result<()> {
 }
 
 /// A checked `glReadPixels`; the memory is checked when the pixels are written to it.
-struct ReadPixelsRequest {
+pub(crate) struct ReadPixelsRequest {
     buffer: ReadBuffer,
     region: Region,
     layout: Layout,
@@ -198,9 +198,14 @@ impl ReadPixelsRequest {
         Ok(Self { buffer, region, layout, final_conversion })
     }
 
+    /// The bytes from the first pixel to the end of the last, with the client's row length and alignment.
+    pub fn needed(&self) -> usize {
+        self.layout.needed
+    }
+
     /// # Errors
     /// Where the memory is none, or too short.
-    fn apply(&self, context: &mut Context, pixels: DataOut<'_>) -> Result<()> {
+    pub fn apply(&self, context: &mut Context, pixels: DataOut<'_>) -> Result<()> {
         let &Self {
             buffer: ReadBuffer { ref attachment, format, .. },
             region,
@@ -234,6 +239,22 @@ impl ReadPixelsRequest {
     }
 }
 
+/// Checks the arguments of `glReadPixels`: the lowest left pixel, pixels across and up, and format and type.
+///
+/// # Errors
+/// As `glReadPixels`, but of the memory.
+pub(crate) fn request(
+    context: &Context,
+    [x, y]: [GLint; 2],
+    [width, height]: [GLsizei; 2],
+    (format, ty): (GLenum, GLenum),
+) -> Result<ReadPixelsRequest> {
+    let width = not_negative(SECTION, "width", width.into())?;
+    let height = not_negative(SECTION, "height", height.into())?;
+    let pixel = Pixel::new(format, ty)?;
+    ReadPixelsRequest::new(context, Region::new(x, y, width, height), pixel)
+}
+
 #[expect(clippy::too_many_arguments, reason = "GL's signature")]
 pub(crate) fn read_pixels(
     context: &mut Context,
@@ -245,11 +266,7 @@ pub(crate) fn read_pixels(
     ty: GLenum,
     pixels: DataOut<'_>,
 ) -> Result<()> {
-    let width = not_negative(SECTION, "width", width.into())?;
-    let height = not_negative(SECTION, "height", height.into())?;
-    let pixel = Pixel::new(format, ty)?;
-    let region = Region::new(x, y, width, height);
-    ReadPixelsRequest::new(context, region, pixel)?.apply(context, pixels)
+    request(context, [x, y], [width, height], (format, ty))?.apply(context, pixels)
 }
 
 /// Which row comes first.

@@ -310,6 +310,14 @@ pub(crate) fn words(
     Ok((scalar, linked.words.get(first..first + each).unwrap_or_default().to_vec()))
 }
 
+/// How many values a uniform has.
+///
+/// # Errors
+/// Where the program has no such location, or is not linked.
+pub(crate) fn uniform_words(context: &mut Context, name: GLuint, location: GLint) -> Result<usize> {
+    words(context, name, location).map(|(_, words)| words.len())
+}
+
 pub(crate) fn get_uniformfv(
     context: &mut Context,
     name: GLuint,

@@ -26,6 +26,7 @@ mod programs;
 mod queries;
 mod rasterization;
 mod rectangles;
+mod robustness;
 mod special;
 mod textures;
 mod transform;
@@ -48,6 +49,7 @@ pub use programs::*;
 pub use queries::*;
 pub use rasterization::*;
 pub use rectangles::*;
+pub use robustness::*;
 pub use special::*;
 pub use textures::*;
 pub use transform::*;
@@ -79,6 +81,7 @@ macro_rules! entry_points {
         $crate::entry_points_queries!($apply $($arguments)*);
         $crate::entry_points_rasterization!($apply $($arguments)*);
         $crate::entry_points_rectangles!($apply $($arguments)*);
+        $crate::entry_points_robustness!($apply $($arguments)*);
         $crate::entry_points_special!($apply $($arguments)*);
         $crate::entry_points_textures!($apply $($arguments)*);
         $crate::entry_points_transform!($apply $($arguments)*);
@@ -109,6 +112,7 @@ pub(super) const CHAPTERS: &[&[EntryPoint]] = &[
     queries::ROWS,
     rasterization::ROWS,
     rectangles::ROWS,
+    robustness::ROWS,
     special::ROWS,
     textures::ROWS,
     transform::ROWS,
@@ -136,6 +140,7 @@ pub(super) fn exercises() -> Vec<Exercise> {
         queries::exercises,
         rasterization::exercises,
         rectangles::exercises,
+        robustness::exercises,
         special::exercises,
         textures::exercises,
         transform::exercises,

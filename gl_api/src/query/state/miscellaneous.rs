@@ -56,6 +56,9 @@ pub(super) const ROWS: &[Row] = rows! {
     GL_MAX_DEBUG_MESSAGE_LENGTH: Integer(|_| MAX_LENGTH as i32);
     GL_MAX_DEBUG_GROUP_STACK_DEPTH: Integer(|_| MAX_GROUPS as i32);
     GL_MAX_LABEL_LENGTH: Integer(|_| MAX_LABEL as i32);
+    GL_RESET_NOTIFICATION_STRATEGY: Word(|c| c.resets.notification.encode());
+    // No access of a shader reaches beyond its buffers and textures, whatever was asked for.
+    GL_CONTEXT_ROBUST_ACCESS: Integer(|_| 1);
     GL_CONTEXT_FLAGS: Word(|c| c.debug.context_flags());
 
     GL_COPY_READ_BUFFER: Word(|c| c.state.bindings.copy_read_buffer.name());
