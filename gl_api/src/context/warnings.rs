@@ -36,6 +36,7 @@ pub(crate) enum DrawWarning {
     FailedLink,
     MissingArray,
     NoTexCoord,
+    TexturingOff,
     UnitOff,
     NoList,
     NoUniform,

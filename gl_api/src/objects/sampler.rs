@@ -203,8 +203,10 @@ impl SamplerState {
 /// The values of a call, by its type.
 #[derive(Clone, Debug)]
 pub(crate) struct Values {
-    /// As they are.
-    pub plain: Vec<f64>,
+    /// As they are; zeros behind the last.
+    plain: [f64; 4],
+    /// How many there are, at most four.
+    count: usize,
     /// The first as a fraction: integers are scaled, as those of colours are.
     fraction: f32,
     /// As a colour, if there are four: `glTexParameteriv` scales the whole `i32` range to [-1, 1].
@@ -214,7 +216,8 @@ pub(crate) struct Values {
 impl Values {
     pub fn floats(values: &[GLfloat]) -> Self {
         Self {
-            plain: values.iter().take(4).map(|&value| value.into()).collect(),
+            plain: std::array::from_fn(|at| values.get(at).copied().unwrap_or_default().into()),
+            count: values.len().min(4),
             fraction: values.first().copied().unwrap_or_default(),
             color: values.first_chunk().copied().map(Border::Float),
         }
@@ -229,7 +232,8 @@ impl Values {
     /// Of the `I` calls: a colour is what it is.
     pub fn signed(values: &[GLint]) -> Self {
         Self {
-            plain: values.iter().take(4).map(|&value| value.into()).collect(),
+            plain: std::array::from_fn(|at| values.get(at).copied().unwrap_or_default().into()),
+            count: values.len().min(4),
             fraction: signed_to_unit(values.first().copied().unwrap_or_default()),
             color: values.first_chunk().copied().map(Border::Sint),
         }
@@ -237,7 +241,8 @@ impl Values {
 
     pub fn unsigned(values: &[GLuint]) -> Self {
         Self {
-            plain: values.iter().take(4).map(|&value| value.into()).collect(),
+            plain: std::array::from_fn(|at| values.get(at).copied().unwrap_or_default().into()),
+            count: values.len().min(4),
             fraction: signed_to_unit(values.first().copied().unwrap_or_default().cast_signed()),
             color: values.first_chunk().copied().map(Border::Uint),
         }
@@ -245,15 +250,20 @@ impl Values {
 
     /// The first number.
     pub fn one(&self, section: &'static str, pname: GLenum) -> Result<f64> {
-        match self.plain.first() {
-            Some(&value) => Ok(value),
-            None => self.too_few(section, pname, 1),
+        if self.count == 0 {
+            return self.too_few(section, pname, 1);
         }
+        Ok(self.plain[0])
     }
 
     /// The first number as a fraction; of integers by the signed conversion (GL 2.1, section 3.8.4 and table 2.9).
     pub fn fraction(&self, section: &'static str, pname: GLenum) -> Result<f32> {
         self.one(section, pname).map(|_| self.fraction)
+    }
+
+    /// The numbers as they are; zeros behind the last.
+    pub fn plain(&self) -> [f64; 4] {
+        self.plain
     }
 
     /// All four, as a colour.
@@ -264,10 +274,11 @@ impl Values {
         }
     }
 
+    #[cold]
     fn too_few<T>(&self, section: &'static str, pname: GLenum, needed: usize) -> Result<T> {
         crate::base::error::invalid_operation(
             section,
-            format!("params has {} of {needed} values of {}", self.plain.len(), enum_name(pname)),
+            format!("params has {} of {needed} values of {}", self.count, enum_name(pname)),
         )
     }
 }

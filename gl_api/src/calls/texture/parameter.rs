@@ -201,7 +201,7 @@ fn vector(context: &mut Context, target: GLenum, pname: GLenum, values: &Values)
         Parameter::Swizzles => {
             values.four(SECTION, pname)?;
             let mut swizzle = Swizzle::IDENTITY;
-            for (component, &value) in swizzle.iter_mut().zip(&values.plain) {
+            for (component, &value) in swizzle.iter_mut().zip(&values.plain()) {
                 *component = SWIZZLE.decode("params", symbol(value as f32))?;
             }
             bound_mut(context, target).state.sampler.swizzle = swizzle;

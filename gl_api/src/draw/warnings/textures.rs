@@ -234,14 +234,19 @@ pub(crate) fn nothing_enabled(context: &mut Context) {
     if units.iter().any(|unit| unit.enabled.contains(&true)) {
         return;
     }
-    let is_known =
-        |number: u8| number < MAX_TEXTURE_UNITS && context.units_switched >> number & 1 == 1;
+    let switched = context.units_switched;
     let bound = units.iter().zip(0..MAX_COMBINED_TEXTURE_IMAGE_UNITS).find_map(|(unit, number)| {
+        let is_known = number < MAX_TEXTURE_UNITS && switched >> number & 1 == 1;
+        if is_known || unit.bound.iter().all(|bound| bound.name() == 0) {
+            return None;
+        }
         // The default texture may be set up for later draws: `unit_off` looks at the coordinates, too.
-        let found = set_up(context, unit).filter(|(_, name)| *name != 0 && !is_known(number));
-        found.map(|(target, name)| (number, target, name))
+        set_up(context, unit)
+            .filter(|(_, name)| *name != 0)
+            .map(|(target, name)| (number, target, name))
     });
-    if let Some((unit, target, name)) = bound {
+    let Some((unit, target, name)) = bound else { return };
+    if context.is_first_warning(DrawWarning::TexturingOff, name) {
         let target = target_name(target);
         context.debug.warn(format!(
             "draw: texture {name} is bound to {target} of unit {unit}, but texturing is off: call \
