@@ -55,7 +55,8 @@ pub(crate) enum SampleKernel {
     UniformLevel(TexelClass),
     /// The general kernel, with probes for anisotropic footprints.
     Probes,
-    /// The general kernel, with a row scan for anisotropic footprints.
+    /// The general kernel, with a row scan for anisotropic footprints. Batches of bytes whose footprints are all round, and
+    /// alike, are scanned by the kernel of uniform levels.
     RowScan,
 }
 
