@@ -54,27 +54,51 @@ impl LodRange {
             Mipmap::None => {}
             Mipmap::Nearest => {
                 for lane in 0..LANES {
-                    // ceil(λ + 1/2) - 1 is the nearest level; a tie gives the finer.
-                    let inside = clamp(lambda[lane], 0.0, last as f32);
-                    let whole = to_i32(inside);
-                    let up = if inside - whole as f32 > 0.5 { 1 } else { 0 };
-                    levels[0][lane] = (whole + up) as u32;
+                    levels[0][lane] = nearest_level(lambda[lane], last);
                 }
                 levels[1] = levels[0];
             }
             Mipmap::Linear => {
                 for lane in 0..LANES {
-                    let inside = clamp(lambda[lane], 0.0, last as f32);
-                    let whole = to_i32(inside);
-                    let next = if whole < last { whole + 1 } else { last };
-                    levels[0][lane] = whole as u32;
-                    levels[1][lane] = next as u32;
-                    weight[lane] = inside - whole as f32;
+                    let ([first, second], part) = mixed_levels(lambda[lane], last);
+                    levels[0][lane] = first;
+                    levels[1][lane] = second;
+                    weight[lane] = part;
                 }
             }
         }
         (levels, weight)
     }
+
+    /// [`Self::lambda`] without a bias of the lookup, then [`Self::levels`], of one lane.
+    #[inline(always)]
+    pub fn levels_of(&self, base: f32) -> ([u32; 2], f32) {
+        let bias = clamp(self.bias, -MAX_LOD_BIAS, MAX_LOD_BIAS);
+        let (lambda, last) = (clamp(base + bias, self.min, self.max), self.last as i32);
+        match self.mipmap {
+            Mipmap::None => ([0; 2], 0.0),
+            Mipmap::Nearest => ([nearest_level(lambda, last); 2], 0.0),
+            Mipmap::Linear => mixed_levels(lambda, last),
+        }
+    }
+}
+
+/// `⌈λ + 1/2⌉ - 1`, the nearest level; a tie gives the finer.
+#[inline(always)]
+fn nearest_level(lambda: f32, last: i32) -> u32 {
+    let inside = clamp(lambda, 0.0, last as f32);
+    let whole = to_i32(inside);
+    let up = if inside - whole as f32 > 0.5 { 1 } else { 0 };
+    (whole + up) as u32
+}
+
+/// The two levels around λ, and the weight of the second.
+#[inline(always)]
+fn mixed_levels(lambda: f32, last: i32) -> ([u32; 2], f32) {
+    let inside = clamp(lambda, 0.0, last as f32);
+    let whole = to_i32(inside);
+    let next = if whole < last { whole + 1 } else { last };
+    ([whole as u32, next as u32], inside - whole as f32)
 }
 
 #[cfg(test)]

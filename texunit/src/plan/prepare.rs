@@ -57,7 +57,8 @@ impl Texture {
             swizzle: sampler.swizzle,
             texel_path,
             alpha: if format.base() == BaseFormat::Rgb { Alpha::One } else { Alpha::Stored },
-            is_fusible: kernel == SampleKernel::UniformLevel(TexelClass::Bytes)
+            is_fusible: texel_path == TexelPath::Words(TexelClass::Bytes)
+                && matches!(kernel, SampleKernel::UniformLevel(_) | SampleKernel::RowScan)
                 && matches!(format.base(), BaseFormat::Rgb | BaseFormat::Rgba)
                 && sampler.swizzle == Swizzle::IDENTITY,
             kernel,

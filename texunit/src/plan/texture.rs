@@ -55,7 +55,8 @@ pub(crate) enum SampleKernel {
     UniformLevel(TexelClass),
     /// The general kernel, with probes for anisotropic footprints.
     Probes,
-    /// The general kernel, with a row scan for anisotropic footprints.
+    /// The general kernel, with a row scan for anisotropic footprints. Batches of bytes whose footprints are all round, and
+    /// alike, are scanned by the kernel of uniform levels.
     RowScan,
 }
 
@@ -110,11 +111,13 @@ impl Texture {
                 || (axes > 2 && self.wrap[2].reaches_border(filter)))
     }
 
-    /// Whether the fused lookup applies to every batch whose lanes all read the same levels: no border can be read, and
-    /// nearest texels of two levels are not mixed.
+    /// Whether the fused lookup applies to every batch whose lanes all read the same levels: no border can be read,
+    /// nearest texels of two levels are not mixed, and footprints are not scanned (a fused scan does not cross the edges
+    /// of a level).
     pub fn fused_always_applies(&self) -> bool {
         match &self.level_selection {
             LevelSelection::Fixed { filter, .. } => !self.reaches_border(*filter),
+            LevelSelection::PerLane { anisotropy: Anisotropy::Scan(_), .. } => false,
             LevelSelection::PerLane { min, range, .. } => {
                 let both = *min == Filter::Nearest && range.mipmap == Mipmap::Linear;
                 !both && !self.reaches_border(*min)

@@ -54,8 +54,14 @@ pub fn quad_derivatives(coords: [&F32s; 3], axes: usize) -> [[F32s; 3]; 2] {
 /// ρ² of two axes.
 #[inline(always)]
 pub fn rho_squared(d: &Derivatives<'_>, scale: [f32; 3], lane: usize) -> f32 {
-    let (dudx, dvdx) = (d.dx[0][lane] * scale[0], d.dx[1][lane] * scale[1]);
-    let (dudy, dvdy) = (d.dy[0][lane] * scale[0], d.dy[1][lane] * scale[1]);
+    let u = [d.dx[0][lane] * scale[0], d.dy[0][lane] * scale[0]];
+    let v = [d.dx[1][lane] * scale[1], d.dy[1][lane] * scale[1]];
+    rho_squared_of(u, v)
+}
+
+/// ρ² from the derivatives of u and of v along x and y, in texels.
+#[inline(always)]
+pub fn rho_squared_of([dudx, dudy]: [f32; 2], [dvdx, dvdy]: [f32; 2]) -> f32 {
     max(dudx * dudx + dvdx * dvdx, dudy * dudy + dvdy * dvdy)
 }
 

@@ -71,7 +71,14 @@ impl SamplePlan {
                 // Separate kernels keep the code of each small.
                 match (texture.kernel, lod) {
                     (SampleKernel::UniformLevel(class), _) if offset == [0; 3] => {
-                        sample.run_uniform(isa, class, addresses, (quads, levels));
+                        let scratch = (quads, levels);
+                        sample.run_uniform::<IsotropicAndProbes>(isa, class, addresses, scratch);
+                    }
+                    (SampleKernel::RowScan, Lod::Gradient { bias: None, .. })
+                        if offset == [0; 3] && texture.is_fusible =>
+                    {
+                        let (class, scratch) = (TexelClass::Bytes, (quads, levels));
+                        sample.run_uniform::<RowScans>(isa, class, addresses, scratch);
                     }
                     (SampleKernel::RowScan, Lod::Implicit { .. } | Lod::Gradient { .. }) => {
                         sample.with_footprints::<RowScans>().run_on(isa);
@@ -227,9 +234,10 @@ impl SamplePlan {
 }
 
 impl<'a, F: FootprintSet> SampleCall<'a, NoRecorder, F> {
-    /// Runs the kernel of [`super::uniform`] if it applies, else the general one. Texels are of this class.
+    /// Runs the kernel of [`super::uniform`] if it applies, else the general one for these footprints. Texels are of this
+    /// class.
     #[inline]
-    pub fn run_uniform(
+    pub fn run_uniform<G: FootprintSet>(
         mut self,
         isa: Isa,
         class: TexelClass,
@@ -239,7 +247,9 @@ impl<'a, F: FootprintSet> SampleCall<'a, NoRecorder, F> {
         let sample = &mut self;
         match isa.run_above_baseline(UniformCall { sample, class, addresses, quads, levels }) {
             Ok(Outcome::Sampled) => {}
-            Ok(Outcome::NotUniform) | Err(UniformCall { .. }) => self.run_on(isa),
+            Ok(Outcome::NotUniform) | Err(UniformCall { .. }) => {
+                self.with_footprints::<G>().run_on(isa);
+            }
         }
     }
 

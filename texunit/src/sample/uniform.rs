@@ -45,7 +45,9 @@ impl<F> Kernel for UniformCall<'_, '_, F> {
         if addresses == Addresses::Compute {
             *uniform = select::<S>(texture, sample.coords, sample.lod, weight);
         }
-        let Some(UniformLevels { filter, levels }) = *uniform else { return Outcome::NotUniform };
+        let Some(UniformLevels { filter, levels, scan: _ }) = *uniform else {
+            return Outcome::NotUniform;
+        };
         if texture.is_fusible && filter == Filter::Linear {
             let consumer = fused::WriteLanes(&mut *sample.out);
             let selected = SelectedLevels { levels: *uniform, weight, addresses };

@@ -1,13 +1,15 @@
 //! The levels that a batch reads, where all lanes read the same.
 
 use super::coordinates::Coordinates;
+use super::derivatives::rho_squared_of;
 use super::footprint::IsotropicOnly;
 use super::level_taps;
 use super::level_view::LevelView;
 use super::lookup::Lod;
 use super::recorder::NoRecorder;
-use crate::lanes::{F32s, Simd, U32s};
-use crate::plan::{LevelSelection, Texture};
+use super::row_scan::{self, Across, LaneFootprint};
+use crate::lanes::{F32s, LANES, Simd, U32s, log2_of_root};
+use crate::plan::{Anisotropy, LevelSelection, Texture};
 use crate::sampler::Filter;
 
 /// The filter and the levels that all lanes of a batch read.
@@ -16,9 +18,12 @@ pub struct UniformLevels {
     pub(crate) filter: Filter,
     /// The two levels that are mixed; twice the same where there is one.
     pub(crate) levels: [u32; 2],
+    /// Set where all footprints are round, and scanned.
+    pub(crate) scan: Option<Across>,
 }
 
-/// The levels that all lanes read; `None` where lanes read different ones. `weight` gets the weight of the second level.
+/// The levels that all lanes read; `None` where lanes read different ones, or scan more than a round footprint. `weight`
+/// gets the weight of the second level.
 #[inline(always)]
 pub fn select<S: Simd>(
     texture: &Texture,
@@ -26,25 +31,69 @@ pub fn select<S: Simd>(
     lod: &Lod<'_>,
     weight: &mut F32s,
 ) -> Option<UniformLevels> {
-    match &texture.level_selection {
+    let (min, range, anisotropy) = match &texture.level_selection {
         LevelSelection::Fixed { filter, level, .. } => {
-            Some(UniformLevels { filter: *filter, levels: [*level, *level] })
+            return Some(UniformLevels { filter: *filter, levels: [*level; 2], scan: None });
         }
-        LevelSelection::PerLane { min, range, anisotropy, .. } => {
+        LevelSelection::PerLane { min, range, anisotropy, .. } => (*min, range, *anisotropy),
+    };
+    if let Some([u, v]) = common_derivatives::<S>(texture, lod) {
+        let (base, footprint) = match anisotropy {
+            Anisotropy::Scan(most) => {
+                let most = most as f32;
+                let footprint = LaneFootprint::new(u, v, 1.0 / (most * most));
+                (footprint.lambda, Some(footprint))
+            }
+            Anisotropy::Off | Anisotropy::Probes(_) => (log2_of_root(rho_squared_of(u, v)), None),
+        };
+        let (mut levels, part) = range.levels_of(base);
+        if part > 0.0 {
+            *weight = F32s::splat(part);
+        } else {
+            levels[1] = levels[0];
+        }
+        let mut scan = None;
+        if let Some(of) = footprint {
+            let is_round = |number| row_scan::is_round(&plane_view(texture, min, number), &of);
+            if !levels.into_iter().all(is_round) {
+                return None;
+            }
+            scan = Some(if of.along_t { Across::Rows } else { Across::Columns });
+        }
+        return Some(UniformLevels { filter: min, levels, scan });
+    }
+    match anisotropy {
+        Anisotropy::Scan(_) => None,
+        Anisotropy::Off | Anisotropy::Probes(_) => {
             let (at, recorder) = (Coordinates::in_plane(*coords), &mut NoRecorder);
             let (base, _, bias) = level_taps::base_lambda::<S, IsotropicOnly>(
-                texture,
-                &at,
-                *lod,
-                *anisotropy,
-                recorder,
+                texture, &at, *lod, anisotropy, recorder,
             );
             let each;
             (each, *weight) = range.levels(&range.lambda(&base, bias));
             let levels = level_taps::common_levels::<S>(&each, weight)?;
-            Some(UniformLevels { filter: *min, levels })
+            Some(UniformLevels { filter: min, levels, scan: None })
         }
     }
+}
+
+/// The derivatives of u and of v along x and y in texels, if they are given and the same in all lanes, as those of an
+/// affine map are, and the lookup has no bias of its own: the footprint of one lane is that of all.
+#[inline(always)]
+fn common_derivatives<S: Simd>(texture: &Texture, lod: &Lod<'_>) -> Option<[[f32; 2]; 2]> {
+    let Lod::Gradient { dx, dy, bias: None } = lod else { return None };
+    let mut different = U32s::ZERO;
+    for given in [dx[0], dy[0], dx[1], dy[1]] {
+        let bits = given.as_u32();
+        for lane in 0..LANES {
+            different[lane] |= bits[lane] ^ bits[0];
+        }
+    }
+    if S::any(&different) {
+        return None;
+    }
+    let scale = texture.scale;
+    Some([0, 1].map(|axis| [dx[axis][0] * scale[axis], dy[axis][0] * scale[axis]]))
 }
 
 /// A level of a two-dimensional texture.

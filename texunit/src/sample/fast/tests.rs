@@ -1,5 +1,7 @@
 //! The fast path against the general one.
 
+mod affine;
+
 use super::*;
 use crate::format::Format;
 use crate::image::{Image, Level, Shape};

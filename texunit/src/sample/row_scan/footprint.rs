@@ -43,8 +43,45 @@ pub fn footprint(
     let (mut majors, mut minors) = (F32s::ZERO, F32s::ZERO);
     let share = 1.0 / (most * most);
     for lane in 0..LANES {
-        let (ux, uy) = (d.dx[0][lane] * scale[0], d.dy[0][lane] * scale[0]);
-        let (vx, vy) = (d.dx[1][lane] * scale[1], d.dy[1][lane] * scale[1]);
+        let u = [d.dx[0][lane] * scale[0], d.dy[0][lane] * scale[0]];
+        let v = [d.dx[1][lane] * scale[1], d.dy[1][lane] * scale[1]];
+        let of = LaneFootprint::new(u, v, share);
+        lambda[lane] = of.lambda;
+        scan.along_t[lane] = if of.along_t { !0 } else { 0 };
+        scan.excess[lane] = of.excess;
+        scan.slope[lane] = of.slope;
+        scan.min_weight[lane] = of.min_weight;
+        majors[lane] = of.major;
+        minors[lane] = of.minor;
+    }
+    recorder.record(|lane| SampleStep::Scan {
+        major_squared: majors[lane],
+        minor_squared: minors[lane],
+        along: if scan.along_t[lane] != 0 { 1 } else { 0 },
+        slope: scan.slope[lane],
+        lambda: lambda[lane],
+    });
+    (lambda, scan)
+}
+
+/// The footprint of one lane.
+pub struct LaneFootprint {
+    pub lambda: f32,
+    /// Whether rows are crossed.
+    pub along_t: bool,
+    /// See [`RowScan`].
+    pub excess: f32,
+    pub slope: f32,
+    pub min_weight: i32,
+    /// `σ₁²` and `σ₂²`.
+    major: f32,
+    minor: f32,
+}
+
+impl LaneFootprint {
+    /// From the derivatives along x and y in texels; `share` is `1 / A²`.
+    #[inline(always)]
+    pub fn new([ux, uy]: [f32; 2], [vx, vy]: [f32; 2], share: f32) -> Self {
         let (uu, uv, vv) = (ux * ux + uy * uy, ux * vx + uy * vy, vx * vx + vy * vy);
         let half = 0.5 * (uu + vv);
         let difference = 0.5 * (vv - uu);
@@ -62,20 +99,14 @@ pub fn footprint(
         let squared = width + elongation * (1.0 - 0.5625 * width);
         let slope = if is_long { slope } else { 0.0 };
         let min_weight = 0.4375 * slope * slope * (if width < 1.0 { width } else { 1.0 });
-        lambda[lane] = log2_of_root(if is_long { squared } else { major });
-        scan.along_t[lane] = if difference > 0.0 { !0 } else { 0 };
-        scan.excess[lane] = if is_long { along } else { 0.0 };
-        scan.slope[lane] = slope;
-        scan.min_weight[lane] = to_fixed(min_weight, WEIGHT_ONE);
-        majors[lane] = major;
-        minors[lane] = minor;
+        Self {
+            lambda: log2_of_root(if is_long { squared } else { major }),
+            along_t: difference > 0.0,
+            excess: if is_long { along } else { 0.0 },
+            slope,
+            min_weight: to_fixed(min_weight, WEIGHT_ONE),
+            major,
+            minor,
+        }
     }
-    recorder.record(|lane| SampleStep::Scan {
-        major_squared: majors[lane],
-        minor_squared: minors[lane],
-        along: if scan.along_t[lane] != 0 { 1 } else { 0 },
-        slope: scan.slope[lane],
-        lambda: lambda[lane],
-    });
-    (lambda, scan)
 }

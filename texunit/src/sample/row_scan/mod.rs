@@ -29,7 +29,9 @@
 mod fixed_point;
 mod footprint;
 mod level;
+mod round;
 mod rows;
 
-pub use footprint::{RowScan, footprint};
+pub use footprint::{LaneFootprint, RowScan, footprint};
 pub use level::level;
+pub use round::{Across, RoundQuad, is_round, load_round};
