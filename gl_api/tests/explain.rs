@@ -62,6 +62,7 @@ fn a_draw_that_needs_them_has_them() {
         texture();
         glEnable(GL_DEPTH_TEST);
         glEnable(GL_BLEND);
+        glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
         glEnable(GL_ALPHA_TEST);
         glAlphaFunc(GL_GREATER, 0.5);
         triangle();
@@ -77,6 +78,59 @@ fn a_draw_that_needs_them_has_them() {
     }
     for part in ["left out: blending", "left out: the alpha test", "left out: no depth"] {
         assert!(!plans[0].contains(part), "`{part}` is in\n{}", plans[0]);
+    }
+}
+
+#[test]
+fn state_without_effect_changes_no_plan() {
+    let plan_with = |state: fn()| {
+        plans(|| {
+            texture();
+            state();
+            triangle();
+        })
+    };
+    let plain = plan_with(|| {});
+    let without_effect: [(&str, fn()); 5] = [
+        ("blending with GL_ONE, GL_ZERO", || glEnable(GL_BLEND)),
+        ("the logical operation GL_COPY", || glEnable(GL_COLOR_LOGIC_OP)),
+        ("GL_COPY, which switches blending off", || {
+            glEnable(GL_COLOR_LOGIC_OP);
+            glEnable(GL_BLEND);
+            glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+        }),
+        ("alpha >= 0", || {
+            glEnable(GL_ALPHA_TEST);
+            glAlphaFunc(GL_GEQUAL, 0.0);
+        }),
+        ("alpha <= 1", || {
+            glEnable(GL_ALPHA_TEST);
+            glAlphaFunc(GL_LEQUAL, 1.0);
+        }),
+    ];
+    for (name, state) in without_effect {
+        assert_eq!(plan_with(state), plain, "{name}");
+    }
+    let with_effect: [(&str, fn()); 4] = [
+        ("blending with GL_ONE, GL_ONE", || {
+            glEnable(GL_BLEND);
+            glBlendFunc(GL_ONE, GL_ONE);
+        }),
+        ("the largest of both", || {
+            glEnable(GL_BLEND);
+            glBlendEquation(GL_MAX);
+        }),
+        ("alpha >= 0.01", || {
+            glEnable(GL_ALPHA_TEST);
+            glAlphaFunc(GL_GEQUAL, 0.01);
+        }),
+        ("alpha > 0", || {
+            glEnable(GL_ALPHA_TEST);
+            glAlphaFunc(GL_GREATER, 0.0);
+        }),
+    ];
+    for (name, state) in with_effect {
+        assert_ne!(plan_with(state), plain, "{name}");
     }
 }
 

@@ -2,6 +2,7 @@
 
 use crate::context::Context;
 use crate::draw::completeness::draws_integers;
+use crate::draw::no_effect::passes_all;
 use crate::state::enable::Flag;
 use texunit::sampler::Compare;
 
@@ -9,6 +10,6 @@ use texunit::sampler::Compare;
 /// (`EXT_texture_integer`, section 4.1.4).
 pub(crate) fn alpha_test(context: &Context) -> Option<Compare> {
     let compare = context.state.fragment.alpha_func;
-    let tests = context.state.enables.has(Flag::AlphaTest) && compare != Compare::Always;
+    let tests = context.state.enables.has(Flag::AlphaTest) && !passes_all(context, compare);
     (tests && !draws_integers(context)).then_some(compare)
 }

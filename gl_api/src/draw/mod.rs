@@ -34,6 +34,7 @@ pub(crate) mod feedback;
 pub(crate) mod fixed_function;
 pub(crate) mod material;
 mod mirror;
+pub(crate) mod no_effect;
 pub(crate) mod pass;
 pub(crate) mod pending_bitmaps;
 pub(crate) mod pending_primitives;

@@ -3,6 +3,7 @@
 use crate::base::error::{ErrorCode, GlError, Result};
 use crate::context::Context;
 use crate::draw::completeness::draw_planes;
+use crate::draw::no_effect;
 use crate::state::enable::Flag;
 use crate::state::stencil::Side;
 use rasterizer::driver::{
@@ -58,8 +59,11 @@ pub(crate) fn pipeline_desc(
     // A logical operation switches blending off, also where it does nothing itself (section 4.1.10).
     let logic_op = enables.has(Flag::ColorLogicOp).then_some(state.logic_op);
     let colors = state.buffers.iter().take(pass.colors.len()).map(|buffer| ColorState {
-        blend: (buffer.blend && logic_op.is_none())
-            .then(|| buffer.formula.to_driver(state.blend_color)),
+        blend: if buffer.blend && logic_op.is_none() {
+            no_effect::blend(context, buffer.formula)
+        } else {
+            None
+        },
         mask: buffer.mask,
     });
     let two_side = enables.has(Flag::StencilTestTwoSide);
@@ -67,7 +71,7 @@ pub(crate) fn pipeline_desc(
     let output = OutputState {
         stencil: (enables.has(Flag::StencilTest) && has.stencil)
             .then(|| state.stencil.to_driver(back)),
-        logic_op,
+        logic_op: logic_op.and_then(no_effect::logic_op),
         srgb: srgb_write(context),
     };
     PipelineDesc {

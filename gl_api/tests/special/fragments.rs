@@ -228,3 +228,37 @@ fn interleaved_arrays_have_colours_of_bytes_too() {
         assert_eq!(c.is_enabled(GL_TEXTURE_COORD_ARRAY), tex_coord > 0);
     }
 }
+
+/// Its name, and what sets it.
+type State = (&'static str, fn(&mut Context));
+
+/// State that changes nothing changes no pixel either where the shader's colour is no number or infinite.
+#[test]
+fn tests_and_blending_without_effect_keep_fragments_of_any_colour() {
+    let states: [State; 4] = [
+        ("nothing", |_| {}),
+        ("blending with GL_ONE, GL_ZERO", |c| c.enable(GL_BLEND)),
+        ("the logical operation GL_COPY", |c| c.enable(GL_COLOR_LOGIC_OP)),
+        ("alpha >= 0", |c| {
+            c.enable(GL_ALPHA_TEST);
+            c.alpha_func(GL_GEQUAL, 0.0);
+        }),
+    ];
+    for color in
+        ["0.0 / z, 0.5, 1.0, 0.0 / z", "1.0 / z, -1.0 / z, -0.0, -1.0", "0.3, 0.6, 7.0, 0.25"]
+    {
+        let source = format!("uniform float z; void main() {{ gl_FragColor = vec4({color}); }}");
+        let pictures = states.map(|(_, state)| {
+            let mut c = context(4, 4);
+            clear(&mut c, [9, 80, 200, 77]);
+            use_program(&mut c, "void main() { gl_Position = gl_Vertex; }", &source);
+            state(&mut c);
+            draw(&mut c, GL_QUADS, &ALL);
+            pixel(&mut c, 1, 1)
+        });
+        for (picture, (name, _)) in pictures.iter().zip(states) {
+            assert_eq!(picture, &pictures[0], "{color}: {name}");
+        }
+        assert_ne!(pictures[0], [9, 80, 200, 77], "{color}");
+    }
+}

@@ -1,0 +1,36 @@
+//! State that is enabled and has no effect on a draw. It is left at its default: nothing is done for it, and draws with
+//! and without it share shaders and pipelines.
+
+use crate::base::clamp::Clamp;
+use crate::context::Context;
+use crate::draw::color_clamp::{draws_fractions, of_fragments};
+use crate::state::blend::Formula;
+use rasterizer::driver::{Blend, LogicOp};
+use texunit::sampler::Compare;
+
+/// The blending by a formula, unless it gives the source: `1·s + 0·d`. Buffers of floats and of signed numbers keep it:
+/// zero times infinity is no number, and a sum with zero is no negative zero.
+pub(crate) fn blend(context: &Context, formula: Formula) -> Option<Blend> {
+    let is_off = formula == Formula::REPLACE && draws_fractions(context);
+    (!is_off).then(|| formula.to_driver(context.state.fragment.blend_color))
+}
+
+/// The logical operation, unless it gives the source.
+pub(crate) fn logic_op(op: LogicOp) -> Option<LogicOp> {
+    (op != LogicOp::Copy).then_some(op)
+}
+
+/// Whether an alpha test passes for every fragment. Clamped alpha is a number in [0, 1], also where the shader gave
+/// none (GL 2.1, section 4.1.4; the clamp makes it 0).
+pub(crate) fn passes_all(context: &Context, compare: Compare) -> bool {
+    let reference = context.state.fragment.alpha_ref;
+    let is_clamped = || of_fragments(context) == Clamp::On;
+    match compare {
+        Compare::Always => true,
+        Compare::GreaterEqual => reference <= 0.0 && is_clamped(),
+        Compare::LessEqual => reference >= 1.0 && is_clamped(),
+        Compare::Never | Compare::Less | Compare::Equal | Compare::Greater | Compare::NotEqual => {
+            false
+        }
+    }
+}
