@@ -7,6 +7,7 @@ use super::{
     Access, Block, Expr, Input, Lod, Module, Op, Output, Sample, Stage, Stmt, TRUE, Ty, Value, Var,
 };
 use std::collections::BTreeSet;
+use std::fmt;
 use texunit::image::Shape;
 use thiserror::Error;
 
@@ -130,6 +131,24 @@ struct Enclosing {
     in_scope: bool,
 }
 
+/// What uses a value or a variable, as errors name it.
+#[derive(Clone, Copy)]
+enum User {
+    Value(Value),
+    Store,
+    If,
+}
+
+impl fmt::Display for User {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Value(value) => write!(f, "%{}", value.0),
+            Self::Store => f.write_str("store"),
+            Self::If => f.write_str("if"),
+        }
+    }
+}
+
 struct Body<'a> {
     module: &'a Module,
     /// By value.
@@ -200,16 +219,16 @@ impl Body<'_> {
         match stmt {
             Stmt::Eval(value) => self.eval(*value),
             Stmt::Store { var, value } => {
-                let ty = self.scalar(*var, "store")?;
-                self.operand(*value, ty, "store")
+                let ty = self.scalar(*var, User::Store)?;
+                self.operand(*value, ty, User::Store)
             }
             Stmt::StoreAt { var, index, value } => {
-                let ty = self.array(*var, "store")?;
-                self.index(*index, "store")?;
-                self.operand(*value, ty, "store")
+                let ty = self.array(*var, User::Store)?;
+                self.index(*index, User::Store)?;
+                self.operand(*value, ty, User::Store)
             }
             Stmt::If { condition, accept, reject } => {
-                self.operand(*condition, Ty::Bool, "if")?;
+                self.operand(*condition, Ty::Bool, User::If)?;
                 self.block(accept, around)?;
                 self.block(reject, around)
             }
@@ -249,7 +268,7 @@ impl Body<'_> {
         if state == State::Everywhere {
             return Ok(());
         }
-        let user = format!("%{}", value.0);
+        let user = User::Value(value);
         rule!(state == State::Waiting, "{user} is evaluated twice");
         match expr {
             Expr::Const { .. } | Expr::Input(_) | Expr::Uniform { .. } => {}
@@ -257,23 +276,23 @@ impl Body<'_> {
                 let (end, words) = (u64::from(*base) + u64::from(*len), module.uniform_words);
                 rule!(*len >= 1, "{user}: no uniform words to index");
                 rule!(end <= u64::from(words), "{user}: uniform words up to {end} of {words}");
-                self.index(*index, &user)?;
+                self.index(*index, user)?;
             }
             Expr::Load(var) => {
-                self.scalar(*var, &user)?;
+                self.scalar(*var, user)?;
             }
             Expr::LoadAt { var, index } => {
-                self.array(*var, &user)?;
-                self.index(*index, &user)?;
+                self.array(*var, user)?;
+                self.index(*index, user)?;
             }
-            Expr::Op { op, args } => self.op(*op, args, &user)?,
+            Expr::Op { op, args } => self.op(*op, args, user)?,
             Expr::Derivative { value, .. } => {
                 self.fragment_only("derivative")?;
-                self.operand(*value, Ty::F32, &user)?;
+                self.operand(*value, Ty::F32, user)?;
             }
-            Expr::Sample(sample) => self.sample(sample, &user)?,
+            Expr::Sample(sample) => self.sample(sample, user)?,
             Expr::Component { sample, component } => {
-                self.visible(*sample, &user)?;
+                self.visible(*sample, user)?;
                 let sampled = matches!(module.expr(*sample), Expr::Sample(_));
                 rule!(sampled, "{user}: %{} is not a sample", sample.0);
                 rule!(*component < 4, "{user}: component {component}");
@@ -284,14 +303,14 @@ impl Body<'_> {
         Ok(())
     }
 
-    fn op(&self, op: Op, args: &[Value; 3], user: &str) -> Checked {
+    fn op(&self, op: Op, args: &[Value; 3], user: User) -> Checked {
         for (arg, ty) in args.iter().zip(op.args()) {
             self.operand(*arg, *ty, user)?;
         }
         Ok(())
     }
 
-    fn sample(&self, sample: &Sample, user: &str) -> Checked {
+    fn sample(&self, sample: &Sample, user: User) -> Checked {
         let slot = sample.texture.0;
         let Some(decl) = self.module.textures.get(slot as usize) else {
             return Err(IrError(format!("{user}: there is no texture slot {slot}")));
@@ -357,7 +376,7 @@ impl Body<'_> {
         Ok(())
     }
 
-    fn visible(&self, value: Value, user: &str) -> Checked {
+    fn visible(&self, value: Value, user: User) -> Checked {
         let at = value.0;
         match self.state.get(at as usize) {
             Some(State::Visible | State::Everywhere) => Ok(()),
@@ -371,7 +390,7 @@ impl Body<'_> {
         }
     }
 
-    fn operand(&self, value: Value, ty: Ty, user: &str) -> Checked {
+    fn operand(&self, value: Value, ty: Ty, user: User) -> Checked {
         self.visible(value, user)?;
         let whole_sample = matches!(self.module.expr(value), Expr::Sample(_));
         rule!(!whole_sample, "{user}: %{} is a whole sample, not a component", value.0);
@@ -380,21 +399,21 @@ impl Body<'_> {
         Ok(())
     }
 
-    fn index(&self, value: Value, user: &str) -> Checked {
+    fn index(&self, value: Value, user: User) -> Checked {
         self.visible(value, user)?;
         let ty = self.module.ty(value);
         rule!(matches!(ty, Ty::I32 | Ty::U32), "{user}: the index %{} is {ty:?}", value.0);
         Ok(())
     }
 
-    fn array(&self, var: Var, user: &str) -> Result<Ty, IrError> {
+    fn array(&self, var: Var, user: User) -> Result<Ty, IrError> {
         let variable = self.module.variables.get(var.0 as usize);
         variable
             .map(|variable| variable.ty)
             .ok_or_else(|| IrError(format!("{user}: there is no v{}", var.0)))
     }
 
-    fn scalar(&self, var: Var, user: &str) -> Result<Ty, IrError> {
+    fn scalar(&self, var: Var, user: User) -> Result<Ty, IrError> {
         let ty = self.array(var, user)?;
         rule!(self.module.variable(var).len == 1, "{user}: v{} is an array", var.0);
         Ok(ty)
