@@ -67,7 +67,12 @@ impl Scopes {
     pub fn new(version: Version) -> Self {
         let names = match version {
             Version::V110 => FunctionNames::Apart,
-            Version::Es100 | Version::V120 | Version::V130 | Version::V140 => FunctionNames::Shared,
+            Version::Es100
+            | Version::V120
+            | Version::V130
+            | Version::V140
+            | Version::V150
+            | Version::V330 => FunctionNames::Shared,
         };
         Self { open: vec![BTreeMap::new()], functions: BTreeMap::new(), names }
     }

@@ -6,7 +6,7 @@ use crate::ast::{
     ArraySize, Declaration, Declarator, ExprKind, Function, Item, Name, Parameter, QualifiedType,
     Qualifier, StructDecl, TypeBase, TypeName,
 };
-use crate::language::{Extension, Version};
+use crate::language::{Availability, Extension, Version};
 use crate::lex::TokenKind;
 use crate::text::diagnostics::Diagnostic;
 use crate::text::source::Span;
@@ -132,8 +132,8 @@ impl Parser<'_> {
                 continue;
             }
             let name = self.name()?;
-            let conventions = self.language.enabled(Extension::FragmentCoordConventions);
-            let locations = self.language.enabled(Extension::ExplicitAttribLocation);
+            let conventions = self.language.has(Availability::FRAGMENT_COORD_CONVENTIONS);
+            let locations = self.language.has(Availability::EXPLICIT_LOCATIONS);
             let qualifier = match &*name.text {
                 "origin_upper_left" if conventions => Some(Qualifier::OriginUpperLeft),
                 "pixel_center_integer" if conventions => Some(Qualifier::PixelCenterInteger),

@@ -16,12 +16,13 @@ const DESKTOP: Availability = Availability::DESKTOP;
 const V120: Availability = Availability::V120;
 const V130: Availability = Availability::V130;
 const V140: Availability = Availability::V140;
+const V150: Availability = Availability::V150;
 /// Not in the core profile.
 const COMPATIBILITY: Availability = DESKTOP.in_compatibility();
 const INTEGERS: Availability = Availability::INTEGERS;
 const GPU_SHADER4: Availability = Availability::extension(Extension::GpuShader4);
 /// The bits of numbers.
-const BITS: Availability = Availability::extension(Extension::ShaderBitEncoding);
+const BITS: Availability = Availability::V330.or(Extension::ShaderBitEncoding);
 const DERIVATIVES: Availability = DESKTOP.or(Extension::StandardDerivatives);
 
 const F: Pattern = Pattern::Gen(Scalar::Float);
@@ -155,6 +156,7 @@ pub static FUNCTIONS: &[FunctionRow] = &[
     row("matrixCompMult", MAT, &[MAT, MAT], DESKTOP_AND_ES, PerComponent(Op::Mul)),
     row("outerProduct", MAT, &[COLUMN, VF], V120, Expand(matrix::outer_product)),
     row("transpose", MAT_T, &[MAT], V120, Expand(matrix::transpose)),
+    row("determinant", F1, &[SQUARE], V150, Expand(matrix::determinant)),
     row("inverse", SQUARE, &[SQUARE], V140, Expand(matrix::inverse)),
     // 8.6 Vector relational
     row("lessThan", VB, &[VF, VF], DESKTOP_AND_ES, PerComponent(Op::Less)),

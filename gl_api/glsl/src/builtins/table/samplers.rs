@@ -92,8 +92,8 @@ pub const SAMPLERS: [SamplerRow; 15] = {
         }
     }
     // GLSL 1.40 has left these names to the compatibility profile.
-    const DESKTOP_COMPATIBILITY: Availability = Availability::DESKTOP.in_compatibility();
-    const COMPATIBILITY_AND_ES: Availability = Availability::DESKTOP_AND_ES.in_compatibility();
+    const DESKTOP_COMPATIBILITY: Availability = Availability::DESKTOP;
+    const COMPATIBILITY_AND_ES: Availability = Availability::DESKTOP_AND_ES;
     const RECT: Availability = Availability::extension(Extension::TextureRectangle);
     const ARRAY: Availability = GPU_SHADER4.or(Extension::TextureArray);
     [

@@ -29,18 +29,20 @@ use crate::language::Stages::{self, Any, Fragment, Vertex};
 use crate::language::{Availability, Extension};
 use crate::limits::{
     MAX_CLIP_DISTANCES, MAX_CLIP_PLANES, MAX_COMBINED_TEXTURE_IMAGE_UNITS, MAX_DRAW_BUFFERS,
-    MAX_LIGHTS, MAX_TEXTURE_IMAGE_UNITS, MAX_TEXTURE_UNITS, MAX_UNIFORM_COMPONENTS,
-    MAX_VARYING_FLOATS, MAX_VERTEX_ATTRIBS, TEXEL_OFFSETS,
+    MAX_FRAGMENT_INPUT_COMPONENTS, MAX_GEOMETRY_OUTPUT_VERTICES,
+    MAX_GEOMETRY_TOTAL_OUTPUT_COMPONENTS, MAX_LIGHTS, MAX_TEXTURE_IMAGE_UNITS, MAX_TEXTURE_UNITS,
+    MAX_UNIFORM_COMPONENTS, MAX_VARYING_FLOATS, MAX_VERTEX_ATTRIBS, MAX_VERTEX_OUTPUT_COMPONENTS,
+    TEXEL_OFFSETS,
 };
 
 const DESKTOP_AND_ES: Availability = Availability::DESKTOP_AND_ES;
 const DESKTOP: Availability = Availability::DESKTOP;
 const V120: Availability = Availability::V120;
 const V130: Availability = Availability::V130;
+const V150: Availability = Availability::V150;
 const ES: Availability = Availability::ES;
 /// Not in the core profile.
 const COMPATIBILITY: Availability = DESKTOP.in_compatibility();
-const GPU_SHADER4: Availability = Availability::extension(Extension::GpuShader4);
 const DRAW_INSTANCED: Availability = Availability::extension(Extension::DrawInstanced);
 const INSTANCE_ID: Availability =
     Availability::V140.or(Extension::DrawInstanced).or(Extension::GpuShader4);
@@ -129,7 +131,7 @@ const fn limit(name: &'static str, value: i32, availability: Availability) -> Va
 }
 
 /// Every variable, of both stages.
-pub static VARIABLES: [VariableRow; 97] = [
+pub static VARIABLES: [VariableRow; 106] = [
     row("gl_Position", Vec(4), Vertex, DESKTOP_AND_ES, ReadWrite, Position),
     row("gl_PointSize", Vec(1), Vertex, DESKTOP_AND_ES, ReadWrite, PointSize),
     row("gl_ClipVertex", Vec(4), Vertex, COMPATIBILITY, ReadWrite, ClipVertex),
@@ -186,7 +188,7 @@ pub static VARIABLES: [VariableRow; 97] = [
     row("gl_FogFragCoord", Vec(1), Fragment, COMPATIBILITY, ReadOnly, Varying(VARYING_FOG)),
     // The fragment stage
     row("gl_FragCoord", Vec(4), Fragment, DESKTOP_AND_ES, ReadOnly, FragCoord),
-    row("gl_PrimitiveID", Int, Fragment, GPU_SHADER4, ReadOnly, PrimitiveId),
+    row("gl_PrimitiveID", Int, Fragment, V150.or(Extension::GpuShader4), ReadOnly, PrimitiveId),
     row("gl_FrontFacing", Bool, Fragment, DESKTOP_AND_ES, ReadOnly, FrontFacing),
     row("gl_PointCoord", Vec(2), Fragment, V120.and_es(), ReadOnly, PointCoord),
     row("gl_FragColor", Vec(4), Fragment, DESKTOP_AND_ES, ReadWrite, FragColor),
@@ -268,6 +270,15 @@ pub static VARIABLES: [VariableRow; 97] = [
     limit("gl_MaxDrawBuffers", MAX_DRAW_BUFFERS as i32, DESKTOP_AND_ES),
     limit("gl_MaxVaryingComponents", MAX_VARYING_FLOATS as i32, V130),
     limit("gl_MaxClipDistances", MAX_CLIP_DISTANCES as i32, V130),
+    limit("gl_MaxVertexOutputComponents", MAX_VERTEX_OUTPUT_COMPONENTS as i32, V150),
+    limit("gl_MaxGeometryInputComponents", MAX_VERTEX_OUTPUT_COMPONENTS as i32, V150),
+    limit("gl_MaxGeometryOutputComponents", MAX_FRAGMENT_INPUT_COMPONENTS as i32, V150),
+    limit("gl_MaxFragmentInputComponents", MAX_FRAGMENT_INPUT_COMPONENTS as i32, V150),
+    limit("gl_MaxGeometryTextureImageUnits", MAX_TEXTURE_IMAGE_UNITS as i32, V150),
+    limit("gl_MaxGeometryOutputVertices", MAX_GEOMETRY_OUTPUT_VERTICES as i32, V150),
+    limit("gl_MaxGeometryTotalOutputComponents", MAX_GEOMETRY_TOTAL_OUTPUT_COMPONENTS as i32, V150),
+    limit("gl_MaxGeometryUniformComponents", MAX_UNIFORM_COMPONENTS, V150),
+    limit("gl_MaxGeometryVaryingComponents", MAX_VERTEX_OUTPUT_COMPONENTS as i32, V150),
     limit("gl_MaxVertexUniformVectors", MAX_UNIFORM_COMPONENTS / 4, ES),
     limit("gl_MaxFragmentUniformVectors", MAX_UNIFORM_COMPONENTS / 4, ES),
     limit("gl_MaxVaryingVectors", MAX_VARYING_FLOATS as i32 / 4, ES),
