@@ -89,7 +89,7 @@ impl Checker<'_> {
         Type::Error
     }
 
-    fn array_of(&mut self, element: Type, size: &ast::ArraySize) -> Type {
+    pub(super) fn array_of(&mut self, element: Type, size: &ast::ArraySize) -> Type {
         if element == Type::Error {
             return Type::Error;
         }

@@ -6,8 +6,10 @@ mod decl;
 mod expr;
 mod functions;
 mod integer_overloads;
+mod interface_block;
 mod lvalue;
 mod operators;
+mod per_vertex;
 mod qualifiers;
 mod redeclare;
 mod scope;
@@ -21,10 +23,12 @@ use crate::language::{Language, Version};
 use crate::text::diagnostics::{Diagnostic, Log};
 use crate::text::source::{Source, Span};
 use crate::types::Type;
+use interface_block::Instance;
+use per_vertex::PerVertex;
 use rasterizer::ir::Stage;
 use redeclare::settle_arrays;
 use scope::{Scopes, Undeclared};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 use uniform_block::BlockDefaults;
 
@@ -44,7 +48,7 @@ struct Body {
     /// The functions called.
     calls: Vec<(u32, Span)>,
     /// The globals named.
-    globals: std::collections::BTreeSet<u32>,
+    globals: BTreeSet<u32>,
     /// Whether a `return` was seen.
     returns: bool,
 }
@@ -66,12 +70,18 @@ struct Checker<'a> {
     /// The structure that was declared last.
     declared: Option<(Arc<StructDecl>, Type)>,
     scopes: Scopes,
+    /// The blocks that have instance names.
+    instances: Vec<Instance>,
+    /// The redeclarations of `gl_PerVertex`.
+    per_vertex: PerVertex,
+    /// The names of the blocks of uniforms, inputs and outputs.
+    block_names: BTreeSet<(&'static str, Arc<str>)>,
     /// The functions of the unit by signature.
     signatures: BTreeMap<String, usize>,
     undeclared: Vec<Undeclared>,
     body: Option<Body>,
     /// The globals that initializers of globals reference.
-    initializer_globals: std::collections::BTreeSet<u32>,
+    initializer_globals: BTreeSet<u32>,
 }
 
 /// Checks a shader; errors are in the log.
@@ -97,16 +107,19 @@ pub fn check(
         block_layout: BlockDefaults::default(),
         declared: None,
         scopes: Scopes::new(version),
+        instances: Vec::new(),
+        per_vertex: PerVertex::default(),
+        block_names: BTreeSet::new(),
         signatures: BTreeMap::new(),
         undeclared: Vec::new(),
         body: None,
-        initializer_globals: std::collections::BTreeSet::new(),
+        initializer_globals: BTreeSet::new(),
     };
     for item in items {
         match item {
             Item::Declaration(declaration) => checker.global_declaration(declaration),
-            Item::Block(block) => checker.uniform_block(block),
-            Item::BlockDefaults(words) => checker.block_defaults(words),
+            Item::Block(block) => checker.block(block),
+            Item::LayoutDefaults(words) => checker.layout_defaults(words),
             Item::Function(function) => checker.function(function),
             Item::Invariant(names) => checker.invariant(names),
             Item::Precision(ty) => checker.default_precision(ty),

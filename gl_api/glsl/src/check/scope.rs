@@ -20,8 +20,10 @@ pub enum Symbol {
     Variable(VarRef),
     /// A member of a uniform block, by index.
     Member(VarRef, u32),
-    /// A uniform block; only its declaration uses the name.
+    /// A block; only its declaration uses the name.
     Block,
+    /// The name behind a block, by index into the list of those.
+    Instance(u32),
     /// A structure.
     Struct(Arc<Struct>),
     /// Functions: see [`Scopes::functions`].
@@ -37,6 +39,7 @@ impl Symbol {
             Self::Variable(var) => Some(*var),
             Self::Member(..)
             | Self::Block
+            | Self::Instance(_)
             | Self::Struct(_)
             | Self::Functions
             | Self::Undeclared(_) => None,
@@ -117,9 +120,9 @@ impl Scopes {
     /// Whether a variable or block of this name hides functions here, built-in functions too.
     pub fn hides_functions(&self, name: &str) -> bool {
         match self.find(name) {
-            Some(Symbol::Variable(_) | Symbol::Member(..) | Symbol::Block) => {
-                self.names == FunctionNames::Shared
-            }
+            Some(
+                Symbol::Variable(_) | Symbol::Member(..) | Symbol::Block | Symbol::Instance(_),
+            ) => self.names == FunctionNames::Shared,
             Some(Symbol::Struct(_) | Symbol::Functions | Symbol::Undeclared(_)) | None => false,
         }
     }
@@ -192,6 +195,7 @@ impl Checker<'_> {
             }
             Symbol::Member(..)
             | Symbol::Block
+            | Symbol::Instance(_)
             | Symbol::Struct(_)
             | Symbol::Functions
             | Symbol::Undeclared(_) => None,

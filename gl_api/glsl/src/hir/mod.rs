@@ -91,6 +91,15 @@ pub struct InterfaceQualifiers {
     pub pixel_center_integer: bool,
     /// `layout(location = n)`.
     pub location: Option<u32>,
+    /// `layout(index = n)`.
+    pub index: Option<u32>,
+}
+
+impl InterfaceQualifiers {
+    /// The layout of `gl_FragCoord`.
+    pub fn coordinates(self) -> [bool; 2] {
+        [self.origin_upper_left, self.pixel_center_integer]
+    }
 }
 
 /// The packing of a uniform block (ARB_uniform_buffer_object, section 4.3.5.2). All are laid out
@@ -110,10 +119,25 @@ pub enum BlockPacking {
 pub struct Block {
     /// The block's name.
     pub name: Arc<str>,
+    /// Whether its members are written with the name of an instance.
+    pub is_named: bool,
     /// Its packing.
     pub packing: BlockPacking,
     /// The matrix order of each member.
     pub orders: Vec<MatrixOrder>,
+}
+
+/// A block of inputs or outputs, as its declaration has it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct InterfaceBlock {
+    /// The block's name.
+    pub name: Arc<str>,
+    /// Whether its members are written with the name of an instance.
+    pub is_named: bool,
+    /// Whether there is an array of instances.
+    pub is_array: bool,
+    /// The names of its members.
+    pub members: Vec<Arc<str>>,
 }
 
 /// A variable.
@@ -141,10 +165,14 @@ pub struct Variable {
     pub constant_index_references: u32,
     /// Its interpolation, invariance and layout qualifiers.
     pub interface_qualifiers: InterfaceQualifiers,
+    /// Whether it is built in and declared again.
+    pub redeclared: bool,
     /// Whether the size of the array comes from its largest index alone.
     pub implicitly_sized: bool,
     /// The uniform block that it is.
     pub block: Option<Arc<Block>>,
+    /// The block of inputs or outputs that it is a member of.
+    pub member_of: Option<Arc<InterfaceBlock>>,
     /// Its words, if it is a constant.
     pub constant: Option<Arc<[u32]>>,
     /// The initializer of a global.
@@ -166,10 +194,23 @@ impl Variable {
             references: 0,
             constant_index_references: 0,
             interface_qualifiers: InterfaceQualifiers::default(),
+            redeclared: false,
             implicitly_sized: false,
             block: None,
+            member_of: None,
             constant: None,
             init: None,
+        }
+    }
+
+    /// Its name for the application: that of a member without its block, if the block has no
+    /// instance name (GL 3.2 section 2.11.4).
+    pub fn public_name(&self) -> &str {
+        match &self.member_of {
+            Some(block) if !block.is_named => {
+                self.name.rsplit_once('.').map_or(&*self.name, |(_, member)| member)
+            }
+            Some(_) | None => &self.name,
         }
     }
 

@@ -34,7 +34,9 @@ pub fn unify_globals(units: impl Iterator<Item = Arc<Unit>>) -> Vec<Arc<Unit>> {
     // Per key: the largest implicit size, and the declared size.
     let mut sizes: BTreeMap<Key<'_>, (u32, Option<u32>)> = BTreeMap::new();
     let key = |unit: &Unit, variable: &Variable| {
-        (variable.name.clone(), (!is_shared(variable)).then(|| stage_name(unit.stage)))
+        // Blocks have one size in each stage, and must match.
+        let apart = !is_shared(variable) || variable.member_of.is_some();
+        (variable.name.clone(), apart.then(|| stage_name(unit.stage)))
     };
     let mut implicit: Vec<(usize, usize, u32)> = Vec::new();
     for (index, unit) in units.iter().enumerate() {
@@ -103,6 +105,22 @@ pub fn same_globals(units: &[&Unit], stage: &str, log: &mut Log) {
         };
         let message = format!("`{}` {message}", variable.name);
         log.push(Diagnostic::link_error(message).rule("GLSL 1.30 section 4.3"));
+    }
+}
+
+/// If a shader redeclares `gl_FragCoord`, all shaders that use it do, with one layout (GLSL 1.50
+/// section 4.3.8.1).
+pub fn same_coordinates(units: &[&Unit], log: &mut Log) {
+    let all = || units.iter().flat_map(|unit| &unit.globals).filter(|v| &*v.name == "gl_FragCoord");
+    let Some(first) = all().find(|variable| variable.redeclared) else { return };
+    let layout = first.interface_qualifiers.coordinates();
+    let fits = |variable: &Variable| match variable.redeclared {
+        true => variable.interface_qualifiers.coordinates() == layout,
+        false => variable.references == 0,
+    };
+    if !all().all(fits) {
+        let message = "`gl_FragCoord` has one layout in a shader and another, or none, in another";
+        log.push(Diagnostic::link_error(message).rule("GLSL 1.50 section 4.3.8.1"));
     }
 }
 

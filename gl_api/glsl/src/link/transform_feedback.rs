@@ -67,11 +67,11 @@ fn find(
     in_vertex: &mut BindingMap,
 ) -> Result<Captured, String> {
     let Some(vertex) = vertex else { return Err("there is no vertex shader".to_owned()) };
-    let named = |variable: &&Variable| *variable.name == *wanted.variable;
+    let named = |variable: &&Variable| *variable.public_name() == *wanted.variable;
     let is_output = |variable: &&Variable| matches!(variable.storage, Storage::Output(_));
     let declared = vertex.declared().filter(is_output).find(named);
     let Some(variable) = declared.or_else(|| vertex.used.iter().copied().find(named)) else {
-        let names = vertex.declared().filter(is_output).map(|output| &*output.name);
+        let names = vertex.declared().filter(is_output).map(Variable::public_name);
         let near = closest(&wanted.variable, names);
         let near = near.map_or_else(String::new, |near| format!("; did you mean `{near}`?"));
         return Err(format!("the vertex shader has no such output{near}"));

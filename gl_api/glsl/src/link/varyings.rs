@@ -1,7 +1,7 @@
 //! Varyings: from the vertex to the fragment stage (GLSL 1.30 sections 4.3.6 and 4.3.7).
 
 use super::stage::{BindingMap, StageUnits};
-use crate::hir::{Storage, Variable};
+use crate::hir::{InterfaceBlock, Storage, Variable};
 use crate::interface::VARYING_USER;
 use crate::language::Version;
 use crate::limits::MAX_VARYING_FLOATS;
@@ -84,7 +84,7 @@ pub fn slots(fragment: Option<&StageUnits<'_>>, locations: &BindingMap) -> Vec<(
     inputs
         .filter_map(|input| match locations.get(&input.name) {
             Some(Binding::Varying(Some(first))) => {
-                Some((*first, varying_slots(&input.ty.flat()), input.name.to_string()))
+                Some((*first, varying_slots(&input.ty.flat()), input.public_name().to_owned()))
             }
             _ => None,
         })
@@ -97,6 +97,13 @@ fn is_input(storage: Storage) -> bool {
 
 /// Reports a varying that the stages declare differently, whether it is read or not.
 fn check_alike(output: &Variable, input: &Variable, vertex: &StageUnits<'_>, log: &mut Log) {
+    if let (Some(written), Some(read)) = (&output.member_of, &input.member_of)
+        && let Some(difference) = different_blocks(written, read)
+    {
+        let message = format!("the block `{}` {difference}", written.name);
+        log.push(Diagnostic::link_error(message).rule("GLSL 1.50 section 4.3.7"));
+        return;
+    }
     let (a, b, rule) = if output.ty != input.ty {
         (output.ty.to_string(), input.ty.to_string(), "GLSL 1.30 section 4.3.6")
     } else if let Some((a, b)) = mismatch(output, input) {
@@ -116,6 +123,17 @@ fn check_alike(output: &Variable, input: &Variable, vertex: &StageUnits<'_>, log
     let name = &output.name;
     let message = format!("`{name}` is {a} in the vertex shader and {b} in the fragment shader");
     log.push(Diagnostic::link_error(message).rule(rule));
+}
+
+/// How the declarations of a block in two stages differ.
+fn different_blocks(written: &InterfaceBlock, read: &InterfaceBlock) -> Option<&'static str> {
+    if written.members != read.members {
+        Some("has other members, or in another order, in the next stage")
+    } else if written.is_array != read.is_array {
+        Some("is an array of instances in one stage only")
+    } else {
+        None
+    }
 }
 
 /// The qualifiers in which two declarations of a varying differ.

@@ -218,7 +218,8 @@ impl Lowerer<'_> {
                 Ok(VarStorage::Uniform(word, types.into()))
             }
             (Storage::Attribute, Some(Binding::Attribute(location))) => {
-                let columns = variable.ty.rows().map_or(4, u32::from);
+                let base = variable.ty.base();
+                let columns = base.rows().map_or(base.scalars().max(1), u32::from);
                 let read = |lowerer: &mut Self, at: u32| {
                     let location = location + (at / columns) as u8;
                     let component = (at % columns) as u8;
