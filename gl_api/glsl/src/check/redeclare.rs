@@ -40,7 +40,7 @@ impl Checker<'_> {
             known == *ty
         };
         let passes = match self.stage {
-            Stage::Vertex => matches!(storage, Storage::Output(_)),
+            Stage::Vertex | Stage::Geometry => matches!(storage, Storage::Output(_)),
             Stage::Fragment => matches!(storage, Storage::Input(_)),
         };
         let used = variable.references > 0;
