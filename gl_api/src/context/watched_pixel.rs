@@ -73,6 +73,8 @@ impl DrawNote {
             }
             Input::VertexId => "gl_VertexID".into(),
             Input::InstanceId => "gl_InstanceID".into(),
+            Input::PrimitiveId => "gl_PrimitiveIDIn".into(),
+            Input::OfVertex { vertex, output } => format!("{output:?} of vertex {vertex}"),
         }
     }
 

@@ -17,6 +17,8 @@ fn in_use_has(context: &Context, target: Target) -> bool {
     linked.is_some_and(|linked| match stage(target) {
         Stage::Vertex => linked.vertex.is_some(),
         Stage::Fragment => linked.fragment.is_some(),
+        // No assembly program is of this stage.
+        Stage::Geometry => false,
     })
 }
 

@@ -41,7 +41,9 @@ fn input(
                 out[lane] = if input == Input::VertexId { id.vertex } else { id.instance };
             }
         }
-        Input::Varying(_)
+        Input::OfVertex { .. }
+        | Input::PrimitiveId
+        | Input::Varying(_)
         | Input::FragCoord(_)
         | Input::FrontFacing
         | Input::PointCoord(_)

@@ -78,8 +78,9 @@ fn primitive(page: &mut Page, fragment: &Fragment) {
 fn value(input: Input, bits: u32) -> String {
     match input {
         Input::FrontFacing => (bits != 0).to_string(),
-        Input::VertexId | Input::InstanceId => (bits as i32).to_string(),
+        Input::VertexId | Input::InstanceId | Input::PrimitiveId => (bits as i32).to_string(),
         Input::Attribute { .. }
+        | Input::OfVertex { .. }
         | Input::Varying(_)
         | Input::Gradient { .. }
         | Input::FragCoord(_)

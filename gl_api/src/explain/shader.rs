@@ -48,7 +48,10 @@ pub fn steps(page: &mut Page, fragment: &Fragment, note: &DrawNote) {
                 | Output::Position(_)
                 | Output::PointSize
                 | Output::ClipDistance(_)
-                | Output::Varying(_) => return None,
+                | Output::Varying(_)
+                | Output::Layer
+                | Output::PrimitiveId
+                | Output::ViewportIndex => return None,
             };
             Some(vec![name, format!("= {}", operand(of, note))])
         })

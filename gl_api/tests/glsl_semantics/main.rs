@@ -65,7 +65,7 @@ fn source(row: &Row, stage: Stage) -> String {
     let Row(version, declarations, body, _) = row;
     let (input, x, result) = match stage {
         Stage::Vertex => ("attribute float place;", "place", "gl_Position"),
-        Stage::Fragment => ("", "gl_FragCoord.x", "gl_FragColor"),
+        Stage::Geometry | Stage::Fragment => ("", "gl_FragCoord.x", "gl_FragColor"),
     };
     format!(
         "#version {version}
@@ -104,7 +104,7 @@ fn program(row: &Row, stage: Stage) -> Result<(rasterizer::ir::Module, Vec<u32>)
     }
     let module = match stage {
         Stage::Vertex => program.vertex,
-        Stage::Fragment => program.fragment,
+        Stage::Geometry | Stage::Fragment => program.fragment,
     };
     Ok((module.expect("the stage was linked"), words))
 }

@@ -182,6 +182,13 @@ impl Builder {
         var
     }
 
+    /// Emits a vertex: the current values of variables of one element, in the order of
+    /// [`super::GeometryInterface::outputs`].
+    pub fn emit_vertex(&mut self, outputs: &[Var]) {
+        let values = outputs.iter().map(|var| self.load(*var)).collect();
+        self.push(Stmt::EmitVertex(values));
+    }
+
     /// The current value of a variable of one element.
     pub fn load(&mut self, var: Var) -> Value {
         self.value(Expr::Load(var))

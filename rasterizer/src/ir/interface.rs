@@ -7,6 +7,8 @@ use super::types::{Axis, Ty};
 pub enum Stage {
     /// Runs once a vertex.
     Vertex,
+    /// Runs once a primitive, and makes others of it.
+    Geometry,
     /// Runs once a fragment.
     Fragment,
 }
@@ -25,7 +27,17 @@ pub enum Input {
     VertexId,
     /// The index of the instance (`i32`).
     InstanceId,
-    /// A scalar that the vertex stage wrote to the same slot, interpolated (`f32`).
+    /// Of a geometry program: what the vertex stage wrote for a vertex of the primitive: `Position`, `PointSize`,
+    /// `ClipDistance` or `Varying` (`f32`).
+    OfVertex {
+        /// Which vertex of the primitive.
+        vertex: u8,
+        /// Which of the outputs of the vertex stage; 0 if it does not write this.
+        output: Output,
+    },
+    /// Of a geometry program: the number of the primitive within its instance of the draw (`i32`).
+    PrimitiveId,
+    /// A scalar that the stage before wrote to the same slot, interpolated (`f32`).
     Varying(u16),
     /// How that scalar changes from pixel to pixel, at this pixel: the exact derivative of its
     /// interpolation, from the planes of the primitive (`f32`).
@@ -47,8 +59,8 @@ pub enum Input {
     LineDirection(Axis),
 }
 
-/// An output of a shader: one scalar. All are `f32`, but the stencil's reference (`i32`) and
-/// colours for attachments of integers, which are `i32` or `u32`.
+/// An output of a shader: one scalar. All are `f32`, but the stencil's reference, the layer, the viewport and the
+/// primitive's number (`i32`), and colours for attachments of integers, which are `i32` or `u32`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Output {
     /// `gl_Position`, in clip coordinates.
@@ -68,6 +80,12 @@ pub enum Output {
     },
     /// `gl_FragDepth`.
     Depth,
+    /// Of a geometry program: the layer of the attachments, taken from the provoking vertex (`i32`).
+    Layer,
+    /// Of a geometry program: the number of the primitive for the fragment stage (`i32`).
+    PrimitiveId,
+    /// Of a geometry program: the viewport (`i32`). There is one; its number is not read.
+    ViewportIndex,
     /// `gl_FragStencilRefARB`: replaces the reference of the stencil test of both faces; its lowest 8 bits count.
     StencilReference,
 }
@@ -87,9 +105,10 @@ impl Input {
     /// The type of the scalar.
     pub fn ty(self) -> Ty {
         match self {
-            Self::VertexId | Self::InstanceId => Ty::I32,
+            Self::VertexId | Self::InstanceId | Self::PrimitiveId => Ty::I32,
             Self::FrontFacing => Ty::Bool,
             Self::Attribute { .. }
+            | Self::OfVertex { .. }
             | Self::Varying(_)
             | Self::Gradient { .. }
             | Self::FragCoord(_)

@@ -15,6 +15,8 @@
 //! - **Variables start as zero.** An index out of range is clamped to the last element (an `i32` or
 //!   `u32` index is compared as unsigned, so a negative one reads the last element too).
 //! - **Outputs** are variables: those of [`Module::outputs`] are read when the body has ended.
+//! - **Geometry programs** have no such outputs: [`Stmt::EmitVertex`] appends a vertex of the values that it has to the
+//!   strip of the lane, [`Stmt::EndPrimitive`] begins another strip.
 //! - **Inputs** never change during a run.
 //! - **Booleans** are words: `0` or `!0` ([`TRUE`]).
 //! - **Operations** ([`Op`]) are pure, total (no operation traps: an integer division by zero is
@@ -26,6 +28,7 @@
 //! [`Module::validate`] checks all of this; the rest of the crate relies on it.
 
 mod build;
+mod geometry;
 mod interface;
 mod module;
 mod ops;
@@ -39,6 +42,10 @@ mod visit;
 mod word;
 
 pub use build::Builder;
+pub use geometry::{
+    GeometryInput, GeometryInterface, GeometryOutput, MAX_GEOMETRY_COMPONENTS,
+    MAX_GEOMETRY_VERTICES,
+};
 pub use interface::{Input, Interpolation, Output, Stage};
 pub use module::{Block, Expr, Module, Stmt, Variable};
 pub use ops::Op;

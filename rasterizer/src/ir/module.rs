@@ -1,5 +1,6 @@
 //! A module: expressions, statements, variables.
 
+use super::geometry::GeometryInterface;
 use super::interface::{Input, Interpolation, Output, Stage};
 use super::ops::Op;
 use super::texture::{Access, Lod, Sample, TextureDecl};
@@ -121,6 +122,11 @@ pub enum Stmt {
     Leave,
     /// Throw the fragment away. Fragment stage only.
     Discard,
+    /// Append a vertex to the strip of the lane: a value for each of [`GeometryInterface::outputs`]. Geometry stage
+    /// only; no effect beyond [`GeometryInterface::max_vertices`].
+    EmitVertex(Vec<Value>),
+    /// The next vertex begins another strip. Geometry stage only.
+    EndPrimitive,
 }
 
 /// Mutable state of a lane: a scalar, or an array of scalars.
@@ -147,16 +153,18 @@ pub struct Module {
     pub textures: Vec<TextureDecl>,
     /// How many uniform words a draw must bring at least.
     pub uniform_words: u32,
-    /// Fragment stage: how each varying slot it may read is interpolated. Empty in the vertex stage.
+    /// Geometry stage: its primitives and its outputs.
+    pub geometry: Option<GeometryInterface>,
+    /// Fragment stage: how each varying slot it may read is interpolated. Empty in the other stages.
     pub varyings: Vec<Interpolation>,
     /// Fragment stage: the slots that are evaluated at the centroid of a pixel's covered samples, where a
     /// pixel has several; the others are taken at its centre.
     pub centroids: Vec<u16>,
     /// Fragment stage: the first of two flat varying slots that the driver writes itself: the low and
     /// the high 16 bits of the primitive's number within its instance of the draw
-    /// (`EXT_gpu_shader4`: `gl_PrimitiveID`).
+    /// (`EXT_gpu_shader4`: `gl_PrimitiveID`), or of what the geometry stage wrote to [`Output::PrimitiveId`].
     pub primitive_id: Option<u16>,
-    /// The variables (of length 1, type `f32`) that hold the outputs at the end.
+    /// The variables (of length 1, type `f32`) that hold the outputs at the end. Empty in the geometry stage.
     pub outputs: Vec<(Output, Var)>,
     /// The statements.
     pub body: Block,
@@ -190,6 +198,7 @@ impl Module {
             variables: Vec::new(),
             textures: Vec::new(),
             uniform_words: 0,
+            geometry: None,
             varyings: Vec::new(),
             centroids: Vec::new(),
             primitive_id: None,

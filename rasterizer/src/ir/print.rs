@@ -2,12 +2,20 @@
 //!
 //! Values are `%n`, variables `vn`; constants, inputs and uniform words are printed inline.
 
-use super::{Access, Axis, Block, Expr, Lod, Module, Sample, Stmt, Ty, Value, Var};
+use super::{
+    Access, Axis, Block, Expr, GeometryInterface, Lod, Module, Sample, Stmt, Ty, Value, Var,
+};
 use std::fmt::{Display, Formatter, Result};
 
 impl Display for Module {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         writeln!(f, "{:?}", self.stage)?;
+        if let Some(GeometryInterface { input, output, max_vertices, outputs }) = &self.geometry {
+            writeln!(
+                f,
+                "  {input:?} to {output:?}, at most {max_vertices} vertices of {outputs:?}"
+            )?;
+        }
         for (slot, decl) in self.textures.iter().enumerate() {
             writeln!(f, "  texture {slot}: {decl:?}")?;
         }
@@ -164,6 +172,8 @@ fn block(f: &mut Formatter<'_>, module: &Module, stmts: &Block, depth: usize) ->
             Stmt::Continue => writeln!(f, "continue")?,
             Stmt::Leave => writeln!(f, "leave")?,
             Stmt::Discard => writeln!(f, "discard")?,
+            Stmt::EmitVertex(values) => writeln!(f, "emit {}", Operands(module, values))?,
+            Stmt::EndPrimitive => writeln!(f, "end primitive")?,
         }
     }
     Ok(())

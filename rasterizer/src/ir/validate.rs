@@ -4,7 +4,8 @@
 //! deep, so that a pass over a valid module may recurse over its blocks.
 
 use super::{
-    Access, Block, Expr, Input, Lod, Module, Op, Output, Sample, Stage, Stmt, TRUE, Ty, Value, Var,
+    Access, Block, Expr, GeometryInterface, Input, Lod, MAX_GEOMETRY_COMPONENTS,
+    MAX_GEOMETRY_VERTICES, Module, Op, Output, Sample, Stage, Stmt, TRUE, Ty, Value, Var,
 };
 use std::collections::BTreeSet;
 use std::fmt;
@@ -63,8 +64,49 @@ impl Module {
         }
         rule!(
             self.stage == Stage::Fragment || self.varyings.is_empty(),
-            "a vertex module declares the interpolation of varyings"
+            "a {:?} module declares the interpolation of varyings",
+            self.stage
         );
+        self.geometry()
+    }
+
+    fn geometry(&self) -> Checked {
+        let is_geometry = self.stage == Stage::Geometry;
+        rule!(
+            is_geometry == self.geometry.is_some(),
+            "a {:?} module {} a geometry interface",
+            self.stage,
+            if is_geometry { "needs" } else { "has no" }
+        );
+        let Some(GeometryInterface { max_vertices, outputs, .. }) = &self.geometry else {
+            return Ok(());
+        };
+        rule!(
+            *max_vertices <= MAX_GEOMETRY_VERTICES,
+            "a geometry module of {max_vertices} vertices, of at most {MAX_GEOMETRY_VERTICES}"
+        );
+        let components = outputs.len() as u64 * u64::from(*max_vertices);
+        rule!(
+            components <= MAX_GEOMETRY_COMPONENTS.into(),
+            "a geometry module of {components} components, of at most {MAX_GEOMETRY_COMPONENTS}"
+        );
+        let mut seen = BTreeSet::new();
+        for &output in outputs {
+            let in_range = match output {
+                Output::Position(component) => component < 4,
+                Output::ClipDistance(plane) => plane < 8,
+                Output::PointSize
+                | Output::Varying(_)
+                | Output::Layer
+                | Output::PrimitiveId
+                | Output::ViewportIndex => true,
+                Output::Color { .. } | Output::Depth | Output::StencilReference => {
+                    return Err(IrError(format!("output {output:?} in a Geometry module")));
+                }
+            };
+            rule!(in_range, "output {output:?} has no such component");
+            rule!(seen.insert(output), "output {output:?} twice");
+        }
         Ok(())
     }
 
@@ -77,6 +119,10 @@ impl Module {
                 Output::ClipDistance(plane) => (Stage::Vertex, plane < 8),
                 Output::Color { component, .. } => (Stage::Fragment, component < 4),
                 Output::Depth | Output::StencilReference => (Stage::Fragment, true),
+                // Those of a geometry module are in its interface.
+                Output::Layer | Output::PrimitiveId | Output::ViewportIndex => {
+                    (Stage::Geometry, false)
+                }
             };
             rule!(stage == self.stage, "output {output:?} in a {:?} module", self.stage);
             rule!(in_range, "output {output:?} has no such component");
@@ -93,6 +139,7 @@ impl Module {
                 | Output::ClipDistance(_)
                 | Output::Varying(_)
                 | Output::Depth => variable.ty == Ty::F32,
+                Output::Layer | Output::PrimitiveId | Output::ViewportIndex => false,
             };
             rule!(
                 variable.len == 1 && fits,
@@ -137,6 +184,7 @@ enum User {
     Value(Value),
     Store,
     If,
+    Emit,
 }
 
 impl fmt::Display for User {
@@ -145,6 +193,7 @@ impl fmt::Display for User {
             Self::Value(value) => write!(f, "%{}", value.0),
             Self::Store => f.write_str("store"),
             Self::If => f.write_str("if"),
+            Self::Emit => f.write_str("emit"),
         }
     }
 }
@@ -187,6 +236,23 @@ impl Body<'_> {
         let (stage, in_range) = match input {
             Input::Attribute { component, .. } => (Stage::Vertex, component < 4),
             Input::VertexId | Input::InstanceId => (Stage::Vertex, true),
+            Input::OfVertex { vertex, output } => {
+                let written = match output {
+                    Output::Position(component) => component < 4,
+                    Output::ClipDistance(plane) => plane < 8,
+                    Output::PointSize | Output::Varying(_) => true,
+                    Output::Color { .. }
+                    | Output::Depth
+                    | Output::StencilReference
+                    | Output::Layer
+                    | Output::PrimitiveId
+                    | Output::ViewportIndex => false,
+                };
+                let interface = self.module.geometry.as_ref();
+                let exists = interface.is_some_and(|geometry| vertex < geometry.input.vertices());
+                (Stage::Geometry, written && exists)
+            }
+            Input::PrimitiveId => (Stage::Geometry, true),
             Input::Varying(slot) | Input::Gradient { slot, .. } => {
                 (Stage::Fragment, usize::from(slot) < self.module.varyings.len())
             }
@@ -251,7 +317,24 @@ impl Body<'_> {
                 Ok(())
             }
             Stmt::Discard => self.fragment_only("discard"),
+            Stmt::EmitVertex(values) => self.emit_vertex(values),
+            Stmt::EndPrimitive => self.geometry_only("end primitive").map(|_| ()),
         }
+    }
+
+    fn emit_vertex(&self, values: &[Value]) -> Checked {
+        let outputs = &self.geometry_only("emit")?.outputs;
+        let (count, wanted) = (values.len(), outputs.len());
+        rule!(count == wanted, "emit: {count} values for {wanted} outputs");
+        for (value, output) in values.iter().zip(outputs) {
+            self.operand(*value, output.emitted_ty(), User::Emit)?;
+        }
+        Ok(())
+    }
+
+    fn geometry_only(&self, what: &str) -> Result<&GeometryInterface, IrError> {
+        let interface = self.module.geometry.as_ref();
+        interface.ok_or_else(|| IrError(format!("{what} outside a geometry module")))
     }
 
     fn fragment_only(&self, what: &str) -> Checked {

@@ -80,7 +80,9 @@ impl Stmt {
             | Self::Break
             | Self::Continue
             | Self::Leave
-            | Self::Discard => (None, None),
+            | Self::Discard
+            | Self::EmitVertex(_)
+            | Self::EndPrimitive => (None, None),
         };
         first.into_iter().chain(second)
     }
@@ -102,7 +104,9 @@ impl Stmt {
             | Self::StoreAt { .. }
             | Self::If { .. }
             | Self::Loop { .. }
-            | Self::Scope(_) => false,
+            | Self::Scope(_)
+            | Self::EmitVertex(_)
+            | Self::EndPrimitive => false,
         }
     }
 }

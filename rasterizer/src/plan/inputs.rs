@@ -165,7 +165,11 @@ impl InputPlanner<'_> {
             Input::PointCoord(axis) => {
                 FragmentInput::Linear(self.plane(PlaneSource::PointCoord(axis)))
             }
-            Input::Attribute { .. } | Input::VertexId | Input::InstanceId => FragmentInput::Zero,
+            Input::Attribute { .. }
+            | Input::VertexId
+            | Input::InstanceId
+            | Input::OfVertex { .. }
+            | Input::PrimitiveId => FragmentInput::Zero,
         }
     }
 

@@ -45,6 +45,8 @@ impl Pipeline {
             Input::Attribute { location, .. } => Some(location),
             Input::VertexId
             | Input::InstanceId
+            | Input::OfVertex { .. }
+            | Input::PrimitiveId
             | Input::Varying(_)
             | Input::Gradient { .. }
             | Input::FragCoord(_)
@@ -143,7 +145,10 @@ impl Compiled {
             Output::Position(_)
             | Output::PointSize
             | Output::ClipDistance(_)
-            | Output::Varying(_) => false,
+            | Output::Varying(_)
+            | Output::Layer
+            | Output::PrimitiveId
+            | Output::ViewportIndex => false,
         });
         let vertex = desc.vertex.module();
         let extended_vertex = match hoisting {
@@ -165,6 +170,8 @@ impl Compiled {
                 Input::Attribute { .. }
                 | Input::VertexId
                 | Input::InstanceId
+                | Input::OfVertex { .. }
+                | Input::PrimitiveId
                 | Input::FragCoord(_)
                 | Input::FrontFacing
                 | Input::PointCoord(_)
@@ -182,7 +189,12 @@ impl Compiled {
             // Any topology can end as points, and what is written to clip distances cuts.
             Output::PointSize | Output::ClipDistance(_) => true,
             Output::Varying(slot) => varyings.iter().any(|&(read, _)| read == slot),
-            Output::Color { .. } | Output::Depth | Output::StencilReference => false,
+            Output::Color { .. }
+            | Output::Depth
+            | Output::StencilReference
+            | Output::Layer
+            | Output::PrimitiveId
+            | Output::ViewportIndex => false,
         });
         let (of_sprites, of_lines) = (OnceLock::new(), OnceLock::new());
         let slots = varyings.iter().map(|&(slot, _)| slot).collect();

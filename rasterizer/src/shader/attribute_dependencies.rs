@@ -100,6 +100,7 @@ impl Search<'_> {
                     self.block(continuing, control);
                 }
                 Stmt::Scope(body) => self.block(body, control),
+                Stmt::EmitVertex(_) | Stmt::EndPrimitive => {}
                 Stmt::Break | Stmt::Continue | Stmt::Leave | Stmt::Discard => return,
             }
             // Lanes that left from inside it do not run what follows.

@@ -19,7 +19,9 @@ pub(super) fn continues(block: &Block) -> bool {
         | Stmt::Loop { .. }
         | Stmt::Break
         | Stmt::Leave
-        | Stmt::Discard => false,
+        | Stmt::Discard
+        | Stmt::EmitVertex(_)
+        | Stmt::EndPrimitive => false,
     })
 }
 
@@ -35,7 +37,11 @@ struct Exits {
 impl Exits {
     fn of(stmt: &Stmt) -> Self {
         match stmt {
-            Stmt::Eval(_) | Stmt::Store { .. } | Stmt::StoreAt { .. } => Self::default(),
+            Stmt::Eval(_)
+            | Stmt::Store { .. }
+            | Stmt::StoreAt { .. }
+            | Stmt::EmitVertex(_)
+            | Stmt::EndPrimitive => Self::default(),
             Stmt::If { accept, reject, .. } => Self::any(accept).or(Self::any(reject)),
             Stmt::Loop { body, continuing } => {
                 Self { iteration: false, ..Self::any(body).or(Self::any(continuing)) }

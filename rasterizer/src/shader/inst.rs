@@ -63,6 +63,10 @@ pub(super) enum Inst {
     LeaveIf { condition: Reg, when: When, slot: Slot },
     /// The executing lanes are discarded.
     Discard,
+    /// Executing lanes only: a vertex of these scalars is appended to the lane's.
+    EmitVertex(Box<[Reg]>),
+    /// Executing lanes only.
+    EndPrimitive,
     /// Jumps to `to` when no lane executes.
     SkipEmpty { to: Target },
     /// The loop's next iteration, or its end: then the lanes of `exit` execute.
@@ -156,6 +160,7 @@ impl Inst {
                     f(reg, Role::Write);
                 }
             }
+            Self::EmitVertex(values) => values.iter_mut().for_each(|reg| f(reg, Role::Read)),
             Self::If { condition, .. }
             | Self::LeaveIf { condition, .. }
             | Self::Unless { test: Test::Lanes(condition), .. } => f(condition, Role::Read),
@@ -167,17 +172,19 @@ impl Inst {
             | Self::Open { .. }
             | Self::Leave { .. }
             | Self::Discard
+            | Self::EndPrimitive
             | Self::SkipEmpty { .. }
             | Self::EndIteration { .. } => {}
         }
     }
 
-    /// Whether it reads or changes which lanes execute. Stores into some of the lanes read it.
+    /// Whether it reads or changes which lanes execute. Stores into some of the lanes and emissions read it.
     pub fn uses_mask(&self) -> bool {
         let is_uniform =
             matches!(self, Self::Unless { .. } | Self::Jump { .. } | Self::Repeat { .. });
         let stores = matches!(self, Self::Store { .. } | Self::StoreAt { .. });
-        stores || (self.is_control() && !is_uniform)
+        let emits = matches!(self, Self::EmitVertex(_) | Self::EndPrimitive);
+        stores || emits || (self.is_control() && !is_uniform)
     }
 
     /// Whether it is the end of a loop.
@@ -211,6 +218,8 @@ impl Inst {
             }
             Self::LoadAt { .. } | Self::StoreAt { .. } | Self::UniformAt { .. } => BY_LANE,
             Self::Zero { len, .. } => DISPATCH + len,
+            Self::EmitVertex(values) => DISPATCH + values.len() as u32,
+            Self::EndPrimitive => BY_LANE,
             Self::Move { .. }
             | Self::Store { .. }
             | Self::Derivative { .. }
@@ -252,6 +261,8 @@ impl Inst {
             | Self::StoreAt { .. }
             | Self::UniformAt { .. }
             | Self::Derivative { .. }
+            | Self::EmitVertex(_)
+            | Self::EndPrimitive
             | Self::Sample(_) => false,
         }
     }
@@ -279,7 +290,9 @@ impl Inst {
             | Self::Open { .. }
             | Self::Leave { .. }
             | Self::LeaveIf { .. }
-            | Self::Discard => None,
+            | Self::Discard
+            | Self::EmitVertex(_)
+            | Self::EndPrimitive => None,
         }
     }
 
@@ -306,7 +319,9 @@ impl Inst {
             | Self::Open { .. }
             | Self::Leave { .. }
             | Self::LeaveIf { .. }
-            | Self::Discard => None,
+            | Self::Discard
+            | Self::EmitVertex(_)
+            | Self::EndPrimitive => None,
         }
     }
 }

@@ -278,17 +278,17 @@ impl Lowering<'_> {
                 SampleLod::Implicit { bias: bias.map(|bias| self.value(bias)) }
             }
             // A vertex has no neighbours: the base level plus the bias.
-            (Lod::Implicit { bias: Some(bias) }, Stage::Vertex) => {
+            (Lod::Implicit { bias: Some(bias) }, Stage::Vertex | Stage::Geometry) => {
                 SampleLod::Explicit(self.value(bias))
             }
-            (Lod::Implicit { bias: None }, Stage::Vertex) => {
+            (Lod::Implicit { bias: None }, Stage::Vertex | Stage::Geometry) => {
                 let zero = self.out.preamble.constant(0);
                 SampleLod::Explicit(self.splat(zero))
             }
-            (Lod::Explicit(lod), Stage::Vertex | Stage::Fragment) => {
+            (Lod::Explicit(lod), Stage::Vertex | Stage::Geometry | Stage::Fragment) => {
                 SampleLod::Explicit(self.value(lod))
             }
-            (Lod::Gradient { dx, dy, bias }, Stage::Vertex | Stage::Fragment) => {
+            (Lod::Gradient { dx, dy, bias }, Stage::Vertex | Stage::Geometry | Stage::Fragment) => {
                 SampleLod::Gradient {
                     dx: dx.map(|value| self.value(value)),
                     dy: dy.map(|value| self.value(value)),

@@ -15,6 +15,7 @@ mod trace;
 use crate::shader::machine::interpreter::repeat_loop;
 pub use trace::Tracer;
 
+use super::emission::Emission;
 use super::inst::{Reg, Slot, Target};
 use super::mask::{Extent, Mask, blend};
 use super::preamble::uniform_at;
@@ -50,6 +51,7 @@ pub struct Machine {
     file: usize,
     /// What the last run left of its budget.
     left: u64,
+    emission: Emission,
 }
 
 impl Machine {
@@ -72,6 +74,9 @@ impl Machine {
         }
         self.inputs = program.layout.inputs as usize;
         self.outputs.clone_from(&program.layout.outputs);
+        if let Some(interface) = &program.geometry {
+            self.emission.begin(interface);
+        }
         self.program = program.id;
         self.prepared = 0;
     }
@@ -120,6 +125,9 @@ impl Machine {
             self.prepared = invocation.prepared.id;
         }
         self.discarded.clear();
+        if invocation.program.geometry.is_some() {
+            self.emission.clear();
+        }
         if invocation.program.masked {
             self.exec.whole(invocation.active);
             self.start.clone_from(&self.exec.lanes);
@@ -127,6 +135,11 @@ impl Machine {
         let operations = invocation.prepared.operations(0, invocation.program.code.len());
         self.left = 0;
         invocation.budget.checked_sub(operations).ok_or(OverBudget)
+    }
+
+    /// What the last run of a geometry program emitted.
+    pub fn emission(&self) -> &Emission {
+        &self.emission
     }
 
     /// What the last run left of its budget; 0 if it exceeded it.

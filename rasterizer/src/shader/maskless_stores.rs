@@ -60,7 +60,10 @@ impl MasklessStores {
                 Stmt::If { .. } | Stmt::Scope(_) => {
                     stmt.blocks().for_each(|block| self.block(module, block, open));
                 }
-                Stmt::Store { .. } | Stmt::StoreAt { .. } => {}
+                Stmt::Store { .. }
+                | Stmt::StoreAt { .. }
+                | Stmt::EmitVertex(_)
+                | Stmt::EndPrimitive => {}
                 // What follows is never reached.
                 Stmt::Break | Stmt::Continue | Stmt::Leave | Stmt::Discard => return,
             }

@@ -17,11 +17,13 @@
 //! | [`product`] | programs that need no interpreter: products of texels |
 //! | [`attribute_dependencies`] | which attributes an output of the vertex stage depends on |
 //! | [`program`] | the compiled stage, and its per-draw values |
+//! | [`emission`] | the vertices that a geometry program emits |
 //! | [`machine`] | the interpreter: 64 lanes for each instruction, with an execution [`mask`] |
 
 mod allocate;
 mod attribute_dependencies;
 mod compute;
+mod emission;
 mod exits;
 mod fuse;
 mod inst;
@@ -39,6 +41,7 @@ mod schedule;
 mod uniformity;
 
 pub(crate) use attribute_dependencies::AttributeSet;
+pub use emission::Emission;
 pub use invocation::{Invocation, OverBudget};
 pub use machine::{Machine, Tracer};
 pub use product::{ProductCode, TexelProduct};

@@ -7,7 +7,7 @@ use super::preamble::Preamble;
 use super::product::TexelProduct;
 use super::repeated_lookups::Repeat;
 use super::{allocate, fuse, lower, optimize, repeated_lookups, schedule};
-use crate::ir::{Input, Module, Output};
+use crate::ir::{Block, GeometryInterface, Input, Module, Output, Stmt};
 use std::fmt::Write;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -32,6 +32,8 @@ pub struct Program {
     pub(super) outputs: Vec<(Output, AttributeSet)>,
     pub(super) textures: Vec<u32>,
     pub(super) slots: u32,
+    /// Of a geometry program: its primitives, and what its vertices hold.
+    pub(super) geometry: Option<GeometryInterface>,
     pub(super) discards: bool,
     pub(super) queries_lod: bool,
     pub(super) reads_uniforms: bool,
@@ -121,6 +123,7 @@ impl OptimizedModule {
         let mut module = module.clone();
         let before = statements(&module);
         module.outputs.retain(|(output, _)| keep(*output));
+        retain_emitted(&mut module, keep);
         optimize::optimize(&mut module);
         Self { module, statements_before: before }
     }
@@ -140,6 +143,37 @@ impl OptimizedModule {
             ..Program::lowered(&self.module, Fusing::On)
         }
     }
+}
+
+/// Keeps of what a geometry module emits only the outputs for which `keep` holds.
+fn retain_emitted(module: &mut Module, keep: impl Fn(Output) -> bool) {
+    fn block(stmts: &mut Block, kept: &[bool]) {
+        for stmt in stmts {
+            match stmt {
+                Stmt::EmitVertex(values) => {
+                    let mut kept = kept.iter();
+                    values.retain(|_| kept.next() == Some(&true));
+                }
+                Stmt::If { accept: a, reject: b, .. } | Stmt::Loop { body: a, continuing: b } => {
+                    block(a, kept);
+                    block(b, kept);
+                }
+                Stmt::Scope(body) => block(body, kept),
+                Stmt::Eval(_)
+                | Stmt::Store { .. }
+                | Stmt::StoreAt { .. }
+                | Stmt::Break
+                | Stmt::Continue
+                | Stmt::Leave
+                | Stmt::Discard
+                | Stmt::EndPrimitive => {}
+            }
+        }
+    }
+    let Some(interface) = &mut module.geometry else { return };
+    let kept: Vec<bool> = interface.outputs.iter().map(|output| keep(*output)).collect();
+    interface.outputs.retain(|output| keep(*output));
+    block(&mut module.body, &kept);
 }
 
 /// How many statements a module has.
@@ -197,6 +231,7 @@ impl Program {
             outputs: attribute_dependencies::of_outputs(module),
             textures: lowered.textures,
             slots: lowered.slots,
+            geometry: module.geometry.clone(),
             discards: lowered.discards,
             queries_lod: lowered.queries_lod,
             reads_uniforms: lowered.reads_uniforms,
@@ -224,6 +259,11 @@ impl Program {
     pub(crate) fn is_constant(&self, slot: u16, arrays: AttributeSet) -> bool {
         let sources = self.outputs.iter().find(|(output, _)| *output == Output::Varying(slot));
         sources.is_none_or(|(_, sources)| !sources.meet(arrays))
+    }
+
+    /// Of a geometry program: its primitives, and what its vertices hold.
+    pub fn geometry(&self) -> Option<&GeometryInterface> {
+        self.geometry.as_ref()
     }
 
     /// Whether all of it runs once, whatever lanes hold.

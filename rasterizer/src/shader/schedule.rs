@@ -81,6 +81,8 @@ fn busy_and_latency(inst: &Inst) -> Option<[u32; 2]> {
         | Inst::Leave { .. }
         | Inst::LeaveIf { .. }
         | Inst::Discard
+        | Inst::EmitVertex(_)
+        | Inst::EndPrimitive
         | Inst::SkipEmpty { .. }
         | Inst::EndIteration { .. } => None,
     }

@@ -131,7 +131,9 @@ impl StatementRanges {
                 | Stmt::Break
                 | Stmt::Continue
                 | Stmt::Leave
-                | Stmt::Discard => {}
+                | Stmt::Discard
+                | Stmt::EmitVertex(_)
+                | Stmt::EndPrimitive => {}
             }
             let mut first = None;
             for inner in stmt.blocks() {
@@ -156,7 +158,9 @@ fn is_jump(stmt: &Stmt) -> bool {
         | Stmt::StoreAt { .. }
         | Stmt::If { .. }
         | Stmt::Loop { .. }
-        | Stmt::Scope(_) => false,
+        | Stmt::Scope(_)
+        | Stmt::EmitVertex(_)
+        | Stmt::EndPrimitive => false,
     }
 }
 
@@ -224,6 +228,7 @@ impl Walk<'_> {
                 }
                 Stmt::Loop { body, continuing } => self.repeat(start, body, continuing),
                 Stmt::Scope(body) => self.scope(start, body),
+                Stmt::EmitVertex(_) | Stmt::EndPrimitive => {}
                 Stmt::Break => return self.end_iteration(None),
                 Stmt::Continue => {
                     let end = self.loops.last().map(|open| self.ends(open.start)[0]);

@@ -230,7 +230,9 @@ impl VertexStage<'_> {
             }
             Input::VertexId => InputSource::VertexId,
             Input::InstanceId => InputSource::InstanceId,
-            Input::Varying(_)
+            Input::OfVertex { .. }
+            | Input::PrimitiveId
+            | Input::Varying(_)
             | Input::Gradient { .. }
             | Input::FragCoord(_)
             | Input::FrontFacing
@@ -267,9 +269,12 @@ impl VertexStage<'_> {
             Output::ClipDistance(_) => {
                 plane.next().map_or(OutputTarget::Nowhere, OutputTarget::Distance)
             }
-            Output::Color { .. } | Output::Depth | Output::StencilReference => {
-                OutputTarget::Nowhere
-            }
+            Output::Color { .. }
+            | Output::Depth
+            | Output::StencilReference
+            | Output::Layer
+            | Output::PrimitiveId
+            | Output::ViewportIndex => OutputTarget::Nowhere,
         }
     }
 

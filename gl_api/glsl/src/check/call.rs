@@ -179,7 +179,7 @@ impl Checker<'_> {
         }
         let mut problem = Diagnostic::error(name.span, format!("there is no function `{text}`"));
         let other = match self.stage {
-            Stage::Vertex => Stage::Fragment,
+            Stage::Vertex | Stage::Geometry => Stage::Fragment,
             Stage::Fragment => Stage::Vertex,
         };
         let known: Vec<&FunctionRow> = function::named(text).collect();

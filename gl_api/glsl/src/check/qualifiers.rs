@@ -21,11 +21,16 @@ fn storage(
         (Qualifier::Const, _) => Ok(Storage::Const),
         (Qualifier::Uniform, _) => Ok(Storage::Uniform),
         (Qualifier::Attribute | Qualifier::In, Stage::Vertex) => Ok(Storage::Attribute),
-        (Qualifier::Varying | Qualifier::Out, Stage::Vertex) => Ok(Storage::Output(interpolation)),
-        (Qualifier::Varying | Qualifier::In, Stage::Fragment) => Ok(Storage::Input(interpolation)),
+        (Qualifier::Varying | Qualifier::Out, Stage::Vertex)
+        | (Qualifier::Out, Stage::Geometry) => Ok(Storage::Output(interpolation)),
+        (Qualifier::Varying | Qualifier::In, Stage::Fragment)
+        | (Qualifier::In, Stage::Geometry) => Ok(Storage::Input(interpolation)),
         (Qualifier::Out, Stage::Fragment) => Ok(Storage::FragmentOutput),
         (Qualifier::Attribute, Stage::Fragment) => {
             Err("attributes belong to vertices: the fragment stage has none")
+        }
+        (Qualifier::Attribute | Qualifier::Varying, Stage::Geometry) => {
+            Err("the geometry stage has `in` and `out`")
         }
         (Qualifier::Inout, _) => Err("`inout` is for parameters only"),
         (
@@ -307,6 +312,7 @@ impl Checker<'_> {
             (true, Stage::Fragment) | (false, Stage::Vertex) => {
                 "write `varying`, or `#version 130` first"
             }
+            (true | false, Stage::Geometry) => "write `#version 150` first",
             (false, Stage::Fragment) => "write gl_FragColor, or `#version 130` first",
         };
         self.log.push(Diagnostic::error(span, message).rule(self.rule("4.3")).help(old));

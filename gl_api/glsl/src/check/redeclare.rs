@@ -35,7 +35,7 @@ impl Checker<'_> {
         let (known, min_len) = (variable.ty.clone(), variable.min_len);
         let fits = self.resizes(&known, ty, min_len);
         let passes = match self.stage {
-            Stage::Vertex => matches!(storage, Storage::Output(_)),
+            Stage::Vertex | Stage::Geometry => matches!(storage, Storage::Output(_)),
             Stage::Fragment => matches!(storage, Storage::Input(_)),
         };
         let used = variable.references > 0;

@@ -77,7 +77,7 @@ fn outcome(stage: Stage, source: &str) -> Outcome {
 fn shader(dialect: &Dialect, stage: Stage, globals: &str, body: &str) -> String {
     let position = match stage {
         Stage::Vertex => "gl_Position = vec4(0.0);",
-        Stage::Fragment => "",
+        Stage::Geometry | Stage::Fragment => "",
     };
     format!("{}{globals}void main() {{ {position} {body} }}\n", dialect.header)
 }

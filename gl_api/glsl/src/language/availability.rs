@@ -120,6 +120,7 @@ impl Stages {
 pub fn stage_name(stage: Stage) -> &'static str {
     match stage {
         Stage::Vertex => "vertex",
+        Stage::Geometry => "geometry",
         Stage::Fragment => "fragment",
     }
 }

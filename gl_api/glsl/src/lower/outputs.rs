@@ -76,7 +76,10 @@ impl Lowerer<'_> {
         let own = types[at as usize];
         let ty = match output {
             Output::Color { .. } if matches!(own, Ty::I32 | Ty::U32) => own,
-            Output::StencilReference => Ty::I32,
+            Output::StencilReference
+            | Output::Layer
+            | Output::PrimitiveId
+            | Output::ViewportIndex => Ty::I32,
             Output::Color { .. }
             | Output::Position(_)
             | Output::PointSize

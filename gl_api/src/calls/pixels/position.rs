@@ -104,6 +104,8 @@ pub(crate) fn shade(context: &mut Context, position: [f32; 4]) -> Result<Vertice
             }
             Input::VertexId
             | Input::InstanceId
+            | Input::OfVertex { .. }
+            | Input::PrimitiveId
             | Input::Varying(_)
             | Input::FragCoord(_)
             | Input::FrontFacing

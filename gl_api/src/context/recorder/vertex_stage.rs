@@ -47,12 +47,16 @@ impl Outputs {
                     .any(|first| four(first, slot)),
                 Self::Positions => false,
             },
-            Output::PointSize | Output::Color { .. } | Output::Depth | Output::StencilReference => {
-                match self {
-                    Self::All | Self::Units(_) => true,
-                    Self::Corners | Self::Positions => false,
-                }
-            }
+            Output::PointSize
+            | Output::Color { .. }
+            | Output::Depth
+            | Output::StencilReference
+            | Output::Layer
+            | Output::PrimitiveId
+            | Output::ViewportIndex => match self {
+                Self::All | Self::Units(_) => true,
+                Self::Corners | Self::Positions => false,
+            },
         }
     }
 }

@@ -17,7 +17,10 @@ pub(crate) fn clamp_vertex_colors(module: &mut Module) -> bool {
         | Output::ClipDistance(_)
         | Output::Color { .. }
         | Output::Depth
-        | Output::StencilReference => false,
+        | Output::StencilReference
+        | Output::Layer
+        | Output::PrimitiveId
+        | Output::ViewportIndex => false,
     })
 }
 

@@ -40,7 +40,9 @@ impl ExitKind {
             | Stmt::If { .. }
             | Stmt::Loop { .. }
             | Stmt::Scope(_)
-            | Stmt::Discard => None,
+            | Stmt::Discard
+            | Stmt::EmitVertex(_)
+            | Stmt::EndPrimitive => None,
         }
     }
 }
@@ -90,6 +92,13 @@ impl Lowering<'_> {
                 Stmt::If { condition, accept, reject } => self.branch(*condition, accept, reject),
                 Stmt::Loop { body, continuing } => self.repeat(body, continuing),
                 Stmt::Scope(body) => self.scope(body),
+                Stmt::EmitVertex(values) => {
+                    let values = values.iter().map(|value| self.value(*value)).collect();
+                    self.emit(Inst::EmitVertex(values));
+                }
+                Stmt::EndPrimitive => {
+                    self.emit(Inst::EndPrimitive);
+                }
                 Stmt::Break => return self.leave(ExitKind::Break),
                 Stmt::Continue => return self.leave(ExitKind::Continue),
                 Stmt::Leave => return self.leave(ExitKind::Leave),

@@ -144,6 +144,11 @@ impl Kernel for Interpreter<'_> {
                     let to = &mut m.slots[slot.0 as usize];
                     m.exec.leave_if(condition, when, to, &m.start);
                 }
+                Inst::EmitVertex(ref values) => {
+                    let registers = &m.registers;
+                    m.emission.emit(&m.exec, |at| &registers[values[at].0 as usize]);
+                }
+                Inst::EndPrimitive => m.emission.end_primitive(&m.exec),
                 Inst::Discard => m.discarded.take(&mut m.exec, &m.start),
                 Inst::SkipEmpty { to } => {
                     if m.exec.is_empty() {

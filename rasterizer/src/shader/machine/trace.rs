@@ -148,6 +148,8 @@ impl Machine {
                 | Inst::Leave { .. }
                 | Inst::LeaveIf { .. }
                 | Inst::Discard
+                | Inst::EmitVertex(_)
+                | Inst::EndPrimitive
                 | Inst::SkipEmpty { .. } => {
                     let code = &code[..=pc];
                     invocation.isa.run(Interpreter {
@@ -211,6 +213,8 @@ impl Machine {
             | Inst::Leave { .. }
             | Inst::LeaveIf { .. }
             | Inst::Discard
+            | Inst::EmitVertex(_)
+            | Inst::EndPrimitive
             | Inst::SkipEmpty { .. }
             | Inst::EndIteration { .. } => OperandsBefore::Control,
         }

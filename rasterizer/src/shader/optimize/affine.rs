@@ -42,7 +42,10 @@ fn first_free(fragment: &Module, vertex: &Module) -> u16 {
         | Output::ClipDistance(_)
         | Output::Color { .. }
         | Output::Depth
-        | Output::StencilReference => None,
+        | Output::StencilReference
+        | Output::Layer
+        | Output::PrimitiveId
+        | Output::ViewportIndex => None,
     });
     let own = fragment.primitive_id.map(|first| first + 2);
     written.chain(own).fold(fragment.varyings.len() as u16, u16::max)
@@ -161,7 +164,9 @@ impl<'a> Search<'a> {
             | Stmt::Break
             | Stmt::Continue
             | Stmt::Leave
-            | Stmt::Discard => {}
+            | Stmt::Discard
+            | Stmt::EmitVertex(_)
+            | Stmt::EndPrimitive => {}
         }
     }
 

@@ -79,8 +79,13 @@ impl Split<'_> {
                     self.block(b);
                 }
                 Stmt::Scope(body) => self.block(body),
-                Stmt::Store { .. } | Stmt::Break | Stmt::Continue | Stmt::Leave | Stmt::Discard => {
-                }
+                Stmt::Store { .. }
+                | Stmt::EmitVertex(_)
+                | Stmt::EndPrimitive
+                | Stmt::Break
+                | Stmt::Continue
+                | Stmt::Leave
+                | Stmt::Discard => {}
             }
         }
     }

@@ -1,6 +1,6 @@
 //! Dead code elimination: values, stores, and empty control flow on which no output depends.
 //!
-//! Marks backwards from the outputs and the discards. A construct is needed when something needed
+//! Marks backwards from the outputs, the emitted vertices and the discards. A construct is needed when something needed
 //! stands in it; then so are its condition, and every jump to its end. A loop that nothing leaves
 //! is needed too, so that a program that cannot end still runs into its budget.
 
@@ -16,14 +16,15 @@ pub(super) fn run(module: &mut Module) {
         variables: vec![false; module.variables.len()],
         work: Vec::new(),
     };
-    let mut roots = Vec::new();
+    let mut roots = Roots::default();
     marking.build(&module.body, EnclosingNodes { node: 0, in_loop: 0, in_scope: 0 }, &mut roots);
     for at in 0..marking.nodes.len() {
         if marking.nodes[at].is_loop && !marking.nodes[at].is_left {
-            roots.push(at);
+            roots.nodes.push(at);
         }
     }
-    marking.work.extend(roots.into_iter().map(Item::Node));
+    marking.work.extend(roots.nodes.into_iter().map(Item::Node));
+    marking.work.extend(roots.values.into_iter().map(Item::Value));
     marking.work.extend(module.outputs.iter().map(|(_, var)| Item::Variable(*var)));
     marking.run();
     let Marker { nodes, values, variables, .. } = marking;
@@ -46,6 +47,13 @@ struct Node {
     needed: bool,
     /// The node after the last inside.
     end: usize,
+}
+
+/// What is needed whatever else is: where statements with an effect stand, and what they read.
+#[derive(Default)]
+struct Roots {
+    nodes: Vec<usize>,
+    values: Vec<Value>,
 }
 
 /// A store.
@@ -88,7 +96,7 @@ impl Marker<'_> {
         self.nodes.len() - 1
     }
 
-    fn build(&mut self, block: &Block, around: EnclosingNodes, discards: &mut Vec<usize>) {
+    fn build(&mut self, block: &Block, around: EnclosingNodes, roots: &mut Roots) {
         let node = around.node;
         for stmt in block {
             match stmt {
@@ -102,16 +110,16 @@ impl Marker<'_> {
                 }
                 Stmt::If { condition, accept, reject } => {
                     let inner = self.open(node, Some(*condition));
-                    self.build(accept, EnclosingNodes { node: inner, ..around }, discards);
-                    self.build(reject, EnclosingNodes { node: inner, ..around }, discards);
+                    self.build(accept, EnclosingNodes { node: inner, ..around }, roots);
+                    self.build(reject, EnclosingNodes { node: inner, ..around }, roots);
                     self.nodes[inner].end = self.nodes.len();
                 }
                 Stmt::Loop { body, continuing } => {
                     let inner = self.open(node, None);
                     self.nodes[inner].is_loop = true;
                     let around = EnclosingNodes { node: inner, in_loop: inner, ..around };
-                    self.build(body, around, discards);
-                    self.build(continuing, around, discards);
+                    self.build(body, around, roots);
+                    self.build(continuing, around, roots);
                     self.nodes[inner].end = self.nodes.len();
                 }
                 Stmt::Scope(body) => {
@@ -119,7 +127,7 @@ impl Marker<'_> {
                     self.build(
                         body,
                         EnclosingNodes { node: inner, in_scope: inner, ..around },
-                        discards,
+                        roots,
                     );
                     self.nodes[inner].end = self.nodes.len();
                 }
@@ -133,9 +141,14 @@ impl Marker<'_> {
                     self.leave(node, around.in_scope);
                 }
                 Stmt::Discard => {
-                    discards.push(node);
+                    roots.nodes.push(node);
                     self.leave(node, 0);
                 }
+                Stmt::EmitVertex(values) => {
+                    roots.nodes.push(node);
+                    roots.values.extend(values);
+                }
+                Stmt::EndPrimitive => roots.nodes.push(node),
             }
         }
     }
@@ -203,7 +216,12 @@ fn sweep(block: &mut Block, nodes: &[Node], values: &[bool], variables: &[bool],
             }
             is_needed
         }
-        Stmt::Break | Stmt::Continue | Stmt::Leave | Stmt::Discard => true,
+        Stmt::Break
+        | Stmt::Continue
+        | Stmt::Leave
+        | Stmt::Discard
+        | Stmt::EmitVertex(_)
+        | Stmt::EndPrimitive => true,
     });
 }
 

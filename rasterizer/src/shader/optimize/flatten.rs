@@ -47,7 +47,9 @@ impl Flatten<'_> {
                 | Stmt::Break
                 | Stmt::Continue
                 | Stmt::Leave
-                | Stmt::Discard => out.push(stmt),
+                | Stmt::Discard
+                | Stmt::EmitVertex(_)
+                | Stmt::EndPrimitive => out.push(stmt),
             }
         }
         out
@@ -74,7 +76,9 @@ impl Flatten<'_> {
             | Stmt::Break
             | Stmt::Continue
             | Stmt::Leave
-            | Stmt::Discard => None,
+            | Stmt::Discard
+            | Stmt::EmitVertex(_)
+            | Stmt::EndPrimitive => None,
         });
         costs.sum()
     }

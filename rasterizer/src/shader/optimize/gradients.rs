@@ -66,7 +66,9 @@ impl Pass<'_> {
                 | Stmt::Break
                 | Stmt::Continue
                 | Stmt::Leave
-                | Stmt::Discard => stmt,
+                | Stmt::Discard
+                | Stmt::EmitVertex(_)
+                | Stmt::EndPrimitive => stmt,
             };
             out.push(stmt);
         }

@@ -36,7 +36,9 @@ fn block(block: Block, depth: usize) -> Block {
             | Stmt::Break
             | Stmt::Continue
             | Stmt::Leave
-            | Stmt::Discard => out.push(stmt),
+            | Stmt::Discard
+            | Stmt::EmitVertex(_)
+            | Stmt::EndPrimitive => out.push(stmt),
         }
         if out.last().is_some_and(Stmt::is_jump) {
             break;
@@ -90,6 +92,8 @@ fn leaves(stmt: &Stmt) -> bool {
         | Stmt::Loop { .. }
         | Stmt::Break
         | Stmt::Continue
-        | Stmt::Discard => stmt.blocks().flatten().any(leaves),
+        | Stmt::Discard
+        | Stmt::EmitVertex(_)
+        | Stmt::EndPrimitive => stmt.blocks().flatten().any(leaves),
     }
 }

@@ -109,7 +109,13 @@ impl Walk<'_> {
                     self.memory.forget(start, self.memory.mark());
                     out.push(Stmt::Scope(body));
                 }
-                Stmt::Break | Stmt::Continue | Stmt::Leave | Stmt::Discard => out.push(stmt),
+                Stmt::EmitVertex(values) => {
+                    let values = values.into_iter().map(|value| self.replacement(value)).collect();
+                    out.push(Stmt::EmitVertex(values));
+                }
+                Stmt::Break | Stmt::Continue | Stmt::Leave | Stmt::Discard | Stmt::EndPrimitive => {
+                    out.push(stmt)
+                }
             }
             if out.last().is_some_and(Stmt::is_jump) {
                 return;

@@ -66,7 +66,7 @@ impl Walk<'_> {
                     }
                     live.remove(*var);
                 }
-                Stmt::StoreAt { .. } => {}
+                Stmt::StoreAt { .. } | Stmt::EmitVertex(_) | Stmt::EndPrimitive => {}
                 Stmt::If { accept, reject, .. } => {
                     let other = self.block(accept, live.clone());
                     live = self.block(reject, live);

@@ -62,7 +62,9 @@ fn exits_iteration(stmt: &Stmt) -> bool {
         | Stmt::Store { .. }
         | Stmt::StoreAt { .. }
         | Stmt::Leave
-        | Stmt::Discard => false,
+        | Stmt::Discard
+        | Stmt::EmitVertex(_)
+        | Stmt::EndPrimitive => false,
         Stmt::If { .. } | Stmt::Scope(_) => stmt.blocks().flatten().any(exits_iteration),
     }
 }
@@ -179,7 +181,12 @@ impl Copy<'_> {
                 Stmt::Loop { body: self.block(body), continuing: self.block(continuing) }
             }
             Stmt::Scope(body) => Stmt::Scope(self.block(body)),
-            Stmt::Break | Stmt::Continue | Stmt::Leave | Stmt::Discard => stmt.clone(),
+            Stmt::EmitVertex(values) => {
+                Stmt::EmitVertex(values.iter().map(|value| self.value(*value)).collect())
+            }
+            Stmt::Break | Stmt::Continue | Stmt::Leave | Stmt::Discard | Stmt::EndPrimitive => {
+                stmt.clone()
+            }
         }
     }
 }

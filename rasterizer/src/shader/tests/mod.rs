@@ -39,10 +39,25 @@ fn run(
             (kept >> lane & 1 != 0).then(|| {
                 (0..program.outputs().len())
                     .map(|index| any_nan(machine.output(index)[lane]))
+                    .chain(emitted(program, &machine, lane))
                     .collect()
             })
         })
         .collect())
+}
+
+/// What a lane emitted: of each vertex whether it begins a strip, and its scalars.
+fn emitted(program: &Program, machine: &Machine, lane: usize) -> Vec<u32> {
+    let Some(interface) = program.geometry() else { return Vec::new() };
+    let emission = machine.emission();
+    let mut words = Vec::new();
+    for vertex in 0..emission.count(lane) {
+        words.push(emission.begins_strip(lane, vertex).into());
+        words.extend(
+            (0..interface.outputs.len()).map(|at| any_nan(emission.values(vertex, at)[lane])),
+        );
+    }
+    words
 }
 
 /// One word for all NaN: which one an operation gives is left open by IEEE and by Rust, and no

@@ -3,7 +3,8 @@
 use super::check;
 use super::reference::{self, Outcome};
 use crate::ir::{
-    Block, Builder, Expr, Input, Interpolation, Op, Output, Stage, Stmt, Ty, Value, Var,
+    Block, Builder, Expr, GeometryInput, GeometryInterface, GeometryOutput, Input, Interpolation,
+    Op, Output, Stage, Stmt, Ty, Value, Var,
 };
 use crate::shader::OptimizedModule;
 use proptest::prelude::*;
@@ -252,6 +253,58 @@ fn uniforms(seed: u32) -> Vec<u32> {
     (0..UNIFORMS as usize).map(of).collect()
 }
 
+/// A geometry module like a fragment module: it emits what this stores, and ends strips where this discards.
+fn emitting(mut module: crate::ir::Module) -> crate::ir::Module {
+    fn block(stmts: Block, variables: &[crate::ir::Variable]) -> Block {
+        let mut out = Block::new();
+        for stmt in stmts {
+            let nested = |stmts| block(stmts, variables);
+            let stmt = match stmt {
+                Stmt::If { condition, accept, reject } => {
+                    Stmt::If { condition, accept: nested(accept), reject: nested(reject) }
+                }
+                Stmt::Loop { body, continuing } => {
+                    Stmt::Loop { body: nested(body), continuing: nested(continuing) }
+                }
+                Stmt::Scope(body) => Stmt::Scope(nested(body)),
+                Stmt::Discard => Stmt::EndPrimitive,
+                Stmt::Store { var, value } => {
+                    if variables[var.0 as usize].ty == Ty::F32 {
+                        out.push(Stmt::EmitVertex(vec![value, Value(0)]));
+                    }
+                    Stmt::Store { var, value }
+                }
+                other => other,
+            };
+            out.push(stmt);
+        }
+        out
+    }
+    module.stage = Stage::Geometry;
+    module.geometry = Some(GeometryInterface {
+        input: GeometryInput::Lines,
+        output: GeometryOutput::LineStrip,
+        max_vertices: 7,
+        outputs: vec![Output::Position(0), Output::Varying(3)],
+    });
+    module.varyings.clear();
+    module.outputs.clear();
+    for value in &mut module.values {
+        match value {
+            Expr::Input(Input::Varying(slot)) => {
+                let output = Output::Varying(*slot);
+                *value = Expr::Input(Input::OfVertex { vertex: (*slot % 2) as u8, output });
+            }
+            Expr::Input(Input::FrontFacing) => {
+                *value = Expr::Const { bits: crate::ir::TRUE, ty: Ty::Bool };
+            }
+            _ => {}
+        }
+    }
+    module.body = block(std::mem::take(&mut module.body), &module.variables);
+    module
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 400, failure_persistence: None, ..ProptestConfig::default() })]
 
@@ -264,6 +317,20 @@ proptest! {
         check(&module(&rolls), &uniforms, |input, lane| match input {
             Input::FrontFacing => if word(seed, lane + 1000) & 1 == 0 { 0 } else { crate::ir::TRUE },
             Input::Varying(slot) => word(seed, lane * 8 + usize::from(slot)),
+            other => unreachable!("{other:?}"),
+        });
+    }
+
+    #[test]
+    fn every_geometry_program_emits_what_the_reference_emits(
+        rolls in proptest::collection::vec(any::<u32>(), 50..900),
+        seed in any::<u32>(),
+    ) {
+        let uniforms = uniforms(seed);
+        check(&emitting(module(&rolls)), &uniforms, |input, lane| match input {
+            Input::OfVertex { output: Output::Varying(slot), .. } => {
+                word(seed, lane * 8 + usize::from(slot))
+            }
             other => unreachable!("{other:?}"),
         });
     }

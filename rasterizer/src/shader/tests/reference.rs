@@ -5,7 +5,7 @@ use crate::ir::{Block, Expr, Input, Module, Stmt, Value, Var};
 /// How a lane ended.
 #[derive(Debug, PartialEq)]
 pub enum Outcome {
-    /// By output.
+    /// By output; then what was emitted.
     Done(Vec<u32>),
     Discarded,
     /// Took too many steps.
@@ -28,6 +28,9 @@ struct Lane<'a, F> {
     values: Vec<u32>,
     variables: Vec<Vec<u32>>,
     steps: u32,
+    /// By emitted vertex: whether it begins a strip, and its scalars.
+    emitted: Vec<Vec<u32>>,
+    begins: bool,
 }
 
 /// Runs one lane. Modules with derivatives or samples have no meaning here.
@@ -39,6 +42,8 @@ pub fn run(module: &Module, uniforms: &[u32], steps: u32, input: impl Fn(Input) 
         values: vec![0; module.values.len()],
         variables: module.variables.iter().map(|var| vec![0; var.len as usize]).collect(),
         steps,
+        emitted: Vec::new(),
+        begins: true,
     };
     match lane.block(&module.body) {
         Flow::Discard => Outcome::Discarded,
@@ -48,6 +53,7 @@ pub fn run(module: &Module, uniforms: &[u32], steps: u32, input: impl Fn(Input) 
                 .outputs
                 .iter()
                 .map(|(_, var)| super::any_nan(lane.variables[var.0 as usize][0]))
+                .chain(lane.emitted.concat())
                 .collect(),
         ),
     }
@@ -125,6 +131,20 @@ impl<F: Fn(Input) -> u32> Lane<'_, F> {
                 Stmt::Continue => Flow::Continue,
                 Stmt::Leave => Flow::Leave,
                 Stmt::Discard => Flow::Discard,
+                Stmt::EmitVertex(values) => {
+                    let most = self.module.geometry.as_ref().map_or(0, |own| own.max_vertices);
+                    if (self.emitted.len() as u32) < most {
+                        let begins = u32::from(std::mem::take(&mut self.begins));
+                        let words = values.iter().map(|value| super::any_nan(self.get(*value)));
+                        let vertex = std::iter::once(begins).chain(words).collect();
+                        self.emitted.push(vertex);
+                    }
+                    Flow::Next
+                }
+                Stmt::EndPrimitive => {
+                    self.begins = true;
+                    Flow::Next
+                }
             };
             match flow {
                 Flow::Next => {}
