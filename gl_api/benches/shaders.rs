@@ -188,6 +188,7 @@ fn commands(text: &str) -> CommandBuffer {
         .collect();
     let pipeline = Pipeline::new(PipelineDesc {
         vertex: ShaderModule::new(program.vertex.expect("linked")).expect("valid"),
+        geometry: None,
         fragment: ShaderModule::new(fragment).expect("valid"),
         topology: Topology::Triangles,
         cull: Cull::None,
@@ -207,6 +208,7 @@ fn commands(text: &str) -> CommandBuffer {
                 depth: None,
                 width: SIZE,
                 height: SIZE,
+                layers: 1,
             }),
             Command::BindPipeline(pipeline.expect("valid")),
             // The one number that a shader asks for; textures are bound by slot.

@@ -234,6 +234,7 @@ fn commands(scene: &Scene, texels: &Texels, target: Image) -> CommandBuffer {
     let plan = Arc::new(SamplePlan::new(texels, &scene.sampler));
     let pipeline = Pipeline::new(PipelineDesc {
         vertex: vertex(),
+        geometry: None,
         fragment: scene.fragment.clone(),
         topology: Topology::Triangles,
         cull: Cull::None,
@@ -251,6 +252,7 @@ fn commands(scene: &Scene, texels: &Texels, target: Image) -> CommandBuffer {
                 depth: None,
                 width: SIZE,
                 height: SIZE,
+                layers: 1,
             }),
             Command::BindPipeline(pipeline.expect("valid")),
             Command::BindVertices(scene.vertices.clone()),

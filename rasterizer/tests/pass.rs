@@ -155,7 +155,7 @@ fn one_draw_writes_several_targets() {
         .map(|image| Some(Attachment { image: image.clone(), face: 0, level: 0 }))
         .collect();
     let mut commands = vec![
-        Command::BeginPass(PassDesc { colors, depth: None, width: 20, height: 10 }),
+        Command::BeginPass(PassDesc { colors, depth: None, width: 20, height: 10, layers: 1 }),
         viewport(20, 10),
     ];
     commands.extend(draw(&desc, 0.0));
@@ -180,8 +180,13 @@ fn depth_formats_store_the_nearest_depth_of_a_pass_without_colour() {
         desc.colors.clear();
         desc.depth = Some(DepthState { test: Compare::Less, write: DepthWrite::On });
         let attachment = Attachment { image: depth.clone(), face: 0, level: 0 };
-        let desc_pass =
-            PassDesc { colors: Vec::new(), depth: Some(attachment), width: 33, height: 17 };
+        let desc_pass = PassDesc {
+            colors: Vec::new(),
+            depth: Some(attachment),
+            width: 33,
+            height: 17,
+            layers: 1,
+        };
         let mut commands = vec![
             Command::BeginPass(desc_pass),
             Command::Clear { value: ClearValue::Depth(1.0), area: rect(0, 0, 33, 17) },
@@ -245,6 +250,7 @@ fn faces_and_levels_of_one_image_are_drawn_to_one_after_another() {
                     depth: None,
                     width: size,
                     height: size,
+                    layers: 1,
                 }),
                 viewport(size, size),
             ];

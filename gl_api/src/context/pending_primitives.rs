@@ -34,8 +34,11 @@ pub(crate) fn vertices_of_primitive(topology: Topology) -> Option<usize> {
         Topology::Points => Some(1),
         Topology::Lines => Some(2),
         Topology::Triangles => Some(3),
-        Topology::Quads => Some(4),
-        Topology::LineStrip
+        Topology::Quads | Topology::LinesAdjacency => Some(4),
+        Topology::TrianglesAdjacency => Some(6),
+        Topology::LineStripAdjacency
+        | Topology::TriangleStripAdjacency
+        | Topology::LineStrip
         | Topology::LineLoop
         | Topology::TriangleStrip
         | Topology::TriangleFan

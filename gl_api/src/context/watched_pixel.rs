@@ -42,6 +42,10 @@ impl DrawNote {
             Topology::Quads => "GL_QUADS",
             Topology::QuadStrip => "GL_QUAD_STRIP",
             Topology::Polygon => "GL_POLYGON",
+            Topology::LinesAdjacency => "GL_LINES_ADJACENCY",
+            Topology::LineStripAdjacency => "GL_LINE_STRIP_ADJACENCY",
+            Topology::TrianglesAdjacency => "GL_TRIANGLES_ADJACENCY",
+            Topology::TriangleStripAdjacency => "GL_TRIANGLE_STRIP_ADJACENCY",
         };
         self.title = format!("{name}, {}", self.title);
         self

@@ -310,6 +310,7 @@ pub(crate) fn draw_pass(context: &Context) -> Result<PassDesc> {
             depth: window.depth.as_ref().map(base_level_attachment),
             width: window.width,
             height: window.height,
+            layers: 1,
         });
     };
     // Of attachments of different sizes, the pixels that all have are drawn to.
@@ -328,7 +329,7 @@ pub(crate) fn draw_pass(context: &Context) -> Result<PassDesc> {
     let used = colors.iter().rposition(Option::is_some).map_or(0, |last| last + 1);
     colors.truncate(used);
     let depth = found(&object.depth).or_else(|| found(&object.stencil));
-    Ok(PassDesc { colors, depth, width, height })
+    Ok(PassDesc { colors, depth, width, height, layers: 1 })
 }
 
 /// The image that is read from, if there is one.

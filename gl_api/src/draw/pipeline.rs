@@ -76,6 +76,7 @@ pub(crate) fn pipeline_desc(
     };
     PipelineDesc {
         vertex,
+        geometry: None,
         fragment,
         topology,
         cull: if enables.has(Flag::CullFace) { raster.cull } else { Cull::None },

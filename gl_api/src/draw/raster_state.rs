@@ -25,10 +25,16 @@ struct RasterizedAs {
 fn rasterized_as(context: &Context, topology: Topology) -> RasterizedAs {
     match topology {
         Topology::Points => RasterizedAs { points: true, lines: false, polygons: false },
-        Topology::Lines | Topology::LineStrip | Topology::LineLoop => {
+        Topology::Lines
+        | Topology::LineStrip
+        | Topology::LineLoop
+        | Topology::LinesAdjacency
+        | Topology::LineStripAdjacency => {
             RasterizedAs { points: false, lines: true, polygons: false }
         }
         Topology::Triangles
+        | Topology::TrianglesAdjacency
+        | Topology::TriangleStripAdjacency
         | Topology::TriangleStrip
         | Topology::TriangleFan
         | Topology::Quads

@@ -31,8 +31,14 @@ impl CapturedPrimitive {
     pub(crate) fn of(topology: Topology) -> Self {
         match topology {
             Topology::Points => Self::Points,
-            Topology::Lines | Topology::LineStrip | Topology::LineLoop => Self::Lines,
+            Topology::Lines
+            | Topology::LineStrip
+            | Topology::LineLoop
+            | Topology::LinesAdjacency
+            | Topology::LineStripAdjacency => Self::Lines,
             Topology::Triangles
+            | Topology::TrianglesAdjacency
+            | Topology::TriangleStripAdjacency
             | Topology::TriangleStrip
             | Topology::TriangleFan
             | Topology::Quads

@@ -4,7 +4,7 @@ use super::blend::ColorState;
 use super::depth_stencil::DepthState;
 use super::output::OutputState;
 use super::primitive::{Cull, FrontFace, Provoking, Topology};
-use crate::ir::Module;
+use crate::ir::{GeometryInput, GeometryOutput, Module};
 use std::hash::{Hash, Hasher};
 use std::sync::Arc;
 use thiserror::Error;
@@ -48,6 +48,8 @@ impl Hash for ShaderModule {
 pub struct PipelineDesc {
     /// The vertex stage.
     pub vertex: ShaderModule,
+    /// The geometry stage, if there is one: then vertices make primitives of its kind of input.
+    pub geometry: Option<ShaderModule>,
     /// The fragment stage; varyings meet by slot.
     pub fragment: ShaderModule,
     /// How vertices make primitives.
@@ -64,6 +66,37 @@ pub struct PipelineDesc {
     pub colors: Vec<ColorState>,
     /// The other operations on fragments after the shader.
     pub output: OutputState,
+}
+
+impl PipelineDesc {
+    /// The topology of what is drawn. What a geometry program emits is drawn primitive by primitive.
+    pub(crate) fn drawn(&self) -> Topology {
+        let interface = self.geometry.as_ref().and_then(|stage| stage.module().geometry.as_ref());
+        match interface.map(|interface| interface.output) {
+            Some(GeometryOutput::Points) => Topology::Points,
+            Some(GeometryOutput::LineStrip) => Topology::Lines,
+            Some(GeometryOutput::TriangleStrip) => Topology::Triangles,
+            None => self.topology,
+        }
+    }
+}
+
+impl Topology {
+    /// What a geometry program that runs for these primitives takes; `None` if none does.
+    pub fn geometry_input(self) -> Option<GeometryInput> {
+        match self {
+            Self::Points => Some(GeometryInput::Points),
+            Self::Lines | Self::LineStrip | Self::LineLoop => Some(GeometryInput::Lines),
+            Self::LinesAdjacency | Self::LineStripAdjacency => Some(GeometryInput::LinesAdjacency),
+            Self::Triangles | Self::TriangleStrip | Self::TriangleFan => {
+                Some(GeometryInput::Triangles)
+            }
+            Self::TrianglesAdjacency | Self::TriangleStripAdjacency => {
+                Some(GeometryInput::TrianglesAdjacency)
+            }
+            Self::Quads | Self::QuadStrip | Self::Polygon => None,
+        }
+    }
 }
 
 /// Why a pipeline is invalid.

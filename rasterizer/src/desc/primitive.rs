@@ -23,6 +23,14 @@ pub enum Topology {
     QuadStrip,
     /// All vertices one convex polygon.
     Polygon,
+    /// Each four a line between the second and the third (GL 3.2, section 2.6.1).
+    LinesAdjacency,
+    /// Each vertex joined to the next, without the first and the last.
+    LineStripAdjacency,
+    /// Each six a triangle of the first, the third and the fifth.
+    TrianglesAdjacency,
+    /// Every other vertex with the two such before it.
+    TriangleStripAdjacency,
 }
 
 /// Which faces are not drawn.

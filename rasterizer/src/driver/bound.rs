@@ -11,6 +11,7 @@ pub struct BoundState {
     pub pipeline: Option<Pipeline>,
     pub vertices: Arc<[VertexBinding]>,
     pub vertex_textures: Textures,
+    pub geometry_textures: Textures,
     pub fragment_textures: Textures,
     pub uniforms: Arc<[u32]>,
     pub viewport: Viewport,
@@ -25,10 +26,13 @@ pub struct BoundState {
 }
 
 /// Decisions that draws with equal state share.
+#[derive(Clone)]
 pub struct DrawDecisions {
     pub plan: Arc<DrawPlan>,
     /// The per-draw values of the vertex program.
     pub vertex: Arc<Prepared>,
+    /// Those of the geometry program.
+    pub geometry: Option<Arc<Prepared>>,
 }
 
 impl BoundState {
@@ -39,6 +43,7 @@ impl BoundState {
             pipeline: None,
             vertices: Arc::new([]),
             vertex_textures: none.clone(),
+            geometry_textures: none.clone(),
             fragment_textures: none,
             uniforms: Arc::new([]),
             viewport: Viewport {
@@ -63,6 +68,12 @@ impl BoundState {
     pub fn set(&mut self, command: &Command) {
         match command {
             Command::BindPipeline(pipeline) => self.pipeline = Some(pipeline.clone()),
+            Command::BindGeometryTextures(textures) => {
+                if same_textures(textures, &self.geometry_textures) {
+                    return;
+                }
+                self.geometry_textures = textures.clone();
+            }
             Command::BindTextures { vertex, fragment } => {
                 if same_textures(vertex, &self.vertex_textures)
                     && same_textures(fragment, &self.fragment_textures)

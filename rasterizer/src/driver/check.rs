@@ -63,6 +63,7 @@ pub fn check(commands: &[Command]) -> Result<(), SubmitError> {
             }
             Command::BindVertices(_)
             | Command::BindTextures { .. }
+            | Command::BindGeometryTextures(_)
             | Command::SetUniforms(_)
             | Command::SetScissor(_)
             | Command::Watch(_)
@@ -87,7 +88,16 @@ fn check_pass(desc: &PassDesc) -> Result<(), String> {
         .map(|a| (a, "colour"))
         .chain(desc.depth.iter().map(|a| (a, "depth")));
     let mut all_samples = None;
+    let behind = desc.layers.max(1) - 1;
     for (attachment, kind) in attachments {
+        let last = attachment.face.checked_add(behind);
+        let has_last = |last| attachment.image.attachment(last, attachment.level).is_some();
+        if !last.is_some_and(has_last) {
+            return Err(format!(
+                "BeginPass: the {kind} attachment has no level {} of {} layers from {} on",
+                attachment.level, desc.layers, attachment.face
+            ));
+        }
         let info = attachment.image.attachment(attachment.face, attachment.level);
         let Some(AttachmentInfo { format, width, height, samples }) = info else {
             return Err(format!(

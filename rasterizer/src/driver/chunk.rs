@@ -1,6 +1,10 @@
 //! Chunks of a draw: runs of primitives whose vertices are shaded, whose shapes are set up and
 //! sorted by tiles, in parallel; what comes out is in the order of the primitives.
 
+mod emitted;
+
+pub use emitted::GeometryProgram;
+
 use crate::desc::{Topology, VertexBinding};
 use crate::plan::{Pipeline, Textures};
 use crate::primitive::{InvisibleReasons, Setup, Shape, reasons, setup, stipple_lines};
@@ -40,6 +44,10 @@ pub struct DrawState<'a> {
     pub prepared: Arc<Prepared>,
     /// The varying slots that the fragment stage reads.
     pub slots: &'a [u16],
+    /// The geometry program, if there is one.
+    pub geometry: Option<GeometryProgram<'a>>,
+    /// How many layers the attachments have.
+    pub layers: u32,
     pub setup: Setup<'a>,
     /// How far the line stipple has come, in subpixels.
     pub stipple: u32,
@@ -54,6 +62,7 @@ pub struct DrawState<'a> {
 /// The shapes of one tile: a range of `binned` of a chunk.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TileBin {
+    pub layer: u32,
     /// The tile, across and up.
     pub tile: [u32; 2],
     pub first: u32,
@@ -87,31 +96,61 @@ impl MergedDraws {
     }
 
     /// The chunk.
-    pub fn finish(self) -> (Chunk, Vec<TileBin>) {
-        chunk_of(self.draw, Arc::new(self.geometry), self.lists)
+    pub fn finish(self, layers: u32) -> (Chunk, Vec<TileBin>) {
+        chunk_of(self.draw, Arc::new(self.geometry), self.lists, layers)
     }
 }
 
 /// A chunk of these shapes.
-fn chunk_of(draw: usize, geometry: Arc<Geometry>, mut lists: ShapeLists) -> (Chunk, Vec<TileBin>) {
-    let bins = sort_by_tile(&mut lists);
+fn chunk_of(
+    draw: usize,
+    geometry: Arc<Geometry>,
+    mut lists: ShapeLists,
+    layers: u32,
+) -> (Chunk, Vec<TileBin>) {
+    let bins = match geometry.has_layers() {
+        false => sort_by_tile(&mut lists),
+        true => sort_by_layer(&geometry, &mut lists, layers),
+    };
     (Chunk { draw, geometry, lists }, bins)
 }
 
 impl DrawState<'_> {
     /// The number of instances in one chunk. A strip of lines restarts its stipple and has a chunk of its own.
     pub fn instances_per_chunk(&self) -> u32 {
-        if self.is_strip() { 1 } else { (CHUNK / self.primitives.len.max(1)).max(1) }
+        if self.is_strip() { 1 } else { (self.chunk_len() / self.primitives.len.max(1)).max(1) }
+    }
+
+    /// Primitives of a chunk.
+    fn chunk_len(&self) -> u32 {
+        self.geometry.as_ref().map_or(CHUNK, GeometryProgram::chunk_len)
+    }
+
+    /// The most primitives that [`Self::chunks`] takes.
+    pub fn run_len(&self) -> u32 {
+        match self.geometry {
+            None => SHARED_VERTEX_PRIMITIVES,
+            Some(_) => SHARED_VERTEX_PRIMITIVES.min(16 * self.chunk_len()),
+        }
+    }
+
+    /// The most primitives that become shapes.
+    pub fn drawn_len(&self) -> usize {
+        let most = self.geometry.as_ref().map_or(1, GeometryProgram::amplification);
+        (self.primitives.len as usize * self.instances.len()).saturating_mul(most)
     }
 
     /// Whether all lines of the draw are one, of which the stipple begins once: those around a polygon are, too.
     fn is_strip(&self) -> bool {
-        match self.pipeline.desc().topology {
-            Topology::LineStrip | Topology::LineLoop => true,
+        match self.pipeline.desc().drawn() {
+            Topology::LineStrip | Topology::LineLoop | Topology::LineStripAdjacency => true,
             Topology::Polygon => self.setup.raster.line.stipple.is_some(),
             Topology::Points
             | Topology::Lines
+            | Topology::LinesAdjacency
             | Topology::Triangles
+            | Topology::TrianglesAdjacency
+            | Topology::TriangleStripAdjacency
             | Topology::TriangleStrip
             | Topology::TriangleFan
             | Topology::Quads
@@ -119,11 +158,14 @@ impl DrawState<'_> {
         }
     }
 
-    /// Shades, sets up and sorts the primitives of `range`, at most [`SHARED_VERTEX_PRIMITIVES`].
+    /// Shades, sets up and sorts the primitives of `range`, at most [`Self::run_len`].
     ///
     /// # Errors
     /// When a batch of vertices runs over its budget.
     pub fn chunks(&mut self, range: Range<u32>) -> Result<Vec<(Chunk, Vec<TileBin>)>, OverBudget> {
+        if let Some(program) = &self.geometry {
+            return self.emitted_chunks(program, range);
+        }
         // Indices may share vertices all over the run; consecutive ones belong to their primitives,
         // but for the few that strips and fans share.
         let vertices = |range: &Range<u32>| {
@@ -147,17 +189,17 @@ impl DrawState<'_> {
             };
             let mut lists = self.lists.take();
             lists.shapes.clear();
-            self.shapes(geometry, vertex_list, chunk_range, &mut lists);
+            self.shapes(geometry, (&self.primitives, chunk_range), vertex_list, &mut lists);
             Ok((geometry.clone(), lists))
         };
         let is_strip = self.is_strip();
-        let draw = self.draw;
+        let (draw, layers) = (self.draw, self.layers);
         let is_stippled = self.setup.raster.line.stipple.is_some();
         let chunk = |(geometry, mut lists): (Arc<Geometry>, ShapeLists)| {
             if is_stippled {
                 lists.shapes.retain(Shape::has_pixels);
             }
-            chunk_of(draw, geometry, lists)
+            chunk_of(draw, geometry, lists, layers)
         };
         if range.len() <= CHUNK as usize {
             let mut one = shapes_of(range.start)?;
@@ -191,8 +233,15 @@ impl DrawState<'_> {
     pub fn append_to(&self, all: &mut MergedDraws) -> Result<(), OverBudget> {
         let MergedDraws { geometry, lists, .. } = all;
         let range = 0..self.primitives.len;
+        if let Some(program) = &self.geometry {
+            let mut input = self.geometries.take();
+            let vertex_list = self.vertices(&range, &mut input, 0)?;
+            let emitted = self.emit(program, (&input, &vertex_list), range, geometry, lists);
+            self.geometries.give(input);
+            return emitted;
+        }
         let vertex_list = self.vertices(&range, geometry, geometry.len())?;
-        self.shapes(geometry, &vertex_list, range, lists);
+        self.shapes(geometry, (&self.primitives, range), &vertex_list, lists);
         Ok(())
     }
 
@@ -204,7 +253,11 @@ impl DrawState<'_> {
         first: usize,
     ) -> Result<VertexList, OverBudget> {
         let ordinals = ordinals(self.pipeline.desc().topology, &self.primitives, range);
-        let numbered = self.primitive_id();
+        let numbered = match self.geometry {
+            None => self.primitive_id(),
+            // Its program numbers what it emits.
+            Some(_) => [None; 2],
+        };
         let mut vertex_list = match numbered {
             [None, None] => VertexList::new(ordinals, self.ids),
             [Some(_), _] | [None, Some(_)] => VertexList::without_sharing(ordinals, self.ids),
@@ -220,8 +273,11 @@ impl DrawState<'_> {
             textures: self.textures,
             bindings: self.bindings,
             viewport: self.setup.viewport,
-            varyings: self.slots,
-            point_size: self.setup.raster.point.source,
+            varyings: &self.pipeline.compiled().vertex_slots,
+            point_size: match &self.geometry {
+                None => self.setup.raster.point.source,
+                Some(program) => program.vertex_point_size(),
+            },
             edge_flag: self.setup.raster.polygon.edge_flag,
         };
         shade(&stage, &vertex_list.ids, self.instances.clone(), (geometry, first))?;
@@ -251,21 +307,23 @@ impl DrawState<'_> {
     fn shapes(
         &self,
         geometry: &Geometry,
+        (primitives, range): (&Primitives, Range<u32>),
         vertex_list: &VertexList,
-        range: Range<u32>,
         lists: &mut ShapeLists,
     ) {
         let before = lists.shapes.len();
-        lists.shapes.reserve(range.len() * self.instances.len());
+        // What a geometry program emits for several instances is one list.
+        let instances = if self.geometry.is_some() { 1 } else { self.instances.len() };
+        lists.shapes.reserve(range.len() * instances);
         let mut set_up = |vertex_list: &VertexList| {
-            let range = (&self.primitives, range.clone());
+            let range = (primitives, range.clone());
             setup(&self.setup, geometry, range, vertex_list, &mut lists.shapes);
         };
         set_up(vertex_list);
-        (1..self.instances.len() as u32).for_each(|at| set_up(&vertex_list.of_instance(at)));
+        (1..instances as u32).for_each(|at| set_up(&vertex_list.of_instance(at)));
         let is_visible = lists.shapes[before..].iter().any(Shape::has_pixels);
         if !is_visible && range.start == 0 && self.max_reasons > 0 {
-            let first = (&self.primitives, 0..range.end.min(self.max_reasons));
+            let first = (primitives, 0..range.end.min(self.max_reasons));
             self.invisible_reasons
                 .get_or_init(|| reasons(&self.setup, geometry, first, vertex_list));
         }
@@ -279,6 +337,37 @@ fn provoking(primitive: Primitive) -> u32 {
         Primitive::Line(ordinals, provoking) => ordinals[usize::from(provoking)],
         Primitive::Triangle(ordinals, provoking, _) => ordinals[usize::from(provoking)],
     }
+}
+
+/// The shapes of each tile that they may touch, in order, layer after layer and tile after tile. Those of layers that
+/// do not exist are left out.
+fn sort_by_layer(geometry: &Geometry, lists: &mut ShapeLists, layers: u32) -> Vec<TileBin> {
+    let layer_of = |shape: &Shape| {
+        let provoking = shape.vertices[usize::from(shape.provoking)];
+        geometry.layer(provoking).filter(|&layer| layer < layers)
+    };
+    // Sorting is stable. The layer of a shape is given by its place from here on.
+    let mut numbered: Vec<(u32, Shape)> =
+        lists.shapes.iter().filter_map(|shape| Some((layer_of(shape)?, *shape))).collect();
+    numbered.sort_by_key(|&(layer, _)| layer);
+    lists.shapes.clear();
+    let mut bins = Vec::new();
+    let (mut own, mut binned) = (ShapeLists::default(), Vec::new());
+    for shapes in numbered.chunk_by(|a, b| a.0 == b.0) {
+        own.shapes.clear();
+        own.shapes.extend(shapes.iter().map(|&(_, shape)| shape));
+        let (first_shape, first) = (lists.shapes.len() as u32, binned.len() as u32);
+        bins.extend(sort_by_tile(&mut own).into_iter().map(|bin| TileBin {
+            layer: shapes[0].0,
+            first: bin.first + first,
+            end: bin.end + first,
+            ..bin
+        }));
+        binned.extend(own.binned.iter().map(|&number| number + first_shape));
+        lists.shapes.append(&mut own.shapes);
+    }
+    lists.binned = binned;
+    bins
 }
 
 /// The shapes of each tile that they may touch, in order, tile after tile.
@@ -299,7 +388,7 @@ fn sort_by_tile(lists: &mut ShapeLists) -> Vec<TileBin> {
         let end = shapes.len() as u32;
         binned.clear();
         binned.extend(0..end);
-        return vec![TileBin { tile: low, first: 0, end }];
+        return vec![TileBin { layer: 0, tile: low, first: 0, end }];
     }
     let across = (high[0] - low[0] + 1) as usize;
     let up = (high[1] - low[1] + 1) as usize;
@@ -327,7 +416,7 @@ fn sort_by_tile(lists: &mut ShapeLists) -> Vec<TileBin> {
         total += *end;
         if *end > 0 {
             let tile = [low[0] + (index % across) as u32, low[1] + (index / across) as u32];
-            bins.push(TileBin { tile, first, end: total });
+            bins.push(TileBin { layer: 0, tile, first, end: total });
         }
         *end = first;
     }

@@ -64,7 +64,9 @@ pub enum Command {
         /// For the fragment module's slots.
         fragment: Arc<[Option<Arc<SamplePlan>>]>,
     },
-    /// The uniform words of both stages.
+    /// The textures of the draws to come, by slot of the geometry module; none until they are bound.
+    BindGeometryTextures(Arc<[Option<Arc<SamplePlan>>]>),
+    /// The uniform words of all stages.
     SetUniforms(Arc<[u32]>),
     /// How primitives become fragments; the default until it is set.
     SetRaster(Arc<RasterState>),

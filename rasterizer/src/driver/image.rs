@@ -393,4 +393,7 @@ pub struct PassDesc {
     pub width: u32,
     /// Pixels up.
     pub height: u32,
+    /// How many layers there are: [`Attachment::face`] is the number of the first, which the others follow. Draws go to
+    /// the first, but where a geometry program says another; clears go to all.
+    pub layers: u16,
 }

@@ -26,6 +26,12 @@ use texunit::format::Format;
 /// The most primitives of a draw that may share a chunk with other draws of the same plan.
 const SMALL_DRAW: usize = 256;
 
+/// The attachments of a layer.
+struct LayerSurfaces {
+    colors: Vec<Option<Surface>>,
+    depth: Option<Surface>,
+}
+
 /// A pass that is being recorded into bins.
 pub struct Pass<'a> {
     resources: &'a Resources,
@@ -33,7 +39,10 @@ pub struct Pass<'a> {
     desc: &'a PassDesc,
     colors: Vec<Option<Surface>>,
     depth: Option<Surface>,
+    /// The attachments of the layers behind the first, from when something is drawn to them.
+    more_layers: Vec<Option<LayerSurfaces>>,
     across: u32,
+    /// By layer and tile.
     bins: Vec<Vec<TileCommand>>,
     job: PassJob,
     /// The command of each draw.
@@ -71,8 +80,9 @@ impl<'a> Pass<'a> {
             recent: Vec::new(),
             colors,
             depth: desc.depth.as_ref().and_then(|a| a.image.attach(a.face, a.level, thread_pool)),
+            more_layers: (1..desc.layers).map(|_| None).collect(),
             across,
-            bins: vec![Vec::new(); tiles],
+            bins: vec![Vec::new(); tiles * usize::from(desc.layers.max(1))],
             job: PassJob {
                 isa: resources.desc.isa,
                 width: desc.width,
@@ -97,6 +107,7 @@ impl<'a> Pass<'a> {
             | Command::BindPipeline(_)
             | Command::BindVertices(_)
             | Command::BindTextures { .. }
+            | Command::BindGeometryTextures(_)
             | Command::SetUniforms(_)
             | Command::SetRaster(_)
             | Command::SetViewport(_)
@@ -204,6 +215,15 @@ impl<'a> Pass<'a> {
         }
         if let (Some(a), Some(surface)) = (&self.desc.depth, self.depth) {
             a.image.detach(a.face, a.level, surface, isa);
+        }
+        for (layer, surfaces) in (1..).zip(self.more_layers) {
+            let Some(LayerSurfaces { colors, depth }) = surfaces else { continue };
+            let attachments = self.desc.colors.iter().chain([&self.desc.depth]);
+            for (attachment, surface) in attachments.zip(colors.into_iter().chain([depth])) {
+                if let (Some(a), Some(surface)) = (attachment, surface) {
+                    a.image.detach(a.face + layer, a.level, surface, isa);
+                }
+            }
         }
     }
 }

@@ -22,6 +22,7 @@ pub fn run(resources: &Resources, thread_pool: &ThreadPool, commands: &[Command]
             | Command::BindPipeline(_)
             | Command::BindVertices(_)
             | Command::BindTextures { .. }
+            | Command::BindGeometryTextures(_)
             | Command::SetUniforms(_)
             | Command::SetRaster(_)
             | Command::SetViewport(_)

@@ -218,7 +218,10 @@ impl InputPlanner<'_> {
 
     /// Whether a varying is equal at all vertices; it then needs no plane.
     fn is_constant(&self, slot: u16) -> bool {
-        self.sprite(slot).is_none() && self.compiled.vertex.is_constant(slot, self.arrays)
+        let compiled = self.compiled;
+        self.sprite(slot).is_none()
+            && compiled.geometry.is_none()
+            && compiled.vertex.is_constant(slot, self.arrays)
     }
 
     /// The plane of a smooth varying, or of what a sprite puts in its place.
@@ -233,10 +236,16 @@ impl InputPlanner<'_> {
 
 /// Whether a draw may draw lines.
 pub fn draws_lines(desc: &PipelineDesc, raster: &RasterState) -> bool {
-    match desc.topology {
+    match desc.drawn() {
         Topology::Points => false,
-        Topology::Lines | Topology::LineStrip | Topology::LineLoop => true,
+        Topology::Lines
+        | Topology::LineStrip
+        | Topology::LineLoop
+        | Topology::LinesAdjacency
+        | Topology::LineStripAdjacency => true,
         Topology::Triangles
+        | Topology::TrianglesAdjacency
+        | Topology::TriangleStripAdjacency
         | Topology::TriangleStrip
         | Topology::TriangleFan
         | Topology::Quads
@@ -247,10 +256,16 @@ pub fn draws_lines(desc: &PipelineDesc, raster: &RasterState) -> bool {
 
 /// The first slots of the varyings that points of a draw replace, where it draws any.
 pub fn sprite_slots<'a>(desc: &PipelineDesc, raster: &'a RasterState) -> &'a [u16] {
-    let points = match desc.topology {
+    let points = match desc.drawn() {
         Topology::Points => true,
-        Topology::Lines | Topology::LineStrip | Topology::LineLoop => false,
+        Topology::Lines
+        | Topology::LineStrip
+        | Topology::LineLoop
+        | Topology::LinesAdjacency
+        | Topology::LineStripAdjacency => false,
         Topology::Triangles
+        | Topology::TrianglesAdjacency
+        | Topology::TriangleStripAdjacency
         | Topology::TriangleStrip
         | Topology::TriangleFan
         | Topology::Quads

@@ -20,6 +20,10 @@ pub(crate) struct Compiled {
     pub desc: PipelineDesc,
     /// The vertex program: without varyings that the fragment program does not read, with what was hoisted from it.
     pub vertex: Program,
+    /// The geometry program, if there is one, without varyings that the fragment program does not read.
+    pub geometry: Option<Program>,
+    /// The varying slots that the geometry program reads, or else the fragment program: those that vertices bring.
+    pub vertex_slots: Vec<u16>,
     /// The fragment program, without outputs that are not used.
     pub fragment: Program,
     /// The varying slots that the fragment program reads, ascending, and how each is interpolated.
@@ -70,7 +74,22 @@ impl Pipeline {
         if fragment.stage != Stage::Fragment {
             return Err(PipelineError("`fragment` must be a module of the fragment stage".into()));
         }
-        let compiled = Compiled::new(desc, VaryingHoisting::On, LevelOfDetail::OfPolygons);
+        let mut hoisting = VaryingHoisting::On;
+        if let Some(geometry) = &desc.geometry {
+            let Some(interface) = &geometry.module().geometry else {
+                return Err(PipelineError(
+                    "`geometry` must be a module of the geometry stage".into(),
+                ));
+            };
+            if desc.topology.geometry_input() != Some(interface.input) {
+                return Err(PipelineError(format!(
+                    "{:?} are no {:?}, which the geometry module takes",
+                    desc.topology, interface.input
+                )));
+            }
+            hoisting = VaryingHoisting::Off;
+        }
+        let compiled = Compiled::new(desc, hoisting, LevelOfDetail::OfPolygons);
         Ok(Self(Arc::new(compiled)))
     }
 
@@ -123,11 +142,26 @@ enum VaryingHoisting {
     Off,
 }
 
+/// The varying slots of vertices that a geometry program reads, ascending.
+fn slots_of_vertices(geometry: &Program) -> Vec<u16> {
+    let inputs = geometry.inputs().iter();
+    let mut slots: Vec<u16> = inputs
+        .filter_map(|input| match input {
+            Input::OfVertex { output: Output::Varying(slot), .. } => Some(*slot),
+            _ => None,
+        })
+        .collect();
+    slots.sort_unstable();
+    slots.dedup();
+    slots
+}
+
 impl Compiled {
     /// Compiles modules that are of their stages.
     fn new(desc: PipelineDesc, hoisting: VaryingHoisting, lod: LevelOfDetail) -> Self {
         let is_deep = |stage: &ShaderModule| stage.module().nests_deeper_than(SHALLOW);
-        if is_deep(&desc.vertex) || is_deep(&desc.fragment) {
+        let geometry_is_deep = desc.geometry.as_ref().is_some_and(is_deep);
+        if is_deep(&desc.vertex) || is_deep(&desc.fragment) || geometry_is_deep {
             with_large_stack(|| Self::on_this_stack(desc, hoisting, lod))
         } else {
             Self::on_this_stack(desc, hoisting, lod)
@@ -184,11 +218,28 @@ impl Compiled {
         let written_varyings =
             vertex.outputs.iter().filter(|(o, _)| matches!(o, Output::Varying(_))).count();
         let vertex = extended_vertex.as_ref().unwrap_or(vertex);
+        let slots: Vec<u16> = varyings.iter().map(|&(slot, _)| slot).collect();
+        let reads_number = desc.fragment.module().primitive_id.is_some();
+        let geometry = desc.geometry.as_ref().map(|geometry| {
+            Program::new(geometry.module(), |output| match output {
+                Output::Position(_)
+                | Output::PointSize
+                | Output::ClipDistance(_)
+                | Output::Layer => true,
+                Output::Varying(slot) => slots.contains(&slot),
+                Output::PrimitiveId => reads_number,
+                Output::ViewportIndex
+                | Output::Color { .. }
+                | Output::Depth
+                | Output::StencilReference => false,
+            })
+        });
+        let vertex_slots = geometry.as_ref().map_or_else(|| slots.clone(), slots_of_vertices);
         let vertex = Program::new(vertex, |output| match output {
             Output::Position(_) => true,
             // Any topology can end as points, and what is written to clip distances cuts.
             Output::PointSize | Output::ClipDistance(_) => true,
-            Output::Varying(slot) => varyings.iter().any(|&(read, _)| read == slot),
+            Output::Varying(slot) => vertex_slots.contains(&slot),
             Output::Color { .. }
             | Output::Depth
             | Output::StencilReference
@@ -197,10 +248,11 @@ impl Compiled {
             | Output::ViewportIndex => false,
         });
         let (of_sprites, of_lines) = (OnceLock::new(), OnceLock::new());
-        let slots = varyings.iter().map(|&(slot, _)| slot).collect();
         Self {
             desc,
             vertex,
+            geometry,
+            vertex_slots,
             fragment,
             varyings,
             slots,

@@ -55,6 +55,10 @@ pub fn primitives(topology: Topology, provoking: Provoking, vertices: u32) -> Pr
         Topology::TriangleStrip | Topology::TriangleFan | Topology::Polygon => n.saturating_sub(2),
         Topology::Quads => n / 4 * 2,
         Topology::QuadStrip => (n / 2).saturating_sub(1) * 2,
+        Topology::LinesAdjacency => n / 4,
+        Topology::LineStripAdjacency => n.saturating_sub(3),
+        Topology::TrianglesAdjacency => n / 6,
+        Topology::TriangleStripAdjacency => (n / 2).saturating_sub(2),
     };
     Primitives { topology, provoking, vertices, len }
 }
@@ -112,6 +116,54 @@ impl Primitives {
                     Provoking::First => quad([first, first + 1, first + 3, first + 2], i % 2),
                 }
             }
+            Topology::LinesAdjacency => line(4 * i + 1, 4 * i + 2),
+            Topology::LineStripAdjacency => line(i + 1, i + 2),
+            Topology::TrianglesAdjacency | Topology::TriangleStripAdjacency => {
+                let [a, _, b, _, c, _] = self.with_adjacency(i);
+                let own = [a, b, c];
+                triangle(own, own)
+            }
+        }
+    }
+
+    /// The vertices of primitive `i` as a geometry program numbers them; others repeat the first. Of triangles with
+    /// adjacency those of table 2.4 (GL 3.2), from whichever corner: the one that provokes is at their end.
+    pub fn with_adjacency(&self, i: u32) -> [u32; 6] {
+        match self.topology {
+            Topology::LinesAdjacency => {
+                let first = 4 * i;
+                [first, first + 1, first + 2, first + 3, first, first]
+            }
+            Topology::LineStripAdjacency => [i, i + 1, i + 2, i + 3, i, i],
+            Topology::TrianglesAdjacency => [0, 1, 2, 3, 4, 5].map(|at| 6 * i + at),
+            Topology::TriangleStripAdjacency => {
+                let first = 2 * i;
+                let before = if i == 0 { 1 } else { first - 2 };
+                let behind = if i + 1 == self.len { first + 5 } else { first + 6 };
+                match (i % 2, self.provoking) {
+                    (0, _) => [first, before, first + 2, behind, first + 4, first + 3],
+                    (_, Provoking::Last) => {
+                        [first + 2, before, first, first + 3, first + 4, behind]
+                    }
+                    (_, Provoking::First) => {
+                        [first, first + 3, first + 4, behind, first + 2, before]
+                    }
+                }
+            }
+            Topology::Points
+            | Topology::Lines
+            | Topology::LineStrip
+            | Topology::LineLoop
+            | Topology::Triangles
+            | Topology::TriangleStrip
+            | Topology::TriangleFan
+            | Topology::Quads
+            | Topology::QuadStrip
+            | Topology::Polygon => match self.get(i) {
+                Primitive::Point(a) => [a; 6],
+                Primitive::Line([a, b], _) => [a, b, a, a, a, a],
+                Primitive::Triangle([a, b, c], ..) => [a, b, c, a, a, a],
+            },
         }
     }
 
@@ -125,7 +177,11 @@ impl Primitives {
             | Topology::LineLoop
             | Topology::Triangles
             | Topology::TriangleStrip
-            | Topology::TriangleFan => i,
+            | Topology::TriangleFan
+            | Topology::LinesAdjacency
+            | Topology::LineStripAdjacency
+            | Topology::TrianglesAdjacency
+            | Topology::TriangleStripAdjacency => i,
             Topology::Quads | Topology::QuadStrip => i / 2,
             Topology::Polygon => 0,
         }
@@ -142,8 +198,15 @@ impl Primitives {
     /// Whether they are triangles.
     pub fn are_triangles(&self) -> bool {
         match self.topology {
-            Topology::Points | Topology::Lines | Topology::LineStrip | Topology::LineLoop => false,
+            Topology::Points
+            | Topology::Lines
+            | Topology::LineStrip
+            | Topology::LineLoop
+            | Topology::LinesAdjacency
+            | Topology::LineStripAdjacency => false,
             Topology::Triangles
+            | Topology::TrianglesAdjacency
+            | Topology::TriangleStripAdjacency
             | Topology::TriangleStrip
             | Topology::TriangleFan
             | Topology::Quads
@@ -157,7 +220,11 @@ impl Primitives {
     pub fn edge_flags(&self) -> EdgeFlags {
         match self.topology {
             Topology::Triangles | Topology::Quads | Topology::Polygon => EdgeFlags::ByVertex,
-            Topology::Points
+            Topology::LinesAdjacency
+            | Topology::LineStripAdjacency
+            | Topology::TrianglesAdjacency
+            | Topology::TriangleStripAdjacency
+            | Topology::Points
             | Topology::Lines
             | Topology::LineStrip
             | Topology::LineLoop
@@ -203,6 +270,31 @@ mod tests {
         }
         let looped = primitives(Topology::LineLoop, Provoking::Last, 3);
         assert_eq!(looped.get(2), Primitive::Line([2, 0], 1));
+    }
+
+    /// GL 3.2, table 2.4, from 0: the only, the first, middle and the last triangle of a strip.
+    #[test]
+    fn triangles_of_strips_with_adjacency_have_their_neighbours() {
+        let of = |convention, count| {
+            let all = primitives(Topology::TriangleStripAdjacency, convention, count);
+            (0..all.len).map(|i| all.with_adjacency(i)).collect::<Vec<_>>()
+        };
+        assert_eq!(of(Provoking::Last, 5), [[0; 6]; 0]);
+        assert_eq!(of(Provoking::Last, 7), [[0, 1, 2, 5, 4, 3]]);
+        let last = of(Provoking::Last, 12);
+        let want =
+            [[0, 1, 2, 6, 4, 3], [4, 0, 2, 5, 6, 8], [4, 2, 6, 10, 8, 7], [8, 4, 6, 9, 10, 11]];
+        assert_eq!(last, want);
+        for (first, last) in of(Provoking::First, 12).into_iter().zip(last) {
+            let mut rotated = last;
+            while rotated[0] != first[0] {
+                rotated.rotate_left(2);
+            }
+            assert_eq!(first, rotated);
+        }
+        let lines = primitives(Topology::LineStripAdjacency, Provoking::Last, 6);
+        assert_eq!((lines.len, lines.with_adjacency(2)[..4].to_vec()), (3, vec![2, 3, 4, 5]));
+        assert_eq!(lines.get(2), Primitive::Line([3, 4], 1));
     }
 
     #[test]

@@ -20,6 +20,8 @@ pub struct Geometry {
     pub(super) distances: Vec<f32>,
     /// Clip distances of a vertex.
     pub(super) planes: usize,
+    /// The layer of each vertex, any number; empty where all go to one.
+    pub(super) layers: Vec<u32>,
     /// The edge flag of each vertex; empty where all are set.
     pub(super) edge_flags: Vec<f32>,
 }
@@ -40,6 +42,7 @@ impl Geometry {
         self.outcodes.clear();
         self.point_sizes.clear();
         self.distances.clear();
+        self.layers.clear();
         self.edge_flags.clear();
     }
 
@@ -80,6 +83,16 @@ impl Geometry {
     /// The clip distances of a vertex.
     pub fn distances(&self, vertex: u32) -> &[f32] {
         &self.distances[vertex as usize * self.planes..][..self.planes]
+    }
+
+    /// Whether vertices have layers.
+    pub fn has_layers(&self) -> bool {
+        !self.layers.is_empty()
+    }
+
+    /// The layer of a vertex, if there are several.
+    pub fn layer(&self, vertex: u32) -> Option<u32> {
+        self.layers.get(vertex as usize).copied()
     }
 
     /// Whether a boundary edge begins at a vertex (GL 2.1, section 2.6.2).

@@ -4,12 +4,14 @@
 mod assemble;
 mod fetch;
 mod geometry;
+mod geometry_stage;
 mod shade;
 mod vertex_list;
 mod viewport;
 
 pub use assemble::{EdgeFlags, Primitive, Primitives, primitives};
 pub use geometry::{Geometry, VARYINGS};
+pub use geometry_stage::{Emitted, GeometryStage, Layers};
 pub use shade::{VertexStage, shade};
 pub use vertex_list::{VertexIds, VertexList, ordinals};
 pub use viewport::{Outcode, snap};

@@ -110,6 +110,7 @@ fn shade_all(
     geometry.outcodes.resize(count, 0);
     geometry.point_sizes.resize(count * sizes, 0.0);
     geometry.distances.resize(count * planes, 0.0);
+    geometry.layers.clear();
     geometry.edge_flags = stage.edge_flags(ids);
     let own = &mut geometry.values[first * stride..];
     let is_value = |target: &&OutputTarget| matches!(target, OutputTarget::Value(_));

@@ -91,6 +91,12 @@ pub fn ordinals(topology: Topology, all: &Primitives, range: &Range<u32>) -> Ord
         }
         Topology::Quads => plain(start / 2 * 4..end.div_ceil(2) * 4),
         Topology::QuadStrip => plain(start / 2 * 2..end.div_ceil(2) * 2 + 2),
+        Topology::LinesAdjacency => plain(4 * start..4 * end),
+        Topology::LineStripAdjacency => plain(start..end + 3),
+        Topology::TrianglesAdjacency => plain(6 * start..6 * end),
+        Topology::TriangleStripAdjacency => {
+            plain((2 * start).saturating_sub(2)..(2 * end + 5).min(2 * all.len + 4))
+        }
     }
 }
 
@@ -125,6 +131,12 @@ impl VertexList {
     pub fn without_sharing(ordinals: Ordinals, ids: &VertexIds<'_>) -> Self {
         let ids = ids.of(&ordinals);
         Self { ordinals, ids, local_indices: None, base: 0 }
+    }
+
+    /// A list of shaded vertices, by ordinal.
+    pub fn shaded(local_indices: Vec<u32>) -> Self {
+        let ordinals = Ordinals { run: 0..local_indices.len() as u32, zero: false };
+        Self { ordinals, ids: Vec::new(), local_indices: Some(local_indices), base: 0 }
     }
 
     /// The same list for another instance: the shaded vertices of instances are consecutive.

@@ -66,6 +66,7 @@ pub fn fragment(varyings: u16, f: impl FnOnce(&mut Builder) -> [Value; 4]) -> Sh
 pub fn pipeline(vertex: ShaderModule, fragment: ShaderModule) -> PipelineDesc {
     PipelineDesc {
         vertex,
+        geometry: None,
         fragment,
         topology: Topology::Triangles,
         cull: Cull::None,
@@ -105,6 +106,7 @@ pub fn pass(color: &Image, depth: Option<&Image>, width: u32, height: u32) -> Co
         depth: depth.map(attach),
         width,
         height,
+        layers: 1,
     })
 }
 

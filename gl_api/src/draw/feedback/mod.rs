@@ -18,7 +18,8 @@ use crate::interface::*;
 use crate::state::enable::Flag;
 use crate::state::viewport::within;
 use rasterizer::driver::{
-    Cull, DepthClip, FrontFace, PolygonMode, Provoking, Topology, VertexBinding, VertexSource,
+    Cull, DepthClip, FrontFace, PolygonMode, Primitive, Provoking, Topology, VertexBinding,
+    VertexSource, primitives,
 };
 use rasterizer::ir::{Interpolation, Output};
 use std::borrow::Cow;
@@ -156,6 +157,27 @@ fn assemble(context: &mut Context, topology: Topology, vertices: &[Vertex]) {
         }
         Topology::Polygon if count >= 3 => polygon(context, vertices, &vertices[0]),
         Topology::Polygon => {}
+        // The vertices beside them are a geometry shader's.
+        Topology::LinesAdjacency
+        | Topology::LineStripAdjacency
+        | Topology::TrianglesAdjacency
+        | Topology::TriangleStripAdjacency => {
+            let all = primitives(topology, convention, count as u32);
+            for number in 0..all.len {
+                let is_first = number == 0 || topology == Topology::LinesAdjacency;
+                let kind = if is_first { PrimitiveToken::LineReset } else { PrimitiveToken::Line };
+                match all.get(number) {
+                    Primitive::Point(_) => {}
+                    Primitive::Line(ends, _) => {
+                        line(context, ends.map(|index| index as usize), kind);
+                    }
+                    Primitive::Triangle(corners, provoking, _) => {
+                        let corners = corners.map(|index| edged(at(index as usize)));
+                        polygon(context, &corners, &corners[usize::from(provoking)]);
+                    }
+                }
+            }
+        }
     }
 }
 

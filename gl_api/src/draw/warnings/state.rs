@@ -152,13 +152,17 @@ fn remainder(topology: Topology, elements: &Elements) -> Option<Remainder> {
         Topology::Lines => ("GL_LINES", 2),
         Topology::Triangles => ("GL_TRIANGLES", 3),
         Topology::Quads => ("GL_QUADS", 4),
+        Topology::LinesAdjacency => ("GL_LINES_ADJACENCY", 4),
+        Topology::TrianglesAdjacency => ("GL_TRIANGLES_ADJACENCY", 6),
         Topology::Points
         | Topology::LineStrip
         | Topology::LineLoop
         | Topology::TriangleStrip
         | Topology::TriangleFan
         | Topology::QuadStrip
-        | Topology::Polygon => return None,
+        | Topology::Polygon
+        | Topology::LineStripAdjacency
+        | Topology::TriangleStripAdjacency => return None,
     };
     let (count, _) = elements.counts();
     (!count.is_multiple_of(each)).then_some(Remainder { mode, each, count })

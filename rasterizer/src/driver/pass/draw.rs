@@ -3,15 +3,15 @@
 use super::{Pass, SMALL_DRAW};
 use crate::attachment::DepthFormat;
 use crate::driver::bound::DrawDecisions;
-use crate::driver::chunk::{DrawState, MergedDraws, SHARED_VERTEX_PRIMITIVES};
+use crate::driver::chunk::{DrawState, GeometryProgram, MergedDraws};
 use crate::driver::report::SubmitReport;
 use crate::driver::resources::{DeviceDesc, Resources};
 use crate::driver::visibility::Visibility;
 use crate::plan::{Counting, DrawPlan, Pipeline, PlanInput, draws_lines, sprite_slots};
 use crate::primitive::Setup;
 use crate::raster::{DrawBudget, DrawJob};
-use crate::shader::{OverBudget, Prepared};
-use crate::vertex::{VertexIds, primitives};
+use crate::shader::OverBudget;
+use crate::vertex::{EdgeFlags, VertexIds, primitives};
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 
@@ -45,8 +45,8 @@ impl Pass<'_> {
             return;
         }
         let area_in_viewport = self.area_in_viewport(area);
-        let (plan, vertex) = match &self.bound.decided {
-            Some(DrawDecisions { plan, vertex }) => (plan.clone(), vertex.clone()),
+        let DrawDecisions { plan, vertex, geometry } = match &self.bound.decided {
+            Some(decided) => decided.clone(),
             None => self.decide(&pipeline),
         };
         let raster = plan.raster.clone();
@@ -63,6 +63,10 @@ impl Pass<'_> {
         let primitives = primitives(desc.topology, desc.provoking, count);
         let vertices = self.bound.vertices.clone();
         let textures = self.bound.vertex_textures.clone();
+        let geometry_textures = self.bound.geometry_textures.clone();
+        let geometry = compiled.geometry.as_ref().zip(geometry).map(|(program, prepared)| {
+            GeometryProgram { program, prepared, textures: &geometry_textures }
+        });
         let mut state = DrawState {
             draw,
             isa: self.job.isa,
@@ -82,13 +86,18 @@ impl Pass<'_> {
             invisible_reasons: OnceLock::new(),
             prepared: vertex,
             slots: &compiled.slots,
+            geometry: geometry.clone(),
+            layers: self.desc.layers.into(),
             setup: Setup {
                 isa: self.job.isa,
                 viewport: self.bound.viewport,
                 cull: desc.cull,
                 front_face: desc.front_face,
                 raster: &raster,
-                edge_flags: primitives.edge_flags(),
+                edge_flags: match geometry {
+                    None => primitives.edge_flags(),
+                    Some(_) => EdgeFlags::AllSet,
+                },
                 drawable_area: area,
                 area_in_viewport,
                 resolution,
@@ -98,7 +107,7 @@ impl Pass<'_> {
         let is_small = raster.polygon.edge_flag.is_none()
             && raster.line.stipple.is_none()
             && self.job.watch.is_none()
-            && (1..=SMALL_DRAW).contains(&(primitives.len as usize * instances.len()))
+            && (1..=SMALL_DRAW).contains(&state.drawn_len())
             && instances.len() <= state.instances_per_chunk() as usize;
         let drawn = match is_small {
             true => self.merge_small_draw(&state),
@@ -150,7 +159,7 @@ impl Pass<'_> {
             state.stipple = 0;
             let mut start = 0;
             while start < state.primitives.len {
-                let range = start..state.primitives.len.min(start + SHARED_VERTEX_PRIMITIVES);
+                let range = start..state.primitives.len.min(start + state.run_len());
                 start = range.end;
                 is_visible |= self.bin_chunks(state.chunks(range)?);
                 if self.shapes >= BINS_FULL {
@@ -162,7 +171,7 @@ impl Pass<'_> {
     }
 
     /// Decides how to draw with what is bound.
-    fn decide(&mut self, pipeline: &Pipeline) -> (Arc<DrawPlan>, Arc<Prepared>) {
+    fn decide(&mut self, pipeline: &Pipeline) -> DrawDecisions {
         let (isa, depth, bound) = (self.job.isa, self.depth_format(), &mut self.bound);
         let compiled = pipeline.compiled();
         let surface = self.colors.iter().flatten().chain(&self.depth).next();
@@ -203,7 +212,11 @@ impl Pass<'_> {
         self.resources.explain(&|| plan.describe());
         let vertex = compiled.vertex.prepare(isa, &bound.uniforms, &bound.vertex_textures);
         let vertex = Arc::new(vertex);
-        bound.decided = Some(DrawDecisions { plan: plan.clone(), vertex: vertex.clone() });
-        (plan, vertex)
+        let geometry = compiled.geometry.as_ref().map(|program| {
+            Arc::new(program.prepare(isa, &bound.uniforms, &bound.geometry_textures))
+        });
+        let decided = DrawDecisions { plan, vertex, geometry };
+        bound.decided = Some(decided.clone());
+        decided
     }
 }

@@ -1,8 +1,9 @@
 //! Binning, and running the tiles of a pass.
 
-use super::{Pass, SMALL_DRAW};
+use super::{LayerSurfaces, Pass, SMALL_DRAW};
 use crate::attachment::{DepthFormat, Surface};
 use crate::driver::chunk::TileBin;
+use crate::driver::image::Attachment;
 use crate::driver::report::SubmitReport;
 use crate::primitive::Shape;
 use crate::raster::{
@@ -15,25 +16,50 @@ use std::sync::Arc;
 const SMALL_WORK_PIXELS: u64 = 1 << 14;
 
 impl Pass<'_> {
-    /// Appends a command to the bins of the tiles from pixel `low` to pixel `high`, both inside the pass.
+    /// Appends a command to the bins of the tiles of every layer from pixel `low` to pixel `high`, both inside the pass.
     pub(super) fn bin(&mut self, low: [i32; 2], high: [i32; 2], command: TileCommand) {
         if low[0] > high[0] || low[1] > high[1] {
             return;
         }
-        for ty in low[1] / TILE as i32..=high[1] / TILE as i32 {
-            for tx in low[0] / TILE as i32..=high[0] / TILE as i32 {
-                self.bins[ty as usize * self.across as usize + tx as usize].push(command);
+        let tiles = self.tiles_per_layer();
+        for bins in self.bins.chunks_mut(tiles) {
+            for ty in low[1] / TILE as i32..=high[1] / TILE as i32 {
+                for tx in low[0] / TILE as i32..=high[0] / TILE as i32 {
+                    bins[ty as usize * self.across as usize + tx as usize].push(command);
+                }
             }
+        }
+    }
+
+    /// How many tiles a layer has.
+    fn tiles_per_layer(&self) -> usize {
+        (self.bins.len() / usize::from(self.desc.layers.max(1))).max(1)
+    }
+
+    /// Attaches the layers behind the first that have something to do.
+    fn attach_layers(&mut self) {
+        let tiles = self.tiles_per_layer();
+        for (layer, surfaces) in self.more_layers.iter_mut().enumerate() {
+            let bins = &self.bins[(layer + 1) * tiles..][..tiles];
+            if surfaces.is_some() || bins.iter().all(Vec::is_empty) {
+                continue;
+            }
+            let attach = |attachment: &Option<Attachment>| {
+                let a = attachment.as_ref()?;
+                a.image.attach(a.face + layer as u16 + 1, a.level, self.thread_pool)
+            };
+            let colors = self.desc.colors.iter().map(attach).collect();
+            *surfaces = Some(LayerSurfaces { colors, depth: attach(&self.desc.depth) });
         }
     }
 
     /// Puts chunks into the bins of their tiles; returns whether there are any shapes.
     pub(super) fn bin_chunks(&mut self, chunks: Vec<(Chunk, Vec<TileBin>)>) -> bool {
-        let before = self.shapes;
+        let (before, tiles) = (self.shapes, self.tiles_per_layer());
         for (chunk, runs) in chunks {
             let index = self.job.chunks.len() as u32;
-            for TileBin { tile: [x, y], first, end } in runs {
-                let bin = &mut self.bins[(y * self.across + x) as usize];
+            for TileBin { layer, tile: [x, y], first, end } in runs {
+                let bin = &mut self.bins[layer as usize * tiles + (y * self.across + x) as usize];
                 bin.push(TileCommand::Shapes { chunk: index, first, end });
             }
             self.shapes += chunk.lists.shapes.len();
@@ -45,7 +71,7 @@ impl Pass<'_> {
     /// Puts small draws into bins.
     pub(super) fn bin_merged(&mut self) {
         if let Some(all) = self.merged.take() {
-            self.bin_chunks(vec![all.finish()]);
+            self.bin_chunks(vec![all.finish(self.desc.layers.into())]);
         }
     }
 
@@ -105,13 +131,23 @@ impl Pass<'_> {
             colors: self.formats.clone(),
             depth: self.depth_format().and_then(DepthFormat::of),
         };
+        self.attach_layers();
+        let tiles_per_layer = self.tiles_per_layer();
         let mut tiles = Vec::new();
         let mut positions = Vec::new();
         for (index, bin) in self.bins.iter_mut().enumerate() {
             if bin.is_empty() {
                 continue;
             }
-            let (tx, ty) = (index as u32 % self.across, index as u32 / self.across);
+            let (layer, tile) = (index / tiles_per_layer, (index % tiles_per_layer) as u32);
+            let (tx, ty) = (tile % self.across, tile / self.across);
+            let (colors, depth) = match layer.checked_sub(1) {
+                None => (&mut self.colors, &mut self.depth),
+                Some(behind) => match &mut self.more_layers[behind] {
+                    Some(LayerSurfaces { colors, depth }) => (colors, depth),
+                    None => continue,
+                },
+            };
             let take = |surface: &mut Surface| {
                 let at = (ty * surface.tiles_across() + tx) as usize;
                 surface.take(at)
@@ -119,17 +155,18 @@ impl Pass<'_> {
             tiles.push(TileJob {
                 x: (tx * TILE) as i32,
                 y: (ty * TILE) as i32,
-                colors: self.colors.iter_mut().map(|color| color.as_mut().map(take)).collect(),
-                depth: self.depth.as_mut().map(take),
+                colors: colors.iter_mut().map(|color| color.as_mut().map(take)).collect(),
+                depth: depth.as_mut().map(take),
                 watched: self
                     .job
                     .watch
                     .as_ref()
+                    .filter(|_| layer == 0)
                     .and_then(|watch| WatchedPixel::new(watch, [tx, ty], &formats)),
                 commands: std::mem::take(bin),
                 charges: Vec::new(),
             });
-            positions.push((tx, ty));
+            positions.push((layer, tx, ty));
         }
         let least = if self.is_small_work() { tiles.len().max(1) } else { 1 };
         match self.has_loops() {
@@ -146,8 +183,15 @@ impl Pass<'_> {
                 }
             }
         }
-        for (tile, (tx, ty)) in tiles.into_iter().zip(positions) {
-            let surfaces = self.colors.iter_mut().chain([&mut self.depth]);
+        for (tile, (layer, tx, ty)) in tiles.into_iter().zip(positions) {
+            let (colors, depth) = match layer.checked_sub(1) {
+                None => (&mut self.colors, &mut self.depth),
+                Some(behind) => match &mut self.more_layers[behind] {
+                    Some(LayerSurfaces { colors, depth }) => (colors, depth),
+                    None => continue,
+                },
+            };
+            let surfaces = colors.iter_mut().chain([depth]);
             for (surface, target) in surfaces.zip(tile.colors.into_iter().chain([tile.depth])) {
                 if let (Some(surface), Some(target)) = (surface, target) {
                     let at = (ty * surface.tiles_across() + tx) as usize;
