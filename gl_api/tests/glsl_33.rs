@@ -1,10 +1,14 @@
 //! GLSL 1.50 and 3.30: which shaders the contexts of GL 3.3 accept, and which programs link.
 
-use gl_api::glsl::{Bindings, ContextLanguage, Options, Shader, Stage, compile, link};
+use gl_api::glsl::interface::VARYING_USER;
+use gl_api::glsl::{Bindings, ContextLanguage, Linked, Options, Shader, Stage, compile, link};
+use rasterizer::ir::{Input, Output};
+use rasterizer::shader::{Invocation, Machine, Program};
 use std::fmt::Write as _;
+use texunit::lanes::{Isa, LANES};
 
 use ContextLanguage::{Compatibility31, Compatibility33, Core33};
-use Stage::{Fragment, Vertex};
+use Stage::{Fragment, Geometry, Vertex};
 
 /// Compiles for a context.
 fn compiled(context: ContextLanguage, stage: Stage, source: &str) -> Result<Shader, String> {
@@ -69,6 +73,28 @@ const ACCEPTED: &[(ContextLanguage, Stage, &str)] = &[
         Fragment,
         "#version 150\nlayout(ORIGIN_upper_left) in vec4 gl_FragCoord;\nvoid main() { gl_FragColor = gl_FragCoord; }",
     ),
+    // The geometry stage
+    (
+        Core33,
+        Geometry,
+        "#version 150\nlayout(triangles) in;\nlayout(triangle_strip, max_vertices = 3) out;\nin vec4 a[];\nin B { float b; } x[];\nout B { float b; };\nvoid main() { for (int i = 0; i < gl_in.length(); i++) { gl_Position = gl_in[i].gl_Position + a[i]; b = x[i].b; gl_Layer = gl_PrimitiveIDIn; gl_PrimitiveID = a.length(); EmitVertex(); } EndPrimitive(); }",
+    ),
+    (
+        Core33,
+        Geometry,
+        "#version 150\nin vec4 a[3];\nlayout(triangles) in;\nin vec4 b[];\nlayout(triangles) in;\nvoid main() { gl_Position = a[2] + b[2]; }",
+    ),
+    (
+        Core33,
+        Geometry,
+        "#version 150\nin gl_PerVertex { vec4 gl_Position; float gl_ClipDistance[2]; } gl_in[];\nout gl_PerVertex { vec4 gl_Position; };\nvoid main() { gl_Position = gl_in[0].gl_Position * gl_in[1].gl_ClipDistance[1]; }",
+    ),
+    (
+        Compatibility33,
+        Geometry,
+        "#version 150 compatibility\nlayout(lines) in;\nvoid main() { gl_FrontColor = gl_in[1].gl_FrontColor + gl_in[0].gl_TexCoord[3] + gl_in[0].gl_ClipVertex; gl_TexCoord[0] = gl_ModelViewMatrix[0]; }",
+    ),
+    (Core33, Fragment, "#version 150\nvoid main() { gl_FragColor = vec4(gl_PrimitiveID); }"),
     (Core33, Fragment, "#version 100\nvoid main() { gl_FragColor = vec4(1.0); }"),
 ];
 
@@ -339,4 +365,157 @@ fn instances_of_uniform_blocks() {
     let members: Vec<&str> = program.members.iter().map(|member| &*member.name).collect();
     assert_eq!((blocks, members), (vec!["B[0]", "B[1]"], vec!["B.a", "B.b"]));
     assert_eq!(program.blocks[1].word, program.blocks[0].word.map(|word| word + 5));
+}
+
+const VERTEX: &str =
+    "in vec4 p;\nout vec4 a;\nflat out int n;\nvoid main() { gl_Position = p; a = p; n = 7; }";
+const GEOMETRY: &str = "layout(triangles) in;\nlayout(line_strip, max_vertices = 4) out;\nin vec4 a[];\nflat in int n[];\nout vec4 b;\nvoid main() { b = a[1] * n[2]; gl_Position = gl_in[0].gl_Position; EmitVertex(); EndPrimitive(); }";
+const FRAGMENT: &str = "in vec4 b;\nout vec4 r;\nvoid main() { r = b; }";
+
+/// Geometry shaders of version 150 between `VERTEX` and `FRAGMENT`, and words of the log; no words:
+/// they link.
+const GEOMETRIES: &[(&[&str], &str)] = &[
+    (&[GEOMETRY], ""),
+    (
+        &[
+            GEOMETRY,
+            "layout(triangles) in;\nlayout(max_vertices = 4) out;\nvoid f() { EmitVertex(); }",
+        ],
+        "",
+    ),
+    (&[GEOMETRY, "layout(triangles) in;\nlayout(max_vertices = 3) out;\n"], "different layouts"),
+    (&[GEOMETRY, "layout(lines) in;"], "different layouts"),
+    (
+        &[
+            "layout(line_strip, max_vertices = 4) out;\nout vec4 b;\nvoid main() { b = vec4(1.0); EmitVertex(); }",
+        ],
+        "no geometry shader has the layout of the inputs",
+    ),
+    (
+        &[
+            "layout(points) in;\nlayout(points) out;\nout vec4 b;\nvoid main() { b = vec4(1.0); EmitVertex(); }",
+        ],
+        "how many vertices it emits",
+    ),
+    (
+        &[
+            "layout(points) in;\nlayout(max_vertices = 1) out;\nout vec4 b;\nvoid main() { b = vec4(1.0); EmitVertex(); }",
+        ],
+        "the primitive of the outputs",
+    ),
+    (
+        &[
+            "layout(points) in;\nlayout(points, max_vertices = 1) out;\nin vec3 a[];\nout vec4 b;\nvoid main() { b = a[0].xyzz; EmitVertex(); }",
+        ],
+        "`a` is vec4 in the vertex shader and vec3 in the geometry shader",
+    ),
+    (
+        &[
+            "layout(points) in;\nlayout(points, max_vertices = 1) out;\nin vec4 c[];\nout vec4 b;\nvoid main() { b = c[0]; EmitVertex(); }",
+        ],
+        "the geometry shader reads `c`, which no vertex shader writes",
+    ),
+    (
+        &[
+            "layout(points) in;\nlayout(points, max_vertices = 1) out;\nvoid main() { EmitVertex(); }",
+        ],
+        "the fragment shader reads `b`, which no geometry shader writes",
+    ),
+    (
+        &[
+            "layout(points) in;\nlayout(points, max_vertices = 256) out;\nout vec4 b;\nvoid main() { b = gl_Position = vec4(1.0); EmitVertex(); }",
+        ],
+        "256 vertices of 8 components are 2048",
+    ),
+    (
+        &[GEOMETRY, "in vec4 a[2];\nvec4 f() { return a[0]; }"],
+        "`a` has 2 elements, and the primitives have 3 vertices",
+    ),
+];
+
+fn linked_geometry(geometries: &[&str]) -> Linked {
+    let rest = geometries.iter().map(|source| (Geometry, *source));
+    let all = [(Vertex, VERTEX), (Fragment, FRAGMENT)].into_iter().chain(rest);
+    let shaders: Vec<Shader> = all
+        .map(|(stage, source)| {
+            compiled(Core33, stage, &format!("#version 150\n{source}"))
+                .unwrap_or_else(|log| panic!("{source}\n{log}"))
+        })
+        .collect();
+    link(&shaders.iter().collect::<Vec<_>>(), &Bindings::default())
+}
+
+#[test]
+fn programs_of_three_stages() {
+    let mut wrong = String::new();
+    for (geometries, words) in GEOMETRIES {
+        let linked = linked_geometry(geometries);
+        if linked.program.is_some() != words.is_empty() || !linked.log.contains(words) {
+            let _ = writeln!(wrong, "{geometries:?}\nexpected {words:?}:\n{}", linked.log);
+        }
+        for module in linked.program.iter().flat_map(|program| &program.geometry) {
+            module.validate().unwrap_or_else(|error| panic!("{geometries:?}: {error}"));
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong}");
+}
+
+#[test]
+fn a_geometry_shader_alone_does_not_link() {
+    let source = format!("#version 150\n{GEOMETRY}");
+    let shader = compiled(Core33, Geometry, &source).unwrap_or_else(|log| panic!("{log}"));
+    let linked = link(&[&shader], &Bindings::default());
+    assert!(linked.program.is_none() && linked.log.contains("no vertex shader"), "{}", linked.log);
+}
+
+#[test]
+fn a_geometry_program_emits_what_its_shader_writes() {
+    let program = linked_geometry(&[GEOMETRY]).program.expect("it links");
+    let module = program.geometry.expect("there is a geometry shader");
+    let outputs = module.geometry.as_ref().expect("it has an interface").outputs.clone();
+    let compiled = Program::new(&module, |_| true);
+    for isa in Isa::available() {
+        let prepared = compiled.prepare(isa, &[0; 64], &[]);
+        let mut machine = Machine::default();
+        machine.begin(&compiled);
+        for (index, input) in compiled.inputs().iter().enumerate() {
+            let register = machine.input_mut(index);
+            for lane in 0..LANES {
+                let value = match input {
+                    Input::OfVertex { vertex, output: Output::Position(at) } => {
+                        f32::from(*vertex) * 10.0 + f32::from(*at)
+                    }
+                    // `a` takes four slots; of `n`, the low half comes first.
+                    Input::OfVertex { vertex, output: Output::Varying(slot) } => {
+                        match slot - VARYING_USER {
+                            at @ 0..4 => f32::from(*vertex) * 100.0 + f32::from(at),
+                            4 => 7.0,
+                            _ => 0.0,
+                        }
+                    }
+                    other => panic!("no value for {other:?}"),
+                };
+                register[lane] = value.to_bits();
+            }
+        }
+        let run = Invocation {
+            isa,
+            program: &compiled,
+            prepared: &prepared,
+            textures: &[],
+            active: !0,
+            budget: 1_000_000,
+        };
+        machine.run(run).expect("the shader ends soon");
+        assert_eq!(machine.emission().count(3), 1);
+        for (word, output) in outputs.iter().enumerate() {
+            let value = f32::from_bits(machine.emission().values(0, word)[3]);
+            let expected = match output {
+                Output::Position(at) => f32::from(*at),
+                Output::Varying(slot) => 7.0 * (100.0 + f32::from(slot - VARYING_USER)),
+                other => panic!("{other:?} is emitted"),
+            };
+            assert_eq!(value, expected, "{output:?}");
+        }
+    }
 }

@@ -234,6 +234,6 @@ pub const TABLE: &[Row] = &[
         330,
         "#if __VERSION__ == 330\nconst float c = 1.0;\n#endif\n",
         "r = vec4(c, intBitsToFloat(floatBitsToInt(u.y)), gl_MaxVertexOutputComponents, gl_MaxFragmentInputComponents);",
-        [1.0, 2.0, 64.0, 128.0],
+        [1.0, 2.0, 128.0, 128.0],
     ),
 ];

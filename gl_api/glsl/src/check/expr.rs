@@ -82,7 +82,7 @@ impl Checker<'_> {
             None => self.builtin_variable(name),
         };
         let Some(var) = var else {
-            if self.per_vertex.leaves_out(name) {
+            if self.leaves_out(name) {
                 self.left_out(name, span);
                 return Expr::error(span);
             }
@@ -97,11 +97,14 @@ impl Checker<'_> {
 
     /// Adds a built-in variable to the globals of the unit.
     pub(super) fn builtin_variable(&mut self, name: &str) -> Option<VarRef> {
-        if self.per_vertex.leaves_out(name) {
+        if self.leaves_out(name) {
             return None;
         }
         let builtin = variable::find(name, self.stage, self.language)?;
-        let (row, ty) = (builtin.row, builtin.ty.clone());
+        let (row, mut ty) = (builtin.row, builtin.ty.clone());
+        if let (Builtin::Incoming(_), Type::Array(_, len)) = (row.builtin, &mut ty) {
+            *len = self.unit.geometry.input.map(|input| input.vertices().into());
+        }
         let storage = Storage::Builtin(row.builtin);
         let mut variable = Variable::new(row.name.into(), ty, storage, Span::default());
         if let Builtin::Limit(value) = row.builtin {

@@ -7,7 +7,7 @@
 use super::Checker;
 use super::scope::Symbol;
 use crate::ast::{self, Qualifier};
-use crate::hir::{Expr, ExprKind, InterfaceBlock, Storage, VarRef};
+use crate::hir::{Expr, ExprKind, InterfaceBlock, VarRef};
 use crate::language::stage_name;
 use crate::text::diagnostics::Diagnostic;
 use crate::text::source::Span;
@@ -36,6 +36,8 @@ pub(super) enum InstanceMembers {
     Variables(Vec<(Arc<str>, VarRef)>),
     /// The members of the structure that this uniform is.
     Uniform(VarRef),
+    /// The built-in variables of the vertices that the geometry stage takes: `gl_in`.
+    PerVertex,
 }
 
 impl Checker<'_> {
@@ -83,6 +85,13 @@ impl Checker<'_> {
             is_array: !array.is_empty(),
             members: members.iter().flat_map(|m| &m.names).map(|m| m.name.text.clone()).collect(),
         });
+        if (self.stage, way) == (Stage::Geometry, Qualifier::In) && !block.is_array {
+            let message = "a block of inputs of the geometry stage is an array, with an element for \
+                           each vertex";
+            let problem = Diagnostic::error(name.span, message).rule(self.rule("4.3.4"));
+            self.log.push(problem.help("write a name and `[]` behind it"));
+            return;
+        }
         let mut variables = Vec::new();
         for declaration in members {
             if self.log.is_full() {
@@ -136,7 +145,12 @@ impl Checker<'_> {
             let ty = self.passed_type(ty, storage, span);
             let mut variable = self.new_variable(member, ty, storage);
             self.check_sized(&variable);
-            variable.name = format!("{}.{text}", block.name).into();
+            // A block may be both an input and an output of the geometry stage.
+            let prefix = match (self.stage, way) {
+                (Stage::Geometry, Qualifier::In) => "in ",
+                (Stage::Vertex | Stage::Geometry | Stage::Fragment, _) => "",
+            };
+            variable.name = format!("{prefix}{}.{text}", block.name).into();
             variable.interface_qualifiers = interface_qualifiers;
             variable.member_of = Some(Arc::clone(block));
             let var = VarRef::Global(self.unit.globals.len() as u32);
@@ -183,10 +197,15 @@ impl Checker<'_> {
     }
 
     /// The instance that a name is.
-    pub(super) fn instance_named(&self, name: &ast::Expr) -> Option<&Instance> {
+    pub(super) fn instance_named(&self, name: &ast::Expr) -> Option<Instance> {
         let ast::ExprKind::Name(name) = &name.kind else { return None };
         match self.scopes.find(name) {
-            Some(Symbol::Instance(index)) => self.instances.get(*index as usize),
+            Some(Symbol::Instance(index)) => self.instances.get(*index as usize).cloned(),
+            None if &**name == "gl_in" && self.stage == Stage::Geometry => Some(Instance {
+                block: "gl_PerVertex".into(),
+                is_array: true,
+                members: InstanceMembers::PerVertex,
+            }),
             Some(_) | None => None,
         }
     }
@@ -203,7 +222,7 @@ impl Checker<'_> {
         } else {
             (base, None)
         };
-        let instance = self.instance_named(root)?.clone();
+        let instance = self.instance_named(root)?;
         if instance.is_array != index.is_some() {
             let message = match index {
                 None => "this is an array of blocks: an index is missing before the member",
@@ -216,6 +235,15 @@ impl Checker<'_> {
             InstanceMembers::Uniform(var) => Some(*var),
             InstanceMembers::Variables(all) => {
                 all.iter().find(|(member, _)| *member == name.text).map(|(_, var)| *var)
+            }
+            InstanceMembers::PerVertex => {
+                let full = format!("gl_in.{}", name.text);
+                if self.leaves_out(&full) {
+                    self.left_out(&full, name.span);
+                    return Some(Expr::error(span));
+                }
+                let known = self.scopes.find_global(&full).and_then(Symbol::variable);
+                known.or_else(|| self.builtin_variable(&full))
             }
         };
         let Some(var) = var else {
@@ -246,17 +274,27 @@ impl Checker<'_> {
             }
         };
         Some(match &instance.members {
-            InstanceMembers::Variables(_) => element,
+            InstanceMembers::Variables(_) | InstanceMembers::PerVertex => element,
             InstanceMembers::Uniform(_) => self.member_of(element, name, span),
         })
     }
 
     /// `instances.length()`; `None` if the name is no instance.
     pub(super) fn instance_count(&mut self, base: &ast::Expr, span: Span) -> Option<Expr> {
-        let instance = self.instance_named(base)?.clone();
+        let instance = self.instance_named(base)?;
         let var = match &instance.members {
             InstanceMembers::Uniform(var) => Some(*var),
             InstanceMembers::Variables(all) => all.first().map(|(_, var)| *var),
+            InstanceMembers::PerVertex => {
+                let vertices = self.unit.geometry.input.map(|input| input.vertices().into());
+                let Some(vertices) = vertices else {
+                    let message = "the number of vertices is not known here";
+                    let problem = Diagnostic::error(span, message).rule(self.rule("4.3.8.1"));
+                    self.log.push(problem.help("write the layout of the inputs before"));
+                    return Some(Expr::error(span));
+                };
+                return Some(super::expr::word(span, INT, vertices));
+            }
         };
         let ty = var.map(|var| self.variable(var).ty.clone());
         if let (true, Some(Type::Array(_, Some(len)))) = (instance.is_array, ty) {
@@ -268,12 +306,6 @@ impl Checker<'_> {
         };
         self.error(span, SECTION, message);
         Some(Expr::error(span))
-    }
-
-    /// The type of what passes between stages: an input of the geometry stage is an array with an
-    /// element for each vertex of the primitive.
-    pub(super) fn passed_type(&mut self, ty: Type, _storage: Storage, _span: Span) -> Type {
-        ty
     }
 
     /// Reports the name of an instance without a member.

@@ -5,6 +5,7 @@ mod construct;
 mod decl;
 mod expr;
 mod functions;
+mod geometry;
 mod integer_overloads;
 mod interface_block;
 mod lvalue;
@@ -18,13 +19,14 @@ mod stmt;
 mod uniform_block;
 
 use crate::ast::{Item, StructDecl};
-use crate::hir::{Expr, Stmt, Storage, Unit, VarRef, Variable, recursive_call};
+use crate::hir::{
+    Expr, GeometryLayout, PerVertex, Stmt, Storage, Unit, VarRef, Variable, recursive_call,
+};
 use crate::language::{Language, Version};
 use crate::text::diagnostics::{Diagnostic, Log};
 use crate::text::source::{Source, Span};
 use crate::types::Type;
 use interface_block::Instance;
-use per_vertex::PerVertex;
 use rasterizer::ir::Stage;
 use redeclare::settle_arrays;
 use scope::{Scopes, Undeclared};
@@ -72,8 +74,8 @@ struct Checker<'a> {
     scopes: Scopes,
     /// The blocks that have instance names.
     instances: Vec<Instance>,
-    /// The redeclarations of `gl_PerVertex`.
-    per_vertex: PerVertex,
+    /// How many vertices the inputs of the geometry stage have, if a declaration says it.
+    input_len: Option<u32>,
     /// The names of the blocks of uniforms, inputs and outputs.
     block_names: BTreeSet<(&'static str, Arc<str>)>,
     /// The functions of the unit by signature.
@@ -94,7 +96,11 @@ pub fn check(
 ) -> Unit {
     let version = language.version;
     let (globals, functions, calls) = (Vec::new(), Vec::new(), Vec::new());
-    let unit = Unit { stage, version, all_invariant: false, globals, functions, calls };
+    let geometry = GeometryLayout::default();
+    let per_vertex = PerVertex::default();
+    let all_invariant = false;
+    let unit =
+        Unit { stage, version, all_invariant, geometry, per_vertex, globals, functions, calls };
     let mut checker = Checker {
         source,
         log,
@@ -108,7 +114,7 @@ pub fn check(
         declared: None,
         scopes: Scopes::new(version),
         instances: Vec::new(),
-        per_vertex: PerVertex::default(),
+        input_len: None,
         block_names: BTreeSet::new(),
         signatures: BTreeMap::new(),
         undeclared: Vec::new(),

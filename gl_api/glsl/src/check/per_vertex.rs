@@ -3,6 +3,7 @@
 use super::Checker;
 use super::scope::Symbol;
 use crate::ast::{self, Qualifier};
+use crate::builtins::variable::PER_VERTEX;
 use crate::hir::{InterfaceQualifiers, VarRef};
 use crate::text::diagnostics::Diagnostic;
 use crate::text::source::Span;
@@ -11,42 +12,19 @@ use rasterizer::ir::Stage;
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-/// The members of the block; those from the fourth on are of the compatibility profile.
-pub(super) const MEMBERS: [&str; 10] = [
-    "gl_Position",
-    "gl_PointSize",
-    "gl_ClipDistance",
-    "gl_ClipVertex",
-    "gl_FrontColor",
-    "gl_BackColor",
-    "gl_FrontSecondaryColor",
-    "gl_BackSecondaryColor",
-    "gl_TexCoord",
-    "gl_FogFragCoord",
-];
-
 const SECTION: &str = "7.1";
 
-/// What a shader has of the block, for inputs and for outputs; `None`: it does not redeclare it.
-#[derive(Debug, Default)]
-pub(super) struct PerVertex {
-    pub inputs: Option<BTreeSet<Arc<str>>>,
-    pub outputs: Option<BTreeSet<Arc<str>>>,
-}
-
-impl PerVertex {
+impl Checker<'_> {
     /// Whether a redeclaration of the block leaves a variable out. Members of `gl_in` are written
     /// with it before their names.
-    pub fn leaves_out(&self, name: &str) -> bool {
+    pub(super) fn leaves_out(&self, name: &str) -> bool {
         let (member, left) = match name.strip_prefix("gl_in.") {
-            Some(member) => (member, &self.inputs),
-            None => (name, &self.outputs),
+            Some(member) => (member, &self.unit.per_vertex.inputs),
+            None => (name, &self.unit.per_vertex.outputs),
         };
-        MEMBERS.contains(&member) && left.as_ref().is_some_and(|left| !left.contains(member))
+        PER_VERTEX.contains(&member) && left.as_ref().is_some_and(|left| !left.contains(member))
     }
-}
 
-impl Checker<'_> {
     /// The redeclaration of `gl_PerVertex`.
     pub(super) fn per_vertex(&mut self, declared: &ast::BlockDecl, way: Qualifier, span: Span) {
         let name = &declared.name;
@@ -54,6 +32,10 @@ impl Checker<'_> {
         let instance = declared.instance.as_ref();
         let fits = match (self.stage, is_input) {
             (Stage::Vertex, false) => instance.is_none(),
+            (Stage::Geometry, false) => instance.is_none(),
+            (Stage::Geometry, true) => instance.is_some_and(|instance| {
+                &*instance.name.text == "gl_in" && !instance.array.is_empty()
+            }),
             (Stage::Vertex, true) | (Stage::Fragment, _) => {
                 let way = if is_input { "input" } else { "output" };
                 let message = format!("this stage has no block `gl_PerVertex` as {way}");
@@ -70,14 +52,15 @@ impl Checker<'_> {
             return;
         }
         let prefix = if is_input { "gl_in." } else { "" };
-        let known = if is_input { &self.per_vertex.inputs } else { &self.per_vertex.outputs };
+        let known =
+            if is_input { &self.unit.per_vertex.inputs } else { &self.unit.per_vertex.outputs };
         if known.is_some() {
             self.declared_already(name, &Symbol::Block);
             return;
         }
         let used = self.unit.globals.iter().find(|global| {
             let member = global.name.strip_prefix(prefix);
-            member.is_some_and(|member| MEMBERS.contains(&member))
+            member.is_some_and(|member| PER_VERTEX.contains(&member))
                 && (global.references > 0 || global.redeclared)
         });
         if let Some(used) = used {
@@ -85,6 +68,13 @@ impl Checker<'_> {
             let problem = Diagnostic::error(name.span, message).rule(self.rule(SECTION));
             self.log.push(problem.help("put the redeclaration first"));
             return;
+        }
+        if let Some(instance) = instance {
+            let mut ty = Type::Array(Box::new(Type::Error), None);
+            if let [size] = &instance.array[..] {
+                ty = self.array_of(crate::types::FLOAT, size);
+            }
+            self.per_vertex_type(ty, name.span);
         }
         let mut left: BTreeSet<Arc<str>> = BTreeSet::new();
         for declaration in &declared.members {
@@ -96,8 +86,8 @@ impl Checker<'_> {
             }
         }
         match is_input {
-            true => self.per_vertex.inputs = Some(left),
-            false => self.per_vertex.outputs = Some(left),
+            true => self.unit.per_vertex.inputs = Some(left),
+            false => self.unit.per_vertex.outputs = Some(left),
         }
     }
 
@@ -112,11 +102,11 @@ impl Checker<'_> {
     ) -> bool {
         let text = &member.name.text;
         let full = format!("{prefix}{text}");
-        let known = match MEMBERS.contains(&&**text) {
+        let known = match PER_VERTEX.contains(&&**text) {
             true => self.scopes.find_global(&full).and_then(Symbol::variable),
             false => None,
         };
-        let known = known.or_else(|| match MEMBERS.contains(&&**text) {
+        let known = known.or_else(|| match PER_VERTEX.contains(&&**text) {
             true => self.builtin_variable(&full),
             false => None,
         });

@@ -21,17 +21,17 @@ fn storage(
         (Qualifier::Const, _) => Ok(Storage::Const),
         (Qualifier::Uniform, _) => Ok(Storage::Uniform),
         (Qualifier::Attribute | Qualifier::In, Stage::Vertex) => Ok(Storage::Attribute),
-        (Qualifier::Varying | Qualifier::Out, Stage::Vertex)
-        | (Qualifier::Out, Stage::Geometry) => Ok(Storage::Output(interpolation)),
+        (Qualifier::Varying | Qualifier::Out, Stage::Vertex | Stage::Geometry) => {
+            Ok(Storage::Output(interpolation))
+        }
+
         (Qualifier::Varying | Qualifier::In, Stage::Fragment)
         | (Qualifier::In, Stage::Geometry) => Ok(Storage::Input(interpolation)),
         (Qualifier::Out, Stage::Fragment) => Ok(Storage::FragmentOutput),
         (Qualifier::Attribute, Stage::Fragment) => {
             Err("attributes belong to vertices: the fragment stage has none")
         }
-        (Qualifier::Attribute | Qualifier::Varying, Stage::Geometry) => {
-            Err("the geometry stage has `in` and `out`")
-        }
+        (Qualifier::Attribute, Stage::Geometry) => Err("the geometry stage has `in` and `out`"),
         (Qualifier::Inout, _) => Err("`inout` is for parameters only"),
         (
             Qualifier::Centroid

@@ -4,7 +4,7 @@
 use super::Checker;
 use super::scope::Symbol;
 use crate::ast;
-use crate::builtins::variable::Builtin;
+use crate::builtins::variable::{Builtin, PER_VERTEX};
 use crate::hir::{InterfaceQualifiers, Storage, VarRef, Variable};
 use crate::language::stage_name;
 use crate::limits::MAX_CLIP_DISTANCES;
@@ -40,8 +40,7 @@ impl Checker<'_> {
         };
         let used = variable.references > 0;
         let (before, redeclared) = (variable.interface_qualifiers, variable.redeclared);
-        let in_block =
-            self.per_vertex.outputs.is_some() && super::per_vertex::MEMBERS.contains(&&*name.text);
+        let in_block = self.unit.per_vertex.outputs.is_some() && PER_VERTEX.contains(&&*name.text);
         if *ty == Type::Error {
             return true;
         }
@@ -59,7 +58,7 @@ impl Checker<'_> {
             self.log.push(problem.help("redeclare it as it is, or with another size that fits"));
         } else if !passes {
             let stage = stage_name(self.stage);
-            let way = if self.stage == Stage::Vertex { "out" } else { "in" };
+            let way = if self.stage == Stage::Fragment { "in" } else { "out" };
             let message = format!("`{}` is an `{way}` of the {stage} stage", name.text);
             self.log.push(Diagnostic::error(name.span, message).rule(self.rule("7.6")));
         } else {
@@ -153,6 +152,13 @@ pub(super) fn settle_arrays(variables: &mut [Variable]) {
         if let Type::Array(element, None) = &variable.ty {
             variable.ty = Type::Array(element.clone(), Some(variable.min_len.max(1)));
             variable.implicitly_sized = true;
+        }
+        let inner_len = variable.inner_min_len.max(1);
+        if let Type::Array(element, _) = &mut variable.ty
+            && let Type::Array(_, len @ None) = &mut **element
+        {
+            *len = Some(inner_len);
+            variable.inner_implicitly_sized = true;
         }
     }
 }

@@ -242,9 +242,10 @@ impl Checker<'_> {
                     .then_some((variable.span, candidate.name.clone()))
             });
             let since = variable::availability(&name, self.stage);
-            let other = [Stage::Vertex, Stage::Fragment].into_iter().find(|stage| {
-                *stage != self.stage && variable::availability(&name, *stage).is_some()
-            });
+            let other =
+                [Stage::Vertex, Stage::Geometry, Stage::Fragment].into_iter().find(|stage| {
+                    *stage != self.stage && variable::availability(&name, *stage).is_some()
+                });
             if let Some(advice) = since.and_then(|since| self.language.advice(since)) {
                 problem = problem.help(advice);
             } else if let Some(other) = other {

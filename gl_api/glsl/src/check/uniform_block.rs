@@ -80,10 +80,8 @@ impl Checker<'_> {
     /// `layout(std140) uniform;`, `layout(triangles) in;`.
     pub(super) fn layout_defaults(&mut self, words: &[(Qualifier, Span)]) {
         match words.last() {
-            Some((Qualifier::In | Qualifier::Out, span)) => {
-                let message = "only the geometry stage has a layout of all inputs or outputs";
-                self.error(*span, "4.3.8", message);
-            }
+            Some((Qualifier::In, span)) => self.input_layout(words, *span),
+            Some((Qualifier::Out, span)) => self.output_layout(words, *span),
             Some(_) | None => self.block_layout = self.layout_of(words),
         }
     }

@@ -97,10 +97,14 @@ impl Availability {
 /// The stages that have a name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stages {
-    /// Both.
+    /// All.
     Any,
     /// The vertex stage.
     Vertex,
+    /// The geometry stage.
+    Geometry,
+    /// The vertex and the geometry stage.
+    Vertices,
     /// The fragment stage.
     Fragment,
 }
@@ -111,6 +115,8 @@ impl Stages {
         match self {
             Self::Any => true,
             Self::Vertex => stage == Stage::Vertex,
+            Self::Geometry => stage == Stage::Geometry,
+            Self::Vertices => stage != Stage::Fragment,
             Self::Fragment => stage == Stage::Fragment,
         }
     }

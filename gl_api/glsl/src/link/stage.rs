@@ -73,6 +73,9 @@ pub fn stage_units<'a>(
         globals::same_globals(&units, name, log);
         globals::same_coordinates(&units, log);
     }
+    if stage == Stage::Geometry {
+        globals::sized_inputs(&units, log);
+    }
     let reachable = lower::reachable(&units);
     let mut used: Vec<&Variable> = Vec::new();
     let mut names: BTreeSet<&str> = BTreeSet::new();

@@ -3,7 +3,7 @@
 
 use crate::builtins::expand::{angle, common, derivative, geometric, matrix, noise, relational};
 use crate::builtins::function::Lowering::{
-    Derivative, Expand, ExpandAtRunTime, Ftransform, Modf, PerComponent,
+    Derivative, EmitVertex, EndPrimitive, Expand, ExpandAtRunTime, Ftransform, Modf, PerComponent,
 };
 use crate::builtins::function::{FunctionRow, Lowering, Pattern};
 use crate::language::{Availability, Extension, Stages};
@@ -186,6 +186,9 @@ pub static FUNCTIONS: &[FunctionRow] = &[
     of_stages(Stages::Fragment, "dFdx", F, &[F], DERIVATIVES, Derivative(Axis::X)),
     of_stages(Stages::Fragment, "dFdy", F, &[F], DERIVATIVES, Derivative(Axis::Y)),
     of_stages(Stages::Fragment, "fwidth", F, &[F], DERIVATIVES, Expand(derivative::fwidth)),
+    // 8.10 Geometry shader
+    of_stages(Stages::Geometry, "EmitVertex", Pattern::Void, &[], V150, EmitVertex),
+    of_stages(Stages::Geometry, "EndPrimitive", Pattern::Void, &[], V150, EndPrimitive),
     // 8.9 Noise
     row("noise1", F1, &[F], DESKTOP, ExpandAtRunTime(noise::noise1)),
     row("noise2", F2, &[F], DESKTOP, ExpandAtRunTime(noise::noise2)),
