@@ -4,6 +4,7 @@ mod access_chain;
 mod builtin_variables;
 mod call;
 mod expr;
+mod inputs;
 mod outputs;
 mod stage;
 mod stmt;
