@@ -41,6 +41,7 @@ enum Block<'a> {
 pub fn tables(xml: &str, enums_wanted: &BTreeSet<&str>) -> String {
     let mut commands: BTreeMap<&str, Found<'_>> = BTreeMap::new();
     let mut enums: BTreeMap<&str, Found<'_>> = BTreeMap::new();
+    let mut values: BTreeMap<&str, u32> = BTreeMap::new();
     let (mut group, mut block) = (Group::Other, Block::Remove);
     for line in xml.lines().map(str::trim_start) {
         let named = |name| attribute(line, name);
@@ -71,12 +72,51 @@ pub fn tables(xml: &str, enums_wanted: &BTreeSet<&str>) -> String {
             && name.strip_prefix("GL_").is_some_and(|name| enums_wanted.contains(name))
         {
             // Outside of features and extensions it is the enum's definition.
+            let value = named("value").and_then(|value| value.strip_prefix("0x"));
+            if let Some(value) = value.and_then(|value| u32::from_str_radix(value, 16).ok()) {
+                values.insert(name, value);
+            }
             enums.entry(name).or_default().note(&group, block);
         }
     }
     let commands =
         text("/// What the registry says of its commands, by name.", "COMMANDS", &commands);
-    commands + &text("/// What the registry says of its enums, by name.", "ENUMS", &enums)
+    let removed = removed_values(&enums, &values) + &extensions_of_core(xml);
+    commands
+        + &text("/// What the registry says of its enums, by name.", "ENUMS", &enums)
+        + &removed
+}
+
+/// The names of the extensions that are for the core profile.
+fn extensions_of_core(xml: &str) -> String {
+    let rows = xml.lines().filter(|line| line.trim_start().starts_with("<extension "));
+    let of_core = |line: &&str| {
+        attribute(line, "supported").is_some_and(|apis| apis.split('|').any(|api| api == "glcore"))
+    };
+    let names: Vec<&str> =
+        rows.filter(of_core).filter_map(|line| attribute(line, "name")).collect();
+    format!(
+        "/// The extensions that the registry has for the core profile.\n\
+         pub static EXTENSIONS_OF_CORE: [&str; {}] = {names:?};\n",
+        names.len()
+    )
+}
+
+/// The values that no use in the core profile of 3.3 has, of any of their names. Values below 0x100 have too many uses.
+fn removed_values(enums: &BTreeMap<&str, Found<'_>>, values: &BTreeMap<&str, u32>) -> String {
+    let mut in_core: BTreeMap<u32, bool> = BTreeMap::new();
+    for (name, found) in enums {
+        if let Some(value) = values.get(name).filter(|value| **value >= 0x100) {
+            *in_core.entry(*value).or_default() |= found.is_in_core();
+        }
+    }
+    let removed: Vec<u32> =
+        in_core.iter().filter(|(_, kept)| !**kept).map(|(value, _)| *value).collect();
+    format!(
+        "/// The values of enums that only the compatibility profile of OpenGL 3.3 has, in order.\n\
+         pub static REMOVED_VALUES: [u32; {}] = {removed:?};\n",
+        removed.len()
+    )
 }
 
 /// The name in a line `<proto>void <name>glAccum</name></proto>`.
@@ -92,6 +132,13 @@ fn version(text: &str) -> Option<Version> {
 }
 
 impl<'a> Found<'a> {
+    /// Whether any version of the core profile has it, or an extension adds it to that.
+    fn is_in_core(&self) -> bool {
+        let by_version =
+            self.core.is_some_and(|(_, removed)| removed.is_none_or(|end| end > (3, 3)));
+        by_version || self.extensions.iter().any(|(_, apis)| apis.contains(&"glcore"))
+    }
+
     fn note(&mut self, group: &Group<'a>, block: Block<'a>) {
         match (group, block) {
             (Group::Feature("gl", version), Block::Require { profile, .. }) => {

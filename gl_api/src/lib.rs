@@ -59,13 +59,14 @@ mod record;
 mod state;
 
 pub use ::glsl;
+pub use base::availability::{Api, Version};
 pub use base::client_memory::{ClientMemory, ClientPointer};
 pub use base::constants::*;
 pub use base::types::*;
 pub use base::{constants, error, types};
 pub use context::{
-    Context, ContextDesc, ContextError, GLDEBUGPROC, Message, ResetNotification, Severity,
-    SurfaceColor, SurfaceDesc,
+    Context, ContextDesc, ContextError, ForwardCompatible, GLDEBUGPROC, Message, ResetNotification,
+    Severity, SurfaceColor, SurfaceDesc,
 };
 pub use entry::*;
 pub use glsl::interface;

@@ -31,6 +31,11 @@ impl Version {
     pub const fn new(major: u8, minor: u8) -> Self {
         Self { major, minor }
     }
+
+    /// Whether it is later than another.
+    pub const fn is_after(self, other: Self) -> bool {
+        self.major > other.major || self.major == other.major && self.minor > other.minor
+    }
 }
 
 impl fmt::Display for Version {

@@ -11,6 +11,7 @@ pub(crate) mod compare;
 pub(crate) mod component;
 pub mod constants;
 pub(crate) mod convert;
+pub(crate) mod core_profile;
 pub mod error;
 pub(crate) mod float_environment;
 pub(crate) mod inverse;

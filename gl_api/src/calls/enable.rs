@@ -52,6 +52,13 @@ fn switch(context: &mut Context, cap: GLenum, to: Switch) -> Result<()> {
     let on = to == Switch::On;
     let capability = capability(cap)?;
     if let Capability::Texture(_) = capability {
+        if context.profile.is_core() {
+            let rule = format!(
+                "cap = {} was removed from core profiles: shaders sample what is bound, without glEnable",
+                enum_name(cap)
+            );
+            return invalid_enum("GL 3.3, appendix E.2.2", rule);
+        }
         let active = u32::from(context.state.units.active);
         context.units_switched |= 1u8.checked_shl(active).unwrap_or(0);
     }

@@ -158,7 +158,7 @@ impl Debug {
         (self.output, self.at_first) = (output, output);
     }
 
-    /// `GL_CONTEXT_FLAGS`: no context is forward compatible (GL 3.0, table 6.47).
+    /// The bit of debug contexts in `GL_CONTEXT_FLAGS` (GL 3.0, table 6.47).
     pub fn context_flags(&self) -> GLenum {
         match self.at_first {
             Output::On => GL_CONTEXT_FLAG_DEBUG_BIT,

@@ -9,6 +9,7 @@ pub(crate) mod log;
 pub(crate) mod mirror;
 pub(crate) mod pending_bitmaps;
 pub(crate) mod pending_primitives;
+pub(crate) mod profile;
 pub(crate) mod recorder;
 pub(crate) mod reset;
 pub(crate) mod sharing;
@@ -19,6 +20,7 @@ pub(crate) mod warnings;
 pub(crate) mod watched_pixel;
 pub(crate) mod window;
 
+use crate::base::availability::{Api, Version};
 use crate::base::error::{GlError, Result};
 use crate::context::feedback::Feedback;
 use crate::context::immediate::Immediate;
@@ -34,12 +36,15 @@ use crate::objects::queries::ActiveQueries;
 use crate::objects::shared::ShareGroup;
 use crate::state::State;
 use crate::state::attrib::AttribStacks;
+use crate::state::enable::Flag;
 use crate::state::evaluators::EvaluatorMaps;
 use crate::state::transform_feedback::TransformFeedback;
 use crate::state::uniform_buffers::UniformBuffers;
 pub use debug::{Message, Severity};
 pub use log::GLDEBUGPROC;
 use mirror::Mirror;
+pub use profile::ForwardCompatible;
+use profile::Profile;
 use rasterizer::driver::{Device, DeviceDesc, DeviceError};
 pub use reset::ResetNotification;
 use reset::Resets;
@@ -52,6 +57,13 @@ use thiserror::Error;
 /// How a context is to be made.
 #[derive(Clone, Debug)]
 pub struct ContextDesc {
+    /// The API: [`Api::Compatibility`] has everything that any version of OpenGL had, [`Api::Core`] is without what
+    /// later versions removed.
+    pub api: Api,
+    /// The version that is asked for, at most 3.3. Contexts of all versions are of 3.3.
+    pub version: Version,
+    /// Whether the context is without what is deprecated.
+    pub forward_compatible: ForwardCompatible,
     /// Pixels across of the default framebuffer, 1 to 8192.
     pub width: u32,
     /// Pixels up of the default framebuffer, 1 to 8192.
@@ -78,6 +90,9 @@ impl Default for ContextDesc {
         let (fix_its, strictness) = (FixIts::Suggest, Strictness::Lenient);
         let (device, draw_budget) = (None, None);
         Self {
+            api: Api::Compatibility,
+            version: Version::new(1, 0),
+            forward_compatible: ForwardCompatible::No,
             width: 512,
             height: 512,
             fix_its,
@@ -92,8 +107,8 @@ impl Default for ContextDesc {
 
 impl ContextDesc {
     /// The options of its GLSL compiler.
-    fn compiler(&self) -> glsl::Options {
-        let context = glsl::ContextLanguage::default();
+    fn compiler(&self, profile: Profile) -> glsl::Options {
+        let context = profile.language();
         glsl::Options { fix_its: self.fix_its, strictness: self.strictness, context }
     }
 }
@@ -114,6 +129,17 @@ pub enum ContextError {
     /// The default framebuffer cannot have so many bits or samples.
     #[error("{0:?}: at most 32 bits of depth and 8 of stencil, and 1, 2 or 4 samples")]
     Surface(SurfaceDesc),
+    /// There is no such version.
+    #[error("OpenGL {asked} was asked for; DetGL has {most}")]
+    Version {
+        /// What was asked for.
+        asked: Version,
+        /// The latest.
+        most: Version,
+    },
+    /// There is no such API.
+    #[error("{0:?} was asked for; DetGL has Api::Compatibility and Api::Core")]
+    Api(Api),
     /// There is no memory for the default framebuffer.
     #[error("no memory for the default framebuffer")]
     Memory,
@@ -128,6 +154,7 @@ pub enum ContextError {
 /// GL's names work on the thread's current context (see [`Context::make_current`]).
 #[derive(Debug)]
 pub struct Context {
+    pub(crate) profile: Profile,
     pub(crate) state: State,
     pub(crate) objects: Objects,
     pub(crate) window: Window,
@@ -182,10 +209,12 @@ impl Context {
     /// When the size is out of range or the device cannot be made.
     pub fn new(desc: ContextDesc) -> Result<Self, ContextError> {
         let _float_env = FloatEnv::enter();
+        let profile = Profile::of(&desc)?;
         let (compiler, draw_budget, resets) =
-            (desc.compiler(), desc.draw_budget, Resets::new(desc.reset_notification));
+            (desc.compiler(profile), desc.draw_budget, Resets::new(desc.reset_notification));
         let (device, window) = Self::parts(desc)?;
-        let mut context = Self::assemble(device, window, compiler, ShareGroup::default());
+        let mut context =
+            Self::assemble(device, window, (profile, compiler), ShareGroup::default());
         context.recorder.draw_budget = draw_budget;
         context.resets = resets;
         Ok(context)
@@ -213,10 +242,11 @@ impl Context {
     fn assemble(
         device: Arc<Device>,
         window: Window,
-        compiler: glsl::Options,
+        (profile, compiler): (Profile, glsl::Options),
         group: ShareGroup,
     ) -> Self {
-        Self {
+        let mut context = Self {
+            profile,
             state: State::new(window.width, window.height),
             objects: Objects::new(group),
             window,
@@ -241,7 +271,15 @@ impl Context {
             compiler,
             mirror: None,
             watched: None,
+        };
+        if profile.is_core() {
+            // Points always have gl_PointCoord (GL 3.3, section 3.4).
+            context.state.enables.set(Flag::PointSprite, true);
+            for texture in &mut context.objects.default_textures {
+                texture.state.sampler.depth_mode = profile.depth_mode();
+            }
         }
+        context
     }
 
     /// As [`Context::new`], in the group of [`Self::share`]. On the heap: a
@@ -253,14 +291,15 @@ impl Context {
         shared: Option<ShareHandle>,
     ) -> Result<Box<Self>, ContextError> {
         let _float_env = FloatEnv::enter();
+        let profile = Profile::of(&desc)?;
         let (compiler, draw_budget, resets) =
-            (desc.compiler(), desc.draw_budget, Resets::new(desc.reset_notification));
+            (desc.compiler(profile), desc.draw_budget, Resets::new(desc.reset_notification));
         let (group, device) = match shared {
             Some(ShareHandle { group, device }) => (group.join(), Some(device)),
             None => (ShareGroup::default(), None),
         };
         let (device, window) = Self::parts(ContextDesc { device: desc.device.or(device), ..desc })?;
-        let mut context = Box::new(Self::assemble(device, window, compiler, group));
+        let mut context = Box::new(Self::assemble(device, window, (profile, compiler), group));
         context.recorder.draw_budget = draw_budget;
         context.resets = resets;
         Ok(context)

@@ -10,7 +10,7 @@ macro_rules! implement {
         )*
     })*) => {
         $($(
-            implement!(@method $begin_end $module $method $gl [$(#[$doc])+]
+            implement!(@method $begin_end $module $method $gl [$($alias)*] [$(#[$doc])+]
                 ($($params)*) [$(-> $ret)?] [$($list)?]);
             implement!(@free $method $gl [$(#[$doc])+] ($($params)*) [$(-> $ret)?]);
             implement!(@aliases $method [$($alias)*] [$(#[$doc])+] ($($params)*) [$(-> $ret)?]);
@@ -32,8 +32,8 @@ macro_rules! implement {
         $ty:ident $params:tt;
     )* })*) => {
         $($(
-            implement_attribute!(@call $doc $lead $slot, $convert, $method $gl $ty $params);
-            implement_attribute!(@vector $doc $lead $slot, $convert, $vector $gl_vector $ty $params);
+            implement_attribute!(@call $doc $lead $slot, $convert, $method $gl [$($alias)?] $ty $params);
+            implement_attribute!(@vector $doc $lead $slot, $convert, $vector $gl_vector [$($vector_alias)?] $ty $params);
             implement_attribute!(@free $doc $lead $method $gl [$($alias)?] $ty $params);
             implement_attribute!(@free_vector $doc $lead $vector $gl_vector [$($vector_alias)?] $ty);
         )*)*
@@ -51,7 +51,7 @@ macro_rules! implement {
             )*)*]
         }
     };
-    (@method $begin_end:ident $module:ident $method:ident $gl:ident [$($doc:tt)+]
+    (@method $begin_end:ident $module:ident $method:ident $gl:ident $aliases:tt [$($doc:tt)+]
         ($($param:ident: $ty:ty),*) [$(-> $ret:ty)?] $list:tt) => {
         impl $crate::context::Context {
             $($doc)+
@@ -62,10 +62,28 @@ macro_rules! implement {
                 reason = "GL's signature; 'a is there for the rows that borrow"
             )]
             pub fn $method<'a>(&mut self $(, $param: $ty)*) $(-> $ret)? {
+                implement!(@core self $gl $aliases ($($param: $ty),*));
                 implement!(@record self $begin_end $module $method $gl [$($param)*] [$($ret)?] $list);
                 self.call(stringify!($gl), $crate::base::begin_end::BeginEnd::$begin_end, |context| {
                     $module::$method(context $(, $param)*)
                 })
+            }
+        }
+    };
+    // In core contexts, what was removed is refused.
+    (@core $context:ident $gl:ident [$($alias:ident)*] ($($param:ident: $ty:ty),*)) => {
+        if $context.profile.is_core() {
+            const IN_CORE: $crate::base::core_profile::InCore =
+                $crate::base::core_profile::InCore::of(&[stringify!($gl) $(, stringify!($alias))*]);
+            let arguments: &[$crate::base::core_profile::Argument] = &[$(
+                $crate::base::core_profile::Argument {
+                    name: stringify!($param),
+                    ty: stringify!($ty),
+                    value: $crate::record::arguments::RecordArgument::integer(&$param),
+                }
+            ),*];
+            if $context.is_removed(stringify!($gl), IN_CORE, arguments) {
+                return $crate::base::refused_result::RefusedResult::refused_result();
             }
         }
     };
@@ -174,10 +192,11 @@ macro_rules! implement {
 /// Implements a row of attributes: a call that takes the components one by one, and one that takes a vector.
 macro_rules! implement_attribute {
     (@call $doc:literal [$($lead:ident: $lead_ty:ty)?] $slot:expr, $convert:ident,
-        $method:ident $gl:ident $ty:ident ($($param:ident),+)) => {
+        $method:ident $gl:ident $aliases:tt $ty:ident ($($param:ident),+)) => {
         impl $crate::context::Context {
             #[doc = $doc]
             pub fn $method(&mut self $(, $lead: $lead_ty)? $(, $param: $ty)+) {
+                implement!(@core self $gl $aliases ());
                 let _float_env = <$ty as $crate::base::component::Component>::COMPUTES
                     .then(texunit::lanes::OutlinedFloatEnv::enter);
                 self.call_of_attribute(stringify!($gl), $crate::base::begin_end::BeginEnd::Allowed, |context| {
@@ -188,10 +207,11 @@ macro_rules! implement_attribute {
         }
     };
     (@vector $doc:literal [$($lead:ident: $lead_ty:ty)?] $slot:expr, $convert:ident,
-        $method:ident $gl:ident $ty:ident ($($param:ident),+)) => {
+        $method:ident $gl:ident $aliases:tt $ty:ident ($($param:ident),+)) => {
         impl $crate::context::Context {
             #[doc = $doc]
             pub fn $method(&mut self $(, $lead: $lead_ty)?, v: &[$ty]) {
+                implement!(@core self $gl $aliases ());
                 const PARAMETERS: &[&str] = &[$(stringify!($param)),+];
                 const NEEDED: usize = PARAMETERS.len();
                 let _float_env = <$ty as $crate::base::component::Component>::COMPUTES

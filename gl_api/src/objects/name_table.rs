@@ -125,6 +125,22 @@ impl<T> NameTable<T> {
         self.objects.contains_key(&name)
     }
 
+    /// Refuses a name that no call has given, in core contexts (GL 3.3, appendix E.2.2).
+    ///
+    /// # Errors
+    /// `GL_INVALID_OPERATION`.
+    pub(crate) fn check_given(&self, argument: &str, name: GLuint, given_by: &str) -> Result<()> {
+        if name == 0 || self.is_reserved(name) {
+            return Ok(());
+        }
+        invalid_operation(
+            "GL 3.3, appendix E.2.2",
+            format!(
+                "{argument} = {name} must be a name that {given_by} gave: core profiles have no others"
+            ),
+        )
+    }
+
     /// The object of a name.
     pub fn get(&self, name: GLuint) -> Option<&T> {
         Some(&self.objects.get(&name)?.as_ref()?.object)

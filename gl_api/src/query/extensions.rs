@@ -1,7 +1,9 @@
 //! The extensions that are implemented whole: `glGetString`, `glGetStringi`.
 
+use crate::base::availability::EXTENSIONS_OF_CORE;
 use crate::base::constants::*;
-use crate::base::error::{Result, Table, invalid_value};
+use crate::base::core_profile::removed_value;
+use crate::base::error::{ErrorCode, Result, Table, invalid_value};
 use crate::base::types::*;
 use crate::context::Context;
 use std::sync::LazyLock;
@@ -189,6 +191,17 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     "GL_ARB_get_texture_sub_image",
 ];
 
+/// Those of core contexts.
+static CORE: LazyLock<Vec<&str>> = LazyLock::new(|| {
+    let in_core = |name: &&str| EXTENSIONS_OF_CORE.contains(name);
+    EXTENSIONS.iter().copied().filter(in_core).collect()
+});
+
+/// The extensions of a context.
+pub(crate) fn extensions_of(context: &Context) -> &'static [&'static str] {
+    if context.profile.is_core() { &CORE } else { EXTENSIONS }
+}
+
 /// The names with blanks between them.
 static JOINED: LazyLock<String> = LazyLock::new(|| EXTENSIONS.join(" "));
 
@@ -198,13 +211,18 @@ pub(crate) fn get_string(context: &mut Context, name: GLenum) -> Result<&'static
         rows: &[
             (GL_VENDOR, "DetGL"),
             (GL_RENDERER, "DetGL"),
-            (GL_VERSION, concat!("3.1 DetGL ", env!("CARGO_PKG_VERSION"))),
-            (GL_SHADING_LANGUAGE_VERSION, "1.40"),
+            (GL_VERSION, concat!("3.3 (Compatibility Profile) DetGL ", env!("CARGO_PKG_VERSION"))),
+            (GL_SHADING_LANGUAGE_VERSION, "3.30"),
             (GL_EXTENSIONS, ""),
             (GL_PROGRAM_ERROR_STRING_ARB, ""),
         ],
     };
+    let is_core = context.profile.is_core();
     match name {
+        GL_VERSION if is_core => {
+            Ok(concat!("3.3 (Core Profile) DetGL ", env!("CARGO_PKG_VERSION")))
+        }
+        GL_EXTENSIONS if is_core => Err(removed_value("name", name, ErrorCode::InvalidEnum)),
         GL_EXTENSIONS => Ok(&JOINED),
         GL_PROGRAM_ERROR_STRING_ARB => {
             Ok(context.state.assembly.error.map_or("", |(_, message)| message))
@@ -213,10 +231,15 @@ pub(crate) fn get_string(context: &mut Context, name: GLenum) -> Result<&'static
     }
 }
 
-pub(crate) fn get_stringi(_: &mut Context, name: GLenum, index: GLuint) -> Result<&'static str> {
-    const LIST: Table<&[&str]> =
-        Table { section: "GL 3.0, section 6.1.11", rows: &[(GL_EXTENSIONS, EXTENSIONS)] };
-    let names = LIST.decode("name", name)?;
+pub(crate) fn get_stringi(
+    context: &mut Context,
+    name: GLenum,
+    index: GLuint,
+) -> Result<&'static str> {
+    const LIST: Table<GLenum> =
+        Table { section: "GL 3.0, section 6.1.11", rows: &[(GL_EXTENSIONS, GL_EXTENSIONS)] };
+    LIST.decode("name", name)?;
+    let names = extensions_of(context);
     match names.get(index as usize) {
         Some(name) => Ok(name),
         None => invalid_value(

@@ -7,7 +7,7 @@ use super::raw::{Attrib, Handle, Id, Int, handle, put};
 use super::registry::{ContextEntry, Holder, Registry, registry};
 use super::thread::{Api, thread};
 use gl_api::host::{self, DebugOutput, ShareHandle, limits};
-use gl_api::{ContextDesc, ResetNotification};
+use gl_api::{Api as ClientApi, ContextDesc, ForwardCompatible, ResetNotification, Version};
 
 impl Registry {
     /// Removes a context, now or when it is current no more.
@@ -34,6 +34,9 @@ fn is_version(major: Attrib, minor: Attrib) -> bool {
 
 /// What the attributes ask for.
 struct Asked {
+    api: ClientApi,
+    version: Version,
+    forward_compatible: ForwardCompatible,
     /// The log of messages is on at first in debug contexts (`KHR_debug`, section 5.5).
     output: DebugOutput,
     reset_notification: ResetNotification,
@@ -105,29 +108,46 @@ fn check(attributes: &[(Int, Attrib)]) -> Result<Asked> {
     }
     let (has_major, has_minor) = limits::VERSION;
     if (major, minor) > (has_major as Attrib, has_minor as Attrib) {
-        let profiles =
-            EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT | EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT;
-        let named = if profile & profiles as Attrib != profile || profile == 0 {
-            ", of a profile that does not exist,"
-        } else {
-            ""
-        };
+        return fail(
+            Code::BadMatch,
+            format!("OpenGL {major}.{minor} was asked for; DetGL has {has_major}.{has_minor}"),
+        );
+    }
+    let api = profile_of((major, minor), profile, forward)?;
+    let version = Version::new(major as u8, minor as u8);
+    let forward_compatible = if forward { ForwardCompatible::Yes } else { ForwardCompatible::No };
+    let output = if debug { DebugOutput::On } else { DebugOutput::Off };
+    Ok(Asked { api, version, forward_compatible, output, reset_notification })
+}
+
+/// The profile that is asked for. Before 3.2 there are none (EGL 1.5, section 3.7.1): a context of 3.0 or 3.1 has all
+/// that any version had, unless it is forward-compatible, which is without what the core profile removed.
+fn profile_of(version: (Attrib, Attrib), profile: Attrib, forward: bool) -> Result<ClientApi> {
+    const CORE: Attrib = EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT as Attrib;
+    const COMPATIBILITY: Attrib = EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT as Attrib;
+    let (major, minor) = version;
+    if forward && version < (3, 0) {
         return fail(
             Code::BadMatch,
             format!(
-                "OpenGL {major}.{minor}{named} was asked for; DetGL has {has_major}.{has_minor}"
+                "a forward-compatible context of OpenGL {major}.{minor}: only 3.0 and later can be so"
             ),
         );
     }
-    if forward {
-        return fail(
+    match profile {
+        _ if version < (3, 2) => {
+            Ok(if forward { ClientApi::Core } else { ClientApi::Compatibility })
+        }
+        CORE => Ok(ClientApi::Core),
+        COMPATIBILITY => Ok(ClientApi::Compatibility),
+        _ => fail(
             Code::BadMatch,
-            "a forward-compatible context, without what OpenGL 3.0 calls deprecated, was asked for; \
-             DetGL has all of it",
-        );
+            format!(
+                "EGL_CONTEXT_OPENGL_PROFILE_MASK = {profile:#x} must be \
+                 EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT or EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT"
+            ),
+        ),
     }
-    let output = if debug { DebugOutput::On } else { DebugOutput::Off };
-    Ok(Asked { output, reset_notification })
 }
 
 /// What a new context needs to share the objects of another, wherever that is current.
@@ -149,9 +169,17 @@ pub(super) fn create(
             "there is no OpenGL ES: call eglBindAPI(EGL_OPENGL_API) before",
         );
     }
-    let Asked { output, reset_notification } = check(attributes)?;
+    let Asked { api, version, forward_compatible, output, reset_notification } = check(attributes)?;
     // The surface comes with eglMakeCurrent.
-    let desc = ContextDesc { width: 1, height: 1, reset_notification, ..ContextDesc::default() };
+    let desc = ContextDesc {
+        api,
+        version,
+        forward_compatible,
+        width: 1,
+        height: 1,
+        reset_notification,
+        ..ContextDesc::default()
+    };
     let shared = if share.is_null() { None } else { Some(shared_by(display, share)?) };
     let context = match host::new_context(desc, shared, output) {
         Ok(context) => context,
@@ -185,7 +213,7 @@ pub(super) unsafe fn query(
     let found = match attribute {
         EGL_CONFIG_ID => entry.config.map_or(0, |config| config.id),
         EGL_CONTEXT_CLIENT_TYPE => EGL_OPENGL_API,
-        EGL_CONTEXT_CLIENT_VERSION => 2,
+        EGL_CONTEXT_CLIENT_VERSION => limits::VERSION.0,
         EGL_RENDER_BUFFER if bound.is_some_and(|bound| bound.surface.is_some()) => EGL_BACK_BUFFER,
         EGL_RENDER_BUFFER => EGL_NONE,
         _ => {

@@ -7,7 +7,7 @@ use super::{
 use crate::egl::raw::handle;
 use crate::guard::c_functions;
 use gl_api::constants::{GL_FIXED_ONLY, GL_TRUE};
-use gl_api::{GLboolean, GLenum, GLint, GLsizei};
+use gl_api::{Api, GLboolean, GLenum, GLint, GLsizei};
 use std::ffi::{c_char, c_void};
 
 /// Writes a result where the client wants one.
@@ -23,7 +23,7 @@ unsafe fn put<T>(out: *mut T, value: T) {
 
 c_functions! {
     OSMesaCreateContext(format: GLenum, share: *mut c_void) -> *mut c_void {
-        create(Request { format, depth: 24, stencil: 8 }, share.addr())
+        create(Request { api: Api::Compatibility, format, depth: 24, stencil: 8 }, share.addr())
     }
 
     OSMesaCreateContextExt(
@@ -31,7 +31,7 @@ c_functions! {
     ) -> *mut c_void {
         match (bits(depth, 32), bits(stencil, 8)) {
             (Some(depth), Some(stencil)) => {
-                create(Request { format, depth, stencil }, share.addr())
+                create(Request { api: Api::Compatibility, format, depth, stencil }, share.addr())
             }
             (_, _) => std::ptr::null_mut(),
         }

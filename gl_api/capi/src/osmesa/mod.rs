@@ -16,7 +16,7 @@ use super::egl::registry::{ContextEntry, OSMESA, Settings, SurfaceEntry, registr
 use super::egl::thread::{Binding, thread};
 use gl_api::constants::*;
 use gl_api::host::{self, Alpha, DebugOutput, FirstRow, Pixels, Surface, limits};
-use gl_api::{ContextDesc, SurfaceColor, SurfaceDesc, with_current};
+use gl_api::{Api, ContextDesc, SurfaceColor, SurfaceDesc, with_current};
 use gl_api::{GLenum, GLint};
 use mirror::Mirror;
 use std::collections::BTreeMap;
@@ -41,6 +41,7 @@ const OSMESA_DEPTH_BITS: GLint = 0x30;
 const OSMESA_STENCIL_BITS: GLint = 0x31;
 const OSMESA_ACCUM_BITS: GLint = 0x32;
 const OSMESA_PROFILE: GLint = 0x33;
+const OSMESA_CORE_PROFILE: GLint = 0x34;
 const OSMESA_COMPAT_PROFILE: GLint = 0x35;
 const OSMESA_CONTEXT_MAJOR_VERSION: GLint = 0x36;
 const OSMESA_CONTEXT_MINOR_VERSION: GLint = 0x37;
@@ -48,6 +49,7 @@ const OSMESA_CONTEXT_MINOR_VERSION: GLint = 0x37;
 /// What a context was made with.
 #[derive(Clone, Copy, Debug)]
 struct Request {
+    api: Api,
     format: GLenum,
     depth: u8,
     stencil: u8,
@@ -150,7 +152,7 @@ fn create(request: Request, share: Id) -> *mut c_void {
     if !known && request.format != OSMESA_RGB_565 {
         return std::ptr::null_mut();
     }
-    let desc = ContextDesc { width: 1, height: 1, ..ContextDesc::default() };
+    let desc = ContextDesc { api: request.api, width: 1, height: 1, ..ContextDesc::default() };
     let shared = match share {
         0 => None,
         share => match super::egl::shared_by(OSMESA, handle(share)) {
@@ -181,7 +183,8 @@ fn create(request: Request, share: Id) -> *mut c_void {
 
 /// The attributes of `OSMesaCreateContextAttribs`; `None` where they ask for what there is not.
 fn attributes(pairs: &[(GLint, GLint)]) -> Option<Request> {
-    let mut request = Request { format: OSMESA_RGBA, depth: 0, stencil: 0 };
+    let mut request =
+        Request { api: Api::Compatibility, format: OSMESA_RGBA, depth: 0, stencil: 0 };
     let (mut version, mut profile) = ((1, 0), OSMESA_COMPAT_PROFILE);
     for &(name, value) in pairs {
         match name {
@@ -195,7 +198,14 @@ fn attributes(pairs: &[(GLint, GLint)]) -> Option<Request> {
             _ => return None,
         }
     }
-    (version <= limits::VERSION && profile == OSMESA_COMPAT_PROFILE).then_some(request)
+    request.api = match profile {
+        OSMESA_COMPAT_PROFILE => Api::Compatibility,
+        // Before 3.2 there are no profiles.
+        OSMESA_CORE_PROFILE if version < (3, 2) => Api::Compatibility,
+        OSMESA_CORE_PROFILE => Api::Core,
+        _ => return None,
+    };
+    (version <= limits::VERSION).then_some(request)
 }
 
 /// Bits of depth or stencil, as many as there can be.

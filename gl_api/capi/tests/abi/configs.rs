@@ -14,7 +14,9 @@ fn versions_that_are_not_there_are_refused() {
         (2, 2, false),
         (3, 0, true),
         (3, 1, true),
-        (3, 2, false),
+        (3, 2, true),
+        (3, 3, true),
+        (4, 0, false),
     ] {
         let list = [0x3098, major, 0x30FB, minor, EGL_NONE];
         // SAFETY: the list ends with EGL_NONE.
@@ -122,18 +124,22 @@ fn contexts_are_what_was_asked_for_or_refused() {
         ("2.1, compatibility", &[0x3098, 2, 0x30FB, 1, 0x30FD, 2][..], EGL_SUCCESS),
         ("2.1, core, which 2.1 ignores", &[0x3098, 2, 0x30FB, 1, 0x30FD, 1], EGL_SUCCESS),
         ("3.0", &[0x3098, 3, 0x30FB, 0], EGL_SUCCESS),
-        ("3.0, forward compatible", &[0x3098, 3, 0x30FB, 0, 0x31B1, 1], EGL_BAD_MATCH),
+        ("3.0, forward compatible: core", &[0x3098, 3, 0x30FB, 0, 0x31B1, 1], EGL_SUCCESS),
         ("3.1", &[0x3098, 3, 0x30FB, 1], EGL_SUCCESS),
         ("3.1, core, which 3.1 ignores", &[0x3098, 3, 0x30FB, 1, 0x30FD, 1], EGL_SUCCESS),
-        ("3.1, forward compatible", &[0x3098, 3, 0x30FB, 1, 0x31B1, 1], EGL_BAD_MATCH),
-        ("3.2", &[0x3098, 3, 0x30FB, 2], EGL_BAD_MATCH),
+        ("3.1, forward compatible: core", &[0x3098, 3, 0x30FB, 1, 0x31B1, 1], EGL_SUCCESS),
+        ("3.2: core", &[0x3098, 3, 0x30FB, 2], EGL_SUCCESS),
         ("debug", &[0x31B0, 1], EGL_SUCCESS),
         ("robust", &[0x31B2, 1], EGL_SUCCESS),
         ("flags: debug", &[0x30FC, 1], EGL_SUCCESS),
         ("flags: forward compatible", &[0x30FC, 2], EGL_BAD_MATCH),
         ("forward compatible", &[0x31B1, 1], EGL_BAD_MATCH),
         ("flags that are none", &[0x30FC, 64], EGL_BAD_ATTRIBUTE),
-        ("3.2 core", &[0x3098, 3, 0x30FB, 2, 0x30FD, 1], EGL_BAD_MATCH),
+        ("3.2: core, asked for", &[0x3098, 3, 0x30FB, 2, 0x30FD, 1], EGL_SUCCESS),
+        ("3.3: core, forward compatible", &[0x3098, 3, 0x30FB, 3, 0x30FC, 2], EGL_SUCCESS),
+        ("3.3, compatibility", &[0x3098, 3, 0x30FB, 3, 0x30FD, 2], EGL_SUCCESS),
+        ("3.3, of no profile", &[0x3098, 3, 0x30FB, 3, 0x30FD, 0], EGL_BAD_MATCH),
+        ("3.3, of both profiles", &[0x3098, 3, 0x30FB, 3, 0x30FD, 3], EGL_BAD_MATCH),
         ("4.6 compatibility", &[0x3098, 4, 0x30FB, 6, 0x30FD, 2], EGL_BAD_MATCH),
         ("a version that never was", &[0x3098, 2, 0x30FB, 7], EGL_BAD_MATCH),
         ("an attribute of surfaces", &[0x3057, 4], EGL_BAD_ATTRIBUTE),
@@ -162,7 +168,13 @@ fn contexts_are_what_was_asked_for_or_refused() {
                 let mut flags = -1;
                 glDisable(gl_api::GL_DEBUG_OUTPUT);
                 glGetIntegerv(gl_api::GL_CONTEXT_FLAGS, &mut flags);
-                let bit = if logs { gl_api::GL_CONTEXT_FLAG_DEBUG_BIT } else { 0 };
+                let mut bit = if logs { gl_api::GL_CONTEXT_FLAG_DEBUG_BIT } else { 0 };
+                if what.contains("forward compatible") {
+                    bit |= gl_api::GL_CONTEXT_FLAG_FORWARD_COMPATIBLE_BIT;
+                }
+                let mut mask = -1;
+                glGetIntegerv(gl_api::GL_CONTEXT_PROFILE_MASK, &mut mask);
+                assert_eq!(mask, if what.contains(": core") { 1 } else { 2 }, "{what}");
                 assert_eq!(flags as u32, bit, "{what}: of the context, whatever is enabled later");
                 let mut strategy = -1;
                 glGetIntegerv(gl_api::GL_RESET_NOTIFICATION_STRATEGY, &mut strategy);

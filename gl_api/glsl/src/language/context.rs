@@ -11,7 +11,8 @@ pub enum ContextLanguage {
     Compatibility31,
     /// The compatibility profile of GL 3.3: GLSL 1.10 to 3.30 in both profiles.
     Compatibility33,
-    /// The core profile of GL 3.3: GLSL 1.40 to 3.30 in the core profile.
+    /// The core profile of GL 3.3: GLSL 1.40 to 3.30 in the core profile. Shaders of earlier versions have no
+    /// profile; they are accepted, as Mesa accepts them.
     Core33,
 }
 
@@ -23,8 +24,7 @@ impl ContextLanguage {
         }
         match self {
             Self::Compatibility31 => version <= Version::V140,
-            Self::Compatibility33 => true,
-            Self::Core33 => version >= Version::V140,
+            Self::Compatibility33 | Self::Core33 => true,
         }
     }
 

@@ -98,7 +98,11 @@ pub(crate) fn delete_buffers(context: &mut Context, n: GLsizei, buffers: &[GLuin
 }
 
 pub(crate) fn bind_buffer(context: &mut Context, target: GLenum, buffer: GLuint) -> Result<()> {
-    bind(context, BUFFER_TARGET.decode("target", target)?, buffer);
+    let target = BUFFER_TARGET.decode("target", target)?;
+    if context.profile.is_core() {
+        context.objects.shared.buffers.check_given("buffer", buffer, "glGenBuffers")?;
+    }
+    bind(context, target, buffer);
     Ok(())
 }
 

@@ -47,6 +47,13 @@ pub(crate) fn bind_framebuffer(
     framebuffer: GLuint,
 ) -> Result<()> {
     let binding = FRAMEBUFFER_TARGET.decode("target", target)?;
+    if context.profile.is_core() {
+        context.objects.framebuffers.check_given(
+            "framebuffer",
+            framebuffer,
+            "glGenFramebuffers",
+        )?;
+    }
     context.objects.framebuffers.create(framebuffer, Framebuffer::new);
     let bindings = &mut context.state.bindings;
     if binding != Binding::Read {

@@ -54,6 +54,13 @@ pub(crate) fn bind_renderbuffer(
     renderbuffer: GLuint,
 ) -> Result<()> {
     RENDERBUFFER_TARGET.decode("target", target)?;
+    if context.profile.is_core() {
+        context.objects.shared.renderbuffers.check_given(
+            "renderbuffer",
+            renderbuffer,
+            "glGenRenderbuffers",
+        )?;
+    }
     context.objects.shared.renderbuffers.create(renderbuffer, Renderbuffer::new);
     context.state.bindings.renderbuffer = context.objects.shared.renderbuffers.hold(renderbuffer);
     Ok(())

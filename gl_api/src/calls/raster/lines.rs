@@ -2,7 +2,7 @@
 //! 2.14.1, 2.14.7, 3.4, 3.5.1 and 5.6).
 
 use crate::base::constants::*;
-use crate::base::error::{Result, Table};
+use crate::base::error::{Result, Table, invalid_value};
 use crate::base::types::*;
 use crate::context::Context;
 use crate::state::multisample::Multisample;
@@ -58,7 +58,14 @@ pub(crate) fn provoking_vertex(context: &mut Context, mode: GLenum) -> Result<()
 }
 
 pub(crate) fn line_width(context: &mut Context, width: GLfloat) -> Result<()> {
-    context.state.raster.line_width = positive("GL 2.1, section 3.4", "width", width)?;
+    let width = positive("GL 2.1, section 3.4", "width", width)?;
+    if width > 1.0 && !context.profile.has_wide_lines() {
+        let rule = format!(
+            "width = {width} must be at most 1: forward-compatible contexts have no wide lines; draw triangles"
+        );
+        return invalid_value("GL 3.3, appendix E.2.1", rule);
+    }
+    context.state.raster.line_width = width;
     Ok(())
 }
 

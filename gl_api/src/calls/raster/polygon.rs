@@ -1,7 +1,8 @@
 //! The calls of polygons (mode, offset, stipple) and `glEdgeFlag`: GL 2.1, sections 2.6.2 and 3.5.
 
 use crate::base::args::{Data, DataOut};
-use crate::base::error::{Result, invalid_operation};
+use crate::base::constants::*;
+use crate::base::error::{Result, invalid_enum, invalid_operation};
 use crate::base::types::*;
 use crate::calls::vertex::immediate::attribute;
 use crate::context::Context;
@@ -13,6 +14,13 @@ use crate::state::raster::FACE;
 use rasterizer::driver::Cull;
 
 pub(crate) fn polygon_mode(context: &mut Context, face: GLenum, mode: GLenum) -> Result<()> {
+    if context.profile.is_core() && face != GL_FRONT_AND_BACK {
+        let rule = format!(
+            "face = {} must be GL_FRONT_AND_BACK: separate modes were removed from core profiles",
+            enum_name(face)
+        );
+        return invalid_enum("GL 3.3, appendix E.2.2", rule);
+    }
     let face = FACE.decode("face", face)?;
     let mode = POLYGON_MODE.decode("mode", mode)?;
     let [front, back] = &mut context.state.raster.polygons.mode;

@@ -46,6 +46,9 @@ pub(crate) fn begin_query(context: &mut Context, target: GLenum, id: GLuint) -> 
     if id == 0 {
         return invalid_operation(SECTION, "id = 0 is no query: call glGenQueries");
     }
+    if context.profile.is_core() {
+        context.objects.queries.check_given("id", id, "glGenQueries")?;
+    }
     let active = *context.queries.slot(kind);
     if let Some(query) = context.objects.queries.get(active).filter(|_| active != 0) {
         let active = query.target_name();

@@ -50,6 +50,9 @@ pub(crate) fn delete_textures(
 
 pub(crate) fn bind_texture(context: &mut Context, target: GLenum, texture: GLuint) -> Result<()> {
     let target = TARGET.decode("target", target)?;
+    if context.profile.is_core() {
+        context.objects.shared.textures.check_given("texture", texture, "glGenTextures")?;
+    }
     if let Some(object) = context.objects.shared.textures.get(texture)
         && object.target != target
     {
@@ -63,7 +66,11 @@ pub(crate) fn bind_texture(context: &mut Context, target: GLenum, texture: GLuin
             ),
         );
     }
-    context.objects.shared.textures.create(texture, || Texture::new(target));
+    context.objects.shared.textures.create(texture, || {
+        let mut texture = Texture::new(target);
+        texture.state.sampler.depth_mode = context.profile.depth_mode();
+        texture
+    });
     let bound = context.objects.shared.textures.hold(texture);
     if context.state.units.active().bound[target as usize] == bound {
         context.state_changes.no_change();

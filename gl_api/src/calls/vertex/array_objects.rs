@@ -32,6 +32,17 @@ pub(crate) fn delete_vertex_arrays(
     Ok(())
 }
 
+/// Refuses a call of arrays where no vertex array object is bound, in a core context.
+pub(crate) fn require(context: &Context) -> Result<()> {
+    if context.state.bindings.vertex_array != 0 || !context.profile.is_core() {
+        return Ok(());
+    }
+    invalid_operation(
+        "GL 3.3, appendix E.2.2",
+        "no vertex array object is bound, which core profiles need: call glGenVertexArrays and glBindVertexArray",
+    )
+}
+
 /// Exchanges the current arrays for those of another name.
 fn switch(context: &mut Context, name: GLuint) {
     let bindings = &mut context.state.bindings;

@@ -5,6 +5,7 @@ use crate::base::error::{Result, invalid_operation, invalid_value, not_negative}
 use crate::base::limits::LOCATIONS;
 use crate::base::topology::topology;
 use crate::base::types::*;
+use crate::calls::vertex::array_objects::require;
 use crate::calls::vertex::immediate::attribute;
 use crate::calls::vertex::indices::{INDEX_TYPE, index_buffer};
 use crate::context::Context;
@@ -71,6 +72,14 @@ pub(crate) fn has_positions(context: &mut Context, topology: Topology) -> bool {
     if program && !arrays.iter().any(|array| array.enabled) {
         warnings::arrays::none(context, topology);
         return true;
+    }
+    if context.profile.is_core() && !program {
+        context.debug.warn(
+            "draw: nothing is drawn, as no program is in use, and core profiles have no fixed function: call \
+             glUseProgram"
+                .into(),
+        );
+        return false;
     }
     let any = program
         || arrays[0].enabled
@@ -185,6 +194,7 @@ fn draw_range(
     instances: GLsizei,
 ) -> Result<()> {
     let topology = topology(mode)?;
+    require(context)?;
     let first = not_negative(SECTION, "first", first.into())?;
     let count = not_negative(SECTION, "count", count.into())?;
     let instances = not_negative(INSTANCED, "primcount", instances.into())?;
@@ -219,6 +229,7 @@ pub(crate) fn draw_indexed(
     instances: GLsizei,
 ) -> Result<()> {
     let topology = topology(mode)?;
+    require(context)?;
     let count = not_negative(SECTION, "count", request.count.into())?;
     let instances = not_negative(INSTANCED, "primcount", instances.into())? as u32;
     let ty = INDEX_TYPE.decode("type", request.ty)?;

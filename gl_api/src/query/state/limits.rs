@@ -8,7 +8,7 @@ use crate::base::limits;
 use crate::glsl::{GATHER_OFFSETS, TEXEL_OFFSETS};
 use crate::interface::*;
 use crate::pixel::formats::general_purpose_formats;
-use crate::query::extensions::EXTENSIONS;
+use crate::query::extensions::extensions_of;
 use crate::state::matrix::{MAX_MODELVIEW_STACK_DEPTH, MAX_STACK_DEPTH};
 use crate::state::multisample::MAX_SAMPLE_MASK_WORDS;
 use rasterizer::driver::{MAX_LINE_WIDTH, MAX_POINT_SIZE};
@@ -20,7 +20,7 @@ const COMBINED_UNIFORM_COMPONENTS: i32 = limits::MAX_UNIFORM_COMPONENTS
 pub(super) const ROWS: &[Row] = rows! {
     GL_MAJOR_VERSION: Integer(|_| saturated(limits::VERSION.0));
     GL_MINOR_VERSION: Integer(|_| saturated(limits::VERSION.1));
-    GL_NUM_EXTENSIONS: Integer(|_| saturated(EXTENSIONS.len()));
+    GL_NUM_EXTENSIONS: Integer(|c| saturated(extensions_of(c).len()));
 
     GL_MAX_LIGHTS: Integer(|_| saturated(MAX_LIGHTS));
     GL_MAX_CLIP_PLANES: Integer(|_| saturated(MAX_CLIP_PLANES));

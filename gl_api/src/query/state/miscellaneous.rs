@@ -59,7 +59,8 @@ pub(super) const ROWS: &[Row] = rows! {
     GL_RESET_NOTIFICATION_STRATEGY: Word(|c| c.resets.notification.encode());
     // No access of a shader reaches beyond its buffers and textures, whatever was asked for.
     GL_CONTEXT_ROBUST_ACCESS: Integer(|_| 1);
-    GL_CONTEXT_FLAGS: Word(|c| c.debug.context_flags());
+    GL_CONTEXT_FLAGS: Word(|c| c.debug.context_flags() | c.profile.flags());
+    GL_CONTEXT_PROFILE_MASK: Word(|c| c.profile.mask());
 
     GL_COPY_READ_BUFFER: Word(|c| c.state.bindings.copy_read_buffer.name());
     GL_COPY_WRITE_BUFFER: Word(|c| c.state.bindings.copy_write_buffer.name());

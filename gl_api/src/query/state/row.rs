@@ -66,6 +66,11 @@ pub(crate) struct Row {
 }
 
 impl Row {
+    /// Whether core contexts have the state.
+    pub fn is_in_core(&self) -> bool {
+        crate::base::core_profile::has(&self.availability.get())
+    }
+
     pub fn value(&self, context: &Context) -> Result<QueryValue> {
         Ok(match self.read {
             Read::Enabled => QueryValue::Bools(vec![is_on(context, self.name)?]),

@@ -1,0 +1,116 @@
+//! The API, version and profile of a context.
+
+use crate::base::availability::{Api, Version};
+use crate::base::constants::*;
+use crate::base::core_profile::{self, Argument, InCore};
+use crate::base::limits;
+use crate::base::types::GLenum;
+use crate::context::{Context, ContextDesc, ContextError};
+use crate::glsl::ContextLanguage;
+use texunit::sampler::DepthMode;
+
+/// Whether a context has what the specification calls deprecated (GL 3.0, appendix E).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum ForwardCompatible {
+    /// It has.
+    #[default]
+    No,
+    /// It has not: in core contexts, lines are no wider than a pixel.
+    Yes,
+}
+
+/// The profile of a context (GL 3.3, appendix E).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Profile {
+    /// With everything that later versions removed.
+    Compatibility(ForwardCompatible),
+    /// Without.
+    Core(ForwardCompatible),
+}
+
+impl Profile {
+    /// Of a context that is asked for.
+    ///
+    /// # Errors
+    /// If there is no such API or version.
+    pub fn of(desc: &ContextDesc) -> Result<Self, ContextError> {
+        let ContextDesc { api, version, forward_compatible, .. } = *desc;
+        let (major, minor) = limits::VERSION;
+        let most = Version::new(major as u8, minor as u8);
+        match api {
+            Api::Compatibility | Api::Core if version > most => {
+                Err(ContextError::Version { asked: version, most })
+            }
+            Api::Compatibility => Ok(Self::Compatibility(forward_compatible)),
+            Api::Core => Ok(Self::Core(forward_compatible)),
+            Api::Es1 | Api::Es2 => Err(ContextError::Api(api)),
+        }
+    }
+
+    pub fn is_core(self) -> bool {
+        match self {
+            Self::Compatibility(_) => false,
+            Self::Core(_) => true,
+        }
+    }
+
+    /// Whether lines wider than a pixel are refused (GL 3.3, appendix E.2.1).
+    pub fn has_wide_lines(self) -> bool {
+        self != Self::Core(ForwardCompatible::Yes)
+    }
+
+    /// `GL_CONTEXT_PROFILE_MASK` (GL 3.2, table 6.51).
+    pub fn mask(self) -> GLenum {
+        match self {
+            Self::Compatibility(_) => GL_CONTEXT_COMPATIBILITY_PROFILE_BIT,
+            Self::Core(_) => GL_CONTEXT_CORE_PROFILE_BIT,
+        }
+    }
+
+    /// The bits of `GL_CONTEXT_FLAGS` (GL 3.0, table 6.47).
+    pub fn flags(self) -> GLenum {
+        match self {
+            Self::Compatibility(ForwardCompatible::No) | Self::Core(ForwardCompatible::No) => 0,
+            Self::Compatibility(ForwardCompatible::Yes) | Self::Core(ForwardCompatible::Yes) => {
+                GL_CONTEXT_FLAG_FORWARD_COMPATIBLE_BIT
+            }
+        }
+    }
+
+    /// What depth textures are read as at first: core profiles have no `GL_DEPTH_TEXTURE_MODE`, and read red.
+    pub fn depth_mode(self) -> DepthMode {
+        match self {
+            Self::Compatibility(_) => DepthMode::Luminance,
+            Self::Core(_) => DepthMode::Red,
+        }
+    }
+
+    /// What shaders may be written in.
+    pub fn language(self) -> ContextLanguage {
+        match self {
+            Self::Compatibility(_) => ContextLanguage::Compatibility33,
+            Self::Core(_) => ContextLanguage::Core33,
+        }
+    }
+}
+
+impl Context {
+    /// Whether a call breaks a rule of the core profile, in a core context; the error is set then.
+    #[cold]
+    #[inline(never)]
+    pub(crate) fn is_removed(
+        &mut self,
+        name: &'static str,
+        in_core: InCore,
+        arguments: &[Argument],
+    ) -> bool {
+        match core_profile::check(name, in_core, arguments) {
+            Ok(()) => false,
+            Err(error) => {
+                self.refuse(name, error);
+                self.debug.deliver();
+                true
+            }
+        }
+    }
+}
