@@ -183,6 +183,8 @@ pub enum CapturedScalar {
 pub struct Program {
     /// The vertex stage; `None` if it is fixed function.
     pub vertex: Option<Module>,
+    /// The geometry stage; `None` if there is none.
+    pub geometry: Option<Module>,
     /// The fragment stage; `None` if it is fixed function.
     pub fragment: Option<Module>,
     /// What it reads per vertex: generic attributes, then the conventional ones, whose locations

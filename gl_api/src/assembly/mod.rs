@@ -107,6 +107,7 @@ pub(crate) fn load(text: &str, target: Target) -> Parsed<Loaded> {
     };
     let linked = glsl::Program {
         vertex,
+        geometry: None,
         fragment,
         attributes: Vec::new(),
         uniforms: Vec::new(),

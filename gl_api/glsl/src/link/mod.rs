@@ -78,6 +78,7 @@ fn build(shaders: &[&Arc<Unit>], bindings: &Bindings, log: &mut Log) -> Option<P
     let fragment = lower(fragment.as_ref(), &in_fragment);
     Some(Program {
         vertex,
+        geometry: None,
         fragment,
         attributes,
         uniforms: uniforms.list,
