@@ -38,7 +38,7 @@ mod text;
 mod types;
 mod work;
 
-pub use compile::{Compiled, FixIts, Options, Shader, Strictness, compile};
+pub use compile::{Compiled, ContextLanguage, FixIts, Options, Shader, Strictness, compile};
 pub use limits::{GATHER_OFFSETS, TEXEL_OFFSETS};
 pub use program::*;
 pub use rasterizer::ir::Stage;

@@ -22,6 +22,14 @@ pub const MAX_CLIP_DISTANCES: u8 = MAX_CLIP_PLANES;
 pub const MAX_DRAW_BUFFERS: u8 = 8;
 /// `gl_MaxVaryingFloats`: how many scalars may pass from stage to stage.
 pub const MAX_VARYING_FLOATS: u16 = 64;
+/// `gl_MaxVertexOutputComponents`, `gl_MaxGeometryInputComponents`, `gl_MaxGeometryOutputComponents`
+/// and `gl_MaxFragmentInputComponents`: how many scalars may pass between two stages of programs of
+/// GLSL 1.50 on.
+pub const MAX_STAGE_COMPONENTS: u16 = 128;
+/// `gl_MaxGeometryOutputVertices`.
+pub const MAX_GEOMETRY_OUTPUT_VERTICES: u32 = 256;
+/// `gl_MaxGeometryTotalOutputComponents`.
+pub const MAX_GEOMETRY_TOTAL_OUTPUT_COMPONENTS: u32 = 1024;
 /// `gl_MaxVertexUniformComponents` and `gl_MaxFragmentUniformComponents`.
 pub const MAX_UNIFORM_COMPONENTS: i32 = 16384;
 /// `GL_MAX_VERTEX_UNIFORM_BLOCKS` and `GL_MAX_FRAGMENT_UNIFORM_BLOCKS`.

@@ -11,8 +11,10 @@ use std::fmt;
 pub struct Attribute {
     /// Its name.
     pub name: String,
-    /// Its type. A matrix takes a location for each column.
+    /// The type of it or of its elements. A matrix takes a location for each column.
     pub ty: DataType,
+    /// How many elements; `None` when it is no array.
+    pub array: Option<u32>,
     /// Its (first) location.
     pub location: u8,
 }

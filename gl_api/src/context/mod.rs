@@ -93,7 +93,8 @@ impl Default for ContextDesc {
 impl ContextDesc {
     /// The options of its GLSL compiler.
     fn compiler(&self) -> glsl::Options {
-        glsl::Options { fix_its: self.fix_its, strictness: self.strictness }
+        let context = glsl::ContextLanguage::default();
+        glsl::Options { fix_its: self.fix_its, strictness: self.strictness, context }
     }
 }
 

@@ -17,7 +17,7 @@ mod preprocessor;
 mod state;
 mod versions;
 
-use gl_api::glsl::{Bindings, Options, Stage, compile, link};
+use gl_api::glsl::{Bindings, ContextLanguage, Options, Stage, compile, link};
 use rasterizer::ir::{Input, Output};
 use rasterizer::shader::{Invocation, Machine, Program};
 use texunit::lanes::{Isa, LANES};
@@ -85,7 +85,8 @@ void main() {{
 /// The program of a row and its uniform words, or the log.
 fn program(row: &Row, stage: Stage) -> Result<(rasterizer::ir::Module, Vec<u32>), String> {
     let source = source(row, stage);
-    let compiled = compile(stage, &source, &Options::default());
+    let options = Options { context: ContextLanguage::Compatibility33, ..Options::default() };
+    let compiled = compile(stage, &source, &options);
     let shader = compiled.shader.ok_or_else(|| format!("{source}\n{}", compiled.log))?;
     let linked = link(&[&shader], &Bindings::default());
     let program = linked.program.ok_or_else(|| format!("{source}\n{}", linked.log))?;

@@ -223,4 +223,17 @@ pub const TABLE: &[Row] = &[
         "int i = 5; uint n = 3u; i <<= n; n |= 4u; n &= 6u; n ^= 1u; r = vec4(i, n, i >> n, ~i + 41);",
         [40.0, 7.0, 0.0, 0.0],
     ),
+    // Profiles of 1.50
+    Row(
+        150,
+        "#if defined GL_core_profile && !defined GL_compatibility_profile && __VERSION__ == 150\nconst float c = 1.0;\n#endif\n",
+        "r = vec4(c, determinant(mat2(1.0, 2.0, 3.0, 4.0)), determinant(mat3(2.0)), gl_MaxGeometryOutputVertices);",
+        [1.0, -2.0, 8.0, 256.0],
+    ),
+    Row(
+        330,
+        "#if __VERSION__ == 330\nconst float c = 1.0;\n#endif\n",
+        "r = vec4(c, intBitsToFloat(floatBitsToInt(u.y)), gl_MaxVertexOutputComponents, gl_MaxFragmentInputComponents);",
+        [1.0, 2.0, 128.0, 128.0],
+    ),
 ];

@@ -194,7 +194,7 @@ const WRONG: &[(&str, &str)] = &[
     ("layout(std140) uniform float f;", "only uniform blocks"),
     ("layout(row_major) uniform mat4 m;", "only uniform blocks"),
     ("layout(std430) uniform B { float f; };", "is no layout"),
-    ("in B { float f; };", "expected"),
+    ("in B { float f; };", "blocks of inputs and outputs are not in GLSL 1.30"),
 ];
 
 #[test]

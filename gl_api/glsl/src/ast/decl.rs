@@ -77,8 +77,33 @@ pub enum Qualifier {
     PixelCenterInteger,
     /// `layout(location = n)`.
     Location(u32),
+    /// `layout(index = n)` of an output of the fragment stage.
+    Index(u32),
     /// `layout(std140)` and the like, of uniform blocks.
     Block(BlockLayout),
+    /// `layout(triangles)` and the like, of the geometry stage.
+    Primitive(PrimitiveLayout),
+    /// `layout(max_vertices = n)` of the geometry stage.
+    MaxVertices(u32),
+}
+
+/// The primitives that the geometry stage takes and makes (GLSL 1.50 section 4.3.8).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PrimitiveLayout {
+    /// `points`, both taken and made.
+    Points,
+    /// `lines`.
+    Lines,
+    /// `lines_adjacency`.
+    LinesAdjacency,
+    /// `triangles`.
+    Triangles,
+    /// `triangles_adjacency`.
+    TrianglesAdjacency,
+    /// `line_strip`.
+    LineStrip,
+    /// `triangle_strip`.
+    TriangleStrip,
 }
 
 /// A layout qualifier of a uniform block (ARB_uniform_buffer_object, section 4.3.5.2).
@@ -97,6 +122,32 @@ pub enum BlockLayout {
 }
 
 impl Qualifier {
+    /// Whether it stands in `layout(...)`.
+    pub fn is_layout(self) -> bool {
+        match self {
+            Self::OriginUpperLeft
+            | Self::PixelCenterInteger
+            | Self::Location(_)
+            | Self::Index(_)
+            | Self::Block(_)
+            | Self::Primitive(_)
+            | Self::MaxVertices(_) => true,
+            Self::Const
+            | Self::Attribute
+            | Self::Varying
+            | Self::Uniform
+            | Self::In
+            | Self::Out
+            | Self::Inout
+            | Self::Centroid
+            | Self::Invariant
+            | Self::Smooth
+            | Self::Flat
+            | Self::NoPerspective
+            | Self::Precision => false,
+        }
+    }
+
     /// Its position among others (GLSL 1.30 section 4.7): invariance, interpolation, storage,
     /// precision.
     pub fn rank(self) -> u8 {
@@ -104,7 +155,10 @@ impl Qualifier {
             Self::OriginUpperLeft
             | Self::PixelCenterInteger
             | Self::Location(_)
+            | Self::Index(_)
             | Self::Block(_)
+            | Self::Primitive(_)
+            | Self::MaxVertices(_)
             | Self::Invariant => 0,
             Self::Smooth | Self::Flat | Self::NoPerspective => 1,
             Self::Centroid | Self::Const => 2,
@@ -172,7 +226,16 @@ pub struct Function {
     pub body: Option<Vec<Stmt>>,
 }
 
-/// A uniform block.
+/// The name behind a block, with which its members are written.
+#[derive(Clone, Debug)]
+pub struct InstanceName {
+    /// The name.
+    pub name: Name,
+    /// `[n]` after it, the outermost first.
+    pub array: Vec<ArraySize>,
+}
+
+/// A block of uniforms, inputs or outputs.
 #[derive(Clone, Debug)]
 pub struct BlockDecl {
     /// The qualifiers before its name.
@@ -181,6 +244,8 @@ pub struct BlockDecl {
     pub name: Name,
     /// Its members.
     pub members: Vec<Declaration>,
+    /// The name of its instance, if it has one.
+    pub instance: Option<InstanceName>,
 }
 
 /// A declaration outside of functions.
@@ -190,10 +255,10 @@ pub enum Item {
     Declaration(Declaration),
     /// A function.
     Function(Function),
-    /// A uniform block.
+    /// A block.
     Block(BlockDecl),
-    /// `layout(std140) uniform;`: the default layout of the blocks after it.
-    BlockDefaults(Vec<(Qualifier, Span)>),
+    /// `layout(std140) uniform;`, `layout(triangles) in;`: a layout of what comes after it.
+    LayoutDefaults(Vec<(Qualifier, Span)>),
     /// `invariant a, b;`.
     Invariant(Vec<Name>),
     /// `precision highp float;`, with the type.

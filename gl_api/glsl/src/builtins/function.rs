@@ -30,6 +30,8 @@ pub enum Pattern {
     MatColumn,
     /// `out genType`.
     OutGen,
+    /// No result.
+    Void,
     /// A sampler.
     Sampler(Sampler),
 }
@@ -46,6 +48,7 @@ impl Pattern {
             Self::MatSquare => (n >= 2).then_some(Type::Matrix(n, n)),
             Self::MatColumn => Some(vec(m)),
             Self::OutGen => Some(vec(n)),
+            Self::Void => Some(Type::Void),
             Self::Sampler(sampler) => Some(Type::Sampler(sampler)),
         }
     }
@@ -67,6 +70,10 @@ pub enum Lowering {
     ExpandAtRunTime(Expansion),
     /// A texture lookup.
     Texture(Lookup),
+    /// `EmitVertex`.
+    EmitVertex,
+    /// `EndPrimitive`.
+    EndPrimitive,
     /// `modf`, which writes its second argument.
     Modf,
     /// `ftransform`: the checker replaces the call by `gl_ModelViewProjectionMatrix * gl_Vertex`.
@@ -91,6 +98,11 @@ pub struct FunctionRow {
 }
 
 impl FunctionRow {
+    /// Whether it must be called exactly once where it stands.
+    pub fn has_effects(&self) -> bool {
+        self.writes() || matches!(self.lowering, Lowering::EmitVertex | Lowering::EndPrimitive)
+    }
+
     /// Whether it writes an argument.
     pub fn writes(&self) -> bool {
         self.parameters.contains(&Pattern::OutGen)
@@ -103,6 +115,8 @@ impl FunctionRow {
             Lowering::ExpandAtRunTime(_)
             | Lowering::Texture(_)
             | Lowering::Modf
+            | Lowering::EmitVertex
+            | Lowering::EndPrimitive
             | Lowering::Ftransform => false,
         }
     }

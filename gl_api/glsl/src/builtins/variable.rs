@@ -33,8 +33,14 @@ pub enum Builtin {
     FrontFacing,
     /// `gl_PointCoord`.
     PointCoord,
-    /// `gl_PrimitiveID`, of the fragment stage.
+    /// `gl_PrimitiveID`: written by the geometry stage, read by the fragment stage.
     PrimitiveId,
+    /// `gl_PrimitiveIDIn`.
+    PrimitiveIdIn,
+    /// `gl_Layer`.
+    Layer,
+    /// A member of `gl_in`.
+    Incoming(Incoming),
     /// `gl_FragColor`.
     FragColor,
     /// `gl_FragData`.
@@ -49,6 +55,35 @@ pub enum Builtin {
     States(StateArray),
     /// An implementation limit.
     Limit(i32),
+}
+
+/// The members of the block `gl_PerVertex` (GLSL 1.50 section 7.1).
+pub const PER_VERTEX: [&str; 10] = [
+    "gl_Position",
+    "gl_PointSize",
+    "gl_ClipDistance",
+    "gl_ClipVertex",
+    "gl_FrontColor",
+    "gl_BackColor",
+    "gl_FrontSecondaryColor",
+    "gl_BackSecondaryColor",
+    "gl_TexCoord",
+    "gl_FogFragCoord",
+];
+
+/// What the geometry stage reads of each vertex.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Incoming {
+    /// `gl_Position`.
+    Position,
+    /// `gl_PointSize`.
+    PointSize,
+    /// `gl_ClipDistance`.
+    ClipDistance,
+    /// `gl_ClipVertex`.
+    ClipVertex,
+    /// A built-in varying, by slot.
+    Varying(u16),
 }
 
 /// Whether a variable can be declared `invariant`.
@@ -76,6 +111,9 @@ impl Builtin {
             | Self::Attribute(_)
             | Self::PointCoord
             | Self::PrimitiveId
+            | Self::PrimitiveIdIn
+            | Self::Layer
+            | Self::Incoming(_)
             | Self::FrontFacing
             | Self::FragColor
             | Self::FragData
@@ -105,6 +143,9 @@ impl Builtin {
             | Self::Attribute(_)
             | Self::FrontFacing
             | Self::PrimitiveId
+            | Self::PrimitiveIdIn
+            | Self::Layer
+            | Self::Incoming(_)
             | Self::State(_)
             | Self::States(_)
             | Self::Limit(_) => Invariance::Forbidden,
@@ -183,6 +224,8 @@ pub enum VariableType {
     Mat(u8),
     /// `float[]`: the largest index or a redeclaration gives the size (GLSL 1.30 section 7.1).
     UnsizedFloats,
+    /// A member of `gl_in`: this type for each vertex of the primitive.
+    OfVertices(&'static Self),
     /// So many `vec4`.
     Vec4Array(u8),
     /// So many `mat4`.
@@ -206,6 +249,7 @@ impl VariableType {
             Self::Vec(size) => vec(size),
             Self::Mat(side) => Type::Matrix(side, side),
             Self::UnsizedFloats => Type::Array(Box::new(FLOAT), None),
+            Self::OfVertices(ty) => Type::Array(Box::new(ty.ty()), None),
             Self::Vec4Array(len) => array(vec(4), len),
             Self::Mat4Array(len) => array(Type::Matrix(4, 4), len),
             Self::Struct(of) => structure(of),
@@ -275,7 +319,8 @@ pub fn availability(name: &str, stage: Stage) -> Option<Availability> {
 
 /// The names that a shader has.
 pub fn names(stage: Stage, language: Language) -> impl Iterator<Item = &'static str> {
-    VARIABLES.iter().filter(move |row| row.is_in(stage, language)).map(|row| row.name)
+    let named = move |row: &&VariableRow| row.is_in(stage, language) && !row.name.contains('.');
+    VARIABLES.iter().filter(named).map(|row| row.name)
 }
 
 /// Whether a stage may write it.

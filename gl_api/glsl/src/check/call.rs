@@ -318,6 +318,8 @@ impl Checker<'_> {
             | Lowering::Expand(_)
             | Lowering::ExpandAtRunTime(_)
             | Lowering::Derivative(_)
+            | Lowering::EmitVertex
+            | Lowering::EndPrimitive
             | Lowering::Modf => {}
         }
         if let Some(extension) = self.language.warns(row.availability) {

@@ -89,7 +89,7 @@ impl Checker<'_> {
         Type::Error
     }
 
-    fn array_of(&mut self, element: Type, size: &ast::ArraySize) -> Type {
+    pub(super) fn array_of(&mut self, element: Type, size: &ast::ArraySize) -> Type {
         if element == Type::Error {
             return Type::Error;
         }
@@ -216,6 +216,7 @@ impl Checker<'_> {
             }
             let init = declared.init.as_ref().map(|init| self.expr(init));
             let ty = self.sized_by(ty, init.as_ref(), declared.name.span);
+            let ty = self.passed_type(ty, storage, declared.name.span);
             if let Some(var) = self.completes_array(declared, &ty) {
                 if init.is_some() {
                     let mut variable = self.variable(var).clone();

@@ -72,6 +72,7 @@ impl Checker<'_> {
         let var = match self.scopes.find(name) {
             Some(Symbol::Variable(var)) => Some(*var),
             Some(&Symbol::Member(block, index)) => return self.member(block, index, span),
+            Some(Symbol::Instance(_)) => return self.whole_instance(name, span),
             Some(Symbol::Block | Symbol::Struct(_) | Symbol::Functions) => {
                 let message = format!("`{name}` is not a variable");
                 self.error(span, "5.1", message);
@@ -81,6 +82,10 @@ impl Checker<'_> {
             None => self.builtin_variable(name),
         };
         let Some(var) = var else {
+            if self.leaves_out(name) {
+                self.left_out(name, span);
+                return Expr::error(span);
+            }
             self.undeclared(name, span);
             return Expr::error(span);
         };
@@ -92,8 +97,14 @@ impl Checker<'_> {
 
     /// Adds a built-in variable to the globals of the unit.
     pub(super) fn builtin_variable(&mut self, name: &str) -> Option<VarRef> {
+        if self.leaves_out(name) {
+            return None;
+        }
         let builtin = variable::find(name, self.stage, self.language)?;
-        let (row, ty) = (builtin.row, builtin.ty.clone());
+        let (row, mut ty) = (builtin.row, builtin.ty.clone());
+        if let (Builtin::Incoming(_), Type::Array(_, len)) = (row.builtin, &mut ty) {
+            *len = self.unit.geometry.input.map(|input| input.vertices().into());
+        }
         let storage = Storage::Builtin(row.builtin);
         let mut variable = Variable::new(row.name.into(), ty, storage, Span::default());
         if let Builtin::Limit(value) = row.builtin {

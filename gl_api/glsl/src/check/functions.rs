@@ -72,7 +72,10 @@ impl Checker<'_> {
                 | Qualifier::OriginUpperLeft
                 | Qualifier::PixelCenterInteger
                 | Qualifier::Location(_)
-                | Qualifier::Block(_) => {
+                | Qualifier::Index(_)
+                | Qualifier::Block(_)
+                | Qualifier::Primitive(_)
+                | Qualifier::MaxVertices(_) => {
                     self.error(*span, "6.1", "a parameter is `in`, `out`, `inout` or `const in`");
                 }
             }
@@ -109,9 +112,9 @@ impl Checker<'_> {
         let taken = match &known {
             Some(Symbol::Functions | Symbol::Undeclared(_)) | None => None,
             Some(Symbol::Struct(_)) => known,
-            Some(Symbol::Variable(_) | Symbol::Member(..) | Symbol::Block) => {
-                known.filter(|_| self.scopes.hides_functions(&name.text))
-            }
+            Some(
+                Symbol::Variable(_) | Symbol::Member(..) | Symbol::Block | Symbol::Instance(_),
+            ) => known.filter(|_| self.scopes.hides_functions(&name.text)),
         };
         if let Some(symbol) = taken {
             self.declared_already(name, &symbol);

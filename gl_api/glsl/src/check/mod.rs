@@ -5,9 +5,12 @@ mod construct;
 mod decl;
 mod expr;
 mod functions;
+mod geometry;
 mod integer_overloads;
+mod interface_block;
 mod lvalue;
 mod operators;
+mod per_vertex;
 mod qualifiers;
 mod redeclare;
 mod scope;
@@ -16,15 +19,18 @@ mod stmt;
 mod uniform_block;
 
 use crate::ast::{Item, StructDecl};
-use crate::hir::{Expr, Stmt, Storage, Unit, VarRef, Variable, recursive_call};
+use crate::hir::{
+    Expr, GeometryLayout, PerVertex, Stmt, Storage, Unit, VarRef, Variable, recursive_call,
+};
 use crate::language::{Language, Version};
 use crate::text::diagnostics::{Diagnostic, Log};
 use crate::text::source::{Source, Span};
 use crate::types::Type;
+use interface_block::Instance;
 use rasterizer::ir::Stage;
 use redeclare::settle_arrays;
 use scope::{Scopes, Undeclared};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 use uniform_block::BlockDefaults;
 
@@ -44,7 +50,7 @@ struct Body {
     /// The functions called.
     calls: Vec<(u32, Span)>,
     /// The globals named.
-    globals: std::collections::BTreeSet<u32>,
+    globals: BTreeSet<u32>,
     /// Whether a `return` was seen.
     returns: bool,
 }
@@ -66,12 +72,18 @@ struct Checker<'a> {
     /// The structure that was declared last.
     declared: Option<(Arc<StructDecl>, Type)>,
     scopes: Scopes,
+    /// The blocks that have instance names.
+    instances: Vec<Instance>,
+    /// How many vertices the inputs of the geometry stage have, if a declaration says it.
+    input_len: Option<u32>,
+    /// The names of the blocks of uniforms, inputs and outputs.
+    block_names: BTreeSet<(&'static str, Arc<str>)>,
     /// The functions of the unit by signature.
     signatures: BTreeMap<String, usize>,
     undeclared: Vec<Undeclared>,
     body: Option<Body>,
     /// The globals that initializers of globals reference.
-    initializer_globals: std::collections::BTreeSet<u32>,
+    initializer_globals: BTreeSet<u32>,
 }
 
 /// Checks a shader; errors are in the log.
@@ -84,7 +96,11 @@ pub fn check(
 ) -> Unit {
     let version = language.version;
     let (globals, functions, calls) = (Vec::new(), Vec::new(), Vec::new());
-    let unit = Unit { stage, version, all_invariant: false, globals, functions, calls };
+    let geometry = GeometryLayout::default();
+    let per_vertex = PerVertex::default();
+    let all_invariant = false;
+    let unit =
+        Unit { stage, version, all_invariant, geometry, per_vertex, globals, functions, calls };
     let mut checker = Checker {
         source,
         log,
@@ -97,16 +113,19 @@ pub fn check(
         block_layout: BlockDefaults::default(),
         declared: None,
         scopes: Scopes::new(version),
+        instances: Vec::new(),
+        input_len: None,
+        block_names: BTreeSet::new(),
         signatures: BTreeMap::new(),
         undeclared: Vec::new(),
         body: None,
-        initializer_globals: std::collections::BTreeSet::new(),
+        initializer_globals: BTreeSet::new(),
     };
     for item in items {
         match item {
             Item::Declaration(declaration) => checker.global_declaration(declaration),
-            Item::Block(block) => checker.uniform_block(block),
-            Item::BlockDefaults(words) => checker.block_defaults(words),
+            Item::Block(block) => checker.block(block),
+            Item::LayoutDefaults(words) => checker.layout_defaults(words),
             Item::Function(function) => checker.function(function),
             Item::Invariant(names) => checker.invariant(names),
             Item::Precision(ty) => checker.default_precision(ty),

@@ -21,17 +21,17 @@ fn storage(
         (Qualifier::Const, _) => Ok(Storage::Const),
         (Qualifier::Uniform, _) => Ok(Storage::Uniform),
         (Qualifier::Attribute | Qualifier::In, Stage::Vertex) => Ok(Storage::Attribute),
-        (Qualifier::Varying | Qualifier::Out, Stage::Vertex)
-        | (Qualifier::Out, Stage::Geometry) => Ok(Storage::Output(interpolation)),
+        (Qualifier::Varying | Qualifier::Out, Stage::Vertex | Stage::Geometry) => {
+            Ok(Storage::Output(interpolation))
+        }
+
         (Qualifier::Varying | Qualifier::In, Stage::Fragment)
         | (Qualifier::In, Stage::Geometry) => Ok(Storage::Input(interpolation)),
         (Qualifier::Out, Stage::Fragment) => Ok(Storage::FragmentOutput),
         (Qualifier::Attribute, Stage::Fragment) => {
             Err("attributes belong to vertices: the fragment stage has none")
         }
-        (Qualifier::Attribute | Qualifier::Varying, Stage::Geometry) => {
-            Err("the geometry stage has `in` and `out`")
-        }
+        (Qualifier::Attribute, Stage::Geometry) => Err("the geometry stage has `in` and `out`"),
         (Qualifier::Inout, _) => Err("`inout` is for parameters only"),
         (
             Qualifier::Centroid
@@ -43,7 +43,10 @@ fn storage(
             | Qualifier::OriginUpperLeft
             | Qualifier::PixelCenterInteger
             | Qualifier::Location(_)
-            | Qualifier::Block(_),
+            | Qualifier::Index(_)
+            | Qualifier::Block(_)
+            | Qualifier::Primitive(_)
+            | Qualifier::MaxVertices(_),
             _,
         ) => Ok(Storage::Plain),
     }
@@ -108,6 +111,16 @@ impl Checker<'_> {
                 }
                 Qualifier::Location(location) => {
                     interface_qualifiers.location = Some(location);
+                    continue;
+                }
+                Qualifier::Index(index) => {
+                    interface_qualifiers.index = Some(index);
+                    continue;
+                }
+                Qualifier::Primitive(_) | Qualifier::MaxVertices(_) => {
+                    let message =
+                        "this layout stands before `in` or `out` alone, without a variable";
+                    self.log.push(Diagnostic::error(span, message).rule(self.rule("4.3.8")));
                     continue;
                 }
                 Qualifier::Block(_) | Qualifier::Precision => continue,
@@ -192,6 +205,7 @@ impl Checker<'_> {
         qualifiers: &[(Qualifier, Span)],
         word: Option<Qualifier>,
     ) {
+        self.check_index(storage, qualifiers);
         let location =
             qualifiers.iter().find(|(qualifier, _)| matches!(qualifier, Qualifier::Location(_)));
         let Some(&(_, span)) = location else { return };
@@ -204,6 +218,26 @@ impl Checker<'_> {
         let problem = Diagnostic::error(span, message).rule("ARB_explicit_attrib_location");
         let help = if has_one { "write `in` or `out`" } else { "leave the location out" };
         self.log.push(problem.help(help));
+    }
+
+    /// Only an `out` of the fragment stage with a location has an index, 0 or 1 (GLSL 3.30 section
+    /// 4.3.8.2).
+    fn check_index(&mut self, storage: Storage, qualifiers: &[(Qualifier, Span)]) {
+        let index = qualifiers.iter().find_map(|(qualifier, span)| {
+            if let Qualifier::Index(index) = qualifier { Some((*index, *span)) } else { None }
+        });
+        let Some((index, span)) = index else { return };
+        let located = qualifiers.iter().any(|(word, _)| matches!(word, Qualifier::Location(_)));
+        let message = if storage != Storage::FragmentOutput {
+            "only an `out` of the fragment stage has an index"
+        } else if !located {
+            "an index stands beside a location"
+        } else if index > 1 {
+            "an index is 0 or 1"
+        } else {
+            return;
+        };
+        self.error(span, "4.3.8.2", message);
     }
 
     /// Only what passes between the stages can be invariant (GLSL 1.20 section 4.6.1), and from 1.30
@@ -293,16 +327,19 @@ impl Checker<'_> {
         let old = !self.language.has(Availability::INTEGERS);
         let wrong = match storage {
             Storage::Attribute => {
-                if boolean || structure || ty.has_array() || (old && integer(ty)) {
+                let array = ty.has_array() && !self.language.has(Availability::V150);
+                if boolean || structure || array || (old && integer(ty)) {
                     Some("a vertex attribute is a float, a vector or a matrix of floats")
                 } else {
                     None
                 }
             }
             Storage::Output(interpolation) | Storage::Input(interpolation) => {
+                let structure = structure && !self.language.has(Availability::V150);
+                let read = matches!(storage, Storage::Input(_)) && self.stage == Stage::Fragment;
                 if boolean || structure || (old && integer(ty)) {
                     Some("what passes between the stages is made of floats")
-                } else if integer(ty) && interpolation != Interpolation::Flat && !self.is_vertex() {
+                } else if integer(ty) && interpolation != Interpolation::Flat && read {
                     Some("integers that pass between the stages are `flat`")
                 } else {
                     None

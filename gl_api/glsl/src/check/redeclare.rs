@@ -4,7 +4,7 @@
 use super::Checker;
 use super::scope::Symbol;
 use crate::ast;
-use crate::builtins::variable::Builtin;
+use crate::builtins::variable::{Builtin, PER_VERTEX};
 use crate::hir::{InterfaceQualifiers, Storage, VarRef, Variable};
 use crate::language::stage_name;
 use crate::limits::MAX_CLIP_DISTANCES;
@@ -33,21 +33,22 @@ impl Checker<'_> {
         let variable = self.variable(var);
         let Storage::Builtin(builtin) = variable.storage else { return false };
         let (known, min_len) = (variable.ty.clone(), variable.min_len);
-        let fits = if let (Type::Array(a, limit), Type::Array(b, len)) = (&known, ty) {
-            let limit = limit.unwrap_or(MAX_CLIP_DISTANCES.into());
-            a == b && len.is_none_or(|len| (min_len..=limit).contains(&len))
-        } else {
-            known == *ty
-        };
+        let fits = self.resizes(&known, ty, min_len);
         let passes = match self.stage {
             Stage::Vertex | Stage::Geometry => matches!(storage, Storage::Output(_)),
             Stage::Fragment => matches!(storage, Storage::Input(_)),
         };
         let used = variable.references > 0;
+        let (before, redeclared) = (variable.interface_qualifiers, variable.redeclared);
+        let in_block = self.unit.per_vertex.outputs.is_some() && PER_VERTEX.contains(&&*name.text);
         if *ty == Type::Error {
             return true;
         }
-        if !builtin.is_redeclarable() {
+        if in_block {
+            let message = format!("`{}` is in the redeclared `gl_PerVertex`", name.text);
+            let problem = Diagnostic::error(name.span, message).rule(self.rule("7.1"));
+            self.log.push(problem.help("declare it in that block alone"));
+        } else if !builtin.is_redeclarable() {
             let message = format!("`{}` is part of the language", name.text);
             let problem = Diagnostic::error(name.span, message).rule(self.rule("3.7"));
             self.log.push(problem.help("leave the declaration out"));
@@ -57,18 +58,23 @@ impl Checker<'_> {
             self.log.push(problem.help("redeclare it as it is, or with another size that fits"));
         } else if !passes {
             let stage = stage_name(self.stage);
-            let way = if self.stage == Stage::Vertex { "out" } else { "in" };
+            let way = if self.stage == Stage::Fragment { "in" } else { "out" };
             let message = format!("`{}` is an `{way}` of the {stage} stage", name.text);
             self.log.push(Diagnostic::error(name.span, message).rule(self.rule("7.6")));
         } else {
             if builtin != Builtin::FragCoord {
                 self.check_layout(name, interface_qualifiers);
-            } else if used {
+            } else if used && !redeclared {
                 let message = "`gl_FragCoord` is used before it is redeclared";
+                let rule = "ARB_fragment_coord_conventions";
+                self.log.push(Diagnostic::error(name.span, message).rule(rule));
+            } else if redeclared && before.coordinates() != interface_qualifiers.coordinates() {
+                let message = "`gl_FragCoord` has another layout in the declaration before";
                 let rule = "ARB_fragment_coord_conventions";
                 self.log.push(Diagnostic::error(name.span, message).rule(rule));
             }
             let variable = self.variable_mut(var);
+            variable.redeclared = true;
             let invariant =
                 variable.interface_qualifiers.invariant || interface_qualifiers.invariant;
             variable.interface_qualifiers =
@@ -78,6 +84,18 @@ impl Checker<'_> {
             }
         }
         true
+    }
+
+    /// Whether a built-in variable of type `known`, of which `min_len` elements are used, can be
+    /// declared with type `ty`.
+    pub(super) fn resizes(&self, known: &Type, ty: &Type, min_len: u32) -> bool {
+        match (known, ty) {
+            (Type::Array(a, limit), Type::Array(b, len)) => {
+                let limit = limit.unwrap_or(MAX_CLIP_DISTANCES.into());
+                a == b && len.is_none_or(|len| (min_len..=limit).contains(&len))
+            }
+            (known, ty) => known == ty,
+        }
     }
 
     /// Only `gl_FragCoord` has a layout.
@@ -134,6 +152,13 @@ pub(super) fn settle_arrays(variables: &mut [Variable]) {
         if let Type::Array(element, None) = &variable.ty {
             variable.ty = Type::Array(element.clone(), Some(variable.min_len.max(1)));
             variable.implicitly_sized = true;
+        }
+        let inner_len = variable.inner_min_len.max(1);
+        if let Type::Array(element, _) = &mut variable.ty
+            && let Type::Array(_, len @ None) = &mut **element
+        {
+            *len = Some(inner_len);
+            variable.inner_implicitly_sized = true;
         }
     }
 }

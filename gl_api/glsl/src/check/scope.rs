@@ -20,8 +20,10 @@ pub enum Symbol {
     Variable(VarRef),
     /// A member of a uniform block, by index.
     Member(VarRef, u32),
-    /// A uniform block; only its declaration uses the name.
+    /// A block; only its declaration uses the name.
     Block,
+    /// The name behind a block, by index into the list of those.
+    Instance(u32),
     /// A structure.
     Struct(Arc<Struct>),
     /// Functions: see [`Scopes::functions`].
@@ -37,6 +39,7 @@ impl Symbol {
             Self::Variable(var) => Some(*var),
             Self::Member(..)
             | Self::Block
+            | Self::Instance(_)
             | Self::Struct(_)
             | Self::Functions
             | Self::Undeclared(_) => None,
@@ -67,7 +70,12 @@ impl Scopes {
     pub fn new(version: Version) -> Self {
         let names = match version {
             Version::V110 => FunctionNames::Apart,
-            Version::Es100 | Version::V120 | Version::V130 | Version::V140 => FunctionNames::Shared,
+            Version::Es100
+            | Version::V120
+            | Version::V130
+            | Version::V140
+            | Version::V150
+            | Version::V330 => FunctionNames::Shared,
         };
         Self { open: vec![BTreeMap::new()], functions: BTreeMap::new(), names }
     }
@@ -112,9 +120,9 @@ impl Scopes {
     /// Whether a variable or block of this name hides functions here, built-in functions too.
     pub fn hides_functions(&self, name: &str) -> bool {
         match self.find(name) {
-            Some(Symbol::Variable(_) | Symbol::Member(..) | Symbol::Block) => {
-                self.names == FunctionNames::Shared
-            }
+            Some(
+                Symbol::Variable(_) | Symbol::Member(..) | Symbol::Block | Symbol::Instance(_),
+            ) => self.names == FunctionNames::Shared,
             Some(Symbol::Struct(_) | Symbol::Functions | Symbol::Undeclared(_)) | None => false,
         }
     }
@@ -187,6 +195,7 @@ impl Checker<'_> {
             }
             Symbol::Member(..)
             | Symbol::Block
+            | Symbol::Instance(_)
             | Symbol::Struct(_)
             | Symbol::Functions
             | Symbol::Undeclared(_) => None,
@@ -233,9 +242,10 @@ impl Checker<'_> {
                     .then_some((variable.span, candidate.name.clone()))
             });
             let since = variable::availability(&name, self.stage);
-            let other = [Stage::Vertex, Stage::Fragment].into_iter().find(|stage| {
-                *stage != self.stage && variable::availability(&name, *stage).is_some()
-            });
+            let other =
+                [Stage::Vertex, Stage::Geometry, Stage::Fragment].into_iter().find(|stage| {
+                    *stage != self.stage && variable::availability(&name, *stage).is_some()
+                });
             if let Some(advice) = since.and_then(|since| self.language.advice(since)) {
                 problem = problem.help(advice);
             } else if let Some(other) = other {

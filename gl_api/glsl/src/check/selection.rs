@@ -17,7 +17,12 @@ const SWIZZLES: [&str; 3] = ["xyzw", "rgba", "stpq"];
 impl Checker<'_> {
     pub(super) fn index(&mut self, base: &ast::Expr, index: &ast::Expr, span: Span) -> Expr {
         let base = self.expr(base);
-        let mut index = self.expr(index);
+        let index = self.expr(index);
+        self.indexed(base, index, span)
+    }
+
+    /// An element of a checked value.
+    pub(super) fn indexed(&mut self, base: Expr, mut index: Expr, span: Span) -> Expr {
         if let Some(integer) = self.as_integer_call(&index, &INT) {
             index = integer;
         }
@@ -84,11 +89,24 @@ impl Checker<'_> {
             self.log.push(Diagnostic::error(span, message).rule(rule));
         } else if let (ExprKind::Var(var), Type::Array(..)) = (&base.kind, &base.ty) {
             self.note_constant_index(*var, value + 1);
+        } else if let ExprKind::Index(array, _) = &base.kind
+            && let (ExprKind::Var(var), None) = (&array.kind, len)
+        {
+            let variable = self.variable_mut(*var);
+            variable.inner_min_len = variable.inner_min_len.max(value + 1);
         }
     }
 
     pub(super) fn field(&mut self, base: &ast::Expr, name: &ast::Name, span: Span) -> Expr {
+        if let Some(member) = self.instance_member(base, name, span) {
+            return member;
+        }
         let base = self.expr(base);
+        self.member_of(base, name, span)
+    }
+
+    /// A member of a checked structure, or components of a vector.
+    pub(super) fn member_of(&mut self, base: Expr, name: &ast::Name, span: Span) -> Expr {
         match &base.ty {
             Type::Error => Expr::error(span),
             Type::Struct(structure) => {
@@ -130,6 +148,11 @@ impl Checker<'_> {
     }
 
     pub(super) fn method(&mut self, base: &ast::Expr, name: &ast::Name, span: Span) -> Expr {
+        if &*name.text == "length"
+            && let Some(count) = self.instance_count(base, span)
+        {
+            return count;
+        }
         let base = self.expr(base);
         if base.is_error() {
             return base;

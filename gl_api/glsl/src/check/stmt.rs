@@ -211,7 +211,10 @@ impl Checker<'_> {
                 | Qualifier::OriginUpperLeft
                 | Qualifier::PixelCenterInteger
                 | Qualifier::Location(_)
-                | Qualifier::Block(_) => {
+                | Qualifier::Index(_)
+                | Qualifier::Block(_)
+                | Qualifier::Primitive(_)
+                | Qualifier::MaxVertices(_) => {
                     let rule = format!("{} section 4.3", self.version.title());
                     let message = "a variable in a function can only be `const`";
                     self.log.push(Diagnostic::error(span, message).rule(rule));

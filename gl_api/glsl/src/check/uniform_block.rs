@@ -4,6 +4,7 @@
 //! stands for the member of that structure.
 
 use super::Checker;
+use super::interface_block::InstanceMembers;
 use super::scope::Symbol;
 use crate::ast::{self, BlockLayout, Qualifier};
 use crate::hir::{Block, BlockPacking, Expr, ExprKind, Storage, VarRef};
@@ -76,9 +77,13 @@ impl Checker<'_> {
         defaults
     }
 
-    /// `layout(std140) uniform;`.
-    pub(super) fn block_defaults(&mut self, words: &[(Qualifier, Span)]) {
-        self.block_layout = self.layout_of(words);
+    /// `layout(std140) uniform;`, `layout(triangles) in;`.
+    pub(super) fn layout_defaults(&mut self, words: &[(Qualifier, Span)]) {
+        match words.last() {
+            Some((Qualifier::In, span)) => self.input_layout(words, *span),
+            Some((Qualifier::Out, span)) => self.output_layout(words, *span),
+            Some(_) | None => self.block_layout = self.layout_of(words),
+        }
     }
 
     /// The matrix order of a member.
@@ -101,14 +106,13 @@ impl Checker<'_> {
 
     /// A uniform block.
     pub(super) fn uniform_block(&mut self, declared: &ast::BlockDecl) {
-        let ast::BlockDecl { qualifiers, name, members } = declared;
+        let ast::BlockDecl { qualifiers, name, members, instance } = declared;
         if let Some(extension) = self.language.warns(Availability::UNIFORM_BLOCKS) {
             let message = format!("uniform blocks come from {}", extension.name());
             self.log.push(Diagnostic::warning(name.span, message));
         }
         let layout = self.layout_of(qualifiers);
-        self.check_new(name);
-        self.scopes.add(name.text.clone(), Symbol::Block);
+        self.new_block_name(name, "uniform");
         let var = VarRef::Global(self.unit.globals.len() as u32);
         let whole = ast::Declarator { name: name.clone(), array: Vec::new(), init: None };
         let mut variable = self.new_variable(&whole, Type::Error, Storage::Uniform);
@@ -129,9 +133,14 @@ impl Checker<'_> {
             for member in &declaration.names {
                 let ty = self.type_of(&declaration.ty.ty, &member.array);
                 self.check_member(member, &ty);
-                self.check_new(&member.name);
                 let index = fields.len() as u32;
-                self.scopes.add(member.name.text.clone(), Symbol::Member(var, index));
+                if instance.is_none() {
+                    self.check_new(&member.name);
+                    self.scopes.add(member.name.text.clone(), Symbol::Member(var, index));
+                } else if fields.iter().any(|(other, _)| *other == member.name.text) {
+                    let message = format!("a second member `{}`", member.name.text);
+                    self.against(member.name.span, BLOCKS, message);
+                }
                 fields.push((member.name.text.clone(), ty));
                 orders.push(order);
             }
@@ -144,8 +153,25 @@ impl Checker<'_> {
             let message = format!("the block has more than {MAX_SCALARS} components");
             self.against(name.span, BLOCKS, message);
         }
-        let ty = Type::Struct(Arc::new(structure));
-        let block = Block { name: name.text.clone(), packing: layout.packing, orders };
+        let mut ty = Type::Struct(Arc::new(structure));
+        let block = Block {
+            name: name.text.clone(),
+            is_named: instance.is_some(),
+            packing: layout.packing,
+            orders,
+        };
+        if let Some(instance) = instance {
+            for size in instance.array.iter().rev() {
+                ty = self.array_of(ty, size);
+            }
+            if ty.is_unsized() {
+                let message = "an array of uniform blocks needs a size";
+                self.against(instance.name.span, BLOCKS, message);
+            }
+            self.check_new(&instance.name);
+            let members = InstanceMembers::Uniform(var);
+            self.add_instance(&instance.name, &block.name, !instance.array.is_empty(), members);
+        }
         let variable = self.variable_mut(var);
         variable.ty = ty;
         variable.block = Some(Arc::new(block));

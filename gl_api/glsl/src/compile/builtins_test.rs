@@ -6,7 +6,7 @@ use crate::builtins::texture_lookup::{Lookup, TexelOffset};
 use crate::builtins::variable::{self, Access, Builtin, BuiltinVariable};
 use crate::language::{Availability, Behaviour, Extension, Language, Stages, Version, stage_name};
 use crate::types::{Scalar, Type};
-use crate::{Bindings, Options, Stage, compile, link};
+use crate::{Bindings, ContextLanguage, Options, Stage, compile, link};
 use std::collections::BTreeSet;
 
 /// A version with extensions, and the first lines of a shader in it.
@@ -65,7 +65,8 @@ enum Outcome {
 }
 
 fn outcome(stage: Stage, source: &str) -> Outcome {
-    let compiled = compile(stage, source, &Options::default());
+    let options = Options { context: ContextLanguage::Compatibility33, ..Options::default() };
+    let compiled = compile(stage, source, &options);
     let Some(shader) = compiled.shader else { return Outcome::Refused };
     let linked = link(&[&shader], &Bindings::default());
     assert!(linked.program.is_some(), "{source}\n{}", linked.log);

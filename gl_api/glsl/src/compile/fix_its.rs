@@ -1,8 +1,8 @@
 //! Compiling with fix-its: the suggested edits are applied to the text, round by round, until none
 //! is left.
 
-use super::{Compiled, Pass, compile_once};
-use crate::text::diagnostics::{Diagnostic, Edit, Severity, Strictness};
+use super::{Compiled, Options, Pass, compile_once};
+use crate::text::diagnostics::{Diagnostic, Edit, Severity};
 use crate::text::source::Span;
 use rasterizer::ir::Stage;
 
@@ -10,11 +10,11 @@ use rasterizer::ir::Stage;
 const MAX_ROUNDS: usize = 8;
 
 /// Compiles `text` and applies the fix-its of its diagnostics.
-pub fn compile(stage: Stage, text: &str, strictness: Strictness) -> Compiled {
+pub fn compile(stage: Stage, text: &str, options: &Options) -> Compiled {
     let mut text = text.to_owned();
     let mut rounds: Vec<Vec<Edit>> = Vec::new();
     let mut repaired: Vec<Diagnostic> = Vec::new();
-    let mut pass = compile_once(stage, &text, strictness);
+    let mut pass = compile_once(stage, &text, options);
     let original = pass.source.clone();
     while pass.log.has_errors() && rounds.len() < MAX_ROUNDS {
         let edits = applicable(&pass, &rounds, &mut repaired);
@@ -23,7 +23,7 @@ pub fn compile(stage: Stage, text: &str, strictness: Strictness) -> Compiled {
         }
         text = apply(&text, &edits);
         rounds.push(edits);
-        pass = compile_once(stage, &text, strictness);
+        pass = compile_once(stage, &text, options);
     }
     repaired.sort_by_key(|warning| warning.span);
     let mut log: String = repaired.iter().map(|warning| warning.render(Some(&original))).collect();

@@ -5,6 +5,7 @@ mod builtins_test;
 mod fix_its;
 
 use crate::hir::Unit;
+pub use crate::language::ContextLanguage;
 pub use crate::text::diagnostics::Strictness;
 use crate::text::diagnostics::{Diagnostic, Log};
 use crate::text::source::{Source, Span};
@@ -30,6 +31,8 @@ pub struct Options {
     pub fix_its: FixIts,
     /// Whether what all drivers accept, and the shader's version does not have, is accepted.
     pub strictness: Strictness,
+    /// What the context offers.
+    pub context: ContextLanguage,
 }
 
 /// A compiled, checked shader object.
@@ -68,15 +71,15 @@ impl Pass {
     }
 }
 
-fn compile_once(stage: Stage, text: &str, strictness: Strictness) -> Pass {
-    let mut log = Log::new(strictness);
+fn compile_once(stage: Stage, text: &str, options: &Options) -> Pass {
+    let mut log = Log::new(options.strictness);
     let too_long = text.len() > limits::MAX_SOURCE;
     let mut source = Source::new(if too_long { "" } else { text });
     if too_long {
         let message = format!("the source has more than {} bytes", limits::MAX_SOURCE);
         log.push(Diagnostic::error(Span::default(), message));
     }
-    let preprocessed = preprocess::preprocess(&mut source, &mut log);
+    let preprocessed = preprocess::preprocess(&mut source, options.context, &mut log);
     let items = parse::parse(&preprocessed.tokens, preprocessed.language, &mut log);
     let mut unit = check::check(&items, stage, preprocessed.language, &source, &mut log);
     unit.all_invariant = preprocessed.all_invariant;
@@ -88,10 +91,10 @@ fn compile_once(stage: Stage, text: &str, strictness: Strictness) -> Pass {
 pub fn compile(stage: Stage, source: &str, options: &Options) -> Compiled {
     with_large_stack(|| match options.fix_its {
         FixIts::Suggest => {
-            let pass = compile_once(stage, source, options.strictness);
+            let pass = compile_once(stage, source, options);
             let log = pass.log.render(Some(&pass.source));
             Compiled { shader: pass.shader(), log }
         }
-        FixIts::Apply => fix_its::compile(stage, source, options.strictness),
+        FixIts::Apply => fix_its::compile(stage, source, options),
     })
 }

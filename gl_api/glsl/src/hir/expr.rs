@@ -128,7 +128,7 @@ impl Expr {
             ExprKind::Binary(_, a, b) | ExprKind::Index(a, b) => a.has_effects() || b.has_effects(),
             ExprKind::Conditional(all) => all.iter().any(Self::has_effects),
             ExprKind::Comma(all) | ExprKind::Construct(all) => all.iter().any(Self::has_effects),
-            ExprKind::Builtin(row, all) => row.writes() || all.iter().any(Self::has_effects),
+            ExprKind::Builtin(row, all) => row.has_effects() || all.iter().any(Self::has_effects),
         }
     }
 }

@@ -11,8 +11,9 @@ use crate::text::source::Span;
 use crate::types::{MatrixOrder, Type};
 pub use expr::{Expr, ExprKind};
 pub use function::Function;
-use rasterizer::ir::{Interpolation, Stage};
+use rasterizer::ir::{GeometryInput, GeometryOutput, Interpolation, Stage};
 pub use recursion::recursive_call;
+use std::collections::BTreeSet;
 use std::sync::Arc;
 pub use stmt::{Case, Loop, Stmt};
 
@@ -25,12 +26,37 @@ pub struct Unit {
     pub version: Version,
     /// Whether `#pragma STDGL invariant(all)` makes all outputs invariant.
     pub all_invariant: bool,
+    /// The layouts of the geometry stage.
+    pub geometry: GeometryLayout,
+    /// Its redeclarations of `gl_PerVertex`.
+    pub per_vertex: PerVertex,
     /// Its global variables, with the built-in variables that it references.
     pub globals: Vec<Variable>,
     /// Its functions, prototypes among them.
     pub functions: Vec<Function>,
     /// The functions that initializers of globals call.
     pub calls: Vec<u32>,
+}
+
+/// What a shader has of the block `gl_PerVertex`, for inputs and for outputs; `None`: it does not
+/// redeclare it.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct PerVertex {
+    /// The members of `gl_in`.
+    pub inputs: Option<BTreeSet<Arc<str>>>,
+    /// Those of the outputs.
+    pub outputs: Option<BTreeSet<Arc<str>>>,
+}
+
+/// The layouts that a shader of the geometry stage declares.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct GeometryLayout {
+    /// What it takes.
+    pub input: Option<GeometryInput>,
+    /// What it makes.
+    pub output: Option<GeometryOutput>,
+    /// `max_vertices`.
+    pub max_vertices: Option<u32>,
 }
 
 /// A variable.
@@ -66,9 +92,10 @@ pub enum Storage {
     Uniform,
     /// `attribute`, or `in` of the vertex stage.
     Attribute,
-    /// `varying` of the vertex stage, or its `out`.
+    /// `varying` of the vertex stage, or `out` of it or of the geometry stage.
     Output(Interpolation),
-    /// `varying` of the fragment stage, or its `in`.
+    /// `varying` of the fragment stage, or `in` of it or of the geometry stage, there an array with an
+    /// element for each vertex.
     Input(Interpolation),
     /// `out` of the fragment stage.
     FragmentOutput,
@@ -91,6 +118,15 @@ pub struct InterfaceQualifiers {
     pub pixel_center_integer: bool,
     /// `layout(location = n)`.
     pub location: Option<u32>,
+    /// `layout(index = n)`.
+    pub index: Option<u32>,
+}
+
+impl InterfaceQualifiers {
+    /// The layout of `gl_FragCoord`.
+    pub fn coordinates(self) -> [bool; 2] {
+        [self.origin_upper_left, self.pixel_center_integer]
+    }
 }
 
 /// The packing of a uniform block (ARB_uniform_buffer_object, section 4.3.5.2). All are laid out
@@ -110,10 +146,25 @@ pub enum BlockPacking {
 pub struct Block {
     /// The block's name.
     pub name: Arc<str>,
+    /// Whether its members are written with the name of an instance.
+    pub is_named: bool,
     /// Its packing.
     pub packing: BlockPacking,
     /// The matrix order of each member.
     pub orders: Vec<MatrixOrder>,
+}
+
+/// A block of inputs or outputs, as its declaration has it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct InterfaceBlock {
+    /// The block's name.
+    pub name: Arc<str>,
+    /// Whether its members are written with the name of an instance.
+    pub is_named: bool,
+    /// Whether there is an array of instances.
+    pub is_array: bool,
+    /// The names of its members.
+    pub members: Vec<Arc<str>>,
 }
 
 /// A variable.
@@ -135,16 +186,24 @@ pub struct Variable {
     pub dynamically_indexed: bool,
     /// Of an array: one more than the largest constant index.
     pub min_len: u32,
+    /// The same of an array in an array.
+    pub inner_min_len: u32,
     /// How many references to it there are.
     pub references: u32,
     /// How many of these select an element of an array by a constant index.
     pub constant_index_references: u32,
     /// Its interpolation, invariance and layout qualifiers.
     pub interface_qualifiers: InterfaceQualifiers,
+    /// Whether it is built in and declared again.
+    pub redeclared: bool,
     /// Whether the size of the array comes from its largest index alone.
     pub implicitly_sized: bool,
+    /// The same of an array in an array.
+    pub inner_implicitly_sized: bool,
     /// The uniform block that it is.
     pub block: Option<Arc<Block>>,
+    /// The block of inputs or outputs that it is a member of.
+    pub member_of: Option<Arc<InterfaceBlock>>,
     /// Its words, if it is a constant.
     pub constant: Option<Arc<[u32]>>,
     /// The initializer of a global.
@@ -163,13 +222,34 @@ impl Variable {
             written: false,
             dynamically_indexed: false,
             min_len: 0,
+            inner_min_len: 0,
             references: 0,
             constant_index_references: 0,
             interface_qualifiers: InterfaceQualifiers::default(),
+            redeclared: false,
+            inner_implicitly_sized: false,
             implicitly_sized: false,
             block: None,
+            member_of: None,
             constant: None,
             init: None,
+        }
+    }
+
+    /// The name that an input or output has in the other stage. A block may be both an input and
+    /// an output of the geometry stage, whose inputs are named `in block.member`.
+    pub fn passed_name(&self) -> &str {
+        self.name.strip_prefix("in ").unwrap_or(&self.name)
+    }
+
+    /// Its name for the application: that of a member without its block, if the block has no
+    /// instance name (GL 3.2 section 2.11.4).
+    pub fn public_name(&self) -> &str {
+        match &self.member_of {
+            Some(block) if !block.is_named => {
+                self.name.rsplit_once('.').map_or(&*self.name, |(_, member)| member)
+            }
+            Some(_) | None => &self.name,
         }
     }
 

@@ -6,7 +6,7 @@ use rasterizer::ir::Stage;
 /// A profile of desktop GLSL, from 1.40 on. Up to 1.30 there is one language.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Profile {
-    /// Without what GLSL 1.40 has left to `GL_ARB_compatibility`. No context has it yet.
+    /// Without what GLSL 1.40 has left to `GL_ARB_compatibility`.
     Core,
     /// With everything.
     Compatibility,
@@ -45,6 +45,10 @@ impl Availability {
     pub const V130: Self = Self::from_version(Version::V130);
     /// From GLSL 1.40 on.
     pub const V140: Self = Self::from_version(Version::V140);
+    /// From GLSL 1.50 on.
+    pub const V150: Self = Self::from_version(Version::V150);
+    /// From GLSL 3.30 on.
+    pub const V330: Self = Self::from_version(Version::V330);
     /// GLSL ES 1.00 alone.
     pub const ES: Self = Self { desktop: None, profiles: Profiles::All, es: true, extensions: 0 };
 
@@ -52,6 +56,12 @@ impl Availability {
     pub const INTEGERS: Self = Self::V130.or(Extension::GpuShader4);
     /// Uniform blocks and their layouts.
     pub const UNIFORM_BLOCKS: Self = Self::V140.or(Extension::UniformBufferObject);
+    /// The layouts of `gl_FragCoord`.
+    pub const FRAGMENT_COORD_CONVENTIONS: Self = Self::V150.or(Extension::FragmentCoordConventions);
+    /// `layout(location = n)`.
+    pub const EXPLICIT_LOCATIONS: Self = Self::V330.or(Extension::ExplicitAttribLocation);
+    /// Samplers of multisample textures.
+    pub const MULTISAMPLE: Self = Self::V150.or(Extension::TextureMultisample);
 
     const fn from_version(version: Version) -> Self {
         Self { desktop: Some(version), profiles: Profiles::All, es: false, extensions: 0 }
@@ -87,10 +97,14 @@ impl Availability {
 /// The stages that have a name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stages {
-    /// Both.
+    /// All.
     Any,
     /// The vertex stage.
     Vertex,
+    /// The geometry stage.
+    Geometry,
+    /// The vertex and the geometry stage.
+    Vertices,
     /// The fragment stage.
     Fragment,
 }
@@ -101,6 +115,8 @@ impl Stages {
         match self {
             Self::Any => true,
             Self::Vertex => stage == Stage::Vertex,
+            Self::Geometry => stage == Stage::Geometry,
+            Self::Vertices => stage != Stage::Fragment,
             Self::Fragment => stage == Stage::Fragment,
         }
     }

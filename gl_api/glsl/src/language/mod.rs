@@ -1,11 +1,13 @@
 //! Versions and extensions of the language, and what is available in them.
 
 mod availability;
+mod context;
 mod extension;
 mod version;
 
 use availability::Profiles;
 pub use availability::{Availability, Profile, Stages, stage_name};
+pub use context::ContextLanguage;
 pub use extension::{Behaviour, Extension};
 pub use version::Version;
 
@@ -21,16 +23,26 @@ pub struct Language {
 }
 
 impl From<Version> for Language {
-    /// A version without `#extension`: of the extensions only `GL_ARB_texture_rectangle` is enabled
-    /// by default, as its specification says.
+    /// A version as a context of the compatibility profile takes it.
     fn from(version: Version) -> Self {
-        let rectangles = Extension::TextureRectangle;
-        let enabled = if rectangles.is_in(version) { rectangles.bit() } else { 0 };
-        Self { version, profile: Profile::Compatibility, enabled, warned: 0 }
+        Self::new(version, ContextLanguage::Compatibility33.default_profile(version))
     }
 }
 
 impl Language {
+    /// A version without `#extension`: of the extensions only `GL_ARB_texture_rectangle` is enabled
+    /// by default, as its specification says.
+    pub fn new(version: Version, profile: Profile) -> Self {
+        let rectangles = Extension::TextureRectangle;
+        let enabled = if rectangles.is_in(version) { rectangles.bit() } else { 0 };
+        Self { version, profile, enabled, warned: 0 }
+    }
+
+    /// The profile.
+    pub fn profile(self) -> Profile {
+        self.profile
+    }
+
     /// Applies an `#extension`.
     pub fn set(&mut self, extension: Extension, behaviour: Behaviour) {
         let bit = extension.bit();
@@ -43,6 +55,9 @@ impl Language {
                 self.warned |= bit;
             }
             Behaviour::Disable => {}
+        }
+        if extension == Extension::Compatibility && self.enabled(extension) {
+            self.profile = Profile::Compatibility;
         }
     }
 
@@ -69,7 +84,12 @@ impl Language {
     fn has_core(self, availability: Availability) -> bool {
         match self.version {
             Version::Es100 => availability.es,
-            Version::V110 | Version::V120 | Version::V130 | Version::V140 => {
+            Version::V110
+            | Version::V120
+            | Version::V130
+            | Version::V140
+            | Version::V150
+            | Version::V330 => {
                 let removed = self.version >= Version::V140
                     && self.profile == Profile::Core
                     && availability.profiles == Profiles::Compatibility;

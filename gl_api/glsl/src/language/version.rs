@@ -12,15 +12,20 @@ pub enum Version {
     V120,
     /// GLSL 1.30.
     V130,
-    /// GLSL 1.40 with `GL_ARB_compatibility`: with everything of 1.30.
+    /// GLSL 1.40.
     V140,
+    /// GLSL 1.50.
+    V150,
+    /// GLSL 3.30.
+    V330,
 }
 
 impl Version {
     /// Every version.
-    pub const ALL: [Self; 5] = [Self::V110, Self::Es100, Self::V120, Self::V130, Self::V140];
+    pub const ALL: [Self; 7] =
+        [Self::V110, Self::Es100, Self::V120, Self::V130, Self::V140, Self::V150, Self::V330];
     /// The newest version, which stands in for unknown ones.
-    pub const NEWEST: Self = Self::V140;
+    pub const NEWEST: Self = Self::V330;
 
     /// The number that `#version` takes and `__VERSION__` gives.
     pub fn number(self) -> i32 {
@@ -30,6 +35,8 @@ impl Version {
             Self::V120 => 120,
             Self::V130 => 130,
             Self::V140 => 140,
+            Self::V150 => 150,
+            Self::V330 => 330,
         }
     }
 
@@ -41,6 +48,8 @@ impl Version {
             Self::V120 => "GLSL 1.20",
             Self::V130 => "GLSL 1.30",
             Self::V140 => "GLSL 1.40",
+            Self::V150 => "GLSL 1.50",
+            Self::V330 => "GLSL 3.30",
         }
     }
 }

@@ -39,7 +39,7 @@ pub fn blocks(stages: &[&StageUnits<'_>], words: &mut Words, log: &mut Log) -> B
         }
         let index = blocks.list.len() as u32;
         let first = blocks.members.len() as u32;
-        let Type::Struct(structure) = &variable.ty else { continue };
+        let Type::Struct(structure) = variable.ty.base() else { continue };
         let (mut end, mut word) = (0, 0);
         for ((name, ty), &order) in structure.fields.iter().zip(&block.orders) {
             let offset = std140::aligned_offset(end, ty);
@@ -48,6 +48,10 @@ pub fn blocks(stages: &[&StageUnits<'_>], words: &mut Words, log: &mut Log) -> B
                 break;
             }
             let mut layout = Layout { block: index, order, members: &mut blocks.members };
+            let name = match block.is_named {
+                true => &format!("{}.{name}", block.name),
+                false => &**name,
+            };
             layout.add(name, ty, offset, word);
             word += ty.scalars();
         }
@@ -64,15 +68,21 @@ pub fn blocks(stages: &[&StageUnits<'_>], words: &mut Words, log: &mut Log) -> B
         if !readers.is_empty() {
             blocks.words.insert(variable.name.clone(), words.next);
         }
-        blocks.list.push(UniformBlock {
-            name: block.name.to_string(),
-            bytes,
-            word: (!readers.is_empty()).then_some(words.next),
-            members: first..blocks.members.len() as u32,
-            stages: readers.clone(),
-        });
-        if !readers.is_empty() {
-            words.next = words.next.saturating_add(word);
+        // The instances of an array are blocks of their own with the same members.
+        for name in instances(&block.name, &variable.ty) {
+            blocks.list.push(UniformBlock {
+                name,
+                bytes,
+                word: (!readers.is_empty()).then_some(words.next),
+                members: first..blocks.members.len() as u32,
+                stages: readers.clone(),
+            });
+            if !readers.is_empty() {
+                words.next = words.next.saturating_add(word);
+            }
+            if words.next > MAX_UNIFORM_WORDS {
+                break;
+            }
         }
         if words.next > MAX_UNIFORM_WORDS {
             let message = format!("the uniforms have more than {MAX_UNIFORM_WORDS} components");
@@ -91,6 +101,23 @@ pub fn blocks(stages: &[&StageUnits<'_>], words: &mut Words, log: &mut Log) -> B
         }
     }
     blocks
+}
+
+/// The names of the instances of a block of this type: `block[0]`, `block[1]` of an array.
+fn instances(name: &str, ty: &Type) -> Vec<String> {
+    match ty {
+        Type::Array(element, len) => {
+            // More are over the limit in any case.
+            let len = len.unwrap_or(0).min(2 * MAX_UNIFORM_BLOCKS as u32);
+            (0..len).flat_map(|index| instances(&format!("{name}[{index}]"), element)).collect()
+        }
+        Type::Void
+        | Type::Vector(..)
+        | Type::Matrix(..)
+        | Type::Sampler(_)
+        | Type::Struct(_)
+        | Type::Error => vec![name.to_owned()],
+    }
 }
 
 /// Every block that a shader declares, once. The shaders must declare it alike; a member name must
@@ -115,7 +142,7 @@ fn declared<'a>(stages: &[&StageUnits<'a>], log: &mut Log) -> Vec<(&'a Variable,
         }
     }
     let mut owners: BTreeMap<&str, &str> = BTreeMap::new();
-    for (variable, block) in &known {
+    for (variable, block) in known.iter().filter(|(_, block)| !block.is_named) {
         let Type::Struct(structure) = &variable.ty else { continue };
         for (member, _) in &structure.fields {
             let other = owners.insert(member, &block.name);

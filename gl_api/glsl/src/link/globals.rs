@@ -1,6 +1,7 @@
 //! Globals that several shaders of a program declare: one size of each array, one type, one value
 //! (GLSL 1.30 sections 4.1.9 and 4.3).
 
+use crate::builtins::variable::Builtin;
 use crate::hir::{Expr, Storage, Unit, Variable};
 use crate::language::stage_name;
 use crate::limits::MAX_SCALARS;
@@ -8,6 +9,7 @@ use crate::lower;
 use crate::text::diagnostics::{Diagnostic, Log};
 use crate::types::Type;
 use crate::work::Work;
+use rasterizer::ir::Stage;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -24,6 +26,33 @@ fn is_shared(variable: &Variable) -> bool {
     }
 }
 
+/// Whether a variable of the geometry stage has an element for each vertex.
+fn is_per_vertex(variable: &Variable) -> bool {
+    matches!(variable.storage, Storage::Input(_) | Storage::Builtin(Builtin::Incoming(_)))
+}
+
+/// The inputs of the geometry stage have an element for each vertex of its primitives (GLSL 1.50
+/// section 4.3.8.1).
+pub fn sized_inputs(units: &[&Unit], log: &mut Log) {
+    let input = units.iter().find_map(|unit| unit.geometry.input);
+    let Some(vertices) = input.map(|input| u32::from(input.vertices())) else { return };
+    for variable in units.iter().flat_map(|unit| &unit.globals).filter(|v| is_per_vertex(v)) {
+        let Type::Array(_, Some(len)) = variable.ty else { continue };
+        let name = variable.public_name();
+        let message = if len != vertices {
+            format!("`{name}` has {len} elements, and the primitives have {vertices} vertices")
+        } else if variable.min_len > vertices {
+            let last = variable.min_len - 1;
+            format!(
+                "element {last} of `{name}` is read, and the primitives have {vertices} vertices"
+            )
+        } else {
+            continue;
+        };
+        log.push(Diagnostic::link_error(message).rule("GLSL 1.50 section 4.3.8.1"));
+    }
+}
+
 /// A variable by its name, and its stage unless both stages share it.
 type Key<'a> = (Arc<str>, Option<&'a str>);
 
@@ -34,7 +63,11 @@ pub fn unify_globals(units: impl Iterator<Item = Arc<Unit>>) -> Vec<Arc<Unit>> {
     // Per key: the largest implicit size, and the declared size.
     let mut sizes: BTreeMap<Key<'_>, (u32, Option<u32>)> = BTreeMap::new();
     let key = |unit: &Unit, variable: &Variable| {
-        (variable.name.clone(), (!is_shared(variable)).then(|| stage_name(unit.stage)))
+        // Blocks have one size in each stage, and must match.
+        let per_vertex =
+            unit.stage == Stage::Geometry && matches!(variable.storage, Storage::Input(_));
+        let apart = !is_shared(variable) || variable.member_of.is_some() || per_vertex;
+        (variable.name.clone(), apart.then(|| stage_name(unit.stage)))
     };
     let mut implicit: Vec<(usize, usize, u32)> = Vec::new();
     for (index, unit) in units.iter().enumerate() {
@@ -50,7 +83,16 @@ pub fn unify_globals(units: impl Iterator<Item = Arc<Unit>>) -> Vec<Arc<Unit>> {
         }
     }
     let mut lengths = Vec::new();
+    let layouts = || units.iter().map(|unit| unit.geometry);
+    let input = layouts().find_map(|layout| layout.input);
     for (unit, global, len) in implicit {
+        if units[unit].stage == Stage::Geometry
+            && is_per_vertex(&units[unit].globals[global])
+            && let Some(input) = input
+        {
+            lengths.push((unit, global, input.vertices().into()));
+            continue;
+        }
         let known = sizes.get(&key(&units[unit], &units[unit].globals[global]));
         let Some((longest, declared)) = known else { continue };
         lengths.push((unit, global, declared.filter(|size| *size >= len).unwrap_or(*longest)));
@@ -63,7 +105,33 @@ pub fn unify_globals(units: impl Iterator<Item = Arc<Unit>>) -> Vec<Arc<Unit>> {
             *size = Some(len);
         }
     }
+    unify_inner_sizes(&mut units, key);
     units
+}
+
+/// Gives arrays in arrays whose size comes from their largest index one size in all shaders.
+fn unify_inner_sizes<'a>(units: &mut [Arc<Unit>], key: impl Fn(&Unit, &Variable) -> Key<'a>) {
+    let mut longest: BTreeMap<Key<'_>, u32> = BTreeMap::new();
+    let mut implicit: Vec<(usize, usize)> = Vec::new();
+    for (index, unit) in units.iter().enumerate() {
+        for (global, variable) in unit.globals.iter().enumerate() {
+            if variable.inner_implicitly_sized {
+                let len = longest.entry(key(unit, variable)).or_default();
+                *len = variable.inner_min_len.max(1).max(*len);
+                implicit.push((index, global));
+            }
+        }
+    }
+    for (unit, global) in implicit {
+        let len = longest.get(&key(&units[unit], &units[unit].globals[global])).copied();
+        let variable = &mut Arc::make_mut(&mut units[unit]).globals[global];
+        if let Type::Array(inner, Some(count)) = &mut variable.ty
+            && let (Type::Array(element, size), Some(len)) = (&mut **inner, len)
+            && element.scalars().saturating_mul(len).saturating_mul(*count) <= MAX_SCALARS
+        {
+            *size = Some(len);
+        }
+    }
 }
 
 /// Globals of the same name in several shaders of a stage must be declared alike.
@@ -103,6 +171,22 @@ pub fn same_globals(units: &[&Unit], stage: &str, log: &mut Log) {
         };
         let message = format!("`{}` {message}", variable.name);
         log.push(Diagnostic::link_error(message).rule("GLSL 1.30 section 4.3"));
+    }
+}
+
+/// If a shader redeclares `gl_FragCoord`, all shaders that use it do, with one layout (GLSL 1.50
+/// section 4.3.8.1).
+pub fn same_coordinates(units: &[&Unit], log: &mut Log) {
+    let all = || units.iter().flat_map(|unit| &unit.globals).filter(|v| &*v.name == "gl_FragCoord");
+    let Some(first) = all().find(|variable| variable.redeclared) else { return };
+    let layout = first.interface_qualifiers.coordinates();
+    let fits = |variable: &Variable| match variable.redeclared {
+        true => variable.interface_qualifiers.coordinates() == layout,
+        false => variable.references == 0,
+    };
+    if !all().all(fits) {
+        let message = "`gl_FragCoord` has one layout in a shader and another, or none, in another";
+        log.push(Diagnostic::link_error(message).rule("GLSL 1.50 section 4.3.8.1"));
     }
 }
 

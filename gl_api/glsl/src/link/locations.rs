@@ -9,6 +9,7 @@ use crate::limits::{MAX_DRAW_BUFFERS, MAX_VERTEX_ATTRIBS};
 use crate::lower::Binding;
 use crate::program::{Attribute, Bindings};
 use crate::text::diagnostics::{Diagnostic, Log};
+use crate::types::Type;
 
 /// Gives attributes their locations: first those with an explicit or bound location, then the
 /// others in order.
@@ -19,7 +20,11 @@ pub fn attributes(
     log: &mut Log,
 ) -> Vec<Attribute> {
     let used = vertex.with(|storage| storage == Storage::Attribute);
-    let columns = |variable: &Variable| variable.ty.columns().unwrap_or(1);
+    let columns = |variable: &Variable| {
+        let base = variable.ty.base();
+        let elements = variable.ty.scalars() / base.scalars().max(1);
+        elements.saturating_mul(base.columns().unwrap_or(1).into()) as usize
+    };
     let conventional = conventional(vertex);
     // Generic attribute 0 is gl_Vertex.
     let position = conventional.iter().any(|attribute| attribute.location == ATTRIB_VERTEX);
@@ -43,7 +48,7 @@ pub fn attributes(
             log.push(Diagnostic::link_error(message).rule("GL 2.1 section 2.15.3"));
         }
         if let Some(first) = bound {
-            let end = usize::from(first) + usize::from(columns(variable));
+            let end = usize::from(first) + columns(variable);
             match taken.get_mut(usize::from(first)..end) {
                 Some(range) => range.fill(true),
                 None => {
@@ -58,7 +63,7 @@ pub fn attributes(
     }
     let mut attributes = Vec::new();
     for (variable, bound) in used.iter().zip(found) {
-        let count = usize::from(columns(variable));
+        let count = columns(variable);
         let location = bound.or_else(|| {
             let free = taken.windows(count).position(|range| !range.contains(&true))?;
             taken[free..free + count].fill(true);
@@ -73,8 +78,9 @@ pub fn attributes(
             continue;
         };
         locations.insert(variable.name.clone(), Binding::Attribute(location));
-        if let Some(ty) = variable.ty.data_type() {
-            attributes.push(Attribute { name: variable.name.to_string(), ty, location });
+        if let Some(ty) = variable.ty.base().data_type() {
+            let array = if let Type::Array(_, len) = variable.ty { len } else { None };
+            attributes.push(Attribute { name: variable.name.to_string(), ty, array, location });
         }
     }
     attributes.extend(conventional);
@@ -86,7 +92,7 @@ fn conventional(vertex: &StageUnits<'_>) -> Vec<Attribute> {
     let attribute = |variable: &&Variable| {
         let Storage::Builtin(Builtin::Attribute(location)) = variable.storage else { return None };
         let ty = variable.ty.data_type()?;
-        Some(Attribute { name: variable.name.to_string(), ty, location })
+        Some(Attribute { name: variable.name.to_string(), ty, array: None, location })
     };
     vertex.used.iter().filter_map(attribute).collect()
 }

@@ -2,8 +2,10 @@
 //! stages, assigns locations and uniform words, and lowers both stages.
 
 mod blocks;
+mod geometry;
 mod globals;
 mod locations;
+mod per_vertex;
 mod stage;
 mod std140;
 mod transform_feedback;
@@ -13,7 +15,7 @@ mod varyings;
 use crate::hir::Unit;
 use crate::interface::MAX_TEXTURE_IMAGE_UNITS;
 use crate::language::{Version, stage_name};
-use crate::lower::{Binding, Words, lower_stage};
+use crate::lower::{Binding, StageToLower, Words, lower_stage};
 use crate::program::{Bindings, Captured, Linked, Program, SamplerSlot};
 use crate::text::diagnostics::{Diagnostic, Log};
 use rasterizer::ir::Module;
@@ -33,36 +35,51 @@ pub fn link(shaders: &[&Arc<Unit>], bindings: &Bindings) -> Linked {
 fn build(shaders: &[&Arc<Unit>], bindings: &Bindings, log: &mut Log) -> Option<Program> {
     let units = globals::unify_globals(shaders.iter().map(|shader| Arc::clone(shader)));
     let vertex = stage_units(&units, Stage::Vertex, log);
+    let geometry = stage_units(&units, Stage::Geometry, log);
     let fragment = stage_units(&units, Stage::Fragment, log);
+    let interface =
+        geometry.as_ref().and_then(|geometry| geometry::interface(geometry, vertex.as_ref(), log));
+    per_vertex::check(vertex.as_ref(), geometry.as_ref(), log);
     if log.has_errors() {
         return None;
     }
     let mut in_vertex = BindingMap::new();
+    let mut in_geometry = BindingMap::new();
     let mut in_fragment = BindingMap::new();
-    let stages: Vec<&StageUnits<'_>> = vertex.iter().chain(&fragment).collect();
+    let stages: Vec<&StageUnits<'_>> = vertex.iter().chain(&geometry).chain(&fragment).collect();
     let mut words = Words::default();
     let used_elements = uniforms::UsedElements::of(&stages);
     let uniforms = uniforms::uniforms(&stages, &used_elements, &mut words, log);
     let blocks = blocks::blocks(&stages, &mut words, log);
     for (name, word) in uniforms.words.iter().chain(&blocks.words) {
         in_vertex.insert(name.clone(), Binding::Uniform(*word));
+        in_geometry.insert(name.clone(), Binding::Uniform(*word));
         in_fragment.insert(name.clone(), Binding::Uniform(*word));
     }
     let attributes = match &vertex {
         Some(vertex) => locations::attributes(vertex, bindings, &mut in_vertex, log),
         None => Vec::new(),
     };
-    let (outputs, inputs) = (vertex.as_ref(), fragment.as_ref());
-    let next = varyings::varyings(outputs, inputs, &mut in_vertex, &mut in_fragment, log);
-    let captured =
-        transform_feedback::captured(outputs, &bindings.capture, next, &mut in_vertex, log);
+    if let (Some(vertex), Some(geometry)) = (&vertex, &geometry) {
+        let stages = (Some(vertex), Some(geometry));
+        let next = varyings::varyings(stages, &mut in_vertex, &mut in_geometry, log);
+        geometry::built_in(geometry, fragment.as_ref(), next, [&mut in_vertex, &mut in_geometry]);
+    }
+    // The last stage before the fragments.
+    let (outputs, in_outputs) = match &geometry {
+        Some(geometry) => (Some(geometry), &mut in_geometry),
+        None => (vertex.as_ref(), &mut in_vertex),
+    };
+    let inputs = fragment.as_ref();
+    let next = varyings::varyings((outputs, inputs), in_outputs, &mut in_fragment, log);
+    let captured = transform_feedback::captured(outputs, &bindings.capture, next, in_outputs, log);
     let varyings = varyings::slots(inputs, &in_fragment);
     let color_interpolation = varyings::colors(outputs, inputs, log);
     let targets = match &fragment {
         Some(fragment) => locations::targets(fragment, bindings, &mut in_fragment, log),
         None => Vec::new(),
     };
-    if let Some(vertex) = &vertex {
+    if let (Some(vertex), None) = (&vertex, &geometry) {
         check_position(vertex, &captured, log);
     }
     if log.has_errors() {
@@ -71,14 +88,18 @@ fn build(shaders: &[&Arc<Unit>], bindings: &Bindings, log: &mut Log) -> Option<P
 
     let builtin_uniforms = uniforms::builtins(&stages, &used_elements);
     let mut samplers = Vec::new();
-    let mut lower = |stage: Option<&StageUnits<'_>>, locations: &BindingMap| {
-        lowered(stage?, locations, &mut words, &mut samplers, log)
-    };
-    let vertex = lower(vertex.as_ref(), &in_vertex);
-    let fragment = lower(fragment.as_ref(), &in_fragment);
+    let mut lower =
+        |stage: StageToLower, units: Option<&StageUnits<'_>>, locations: &BindingMap| {
+            lowered(stage, units?, locations, &mut words, &mut samplers, log)
+        };
+    let vertex = lower(StageToLower::Vertex, vertex.as_ref(), &in_vertex);
+    let geometry = interface.and_then(|interface| {
+        lower(StageToLower::Geometry(interface), geometry.as_ref(), &in_geometry)
+    });
+    let fragment = lower(StageToLower::Fragment, fragment.as_ref(), &in_fragment);
     Some(Program {
         vertex,
-        geometry: None,
+        geometry,
         fragment,
         attributes,
         uniforms: uniforms.list,
@@ -119,6 +140,7 @@ fn check_position(vertex: &StageUnits<'_>, captured: &[Captured], log: &mut Log)
 
 /// The module of a stage; its words and samplers are appended to those of the program.
 fn lowered(
+    to_lower: StageToLower,
     of: &StageUnits<'_>,
     locations: &BindingMap,
     words: &mut Words,
@@ -127,7 +149,8 @@ fn lowered(
 ) -> Option<Module> {
     let stage = of.stage;
     let mut work = log.work;
-    let result = lower_stage(stage, &of.units, &of.reachable, locations, words.clone(), &mut work);
+    let result =
+        lower_stage(to_lower, &of.units, &of.reachable, locations, words.clone(), &mut work);
     log.work = work;
     match result {
         Ok(lowered) => {

@@ -71,6 +71,10 @@ pub fn stage_units<'a>(
             return None;
         }
         globals::same_globals(&units, name, log);
+        globals::same_coordinates(&units, log);
+    }
+    if stage == Stage::Geometry {
+        globals::sized_inputs(&units, log);
     }
     let reachable = lower::reachable(&units);
     let mut used: Vec<&Variable> = Vec::new();

@@ -1,9 +1,10 @@
-//! Transform feedback (GL 3.0 section 2.15): the varyings to capture become outputs of the vertex
-//! stage.
+//! Transform feedback (GL 3.0 section 2.15): the varyings to capture become outputs of the last
+//! stage before the fragments.
 
 use super::stage::{BindingMap, StageUnits};
 use crate::builtins::variable::Builtin;
 use crate::hir::{Storage, Variable};
+use crate::language::stage_name;
 use crate::limits::{
     MAX_TRANSFORM_FEEDBACK_INTERLEAVED_COMPONENTS, MAX_TRANSFORM_FEEDBACK_SEPARATE_COMPONENTS,
 };
@@ -67,14 +68,15 @@ fn find(
     in_vertex: &mut BindingMap,
 ) -> Result<Captured, String> {
     let Some(vertex) = vertex else { return Err("there is no vertex shader".to_owned()) };
-    let named = |variable: &&Variable| *variable.name == *wanted.variable;
+    let named = |variable: &&Variable| *variable.public_name() == *wanted.variable;
     let is_output = |variable: &&Variable| matches!(variable.storage, Storage::Output(_));
     let declared = vertex.declared().filter(is_output).find(named);
     let Some(variable) = declared.or_else(|| vertex.used.iter().copied().find(named)) else {
-        let names = vertex.declared().filter(is_output).map(|output| &*output.name);
+        let names = vertex.declared().filter(is_output).map(Variable::public_name);
         let near = closest(&wanted.variable, names);
         let near = near.map_or_else(String::new, |near| format!("; did you mean `{near}`?"));
-        return Err(format!("the vertex shader has no such output{near}"));
+        let stage = stage_name(vertex.stage);
+        return Err(format!("the {stage} shader has no such output{near}"));
     };
     let native = match variable.storage {
         Storage::Output(_) => None,
@@ -90,6 +92,9 @@ fn find(
             | Builtin::FrontFacing
             | Builtin::PointCoord
             | Builtin::PrimitiveId
+            | Builtin::PrimitiveIdIn
+            | Builtin::Layer
+            | Builtin::Incoming(_)
             | Builtin::FragColor
             | Builtin::FragData
             | Builtin::FragDepth
@@ -105,7 +110,7 @@ fn find(
         | Storage::Attribute
         | Storage::Input(_)
         | Storage::FragmentOutput => {
-            return Err("it is no output of the vertex shader".to_owned());
+            return Err(format!("it is no output of the {} shader", stage_name(vertex.stage)));
         }
     };
     let types = variable.ty.flat();

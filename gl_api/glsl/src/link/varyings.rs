@@ -1,31 +1,30 @@
-//! Varyings: from the vertex to the fragment stage (GLSL 1.30 sections 4.3.6 and 4.3.7).
+//! Varyings: from a stage to the next one (GLSL 1.30 sections 4.3.6 and 4.3.7).
 
 use super::stage::{BindingMap, StageUnits};
-use crate::hir::{Storage, Variable};
+use crate::hir::{InterfaceBlock, Storage, Variable};
 use crate::interface::VARYING_USER;
-use crate::language::Version;
-use crate::limits::MAX_VARYING_FLOATS;
+use crate::language::{Version, stage_name};
+use crate::limits::{MAX_STAGE_COMPONENTS, MAX_VARYING_FLOATS};
 use crate::lower::{Binding, varying_slots};
 use crate::text::diagnostics::{Diagnostic, Log};
 use crate::text::spelling::closest;
-use rasterizer::ir::Interpolation;
+use crate::types::Type;
+use rasterizer::ir::{Interpolation, Stage};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Matches the outputs of the vertex stage with the inputs of the fragment stage; gives the first
-/// free slot.
+/// Matches the outputs of a stage with the inputs of the next one; gives the first free slot.
 pub fn varyings(
-    vertex: Option<&StageUnits<'_>>,
-    fragment: Option<&StageUnits<'_>>,
-    in_vertex: &mut BindingMap,
-    in_fragment: &mut BindingMap,
+    (writer, reader): (Option<&StageUnits<'_>>, Option<&StageUnits<'_>>),
+    in_writer: &mut BindingMap,
+    in_reader: &mut BindingMap,
     log: &mut Log,
 ) -> u16 {
-    // By name: the declaration of the vertex stage, and whether the stage writes it.
+    // By name: the declaration of the writing stage, and whether the stage writes it.
     let mut outputs: Vec<(&Variable, bool)> = Vec::new();
     let mut named: BTreeMap<&str, usize> = BTreeMap::new();
-    for variable in vertex.iter().flat_map(|stage| stage.declared()) {
+    for variable in writer.iter().flat_map(|stage| stage.declared()) {
         if matches!(variable.storage, Storage::Output(_)) {
-            in_vertex.insert(variable.name.clone(), Binding::Varying(None));
+            in_writer.insert(variable.name.clone(), Binding::Varying(None));
             let at = *named.entry(&variable.name).or_insert(outputs.len());
             if at == outputs.len() {
                 outputs.push((variable, false));
@@ -34,46 +33,51 @@ pub fn varyings(
         }
     }
     let (mut next, mut scalars) = (VARYING_USER, 0u32);
-    let (Some(vertex), Some(fragment)) = (vertex, fragment) else {
+    let (Some(writer), Some(reader)) = (writer, reader) else {
         // A fixed-function vertex stage writes no user varying: it is undefined, here zero.
-        for input in fragment.iter().flat_map(|fragment| fragment.with(is_input)) {
-            in_fragment.insert(input.name.clone(), Binding::Varying(None));
+        for input in reader.iter().flat_map(|reader| reader.with(is_input)) {
+            in_reader.insert(input.name.clone(), Binding::Varying(None));
         }
         return next;
     };
+    let [from, to] = [writer, reader].map(|stage| stage_name(stage.stage));
     let mut inputs: BTreeSet<&str> = BTreeSet::new();
-    for input in fragment.declared().filter(|variable| is_input(variable.storage)) {
-        if let Some(&at) = named.get(&*input.name)
+    for input in reader.declared().filter(|variable| is_input(variable.storage)) {
+        if let Some(&at) = named.get(input.passed_name())
             && inputs.insert(&input.name)
         {
-            check_alike(outputs[at].0, input, vertex, log);
+            check_alike(outputs[at].0, input, (writer, reader), log);
         }
     }
-    for input in fragment.with(is_input) {
-        let name = &input.name;
-        let Some((_, written)) = named.get(&**name).map(|&at| outputs[at]) else {
-            let near = closest(name, outputs.iter().map(|(output, _)| &*output.name));
+    let limit = match writer.units.iter().all(|unit| unit.version < Version::V150) {
+        true => MAX_VARYING_FLOATS,
+        false => MAX_STAGE_COMPONENTS,
+    };
+    for input in reader.with(is_input) {
+        let name = input.passed_name();
+        let Some((output, written)) = named.get(name).map(|&at| outputs[at]) else {
+            let name = input.public_name();
+            let near = closest(name, outputs.iter().map(|(output, _)| output.public_name()));
             let near = near.map_or_else(String::new, |near| format!("; did you mean `{near}`?"));
             let message =
-                format!("the fragment shader reads `{name}`, which no vertex shader writes{near}");
+                format!("the {to} shader reads `{name}`, which no {from} shader writes{near}");
             log.push(Diagnostic::link_error(message).rule("GLSL 1.30 section 4.3.6"));
             continue;
         };
-        if !written && fragment.units.iter().all(|unit| unit.version <= Version::V120) {
+        if !written && reader.units.iter().all(|unit| unit.version <= Version::V120) {
             let message =
-                format!("the fragment shader reads `{name}`, which the vertex shader never writes");
+                format!("the {to} shader reads `{name}`, which the {from} shader never writes");
             log.push(Diagnostic::link_error(message).rule("GLSL 1.20 section 4.3.6"));
         }
-        scalars += input.ty.scalars();
-        if scalars > u32::from(MAX_VARYING_FLOATS) {
-            let message =
-                format!("more than {MAX_VARYING_FLOATS} components pass between the stages");
+        scalars += output.ty.scalars();
+        if scalars > u32::from(limit) {
+            let message = format!("more than {limit} components pass between the stages");
             log.push(Diagnostic::link_error(message));
             return next;
         }
-        in_vertex.insert(name.clone(), Binding::Varying(Some(next)));
-        in_fragment.insert(name.clone(), Binding::Varying(Some(next)));
-        next += varying_slots(&input.ty.flat());
+        in_writer.insert(output.name.clone(), Binding::Varying(Some(next)));
+        in_reader.insert(input.name.clone(), Binding::Varying(Some(next)));
+        next += varying_slots(&output.ty.flat());
     }
     next
 }
@@ -84,7 +88,7 @@ pub fn slots(fragment: Option<&StageUnits<'_>>, locations: &BindingMap) -> Vec<(
     inputs
         .filter_map(|input| match locations.get(&input.name) {
             Some(Binding::Varying(Some(first))) => {
-                Some((*first, varying_slots(&input.ty.flat()), input.name.to_string()))
+                Some((*first, varying_slots(&input.ty.flat()), input.public_name().to_owned()))
             }
             _ => None,
         })
@@ -96,13 +100,31 @@ fn is_input(storage: Storage) -> bool {
 }
 
 /// Reports a varying that the stages declare differently, whether it is read or not.
-fn check_alike(output: &Variable, input: &Variable, vertex: &StageUnits<'_>, log: &mut Log) {
-    let (a, b, rule) = if output.ty != input.ty {
-        (output.ty.to_string(), input.ty.to_string(), "GLSL 1.30 section 4.3.6")
+fn check_alike(
+    output: &Variable,
+    input: &Variable,
+    (writer, reader): (&StageUnits<'_>, &StageUnits<'_>),
+    log: &mut Log,
+) {
+    let geometry = reader.stage == Stage::Geometry;
+    // The geometry stage has an element for each vertex.
+    let input_ty = match &input.ty {
+        Type::Array(element, _) if geometry => element,
+        ty => ty,
+    };
+    if let (Some(written), Some(read)) = (&output.member_of, &input.member_of)
+        && let Some(difference) = different_blocks(written, read, reader.stage)
+    {
+        let message = format!("the block `{}` {difference}", written.name);
+        log.push(Diagnostic::link_error(message).rule("GLSL 1.50 section 4.3.7"));
+        return;
+    }
+    let (a, b, rule) = if output.ty != *input_ty {
+        (output.ty.to_string(), input_ty.to_string(), "GLSL 1.30 section 4.3.6")
     } else if let Some((a, b)) = mismatch(output, input) {
         (a.to_owned(), b.to_owned(), "GLSL 1.30 section 4.3.7")
     } else if output.interface_qualifiers.invariant != input.interface_qualifiers.invariant
-        && !vertex.units.iter().any(|unit| unit.all_invariant)
+        && !writer.units.iter().any(|unit| unit.all_invariant)
     {
         let [a, b] =
             [output, input].map(|variable| match variable.interface_qualifiers.invariant {
@@ -113,9 +135,30 @@ fn check_alike(output: &Variable, input: &Variable, vertex: &StageUnits<'_>, log
     } else {
         return;
     };
-    let name = &output.name;
-    let message = format!("`{name}` is {a} in the vertex shader and {b} in the fragment shader");
+    let name = output.public_name();
+    let [from, to] = [writer, reader].map(|stage| stage_name(stage.stage));
+    let message = format!("`{name}` is {a} in the {from} shader and {b} in the {to} shader");
     log.push(Diagnostic::link_error(message).rule(rule));
+}
+
+/// How the declarations of a block in two stages differ.
+fn different_blocks(
+    written: &InterfaceBlock,
+    read: &InterfaceBlock,
+    reader: Stage,
+) -> Option<&'static str> {
+    let reads_array = match reader {
+        // One dimension is that of the vertices, and blocks have no more.
+        Stage::Geometry => false,
+        Stage::Vertex | Stage::Fragment => read.is_array,
+    };
+    if written.members != read.members {
+        Some("has other members, or in another order, in the next stage")
+    } else if written.is_array != reads_array {
+        Some("is an array of instances in one stage only")
+    } else {
+        None
+    }
 }
 
 /// The qualifiers in which two declarations of a varying differ.

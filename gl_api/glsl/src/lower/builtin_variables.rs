@@ -2,7 +2,7 @@
 
 use super::access_chain::VarStorage;
 use super::outputs::OutputCopy;
-use super::{LowerResult, Lowerer};
+use super::{LowerError, LowerResult, Lowerer};
 use crate::builtins::variable::Builtin;
 use crate::hir::{InterfaceQualifiers, Variable};
 use crate::interface::{StateVar, VARYING_BACK_COLOR, VARYING_CLIP_DISTANCE, VARYING_PRIMITIVE_ID};
@@ -64,6 +64,15 @@ impl Lowerer<'_> {
                 let read = |lowerer: &mut Self, _| lowerer.emit.input(Input::FrontFacing);
                 return Ok(self.inputs(variable, types, read));
             }
+            Builtin::PrimitiveIdIn => {
+                let read = |lowerer: &mut Self, _| lowerer.emit.input(Input::PrimitiveId);
+                return Ok(self.inputs(variable, types, read));
+            }
+            Builtin::Incoming(_) => {
+                return Err(LowerError(format!("`{}` was not linked", variable.name)));
+            }
+            Builtin::Layer => |_| vec![Output::Layer],
+            Builtin::PrimitiveId if stage == Stage::Geometry => |_| vec![Output::PrimitiveId],
             Builtin::PrimitiveId => {
                 let first = VARYING_PRIMITIVE_ID;
                 self.emit.builder.module_mut().primitive_id = Some(first);

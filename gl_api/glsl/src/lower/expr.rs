@@ -351,6 +351,20 @@ impl Lowerer<'_> {
             let pairs = values.iter().zip(&wholes);
             return Ok(pairs.map(|(&x, &whole)| self.emit.op(Op::Sub, &[x, whole])).collect());
         }
+        match row.lowering {
+            Lowering::EmitVertex => return self.emit_vertex().map(|()| Vec::new()),
+            Lowering::EndPrimitive => {
+                self.emit.push(Stmt::EndPrimitive);
+                return Ok(Vec::new());
+            }
+            Lowering::PerComponent(_)
+            | Lowering::Derivative(_)
+            | Lowering::Expand(_)
+            | Lowering::ExpandAtRunTime(_)
+            | Lowering::Texture(_)
+            | Lowering::Modf
+            | Lowering::Ftransform => {}
+        }
         let mut values = Vec::new();
         let mut types = Vec::new();
         for argument in arguments {
@@ -366,7 +380,11 @@ impl Lowerer<'_> {
             Lowering::Derivative(axis) => {
                 Ok(values[0].iter().map(|&value| self.emit.derivative(axis, value)).collect())
             }
-            Lowering::Texture(_) | Lowering::Modf | Lowering::Ftransform => {
+            Lowering::Texture(_)
+            | Lowering::Modf
+            | Lowering::Ftransform
+            | Lowering::EmitVertex
+            | Lowering::EndPrimitive => {
                 Err(LowerError(format!("`{}` takes other arguments", row.name)))
             }
         }

@@ -17,9 +17,11 @@ use crate::limits::{MAX_INLINED_DEPTH, MAX_VALUES, MAX_WORK};
 use crate::types::{ComparisonResult, Dim};
 use crate::work::Work;
 use access_chain::VarStorage;
+use outputs::OutputCopy;
 use rasterizer::ir::{Stage, Texture, TextureDecl, Ty, Value, Var};
-pub use stage::{Binding, lower_stage, named_globals, varying_slots};
+pub use stage::{Binding, StageToLower, lower_stage, named_globals, varying_slots};
 use std::collections::BTreeMap;
+use std::rc::Rc;
 use std::sync::Arc;
 
 /// Why a stage cannot be lowered; the linker reports it.
@@ -116,6 +118,8 @@ struct Lowerer<'a> {
     /// For each texture slot: the word of its unit, the textures it takes, and the result of its
     /// comparisons.
     samplers: Vec<(Texture, u32, Dim, ComparisonResult)>,
+    /// What a vertex that the geometry stage emits holds.
+    emitted: Rc<[OutputCopy]>,
 }
 
 impl<'a> Lowerer<'a> {
@@ -131,6 +135,7 @@ impl<'a> Lowerer<'a> {
             words: Words::default(),
             textures: BTreeMap::new(),
             samplers: Vec::new(),
+            emitted: Rc::new([]),
         }
     }
 

@@ -6,7 +6,7 @@ use crate::builtins::expand::geometric::dot_product;
 use crate::hir::Variable;
 use crate::interface::{StateVar, VARYING_CLIP_DISTANCE};
 use crate::limits::MAX_CLIP_PLANES;
-use rasterizer::ir::{Op, Output, Stmt, Ty, Value, Var};
+use rasterizer::ir::{Op, Output, Stage, Stmt, Ty, Value, Var};
 
 /// A scalar to copy to an output at the end of `main`.
 #[derive(Debug)]
@@ -17,8 +17,17 @@ pub struct OutputCopy {
     pub at: u32,
     /// The value to copy.
     pub source: CopySource,
-    /// The variable of the output.
-    pub var: Var,
+    /// Where it goes.
+    pub target: CopyTarget,
+}
+
+/// Where a copied scalar goes.
+#[derive(Clone, Copy, Debug)]
+pub enum CopyTarget {
+    /// To the variable of an output, at the end of `main`.
+    Var(Var),
+    /// To this output of each vertex that is emitted.
+    Emitted(Output),
 }
 
 /// The value that is copied to an output.
@@ -55,8 +64,8 @@ impl Lowerer<'_> {
                 continue;
             }
             for source in [CopySource::LowHalf, CopySource::HighHalf] {
-                let var = self.emit.builder.output(Output::Varying(next));
-                copies.push(OutputCopy { storage: storage.clone(), at, source, var });
+                let target = self.copy_target(Output::Varying(next));
+                copies.push(OutputCopy { storage: storage.clone(), at, source, target });
                 next += 1;
             }
         }
@@ -72,6 +81,16 @@ impl Lowerer<'_> {
         output: Output,
         copies: &mut Vec<OutputCopy>,
     ) {
+        if self.is_geometry() {
+            let target = CopyTarget::Emitted(output);
+            copies.push(OutputCopy {
+                storage: storage.clone(),
+                at,
+                source: CopySource::Value,
+                target,
+            });
+            return;
+        }
         // The stencil reference is an integer; colours for integer attachments stay integers.
         let own = types[at as usize];
         let ty = match output {
@@ -96,10 +115,47 @@ impl Lowerer<'_> {
         }
         let var = self.emit.builder.variable(format!("{output:?}"), ty);
         self.emit.builder.module_mut().outputs.push((output, var));
-        copies.push(OutputCopy { storage: storage.clone(), at, source: CopySource::Value, var });
+        let target = CopyTarget::Var(var);
+        copies.push(OutputCopy { storage: storage.clone(), at, source: CopySource::Value, target });
+    }
+
+    /// Whether outputs are those of emitted vertices.
+    pub(super) fn is_geometry(&self) -> bool {
+        self.emit.builder.module().stage == Stage::Geometry
+    }
+
+    /// Where what is copied to an output goes.
+    fn copy_target(&mut self, output: Output) -> CopyTarget {
+        match self.is_geometry() {
+            true => CopyTarget::Emitted(output),
+            false => CopyTarget::Var(self.emit.builder.output(output)),
+        }
+    }
+
+    /// Emits a vertex.
+    pub(super) fn emit_vertex(&mut self) -> LowerResult<()> {
+        let copies = std::rc::Rc::clone(&self.emitted);
+        let mut values = Vec::with_capacity(copies.len());
+        for copy in copies.iter() {
+            let value = self.copied(copy)?;
+            let CopyTarget::Emitted(output) = copy.target else { continue };
+            values.push(self.emit.convert(value, output.emitted_ty()));
+        }
+        self.emit.push(Stmt::EmitVertex(values));
+        Ok(())
     }
 
     pub(super) fn copy(&mut self, copy: &OutputCopy) -> LowerResult<()> {
+        let CopyTarget::Var(var) = copy.target else { return Ok(()) };
+        let value = self.copied(copy)?;
+        let ty = self.emit.builder.module_mut().variables[var.0 as usize].ty;
+        let value = self.emit.convert(value, ty);
+        self.emit.push(Stmt::Store { var, value });
+        Ok(())
+    }
+
+    /// The value to copy.
+    fn copied(&mut self, copy: &OutputCopy) -> LowerResult<Value> {
         let mut chain = Self::value_chain(Vec::new(), crate::types::FLOAT);
         chain.storage = copy.storage.clone();
         chain.base = copy.at;
@@ -108,7 +164,7 @@ impl Lowerer<'_> {
         }
         let words = self.load(&chain)?;
         let word = words[0];
-        let value = match copy.source {
+        Ok(match copy.source {
             CopySource::Value => word,
             CopySource::LowHalf => {
                 let bits = self.emit.convert(word, Ty::U32);
@@ -128,11 +184,7 @@ impl Lowerer<'_> {
                 let distance = dot_product(&mut self.emit, &plane_words, &words);
                 self.if_enabled(plane, distance)
             }
-        };
-        let ty = self.emit.builder.module_mut().variables[copy.var.0 as usize].ty;
-        let value = self.emit.convert(value, ty);
-        self.emit.push(Stmt::Store { var: copy.var, value });
-        Ok(())
+        })
     }
 
     /// A distance if a user clip plane is enabled, else 0.
@@ -153,9 +205,9 @@ impl Lowerer<'_> {
         let storage = self.new_storage(variable, types);
         if variable.written {
             for plane in 0..MAX_CLIP_PLANES {
-                let var = self.emit.builder.output(Output::ClipDistance(plane));
+                let target = self.copy_target(Output::ClipDistance(plane));
                 let source = CopySource::ClipVertex(plane);
-                copies.push(OutputCopy { storage: storage.clone(), at: 0, source, var });
+                copies.push(OutputCopy { storage: storage.clone(), at: 0, source, target });
             }
         }
         storage
@@ -171,10 +223,13 @@ impl Lowerer<'_> {
         if variable.written {
             for plane in 0..types.len() as u8 {
                 let (at, source) = (plane.into(), CopySource::ClipDistance(plane));
-                let var = self.emit.builder.output(Output::ClipDistance(plane));
-                copies.push(OutputCopy { storage: storage.clone(), at, source, var });
+                let target = self.copy_target(Output::ClipDistance(plane));
+                copies.push(OutputCopy { storage: storage.clone(), at, source, target });
             }
-            self.varying_output(&storage, types, VARYING_CLIP_DISTANCE, copies);
+            // The linker asks the geometry stage for them, whose vertices hold little.
+            if !self.is_geometry() {
+                self.varying_output(&storage, types, VARYING_CLIP_DISTANCE, copies);
+            }
         }
         storage
     }

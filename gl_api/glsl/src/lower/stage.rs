@@ -2,12 +2,17 @@
 
 use super::access_chain::VarStorage;
 use super::call::{returns_early, without_last_return};
-use super::outputs::OutputCopy;
+use super::outputs::{CopyTarget, OutputCopy};
 use super::{LowerError, LowerResult, Lowerer, Words, call_targets};
+use crate::builtins::variable::{Builtin, Incoming};
 use crate::hir::{Function, Storage, Unit, Variable};
+use crate::interface::VARYING_CLIP_DISTANCE;
 use crate::types::{ComparisonResult, Dim};
 use crate::work::Work;
-use rasterizer::ir::{Input, Interpolation, Module, Op, Output, Stage, Texture, Ty, Value};
+use rasterizer::ir::{
+    GeometryInterface, Input, Interpolation, MAX_GEOMETRY_COMPONENTS, Module, Op, Output, Stage,
+    Texture, Ty, Value,
+};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
@@ -42,16 +47,38 @@ pub struct LoweredStage {
     pub words: Words,
 }
 
+/// The stage to lower; the interface of the geometry stage is without its outputs.
+#[derive(Clone, Debug)]
+pub enum StageToLower {
+    /// The vertex stage.
+    Vertex,
+    /// The geometry stage.
+    Geometry(GeometryInterface),
+    /// The fragment stage.
+    Fragment,
+}
+
+impl StageToLower {
+    fn stage(&self) -> Stage {
+        match self {
+            Self::Vertex => Stage::Vertex,
+            Self::Geometry(_) => Stage::Geometry,
+            Self::Fragment => Stage::Fragment,
+        }
+    }
+}
+
 /// Lowers a stage of some units. `reachable` are the functions that `main` reaches.
 pub fn lower_stage(
-    stage: Stage,
+    stage: StageToLower,
     units: &[&Unit],
     reachable: &[(usize, &Function)],
     bindings: &BTreeMap<Arc<str>, Binding>,
     words: Words,
     work: &mut Work,
 ) -> Result<LoweredStage, LowerError> {
-    let mut lowerer = Lowerer::new(stage, units.iter().map(|unit| &unit.globals[..]).collect());
+    let mut lowerer =
+        Lowerer::new(stage.stage(), units.iter().map(|unit| &unit.globals[..]).collect());
     lowerer.targets = call_targets(units);
     lowerer.emit.work = *work;
     lowerer.words = words;
@@ -71,6 +98,9 @@ pub fn lower_stage(
         let slot =
             lowerer.in_unit(*unit, |lowerer| lowerer.global(global, bindings, &mut copies))?;
         lowerer.globals.insert(global.name.clone(), slot);
+    }
+    if let StageToLower::Geometry(interface) = stage {
+        lowerer.begin_geometry(interface, std::mem::take(&mut copies))?;
     }
     for (unit, name, init) in &values {
         lowerer.in_unit(*unit, |lowerer| {
@@ -201,6 +231,31 @@ impl Lowerer<'_> {
         result
     }
 
+    /// The interface of the geometry stage, with what its vertices hold.
+    fn begin_geometry(
+        &mut self,
+        interface: GeometryInterface,
+        copies: Vec<OutputCopy>,
+    ) -> LowerResult<()> {
+        let output = |copy: &OutputCopy| match copy.target {
+            CopyTarget::Emitted(output) => Some(output),
+            CopyTarget::Var(_) => None,
+        };
+        let outputs: Vec<Output> = copies.iter().filter_map(output).collect();
+        let count = (outputs.len() as u32).saturating_mul(interface.max_vertices);
+        if count > MAX_GEOMETRY_COMPONENTS {
+            return Err(LowerError(format!(
+                "{} vertices of {} components are {count}: \
+                 gl_MaxGeometryTotalOutputComponents is {MAX_GEOMETRY_COMPONENTS}",
+                interface.max_vertices,
+                outputs.len()
+            )));
+        }
+        self.emit.builder.module_mut().geometry = Some(GeometryInterface { outputs, ..interface });
+        self.emitted = copies.into();
+        Ok(())
+    }
+
     /// The storage of a global; copies to outputs are appended.
     fn global(
         &mut self,
@@ -218,7 +273,8 @@ impl Lowerer<'_> {
                 Ok(VarStorage::Uniform(word, types.into()))
             }
             (Storage::Attribute, Some(Binding::Attribute(location))) => {
-                let columns = variable.ty.rows().map_or(4, u32::from);
+                let base = variable.ty.base();
+                let columns = base.rows().map_or(base.scalars().max(1), u32::from);
                 let read = |lowerer: &mut Self, at: u32| {
                     let location = location + (at / columns) as u8;
                     let component = (at % columns) as u8;
@@ -229,6 +285,12 @@ impl Lowerer<'_> {
                     }
                 };
                 Ok(self.inputs(variable, &types, read))
+            }
+            (Storage::Input(_), Some(Binding::Varying(Some(slot)))) if self.is_geometry() => {
+                Ok(self.vertex_inputs(variable, &types, slot))
+            }
+            (Storage::Builtin(Builtin::Incoming(member)), binding) => {
+                Ok(self.incoming(variable, &types, member, binding))
             }
             (Storage::Input(interpolation), Some(Binding::Varying(Some(slot)))) => {
                 Ok(self.varying_input(variable, &types, slot, interpolation))
@@ -311,6 +373,79 @@ impl Lowerer<'_> {
             let value = read(self, at as u32);
             values.push(self.emit.convert(value, ty));
         }
+        self.input_storage(variable, types, values)
+    }
+
+    /// The inputs of the geometry stage that begin at a slot: an element for each vertex.
+    fn vertex_inputs(&mut self, variable: &Variable, types: &[Ty], first: u16) -> VarStorage {
+        let vertices = variable.ty.element().and_then(|(_, len)| len).unwrap_or(1);
+        let mut values = Vec::new();
+        for (vertex, types) in types.chunks((types.len() / vertices as usize).max(1)).enumerate() {
+            let mut next = first;
+            let mut take = |lowerer: &mut Self| {
+                next += 1;
+                let output = Output::Varying(next - 1);
+                lowerer.emit.input(Input::OfVertex { vertex: vertex as u8, output })
+            };
+            for &ty in types {
+                let value = take(self);
+                values.push(match ty {
+                    Ty::F32 => value,
+                    Ty::I32 | Ty::U32 | Ty::Bool => {
+                        let high = take(self);
+                        self.joined(value, high, ty)
+                    }
+                });
+            }
+        }
+        self.input_storage(variable, types, values)
+    }
+
+    /// A member of `gl_in`.
+    fn incoming(
+        &mut self,
+        variable: &Variable,
+        types: &[Ty],
+        member: Incoming,
+        binding: Option<Binding>,
+    ) -> VarStorage {
+        let each = variable.ty.element().map_or(1, |(element, _)| element.scalars()).max(1);
+        let slot = match binding {
+            Some(Binding::Varying(slot)) => slot,
+            Some(Binding::Attribute(_) | Binding::Uniform(_) | Binding::Target(_)) | None => None,
+        };
+        let read = |lowerer: &mut Self, at: u32| {
+            let component = (at % each) as u16;
+            let output = match (member, slot) {
+                (Incoming::Position, _) => Output::Position(component as u8),
+                (Incoming::PointSize, _) => Output::PointSize,
+                (Incoming::ClipDistance, _) => Output::Varying(VARYING_CLIP_DISTANCE + component),
+                (Incoming::Varying(first), _) | (Incoming::ClipVertex, Some(first)) => {
+                    Output::Varying(first + component)
+                }
+                (Incoming::ClipVertex, None) => return lowerer.emit.float(0.0),
+            };
+            lowerer.emit.input(Input::OfVertex { vertex: (at / each) as u8, output })
+        };
+        self.inputs(variable, types, read)
+    }
+
+    /// The integer whose halves of 16 bits are these floats.
+    fn joined(&mut self, low: Value, high: Value, ty: Ty) -> Value {
+        let [low, high] = [low, high].map(|part| self.emit.convert(part, Ty::U32));
+        let sixteen = self.emit.uint(16);
+        let high = self.emit.op(Op::ShiftLeft, &[high, sixteen]);
+        let word = self.emit.op(Op::BitOr, &[low, high]);
+        self.emit.convert(word, ty)
+    }
+
+    /// Storage for these values of inputs.
+    fn input_storage(
+        &mut self,
+        variable: &Variable,
+        types: &[Ty],
+        values: Vec<Value>,
+    ) -> VarStorage {
         if !variable.dynamically_indexed {
             return VarStorage::Values(values.into());
         }
@@ -348,17 +483,8 @@ impl Lowerer<'_> {
                 continue;
             }
             let high = take(self);
-            let [low, high] = [value, high].map(|part| self.emit.convert(part, Ty::U32));
-            let sixteen = self.emit.uint(16);
-            let high = self.emit.op(Op::ShiftLeft, &[high, sixteen]);
-            let word = self.emit.op(Op::BitOr, &[low, high]);
-            values.push(self.emit.convert(word, ty));
+            values.push(self.joined(value, high, ty));
         }
-        if !variable.dynamically_indexed {
-            return VarStorage::Values(values.into());
-        }
-        let slot = self.new_storage(variable, types);
-        self.fill(&slot, &values);
-        slot
+        self.input_storage(variable, types, values)
     }
 }

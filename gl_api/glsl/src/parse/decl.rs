@@ -6,7 +6,7 @@ use crate::ast::{
     ArraySize, Declaration, Declarator, ExprKind, Function, Item, Name, Parameter, QualifiedType,
     Qualifier, StructDecl, TypeBase, TypeName,
 };
-use crate::language::{Extension, Version};
+use crate::language::{Availability, Extension, Version};
 use crate::lex::TokenKind;
 use crate::text::diagnostics::Diagnostic;
 use crate::text::source::Span;
@@ -122,28 +122,41 @@ impl Parser<'_> {
         loop {
             // `packed` is a reserved word elsewhere.
             let span = self.span();
-            let word = self.token().word();
-            if let Some(layout) = word.and_then(|w| keywords::block_layout(w, self.language)) {
+            // The words are not case sensitive before GLSL 4.20 (GLSL 1.50 section 4.3.8).
+            let word = self.token().word().map(|word| word.to_ascii_lowercase());
+            let layout = word.as_deref().and_then(|word| {
+                let block = keywords::block_layout(word, self.language).map(Qualifier::Block);
+                block.or_else(|| {
+                    keywords::primitive_layout(word, self.language).map(Qualifier::Primitive)
+                })
+            });
+            if let Some(layout) = layout {
                 self.bump();
-                qualifiers.push((Qualifier::Block(layout), span));
+                qualifiers.push((layout, span));
                 if !self.eat(",") {
                     return self.expect(")");
                 }
                 continue;
             }
             let name = self.name()?;
-            let conventions = self.language.enabled(Extension::FragmentCoordConventions);
-            let locations = self.language.enabled(Extension::ExplicitAttribLocation);
-            let qualifier = match &*name.text {
+            let conventions = self.language.has(Availability::FRAGMENT_COORD_CONVENTIONS);
+            let locations = self.language.has(Availability::EXPLICIT_LOCATIONS);
+            let geometry = self.language.has(Availability::V150);
+            let qualifier = match &*name.text.to_ascii_lowercase() {
                 "origin_upper_left" if conventions => Some(Qualifier::OriginUpperLeft),
                 "pixel_center_integer" if conventions => Some(Qualifier::PixelCenterInteger),
-                "location" if locations => self.location()?,
+                "location" if locations => self.layout_number()?.map(Qualifier::Location),
+                "index" if self.language.has(Availability::V330) => {
+                    self.layout_number()?.map(Qualifier::Index)
+                }
+                "max_vertices" if geometry => self.layout_number()?.map(Qualifier::MaxVertices),
                 other => {
                     let message = format!("`{other}` is no layout");
                     let blocks = keywords::has_blocks(self.language);
                     let known = [
                         (conventions, "`origin_upper_left`, `pixel_center_integer`"),
                         (locations, "`location = n`"),
+                        (geometry, "`triangles` and the other primitives, `max_vertices = n`"),
                         (blocks, "`shared`, `packed`, `std140`, `row_major`, `column_major`"),
                     ];
                     let known: Vec<&str> =
@@ -166,25 +179,25 @@ impl Parser<'_> {
         }
     }
 
-    /// `= 3` of a location: an integer literal.
-    fn location(&mut self) -> ParseResult<Option<Qualifier>> {
+    /// `= 3` of a location and the like: an integer literal.
+    fn layout_number(&mut self) -> ParseResult<Option<u32>> {
         self.expect("=")?;
         let token = self.token();
         let TokenKind::Number(text) = &token.kind else {
             let found = token.describe();
-            return self.fail(format!("expected the number of a location, found {found}"));
+            return self.fail(format!("expected the number of this layout, found {found}"));
         };
         self.bump();
         let number = self.number(text, token.span);
         if let ExprKind::Int(value) = number
             && let Ok(value) = u32::try_from(value)
         {
-            return Ok(Some(Qualifier::Location(value)));
+            return Ok(Some(value));
         }
         if let ExprKind::Uint(value) = number {
-            return Ok(Some(Qualifier::Location(value)));
+            return Ok(Some(value));
         }
-        let message = "the number of a location is a whole number";
+        let message = "the number of a layout is a whole number";
         let rule = "ARB_explicit_attrib_location";
         self.log.push(Diagnostic::error(token.span, message).rule(rule));
         Ok(None)

@@ -306,9 +306,12 @@ impl Parser<'_> {
                 let problem = match self.version {
                     // Every desktop compiler accepts it.
                     Version::V110 => Diagnostic::deviation(self.log.strictness, span, message),
-                    Version::Es100 | Version::V120 | Version::V130 | Version::V140 => {
-                        Diagnostic::error(span, message)
-                    }
+                    Version::Es100
+                    | Version::V120
+                    | Version::V130
+                    | Version::V140
+                    | Version::V150
+                    | Version::V330 => Diagnostic::error(span, message),
                 };
                 self.log.push(problem.fix(format!("write `{plain}`"), span, plain));
                 ExprKind::Float(value)

@@ -1,6 +1,6 @@
 //! Keywords, reserved words and names (GLSL 1.30 section 3.6).
 
-use crate::ast::{BlockLayout, Qualifier};
+use crate::ast::{BlockLayout, PrimitiveLayout, Qualifier};
 use crate::language::{Availability, Extension, Language, Version};
 use crate::types::Type;
 
@@ -22,6 +22,17 @@ const BLOCK_LAYOUTS: [(&str, BlockLayout); 5] = [
     ("std140", BlockLayout::Std140),
     ("row_major", BlockLayout::RowMajor),
     ("column_major", BlockLayout::ColumnMajor),
+];
+
+/// The layout qualifiers of the geometry stage.
+const PRIMITIVES: [(&str, PrimitiveLayout); 7] = [
+    ("points", PrimitiveLayout::Points),
+    ("lines", PrimitiveLayout::Lines),
+    ("lines_adjacency", PrimitiveLayout::LinesAdjacency),
+    ("triangles", PrimitiveLayout::Triangles),
+    ("triangles_adjacency", PrimitiveLayout::TrianglesAdjacency),
+    ("line_strip", PrimitiveLayout::LineStrip),
+    ("triangle_strip", PrimitiveLayout::TriangleStrip),
 ];
 
 /// The class of a word.
@@ -169,6 +180,12 @@ pub fn has_blocks(language: Language) -> bool {
 /// The layout of uniform blocks that a word is.
 pub fn block_layout(word: &str, language: Language) -> Option<BlockLayout> {
     let row = BLOCK_LAYOUTS.iter().find(|row| row.0 == word && has_blocks(language));
+    row.map(|row| row.1)
+}
+
+/// The primitive of the geometry stage that a word is.
+pub fn primitive_layout(word: &str, language: Language) -> Option<PrimitiveLayout> {
+    let row = PRIMITIVES.iter().find(|row| row.0 == word && language.has(Availability::V150));
     row.map(|row| row.1)
 }
 

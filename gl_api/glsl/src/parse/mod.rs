@@ -1,10 +1,10 @@
 //! Tokens to the syntax tree: recursive descent with bounded depth and error recovery.
 
+mod block;
 mod decl;
 mod expr;
 mod keywords;
 mod stmt;
-mod uniform_block;
 
 use crate::ast::{Item, Name};
 use crate::language::{Language, Version};

@@ -3,7 +3,7 @@
 use super::condition;
 use super::macros::{Macro, Macros};
 use super::{Conditional, GroupState, Preprocessor};
-use crate::language::{Behaviour, Extension, Version};
+use crate::language::{Behaviour, Extension, Language, Profile, Version};
 use crate::lex::{Token, TokenKind};
 use crate::limits::MAX_CONDITIONALS;
 use crate::text::diagnostics::Diagnostic;
@@ -233,29 +233,65 @@ impl Preprocessor<'_> {
         // A shader in an unknown version is checked like one in the newest version with all
         // extensions: most of the language is the same, and its other errors are worth reporting.
         let version = known.unwrap_or(Version::NEWEST);
-        self.language = version.into();
-        self.macros = Macros::new(version);
+        let offered = known.is_some_and(|known| self.context.has(known));
+        if !offered {
+            self.log.push(
+                Diagnostic::error(at, format!("GLSL version {number} is not supported"))
+                    .help(format!("this context knows the versions {}", self.context.versions())),
+            );
+        }
+        let named = if known.is_some() { self.profile(version, &rest[1..]) } else { None };
+        let profile = named.unwrap_or_else(|| self.context.default_profile(version));
+        self.language = Language::new(version, profile);
+        self.macros = Macros::new(self.language, self.context);
         if known.is_none() {
             self.set_all(Behaviour::Enable);
         }
-        match (known, rest.get(1)) {
-            (None, _) => self.log.push(
-                Diagnostic::error(at, format!("GLSL version {number} is not supported"))
-                    .help("DetGL knows the versions 110, 120, 130, 140 and 100 (GLSL ES)"),
-            ),
-            (Some(_), Some(more)) => {
-                let message = format!("unexpected {} after the version", more.describe());
-                let problem = Diagnostic::error(more.span, message);
-                self.log.push(problem.rule("GLSL 1.30 section 3.3: `#version number`"));
-            }
-            (Some(_), None) => {}
+    }
+
+    /// The profile that follows a version number, from 1.50 on.
+    fn profile(&mut self, version: Version, rest: &[Token]) -> Option<Profile> {
+        let (first, more) = rest.split_first()?;
+        let rule = match version >= Version::V150 {
+            true => "GLSL 1.50 section 3.3: `#version number profile`",
+            false => "GLSL 1.30 section 3.3: `#version number`",
+        };
+        let profile = match first.word().map(|word| &**word) {
+            Some("core") => Some(Profile::Core),
+            Some("compatibility") => Some(Profile::Compatibility),
+            _ => None,
+        };
+        let unexpected = if version < Version::V150 { Some(first) } else { more.first() };
+        if let Some(unexpected) = unexpected {
+            let message = format!("unexpected {} after the version", unexpected.describe());
+            self.log.push(Diagnostic::error(unexpected.span, message).rule(rule));
+            return profile.filter(|_| version >= Version::V150);
         }
+        match profile {
+            None => {
+                let message = format!("{} is no profile", first.describe());
+                let problem = Diagnostic::error(first.span, message).rule(rule);
+                let es = first.word().is_some_and(|word| &**word == "es");
+                self.log.push(problem.help(match es {
+                    true => "of GLSL ES there is version 100 here, which is written without `es`",
+                    false => "it is `core` or `compatibility`",
+                }));
+            }
+            Some(profile) if !self.context.has_profile(profile) => {
+                let message = "this context has no compatibility profile";
+                let problem = Diagnostic::error(first.span, message).rule(rule);
+                self.log.push(problem.help("write `core`, or make a context of that profile"));
+            }
+            Some(_) => {}
+        }
+        profile
     }
 
     /// Enables all extensions of the version.
     fn set_all(&mut self, behaviour: Behaviour) {
         for (known, _) in Extension::ALL {
-            if known.is_in(self.language.version) {
+            // What a version has removed is asked for by name.
+            if known.is_in(self.language.version) && known != Extension::Compatibility {
                 self.language.set(known, behaviour);
             }
         }
@@ -311,7 +347,8 @@ impl Preprocessor<'_> {
             self.set_all(behaviour);
             return;
         }
-        match Extension::named(extension).filter(|known| known.is_in(version)) {
+        let named = Extension::named(extension);
+        match named.filter(|known| self.context.has_extension(*known, version)) {
             Some(known) => self.language.set(known, behaviour),
             None => {
                 let message = format!("extension `{extension}` is not supported");

@@ -314,7 +314,7 @@ impl Expansion<'_> {
     fn check_version(&mut self, at: &Token) -> Result<(), Box<Diagnostic>> {
         let message = format!("`##` is not in {}", self.version.title());
         let problem = match self.version {
-            Version::V130 | Version::V140 => return Ok(()),
+            Version::V130 | Version::V140 | Version::V150 | Version::V330 => return Ok(()),
             Version::Es100 => Diagnostic::error(at.span, message)
                 .rule("GLSL ES 1.00 section 3.4: there is no operator `##`"),
             Version::V110 | Version::V120 => {

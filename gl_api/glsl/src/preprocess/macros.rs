@@ -1,7 +1,7 @@
 //! Macros and their expansion, with a bounded result.
 
 use super::expansion::{self, ExpansionContext, Spent, nothing_to_join};
-use crate::language::{Extension, Version};
+use crate::language::{ContextLanguage, Extension, Language, Profile, Version};
 use crate::lex::{Token, TokenKind};
 use crate::text::diagnostics::{Diagnostic, Log};
 use crate::text::source::{Source, Span};
@@ -13,6 +13,9 @@ use std::sync::Arc;
 const ES: [&str; 2] = ["GL_ES", HIGH];
 /// GLSL 1.30 defines it too, section 4.5.3.
 const HIGH: &str = "GL_FRAGMENT_PRECISION_HIGH";
+/// The profiles, GLSL 1.50 section 3.3.
+const CORE: &str = "GL_core_profile";
+const COMPATIBILITY: &str = "GL_compatibility_profile";
 
 /// A macro.
 #[derive(Clone, Debug)]
@@ -86,15 +89,24 @@ pub struct Macros {
 }
 
 impl Macros {
-    /// The macros that a version defines: its extensions, and [`ES`] and [`HIGH`].
-    pub fn new(version: Version) -> Self {
+    /// The macros that a version defines: its extensions, its profile, and [`ES`] and [`HIGH`].
+    pub fn new(language: Language, context: ContextLanguage) -> Self {
+        let version = language.version;
         let one = Token { kind: TokenKind::Number("1".into()), span: Span::default() };
         let row = |name: &str| (name.into(), Macro { parameters: None, body: vec![one.clone()] });
-        let extensions = Extension::ALL.iter().filter(|known| known.0.is_in(version));
+        let extensions =
+            Extension::ALL.iter().filter(|known| context.has_extension(known.0, version));
         let names = extensions.map(|known| known.1);
         let table = match version {
             Version::Es100 => names.chain(ES).map(row).collect(),
             Version::V130 | Version::V140 => names.chain([HIGH]).map(row).collect(),
+            Version::V150 | Version::V330 => {
+                let profile = match language.profile() {
+                    Profile::Core => CORE,
+                    Profile::Compatibility => COMPATIBILITY,
+                };
+                names.chain([HIGH, profile]).map(row).collect()
+            }
             Version::V110 | Version::V120 => names.map(row).collect(),
         };
         Self { table, produced: 0, work: Work::default() }

@@ -6,7 +6,7 @@ mod directives;
 mod expansion;
 mod macros;
 
-use crate::language::{Language, Version};
+use crate::language::{ContextLanguage, Language, Version};
 use crate::lex::{Token, TokenKind, tokens};
 use crate::limits;
 use crate::text::diagnostics::{Diagnostic, Log};
@@ -50,6 +50,8 @@ enum GroupState {
 struct Preprocessor<'a> {
     source: &'a mut Source,
     log: &'a mut Log,
+    /// What the context offers.
+    context: ContextLanguage,
     language: Language,
     all_invariant: bool,
     macros: Macros,
@@ -61,7 +63,7 @@ struct Preprocessor<'a> {
 }
 
 /// Preprocesses a source. `#line` is applied to the source, for the positions in later messages.
-pub fn preprocess(source: &mut Source, log: &mut Log) -> Preprocessed {
+pub fn preprocess(source: &mut Source, context: ContextLanguage, log: &mut Log) -> Preprocessed {
     let lexed = tokens(source.text());
     if let Some(span) = lexed.unclosed {
         log.push(Diagnostic::error(span, "comment is not closed by `*/`"));
@@ -74,9 +76,10 @@ pub fn preprocess(source: &mut Source, log: &mut Log) -> Preprocessed {
     let mut preprocessor = Preprocessor {
         source,
         log,
+        context,
         language: Version::V110.into(),
         all_invariant: false,
-        macros: Macros::new(Version::V110),
+        macros: Macros::new(Version::V110.into(), context),
         conditionals: Vec::new(),
         begun: false,
         program_begun: false,

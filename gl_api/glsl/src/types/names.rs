@@ -20,7 +20,7 @@ static NAMES: [(&str, Type, Availability); 69] = {
     const CUBE_ARRAY: Availability = Availability::extension(Extension::TextureCubeMapArray);
     const RECT: Availability = Availability::V140.or(Extension::TextureRectangle);
     const INTEGER_RECT: Availability = Availability::V140.or(Extension::GpuShader4);
-    const MULTISAMPLE: Availability = Availability::extension(Extension::TextureMultisample);
+    const MULTISAMPLE: Availability = Availability::MULTISAMPLE;
     const BUFFER: Availability = Availability::V140.or(Extension::GpuShader4);
     const fn plain(dim: Dim, scalar: Scalar) -> Type {
         Type::Sampler(Sampler { dim, scalar, comparison: Comparison::No })

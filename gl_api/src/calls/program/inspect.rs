@@ -230,7 +230,8 @@ pub(crate) fn get_active_attrib(
             format!("index = {index} must be below GL_ACTIVE_ATTRIBUTES, {}", attributes.len()),
         );
     };
-    put_variable((&attribute.name, attribute.ty, 1), max_length, length, size, ty, out)
+    let elements = attribute.array.unwrap_or(1);
+    put_variable((&attribute.name, attribute.ty, elements), max_length, length, size, ty, out)
 }
 
 /// A name with an index at its end, taken apart: `a[2]` is `a` and 2.

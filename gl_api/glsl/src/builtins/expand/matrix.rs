@@ -41,6 +41,14 @@ fn without(numbers: &[usize], one: usize) -> Vec<usize> {
     numbers.iter().copied().filter(|number| *number != one).collect()
 }
 
+/// The determinant, expanded along the first column.
+pub fn determinant(emit: &mut Emit, args: Args<'_>) -> Vec<Value> {
+    let values = &args.values[0];
+    let side = values.len().isqrt();
+    let all: Vec<usize> = (0..side).collect();
+    vec![Square { values, side }.determinant(emit, &all, &all)]
+}
+
 /// The inverse, by Cramer's rule: the matrix of cofactors, transposed, over the determinant. A
 /// singular matrix gives the results of the divisions by 0.
 pub fn inverse(emit: &mut Emit, args: Args<'_>) -> Vec<Value> {

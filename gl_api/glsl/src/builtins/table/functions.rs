@@ -3,7 +3,7 @@
 
 use crate::builtins::expand::{angle, common, derivative, geometric, matrix, noise, relational};
 use crate::builtins::function::Lowering::{
-    Derivative, Expand, ExpandAtRunTime, Ftransform, Modf, PerComponent,
+    Derivative, EmitVertex, EndPrimitive, Expand, ExpandAtRunTime, Ftransform, Modf, PerComponent,
 };
 use crate::builtins::function::{FunctionRow, Lowering, Pattern};
 use crate::language::{Availability, Extension, Stages};
@@ -16,12 +16,13 @@ const DESKTOP: Availability = Availability::DESKTOP;
 const V120: Availability = Availability::V120;
 const V130: Availability = Availability::V130;
 const V140: Availability = Availability::V140;
+const V150: Availability = Availability::V150;
 /// Not in the core profile.
 const COMPATIBILITY: Availability = DESKTOP.in_compatibility();
 const INTEGERS: Availability = Availability::INTEGERS;
 const GPU_SHADER4: Availability = Availability::extension(Extension::GpuShader4);
 /// The bits of numbers.
-const BITS: Availability = Availability::extension(Extension::ShaderBitEncoding);
+const BITS: Availability = Availability::V330.or(Extension::ShaderBitEncoding);
 const DERIVATIVES: Availability = DESKTOP.or(Extension::StandardDerivatives);
 
 const F: Pattern = Pattern::Gen(Scalar::Float);
@@ -155,6 +156,7 @@ pub static FUNCTIONS: &[FunctionRow] = &[
     row("matrixCompMult", MAT, &[MAT, MAT], DESKTOP_AND_ES, PerComponent(Op::Mul)),
     row("outerProduct", MAT, &[COLUMN, VF], V120, Expand(matrix::outer_product)),
     row("transpose", MAT_T, &[MAT], V120, Expand(matrix::transpose)),
+    row("determinant", F1, &[SQUARE], V150, Expand(matrix::determinant)),
     row("inverse", SQUARE, &[SQUARE], V140, Expand(matrix::inverse)),
     // 8.6 Vector relational
     row("lessThan", VB, &[VF, VF], DESKTOP_AND_ES, PerComponent(Op::Less)),
@@ -184,6 +186,9 @@ pub static FUNCTIONS: &[FunctionRow] = &[
     of_stages(Stages::Fragment, "dFdx", F, &[F], DERIVATIVES, Derivative(Axis::X)),
     of_stages(Stages::Fragment, "dFdy", F, &[F], DERIVATIVES, Derivative(Axis::Y)),
     of_stages(Stages::Fragment, "fwidth", F, &[F], DERIVATIVES, Expand(derivative::fwidth)),
+    // 8.10 Geometry shader
+    of_stages(Stages::Geometry, "EmitVertex", Pattern::Void, &[], V150, EmitVertex),
+    of_stages(Stages::Geometry, "EndPrimitive", Pattern::Void, &[], V150, EndPrimitive),
     // 8.9 Noise
     row("noise1", F1, &[F], DESKTOP, ExpandAtRunTime(noise::noise1)),
     row("noise2", F2, &[F], DESKTOP, ExpandAtRunTime(noise::noise2)),

@@ -91,21 +91,20 @@ pub const SAMPLERS: [SamplerRow; 15] = {
             overloaded,
         }
     }
-    // GLSL 1.40 has left these names to the compatibility profile.
-    const DESKTOP_COMPATIBILITY: Availability = Availability::DESKTOP.in_compatibility();
-    const COMPATIBILITY_AND_ES: Availability = Availability::DESKTOP_AND_ES.in_compatibility();
+    const DESKTOP: Availability = Availability::DESKTOP;
+    const DESKTOP_AND_ES: Availability = Availability::DESKTOP_AND_ES;
     const RECT: Availability = Availability::extension(Extension::TextureRectangle);
     const ARRAY: Availability = GPU_SHADER4.or(Extension::TextureArray);
     [
-        row((D1, No), 1, &[2, 4], [1, 1, 1], All, ("texture1D", DESKTOP_COMPATIBILITY)),
-        row((D2, No), 2, &[3, 4], [2, 2, 2], All, ("texture2D", COMPATIBILITY_AND_ES)),
-        row((D3, No), 3, &[4], [3, 3, 3], All, ("texture3D", DESKTOP_COMPATIBILITY)),
-        row((Cube, No), 3, &[], [3, 0, 2], All, ("textureCube", COMPATIBILITY_AND_ES)),
+        row((D1, No), 1, &[2, 4], [1, 1, 1], All, ("texture1D", DESKTOP)),
+        row((D2, No), 2, &[3, 4], [2, 2, 2], All, ("texture2D", DESKTOP_AND_ES)),
+        row((D3, No), 3, &[4], [3, 3, 3], All, ("texture3D", DESKTOP)),
+        row((Cube, No), 3, &[], [3, 0, 2], All, ("textureCube", DESKTOP_AND_ES)),
         row((Rect, No), 2, &[3, 4], [2, 2, 2], Derived, ("texture2DRect", RECT)),
         row((D1Array, No), 2, &[], [1, 1, 2], All, ("texture1DArray", ARRAY)),
         row((D2Array, No), 3, &[], [2, 2, 3], All, ("texture2DArray", ARRAY)),
-        row((D1, Yes), 3, &[4], [1, 1, 1], All, ("shadow1D", DESKTOP_COMPATIBILITY)),
-        row((D2, Yes), 3, &[4], [2, 2, 2], All, ("shadow2D", DESKTOP_COMPATIBILITY)),
+        row((D1, Yes), 3, &[4], [1, 1, 1], All, ("shadow1D", DESKTOP)),
+        row((D2, Yes), 3, &[4], [2, 2, 2], All, ("shadow2D", DESKTOP)),
         row((Cube, Yes), 4, &[], [3, 0, 2], Biased, ("shadowCube", GPU_SHADER4)),
         row((Rect, Yes), 3, &[4], [2, 2, 2], Derived, ("shadow2DRect", RECT)),
         row((D1Array, Yes), 3, &[], [1, 1, 2], All, ("shadow1DArray", ARRAY)),

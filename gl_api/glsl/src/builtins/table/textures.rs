@@ -142,7 +142,7 @@ fn buffer_rows(rows: &mut Vec<FunctionRow>) {
 /// `textureSize` and `texelFetch` of multisample textures; the number of the sample comes last.
 fn multisample_rows(rows: &mut Vec<FunctionRow>) {
     let int = |size| Pattern::Fixed(Scalar::Int, size);
-    let availability = Availability::extension(Extension::TextureMultisample);
+    let availability = Availability::MULTISAMPLE;
     for (dim, coords) in [(Dim::D2Multisample, 2), (Dim::D2MultisampleArray, 3)] {
         for scalar in [Scalar::Float, Scalar::Int, Scalar::Uint] {
             let sampler = Pattern::Sampler(Sampler { dim, scalar, comparison: Comparison::No });

@@ -3,14 +3,14 @@
 use crate::builtins::variable::Access::{ReadOnly, ReadWrite};
 use crate::builtins::variable::Builtin::{
     self, ClipDistance, ClipVertex, FragColor, FragCoord, FragData, FragDepth, FragStencilRef,
-    FrontFacing, InstanceId, PointCoord, PointSize, Position, PrimitiveId, State, Varying,
-    VertexId,
+    FrontFacing, InstanceId, Layer, PointCoord, PointSize, Position, PrimitiveId, PrimitiveIdIn,
+    State, Varying, VertexId,
 };
 use crate::builtins::variable::StateArray::{self, EnvColor, TextureMatrix};
 use crate::builtins::variable::VariableType::{
-    self, Bool, Int, Mat, Mat4Array, Struct, StructArray, UnsizedFloats, Vec, Vec4Array,
+    self, Bool, Int, Mat, Mat4Array, OfVertices, Struct, StructArray, UnsizedFloats, Vec, Vec4Array,
 };
-use crate::builtins::variable::{Access, Structure, VariableRow};
+use crate::builtins::variable::{Access, Incoming, Structure, VariableRow};
 use crate::interface::MatrixForm::{Inverse, InverseTranspose, Plain, Transpose};
 use crate::interface::Side::{Back, Front};
 use crate::interface::StateMatrix::{ModelView, ModelViewProjection, Projection};
@@ -25,11 +25,12 @@ use crate::interface::{
     ATTRIB_VERTEX, VARYING_BACK_COLOR, VARYING_COLOR, VARYING_FOG, VARYING_SECONDARY_COLOR,
     VARYING_TEX_COORD,
 };
-use crate::language::Stages::{self, Any, Fragment, Vertex};
+use crate::language::Stages::{self, Any, Fragment, Geometry, Vertex, Vertices};
 use crate::language::{Availability, Extension};
 use crate::limits::{
     MAX_CLIP_DISTANCES, MAX_CLIP_PLANES, MAX_COMBINED_TEXTURE_IMAGE_UNITS, MAX_DRAW_BUFFERS,
-    MAX_LIGHTS, MAX_TEXTURE_IMAGE_UNITS, MAX_TEXTURE_UNITS, MAX_UNIFORM_COMPONENTS,
+    MAX_GEOMETRY_OUTPUT_VERTICES, MAX_GEOMETRY_TOTAL_OUTPUT_COMPONENTS, MAX_LIGHTS,
+    MAX_STAGE_COMPONENTS, MAX_TEXTURE_IMAGE_UNITS, MAX_TEXTURE_UNITS, MAX_UNIFORM_COMPONENTS,
     MAX_VARYING_FLOATS, MAX_VERTEX_ATTRIBS, TEXEL_OFFSETS,
 };
 
@@ -37,10 +38,10 @@ const DESKTOP_AND_ES: Availability = Availability::DESKTOP_AND_ES;
 const DESKTOP: Availability = Availability::DESKTOP;
 const V120: Availability = Availability::V120;
 const V130: Availability = Availability::V130;
+const V150: Availability = Availability::V150;
 const ES: Availability = Availability::ES;
 /// Not in the core profile.
 const COMPATIBILITY: Availability = DESKTOP.in_compatibility();
-const GPU_SHADER4: Availability = Availability::extension(Extension::GpuShader4);
 const DRAW_INSTANCED: Availability = Availability::extension(Extension::DrawInstanced);
 const INSTANCE_ID: Availability =
     Availability::V140.or(Extension::DrawInstanced).or(Extension::GpuShader4);
@@ -128,15 +129,30 @@ const fn limit(name: &'static str, value: i32, availability: Availability) -> Va
     row(name, Int, Any, availability, ReadOnly, Builtin::Limit(value))
 }
 
-/// Every variable, of both stages.
-pub static VARIABLES: [VariableRow; 97] = [
-    row("gl_Position", Vec(4), Vertex, DESKTOP_AND_ES, ReadWrite, Position),
-    row("gl_PointSize", Vec(1), Vertex, DESKTOP_AND_ES, ReadWrite, PointSize),
-    row("gl_ClipVertex", Vec(4), Vertex, COMPATIBILITY, ReadWrite, ClipVertex),
+/// A member of `gl_in`.
+const fn incoming(
+    name: &'static str,
+    ty: VariableType,
+    availability: Availability,
+    member: Incoming,
+) -> VariableRow {
+    row(name, ty, Geometry, availability, ReadOnly, Builtin::Incoming(member))
+}
+
+/// A member of `gl_in` that the core profile does not have.
+const fn old(name: &'static str, ty: VariableType, member: Incoming) -> VariableRow {
+    incoming(name, ty, V150.in_compatibility(), member)
+}
+
+/// Every variable, of all stages.
+pub static VARIABLES: [VariableRow; 119] = [
+    row("gl_Position", Vec(4), Vertices, DESKTOP_AND_ES, ReadWrite, Position),
+    row("gl_PointSize", Vec(1), Vertices, DESKTOP_AND_ES, ReadWrite, PointSize),
+    row("gl_ClipVertex", Vec(4), Vertices, COMPATIBILITY, ReadWrite, ClipVertex),
     row("gl_VertexID", Int, Vertex, V130.or(Extension::GpuShader4), ReadOnly, VertexId),
     row("gl_InstanceIDARB", Int, Vertex, DRAW_INSTANCED, ReadOnly, InstanceId),
     row("gl_InstanceID", Int, Vertex, INSTANCE_ID, ReadOnly, InstanceId),
-    row("gl_ClipDistance", UnsizedFloats, Vertex, V130, ReadWrite, ClipDistance),
+    row("gl_ClipDistance", UnsizedFloats, Vertices, V130, ReadWrite, ClipDistance),
     row("gl_ClipDistance", UnsizedFloats, Fragment, V130, ReadOnly, ClipDistance),
     // Conventional attributes
     attribute("gl_Vertex", 4, ATTRIB_VERTEX),
@@ -153,12 +169,12 @@ pub static VARIABLES: [VariableRow; 97] = [
     attribute("gl_MultiTexCoord6", 4, ATTRIB_TEX_COORD + 6),
     attribute("gl_MultiTexCoord7", 4, ATTRIB_TEX_COORD + 7),
     // Built-in varyings
-    row("gl_FrontColor", Vec(4), Vertex, COMPATIBILITY, ReadWrite, Varying(VARYING_COLOR)),
-    row("gl_BackColor", Vec(4), Vertex, COMPATIBILITY, ReadWrite, Varying(VARYING_BACK_COLOR)),
+    row("gl_FrontColor", Vec(4), Vertices, COMPATIBILITY, ReadWrite, Varying(VARYING_COLOR)),
+    row("gl_BackColor", Vec(4), Vertices, COMPATIBILITY, ReadWrite, Varying(VARYING_BACK_COLOR)),
     row(
         "gl_FrontSecondaryColor",
         Vec(4),
-        Vertex,
+        Vertices,
         COMPATIBILITY,
         ReadWrite,
         Varying(VARYING_SECONDARY_COLOR),
@@ -166,13 +182,13 @@ pub static VARIABLES: [VariableRow; 97] = [
     row(
         "gl_BackSecondaryColor",
         Vec(4),
-        Vertex,
+        Vertices,
         COMPATIBILITY,
         ReadWrite,
         Varying(VARYING_BACK_COLOR + 4),
     ),
-    row("gl_TexCoord", PER_UNIT, Vertex, COMPATIBILITY, ReadWrite, Varying(VARYING_TEX_COORD)),
-    row("gl_FogFragCoord", Vec(1), Vertex, COMPATIBILITY, ReadWrite, Varying(VARYING_FOG)),
+    row("gl_TexCoord", PER_UNIT, Vertices, COMPATIBILITY, ReadWrite, Varying(VARYING_TEX_COORD)),
+    row("gl_FogFragCoord", Vec(1), Vertices, COMPATIBILITY, ReadWrite, Varying(VARYING_FOG)),
     row("gl_Color", Vec(4), Fragment, COMPATIBILITY, ReadOnly, Varying(VARYING_COLOR)),
     row(
         "gl_SecondaryColor",
@@ -184,9 +200,31 @@ pub static VARIABLES: [VariableRow; 97] = [
     ),
     row("gl_TexCoord", PER_UNIT, Fragment, COMPATIBILITY, ReadOnly, Varying(VARYING_TEX_COORD)),
     row("gl_FogFragCoord", Vec(1), Fragment, COMPATIBILITY, ReadOnly, Varying(VARYING_FOG)),
+    // The geometry stage
+    row("gl_PrimitiveIDIn", Int, Geometry, V150, ReadOnly, PrimitiveIdIn),
+    row("gl_PrimitiveID", Int, Geometry, V150, ReadWrite, PrimitiveId),
+    row("gl_Layer", Int, Geometry, V150, ReadWrite, Layer),
+    incoming("gl_in.gl_Position", OfVertices(&Vec(4)), V150, Incoming::Position),
+    incoming("gl_in.gl_PointSize", OfVertices(&Vec(1)), V150, Incoming::PointSize),
+    incoming("gl_in.gl_ClipDistance", OfVertices(&UnsizedFloats), V150, Incoming::ClipDistance),
+    old("gl_in.gl_ClipVertex", OfVertices(&Vec(4)), Incoming::ClipVertex),
+    old("gl_in.gl_FrontColor", OfVertices(&Vec(4)), Incoming::Varying(VARYING_COLOR)),
+    old("gl_in.gl_BackColor", OfVertices(&Vec(4)), Incoming::Varying(VARYING_BACK_COLOR)),
+    old(
+        "gl_in.gl_FrontSecondaryColor",
+        OfVertices(&Vec(4)),
+        Incoming::Varying(VARYING_SECONDARY_COLOR),
+    ),
+    old(
+        "gl_in.gl_BackSecondaryColor",
+        OfVertices(&Vec(4)),
+        Incoming::Varying(VARYING_BACK_COLOR + 4),
+    ),
+    old("gl_in.gl_TexCoord", OfVertices(&PER_UNIT), Incoming::Varying(VARYING_TEX_COORD)),
+    old("gl_in.gl_FogFragCoord", OfVertices(&Vec(1)), Incoming::Varying(VARYING_FOG)),
     // The fragment stage
     row("gl_FragCoord", Vec(4), Fragment, DESKTOP_AND_ES, ReadOnly, FragCoord),
-    row("gl_PrimitiveID", Int, Fragment, GPU_SHADER4, ReadOnly, PrimitiveId),
+    row("gl_PrimitiveID", Int, Fragment, V150.or(Extension::GpuShader4), ReadOnly, PrimitiveId),
     row("gl_FrontFacing", Bool, Fragment, DESKTOP_AND_ES, ReadOnly, FrontFacing),
     row("gl_PointCoord", Vec(2), Fragment, V120.and_es(), ReadOnly, PointCoord),
     row("gl_FragColor", Vec(4), Fragment, DESKTOP_AND_ES, ReadWrite, FragColor),
@@ -268,6 +306,15 @@ pub static VARIABLES: [VariableRow; 97] = [
     limit("gl_MaxDrawBuffers", MAX_DRAW_BUFFERS as i32, DESKTOP_AND_ES),
     limit("gl_MaxVaryingComponents", MAX_VARYING_FLOATS as i32, V130),
     limit("gl_MaxClipDistances", MAX_CLIP_DISTANCES as i32, V130),
+    limit("gl_MaxVertexOutputComponents", MAX_STAGE_COMPONENTS as i32, V150),
+    limit("gl_MaxGeometryInputComponents", MAX_STAGE_COMPONENTS as i32, V150),
+    limit("gl_MaxGeometryOutputComponents", MAX_STAGE_COMPONENTS as i32, V150),
+    limit("gl_MaxFragmentInputComponents", MAX_STAGE_COMPONENTS as i32, V150),
+    limit("gl_MaxGeometryTextureImageUnits", MAX_TEXTURE_IMAGE_UNITS as i32, V150),
+    limit("gl_MaxGeometryOutputVertices", MAX_GEOMETRY_OUTPUT_VERTICES as i32, V150),
+    limit("gl_MaxGeometryTotalOutputComponents", MAX_GEOMETRY_TOTAL_OUTPUT_COMPONENTS as i32, V150),
+    limit("gl_MaxGeometryUniformComponents", MAX_UNIFORM_COMPONENTS, V150),
+    limit("gl_MaxGeometryVaryingComponents", MAX_VARYING_FLOATS as i32, V150),
     limit("gl_MaxVertexUniformVectors", MAX_UNIFORM_COMPONENTS / 4, ES),
     limit("gl_MaxFragmentUniformVectors", MAX_UNIFORM_COMPONENTS / 4, ES),
     limit("gl_MaxVaryingVectors", MAX_VARYING_FLOATS as i32 / 4, ES),
