@@ -18,6 +18,10 @@ const TOPOLOGY: Table<Topology> = Table {
         (GL_QUADS, Topology::Quads),
         (GL_QUAD_STRIP, Topology::QuadStrip),
         (GL_POLYGON, Topology::Polygon),
+        (GL_LINES_ADJACENCY, Topology::LinesAdjacency),
+        (GL_LINE_STRIP_ADJACENCY, Topology::LineStripAdjacency),
+        (GL_TRIANGLES_ADJACENCY, Topology::TrianglesAdjacency),
+        (GL_TRIANGLE_STRIP_ADJACENCY, Topology::TriangleStripAdjacency),
     ],
 };
 
@@ -32,8 +36,8 @@ pub(crate) fn topology(mode: GLenum) -> Result<Topology> {
             TOPOLOGY.section,
             format!(
                 "mode = {} must be GL_POINTS, GL_LINES, GL_LINE_LOOP, GL_LINE_STRIP, \
-                 GL_TRIANGLES, GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_QUADS, GL_QUAD_STRIP or \
-                 GL_POLYGON",
+                 GL_TRIANGLES, GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_QUADS, GL_QUAD_STRIP, \
+                 GL_POLYGON, or one of lines and triangles with adjacency (GL 3.2)",
                 enum_name(mode)
             ),
         ),

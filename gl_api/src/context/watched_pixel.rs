@@ -28,25 +28,30 @@ pub(crate) struct DrawNote {
     pub varyings: Vec<(u16, u16, String)>,
 }
 
+/// The mode of primitives.
+pub(crate) fn topology_name(topology: Topology) -> &'static str {
+    match topology {
+        Topology::Points => "GL_POINTS",
+        Topology::Lines => "GL_LINES",
+        Topology::LineStrip => "GL_LINE_STRIP",
+        Topology::LineLoop => "GL_LINE_LOOP",
+        Topology::Triangles => "GL_TRIANGLES",
+        Topology::TriangleStrip => "GL_TRIANGLE_STRIP",
+        Topology::TriangleFan => "GL_TRIANGLE_FAN",
+        Topology::Quads => "GL_QUADS",
+        Topology::QuadStrip => "GL_QUAD_STRIP",
+        Topology::Polygon => "GL_POLYGON",
+        Topology::LinesAdjacency => "GL_LINES_ADJACENCY",
+        Topology::LineStripAdjacency => "GL_LINE_STRIP_ADJACENCY",
+        Topology::TrianglesAdjacency => "GL_TRIANGLES_ADJACENCY",
+        Topology::TriangleStripAdjacency => "GL_TRIANGLE_STRIP_ADJACENCY",
+    }
+}
+
 impl DrawNote {
     /// Adds the mode of the primitives to the title.
     pub fn drawing(mut self, topology: Topology) -> Self {
-        let name = match topology {
-            Topology::Points => "GL_POINTS",
-            Topology::Lines => "GL_LINES",
-            Topology::LineStrip => "GL_LINE_STRIP",
-            Topology::LineLoop => "GL_LINE_LOOP",
-            Topology::Triangles => "GL_TRIANGLES",
-            Topology::TriangleStrip => "GL_TRIANGLE_STRIP",
-            Topology::TriangleFan => "GL_TRIANGLE_FAN",
-            Topology::Quads => "GL_QUADS",
-            Topology::QuadStrip => "GL_QUAD_STRIP",
-            Topology::Polygon => "GL_POLYGON",
-            Topology::LinesAdjacency => "GL_LINES_ADJACENCY",
-            Topology::LineStripAdjacency => "GL_LINE_STRIP_ADJACENCY",
-            Topology::TrianglesAdjacency => "GL_TRIANGLES_ADJACENCY",
-            Topology::TriangleStripAdjacency => "GL_TRIANGLE_STRIP_ADJACENCY",
-        };
+        let name = topology_name(topology);
         self.title = format!("{name}, {}", self.title);
         self
     }

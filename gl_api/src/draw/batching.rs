@@ -89,6 +89,7 @@ impl Recorder {
 fn may_batch(desc: &PipelineDesc) -> bool {
     let [vertex, fragment] = [desc.vertex.module(), desc.fragment.module()];
     vertices_of_primitive(desc.topology).is_some()
+        && desc.geometry.is_none()
         && fragment.primitive_id.is_none()
         && !has_loop(&vertex.body)
         && !has_loop(&fragment.body)

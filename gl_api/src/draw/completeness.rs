@@ -7,7 +7,7 @@ use crate::base::types::*;
 use crate::context::Context;
 use crate::context::window::{Presence, base_level_attachment};
 use crate::objects::color_buffers::attachment_index;
-use crate::objects::framebuffers::{Attached, Framebuffer, Planes, Source};
+use crate::objects::framebuffers::{Attached, AttachedLayers, Framebuffer, Planes, Source};
 use crate::objects::target::TextureTarget;
 use crate::pixel::formats::format_name;
 use crate::pixel::texel::is_renderable;
@@ -40,6 +40,8 @@ pub(crate) struct AttachedImage {
     pub width: u32,
     pub height: u32,
     pub samples: u8,
+    /// How many layers are attached, from that of the attachment on.
+    pub layers: u16,
     pub attachment: Attachment,
 }
 
@@ -65,6 +67,7 @@ fn find(attached: &Attached) -> std::result::Result<AttachedImage, String> {
         width: info.size[0],
         height: info.size[1],
         samples: info.samples,
+        layers: 1,
         attachment,
     };
     match (attached.source, info) {
@@ -96,13 +99,56 @@ fn find(attached: &Attached) -> std::result::Result<AttachedImage, String> {
                 | TextureTarget::D2MultisampleArray
                 | TextureTarget::Buffer => slice,
             };
-            Ok(found(info, Attachment { image, face, level: level as u8 }))
+            let attachment = Attachment { image, face, level: level as u8 };
+            Ok(AttachedImage { layers: layer_count(attached, info)?, ..found(info, attachment) })
         }
         (Source::Renderbuffer(name), None) => {
             Err(format!("renderbuffer {name} has no image: call glRenderbufferStorage with a size"))
         }
         (Source::Renderbuffer(_), Some(info)) => Ok(found(info, base_level_attachment(&image))),
     }
+}
+
+/// How many layers of an image are attached, or why not all of a cube map can be.
+fn layer_count(attached: &Attached, info: LevelInfo) -> std::result::Result<u16, String> {
+    let Source::Texture { target, level, layers: AttachedLayers::All, name, .. } = attached.source
+    else {
+        return Ok(1);
+    };
+    if target.target != TextureTarget::Cube {
+        return Ok(info.size[2].min(u16::MAX.into()) as u16);
+    }
+    let is_alike = |face| {
+        attached
+            .image
+            .level(face, level)
+            .is_some_and(|other| (other.format, other.size) == (info.format, info.size))
+    };
+    if (1..6).all(is_alike) {
+        return Ok(6);
+    }
+    Err(format!("the faces of texture {name} differ at level {level}, and all are attached"))
+}
+
+/// Whether an attachment is layered, and the target of its texture.
+fn layered(attached: &Attached) -> (AttachedLayers, Option<TextureTarget>) {
+    match attached.source {
+        Source::Texture { layers, target, .. } => (layers, Some(target.target)),
+        Source::Renderbuffer(_) => (AttachedLayers::One, None),
+    }
+}
+
+/// Why the layers of attachments do not fit each other, if so (GL 3.2, section 4.4.4.2).
+fn layers_differ(object: &Framebuffer) -> Option<&'static str> {
+    let mut all = object.attached().map(layered);
+    let (first, _) = all.next()?;
+    if all.any(|(layers, _)| layers != first) {
+        return Some("some attachments are layered (glFramebufferTexture), others are not");
+    }
+    let mut targets = object.colors.iter().flatten().map(|attached| layered(attached).1);
+    let target = targets.next()?;
+    (first == AttachedLayers::All && targets.any(|other| other != target))
+        .then_some("the layered colour attachments are of textures of different targets")
 }
 
 /// `GL_TEXTURE_FIXED_SAMPLE_LOCATIONS` of an attachment, which is true for renderbuffers; `None` for a texture that was
@@ -212,6 +258,9 @@ pub(crate) fn completeness(context: &Context, name: GLuint) -> std::result::Resu
             "nothing is attached: call glFramebufferTexture2D or glFramebufferRenderbuffer".into(),
         );
     }
+    if let Some(reason) = layers_differ(object) {
+        return incomplete(GL_FRAMEBUFFER_INCOMPLETE_LAYER_TARGETS, reason.into());
+    }
     if let (Some(depth), Some(stencil)) = (&object.depth, &object.stencil)
         && !depth.same(stencil)
     {
@@ -314,10 +363,11 @@ pub(crate) fn draw_pass(context: &Context) -> Result<PassDesc> {
         });
     };
     // Of attachments of different sizes, the pixels that all have are drawn to.
-    let (mut width, mut height) = (u32::MAX, u32::MAX);
+    let (mut width, mut height, mut layers) = (u32::MAX, u32::MAX, u16::MAX);
     for found in object.attached().filter_map(|attached| find(attached).ok()) {
         width = width.min(found.width);
         height = height.min(found.height);
+        layers = layers.min(found.layers);
     }
     let found = |attached: &Option<Attached>| Some(find(attached.as_ref()?).ok()?.attachment);
     let mut colors: Vec<_> = object
@@ -329,7 +379,7 @@ pub(crate) fn draw_pass(context: &Context) -> Result<PassDesc> {
     let used = colors.iter().rposition(Option::is_some).map_or(0, |last| last + 1);
     colors.truncate(used);
     let depth = found(&object.depth).or_else(|| found(&object.stencil));
-    Ok(PassDesc { colors, depth, width, height, layers: 1 })
+    Ok(PassDesc { colors, depth, width, height, layers })
 }
 
 /// The image that is read from, if there is one.

@@ -46,12 +46,16 @@ pub(crate) fn emit(
     emit_state(context, raster, viewport);
     emit_words(&mut context.recorder, reads.words);
     let recorder = &mut context.recorder;
-    let textures = [reads.vertex_textures, reads.fragment_textures];
-    let same = |emitted: &[Textures; 2]| {
+    let textures = [reads.vertex_textures, reads.geometry_textures, reads.fragment_textures];
+    let same = |emitted: &[Textures; 3]| {
         emitted.iter().zip(&textures).all(|(emitted, textures)| same_textures(emitted, textures))
     };
     if !recorder.emitted.textures.as_ref().is_some_and(same) {
-        let [vertex, fragment] = textures.clone();
+        let [vertex, geometry, fragment] = textures.clone();
+        let before = recorder.emitted.textures.as_ref();
+        if !before.map_or(geometry.is_empty(), |[_, before, _]| same_textures(before, &geometry)) {
+            recorder.push(Command::BindGeometryTextures(geometry));
+        }
         recorder.push(Command::BindTextures { vertex, fragment });
         recorder.emitted.textures = Some(textures);
     }

@@ -19,7 +19,7 @@ fn same_attachment(a: Option<&Attachment>, b: Option<&Attachment>) -> bool {
 }
 
 fn same_pass(a: &PassDesc, b: &PassDesc) -> bool {
-    (a.width, a.height, a.colors.len()) == (b.width, b.height, b.colors.len())
+    (a.width, a.height, a.layers, a.colors.len()) == (b.width, b.height, b.layers, b.colors.len())
         && same_attachment(a.depth.as_ref(), b.depth.as_ref())
         && a.colors.iter().zip(&b.colors).all(|(a, b)| same_attachment(a.as_ref(), b.as_ref()))
 }

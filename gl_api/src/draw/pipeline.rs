@@ -47,8 +47,7 @@ pub(crate) fn pipeline_desc(
     context: &Context,
     pass: &PassDesc,
     topology: Topology,
-    vertex: ShaderModule,
-    fragment: ShaderModule,
+    (vertex, geometry, fragment): (ShaderModule, Option<ShaderModule>, ShaderModule),
 ) -> PipelineDesc {
     let enables = &context.state.enables;
     let raster = &context.state.raster;
@@ -76,7 +75,7 @@ pub(crate) fn pipeline_desc(
     };
     PipelineDesc {
         vertex,
-        geometry: None,
+        geometry,
         fragment,
         topology,
         cull: if enables.has(Flag::CullFace) { raster.cull } else { Cull::None },

@@ -6,6 +6,7 @@ use crate::context::feedback::RenderMode;
 use crate::context::recorder::elements::{Elements, bit};
 use crate::context::recorder::pixel_rectangle::PixelRectangle;
 use crate::context::recorder::stages::{Reads, Stages, internal};
+use crate::context::watched_pixel::topology_name;
 use crate::draw::completeness::{draw_pass, drawn_formats};
 use crate::draw::emitted_state::{PreparedDraw, emit, emit_vertices, emit_words};
 use crate::draw::pending_primitives::draw_pending;
@@ -13,11 +14,13 @@ use crate::draw::pipeline::{pipeline_desc, rectangle_viewport, viewport};
 use crate::draw::raster_state::{multisample_state, raster_state, smoothness};
 use crate::draw::{assembly_words, warnings};
 use crate::interface::ATTRIB_EDGE_FLAG;
+use crate::objects::programs::Linked;
 use crate::state::enable::Flag;
 use rasterizer::driver::{
     Antialiasing, Cull, DepthWrite, FrontFace, PassDesc, PipelineDesc, PolygonState, Provoking,
     RasterState, SampleRule, Topology, VertexBinding, VertexSource,
 };
+use rasterizer::ir::{GeometryInput, GeometryOutput};
 use texunit::format::Format;
 
 /// The attributes whose current values a draw may read, bit by location. While a list is compiled that is all of them,
@@ -78,14 +81,15 @@ pub(crate) fn draw(
     if !is_rasterized(context, topology, &vertices, elements)? {
         return Ok(());
     }
-    let antialiasing = smoothness(context, topology);
+    let drawn = drawn_topology(context, topology)?;
+    let antialiasing = smoothness(context, drawn);
     // This may submit what was recorded, if a texture of this draw was drawn to.
-    let Stages { vertex, fragment, reads } =
+    let Stages { vertex, geometry, fragment, reads } =
         crate::draw::stages::choose(context, &vertices, antialiasing)?;
     let viewport = viewport(context);
-    let mut raster = raster_state(context, topology, &vertices);
+    let mut raster = raster_state(context, drawn, &vertices);
     raster.multisample = multisample_state(context, SampleRule::Each);
-    let desc = pipeline_desc(context, &pass, topology, vertex, fragment);
+    let desc = pipeline_desc(context, &pass, topology, (vertex, geometry, fragment));
     warnings::state::check(context, &pass, &desc, &reads, (&vertices, elements));
     let unset = warnings::inputs::unset_attributes(context, topology, &vertices);
     emit(context, PreparedDraw { pass, desc, raster, viewport, reads }, vertices, elements)?;
@@ -112,7 +116,8 @@ pub(crate) fn draw_rectangle(
     }
     let mut stages = crate::draw::stages::choose(context, &vertices, Antialiasing::Aliased)?;
     rectangle.apply(context, &mut stages).map_err(|error| internal(&error))?;
-    let Stages { vertex, fragment, reads } = stages;
+    // Pixels are no primitives.
+    let Stages { vertex, geometry: _, fragment, reads } = stages;
     let reads = Reads { keys: None, ..reads };
     let viewport = rectangle_viewport(&pass, rectangle.depth);
     let multisample = multisample_state(context, SampleRule::Center);
@@ -122,7 +127,7 @@ pub(crate) fn draw_rectangle(
         cull: Cull::None,
         front_face: FrontFace::Ccw,
         provoking: Provoking::Last,
-        ..pipeline_desc(context, &pass, topology, vertex, fragment)
+        ..pipeline_desc(context, &pass, topology, (vertex, None, fragment))
     };
     if context.state.bindings.draw_framebuffer == 0
         && desc.depth.as_ref().is_some_and(|depth| depth.write == DepthWrite::On)
@@ -130,6 +135,44 @@ pub(crate) fn draw_rectangle(
         context.window.depths.copied();
     }
     emit(context, PreparedDraw { pass, desc, raster, viewport, reads }, vertices, elements)
+}
+
+/// The topology of what a draw rasterizes: that of the geometry shader's output, if there is one.
+///
+/// # Errors
+/// When the geometry shader takes other primitives.
+fn drawn_topology(context: &Context, topology: Topology) -> Result<Topology> {
+    let linked = context.objects.shared.linked_program(context.state.bindings.program.name());
+    let Some(interface) = linked.and_then(Linked::geometry_interface) else {
+        return Ok(topology);
+    };
+    if topology.geometry_input() != Some(interface.input) {
+        return invalid_operation(
+            "GL 3.2, section 2.12.1",
+            format!(
+                "mode = {} does not make the primitives that the geometry shader takes, which are \
+                 {}",
+                topology_name(topology),
+                input_name(interface.input)
+            ),
+        );
+    }
+    Ok(match interface.output {
+        GeometryOutput::Points => Topology::Points,
+        GeometryOutput::LineStrip => Topology::LineStrip,
+        GeometryOutput::TriangleStrip => Topology::TriangleStrip,
+    })
+}
+
+/// The layout qualifier of primitives, for messages.
+fn input_name(input: GeometryInput) -> &'static str {
+    match input {
+        GeometryInput::Points => "points",
+        GeometryInput::Lines => "lines",
+        GeometryInput::LinesAdjacency => "lines_adjacency",
+        GeometryInput::Triangles => "triangles",
+        GeometryInput::TrianglesAdjacency => "triangles_adjacency",
+    }
 }
 
 /// The pass of the draw framebuffer, if a draw is valid with the state.

@@ -34,6 +34,7 @@ use std::sync::Arc;
 #[derive(Default)]
 struct Programs {
     vertex: Option<ShaderModule>,
+    geometry: Option<ShaderModule>,
     fragment: Option<ShaderModule>,
     samplers: Vec<SamplerSlot>,
     words: Vec<u32>,
@@ -55,6 +56,7 @@ impl Programs {
             put_words(context, &mut programs.words, linked);
             programs.vertex =
                 linked.vertex_of(crate::draw::color_clamp::of_vertices(context)).clone();
+            programs.geometry = linked.geometry.clone();
             programs.fragment = linked.fragment.clone();
             programs.samplers.clone_from(&program.samplers);
             programs.color_interpolation = program.color_interpolation;
@@ -102,15 +104,20 @@ pub(crate) fn choose(
         Some(module) => programs.textures(context, Stage::Vertex, module)?,
         None => Arc::clone(&context.recorder.no_textures),
     };
+    let geometry_textures = match &programs.geometry {
+        Some(module) => programs.textures(context, Stage::Geometry, module)?,
+        None => Arc::clone(&context.recorder.no_textures),
+    };
     let fragment = FragmentStage::new(context, &programs, vertices, antialiasing, clamp)?;
     let vertex = VertexStage::new(context, &programs, vertices)?;
-    let Programs { samplers, mut words, assembly, .. } = programs;
+    let Programs { samplers, mut words, assembly, geometry, .. } = programs;
     let note = context.watched.is_some().then(|| match (&fragment.key, assembly[1]) {
         (Some(key), _) => DrawNote::of_fixed(context, key),
         (None, Some(_)) => DrawNote::of_assembly(context, &samplers, &words),
         (None, None) => DrawNote::of_program(context, name, &fragment.module, &words),
     });
-    let needed = vertex.module.module().uniform_words.max(fragment.module.module().uniform_words);
+    let stages = [&vertex.module, &fragment.module].into_iter().chain(&geometry);
+    let needed = stages.map(|stage| stage.module().uniform_words).max().unwrap_or(0);
     let keys = StageKeys {
         vertex: vertex.key,
         fragment: fragment.key,
@@ -122,8 +129,9 @@ pub(crate) fn choose(
     crate::draw::fixed_function::words::append(context, &mut words, &keys);
     // The words of assembly programs and their clip space cannot be made again by the keys alone.
     let keys = (assembly == [None; 2]).then_some(keys);
-    let reads = Reads { words, vertex_textures, fragment_textures: fragment.textures, keys, note };
-    Ok(Stages { vertex: vertex.module, fragment: fragment.module, reads })
+    let fragment_textures = fragment.textures;
+    let reads = Reads { words, vertex_textures, geometry_textures, fragment_textures, keys, note };
+    Ok(Stages { vertex: vertex.module, geometry, fragment: fragment.module, reads })
 }
 
 /// Writes the words of the program in use: its uniforms, and the state that it reads.
@@ -245,6 +253,8 @@ impl VertexStage {
                     clip_space = inverse(context.state.matrices.projection.top).transpose();
                 }
             }
+            // What a geometry shader emits is cut by the distances that it writes.
+            None if programs.geometry.is_some() => {}
             None if !writes_clip_distances(&module) => clip_planes = context.state.clip.enabled,
             None => {}
         }

@@ -58,7 +58,7 @@ fn one_type_per_unit(linked: &Linked) -> Result<(), String> {
 fn declared(linked: &Linked, slot: &SamplerSlot) -> Option<(TextureDecl, Dim)> {
     let module = match slot.stage {
         Stage::Vertex => linked.vertex.as_ref(),
-        Stage::Geometry => None,
+        Stage::Geometry => linked.geometry.as_ref(),
         Stage::Fragment => linked.fragment.as_ref(),
     };
     Some((*module?.module().textures.get(slot.slot as usize)?, slot.dim))

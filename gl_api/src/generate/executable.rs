@@ -26,6 +26,7 @@ pub(crate) fn executable(mut program: glsl::Program) -> Result<Linked, IrError> 
     let unclamped = program.vertex.clone();
     let has_colors = program.vertex.as_mut().is_some_and(clamp_vertex_colors);
     let (vertex, fragment) = (module(&program.vertex)?, module(&program.fragment)?);
+    let geometry = module(&program.geometry)?;
     let unclamped_vertex = if has_colors { module(&unclamped)? } else { vertex.clone() };
     let mut words = vec![0; program.words as usize];
     for uniform in &program.uniforms {
@@ -36,7 +37,7 @@ pub(crate) fn executable(mut program: glsl::Program) -> Result<Linked, IrError> 
     }
     let blocks = BlockState::of(&program);
     let attributes = vertex.as_ref().map_or(0, |vertex| read_attributes(vertex.module()));
-    Ok(Linked { program, vertex, unclamped_vertex, fragment, attributes, words, blocks })
+    Ok(Linked { program, vertex, unclamped_vertex, geometry, fragment, attributes, words, blocks })
 }
 
 /// The executable of an assembly program.

@@ -20,8 +20,18 @@ pub(crate) enum Source {
         target: FaceTarget,
         level: usize,
         slice: u16,
+        layers: AttachedLayers,
     },
     Renderbuffer(GLuint),
+}
+
+/// Which layers of a level are attached.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum AttachedLayers {
+    /// The one that its slice or face says.
+    One,
+    /// All: the attachment is layered (GL 3.2, section 4.4.7).
+    All,
 }
 
 /// An attached image. It outlives the name that it had when it was attached

@@ -7,6 +7,7 @@ use crate::objects::blocks::BlockState;
 use crate::objects::shaders::ShaderObject;
 use crate::objects::shared::SharedObjects;
 use rasterizer::driver::ShaderModule;
+use rasterizer::ir::GeometryInterface;
 
 /// Shaders and programs share one space of names.
 #[derive(Debug)]
@@ -48,6 +49,7 @@ pub(crate) struct Linked {
     /// The vertex stage with its colours as they are, for `glClampColor`; the same one if it writes
     /// none.
     pub unclamped_vertex: Option<ShaderModule>,
+    pub geometry: Option<ShaderModule>,
     pub fragment: Option<ShaderModule>,
     /// The attributes that its vertex stage reads, bit by location.
     pub attributes: u64,
@@ -58,6 +60,11 @@ pub(crate) struct Linked {
 }
 
 impl Linked {
+    /// The primitives of its geometry stage, and what it makes of them.
+    pub fn geometry_interface(&self) -> Option<&GeometryInterface> {
+        self.geometry.as_ref()?.module().geometry.as_ref()
+    }
+
     /// The vertex stage with clamped or unclamped colours.
     pub fn vertex_of(&self, clamp: Clamp) -> &Option<ShaderModule> {
         match clamp {

@@ -254,6 +254,68 @@ fn every_slice_of_every_kind_of_texture_is_drawn_to_by_itself() {
     fine(&mut c);
 }
 
+/// GL 3.2, sections 4.4.2 and 4.4.7: clears go to every layer, draws to the first, from which is read.
+#[test]
+fn all_layers_of_a_level_are_attached_at_once() {
+    const FB: GLenum = GL_FRAMEBUFFER;
+    const AT: GLenum = GL_COLOR_ATTACHMENT0;
+    let mut c = context(4, 4);
+    framebuffer(&mut c);
+    c.viewport(0, 0, 8, 8);
+    let of_layers = [
+        GL_TEXTURE_3D,
+        GL_TEXTURE_2D_ARRAY,
+        GL_TEXTURE_1D_ARRAY,
+        GL_TEXTURE_CUBE_MAP_ARRAY,
+        GL_TEXTURE_CUBE_MAP,
+    ];
+    let asked = |c: &mut Context, pname| {
+        let mut value = [-1];
+        c.get_framebuffer_attachment_parameteriv(FB, AT, pname, &mut value);
+        value[0]
+    };
+    for target in of_layers {
+        let name = texture(&mut c, target);
+        c.framebuffer_texture(FB, AT, name, 0);
+        assert_eq!(asked(&mut c, GL_FRAMEBUFFER_ATTACHMENT_LAYERED), 1);
+        paint(&mut c, 77);
+        c.color_3f(1.0, 0.0, 0.0);
+        c.rectf(-1.0, -1.0, 1.0, 1.0);
+        assert_eq!(bytes(&mut c, [0, 0, 1, 1], GL_RED, 1), [255]);
+        let targets = match target {
+            GL_TEXTURE_CUBE_MAP => (0..6).map(|at| GL_TEXTURE_CUBE_MAP_POSITIVE_X + at).collect(),
+            _ => vec![target],
+        };
+        let (count, slice) = match target {
+            GL_TEXTURE_CUBE_MAP => (1, 64),
+            GL_TEXTURE_1D_ARRAY => (4, 8),
+            _ => (layers(target), 64),
+        };
+        for (face, target) in targets.into_iter().enumerate() {
+            let mut texels = vec![0_u8; slice * count];
+            c.get_tex_image(target, 0, GL_RED, GL_UNSIGNED_BYTE, DataOut::Bytes(&mut texels));
+            for (at, &texel) in texels.iter().enumerate() {
+                let first = face == 0 && at < slice;
+                assert_eq!(texel, if first { 255 } else { 77 }, "{} {at}", enum_name(target));
+            }
+        }
+    }
+    let plane = texture(&mut c, GL_TEXTURE_2D);
+    c.framebuffer_texture(FB, AT, plane, 0);
+    assert_eq!(asked(&mut c, GL_FRAMEBUFFER_ATTACHMENT_LAYERED), 0);
+    let [volume, array] =
+        [GL_TEXTURE_3D, GL_TEXTURE_2D_ARRAY].map(|target| texture(&mut c, target));
+    c.framebuffer_texture(FB, AT + 1, volume, 0);
+    let mixed = GL_FRAMEBUFFER_INCOMPLETE_LAYER_TARGETS;
+    assert_eq!(c.check_framebuffer_status(FB), mixed);
+    c.framebuffer_texture(FB, AT, array, 0);
+    assert_eq!(c.check_framebuffer_status(FB), mixed);
+    c.framebuffer_texture_layer(FB, AT, array, 0, 1);
+    c.framebuffer_texture_layer(FB, AT + 1, volume, 0, 1);
+    assert_eq!(c.check_framebuffer_status(FB), GL_FRAMEBUFFER_COMPLETE);
+    fine(&mut c);
+}
+
 #[test]
 fn depth_and_stencil_of_one_image_are_both_there() {
     for internal in [GL_DEPTH24_STENCIL8, GL_DEPTH32F_STENCIL8] {

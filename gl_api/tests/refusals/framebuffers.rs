@@ -196,6 +196,52 @@ const CASES: &[Case] = &[
     ),
     (
         nothing,
+        |c| c.framebuffer_texture(FB, GL_DEPTH, 0, 0),
+        GL_INVALID_ENUM,
+        "attachment = GL_DEPTH",
+    ),
+    (
+        nothing,
+        |c| c.framebuffer_texture(GL_TEXTURE_2D, C0, 0, 0),
+        GL_INVALID_ENUM,
+        "target = GL_TEXTURE_2D",
+    ),
+    (
+        framebuffer,
+        |c| c.framebuffer_texture(FB, C0, 1, 0),
+        GL_INVALID_VALUE,
+        "texture = 1 is no texture",
+    ),
+    (
+        |c| c.bind_texture(GL_TEXTURE_3D, 1),
+        |c| c.framebuffer_texture(FB, C0, 1, 0),
+        GL_INVALID_OPERATION,
+        "default framebuffer",
+    ),
+    (
+        |c| {
+            c.bind_texture(GL_TEXTURE_3D, 1);
+            framebuffer(c);
+        },
+        |c| {
+            c.framebuffer_texture(FB, C0, 1, -1);
+        },
+        GL_INVALID_VALUE,
+        "level = -1",
+    ),
+    (
+        |c| {
+            c.bind_texture(GL_TEXTURE_BUFFER, 1);
+            framebuffer(c);
+        },
+        |c| {
+            c.framebuffer_texture(FB, C0, 1, 0);
+        },
+        GL_INVALID_OPERATION,
+        "GL_TEXTURE_BUFFER",
+    ),
+    (
+        nothing,
         |c| c.framebuffer_texture_layer(FB, GL_DEPTH, 0, 0, 0),
         GL_INVALID_ENUM,
         "attachment = GL_DEPTH",

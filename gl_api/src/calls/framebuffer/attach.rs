@@ -8,7 +8,8 @@ use crate::calls::framebuffer::names::bound;
 use crate::context::Context;
 use crate::draw::completeness::{completeness, missing_buffer_warning};
 use crate::objects::framebuffers::{
-    Attached, AttachmentPoint, Binding, FRAMEBUFFER_TARGET, Planes, Source, attachment_point,
+    Attached, AttachedLayers, AttachmentPoint, Binding, FRAMEBUFFER_TARGET, Planes, Source,
+    attachment_point,
 };
 use crate::objects::renderbuffers::RENDERBUFFER_TARGET;
 use crate::objects::target::{FaceTarget, TARGET, TextureTarget, attachable_target};
@@ -100,12 +101,12 @@ impl Slice {
                 );
             }
         };
-        Ok(Source::Texture { name, target: of, level, slice })
+        Ok(Source::Texture { name, target: of, level, slice, layers: AttachedLayers::One })
     }
 }
 
 /// `glFramebufferTexture1D`, `2D` and `3D`: the targets of a call with so many dimensions.
-fn framebuffer_texture(
+fn framebuffer_texture_slice(
     context: &mut Context,
     (target, attachment): (GLenum, GLenum),
     (axes, textarget): (usize, GLenum),
@@ -141,7 +142,7 @@ pub(crate) fn framebuffer_texture_1d(
     level: GLint,
 ) -> Result<()> {
     let slice = Slice { texture, level, slice: (0, "layer") };
-    framebuffer_texture(context, (target, attachment), (1, textarget), &slice)
+    framebuffer_texture_slice(context, (target, attachment), (1, textarget), &slice)
 }
 
 pub(crate) fn framebuffer_texture_2d(
@@ -153,7 +154,7 @@ pub(crate) fn framebuffer_texture_2d(
     level: GLint,
 ) -> Result<()> {
     let slice = Slice { texture, level, slice: (0, "layer") };
-    framebuffer_texture(context, (target, attachment), (2, textarget), &slice)
+    framebuffer_texture_slice(context, (target, attachment), (2, textarget), &slice)
 }
 
 pub(crate) fn framebuffer_texture_3d(
@@ -166,7 +167,7 @@ pub(crate) fn framebuffer_texture_3d(
     zoffset: GLint,
 ) -> Result<()> {
     let slice = Slice { texture, level, slice: (zoffset, "zoffset") };
-    framebuffer_texture(context, (target, attachment), (3, textarget), &slice)
+    framebuffer_texture_slice(context, (target, attachment), (3, textarget), &slice)
 }
 
 pub(crate) fn framebuffer_texture_layer(
@@ -206,6 +207,47 @@ pub(crate) fn framebuffer_texture_layer(
         }
     }
     let (source, image) = (slice.checked(of)?, object.image.clone());
+    destination.attach(context, Some(Attached { source, image, planes: Planes::BOTH }))
+}
+
+/// All layers of a level, or its only one.
+pub(crate) fn framebuffer_texture(
+    context: &mut Context,
+    target: GLenum,
+    attachment: GLenum,
+    texture: GLuint,
+    level: GLint,
+) -> Result<()> {
+    const SECTION: &str = "GL 3.2, section 4.4.2";
+    let destination = Destination::decode(target, attachment)?;
+    if texture == 0 {
+        return destination.attach(context, None);
+    }
+    let Some(object) = context.objects.shared.textures.get(texture) else {
+        return invalid_value(SECTION, format!("texture = {texture} is no texture that was bound"));
+    };
+    let of = FaceTarget { target: object.target, face: 0 };
+    let layers = match of.target {
+        TextureTarget::D3
+        | TextureTarget::D1Array
+        | TextureTarget::D2Array
+        | TextureTarget::Cube
+        | TextureTarget::CubeArray
+        | TextureTarget::D2MultisampleArray => AttachedLayers::All,
+        TextureTarget::D1
+        | TextureTarget::D2
+        | TextureTarget::Rect
+        | TextureTarget::D2Multisample => AttachedLayers::One,
+        TextureTarget::Buffer => {
+            return invalid_operation(
+                SECTION,
+                format!("texture {texture} is a GL_TEXTURE_BUFFER, which is not drawn to"),
+            );
+        }
+    };
+    let image = object.image.clone();
+    let level = crate::objects::target::checked_level(SECTION, of.target, level)?;
+    let source = Source::Texture { name: texture, target: of, level, slice: 0, layers };
     destination.attach(context, Some(Attached { source, image, planes: Planes::BOTH }))
 }
 

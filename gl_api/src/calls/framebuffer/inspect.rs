@@ -8,7 +8,8 @@ use crate::calls::framebuffer::names::bound;
 use crate::context::Context;
 use crate::draw::completeness::attached_format;
 use crate::objects::framebuffers::{
-    Attached, AttachmentPoint, FRAMEBUFFER_TARGET, Framebuffer, Source, attachment_point,
+    Attached, AttachedLayers, AttachmentPoint, FRAMEBUFFER_TARGET, Framebuffer, Source,
+    attachment_point,
 };
 use crate::objects::target::{FACE_TARGET, TextureTarget};
 use crate::pixel::component_bits::{Component, component_bits};
@@ -21,6 +22,7 @@ enum Property {
     Level,
     Face,
     Layer,
+    Layered,
     Bits(Component),
     ComponentType,
     ColorEncoding,
@@ -34,6 +36,7 @@ const PROPERTY: Table<Property> = Table {
         (GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL, Property::Level),
         (GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_CUBE_MAP_FACE, Property::Face),
         (GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LAYER, Property::Layer),
+        (GL_FRAMEBUFFER_ATTACHMENT_LAYERED, Property::Layered),
         (GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE, Property::Bits(Component::Red)),
         (GL_FRAMEBUFFER_ATTACHMENT_GREEN_SIZE, Property::Bits(Component::Green)),
         (GL_FRAMEBUFFER_ATTACHMENT_BLUE_SIZE, Property::Bits(Component::Blue)),
@@ -96,7 +99,8 @@ fn of_format(format: Format, point: AttachmentPoint, property: Property) -> Opti
         | Property::ObjectName
         | Property::Level
         | Property::Face
-        | Property::Layer => None,
+        | Property::Layer
+        | Property::Layered => None,
     }
 }
 
@@ -109,6 +113,9 @@ fn of_attached(attached: &Attached, point: AttachmentPoint, property: Property) 
         }
         (Property::Level, Source::Texture { level, .. }) => Some(level as GLint),
         (Property::Layer, Source::Texture { slice, .. }) => Some(slice.into()),
+        (Property::Layered, Source::Texture { layers, .. }) => {
+            Some((layers == AttachedLayers::All).into())
+        }
         (Property::Face, Source::Texture { target, .. }) => Some(match target.target {
             TextureTarget::Cube => FACE_TARGET.encode(target) as GLint,
             TextureTarget::D1
@@ -122,7 +129,10 @@ fn of_attached(attached: &Attached, point: AttachmentPoint, property: Property) 
             | TextureTarget::D2MultisampleArray
             | TextureTarget::Buffer => 0,
         }),
-        (Property::Level | Property::Layer | Property::Face, Source::Renderbuffer(_)) => None,
+        (
+            Property::Level | Property::Layer | Property::Layered | Property::Face,
+            Source::Renderbuffer(_),
+        ) => None,
         (Property::Bits(component), _) => {
             let hidden = match component {
                 Component::Depth => !attached.planes.depth,
@@ -204,6 +214,7 @@ pub(crate) fn get_framebuffer_attachment_parameteriv(
                     Property::Level
                     | Property::Face
                     | Property::Layer
+                    | Property::Layered
                     | Property::Bits(_)
                     | Property::ComponentType
                     | Property::ColorEncoding => {

@@ -16,8 +16,8 @@ pub(crate) struct EmittedState {
     /// The attributes that the pipeline reads, bit by location.
     pub attributes: u64,
     pub words: Option<Arc<[u32]>>,
-    /// Of the vertex and of the fragment stage.
-    pub textures: Option<[Textures; 2]>,
+    /// Of the vertex, the geometry and the fragment stage.
+    pub textures: Option<[Textures; 3]>,
     pub raster: Option<Arc<RasterState>>,
     pub viewport: Option<Viewport>,
     pub scissor: Option<Option<Rect>>,

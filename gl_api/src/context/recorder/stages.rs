@@ -16,6 +16,7 @@ pub(crate) type Textures = Arc<[Option<Arc<SamplePlan>>]>;
 /// The stages of a draw, and what they read.
 pub(crate) struct Stages {
     pub vertex: ShaderModule,
+    pub geometry: Option<ShaderModule>,
     pub fragment: ShaderModule,
     pub reads: Reads,
 }
@@ -24,6 +25,7 @@ pub(crate) struct Stages {
 pub(crate) struct Reads {
     pub words: Vec<u32>,
     pub vertex_textures: Textures,
+    pub geometry_textures: Textures,
     pub fragment_textures: Textures,
     /// What the words are made by, if they can be made again by it alone.
     pub keys: Option<StageKeys>,

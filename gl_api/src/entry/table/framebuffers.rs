@@ -63,6 +63,10 @@ macro_rules! entry_points_framebuffers {
         framebuffer_texture_layer: glFramebufferTextureLayer | glFramebufferTextureLayerEXT (
             target: GLenum, attachment: GLenum, texture: GLuint, level: GLint, layer: GLint
         ), not_compiled;
+        /// Attaches all layers of a level of a texture to the bound framebuffer.
+        framebuffer_texture: glFramebufferTexture | glFramebufferTextureARB (
+            target: GLenum, attachment: GLenum, texture: GLuint, level: GLint
+        ), not_compiled;
         /// Attaches a level of a texture, or of a face of a cube map, to the bound framebuffer.
         framebuffer_texture_2d: glFramebufferTexture2D | glFramebufferTexture2DEXT (
             target: GLenum, attachment: GLenum, textarget: GLenum, texture: GLuint, level: GLint
