@@ -73,6 +73,16 @@ const ACCEPTED: &[(ContextLanguage, Stage, &str)] = &[
         Fragment,
         "#version 150\nlayout(ORIGIN_upper_left) in vec4 gl_FragCoord;\nvoid main() { gl_FragColor = gl_FragCoord; }",
     ),
+    (
+        Core33,
+        Fragment,
+        "#version 330\n#extension GL_ARB_conservative_depth : enable\nlayout(depth_less) out float gl_FragDepth;\nvoid main() { gl_FragDepth = 0.5; }",
+    ),
+    (
+        Core33,
+        Fragment,
+        "#version 330\nstruct L { sampler2D map; vec4 c; };\nuniform L l[3];\nuniform int n;\nvoid main() { gl_FragColor = texture(l[n].map, vec2(0.5)); }",
+    ),
     // The geometry stage
     (
         Core33,
@@ -115,12 +125,6 @@ const REFUSED: &[(ContextLanguage, Stage, &str, &str)] = &[
     (
         Core33,
         Vertex,
-        "#version 130\nvoid main() {}",
-        "this context knows the versions 140, 150, 330",
-    ),
-    (
-        Core33,
-        Vertex,
         "#version 150 compatibility\nvoid main() {}",
         "this context has no compatibility profile",
     ),
@@ -150,6 +154,31 @@ const REFUSED: &[(ContextLanguage, Stage, &str, &str)] = &[
         Vertex,
         "#version 150\n#extension GL_ARB_compatibility : require\nvoid main() {}",
         "extension `GL_ARB_compatibility` is not supported",
+    ),
+    // Layouts
+    (
+        Core33,
+        Fragment,
+        "#version 330\nlayout(depth_less) out float gl_FragDepth;\nvoid main() {}",
+        "`depth_less` is no layout",
+    ),
+    (
+        Core33,
+        Fragment,
+        "#version 330\n#extension GL_ARB_conservative_depth : enable\nlayout(depth_less) out float d;\nvoid main() {}",
+        "only gl_FragDepth has one",
+    ),
+    (
+        Core33,
+        Fragment,
+        "#version 330\n#extension GL_ARB_conservative_depth : enable\nvoid f() { gl_FragDepth = 0.5; }\nlayout(depth_less) out float gl_FragDepth;\nvoid main() {}",
+        "`gl_FragDepth` is used before it is redeclared",
+    ),
+    (
+        Core33,
+        Fragment,
+        "#version 330\nuniform sampler2D t[3];\nuniform int n;\nvoid main() { gl_FragColor = texture(t[n], vec2(0.5)); }",
+        "samplers are indexed by constant expressions only",
     ),
     // Blocks
     (
@@ -518,4 +547,13 @@ fn a_geometry_program_emits_what_its_shader_writes() {
             assert_eq!(value, expected, "{output:?}");
         }
     }
+}
+
+#[test]
+fn the_second_color_is_in_the_program() {
+    let source = "#version 330\nlayout(location = 0, index = 0) out vec4 a;\nlayout(location = 0, index = 1) out vec4 b;\nvoid main() { a = b = vec4(1.0); }";
+    let shader = compiled(Core33, Fragment, source).unwrap_or_else(|log| panic!("{log}"));
+    let program = link(&[&shader], &Bindings::default()).program.expect("it links");
+    let found = program.outputs.iter().map(|output| (&*output.name, output.color, output.index));
+    assert_eq!(found.collect::<Vec<_>>(), [("a", 0, 0), ("b", 0, 1)]);
 }

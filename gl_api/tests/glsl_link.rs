@@ -173,7 +173,8 @@ fn arrays_of_arrays_pass_between_the_stages_and_to_colours() {
     {
         let program = program(&[&vertex(written)], &[&fragment(read)], &Bindings::default());
         assert_eq!(program.varyings, [(VARYING_USER, 24, "v".to_owned())], "{written}, {read}");
-        assert_eq!(program.outputs, [("first".to_owned(), 0), ("c".to_owned(), 1)]);
+        let found = program.outputs.iter().map(|output| (&*output.name, output.color));
+        assert_eq!(found.collect::<Vec<_>>(), [("first", 0), ("c", 1)]);
         let outputs = program.fragment.expect("a fragment stage was linked").outputs;
         let last = Output::Color { target: 6, component: 3 };
         assert!(outputs.iter().any(|(output, _)| *output == last), "{outputs:?}");
@@ -290,7 +291,8 @@ fn locations_that_shaders_say_go_before_those_that_were_bound() {
     let found: Vec<(&str, u8)> =
         program.attributes.iter().map(|a| (a.name.as_str(), a.location)).collect();
     assert_eq!(found, [("a", 3), ("b", 5), ("c", 0)]);
-    let found: Vec<(&str, u8)> = program.outputs.iter().map(|(n, c)| (n.as_str(), *c)).collect();
+    let found: Vec<(&str, u8)> =
+        program.outputs.iter().map(|output| (&*output.name, output.color)).collect();
     assert_eq!(found, [("late", 2), ("pair", 0), ("next", 3)]);
     let twice = fragment.replace("out vec4 next", "layout(location = 2) out vec4 next");
     fails(&[&vertex], &[&twice], "two outputs are bound to colour 2");
@@ -308,7 +310,7 @@ fn what_has_no_location_is_given_none() {
         (Stage::Vertex, "layout(location = 0) uniform vec4 a;"),
         (Stage::Vertex, "layout(location = 1.0) in vec4 a;"),
         (Stage::Vertex, "layout(location = 1 + 1) in vec4 a;"),
-        (Stage::Vertex, "layout(index = 1) in vec4 a;"),
+        (Stage::Fragment, "layout(index = 1) out vec4 a;"),
     ] {
         let source = format!("{head}{source}\nvoid main() {{ }}");
         let compiled = compile(stage, &source, &Options::default());

@@ -19,6 +19,17 @@ pub struct Attribute {
     pub location: u8,
 }
 
+/// An output of the fragment stage of a linked program.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct FragmentOutput {
+    /// Its name.
+    pub name: String,
+    /// Its (first) colour attachment.
+    pub color: u8,
+    /// Which colour of the blend function it is: 0, or 1 (ARB_blend_func_extended).
+    pub index: u8,
+}
+
 /// A uniform of a linked program: a scalar, vector, matrix or sampler, or an array of them.
 /// Structures come as their members, named `s.member`, `a[2].member`; arrays of arrays as the arrays
 /// in their last dimension, `a[2]`.
@@ -200,8 +211,8 @@ pub struct Program {
     pub blocks: Vec<UniformBlock>,
     /// The built-in uniforms that it references.
     pub builtin_uniforms: Vec<BuiltinUniform>,
-    /// The user-defined outputs of the fragment stage and their colour attachments.
-    pub outputs: Vec<(String, u8)>,
+    /// The user-defined outputs of the fragment stage.
+    pub outputs: Vec<FragmentOutput>,
     /// The user-defined varyings of the fragment stage: first slot, number of slots, name.
     pub varyings: Vec<(u16, u16, String)>,
     /// The varyings that transform feedback captures.

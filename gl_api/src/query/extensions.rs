@@ -166,7 +166,9 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     "GL_EXT_texture_snorm",
     "GL_NV_texture_barrier",
     // 2010
+    "GL_AMD_conservative_depth",
     "GL_ARB_ES2_compatibility",
+    "GL_ARB_conservative_depth",
     "GL_ARB_debug_output",
     "GL_ARB_explicit_attrib_location",
     "GL_ARB_occlusion_query2",

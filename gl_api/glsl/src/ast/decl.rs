@@ -79,12 +79,28 @@ pub enum Qualifier {
     Location(u32),
     /// `layout(index = n)` of an output of the fragment stage.
     Index(u32),
+    /// `layout(depth_less)` and the like of `gl_FragDepth`.
+    Depth(DepthLayout),
     /// `layout(std140)` and the like, of uniform blocks.
     Block(BlockLayout),
     /// `layout(triangles)` and the like, of the geometry stage.
     Primitive(PrimitiveLayout),
     /// `layout(max_vertices = n)` of the geometry stage.
     MaxVertices(u32),
+}
+
+/// How the fragment stage changes the depth (ARB_conservative_depth). Nothing depends on it: the
+/// depth test comes after the stage that writes the depth.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DepthLayout {
+    /// `depth_any`.
+    Any,
+    /// `depth_greater`.
+    Greater,
+    /// `depth_less`.
+    Less,
+    /// `depth_unchanged`.
+    Unchanged,
 }
 
 /// The primitives that the geometry stage takes and makes (GLSL 1.50 section 4.3.8).
@@ -129,6 +145,7 @@ impl Qualifier {
             | Self::PixelCenterInteger
             | Self::Location(_)
             | Self::Index(_)
+            | Self::Depth(_)
             | Self::Block(_)
             | Self::Primitive(_)
             | Self::MaxVertices(_) => true,
@@ -156,6 +173,7 @@ impl Qualifier {
             | Self::PixelCenterInteger
             | Self::Location(_)
             | Self::Index(_)
+            | Self::Depth(_)
             | Self::Block(_)
             | Self::Primitive(_)
             | Self::MaxVertices(_)

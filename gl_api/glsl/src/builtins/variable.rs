@@ -102,7 +102,7 @@ impl Builtin {
     /// (GLSL 1.30 sections 7.1 and 7.6, ARB_fragment_coord_conventions).
     pub fn is_redeclarable(self) -> bool {
         match self {
-            Self::Varying(_) | Self::ClipDistance | Self::FragCoord => true,
+            Self::Varying(_) | Self::ClipDistance | Self::FragCoord | Self::FragDepth => true,
             Self::Position
             | Self::PointSize
             | Self::ClipVertex
@@ -117,7 +117,6 @@ impl Builtin {
             | Self::FrontFacing
             | Self::FragColor
             | Self::FragData
-            | Self::FragDepth
             | Self::FragStencilRef
             | Self::State(_)
             | Self::States(_)

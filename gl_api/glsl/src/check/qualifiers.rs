@@ -44,6 +44,7 @@ fn storage(
             | Qualifier::PixelCenterInteger
             | Qualifier::Location(_)
             | Qualifier::Index(_)
+            | Qualifier::Depth(_)
             | Qualifier::Block(_)
             | Qualifier::Primitive(_)
             | Qualifier::MaxVertices(_),
@@ -115,6 +116,10 @@ impl Checker<'_> {
                 }
                 Qualifier::Index(index) => {
                     interface_qualifiers.index = Some(index);
+                    continue;
+                }
+                Qualifier::Depth(depth) => {
+                    interface_qualifiers.depth = Some(depth);
                     continue;
                 }
                 Qualifier::Primitive(_) | Qualifier::MaxVertices(_) => {

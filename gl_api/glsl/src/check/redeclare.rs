@@ -6,7 +6,7 @@ use super::scope::Symbol;
 use crate::ast;
 use crate::builtins::variable::{Builtin, PER_VERTEX};
 use crate::hir::{InterfaceQualifiers, Storage, VarRef, Variable};
-use crate::language::stage_name;
+use crate::language::{Availability, stage_name};
 use crate::limits::MAX_CLIP_DISTANCES;
 use crate::text::diagnostics::Diagnostic;
 use crate::types::Type;
@@ -36,8 +36,11 @@ impl Checker<'_> {
         let fits = self.resizes(&known, ty, min_len);
         let passes = match self.stage {
             Stage::Vertex | Stage::Geometry => matches!(storage, Storage::Output(_)),
+            Stage::Fragment if builtin == Builtin::FragDepth => storage == Storage::FragmentOutput,
             Stage::Fragment => matches!(storage, Storage::Input(_)),
         };
+        let is_depth = builtin == Builtin::FragDepth;
+        let depths = self.language.has(Availability::CONSERVATIVE_DEPTH);
         let used = variable.references > 0;
         let (before, redeclared) = (variable.interface_qualifiers, variable.redeclared);
         let in_block = self.unit.per_vertex.outputs.is_some() && PER_VERTEX.contains(&&*name.text);
@@ -48,7 +51,7 @@ impl Checker<'_> {
             let message = format!("`{}` is in the redeclared `gl_PerVertex`", name.text);
             let problem = Diagnostic::error(name.span, message).rule(self.rule("7.1"));
             self.log.push(problem.help("declare it in that block alone"));
-        } else if !builtin.is_redeclarable() {
+        } else if !builtin.is_redeclarable() || is_depth && !depths {
             let message = format!("`{}` is part of the language", name.text);
             let problem = Diagnostic::error(name.span, message).rule(self.rule("3.7"));
             self.log.push(problem.help("leave the declaration out"));
@@ -58,21 +61,13 @@ impl Checker<'_> {
             self.log.push(problem.help("redeclare it as it is, or with another size that fits"));
         } else if !passes {
             let stage = stage_name(self.stage);
-            let way = if self.stage == Stage::Fragment { "in" } else { "out" };
+            let is_input = self.stage == Stage::Fragment && !is_depth;
+            let way = if is_input { "in" } else { "out" };
             let message = format!("`{}` is an `{way}` of the {stage} stage", name.text);
             self.log.push(Diagnostic::error(name.span, message).rule(self.rule("7.6")));
         } else {
-            if builtin != Builtin::FragCoord {
-                self.check_layout(name, interface_qualifiers);
-            } else if used && !redeclared {
-                let message = "`gl_FragCoord` is used before it is redeclared";
-                let rule = "ARB_fragment_coord_conventions";
-                self.log.push(Diagnostic::error(name.span, message).rule(rule));
-            } else if redeclared && before.coordinates() != interface_qualifiers.coordinates() {
-                let message = "`gl_FragCoord` has another layout in the declaration before";
-                let rule = "ARB_fragment_coord_conventions";
-                self.log.push(Diagnostic::error(name.span, message).rule(rule));
-            }
+            let before = redeclared.then_some(before);
+            self.check_redeclared_layout(builtin, name, used, (before, interface_qualifiers));
             let variable = self.variable_mut(var);
             variable.redeclared = true;
             let invariant =
@@ -84,6 +79,34 @@ impl Checker<'_> {
             }
         }
         true
+    }
+
+    /// `gl_FragCoord` and `gl_FragDepth` are redeclared before they are used, and always with the
+    /// same layout. `before` are the qualifiers of the redeclaration before.
+    fn check_redeclared_layout(
+        &mut self,
+        builtin: Builtin,
+        name: &ast::Name,
+        used: bool,
+        (before, now): (Option<InterfaceQualifiers>, InterfaceQualifiers),
+    ) {
+        let (rule, same) = if builtin == Builtin::FragCoord {
+            let same = before.is_none_or(|before| before.coordinates() == now.coordinates());
+            ("ARB_fragment_coord_conventions", same)
+        } else if builtin == Builtin::FragDepth {
+            ("ARB_conservative_depth", before.is_none_or(|before| before.depth == now.depth))
+        } else {
+            self.check_layout(name, now);
+            return;
+        };
+        let message = if !same {
+            format!("`{}` has another layout in the declaration before", name.text)
+        } else if used && before.is_none() {
+            format!("`{}` is used before it is redeclared", name.text)
+        } else {
+            return;
+        };
+        self.log.push(Diagnostic::error(name.span, message).rule(rule));
     }
 
     /// Whether a built-in variable of type `known`, of which `min_len` elements are used, can be
@@ -98,12 +121,16 @@ impl Checker<'_> {
         }
     }
 
-    /// Only `gl_FragCoord` has a layout.
+    /// Only `gl_FragCoord` and `gl_FragDepth` have a layout.
     pub(super) fn check_layout(
         &mut self,
         name: &ast::Name,
         interface_qualifiers: InterfaceQualifiers,
     ) {
+        if interface_qualifiers.depth.is_some() {
+            let message = format!("`{}` has no such layout: only gl_FragDepth has one", name.text);
+            self.log.push(Diagnostic::error(name.span, message).rule("ARB_conservative_depth"));
+        }
         if interface_qualifiers.origin_upper_left || interface_qualifiers.pixel_center_integer {
             let message = format!("`{}` has no layout: only gl_FragCoord has one", name.text);
             let rule = "ARB_fragment_coord_conventions";

@@ -58,8 +58,7 @@ impl Checker<'_> {
                     );
                 }
                 if base.ty.has_sampler() && self.version >= Version::V130 {
-                    let message = "samplers are indexed by constant expressions only";
-                    self.error(index.span, "4.1.7", message);
+                    self.dynamic_samplers(&element, index.span);
                 }
                 if let Some(root) = base.root() {
                     self.variable_mut(root).dynamically_indexed = true;
@@ -69,6 +68,23 @@ impl Checker<'_> {
         };
         let kind = ExprKind::Index(Box::new(base), Box::new(index));
         Expr { ty: element, span, constant, kind }
+    }
+
+    /// Samplers are indexed by constant expressions; drivers accept others of structures that hold
+    /// samplers, and programs rely on that.
+    fn dynamic_samplers(&mut self, element: &Type, span: Span) {
+        let message = "samplers are indexed by constant expressions only";
+        let problem = match element.base() {
+            Type::Struct(_) => Diagnostic::deviation(self.log.strictness, span, message)
+                .help("the texture is looked up in all of them, and one result is taken"),
+            Type::Void
+            | Type::Vector(..)
+            | Type::Matrix(..)
+            | Type::Sampler(_)
+            | Type::Array(..)
+            | Type::Error => Diagnostic::error(span, message),
+        };
+        self.log.push(problem.rule(self.rule("4.1.7")));
     }
 
     /// Checks a constant index; an unsized array grows with it.

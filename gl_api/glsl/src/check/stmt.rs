@@ -212,6 +212,7 @@ impl Checker<'_> {
                 | Qualifier::PixelCenterInteger
                 | Qualifier::Location(_)
                 | Qualifier::Index(_)
+                | Qualifier::Depth(_)
                 | Qualifier::Block(_)
                 | Qualifier::Primitive(_)
                 | Qualifier::MaxVertices(_) => {

@@ -5,6 +5,7 @@ mod function;
 mod recursion;
 mod stmt;
 
+use crate::ast::DepthLayout;
 use crate::builtins::variable::Builtin;
 use crate::language::Version;
 use crate::text::source::Span;
@@ -120,6 +121,8 @@ pub struct InterfaceQualifiers {
     pub location: Option<u32>,
     /// `layout(index = n)`.
     pub index: Option<u32>,
+    /// `layout(depth_less)` and the like.
+    pub depth: Option<DepthLayout>,
 }
 
 impl InterfaceQualifiers {

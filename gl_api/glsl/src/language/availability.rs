@@ -60,6 +60,9 @@ impl Availability {
     pub const FRAGMENT_COORD_CONVENTIONS: Self = Self::V150.or(Extension::FragmentCoordConventions);
     /// `layout(location = n)`.
     pub const EXPLICIT_LOCATIONS: Self = Self::V330.or(Extension::ExplicitAttribLocation);
+    /// The layouts of `gl_FragDepth`.
+    pub const CONSERVATIVE_DEPTH: Self =
+        Self::extension(Extension::AmdConservativeDepth).or(Extension::ConservativeDepth);
     /// Samplers of multisample textures.
     pub const MULTISAMPLE: Self = Self::V150.or(Extension::TextureMultisample);
 

@@ -7,6 +7,10 @@ use super::Version;
 pub enum Extension {
     /// `GL_ARB_arrays_of_arrays`: arrays of more than one dimension.
     ArraysOfArrays,
+    /// `GL_AMD_conservative_depth`: `layout(depth_less)` of `gl_FragDepth`.
+    AmdConservativeDepth,
+    /// `GL_ARB_conservative_depth`: the same.
+    ConservativeDepth,
     /// `GL_ARB_compatibility`: what GLSL 1.40 has removed, available with or without it.
     Compatibility,
     /// `GL_ARB_draw_buffers`: `gl_FragData`, which every version has.
@@ -45,8 +49,10 @@ pub enum Extension {
 
 impl Extension {
     /// Every extension and its name.
-    pub const ALL: [(Self, &'static str); 18] = [
+    pub const ALL: [(Self, &'static str); 20] = [
         (Self::ArraysOfArrays, "GL_ARB_arrays_of_arrays"),
+        (Self::AmdConservativeDepth, "GL_AMD_conservative_depth"),
+        (Self::ConservativeDepth, "GL_ARB_conservative_depth"),
         (Self::Compatibility, "GL_ARB_compatibility"),
         (Self::DrawBuffers, "GL_ARB_draw_buffers"),
         (Self::DrawInstanced, "GL_ARB_draw_instanced"),
@@ -82,6 +88,8 @@ impl Extension {
             Self::StandardDerivatives => version == Version::Es100,
             Self::Compatibility => version >= Version::V140,
             Self::ArraysOfArrays
+            | Self::AmdConservativeDepth
+            | Self::ConservativeDepth
             | Self::DrawBuffers
             | Self::DrawInstanced
             | Self::ExplicitAttribLocation

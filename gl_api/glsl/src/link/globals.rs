@@ -174,6 +174,21 @@ pub fn same_globals(units: &[&Unit], stage: &str, log: &mut Log) {
     }
 }
 
+/// If a shader redeclares `gl_FragDepth`, all shaders that write it do, with one layout
+/// (ARB_conservative_depth).
+pub fn same_depths(units: &[&Unit], log: &mut Log) {
+    let all = || units.iter().flat_map(|unit| &unit.globals).filter(|v| &*v.name == "gl_FragDepth");
+    let Some(first) = all().find(|variable| variable.redeclared) else { return };
+    let fits = |variable: &Variable| match variable.redeclared {
+        true => variable.interface_qualifiers.depth == first.interface_qualifiers.depth,
+        false => !variable.written,
+    };
+    if !all().all(fits) {
+        let message = "`gl_FragDepth` has one layout in a shader and another, or none, in another";
+        log.push(Diagnostic::link_error(message).rule("ARB_conservative_depth"));
+    }
+}
+
 /// If a shader redeclares `gl_FragCoord`, all shaders that use it do, with one layout (GLSL 1.50
 /// section 4.3.8.1).
 pub fn same_coordinates(units: &[&Unit], log: &mut Log) {

@@ -7,7 +7,7 @@ use crate::hir::{Storage, Variable};
 use crate::interface::ATTRIB_VERTEX;
 use crate::limits::{MAX_DRAW_BUFFERS, MAX_VERTEX_ATTRIBS};
 use crate::lower::Binding;
-use crate::program::{Attribute, Bindings};
+use crate::program::{Attribute, Bindings, FragmentOutput};
 use crate::text::diagnostics::{Diagnostic, Log};
 use crate::types::Type;
 
@@ -103,7 +103,7 @@ pub fn targets(
     bindings: &Bindings,
     locations: &mut BindingMap,
     log: &mut Log,
-) -> Vec<(String, u8)> {
+) -> Vec<FragmentOutput> {
     let outputs = fragment.with(|storage| storage == Storage::FragmentOutput);
     let builtin = ["gl_FragColor", "gl_FragData"];
     let old = fragment.used.iter().find(|v| v.written && builtin.contains(&&*v.name));
@@ -111,7 +111,9 @@ pub fn targets(
         let message = format!("both `{}` and the output `{}` are written", old.name, new.name);
         log.push(Diagnostic::link_error(message).rule("GLSL 1.30 section 7.2"));
     }
-    let mut taken = [false; MAX_DRAW_BUFFERS as usize];
+    // By index of the colour.
+    let mut taken = [[false; MAX_DRAW_BUFFERS as usize]; 2];
+    let index = |variable: &Variable| u8::from(variable.interface_qualifiers.index == Some(1));
     // An array takes an attachment for each element.
     let colors = |variable: &Variable| {
         (variable.ty.scalars() / variable.ty.base().scalars().max(1)) as usize
@@ -126,6 +128,7 @@ pub fn targets(
     for output in &outputs {
         let Some(target) = bound(output) else { continue };
         let first = usize::from(target);
+        let taken = &mut taken[usize::from(index(output))];
         match taken.get_mut(first..first + colors(output)) {
             Some(taken) if !taken.contains(&true) => taken.fill(true),
             Some(_) => {
@@ -140,13 +143,17 @@ pub fn targets(
                 log.push(Diagnostic::link_error(message));
             }
         }
-        locations.insert(output.name.clone(), Binding::Target(target));
+        let binding = match index(output) {
+            0 => Binding::Target(target),
+            _ => Binding::SecondColor(target),
+        };
+        locations.insert(output.name.clone(), binding);
     }
     for output in &outputs {
         if bound(output).is_some() {
             continue;
         }
-        let count = colors(output);
+        let (count, taken) = (colors(output), &mut taken[0]);
         match taken.windows(count).position(|range| !range.contains(&true)) {
             Some(free) => {
                 taken[free..free + count].fill(true);
@@ -159,7 +166,11 @@ pub fn targets(
         }
     }
     let color = |output: &&Variable| match locations.get(&output.name) {
-        Some(Binding::Target(color)) => Some((output.name.to_string(), *color)),
+        Some(Binding::Target(color) | Binding::SecondColor(color)) => Some(FragmentOutput {
+            name: output.name.to_string(),
+            color: *color,
+            index: index(output),
+        }),
         Some(Binding::Attribute(_) | Binding::Uniform(_) | Binding::Varying(_)) | None => None,
     };
     outputs.iter().filter_map(color).collect()

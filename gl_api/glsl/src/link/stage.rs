@@ -72,6 +72,7 @@ pub fn stage_units<'a>(
         }
         globals::same_globals(&units, name, log);
         globals::same_coordinates(&units, log);
+        globals::same_depths(&units, log);
     }
     if stage == Stage::Geometry {
         globals::sized_inputs(&units, log);

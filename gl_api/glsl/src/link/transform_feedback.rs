@@ -120,7 +120,8 @@ fn find(
             Binding::Varying(None)
             | Binding::Attribute(_)
             | Binding::Uniform(_)
-            | Binding::Target(_),
+            | Binding::Target(_)
+            | Binding::SecondColor(_),
         )
         | None => {
             let first = *next;

@@ -65,7 +65,13 @@ impl Lowerer<'_> {
         let each = variable.ty.element().map_or(1, |(element, _)| element.scalars()).max(1);
         let slot = match binding {
             Some(Binding::Varying(slot)) => slot,
-            Some(Binding::Attribute(_) | Binding::Uniform(_) | Binding::Target(_)) | None => None,
+            Some(
+                Binding::Attribute(_)
+                | Binding::Uniform(_)
+                | Binding::Target(_)
+                | Binding::SecondColor(_),
+            )
+            | None => None,
         };
         let read = |lowerer: &mut Self, at: u32| {
             let component = (at % each) as u16;

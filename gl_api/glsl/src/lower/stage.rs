@@ -25,6 +25,8 @@ pub enum Binding {
     Varying(Option<u16>),
     /// The render target of a fragment output.
     Target(u8),
+    /// That of an output that is the second colour of the blend function, which is not used.
+    SecondColor(u8),
 }
 
 /// The number of varying slots of scalars of these types: varyings are floats, and an integer takes
@@ -305,6 +307,9 @@ impl Lowerer<'_> {
                     self.varying_output(&storage, &types, first, copies);
                 }
                 Ok(storage)
+            }
+            (Storage::FragmentOutput, Some(Binding::SecondColor(_))) => {
+                Ok(self.new_storage(variable, &types))
             }
             (Storage::FragmentOutput, Some(Binding::Target(target))) => {
                 let storage = self.new_storage(variable, &types);

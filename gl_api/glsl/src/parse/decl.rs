@@ -126,7 +126,8 @@ impl Parser<'_> {
             let word = self.token().word().map(|word| word.to_ascii_lowercase());
             let layout = word.as_deref().and_then(|word| {
                 let block = keywords::block_layout(word, self.language).map(Qualifier::Block);
-                block.or_else(|| {
+                let depth = || keywords::depth_layout(word, self.language).map(Qualifier::Depth);
+                block.or_else(depth).or_else(|| {
                     keywords::primitive_layout(word, self.language).map(Qualifier::Primitive)
                 })
             });
@@ -146,9 +147,7 @@ impl Parser<'_> {
                 "origin_upper_left" if conventions => Some(Qualifier::OriginUpperLeft),
                 "pixel_center_integer" if conventions => Some(Qualifier::PixelCenterInteger),
                 "location" if locations => self.layout_number()?.map(Qualifier::Location),
-                "index" if self.language.has(Availability::V330) => {
-                    self.layout_number()?.map(Qualifier::Index)
-                }
+                "index" if locations => self.layout_number()?.map(Qualifier::Index),
                 "max_vertices" if geometry => self.layout_number()?.map(Qualifier::MaxVertices),
                 other => {
                     let message = format!("`{other}` is no layout");

@@ -1,6 +1,6 @@
 //! Keywords, reserved words and names (GLSL 1.30 section 3.6).
 
-use crate::ast::{BlockLayout, PrimitiveLayout, Qualifier};
+use crate::ast::{BlockLayout, DepthLayout, PrimitiveLayout, Qualifier};
 use crate::language::{Availability, Extension, Language, Version};
 use crate::types::Type;
 
@@ -13,6 +13,8 @@ const PRECISION: Availability = V130.and_es();
 /// `layout`: of `gl_FragCoord`, of attributes and outputs, of uniform blocks; a keyword from GLSL 1.40 on.
 const LAYOUT: Availability = Availability::V140
     .or(Extension::FragmentCoordConventions)
+    .or(Extension::AmdConservativeDepth)
+    .or(Extension::ConservativeDepth)
     .or(Extension::ExplicitAttribLocation);
 
 /// The layout qualifiers of uniform blocks.
@@ -22,6 +24,14 @@ const BLOCK_LAYOUTS: [(&str, BlockLayout); 5] = [
     ("std140", BlockLayout::Std140),
     ("row_major", BlockLayout::RowMajor),
     ("column_major", BlockLayout::ColumnMajor),
+];
+
+/// The layout qualifiers of `gl_FragDepth`.
+const DEPTHS: [(&str, DepthLayout); 4] = [
+    ("depth_any", DepthLayout::Any),
+    ("depth_greater", DepthLayout::Greater),
+    ("depth_less", DepthLayout::Less),
+    ("depth_unchanged", DepthLayout::Unchanged),
 ];
 
 /// The layout qualifiers of the geometry stage.
@@ -181,6 +191,12 @@ pub fn has_blocks(language: Language) -> bool {
 pub fn block_layout(word: &str, language: Language) -> Option<BlockLayout> {
     let row = BLOCK_LAYOUTS.iter().find(|row| row.0 == word && has_blocks(language));
     row.map(|row| row.1)
+}
+
+/// The layout of `gl_FragDepth` that a word is.
+pub fn depth_layout(word: &str, language: Language) -> Option<DepthLayout> {
+    let has = language.has(Availability::CONSERVATIVE_DEPTH);
+    DEPTHS.iter().find(|row| row.0 == word && has).map(|row| row.1)
 }
 
 /// The primitive of the geometry stage that a word is.

@@ -377,9 +377,10 @@ impl Preprocessor<'_> {
         };
         // Versions before 3.30 number the line of the directive itself, so that the next one is
         // `line + 1` (GLSL 1.30 section 3.3).
+        let after = i64::from(version < Version::V330);
         match self.numbers(span, &expanded).as_deref() {
-            Some([line]) => self.source.renumber(span.start, line + 1, None),
-            Some([line, string]) => self.source.renumber(span.start, line + 1, Some(*string)),
+            Some([line]) => self.source.renumber(span.start, line + after, None),
+            Some([line, string]) => self.source.renumber(span.start, line + after, Some(*string)),
             _ => self.error(span, "`#line line` or `#line line string` is expected"),
         }
     }

@@ -284,8 +284,8 @@ pub(crate) fn get_frag_data_location(
     output: &str,
 ) -> Result<GLint> {
     let outputs = &linked(context, name)?.program.outputs;
-    let found = outputs.iter().find(|(found, _)| found == output);
-    Ok(found.map_or(-1, |(_, color)| (*color).into()))
+    let found = outputs.iter().find(|found| found.name == output);
+    Ok(found.map_or(-1, |found| found.color.into()))
 }
 
 /// The words of the uniform element at a location, and their scalar type.
