@@ -155,6 +155,43 @@ const REFUSED: &[(ContextLanguage, Stage, &str, &str)] = &[
         "#version 150\n#extension GL_ARB_compatibility : require\nvoid main() {}",
         "extension `GL_ARB_compatibility` is not supported",
     ),
+    // Relaxed rules
+    (
+        Core33,
+        Vertex,
+        "#version 330\nvoid main() { float a[] = {1.0}; }",
+        "expected an expression, found `{`",
+    ),
+    (
+        Core33,
+        Vertex,
+        "#version 330\n#extension GL_ARB_shading_language_420pack : enable\nvoid main() { vec2 a = {1.0, 2.0, 3.0}; }",
+        "vec2 takes a list of 2, not of 3",
+    ),
+    (
+        Core33,
+        Vertex,
+        "#version 330\n#extension GL_ARB_shading_language_420pack : enable\nvoid main() { float a = {1.0}; }",
+        "a list gives no float",
+    ),
+    (
+        Core33,
+        Vertex,
+        "#version 330\n#extension GL_ARB_shading_language_420pack : enable\nlayout(binding = 2) uniform vec4 a;\nvoid main() {}",
+        "only samplers and uniform blocks have a binding",
+    ),
+    (
+        Core33,
+        Vertex,
+        "#version 330\n#extension GL_ARB_shading_language_420pack : enable\nlayout(binding = 9999) uniform sampler2D a[2];\nvoid main() {}",
+        "2 bindings from 9999 on",
+    ),
+    (
+        Core33,
+        Vertex,
+        "#version 330\n#extension GL_ARB_shading_language_420pack : enable\nlayout(binding = 64) uniform B { vec4 a; };\nvoid main() {}",
+        "binding 64: there are 64 bindings of uniform buffers",
+    ),
     // Layouts
     (
         Core33,
@@ -556,4 +593,25 @@ fn the_second_color_is_in_the_program() {
     let program = link(&[&shader], &Bindings::default()).program.expect("it links");
     let found = program.outputs.iter().map(|output| (&*output.name, output.color, output.index));
     assert_eq!(found.collect::<Vec<_>>(), [("a", 0, 0), ("b", 0, 1)]);
+}
+
+#[test]
+fn bindings_are_in_the_program() {
+    let head = "#version 330\n#extension GL_ARB_shading_language_420pack : enable\n";
+    let source = |binding: u32| {
+        format!(
+            "{head}layout(binding = {binding}) uniform sampler2D t[2];\nlayout(std140) layout(binding = 5) uniform B {{ vec4 a; }} b[2];\nvoid main() {{ gl_Position = texture(t[0], vec2(0.5)) + texture(t[1], vec2(0.5)) + b[1].a; }}"
+        )
+    };
+    let shader = |stage, source: &str| {
+        compiled(Core33, stage, source).unwrap_or_else(|log| panic!("{source}\n{log}"))
+    };
+    let vertex = shader(Vertex, &source(3));
+    let program = link(&[&vertex], &Bindings::default()).program.expect("it links");
+    assert_eq!(program.uniforms[0].initial, [3, 4]);
+    let bindings: Vec<u32> = program.blocks.iter().map(|block| block.binding).collect();
+    assert_eq!(bindings, [5, 6]);
+    let other = source(4).replace("gl_Position", "gl_FragColor");
+    let linked = link(&[&vertex, &shader(Fragment, &other)], &Bindings::default());
+    assert!(linked.log.contains("uniform `t` has the bindings 3 and 4"), "{}", linked.log);
 }

@@ -83,6 +83,8 @@ pub struct UniformBlock {
     pub bytes: u32,
     /// Its first word; `None` if no stage reads it.
     pub word: Option<u32>,
+    /// The binding that the shader gives it.
+    pub binding: u32,
     /// The range of its members in [`Program::members`].
     pub members: std::ops::Range<u32>,
     /// Which stages read it.

@@ -30,7 +30,7 @@ pub(crate) const MAX_SAMPLES: u8 = rasterizer::driver::MAX_SAMPLES as u8;
 /// `GL_MAX_TEXTURE_LOD_BIAS`.
 pub(crate) const MAX_TEXTURE_LOD_BIAS: f32 = 16.0;
 /// `GL_MAX_UNIFORM_BUFFER_BINDINGS`.
-pub(crate) const MAX_UNIFORM_BUFFER_BINDINGS: usize = 64;
+pub(crate) const MAX_UNIFORM_BUFFER_BINDINGS: usize = glsl::limits::MAX_UNIFORM_BUFFER_BINDINGS;
 /// `GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT`: what rows of blocks in one buffer are a multiple of.
 pub(crate) const UNIFORM_BUFFER_OFFSET_ALIGNMENT: usize = 16;
 /// `GL_MAX_VARYING_FLOATS`.

@@ -16,7 +16,8 @@ pub(crate) struct BlockState {
 impl BlockState {
     /// The blocks of a program that was just linked.
     pub fn of(program: &glsl::Program) -> Vec<Self> {
-        vec![Self::default(); program.blocks.len()]
+        let state = |block: &glsl::UniformBlock| Self { binding: block.binding, source: None };
+        program.blocks.iter().map(state).collect()
     }
 
     /// Whether the words were filled from this range, and the buffer has not changed since.

@@ -180,6 +180,7 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     "GL_ARB_timer_query",
     "GL_ARB_vertex_type_2_10_10_10_rev",
     // 2011
+    "GL_ARB_shading_language_420pack",
     "GL_ARB_texture_storage",
     // 2012
     "GL_ARB_arrays_of_arrays",

@@ -223,6 +223,25 @@ pub const TABLE: &[Row] = &[
         "int i = 5; uint n = 3u; i <<= n; n |= 4u; n &= 6u; n ^= 1u; r = vec4(i, n, i >> n, ~i + 41);",
         [40.0, 7.0, 0.0, 0.0],
     ),
+    // What GLSL 4.20 has relaxed
+    Row(
+        130,
+        "#extension GL_ARB_shading_language_420pack : enable\n",
+        "float a[] = {1.0, 2.0, u.z,}; vec4 v = {a[0], a[1], a[2], a.length()}; r = v;",
+        [1.0, 2.0, 3.0, 3.0],
+    ),
+    Row(
+        130,
+        "#extension GL_ARB_shading_language_420pack : enable\nstruct S { vec2 p; mat2 m; };\nconst S s[2] = {{{1, 2}, {{3, 4}, {5, 6}}}, S(vec2(7.0), mat2(8.0))};\n",
+        "r = vec4(s[0].p.y, s[0].m[1].y, s[1].p.length() + s[1].m.length(), s[1].m[1].y);",
+        [2.0, 6.0, 4.0, 8.0],
+    ),
+    Row(
+        130,
+        "#extension GL_ARB_shading_language_420pack : enable\nvec4 f(in const highp int n) { return ivec4(n); }\n",
+        "const float c = u.y; r = c.xxxx; r.x += f(3).x; c.x; r.w = c.r;",
+        [5.0, 2.0, 2.0, 2.0],
+    ),
     // Profiles of 1.50
     Row(
         150,

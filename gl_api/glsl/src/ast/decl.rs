@@ -79,6 +79,8 @@ pub enum Qualifier {
     Location(u32),
     /// `layout(index = n)` of an output of the fragment stage.
     Index(u32),
+    /// `layout(binding = n)` of samplers and uniform blocks.
+    Binding(u32),
     /// `layout(depth_less)` and the like of `gl_FragDepth`.
     Depth(DepthLayout),
     /// `layout(std140)` and the like, of uniform blocks.
@@ -145,6 +147,7 @@ impl Qualifier {
             | Self::PixelCenterInteger
             | Self::Location(_)
             | Self::Index(_)
+            | Self::Binding(_)
             | Self::Depth(_)
             | Self::Block(_)
             | Self::Primitive(_)
@@ -173,6 +176,7 @@ impl Qualifier {
             | Self::PixelCenterInteger
             | Self::Location(_)
             | Self::Index(_)
+            | Self::Binding(_)
             | Self::Depth(_)
             | Self::Block(_)
             | Self::Primitive(_)

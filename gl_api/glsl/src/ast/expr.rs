@@ -50,6 +50,8 @@ pub enum ExprKind {
     Call(Name, Vec<Expr>),
     /// `type(arguments)`.
     Construct(TypeName, Vec<Expr>),
+    /// `{a, b}`: the list of an initializer.
+    List(Vec<Expr>),
     /// A syntax error, reported already.
     Error,
 }

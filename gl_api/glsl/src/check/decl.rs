@@ -214,7 +214,7 @@ impl Checker<'_> {
             if self.redeclares_builtin(declared, &ty, storage, interface_qualifiers) {
                 continue;
             }
-            let init = declared.init.as_ref().map(|init| self.expr(init));
+            let init = declared.init.as_ref().map(|init| self.initializer(init, &ty));
             let ty = self.sized_by(ty, init.as_ref(), declared.name.span);
             let ty = self.passed_type(ty, storage, declared.name.span);
             if let Some(var) = self.completes_array(declared, &ty) {
@@ -228,6 +228,7 @@ impl Checker<'_> {
             self.check_new(&declared.name);
             self.check_interface_type(storage, &ty, declared.name.span);
             self.check_layout(&declared.name, interface_qualifiers);
+            self.check_binding(storage, &ty, interface_qualifiers);
             let type_span = (declaration.names.len() == 1).then_some(declaration.ty.ty.span);
             let mut variable = self.new_variable(declared, ty, storage);
             variable.type_span = type_span.filter(|_| declared.array.is_empty());
@@ -284,7 +285,9 @@ impl Checker<'_> {
             return;
         }
         let words = self.evaluate(&init);
+        let relaxed = self.body.is_some() && self.language.has(Availability::RELAXED);
         let must_fold = match variable.storage {
+            Storage::Const if relaxed => None,
             Storage::Const => Some("a constant"),
             Storage::Uniform => Some("a uniform"),
             // Desktop GLSL runs other initializers before `main` (section 4.3).

@@ -64,6 +64,10 @@ impl Checker<'_> {
             ast::ExprKind::Method(base, name) => self.method(base, name, span),
             ast::ExprKind::Call(name, arguments) => self.call(name, arguments, span),
             ast::ExprKind::Construct(ty, arguments) => self.construct(ty, arguments, span),
+            ast::ExprKind::List(_) => {
+                self.error(span, "4.1.11", "a list stands only behind the `=` of a declaration");
+                Expr::error(span)
+            }
             ast::ExprKind::Error => Expr::error(span),
         }
     }

@@ -73,6 +73,7 @@ impl Checker<'_> {
                 | Qualifier::PixelCenterInteger
                 | Qualifier::Location(_)
                 | Qualifier::Index(_)
+                | Qualifier::Binding(_)
                 | Qualifier::Depth(_)
                 | Qualifier::Block(_)
                 | Qualifier::Primitive(_)

@@ -1,11 +1,13 @@
 //! Syntax tree to checked shader: names, types, qualifiers, constants (GLSL 1.30 chapters 4 to 6).
 
+mod binding;
 mod call;
 mod construct;
 mod decl;
 mod expr;
 mod functions;
 mod geometry;
+mod initializer;
 mod integer_overloads;
 mod interface_block;
 mod lvalue;

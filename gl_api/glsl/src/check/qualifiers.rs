@@ -44,6 +44,7 @@ fn storage(
             | Qualifier::PixelCenterInteger
             | Qualifier::Location(_)
             | Qualifier::Index(_)
+            | Qualifier::Binding(_)
             | Qualifier::Depth(_)
             | Qualifier::Block(_)
             | Qualifier::Primitive(_)
@@ -118,6 +119,10 @@ impl Checker<'_> {
                     interface_qualifiers.index = Some(index);
                     continue;
                 }
+                Qualifier::Binding(binding) => {
+                    interface_qualifiers.binding = Some((binding, span));
+                    continue;
+                }
                 Qualifier::Depth(depth) => {
                     interface_qualifiers.depth = Some(depth);
                     continue;
@@ -163,7 +168,8 @@ impl Checker<'_> {
 
     /// Qualifiers have a fixed order (GLSL 1.30 section 4.7).
     pub(super) fn check_order(&mut self, qualifiers: &[(Qualifier, Span)]) {
-        if self.language.enabled(Extension::GpuShader4) {
+        let any_order = [Extension::GpuShader4, Extension::ShadingLanguage420Pack];
+        if any_order.into_iter().any(|extension| self.language.enabled(extension)) {
             return;
         }
         let wrong = qualifiers.windows(2).find(|pair| pair[0].0.rank() > pair[1].0.rank());

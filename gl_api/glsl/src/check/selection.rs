@@ -4,7 +4,7 @@ use super::Checker;
 use super::expr::word;
 use crate::ast;
 use crate::hir::{Expr, ExprKind, Storage};
-use crate::language::Version;
+use crate::language::{Availability, Version};
 use crate::limits::{MAX_CLIP_DISTANCES, MAX_IMPLICIT_SIZE, MAX_SCALARS};
 use crate::text::diagnostics::Diagnostic;
 use crate::text::source::Span;
@@ -141,20 +141,22 @@ impl Checker<'_> {
                 let (ty, constant) = (structure.fields[index].1.clone(), base.constant);
                 Expr { ty, span, constant, kind: ExprKind::Field(Box::new(base), index as u32) }
             }
-            Type::Vector(scalar, size @ 2..) => match swizzle(&name.text, *size) {
-                Ok(components) => {
-                    let ty = Type::Vector(*scalar, components.len() as u8);
-                    let constant = base.constant;
-                    let kind = ExprKind::Swizzle(Box::new(base), components);
-                    Expr { ty, span, constant, kind }
+            Type::Vector(scalar, size) if *size > 1 || self.language.has(Availability::RELAXED) => {
+                match swizzle(&name.text, *size) {
+                    Ok(components) => {
+                        let ty = Type::Vector(*scalar, components.len() as u8);
+                        let constant = base.constant;
+                        let kind = ExprKind::Swizzle(Box::new(base), components);
+                        Expr { ty, span, constant, kind }
+                    }
+                    Err(problem) => {
+                        let message = format!("`.{}` on {}: {problem}", name.text, base.ty);
+                        let rule = format!("{} section 5.5", self.version.title());
+                        self.log.push(Diagnostic::error(name.span, message).rule(rule));
+                        Expr::error(span)
+                    }
                 }
-                Err(problem) => {
-                    let message = format!("`.{}` on {}: {problem}", name.text, base.ty);
-                    let rule = format!("{} section 5.5", self.version.title());
-                    self.log.push(Diagnostic::error(name.span, message).rule(rule));
-                    Expr::error(span)
-                }
-            },
+            }
             ty => {
                 let message = format!("{ty} has no members or components");
                 self.error(name.span, "4.1.8", message);
@@ -180,6 +182,16 @@ impl Checker<'_> {
                     self.error(name.span, "5.7", message);
                 }
                 word(span, INT, *len)
+            }
+            Type::Vector(_, size @ 2..)
+                if &*name.text == "length" && self.language.has(Availability::RELAXED) =>
+            {
+                word(span, INT, (*size).into())
+            }
+            Type::Matrix(columns, _)
+                if &*name.text == "length" && self.language.has(Availability::RELAXED) =>
+            {
+                word(span, INT, (*columns).into())
             }
             ty => {
                 let message = format!("{ty} has no function `{}`", name.text);

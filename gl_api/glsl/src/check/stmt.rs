@@ -5,6 +5,7 @@ use super::operators::converts;
 use super::scope::Symbol;
 use crate::ast::{self, Qualifier, StmtKind};
 use crate::hir::{Case, Expr, Loop, Stmt, Storage, VarRef};
+use crate::language::Availability;
 use crate::text::diagnostics::Diagnostic;
 use crate::text::source::Span;
 use crate::types::{BOOL, Scalar, Type};
@@ -212,6 +213,7 @@ impl Checker<'_> {
                 | Qualifier::PixelCenterInteger
                 | Qualifier::Location(_)
                 | Qualifier::Index(_)
+                | Qualifier::Binding(_)
                 | Qualifier::Depth(_)
                 | Qualifier::Block(_)
                 | Qualifier::Primitive(_)
@@ -228,7 +230,7 @@ impl Checker<'_> {
         }
         for declared in &declaration.names {
             let ty = self.type_of(&declaration.ty.ty, &declared.array);
-            let init = declared.init.as_ref().map(|init| self.expr(init));
+            let init = declared.init.as_ref().map(|init| self.initializer(init, &ty));
             let ty = self.sized_by(ty, init.as_ref(), declared.name.span);
             if let Some(var) = self.completes_array(declared, &ty) {
                 if let (Some(init), VarRef::Local(local)) = (init, var) {
@@ -276,7 +278,8 @@ impl Checker<'_> {
 
     /// The value of a `return`, which is not converted.
     fn returned(&mut self, value: Expr, ty: &Type) -> Expr {
-        if value.ty == *ty || !converts(&value.ty, ty, self.version) {
+        let relaxed = self.language.has(Availability::RELAXED);
+        if relaxed || value.ty == *ty || !converts(&value.ty, ty, self.version) {
             return self.implicit_conversion(value, ty, "return");
         }
         let message = format!("cannot return {} where {ty} is needed", value.ty);

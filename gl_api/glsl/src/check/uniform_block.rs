@@ -58,6 +58,9 @@ impl Checker<'_> {
     ) -> Vec<(BlockLayout, Span)> {
         let mut layouts = Vec::new();
         for &(qualifier, span) in words {
+            if matches!(qualifier, Qualifier::Binding(_)) {
+                continue;
+            }
             if let Qualifier::Block(layout) = qualifier {
                 layouts.push((layout, span));
             } else if !others.contains(&qualifier) {
@@ -172,7 +175,15 @@ impl Checker<'_> {
             let members = InstanceMembers::Uniform(var);
             self.add_instance(&instance.name, &block.name, !instance.array.is_empty(), members);
         }
+        let binding = qualifiers.iter().find_map(|&(qualifier, span)| {
+            if let Qualifier::Binding(binding) = qualifier { Some((binding, span)) } else { None }
+        });
+        if let Some(binding) = binding {
+            let instances = ty.scalars() / ty.base().scalars().max(1);
+            self.check_block_binding(binding, instances);
+        }
         let variable = self.variable_mut(var);
+        variable.interface_qualifiers.binding = binding;
         variable.ty = ty;
         variable.block = Some(Arc::new(block));
     }

@@ -121,11 +121,18 @@ pub struct InterfaceQualifiers {
     pub location: Option<u32>,
     /// `layout(index = n)`.
     pub index: Option<u32>,
+    /// `layout(binding = n)`, and where it stands.
+    pub binding: Option<(u32, Span)>,
     /// `layout(depth_less)` and the like.
     pub depth: Option<DepthLayout>,
 }
 
 impl InterfaceQualifiers {
+    /// The number of `layout(binding = n)`.
+    pub fn bound(self) -> Option<u32> {
+        self.binding.map(|(binding, _)| binding)
+    }
+
     /// The layout of `gl_FragCoord`.
     pub fn coordinates(self) -> [bool; 2] {
         [self.origin_upper_left, self.pixel_center_integer]

@@ -63,6 +63,8 @@ impl Availability {
     /// The layouts of `gl_FragDepth`.
     pub const CONSERVATIVE_DEPTH: Self =
         Self::extension(Extension::AmdConservativeDepth).or(Extension::ConservativeDepth);
+    /// What GLSL 4.20 has relaxed: lists as initializers, qualifiers in any order, bindings.
+    pub const RELAXED: Self = Self::extension(Extension::ShadingLanguage420Pack);
     /// Samplers of multisample textures.
     pub const MULTISAMPLE: Self = Self::V150.or(Extension::TextureMultisample);
 

@@ -25,6 +25,9 @@ pub enum Extension {
     ShaderBitEncoding,
     /// `GL_ARB_shader_stencil_export`: `gl_FragStencilRefARB`.
     ShaderStencilExport,
+    /// `GL_ARB_shading_language_420pack`: lists as initializers, `layout(binding = n)`, qualifiers in
+    /// any order.
+    ShadingLanguage420Pack,
     /// `GL_ARB_shader_texture_lod`: explicit levels and gradients in both stages.
     ShaderTextureLod,
     /// `GL_ARB_texture_cube_map_array`: `samplerCubeArray`.
@@ -49,7 +52,7 @@ pub enum Extension {
 
 impl Extension {
     /// Every extension and its name.
-    pub const ALL: [(Self, &'static str); 20] = [
+    pub const ALL: [(Self, &'static str); 21] = [
         (Self::ArraysOfArrays, "GL_ARB_arrays_of_arrays"),
         (Self::AmdConservativeDepth, "GL_AMD_conservative_depth"),
         (Self::ConservativeDepth, "GL_ARB_conservative_depth"),
@@ -60,6 +63,7 @@ impl Extension {
         (Self::FragmentCoordConventions, "GL_ARB_fragment_coord_conventions"),
         (Self::ShaderBitEncoding, "GL_ARB_shader_bit_encoding"),
         (Self::ShaderStencilExport, "GL_ARB_shader_stencil_export"),
+        (Self::ShadingLanguage420Pack, "GL_ARB_shading_language_420pack"),
         (Self::ShaderTextureLod, "GL_ARB_shader_texture_lod"),
         (Self::TextureCubeMapArray, "GL_ARB_texture_cube_map_array"),
         (Self::TextureGather, "GL_ARB_texture_gather"),
@@ -91,6 +95,7 @@ impl Extension {
             | Self::AmdConservativeDepth
             | Self::ConservativeDepth
             | Self::DrawBuffers
+            | Self::ShadingLanguage420Pack
             | Self::DrawInstanced
             | Self::ExplicitAttribLocation
             | Self::FragmentCoordConventions

@@ -29,6 +29,7 @@ pub struct Blocks {
 /// The active blocks: all but those that are `packed` and not referenced.
 pub fn blocks(stages: &[&StageUnits<'_>], words: &mut Words, log: &mut Log) -> Blocks {
     let mut blocks = Blocks::default();
+    let bindings = bindings(stages, log);
     for (variable, block) in declared(stages, log) {
         let named = |stage: &&&StageUnits<'_>| {
             stage.used.iter().any(|used| used.block.is_some() && used.name == variable.name)
@@ -69,9 +70,11 @@ pub fn blocks(stages: &[&StageUnits<'_>], words: &mut Words, log: &mut Log) -> B
             blocks.words.insert(variable.name.clone(), words.next);
         }
         // The instances of an array are blocks of their own with the same members.
-        for name in instances(&block.name, &variable.ty) {
+        let bound = bindings.get(&*variable.name).copied();
+        for (number, name) in (0..).zip(instances(&block.name, &variable.ty)) {
             blocks.list.push(UniformBlock {
                 name,
+                binding: bound.map_or(0, |first| first + number),
                 bytes,
                 word: (!readers.is_empty()).then_some(words.next),
                 members: first..blocks.members.len() as u32,
@@ -101,6 +104,26 @@ pub fn blocks(stages: &[&StageUnits<'_>], words: &mut Words, log: &mut Log) -> B
         }
     }
     blocks
+}
+
+/// The bindings that shaders give to blocks, by the name of the variable; all must be the same.
+fn bindings<'a>(stages: &[&StageUnits<'a>], log: &mut Log) -> BTreeMap<&'a str, u32> {
+    let mut bindings = BTreeMap::new();
+    for variable in stages.iter().flat_map(|stage| stage.declared()) {
+        let (Some(block), Some(binding)) = (&variable.block, variable.interface_qualifiers.bound())
+        else {
+            continue;
+        };
+        let first = *bindings.entry(&*variable.name).or_insert(binding);
+        if first != binding {
+            let message = format!(
+                "the uniform block `{}` has the bindings {first} and {binding}",
+                block.name
+            );
+            log.push(Diagnostic::link_error(message).rule("ARB_shading_language_420pack"));
+        }
+    }
+    bindings
 }
 
 /// The names of the instances of a block of this type: `block[0]`, `block[1]` of an array.

@@ -57,6 +57,16 @@ pub fn uniforms(
         }
         let Some(&index) = names.get(&*variable.name) else { continue };
         let (known, value) = &mut all[index];
+        let bound = [&**known, variable].map(|of| of.interface_qualifiers.bound());
+        if let [Some(a), Some(b)] = bound
+            && a != b
+        {
+            let message = format!("uniform `{}` has the bindings {a} and {b}", variable.name);
+            log.push(Diagnostic::link_error(message).rule("ARB_shading_language_420pack"));
+        } else if let [None, Some(_)] = bound {
+            (*known, *value) = (variable, initial(variable, &mut log.work));
+            continue;
+        }
         let mine = initial(variable, &mut log.work);
         if known.init.is_none() && variable.init.is_some() {
             (*known, *value) = (variable, mine);
@@ -94,6 +104,10 @@ pub fn uniforms(
 }
 
 fn initial(variable: &Variable, work: &mut Work) -> Vec<u32> {
+    if let Some(binding) = variable.interface_qualifiers.bound() {
+        // The units of an array follow each other.
+        return (0..variable.ty.scalars()).map(|at| binding.saturating_add(at)).collect();
+    }
     let words = variable.init.as_ref().and_then(|init| lower::constant(init, &[], &[], work));
     words.unwrap_or_else(|| vec![0; variable.ty.scalars() as usize])
 }

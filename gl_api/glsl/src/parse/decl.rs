@@ -69,7 +69,7 @@ impl Parser<'_> {
             let span = self.span();
             if &**word == "layout" && keywords::has_layout(self.language) {
                 layouts += 1;
-                if layouts == 2 {
+                if layouts == 2 && !keywords::is_relaxed(self.language) {
                     let message = "a declaration has one `layout(...)` before GLSL 4.20";
                     let problem = Diagnostic::error(span, message);
                     self.log.push(problem.help("write all layouts in one, with commas between"));
@@ -148,6 +148,9 @@ impl Parser<'_> {
                 "pixel_center_integer" if conventions => Some(Qualifier::PixelCenterInteger),
                 "location" if locations => self.layout_number()?.map(Qualifier::Location),
                 "index" if locations => self.layout_number()?.map(Qualifier::Index),
+                "binding" if keywords::is_relaxed(self.language) => {
+                    self.layout_number()?.map(Qualifier::Binding)
+                }
                 "max_vertices" if geometry => self.layout_number()?.map(Qualifier::MaxVertices),
                 other => {
                     let message = format!("`{other}` is no layout");
@@ -310,7 +313,7 @@ impl Parser<'_> {
         loop {
             let name = self.declared_name(&ty)?;
             let array = self.array_sizes()?;
-            let init = if self.eat("=") { Some(self.assignment()?) } else { None };
+            let init = if self.eat("=") { Some(self.initializer()?) } else { None };
             names.push(Declarator { name, array, init });
             if !self.eat(",") {
                 return Ok(Declaration { ty, names });

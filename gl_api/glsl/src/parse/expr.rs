@@ -215,6 +215,29 @@ impl Parser<'_> {
         self.node_at(span, depth, ExprKind::Construct(ty, arguments))
     }
 
+    /// The value of a declaration: an expression or a list (ARB_shading_language_420pack).
+    pub(super) fn initializer(&mut self) -> ParseResult<Expr> {
+        if !self.is("{") || !keywords::is_relaxed(self.language) {
+            return self.assignment();
+        }
+        self.nested(Self::list)
+    }
+
+    fn list(&mut self) -> ParseResult<Expr> {
+        let start = self.span();
+        self.bump();
+        let mut items = Vec::new();
+        while !self.is("}") {
+            items.push(self.initializer()?);
+            if !self.eat(",") {
+                break;
+            }
+        }
+        self.expect("}")?;
+        let depth = 1 + items.iter().map(|item| item.depth).max().unwrap_or(0);
+        self.node_at(start.to(self.last_span()), depth, ExprKind::List(items))
+    }
+
     /// `(a, b, ...)`.
     fn arguments(&mut self) -> ParseResult<Vec<Expr>> {
         self.expect("(")?;

@@ -13,6 +13,7 @@ const PRECISION: Availability = V130.and_es();
 /// `layout`: of `gl_FragCoord`, of attributes and outputs, of uniform blocks; a keyword from GLSL 1.40 on.
 const LAYOUT: Availability = Availability::V140
     .or(Extension::FragmentCoordConventions)
+    .or(Extension::ShadingLanguage420Pack)
     .or(Extension::AmdConservativeDepth)
     .or(Extension::ConservativeDepth)
     .or(Extension::ExplicitAttribLocation);
@@ -180,6 +181,11 @@ pub fn missing_qualifier(word: &str, language: Language) -> Option<Availability>
 /// Whether the language has `layout(...)`.
 pub fn has_layout(language: Language) -> bool {
     language.has(LAYOUT) || has_blocks(language)
+}
+
+/// Whether the language has what GLSL 4.20 has relaxed.
+pub fn is_relaxed(language: Language) -> bool {
+    language.has(Availability::RELAXED)
 }
 
 /// Whether the language has uniform blocks.
