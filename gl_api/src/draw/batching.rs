@@ -52,7 +52,7 @@ pub(crate) fn try_append(context: &mut Context, topology: Topology, elements: &E
         return false;
     }
     // Counts primitives; nothing is captured.
-    if crate::draw::capture::draw(context, topology, &[], elements).is_err() {
+    if crate::draw::capture::draw(context, (topology, topology), &[], elements).is_err() {
         return false;
     }
     context.recorder.add_draw(context.state_changes.calls, known, elements);

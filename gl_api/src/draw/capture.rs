@@ -1,47 +1,61 @@
-//! Transform feedback: what a draw writes to the buffers, by running its vertex stage once more; and the counts of
-//! primitives for queries.
+//! Transform feedback: what a draw writes to the buffers, by running its vertex and its geometry stage once more; and the
+//! counts of primitives for queries.
 
 use crate::base::error::{Result, invalid_operation};
 use crate::context::Context;
 use crate::context::recorder::elements::Elements;
-use crate::context::recorder::vertex_stage::{Outputs, VertexInstance, Vertices};
-use crate::draw::vertex_stage::shade;
+use crate::context::recorder::vertex_stage::{Outputs, PreparedStage, VertexInstance, Vertices};
+use crate::draw::stages::choose;
+use crate::draw::vertex_stage::{shade, shade_with};
 use crate::glsl::{BufferMode, Captured, CapturedScalar};
+use crate::objects::programs::Linked;
 use crate::objects::queries::{GENERATED, WRITTEN};
 use crate::state::transform_feedback::{Active, CapturedPrimitive, SECTION};
-use rasterizer::driver::{Primitive, Topology, VertexBinding, primitives};
-use texunit::lanes::math;
+use rasterizer::driver::{
+    Antialiasing, Primitive, Primitives, Topology, VertexBinding, primitives,
+};
+use rasterizer::ir::GeometryInterface;
+use texunit::lanes::{LANES, math};
 
 /// The number of primitives that are shaded and written at once.
 const CHUNK: usize = 1 << 12;
 
-/// Counts the primitives of a draw, and captures them if transform feedback is active.
+/// Whether a query counts what a geometry shader emits.
+pub(crate) fn counts_emitted(context: &Context) -> bool {
+    context.queries.names[GENERATED] != 0 && interface(context).is_some()
+}
+
+/// The interface of the geometry stage of the program in use.
+fn interface(context: &Context) -> Option<&GeometryInterface> {
+    let name = context.state.bindings.program.name();
+    context.objects.shared.linked_program(name).and_then(Linked::geometry_interface)
+}
+
+/// Counts the primitives of a draw, and captures them if transform feedback is active. The second topology is that of
+/// what is drawn, which a geometry shader may make of others.
 ///
 /// # Errors
 /// `GL_INVALID_OPERATION` if they are not what is captured, or a buffer is mapped; as a draw.
 pub(crate) fn draw(
     context: &mut Context,
-    topology: Topology,
+    (topology, drawn): (Topology, Topology),
     vertices: &[VertexBinding],
     elements: &Elements,
 ) -> Result<()> {
     let (count, instances) = elements.counts();
     let all = primitives(topology, context.state.raster.provoking, count);
     let made = u64::from(all.len) * instances.len() as u64;
+    if let Some(interface) = interface(context).cloned() {
+        if context.transform_feedback.is_active() || counts_emitted(context) {
+            return emitted(context, (&all, drawn), &interface, vertices, elements);
+        }
+        return Ok(());
+    }
     let Some(mut active) = context.transform_feedback.active else {
         context.count_primitives(made, 0);
         return Ok(());
     };
-    if CapturedPrimitive::of(topology) != active.kind {
-        return invalid_operation(
-            SECTION,
-            format!(
-                "mode draws {}, but glBeginTransformFeedback was called for {}",
-                CapturedPrimitive::of(topology).noun(),
-                active.kind.noun()
-            ),
-        );
-    }
+    check_kind(drawn, &active)?;
     let Some(layout) = Layout::of(context) else { return Ok(()) };
     layout.check(context)?;
     let mut written = 0;
@@ -67,6 +81,75 @@ pub(crate) fn draw(
         }
     }
     context.transform_feedback.active = Some(active);
+    context.count_primitives(made, written);
+    Ok(())
+}
+
+/// Refuses primitives that are not what is captured.
+fn check_kind(drawn: Topology, active: &Active) -> Result<()> {
+    let kind = CapturedPrimitive::of(drawn);
+    if kind != active.kind {
+        return invalid_operation(
+            SECTION,
+            format!(
+                "mode draws {}, but glBeginTransformFeedback was called for {}",
+                kind.noun(),
+                active.kind.noun()
+            ),
+        );
+    }
+    Ok(())
+}
+
+/// Counts what the geometry stage makes of the primitives of a draw, and captures it if transform feedback is active.
+fn emitted(
+    context: &mut Context,
+    (all, drawn): (&Primitives, Topology),
+    interface: &GeometryInterface,
+    vertices: &[VertexBinding],
+    elements: &Elements,
+) -> Result<()> {
+    let mut active = context.transform_feedback.active;
+    let mut layout = None;
+    if let Some(active) = &active {
+        check_kind(drawn, active)?;
+        layout = Layout::of(context);
+        if let Some(layout) = &layout {
+            layout.check(context)?;
+        }
+    }
+    let each = usize::from(interface.input.vertices());
+    let corners = CapturedPrimitive::of(drawn).corners();
+    let most = (CHUNK as u32 / interface.max_vertices.max(1)).max(LANES as u32);
+    let provoking = context.state.raster.provoking;
+    let (mut made, mut written, mut is_full) = (0, 0, false);
+    let (_, instances) = elements.counts();
+    for instance in instances {
+        for first in (0..all.len).step_by(most as usize) {
+            let chunk = first..all.len.min(first.saturating_add(most));
+            let numbers: Vec<u32> = chunk.clone().map(|at| all.number(at)).collect();
+            let ids = chunk.flat_map(|at| {
+                let own = all.with_adjacency(at).into_iter().take(each);
+                own.map(|at| VertexInstance { vertex: elements.number(at), instance })
+            });
+            let ids: Vec<VertexInstance> = ids.collect();
+            let stages = choose(context, vertices, Antialiasing::Aliased)?;
+            let Some(geometry) = PreparedStage::of_geometry(context, &stages) else {
+                return Ok(());
+            };
+            let shaded = shade_with(context, stages, vertices, &ids, Outputs::All)?;
+            let machine = (context.recorder.isa(), &mut context.feedback.machine);
+            let emitted = geometry.emit(machine, interface, (&shaded, &numbers), provoking)?;
+            let asked = (emitted.len() / corners) as u64;
+            made += asked;
+            if let (Some(active), Some(layout), false) = (&mut active, &layout, is_full) {
+                let fit = layout.write(context, &emitted, active);
+                written += fit;
+                is_full = fit < asked;
+            }
+        }
+    }
+    context.transform_feedback.active = active;
     context.count_primitives(made, written);
     Ok(())
 }

@@ -62,4 +62,5 @@ pub(crate) fn allows_reuse(context: &Context) -> bool {
         && context.compiling.is_none()
         && context.watched.is_none()
         && !context.transform_feedback.is_active()
+        && !crate::draw::capture::counts_emitted(context)
 }

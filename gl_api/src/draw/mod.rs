@@ -32,6 +32,8 @@ pub(crate) mod draw_reuse;
 pub(crate) mod emitted_state;
 pub(crate) mod feedback;
 pub(crate) mod fixed_function;
+#[cfg(test)]
+mod geometry_tests;
 pub(crate) mod material;
 mod mirror;
 pub(crate) mod no_effect;

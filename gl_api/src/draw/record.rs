@@ -67,7 +67,7 @@ pub(crate) fn draw(
     draw_pending(context);
     if let Some(words) = crate::draw::draw_reuse::words(context, topology, &vertices, elements) {
         // Counts primitives; nothing is captured.
-        crate::draw::capture::draw(context, topology, &[], elements)?;
+        crate::draw::capture::draw(context, (topology, topology), &[], elements)?;
         emit_words(&mut context.recorder, words);
         emit_vertices(context, vertices, elements);
         return Ok(());
@@ -77,11 +77,11 @@ pub(crate) fn draw(
     if context.queries.discards() {
         return Ok(());
     }
-    crate::draw::capture::draw(context, topology, &vertices, elements)?;
+    let drawn = drawn_topology(context, topology)?;
+    crate::draw::capture::draw(context, (topology, drawn), &vertices, elements)?;
     if !is_rasterized(context, topology, &vertices, elements)? {
         return Ok(());
     }
-    let drawn = drawn_topology(context, topology)?;
     let antialiasing = smoothness(context, drawn);
     // This may submit what was recorded, if a texture of this draw was drawn to.
     let Stages { vertex, geometry, fragment, reads } =

@@ -7,6 +7,7 @@ use crate::context::recorder::stages::Stages;
 use crate::context::recorder::vertex_stage::{Outputs, PreparedStage, VertexInstance, Vertices};
 use rasterizer::driver::{Antialiasing, VertexBinding, VertexSource};
 use rasterizer::ir::Input;
+use std::sync::Arc;
 use texunit::lanes::{Isa, LANES, U32s};
 
 /// An input of the stage for up to 64 vertices.
@@ -64,6 +65,15 @@ impl PreparedStage {
         Self { stage, prepared, textures, words: reads.words, keys: reads.keys }
     }
 
+    /// The geometry stage of a draw, if there is one.
+    pub fn of_geometry(context: &mut Context, stages: &Stages) -> Option<Self> {
+        let module = stages.geometry.as_ref()?;
+        let stage = context.recorder.standalone_stage(module, Outputs::All);
+        let (words, textures) = (&stages.reads.words, Arc::clone(&stages.reads.geometry_textures));
+        let prepared = stage.program.prepare(context.recorder.isa(), words, &textures);
+        Some(Self { stage, prepared, textures, words: Vec::new(), keys: None })
+    }
+
     /// The same stage after a change of values only; `None` where another may have to be chosen.
     pub fn again(mut self, context: &mut Context) -> Option<Self> {
         let keys = self.keys.as_ref().filter(|_| self.textures.is_empty())?;
@@ -88,6 +98,20 @@ pub(crate) fn shade(
     outputs: Outputs,
 ) -> Result<Vertices> {
     let stages = crate::draw::stages::choose(context, vertices, Antialiasing::Aliased)?;
+    shade_with(context, stages, vertices, ids, outputs)
+}
+
+/// Runs the vertex stage of these for vertices.
+///
+/// # Errors
+/// Where the shader runs too long.
+pub(crate) fn shade_with(
+    context: &mut Context,
+    stages: Stages,
+    vertices: &[VertexBinding],
+    ids: &[VertexInstance],
+    outputs: Outputs,
+) -> Result<Vertices> {
     let ready = PreparedStage::new(context, stages, outputs);
     let isa = context.recorder.isa();
     ready.run((isa, &mut context.feedback.machine), ids.len(), |wanted, of, out| {

@@ -24,7 +24,11 @@ pub(crate) struct ShaderObject {
 
 pub(crate) const STAGE: Table<glsl::Stage> = Table {
     section: SECTION,
-    rows: &[(GL_VERTEX_SHADER, glsl::Stage::Vertex), (GL_FRAGMENT_SHADER, glsl::Stage::Fragment)],
+    rows: &[
+        (GL_VERTEX_SHADER, glsl::Stage::Vertex),
+        (GL_GEOMETRY_SHADER, glsl::Stage::Geometry),
+        (GL_FRAGMENT_SHADER, glsl::Stage::Fragment),
+    ],
 };
 
 /// The length of a text with C's final zero; 0 for none.

@@ -1,5 +1,7 @@
 //! How vertices form primitives, and which sides of polygons are drawn.
 
+use crate::ir::GeometryOutput;
+
 /// How vertices form primitives (GL 2.1, section 2.6.1).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Topology {
@@ -62,6 +64,24 @@ pub enum Provoking {
     Last,
     /// Vulkan's default.
     First,
+}
+
+impl Provoking {
+    /// The corners of the primitive that ends with a vertex emitted by a geometry program, as how many vertices before
+    /// it they were emitted: none where the vertex is the first of a strip of lines, or the second of triangles.
+    /// `position` is its position in its strip, from 0. They are ordered as those of strips in draws.
+    pub fn corners_of_strip(self, output: GeometryOutput, position: u32) -> &'static [u32] {
+        match (output, position) {
+            (GeometryOutput::Points, _) => &[0],
+            (GeometryOutput::LineStrip, 0) | (GeometryOutput::TriangleStrip, 0 | 1) => &[],
+            (GeometryOutput::LineStrip, _) => &[1, 0],
+            (GeometryOutput::TriangleStrip, _) => match (position % 2, self) {
+                (0, _) => &[2, 1, 0],
+                (_, Self::Last) => &[1, 2, 0],
+                (_, Self::First) => &[2, 0, 1],
+            },
+        }
+    }
 }
 
 /// The facing of a primitive.

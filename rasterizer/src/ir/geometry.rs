@@ -47,17 +47,6 @@ pub enum GeometryOutput {
     TriangleStrip,
 }
 
-impl GeometryOutput {
-    /// How many vertices a primitive has: a strip of fewer vertices makes none.
-    pub fn vertices(self) -> u32 {
-        match self {
-            Self::Points => 1,
-            Self::LineStrip => 2,
-            Self::TriangleStrip => 3,
-        }
-    }
-}
-
 /// The interface of a geometry program.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct GeometryInterface {

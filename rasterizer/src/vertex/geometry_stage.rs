@@ -6,7 +6,7 @@ use super::geometry::{Geometry, VARYINGS};
 use super::vertex_list::VertexList;
 use super::viewport::{ViewportTransform, WindowVertices, cut};
 use crate::desc::{PointSize, Provoking, Viewport};
-use crate::ir::{GeometryOutput, Input, Output};
+use crate::ir::{Input, Output};
 use crate::shader::{Emission, Invocation, Machine, OverBudget, Prepared, Program};
 use std::ops::Range;
 use std::sync::Arc;
@@ -282,29 +282,12 @@ impl GeometryStage<'_> {
         }
         let Some(interface) = self.program.geometry() else { return };
         for lane in 0..lanes {
-            let mut strip = 0;
+            let mut position = 0;
             for vertex in 0..counts[lane] {
-                strip = if emission.begins_strip(lane, vertex) { 1 } else { strip + 1 };
-                if strip >= interface.output.vertices() {
-                    self.primitive(interface.output, strip, bases[lane] + vertex, &mut out.indices);
-                }
-            }
-        }
-    }
-
-    /// Appends the primitive whose last vertex is `last`, the vertex number `strip` of its strip, from 1.
-    fn primitive(&self, output: GeometryOutput, strip: u32, last: u32, indices: &mut Vec<u32>) {
-        match output {
-            GeometryOutput::Points => indices.push(last),
-            GeometryOutput::LineStrip => indices.extend([last - 1, last]),
-            // As of strips in draws (`Primitives::get`).
-            GeometryOutput::TriangleStrip => {
-                let (a, b) = (last - 2, last - 1);
-                indices.extend(match (strip % 2, self.provoking) {
-                    (1, _) => [a, b, last],
-                    (_, Provoking::Last) => [b, a, last],
-                    (_, Provoking::First) => [a, last, b],
-                });
+                position = if emission.begins_strip(lane, vertex) { 0 } else { position + 1 };
+                let corners = self.provoking.corners_of_strip(interface.output, position);
+                let last = bases[lane] + vertex;
+                out.indices.extend(corners.iter().map(|back| last - back));
             }
         }
     }

@@ -194,7 +194,7 @@ enum OfBlock {
     NameLength,
     ActiveUniforms,
     ActiveUniformIndices,
-    ReferencedBy(Option<Stage>),
+    ReferencedBy(Stage),
 }
 
 impl OfBlock {
@@ -206,12 +206,9 @@ impl OfBlock {
             (GL_UNIFORM_BLOCK_NAME_LENGTH, Self::NameLength),
             (GL_UNIFORM_BLOCK_ACTIVE_UNIFORMS, Self::ActiveUniforms),
             (GL_UNIFORM_BLOCK_ACTIVE_UNIFORM_INDICES, Self::ActiveUniformIndices),
-            (GL_UNIFORM_BLOCK_REFERENCED_BY_VERTEX_SHADER, Self::ReferencedBy(Some(Stage::Vertex))),
-            (GL_UNIFORM_BLOCK_REFERENCED_BY_GEOMETRY_SHADER, Self::ReferencedBy(None)),
-            (
-                GL_UNIFORM_BLOCK_REFERENCED_BY_FRAGMENT_SHADER,
-                Self::ReferencedBy(Some(Stage::Fragment)),
-            ),
+            (GL_UNIFORM_BLOCK_REFERENCED_BY_VERTEX_SHADER, Self::ReferencedBy(Stage::Vertex)),
+            (GL_UNIFORM_BLOCK_REFERENCED_BY_GEOMETRY_SHADER, Self::ReferencedBy(Stage::Geometry)),
+            (GL_UNIFORM_BLOCK_REFERENCED_BY_FRAGMENT_SHADER, Self::ReferencedBy(Stage::Fragment)),
         ],
     };
 }
@@ -237,9 +234,7 @@ pub(crate) fn block_values(
             let first = first_member(object) as GLint;
             return Ok(block.members.clone().map(|member| first + member as GLint).collect());
         }
-        OfBlock::ReferencedBy(stage) => {
-            GLint::from(stage.is_some_and(|stage| block.stages.contains(&stage)))
-        }
+        OfBlock::ReferencedBy(stage) => GLint::from(block.stages.contains(&stage)),
     };
     Ok(vec![value])
 }

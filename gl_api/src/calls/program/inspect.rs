@@ -16,6 +16,7 @@ use crate::glsl::{DataType, Member, Scalar};
 use crate::interface::MAX_VERTEX_ATTRIBS;
 use crate::objects::programs::{Linked, ProgramObject};
 use crate::objects::shaders::{c_length, put_text};
+use rasterizer::ir::{GeometryInput, GeometryOutput};
 
 const SECTION: &str = "GL 2.1, section 6.1.14";
 
@@ -35,6 +36,15 @@ enum Property {
     BufferMode,
     Captured,
     CapturedMaxLength,
+    OfGeometry(GeometryProperty),
+}
+
+/// What is asked of the geometry stage (GL 3.2, section 6.1.16).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum GeometryProperty {
+    VerticesOut,
+    InputType,
+    OutputType,
 }
 
 pub(crate) fn get_programiv(
@@ -60,6 +70,9 @@ pub(crate) fn get_programiv(
             (GL_TRANSFORM_FEEDBACK_BUFFER_MODE, Property::BufferMode),
             (GL_TRANSFORM_FEEDBACK_VARYINGS, Property::Captured),
             (GL_TRANSFORM_FEEDBACK_VARYING_MAX_LENGTH, Property::CapturedMaxLength),
+            (GL_GEOMETRY_VERTICES_OUT, Property::OfGeometry(GeometryProperty::VerticesOut)),
+            (GL_GEOMETRY_INPUT_TYPE, Property::OfGeometry(GeometryProperty::InputType)),
+            (GL_GEOMETRY_OUTPUT_TYPE, Property::OfGeometry(GeometryProperty::OutputType)),
         ],
     };
     let object = program(context, name)?;
@@ -93,8 +106,34 @@ pub(crate) fn get_programiv(
         Property::CapturedMaxLength => {
             captured.iter().map(|captured| c_length(&captured.name)).max().unwrap_or(0)
         }
+        Property::OfGeometry(property) => of_geometry(object, name, property)?,
     };
     put(params, &[value])
+}
+
+fn of_geometry(object: &ProgramObject, name: GLuint, property: GeometryProperty) -> Result<GLint> {
+    let Some(interface) = object.linked().and_then(Linked::geometry_interface) else {
+        return invalid_operation(
+            "GL 3.2, section 6.1.16",
+            format!("program {name} is not linked with a geometry shader"),
+        );
+    };
+    let value = match property {
+        GeometryProperty::VerticesOut => interface.max_vertices,
+        GeometryProperty::InputType => match interface.input {
+            GeometryInput::Points => GL_POINTS,
+            GeometryInput::Lines => GL_LINES,
+            GeometryInput::LinesAdjacency => GL_LINES_ADJACENCY,
+            GeometryInput::Triangles => GL_TRIANGLES,
+            GeometryInput::TrianglesAdjacency => GL_TRIANGLES_ADJACENCY,
+        },
+        GeometryProperty::OutputType => match interface.output {
+            GeometryOutput::Points => GL_POINTS,
+            GeometryOutput::LineStrip => GL_LINE_STRIP,
+            GeometryOutput::TriangleStrip => GL_TRIANGLE_STRIP,
+        },
+    };
+    Ok(value as GLint)
 }
 
 /// A uniform as GL lists it.

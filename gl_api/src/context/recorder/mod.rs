@@ -6,6 +6,7 @@ pub(crate) mod batching;
 pub(crate) mod elements;
 pub(crate) mod emitted_state;
 pub(crate) mod fixed_function;
+pub(crate) mod geometry_stage;
 pub(crate) mod pixel_rectangle;
 pub(crate) mod stages;
 pub(crate) mod vertex_stage;

@@ -77,7 +77,11 @@ impl StandaloneStage {
     pub fn new(module: &ShaderModule, outputs: Outputs) -> Self {
         let program = Program::new(module.module(), |output| outputs.has(output));
         let (mut varyings, mut others) = (Vec::new(), Vec::new());
-        for (place, output) in program.outputs().enumerate() {
+        let outputs: Vec<Output> = match program.geometry() {
+            Some(interface) => interface.outputs.clone(),
+            None => program.outputs().collect(),
+        };
+        for (place, &output) in outputs.iter().enumerate() {
             if let Output::Varying(slot) = output {
                 let slot = usize::from(slot);
                 varyings.resize(varyings.len().max(slot + 1), None);
@@ -86,8 +90,7 @@ impl StandaloneStage {
                 others.push((output, place));
             }
         }
-        let outputs = program.outputs().len();
-        Self { program, outputs, varyings, others }
+        Self { program, outputs: outputs.len(), varyings, others }
     }
 }
 
@@ -100,6 +103,17 @@ pub(crate) struct Vertices {
 }
 
 impl Vertices {
+    /// The vertices of a stage, whose outputs are given vertex by vertex.
+    pub fn of_rows(stage: Arc<StandaloneStage>, rows: &[f32]) -> Self {
+        let outputs = stage.outputs;
+        let mut values = Vec::with_capacity(rows.len());
+        for rows in rows.chunks((outputs * LANES).max(1)) {
+            let of = |place| rows.iter().skip(place).step_by(outputs).copied();
+            values.extend((0..outputs).flat_map(of));
+        }
+        Self { values, len: rows.len().checked_div(outputs).unwrap_or(0), stage }
+    }
+
     /// How many there are.
     pub fn len(&self) -> usize {
         self.len

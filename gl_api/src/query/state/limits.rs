@@ -71,6 +71,13 @@ pub(super) const ROWS: &[Row] = rows! {
     GL_MAX_FRAGMENT_UNIFORM_COMPONENTS: Integer(|_| saturated(limits::MAX_UNIFORM_COMPONENTS));
     GL_MAX_VERTEX_UNIFORM_VECTORS: Integer(|_| saturated(limits::MAX_UNIFORM_COMPONENTS / 4));
     GL_MAX_FRAGMENT_UNIFORM_VECTORS: Integer(|_| saturated(limits::MAX_UNIFORM_COMPONENTS / 4));
+    GL_MAX_GEOMETRY_UNIFORM_COMPONENTS: Integer(|_| saturated(limits::MAX_UNIFORM_COMPONENTS));
+    GL_MAX_GEOMETRY_TEXTURE_IMAGE_UNITS: Integer(|_| saturated(MAX_TEXTURE_IMAGE_UNITS));
+    GL_MAX_GEOMETRY_INPUT_COMPONENTS: Integer(|_| saturated(limits::MAX_STAGE_COMPONENTS));
+    GL_MAX_GEOMETRY_OUTPUT_COMPONENTS: Integer(|_| saturated(limits::MAX_STAGE_COMPONENTS));
+    GL_MAX_GEOMETRY_OUTPUT_VERTICES: Integer(|_| saturated(limits::MAX_GEOMETRY_OUTPUT_VERTICES));
+    GL_MAX_GEOMETRY_TOTAL_OUTPUT_COMPONENTS:
+        Integer(|_| saturated(limits::MAX_GEOMETRY_TOTAL_OUTPUT_COMPONENTS));
     GL_MAX_VARYING_FLOATS: Integer(|_| saturated(limits::MAX_VARYING_FLOATS));
     GL_MAX_VARYING_VECTORS: Integer(|_| saturated(limits::MAX_VARYING_FLOATS / 4));
     GL_SHADER_COMPILER: Flag(|_| true);
@@ -92,17 +99,17 @@ pub(super) const ROWS: &[Row] = rows! {
     GL_MAX_TRANSFORM_FEEDBACK_INTERLEAVED_COMPONENTS:
         Integer(|_| saturated(limits::MAX_TRANSFORM_FEEDBACK_INTERLEAVED_COMPONENTS));
 
-    // There is no geometry stage.
     GL_MAX_VERTEX_UNIFORM_BLOCKS: Integer(|_| saturated(limits::MAX_UNIFORM_BLOCKS));
     GL_MAX_FRAGMENT_UNIFORM_BLOCKS: Integer(|_| saturated(limits::MAX_UNIFORM_BLOCKS));
-    GL_MAX_GEOMETRY_UNIFORM_BLOCKS: Integer(|_| 0);
-    GL_MAX_COMBINED_UNIFORM_BLOCKS: Integer(|_| saturated(2 * limits::MAX_UNIFORM_BLOCKS));
+    GL_MAX_GEOMETRY_UNIFORM_BLOCKS: Integer(|_| saturated(limits::MAX_UNIFORM_BLOCKS));
+    GL_MAX_COMBINED_UNIFORM_BLOCKS: Integer(|_| saturated(3 * limits::MAX_UNIFORM_BLOCKS));
     GL_MAX_UNIFORM_BUFFER_BINDINGS: Integer(|_| saturated(limits::MAX_UNIFORM_BUFFER_BINDINGS));
     GL_MAX_UNIFORM_BLOCK_SIZE: Integer(|_| saturated(limits::MAX_UNIFORM_BLOCK_SIZE));
     GL_MAX_COMBINED_VERTEX_UNIFORM_COMPONENTS: Integer(|_| saturated(COMBINED_UNIFORM_COMPONENTS));
     GL_MAX_COMBINED_FRAGMENT_UNIFORM_COMPONENTS:
         Integer(|_| saturated(COMBINED_UNIFORM_COMPONENTS));
-    GL_MAX_COMBINED_GEOMETRY_UNIFORM_COMPONENTS: Integer(|_| 0);
+    GL_MAX_COMBINED_GEOMETRY_UNIFORM_COMPONENTS:
+        Integer(|_| saturated(COMBINED_UNIFORM_COMPONENTS));
     GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT:
         Integer(|_| saturated(limits::UNIFORM_BUFFER_OFFSET_ALIGNMENT));
 };
