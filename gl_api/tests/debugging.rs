@@ -189,7 +189,7 @@ fn messages_are_announced() {
             .collect::<Vec<_>>()
     };
     let announced =
-        concat!("detgl: DetGL ", env!("CARGO_PKG_VERSION"), ", OpenGL 3.1, baseline, 2 threads");
+        concat!("detgl: DetGL ", env!("CARGO_PKG_VERSION"), ", OpenGL 3.3, baseline, 2 threads");
     assert_eq!(said("1"), Vec::from([announced.to_owned()]));
     assert_eq!(said("0"), Vec::<String>::new());
 }

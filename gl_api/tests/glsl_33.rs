@@ -30,6 +30,7 @@ const ACCEPTED: &[(ContextLanguage, Stage, &str)] = &[
     ),
     (Compatibility33, Vertex, "#version 140\nvoid main() { gl_Position = gl_Vertex; }"),
     (Compatibility33, Vertex, "#version 110\nvoid main() { gl_Position = gl_Vertex; }"),
+    (Core33, Vertex, "#version 120\nvoid main() { gl_Position = gl_Vertex; }"),
     (Core33, Vertex, "#version 150 core\nin vec4 a;\nvoid main() { gl_Position = a; }"),
     (Core33, Fragment, "#version 330\nvoid main() { gl_FragColor = vec4(1.0); }"),
     (

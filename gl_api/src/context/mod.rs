@@ -36,7 +36,6 @@ use crate::objects::queries::ActiveQueries;
 use crate::objects::shared::ShareGroup;
 use crate::state::State;
 use crate::state::attrib::AttribStacks;
-use crate::state::enable::Flag;
 use crate::state::evaluators::EvaluatorMaps;
 use crate::state::transform_feedback::TransformFeedback;
 use crate::state::uniform_buffers::UniformBuffers;
@@ -217,6 +216,7 @@ impl Context {
             Self::assemble(device, window, (profile, compiler), ShareGroup::default());
         context.recorder.draw_budget = draw_budget;
         context.resets = resets;
+        context.begin_with_profile();
         Ok(context)
     }
 
@@ -245,7 +245,7 @@ impl Context {
         (profile, compiler): (Profile, glsl::Options),
         group: ShareGroup,
     ) -> Self {
-        let mut context = Self {
+        Self {
             profile,
             state: State::new(window.width, window.height),
             objects: Objects::new(group),
@@ -271,15 +271,7 @@ impl Context {
             compiler,
             mirror: None,
             watched: None,
-        };
-        if profile.is_core() {
-            // Points always have gl_PointCoord (GL 3.3, section 3.4).
-            context.state.enables.set(Flag::PointSprite, true);
-            for texture in &mut context.objects.default_textures {
-                texture.state.sampler.depth_mode = profile.depth_mode();
-            }
         }
-        context
     }
 
     /// As [`Context::new`], in the group of [`Self::share`]. On the heap: a
@@ -302,6 +294,7 @@ impl Context {
         let mut context = Box::new(Self::assemble(device, window, (profile, compiler), group));
         context.recorder.draw_budget = draw_budget;
         context.resets = resets;
+        context.begin_with_profile();
         Ok(context)
     }
 

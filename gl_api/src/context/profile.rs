@@ -7,6 +7,7 @@ use crate::base::limits;
 use crate::base::types::GLenum;
 use crate::context::{Context, ContextDesc, ContextError};
 use crate::glsl::ContextLanguage;
+use crate::state::enable::Flag;
 use texunit::sampler::DepthMode;
 
 /// Whether a context has what the specification calls deprecated (GL 3.0, appendix E).
@@ -95,6 +96,17 @@ impl Profile {
 }
 
 impl Context {
+    /// Sets what begins otherwise in core contexts.
+    pub(super) fn begin_with_profile(&mut self) {
+        if self.profile.is_core() {
+            // Points always have gl_PointCoord (GL 3.3, section 3.4).
+            self.state.enables.set(Flag::PointSprite, true);
+            for texture in &mut self.objects.default_textures {
+                texture.state.sampler.depth_mode = self.profile.depth_mode();
+            }
+        }
+    }
+
     /// Whether a call breaks a rule of the core profile, in a core context; the error is set then.
     #[cold]
     #[inline(never)]
