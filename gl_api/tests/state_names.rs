@@ -40,7 +40,7 @@ fn the_table_is_all_of_the_state() {
     }
 }
 
-/// All of it is OpenGL 3.1's, a limit of geometry shaders (3.2) or a claimed extension's, but for the binding of cube map arrays, which
+/// All of it is OpenGL 3.3's or a claimed extension's, but for the binding of cube map arrays, which
 /// `ARB_texture_cube_map_array` brings; it is not claimed.
 #[test]
 fn state_is_there_by_version_or_extension() {
@@ -50,7 +50,7 @@ fn state_is_there_by_version_or_extension() {
         .filter(|state| {
             let found = state.availability.get();
             let claimed = |extension: &str| extensions.contains(&extension);
-            !found.is_in(Api::Compatibility, Version::new(3, 2))
+            !found.is_in(Api::Compatibility, Version::new(3, 3))
                 && !found.extensions_of(Api::Compatibility).any(claimed)
         })
         .map(|state| state.name)
