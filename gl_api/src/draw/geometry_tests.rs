@@ -68,7 +68,7 @@ fn pixel(c: &mut Context, x: i32, y: i32) -> [u8; 4] {
 fn a_point_becomes_a_square() {
     let mut c = context();
     let name = program(&mut c, SQUARES, FRAGMENT, &[]);
-    let place = c.get_uniform_location(name, "half_side".into());
+    let place = c.get_uniform_location(name, "half_side");
     c.uniform_1f(place, 0.5);
     c.begin(GL_POINTS);
     c.color_3f(1.0, 0.0, 0.0);

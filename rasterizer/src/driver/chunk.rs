@@ -13,7 +13,7 @@ use crate::shader::{Machine, OverBudget, Prepared};
 use crate::sizes::TILE;
 use crate::threads::{ObjectPool, ThreadPool};
 use crate::vertex::{
-    Geometry, Primitive, Primitives, VertexIds, VertexList, VertexStage, ordinals, shade,
+    Geometry, Placement, Primitive, Primitives, VertexIds, VertexList, VertexStage, ordinals, shade,
 };
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
@@ -279,6 +279,10 @@ impl DrawState<'_> {
                 Some(program) => program.vertex_point_size(),
             },
             edge_flag: self.setup.raster.polygon.edge_flag,
+            place: match self.geometry {
+                None => Placement::InWindow,
+                Some(_) => Placement::Nowhere,
+            },
         };
         shade(&stage, &vertex_list.ids, self.instances.clone(), (geometry, first))?;
         for (part, varying) in [0, 16].into_iter().zip(numbered) {

@@ -89,17 +89,29 @@ impl GeometryStage<'_> {
         let sources: Vec<InputSource> =
             self.program.inputs().iter().map(|&input| self.source(input)).collect();
         let targets = self.targets();
+        let each = self.program.geometry().map_or(0, |own| usize::from(own.input.vertices()));
+        let mut vertices = [[0_u32; LANES]; 6];
         machine.begin(self.program);
         for first in range.clone().step_by(LANES) {
             let count = (range.end - first).min(LANES as u32) as usize;
-            let mut vertices = [[0_u32; LANES]; 6];
             let mut numbers = U32s::ZERO;
             for lane in 0..count {
-                let own = primitives.with_adjacency(first + lane as u32);
-                for (to, ordinal) in vertices.iter_mut().zip(own) {
-                    to[lane] = vertex_list.local(ordinal);
-                }
                 numbers[lane] = primitives.number(first + lane as u32);
+            }
+            match (primitives.triples(), &mut vertices) {
+                (Some(_), [a, b, c, ..]) => {
+                    let mut triples = [U32s::ZERO; 3];
+                    vertex_list.triples(3 * first, &mut triples, count);
+                    [*a, *b, *c] = triples.map(|lanes| lanes.0);
+                }
+                (None, vertices) => {
+                    for lane in 0..count {
+                        let own = primitives.with_adjacency(first + lane as u32);
+                        for (to, ordinal) in vertices.iter_mut().zip(&own[..each]) {
+                            to[lane] = vertex_list.local(*ordinal);
+                        }
+                    }
+                }
             }
             for (index, source) in sources.iter().enumerate() {
                 let lanes = machine.input_mut(index);
@@ -225,13 +237,13 @@ impl GeometryStage<'_> {
         geometry.point_sizes.resize(end * usize::from(targets.point_size.is_some()), 0.0);
         geometry.distances.resize(end * planes, 0.0);
         geometry.layers.resize(end * usize::from(self.layers == Layers::Several), 0);
+        let mut places: Vec<(usize, usize)> = Vec::with_capacity(lanes);
         for vertex in 0..most {
             // The lanes that have such a vertex, and its place.
-            let places = || {
-                (0..lanes)
-                    .filter(|&lane| vertex < counts[lane])
-                    .map(|lane| (lane, (bases[lane] + vertex) as usize))
-            };
+            places.clear();
+            let having = (0..lanes).filter(|&lane| vertex < counts[lane]);
+            places.extend(having.map(|lane| (lane, (bases[lane] + vertex) as usize)));
+            let places = || places.iter().copied();
             let mut clip = [&F32s::ZERO; 4];
             for (component, word) in targets.position.iter().enumerate() {
                 let Some(word) = *word else { continue };
@@ -281,6 +293,7 @@ impl GeometryStage<'_> {
             own.zip(distances).for_each(|(outcode, distances)| cut(outcode, distances));
         }
         let Some(interface) = self.program.geometry() else { return };
+        out.indices.reserve(3 * (total - before) as usize);
         for lane in 0..lanes {
             let mut position = 0;
             for vertex in 0..counts[lane] {

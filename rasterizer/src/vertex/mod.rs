@@ -12,6 +12,6 @@ mod viewport;
 pub use assemble::{EdgeFlags, Primitive, Primitives, primitives};
 pub use geometry::{Geometry, VARYINGS};
 pub use geometry_stage::{Emitted, GeometryStage, Layers};
-pub use shade::{VertexStage, shade};
+pub use shade::{Placement, VertexStage, shade};
 pub use vertex_list::{VertexIds, VertexList, ordinals};
 pub use viewport::{Outcode, snap};

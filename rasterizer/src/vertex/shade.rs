@@ -40,6 +40,17 @@ pub struct VertexStage<'a> {
     pub point_size: PointSize,
     /// The attribute that holds edge flags, where they matter.
     pub edge_flag: Option<u8>,
+    /// Whether the vertices are those of what is drawn.
+    pub place: Placement,
+}
+
+/// Whether vertices have a place in the window.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Placement {
+    /// They have.
+    InWindow,
+    /// A geometry program reads them; they have neither a place nor outcodes.
+    Nowhere,
 }
 
 /// Batches that are not worth another thread.
@@ -337,6 +348,9 @@ impl VertexStage<'_> {
                 }
                 OutputTarget::Nowhere => {}
             }
+        }
+        if self.place == Placement::Nowhere {
+            return Ok(());
         }
         let mut window = WindowVertices { snapped: [[0; LANES]; 2], outcodes: [0; LANES] };
         self.isa.run(ViewportTransform { clip, viewport: &self.viewport, out: &mut window });

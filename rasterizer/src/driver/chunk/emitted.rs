@@ -13,8 +13,6 @@ use texunit::lanes::LANES;
 
 /// Vertices that the primitives of a chunk may emit, unless it has but one batch of them.
 const VERTICES: u32 = 1 << 14;
-/// The most primitives of a chunk: fewer than without a geometry program, whose work is divided among threads by chunks.
-const PRIMITIVES: u32 = CHUNK / 4;
 
 /// The geometry program of a draw.
 #[derive(Clone)]
@@ -38,7 +36,7 @@ impl GeometryProgram<'_> {
     /// Primitives of a chunk.
     pub fn chunk_len(&self) -> u32 {
         let batch = LANES as u32;
-        (VERTICES / self.max_vertices() / batch * batch).clamp(batch, PRIMITIVES)
+        (VERTICES / self.max_vertices() / batch * batch).clamp(batch, CHUNK)
     }
 
     /// Whether the point sizes of vertices are read.
