@@ -13,9 +13,9 @@ pub const MAX_CLIP_PLANES: u8 = 8;
 /// How many samplers each stage of a program may use (`GL_MAX_TEXTURE_IMAGE_UNITS`,
 /// `GL_MAX_VERTEX_TEXTURE_IMAGE_UNITS`).
 pub const MAX_TEXTURE_IMAGE_UNITS: u8 = 16;
-/// How many units textures can be bound to (`GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS`): enough for both
+/// How many units textures can be bound to (`GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS`): enough for the three
 /// stages.
-pub const MAX_COMBINED_TEXTURE_IMAGE_UNITS: u8 = 32;
+pub const MAX_COMBINED_TEXTURE_IMAGE_UNITS: u8 = 48;
 /// `gl_MaxClipDistances`.
 pub const MAX_CLIP_DISTANCES: u8 = MAX_CLIP_PLANES;
 /// `gl_MaxDrawBuffers`: how many elements `gl_FragData` has.

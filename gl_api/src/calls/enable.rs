@@ -98,14 +98,14 @@ fn switch(context: &mut Context, cap: GLenum, to: Switch) -> Result<()> {
 
 /// GL 1.1's drivers switch the client's arrays by `glEnable` too, and programs came to rely on it.
 pub(crate) fn enable(context: &mut Context, cap: GLenum) -> Result<()> {
-    if CLIENT_ARRAY.get(cap).is_some() {
+    if CLIENT_ARRAY.get(cap).is_some() && !context.profile.is_core() {
         return switch_client(context, cap, Switch::On);
     }
     switch(context, cap, Switch::On)
 }
 
 pub(crate) fn disable(context: &mut Context, cap: GLenum) -> Result<()> {
-    if CLIENT_ARRAY.get(cap).is_some() {
+    if CLIENT_ARRAY.get(cap).is_some() && !context.profile.is_core() {
         return switch_client(context, cap, Switch::Off);
     }
     switch(context, cap, Switch::Off)

@@ -194,9 +194,40 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     "GL_ARB_get_texture_sub_image",
 ];
 
+/// Extensions that the registry has for the compatibility profile alone, and that Mesa's core contexts list: programs
+/// look for them where what they add is part of the version.
+const ALSO_OF_CORE: &[&str] = &[
+    "GL_ARB_half_float_pixel",
+    "GL_ARB_pixel_buffer_object",
+    "GL_ARB_shader_texture_lod",
+    "GL_ARB_texture_float",
+    "GL_ARB_texture_rectangle",
+    "GL_ATI_texture_float",
+    "GL_EXT_abgr",
+    "GL_EXT_draw_buffers2",
+    "GL_EXT_draw_instanced",
+    "GL_EXT_framebuffer_sRGB",
+    "GL_EXT_packed_depth_stencil",
+    "GL_EXT_packed_float",
+    "GL_EXT_pixel_buffer_object",
+    "GL_EXT_provoking_vertex",
+    "GL_EXT_texture_array",
+    "GL_EXT_texture_compression_dxt1",
+    "GL_EXT_texture_compression_rgtc",
+    "GL_EXT_texture_integer",
+    "GL_EXT_texture_shared_exponent",
+    "GL_EXT_texture_snorm",
+    "GL_EXT_texture_sRGB",
+    "GL_EXT_texture_swizzle",
+    "GL_EXT_timer_query",
+    "GL_EXT_transform_feedback",
+    "GL_EXT_vertex_array_bgra",
+    "GL_NV_conditional_render",
+];
+
 /// Those of core contexts.
 static CORE: LazyLock<Vec<&str>> = LazyLock::new(|| {
-    let in_core = |name: &&str| EXTENSIONS_OF_CORE.contains(name);
+    let in_core = |name: &&str| EXTENSIONS_OF_CORE.contains(name) || ALSO_OF_CORE.contains(name);
     EXTENSIONS.iter().copied().filter(in_core).collect()
 });
 

@@ -78,6 +78,8 @@ pub(super) const ROWS: &[Row] = rows! {
     GL_MAX_GEOMETRY_OUTPUT_VERTICES: Integer(|_| saturated(limits::MAX_GEOMETRY_OUTPUT_VERTICES));
     GL_MAX_GEOMETRY_TOTAL_OUTPUT_COMPONENTS:
         Integer(|_| saturated(limits::MAX_GEOMETRY_TOTAL_OUTPUT_COMPONENTS));
+    GL_MAX_VERTEX_OUTPUT_COMPONENTS: Integer(|_| saturated(limits::MAX_STAGE_COMPONENTS));
+    GL_MAX_FRAGMENT_INPUT_COMPONENTS: Integer(|_| saturated(limits::MAX_STAGE_COMPONENTS));
     GL_MAX_VARYING_FLOATS: Integer(|_| saturated(limits::MAX_VARYING_FLOATS));
     GL_MAX_VARYING_VECTORS: Integer(|_| saturated(limits::MAX_VARYING_FLOATS / 4));
     GL_SHADER_COMPILER: Flag(|_| true);

@@ -1,6 +1,7 @@
 //! A row of the table of state: the name, where its value is and of which type, and which APIs have it.
 
-use crate::base::availability::{Availability, Version};
+use crate::base::availability::{Availability, REMOVED_VALUES, Version};
+use crate::base::core_profile;
 use crate::base::error::Result;
 use crate::base::query_value::QueryValue;
 use crate::base::types::*;
@@ -68,7 +69,11 @@ pub(crate) struct Row {
 impl Row {
     /// Whether core contexts have the state.
     pub fn is_in_core(&self) -> bool {
-        crate::base::core_profile::has(&self.availability.get())
+        match self.availability {
+            // By value: names that the core profile has replaced have the same.
+            StateAvailability::Registry(_) => REMOVED_VALUES.binary_search(&self.name).is_err(),
+            StateAvailability::Stated(availability) => core_profile::has(&availability),
+        }
     }
 
     pub fn value(&self, context: &Context) -> Result<QueryValue> {

@@ -187,8 +187,8 @@ pub static FUNCTIONS: &[FunctionRow] = &[
     of_stages(Stages::Fragment, "dFdy", F, &[F], DERIVATIVES, Derivative(Axis::Y)),
     of_stages(Stages::Fragment, "fwidth", F, &[F], DERIVATIVES, Expand(derivative::fwidth)),
     // 8.10 Geometry shader
-    of_stages(Stages::Geometry, "EmitVertex", Pattern::Void, &[], V150, EmitVertex),
-    of_stages(Stages::Geometry, "EndPrimitive", Pattern::Void, &[], V150, EndPrimitive),
+    of_stages(Stages::Geometry, "EmitVertex", Pattern::Void, &[], DESKTOP, EmitVertex),
+    of_stages(Stages::Geometry, "EndPrimitive", Pattern::Void, &[], DESKTOP, EndPrimitive),
     // 8.9 Noise
     row("noise1", F1, &[F], DESKTOP, ExpandAtRunTime(noise::noise1)),
     row("noise2", F2, &[F], DESKTOP, ExpandAtRunTime(noise::noise2)),
