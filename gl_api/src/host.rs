@@ -31,8 +31,11 @@ pub use texunit::lanes::FloatEnv;
 pub mod limits {
     use crate::context;
 
-    /// The version of OpenGL, major and minor.
-    pub const VERSION: (i32, i32) = crate::base::limits::VERSION;
+    /// The latest version of OpenGL that contexts can be asked for.
+    pub fn version() -> crate::Version {
+        crate::base::version::reported()
+    }
+
     /// Pixels of a side of a default framebuffer.
     pub const MAX_VIEWPORT_DIMS: u32 = crate::base::limits::MAX_VIEWPORT_DIMS;
     /// Environment parameters of an assembly program.

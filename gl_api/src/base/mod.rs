@@ -24,3 +24,4 @@ pub(crate) mod texture_unit;
 pub(crate) mod topology;
 pub mod types;
 pub(crate) mod vector;
+pub(crate) mod version;

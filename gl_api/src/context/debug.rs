@@ -7,7 +7,7 @@ use super::unread::{Unread, UnreadReport};
 use crate::base::constants::*;
 use crate::base::error::{ErrorCode, GlError};
 use crate::base::types::*;
-use crate::base::{float_environment, limits};
+use crate::base::{float_environment, version};
 use rasterizer::driver::DeviceDesc;
 use std::collections::{BTreeSet, VecDeque};
 use std::ffi::CString;
@@ -221,9 +221,9 @@ fn print(what: &impl fmt::Display) {
 /// The first line on stderr: it shows that messages are on.
 fn greeting(device: &DeviceDesc) -> String {
     let version = env!("CARGO_PKG_VERSION");
-    let ((major, minor), isa, threads) = (limits::VERSION, device.isa.name(), device.threads);
+    let (gl, isa, threads) = (version::reported(), device.isa.name(), device.threads);
     let s = if threads == 1 { "" } else { "s" };
-    format!("DetGL {version}, OpenGL {major}.{minor}, {isa}, {threads} thread{s}")
+    format!("DetGL {version}, OpenGL {gl}, {isa}, {threads} thread{s}")
 }
 
 /// The id of a warning in the log: a hash (FNV-1a) of the lowercase letters of its first

@@ -129,7 +129,10 @@ pub enum ContextError {
     #[error("{0:?}: at most 32 bits of depth and 8 of stencil, and 1, 2 or 4 samples")]
     Surface(SurfaceDesc),
     /// There is no such version.
-    #[error("OpenGL {asked} was asked for; DetGL has {most}")]
+    #[error(
+        "OpenGL {asked} was asked for; DetGL has {most} (DETGL_GL_VERSION={asked} lets programs start that \
+         use nothing later)"
+    )]
     Version {
         /// What was asked for.
         asked: Version,

@@ -1,10 +1,10 @@
 //! The API, version and profile of a context.
 
-use crate::base::availability::{Api, Version};
+use crate::base::availability::Api;
 use crate::base::constants::*;
 use crate::base::core_profile::{self, Argument, InCore};
-use crate::base::limits;
 use crate::base::types::GLenum;
+use crate::base::version;
 use crate::context::{Context, ContextDesc, ContextError};
 use crate::glsl::ContextLanguage;
 use crate::state::enable::Flag;
@@ -35,12 +35,11 @@ impl Profile {
     /// # Errors
     /// If there is no such API or version.
     pub fn of(desc: &ContextDesc) -> Result<Self, ContextError> {
-        let ContextDesc { api, version, forward_compatible, .. } = *desc;
-        let (major, minor) = limits::VERSION;
-        let most = Version::new(major as u8, minor as u8);
+        let ContextDesc { api, version: asked, forward_compatible, .. } = *desc;
+        let most = version::reported();
         match api {
-            Api::Compatibility | Api::Core if version > most => {
-                Err(ContextError::Version { asked: version, most })
+            Api::Compatibility | Api::Core if asked > most => {
+                Err(ContextError::Version { asked, most })
             }
             Api::Compatibility => Ok(Self::Compatibility(forward_compatible)),
             Api::Core => Ok(Self::Core(forward_compatible)),

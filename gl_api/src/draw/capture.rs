@@ -43,7 +43,8 @@ pub(crate) fn draw(
     elements: &Elements,
 ) -> Result<()> {
     let (count, instances) = elements.counts();
-    let all = primitives(topology, context.state.raster.provoking, count);
+    let all = primitives(topology, context.state.raster.provoking, count)
+        .numbered_from(context.recorder.first_primitive);
     let made = u64::from(all.len) * instances.len() as u64;
     if let Some(interface) = interface(context).cloned() {
         if context.transform_feedback.is_active() || counts_emitted(context) {

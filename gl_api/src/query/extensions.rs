@@ -5,6 +5,7 @@ use crate::base::constants::*;
 use crate::base::core_profile::removed_value;
 use crate::base::error::{ErrorCode, Result, Table, invalid_value};
 use crate::base::types::*;
+use crate::base::version;
 use crate::context::Context;
 use std::sync::LazyLock;
 
@@ -236,6 +237,14 @@ pub(crate) fn extensions_of(context: &Context) -> &'static [&'static str] {
     if context.profile.is_core() { &CORE } else { EXTENSIONS }
 }
 
+/// `GL_VERSION` of a profile.
+fn version_of(profile: &str) -> String {
+    format!("{} ({profile} Profile) DetGL {}", version::reported(), env!("CARGO_PKG_VERSION"))
+}
+
+static CORE_VERSION: LazyLock<String> = LazyLock::new(|| version_of("Core"));
+static COMPATIBILITY_VERSION: LazyLock<String> = LazyLock::new(|| version_of("Compatibility"));
+
 /// The names with blanks between them.
 static JOINED: LazyLock<String> = LazyLock::new(|| EXTENSIONS.join(" "));
 
@@ -245,7 +254,7 @@ pub(crate) fn get_string(context: &mut Context, name: GLenum) -> Result<&'static
         rows: &[
             (GL_VENDOR, "DetGL"),
             (GL_RENDERER, "DetGL"),
-            (GL_VERSION, concat!("3.3 (Compatibility Profile) DetGL ", env!("CARGO_PKG_VERSION"))),
+            (GL_VERSION, ""),
             (GL_SHADING_LANGUAGE_VERSION, "3.30"),
             (GL_EXTENSIONS, ""),
             (GL_PROGRAM_ERROR_STRING_ARB, ""),
@@ -253,9 +262,8 @@ pub(crate) fn get_string(context: &mut Context, name: GLenum) -> Result<&'static
     };
     let is_core = context.profile.is_core();
     match name {
-        GL_VERSION if is_core => {
-            Ok(concat!("3.3 (Core Profile) DetGL ", env!("CARGO_PKG_VERSION")))
-        }
+        GL_VERSION if is_core => Ok(&CORE_VERSION),
+        GL_VERSION => Ok(&COMPATIBILITY_VERSION),
         GL_EXTENSIONS if is_core => Err(removed_value("name", name, ErrorCode::InvalidEnum)),
         GL_EXTENSIONS => Ok(&JOINED),
         GL_PROGRAM_ERROR_STRING_ARB => {

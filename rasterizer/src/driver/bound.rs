@@ -19,6 +19,7 @@ pub struct BoundState {
     pub raster: Arc<RasterState>,
     pub counter: Option<Counter>,
     pub budget: u64,
+    pub first_primitive: u32,
     /// The decisions of the previous draw, as long as no state that they depend on has changed.
     pub decided: Option<DrawDecisions>,
     /// The label of a watched pixel.
@@ -58,6 +59,7 @@ impl BoundState {
             scissor: None,
             counter: None,
             budget,
+            first_primitive: 0,
             raster: Arc::default(),
             decided: None,
             label: 0,
@@ -100,6 +102,10 @@ impl BoundState {
             }
             Command::SetBudget(budget) => {
                 self.budget = *budget;
+                return;
+            }
+            Command::SetFirstPrimitive(number) => {
+                self.first_primitive = *number;
                 return;
             }
             Command::BeginPass(_)

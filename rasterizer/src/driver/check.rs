@@ -68,7 +68,8 @@ pub fn check(commands: &[Command]) -> Result<(), SubmitError> {
             | Command::SetScissor(_)
             | Command::Watch(_)
             | Command::SetCounter(_)
-            | Command::SetBudget(_) => {}
+            | Command::SetBudget(_)
+            | Command::SetFirstPrimitive(_) => {}
         }
     }
     if pass.is_some() {

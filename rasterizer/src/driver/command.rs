@@ -80,6 +80,9 @@ pub enum Command {
     SetCounter(Option<Counter>),
     /// The budget of each draw to come; that of the device until it is set ([`super::DeviceDesc::budget`]).
     SetBudget(u64),
+    /// The number of the first primitive of each instance of the draws to come, for shaders that read the number; 0 in a
+    /// new pass. A draw that is cut at restart indices goes on counting (EXT_gpu_shader4, section 2.15.3).
+    SetFirstPrimitive(u32),
     /// Draws vertices `first .. first + count` for each instance.
     Draw {
         /// First vertex.

@@ -113,7 +113,8 @@ impl<'a> Pass<'a> {
             | Command::SetViewport(_)
             | Command::SetScissor(_)
             | Command::SetCounter(_)
-            | Command::SetBudget(_) => self.bound.set(command),
+            | Command::SetBudget(_)
+            | Command::SetFirstPrimitive(_) => self.bound.set(command),
             Command::Watch(watch) => {
                 self.bound.label = watch.label();
                 self.job.watch = Some(watch.clone());

@@ -30,6 +30,7 @@ pub fn run(resources: &Resources, thread_pool: &ThreadPool, commands: &[Command]
             | Command::Watch(_)
             | Command::SetCounter(_)
             | Command::SetBudget(_)
+            | Command::SetFirstPrimitive(_)
             | Command::Draw { .. }
             | Command::DrawIndexed { .. } => {
                 if let Some(pass) = pass.as_mut() {

@@ -35,6 +35,8 @@ pub struct Primitives {
     vertices: u32,
     /// How many primitives.
     pub len: u32,
+    /// The number of the first.
+    first_number: u32,
 }
 
 /// The primitives of `vertices` vertices. Incomplete primitives at the end are dropped.
@@ -60,10 +62,23 @@ pub fn primitives(topology: Topology, provoking: Provoking, vertices: u32) -> Pr
         Topology::TrianglesAdjacency => n / 6,
         Topology::TriangleStripAdjacency => (n / 2).saturating_sub(2),
     };
-    Primitives { topology, provoking, vertices, len }
+    Primitives { topology, provoking, vertices, len, first_number: 0 }
 }
 
 impl Primitives {
+    /// The same primitives, of which the first has this number.
+    pub fn numbered_from(self, first_number: u32) -> Self {
+        Self { first_number, ..self }
+    }
+
+    /// The number after that of the last; of the first, if there are none.
+    pub fn next_number(&self) -> u32 {
+        match self.len.checked_sub(1) {
+            Some(last) => self.number(last).wrapping_add(1),
+            None => self.first_number,
+        }
+    }
+
     /// The primitive `i`.
     #[inline]
     pub fn get(&self, i: u32) -> Primitive {
@@ -170,7 +185,7 @@ impl Primitives {
     /// `gl_PrimitiveID` of primitive `i`: halves of a quadrilateral have one, and so have
     /// the parts of a polygon (`EXT_gpu_shader4`). No vertex provokes two that differ in it.
     pub fn number(&self, i: u32) -> u32 {
-        match self.topology {
+        let number = match self.topology {
             Topology::Points
             | Topology::Lines
             | Topology::LineStrip
@@ -184,7 +199,8 @@ impl Primitives {
             | Topology::TriangleStripAdjacency => i,
             Topology::Quads | Topology::QuadStrip => i / 2,
             Topology::Polygon => 0,
-        }
+        };
+        self.first_number.wrapping_add(number)
     }
 
     /// Which vertex provokes, where primitive `i` is the triangle of ordinals `3 i` to `3 i + 2`.

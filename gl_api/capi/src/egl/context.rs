@@ -106,11 +106,14 @@ fn check(attributes: &[(Int, Attrib)]) -> Result<Asked> {
     if !is_version(major, minor) {
         return fail(Code::BadMatch, format!("there is no OpenGL {major}.{minor}"));
     }
-    let (has_major, has_minor) = limits::VERSION;
-    if (major, minor) > (has_major as Attrib, has_minor as Attrib) {
+    let most = limits::version();
+    if (major, minor) > (most.major.into(), most.minor.into()) {
         return fail(
             Code::BadMatch,
-            format!("OpenGL {major}.{minor} was asked for; DetGL has {has_major}.{has_minor}"),
+            format!(
+                "OpenGL {major}.{minor} was asked for; DetGL has {most} (DETGL_GL_VERSION={major}.{minor} lets \
+                 programs start that use nothing later)"
+            ),
         );
     }
     let api = profile_of((major, minor), profile, forward)?;
@@ -213,7 +216,7 @@ pub(super) unsafe fn query(
     let found = match attribute {
         EGL_CONFIG_ID => entry.config.map_or(0, |config| config.id),
         EGL_CONTEXT_CLIENT_TYPE => EGL_OPENGL_API,
-        EGL_CONTEXT_CLIENT_VERSION => limits::VERSION.0,
+        EGL_CONTEXT_CLIENT_VERSION => limits::version().major.into(),
         EGL_RENDER_BUFFER if bound.is_some_and(|bound| bound.surface.is_some()) => EGL_BACK_BUFFER,
         EGL_RENDER_BUFFER => EGL_NONE,
         _ => {

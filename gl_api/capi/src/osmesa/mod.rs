@@ -205,7 +205,8 @@ fn attributes(pairs: &[(GLint, GLint)]) -> Option<Request> {
         OSMESA_CORE_PROFILE => Api::Core,
         _ => return None,
     };
-    (version <= limits::VERSION).then_some(request)
+    let most = limits::version();
+    (version <= (most.major.into(), most.minor.into())).then_some(request)
 }
 
 /// Bits of depth or stencil, as many as there can be.

@@ -211,7 +211,18 @@ impl Lowerer<'_> {
             ExprKind::Index(base, index) => {
                 let chain = self.build_chain(base)?;
                 let index = self.expr(index)?[0];
-                self.element(chain, index, &expr.ty)
+                // An unsized array in an array has its size from all indices, which the expression's type has not.
+                let ty = match &chain.ty {
+                    Type::Array(element, _) if expr.ty.is_unsized() => (**element).clone(),
+                    Type::Array(..)
+                    | Type::Void
+                    | Type::Vector(..)
+                    | Type::Matrix(..)
+                    | Type::Struct(_)
+                    | Type::Sampler(_)
+                    | Type::Error => expr.ty.clone(),
+                };
+                self.element(chain, index, &ty)
             }
             ExprKind::Const(_)
             | ExprKind::Convert(_)

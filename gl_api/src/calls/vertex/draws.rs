@@ -20,7 +20,9 @@ use crate::draw::vertex_range::{
 };
 use crate::draw::warnings;
 use crate::interface::ATTRIB_VERTEX;
-use rasterizer::driver::{IndexType, Indices, Topology, VertexBinding, VertexSource};
+use rasterizer::driver::{
+    Buffer, IndexType, Indices, Topology, VertexBinding, VertexSource, primitives,
+};
 use std::ops::Range;
 
 pub(crate) const SECTION: &str = "GL 2.1, section 2.8";
@@ -238,8 +240,28 @@ pub(crate) fn draw_indexed(
     if count == 0 || instances == 0 || !has_positions(context, topology) {
         return context.empty_draw("glDrawElements");
     }
-    let base_vertex = request.base_vertex;
-    let runs = crate::calls::vertex::restart::runs(context, &buffer, offset, ty, count);
+    let request =
+        RunsRequest { topology, buffer, offset, ty, count, base_vertex: request.base_vertex };
+    let drawn = draw_runs(context, &request, instances);
+    context.recorder.first_primitive = 0;
+    drawn
+}
+
+/// Checked indices of a draw.
+struct RunsRequest {
+    topology: Topology,
+    buffer: Buffer,
+    /// Where in the buffer they begin.
+    offset: usize,
+    ty: IndexType,
+    count: usize,
+    base_vertex: GLint,
+}
+
+/// Draws what lies between restart indices. Primitives are numbered through all of it.
+fn draw_runs(context: &mut Context, request: &RunsRequest, instances: u32) -> Result<()> {
+    let &RunsRequest { topology, ref buffer, offset, ty, count, base_vertex } = request;
+    let runs = crate::calls::vertex::restart::runs(context, buffer, offset, ty, count);
     let indexed =
         |run: &Range<usize>| &buffer.bytes()[offset..][run.start * ty.size()..run.end * ty.size()];
     let vertex_range = |context: &Context, run| {
@@ -252,27 +274,30 @@ pub(crate) fn draw_indexed(
     // ARB_draw_instanced: each instance is drawn whole, all its runs, before the next one.
     let step = if runs.len() > 1 { 1 } else { instances };
     for first in (0..instances).step_by(step as usize) {
+        context.recorder.first_primitive = 0;
         for run in &runs {
             let offset = offset + run.start * ty.size();
             let indices = Indices { buffer: buffer.clone(), offset, ty, base_vertex };
             let (count, last) = (run.len() as u32, first + step);
             let mut elements = Elements::Indexed { indices, count, instances: first..last };
             if try_append(context, topology, &elements) {
-                continue;
-            }
-            if let Some(vertices) = &shared {
+                // Nothing reads the number of a primitive.
+            } else if let Some(vertices) = &shared {
                 draw_or_record(context, topology, vertices.clone(), elements)?;
-                continue;
+            } else {
+                let mut vertex_range = vertex_range(context, run);
+                let scattered =
+                    scattered_vertices(context, indexed(run), (ty, base_vertex), vertex_range);
+                if scattered.is_some() {
+                    elements = Elements::Range { first: 0, count, instances: first..last };
+                }
+                vertex_range.scattered = scattered.as_deref();
+                let vertices = bindings(context, vertex_range)?;
+                draw_or_record(context, topology, vertices, elements)?;
             }
-            let mut vertex_range = vertex_range(context, run);
-            let scattered =
-                scattered_vertices(context, indexed(run), (ty, base_vertex), vertex_range);
-            if scattered.is_some() {
-                elements = Elements::Range { first: 0, count, instances: first..last };
-            }
-            vertex_range.scattered = scattered.as_deref();
-            let vertices = bindings(context, vertex_range)?;
-            draw_or_record(context, topology, vertices, elements)?;
+            let made = primitives(topology, context.state.raster.provoking, count);
+            let numbered = made.numbered_from(context.recorder.first_primitive);
+            context.recorder.first_primitive = numbered.next_number();
         }
     }
     Ok(())

@@ -39,6 +39,10 @@ pub(crate) fn makes_whole_primitives(topology: Topology, count: u32) -> bool {
 impl Recorder {
     /// Records a draw with what is bound.
     pub(crate) fn push_draw(&mut self, elements: &Elements) {
+        if self.emitted.first_primitive != self.first_primitive {
+            self.emitted.first_primitive = self.first_primitive;
+            self.commands.push(Command::SetFirstPrimitive(self.first_primitive));
+        }
         self.commands.push(match elements {
             Elements::Range { first, count, instances } => {
                 Command::Draw { first: *first, count: *count, instances: instances.clone() }

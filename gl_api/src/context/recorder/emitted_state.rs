@@ -22,6 +22,7 @@ pub(crate) struct EmittedState {
     pub viewport: Option<Viewport>,
     pub scissor: Option<Option<Rect>>,
     pub counter: Option<Counter>,
+    pub first_primitive: u32,
     /// The draw before, if others may be added to it.
     pub last_draw: Option<LastDraw>,
     /// What it was decided by, if another draw may use that again.

@@ -40,6 +40,8 @@ pub(crate) struct Recorder {
     pub device: Arc<Device>,
     /// How long the shaders of a draw may run, if not as long as the device lets them.
     pub draw_budget: Option<u64>,
+    /// The number of the first primitive of the draws to come: not 0 after a primitive restart.
+    pub first_primitive: u32,
     pub commands: CommandBuffer,
     /// The fences among the recorded commands.
     pub fences: PendingFences,
@@ -97,6 +99,7 @@ impl Recorder {
         Self {
             device,
             draw_budget: None,
+            first_primitive: 0,
             commands: CommandBuffer::new(),
             fences: PendingFences::default(),
             pass: None,

@@ -5,6 +5,7 @@ use super::row::{Row, doubles, rows, saturated};
 use crate::base::assembly_limits::{MAX_PROGRAM_MATRICES, MAX_PROGRAM_MATRIX_STACK_DEPTH};
 use crate::base::constants::*;
 use crate::base::limits;
+use crate::base::version;
 use crate::glsl::{GATHER_OFFSETS, TEXEL_OFFSETS};
 use crate::interface::*;
 use crate::pixel::formats::general_purpose_formats;
@@ -18,8 +19,8 @@ const COMBINED_UNIFORM_COMPONENTS: i32 = limits::MAX_UNIFORM_COMPONENTS
     + limits::MAX_UNIFORM_BLOCKS as i32 * (limits::MAX_UNIFORM_BLOCK_SIZE / 4) as i32;
 
 pub(super) const ROWS: &[Row] = rows! {
-    GL_MAJOR_VERSION: Integer(|_| saturated(limits::VERSION.0));
-    GL_MINOR_VERSION: Integer(|_| saturated(limits::VERSION.1));
+    GL_MAJOR_VERSION: Integer(|_| saturated(version::reported().major));
+    GL_MINOR_VERSION: Integer(|_| saturated(version::reported().minor));
     GL_NUM_EXTENSIONS: Integer(|c| saturated(extensions_of(c).len()));
 
     GL_MAX_LIGHTS: Integer(|_| saturated(MAX_LIGHTS));

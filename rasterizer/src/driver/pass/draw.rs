@@ -60,7 +60,8 @@ impl Pass<'_> {
         let desc = pipeline.desc();
         let resolution =
             self.depth_format().and_then(DepthFormat::of).and_then(DepthFormat::resolution);
-        let primitives = primitives(desc.topology, desc.provoking, count);
+        let primitives = primitives(desc.topology, desc.provoking, count)
+            .numbered_from(self.bound.first_primitive);
         let vertices = self.bound.vertices.clone();
         let textures = self.bound.vertex_textures.clone();
         let geometry_textures = self.bound.geometry_textures.clone();
