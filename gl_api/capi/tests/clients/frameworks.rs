@@ -1,5 +1,5 @@
-//! What programs draw with: vispy, Panda3D, pyglet, Kivy, pygame, ModernGL, LÖVE. Each draws a picture
-//! with what is its own, on DetGL and on Mesa's llvmpipe, and the two are compared.
+//! What programs draw with: vispy, Panda3D, pyglet, Kivy, pygame, ModernGL, pyrender, VTK, PyVista, Arcade, LÖVE.
+//! Each draws a picture with what is its own, on DetGL and on Mesa's llvmpipe, and the two are compared.
 
 use super::picture::Picture;
 use super::python::has;
@@ -92,6 +92,53 @@ fn pygame() {
 fn moderngl() {
     let limits = Limits { colors: 100, mean: 0.1, visible: 0.001 };
     script_looks_as_on_mesa("moderngl_particles.py", "moderngl, glcontext", &limits);
+}
+
+#[test]
+fn moderngl_of_3_3() {
+    let limits = Limits { colors: 1000, mean: 0.1, visible: 0.001 };
+    script_looks_as_on_mesa("moderngl_core.py", "moderngl, glcontext", &limits);
+}
+
+#[test]
+fn pyrender() {
+    let limits = Limits { colors: 100, mean: 0.1, visible: 0.001 };
+    script_looks_as_on_mesa("pyrender_shadows.py", "pyrender, trimesh", &limits);
+}
+
+#[test]
+fn vtk() {
+    // The colour of its background lies where the two round apart.
+    let limits = Limits { colors: 1000, mean: 0.6, visible: 0.001 };
+    let modules = "vtk; assert hasattr(vtk, 'vtkEGLRenderWindow'), 'this vtk has no EGL window'";
+    script_looks_as_on_mesa("vtk_scene.py", modules, &limits);
+}
+
+#[test]
+fn pyvista() {
+    let limits = Limits { colors: 500, mean: 0.5, visible: 0.001 };
+    script_looks_as_on_mesa("pyvista_ssao.py", "pyvista", &limits);
+}
+
+#[test]
+fn pyglet_2() {
+    // Mesa gives it a configuration of 16 bits.
+    let limits = Limits { colors: 5, mean: 1.0, visible: 0.001 };
+    let modules = "pyglet; assert pyglet.version >= '2', 'pyglet 2 is the first for OpenGL 3.3'";
+    script_looks_as_on_mesa("pyglet2_batch.py", modules, &limits);
+}
+
+#[test]
+fn arcade() {
+    // Mesa gives it a configuration of 16 bits.
+    let limits = Limits { colors: 5, mean: 1.0, visible: 0.003 };
+    script_looks_as_on_mesa("arcade_shapes.py", "arcade", &limits);
+}
+
+#[test]
+fn panda3d_of_3_2() {
+    let limits = Limits { colors: 10, mean: 0.5, visible: 0.002 };
+    script_looks_as_on_mesa("panda3d_core.py", "panda3d.core", &limits);
 }
 
 #[test]
