@@ -25,7 +25,7 @@ fn main() {
     let claimed: Vec<&str> = claimed.split('"').skip(1).step_by(2).collect();
     let known = extensions(&xml).into_iter().filter(|name| claimed.contains(name));
     let known: Vec<&str> = known.collect();
-    let implemented = Registry::new(Api::Gl, (3, 1), Profile::Compatibility, Fallbacks::All, known);
+    let implemented = Registry::new(Api::Gl, (3, 3), Profile::Compatibility, Fallbacks::All, known);
 
     let mut text = String::new();
     constants(&registry, &mut text);

@@ -1,4 +1,4 @@
-//! # gl_api: OpenGL 3.1, compatibility, over the rasterizer
+//! # gl_api: OpenGL 3.3, core and compatibility, over the rasterizer
 //!
 //! The GL state machine: entry points, validation, objects, GLU, and the
 //! translation of validated state into commands of the driver.

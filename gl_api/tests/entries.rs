@@ -175,7 +175,7 @@ fn chapters(registry: &str) -> Vec<Chapter<'_>> {
 /// The last version that is claimed.
 const CLAIMED: &str = "GL_VERSION_3_1";
 
-/// The page: of each version up to 3.1 and each claimed extension, what is there and what is not; which extensions
+/// The page: of each version up to 3.3 and each claimed extension, what is there and what is not; which extensions
 /// bring no commands; and how much of later versions is there.
 fn page(registry: &str) -> String {
     let there: BTreeSet<&str> = implemented().map(|(name, _)| name).collect();
@@ -222,12 +222,12 @@ fn page(registry: &str) -> String {
 /// How much there is of each API's version, and what not.
 fn by_api(there: &BTreeSet<&str>) -> String {
     let mut text = String::from(
-        "\n## By API\n\nThe commands of a version without its extensions. Contexts are OpenGL 3.1's, compatibility; of \
+        "\n## By API\n\nThe commands of a version without its extensions. Contexts are OpenGL 3.3's, core or compatibility; of \
          the others, the table says what their programs would find.\n\n\
          | API | there | of | missing |\n|---|---|---|---|\n",
     );
     for (title, api, version) in [
-        ("OpenGL 3.1, compatibility", Api::Compatibility, Version::new(3, 1)),
+        ("OpenGL 3.3, compatibility", Api::Compatibility, Version::new(3, 3)),
         ("OpenGL 3.3, core", Api::Core, Version::new(3, 3)),
         ("OpenGL ES 2.0", Api::Es2, Version::new(2, 0)),
         ("OpenGL ES 3.0", Api::Es2, Version::new(3, 0)),

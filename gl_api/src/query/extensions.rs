@@ -11,7 +11,7 @@ use std::sync::LazyLock;
 
 /// The names by the year of their specification, as a program copies the string into an array of a size that
 /// did for the extensions of its time: 2048 bytes in games of 2000, 4096 in those of the years after.
-/// `GL_ARB_compatibility` says that OpenGL 3.1 has kept what 3.0 calls deprecated.
+/// `GL_ARB_compatibility` says that later versions have kept what 3.0 calls deprecated.
 pub(crate) const EXTENSIONS: &[&str] = &[
     // 1995
     "GL_EXT_abgr",
