@@ -49,7 +49,7 @@ pub(crate) struct ServerAttribs {
     /// Of `GL_ENABLE_BIT`, the capabilities outside `enables`.
     pub switches: Option<Switches>,
     /// Of `GL_POINT_BIT`: bit by unit.
-    pub coord_replace: Option<u32>,
+    pub coord_replace: Option<u64>,
     /// Of `GL_TEXTURE_BIT`.
     pub units: Option<Units>,
     /// As `units`; the vector is reused.

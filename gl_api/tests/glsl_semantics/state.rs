@@ -135,7 +135,7 @@ pub const TABLE: &[Row] = &[
         110,
         "",
         "r = vec4(gl_MaxCombinedTextureImageUnits, gl_MaxTextureImageUnits, gl_MaxFragmentUniformComponents, gl_MaxDrawBuffers);",
-        [32.0, 16.0, 16384.0, 8.0],
+        [48.0, 16.0, 16384.0, 8.0],
     ),
     Row(
         130,

@@ -103,19 +103,19 @@ fn every_unit_can_be_sampled() {
     let fragment = "uniform sampler2D s; void main() { gl_FragColor = texture2D(s, vec2(0.5)); }";
     let program = program(VERTEX, fragment).unwrap();
     glUseProgram(program);
-    for unit in 0..32_u8 {
+    for unit in 0..48_u8 {
         glActiveTexture(GL_TEXTURE0 + u32::from(unit));
         glBindTexture(GL_TEXTURE_2D, 1 + u32::from(unit));
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
         glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, &[unit; 4]);
     }
-    for unit in 0..32_u8 {
+    for unit in 0..48_u8 {
         glUniform1i(glGetUniformLocation(program, "s"), unit);
         assert_eq!(drawn(program), [unit; 4]);
     }
-    glUniform1i(glGetUniformLocation(program, "s"), 32);
+    glUniform1i(glGetUniformLocation(program, "s"), 48);
     assert_eq!(glGetError(), GL_INVALID_VALUE);
-    glActiveTexture(GL_TEXTURE0 + 32);
+    glActiveTexture(GL_TEXTURE0 + 48);
     assert_eq!(glGetError(), GL_INVALID_ENUM);
     // A unit that is for images alone has no coordinates.
     for call in [

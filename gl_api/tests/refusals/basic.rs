@@ -38,14 +38,14 @@ const CASES: &[Case] = &[
     (|c| c.delete_textures(-2, &[]), GL_INVALID_VALUE, "n = -2"),
     (|c| c.delete_textures(2, &[1]), GL_INVALID_OPERATION, "has 1"),
     (
-        |c| c.active_texture(GL_TEXTURE0 + 32),
+        |c| c.active_texture(GL_TEXTURE0 + 48),
         GL_INVALID_ENUM,
-        "texture = GL_TEXTURE0 + 32 must be below GL_TEXTURE0 + 32",
+        "texture = GL_TEXTURE0 + 48 must be below GL_TEXTURE0 + 48",
     ),
     (
         |c| c.active_texture(GL_FLOAT),
         GL_INVALID_ENUM,
-        "GL_FLOAT must be GL_TEXTURE0 to GL_TEXTURE31",
+        "GL_FLOAT must be GL_TEXTURE0 to GL_TEXTURE47",
     ),
     (|c| c.active_texture(1), GL_INVALID_ENUM, "texture = 1 must be a name: GL_TEXTURE0 + 1"),
     (|c| c.client_active_texture(GL_TEXTURE31), GL_INVALID_ENUM, "GL_TEXTURE0 + 31 must be below"),

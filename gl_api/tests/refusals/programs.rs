@@ -302,7 +302,7 @@ const CASES: &[Case] = &[
     (
         |c| {
             let l = at(c, "s");
-            c.uniform_1i(l, 32)
+            c.uniform_1i(l, 48)
         },
         VALUE,
         "must be a texture unit",

@@ -125,9 +125,9 @@ impl Units {
     }
 
     /// The units whose coordinates point sprites replace, bit by unit.
-    pub fn coord_replace(&self) -> u32 {
+    pub fn coord_replace(&self) -> u64 {
         let bits = (0..).zip(self.units.iter());
-        bits.fold(0, |bits, (at, unit)| bits | u32::from(unit.coord_replace) << at)
+        bits.fold(0, |bits, (at, unit)| bits | u64::from(unit.coord_replace) << at)
     }
 
     /// The active unit as the index of a set of texture coordinates.
