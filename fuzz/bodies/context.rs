@@ -7,9 +7,14 @@ use texunit::lanes::Isa;
 
 /// A small context with a short time limit for shaders.
 pub fn context() -> Context {
+    context_of(Api::Compatibility)
+}
+
+/// As [`context`], of a profile.
+pub fn context_of(api: Api) -> Context {
     let desc = DeviceDesc { isa: Isa::best(), threads: 2, budget: 20_000, explain: Explain::Off };
     let device = Some(Arc::new(Device::new(desc).expect("threads start")));
-    Context::new(ContextDesc { width: 40, height: 30, device, ..ContextDesc::default() })
+    Context::new(ContextDesc { api, width: 40, height: 30, device, ..ContextDesc::default() })
         .expect("a small context")
 }
 

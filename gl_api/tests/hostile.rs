@@ -11,7 +11,7 @@ mod random;
 mod shading;
 
 use calls::make_calls;
-use context::{context, still_works};
+use context::{context, context_of, still_works};
 use gl_api::*;
 use random::Random;
 use std::time::{Duration, Instant};
@@ -24,6 +24,19 @@ fn random_calls_never_panic_and_leave_a_context_that_works() {
         make_calls(&mut c, &mut Random::new(seed, &[]), 600);
         still_works(&mut c);
         // A slow machine tries fewer.
+        if start.elapsed() > Duration::from_secs(20) {
+            break;
+        }
+    }
+}
+
+#[test]
+fn random_calls_on_a_core_context_leave_it_working() {
+    let start = Instant::now();
+    for seed in 100..140 {
+        let mut c = context_of(Api::Core);
+        make_calls(&mut c, &mut Random::new(seed, &[]), 600);
+        still_works(&mut c);
         if start.elapsed() > Duration::from_secs(20) {
             break;
         }

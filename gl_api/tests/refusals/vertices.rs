@@ -355,6 +355,15 @@ const BUFFER_ROWS: &[Case] = &[
         "pname = GL_TEXTURE_2D must be GL_BUFFER_SIZE",
     ),
     (
+        "parameter of 64 bits: pname",
+        nothing,
+        |c| {
+            c.get_buffer_parameteri64v(GL_ARRAY_BUFFER, GL_TEXTURE_2D, &mut [0]);
+        },
+        GL_INVALID_ENUM,
+        "pname = GL_TEXTURE_2D must be GL_BUFFER_SIZE",
+    ),
+    (
         "instances in a list",
         |c| c.new_list(1, GL_COMPILE),
         |c| c.draw_arrays_instanced(GL_POINTS, 0, 1, 1),

@@ -220,12 +220,7 @@ enum Property {
     MapLength,
 }
 
-pub(crate) fn get_buffer_parameteriv(
-    context: &mut Context,
-    target: GLenum,
-    pname: GLenum,
-    params: &mut [GLint],
-) -> Result<()> {
+fn parameter(context: &mut Context, target: GLenum, pname: GLenum) -> Result<GLint64> {
     const PROPERTY: Table<Property> = Table {
         section: "GL 2.1, section 6.1.13",
         rows: &[
@@ -240,14 +235,34 @@ pub(crate) fn get_buffer_parameteriv(
     };
     let object = bound(context, target)?;
     let map = object.map.as_ref();
-    let value = match PROPERTY.decode("pname", pname)? {
-        Property::Size => object.len() as GLint,
-        Property::Usage => object.usage as GLint,
-        Property::Access => object.access as GLint,
-        Property::AccessFlags => map.map_or(0, |map| map.access as GLint),
-        Property::Mapped => GLint::from(map.is_some()),
-        Property::MapOffset => map.map_or(0, |map| map.range.start as GLint),
-        Property::MapLength => map.map_or(0, |map| map.range.len() as GLint),
-    };
+    Ok(match PROPERTY.decode("pname", pname)? {
+        Property::Size => object.len() as GLint64,
+        Property::Usage => object.usage.into(),
+        Property::Access => object.access.into(),
+        Property::AccessFlags => map.map_or(0, |map| map.access.into()),
+        Property::Mapped => map.is_some().into(),
+        Property::MapOffset => map.map_or(0, |map| map.range.start as GLint64),
+        Property::MapLength => map.map_or(0, |map| map.range.len() as GLint64),
+    })
+}
+
+/// Of sizes that an integer cannot hold, the largest one.
+pub(crate) fn get_buffer_parameteriv(
+    context: &mut Context,
+    target: GLenum,
+    pname: GLenum,
+    params: &mut [GLint],
+) -> Result<()> {
+    let value = parameter(context, target, pname)?;
+    put(params, &[value.min(GLint::MAX.into()) as GLint])
+}
+
+pub(crate) fn get_buffer_parameteri64v(
+    context: &mut Context,
+    target: GLenum,
+    pname: GLenum,
+    params: &mut [GLint64],
+) -> Result<()> {
+    let value = parameter(context, target, pname)?;
     put(params, &[value])
 }

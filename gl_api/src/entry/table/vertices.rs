@@ -239,6 +239,9 @@ macro_rules! entry_points_vertices {
         /// Reads what is known of a buffer.
         get_buffer_parameteriv: glGetBufferParameteriv | glGetBufferParameterivARB
             (target: GLenum, pname: GLenum, params: &'a mut [GLint]);
+        /// Reads what is known of a buffer, with sizes that an integer may not hold.
+        get_buffer_parameteri64v: glGetBufferParameteri64v
+            (target: GLenum, pname: GLenum, params: &'a mut [GLint64]);
     }
     } };
 }
