@@ -18,12 +18,17 @@ fn main() {
     println!("cargo:rerun-if-changed=build");
     println!("cargo:rerun-if-changed={CLAIMED}");
     let xml = String::from_utf8_lossy(khronos_api::GL_XML);
-    let registry =
-        Registry::new(Api::Gl, (4, 6), Profile::Compatibility, Fallbacks::All, extensions(&xml));
+    let registry = Registry::new(
+        Api::Gl,
+        (4, 6),
+        Profile::Compatibility,
+        Fallbacks::All,
+        extensions(&xml, "gl"),
+    );
 
     let claimed = std::fs::read_to_string(CLAIMED).expect("it is in this package");
     let claimed: Vec<&str> = claimed.split('"').skip(1).step_by(2).collect();
-    let known = extensions(&xml).into_iter().filter(|name| claimed.contains(name));
+    let known = extensions(&xml, "gl").into_iter().filter(|name| claimed.contains(name));
     let known: Vec<&str> = known.collect();
     let implemented = Registry::new(Api::Gl, (3, 3), Profile::Compatibility, Fallbacks::All, known);
 
@@ -48,13 +53,13 @@ fn attribute<'a>(line: &'a str, name: &str) -> Option<&'a str> {
     Some(&line[start..start + line[start..].find('"')?])
 }
 
-/// The names of all extensions of OpenGL.
-fn extensions(xml: &str) -> Vec<&str> {
+/// The names of all extensions of an API, as the registry calls it.
+fn extensions<'a>(xml: &'a str, api: &str) -> Vec<&'a str> {
     xml.lines()
         .filter(|line| line.trim_start().starts_with("<extension "))
         .filter(|line| {
             attribute(line, "supported")
-                .is_some_and(|supported| supported.split('|').any(|api| api == "gl"))
+                .is_some_and(|supported| supported.split('|').any(|other| other == api))
         })
         .filter_map(|line| attribute(line, "name"))
         .collect()

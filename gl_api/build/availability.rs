@@ -1,7 +1,7 @@
 //! Which versions and extensions of which API have a command or an enum: the registry's features and extensions,
 //! read line by line.
 
-use super::attribute;
+use super::{attribute, extensions};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
@@ -89,12 +89,7 @@ pub fn tables(xml: &str, enums_wanted: &BTreeSet<&str>) -> String {
 
 /// The names of the extensions that are for the core profile.
 fn extensions_of_core(xml: &str) -> String {
-    let rows = xml.lines().filter(|line| line.trim_start().starts_with("<extension "));
-    let of_core = |line: &&str| {
-        attribute(line, "supported").is_some_and(|apis| apis.split('|').any(|api| api == "glcore"))
-    };
-    let names: Vec<&str> =
-        rows.filter(of_core).filter_map(|line| attribute(line, "name")).collect();
+    let names = extensions(xml, "glcore");
     format!(
         "/// The extensions that the registry has for the core profile.\n\
          pub static EXTENSIONS_OF_CORE: [&str; {}] = {names:?};\n",

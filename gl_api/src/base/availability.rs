@@ -79,18 +79,21 @@ pub struct Availability {
 
 impl Availability {
     /// Whether a version of an API has it without an extension.
-    pub fn is_in(&self, api: Api, version: Version) -> bool {
+    pub const fn is_in(&self, api: Api, version: Version) -> bool {
         let from = match api {
             Api::Compatibility => self.compatibility,
             Api::Core => match self.core {
-                Some(CoreVersions { removed_in: Some(end), .. }) if version >= end => None,
+                Some(CoreVersions { removed_in: Some(end), .. }) if !end.is_after(version) => None,
                 Some(CoreVersions { from, .. }) => Some(from),
                 None => None,
             },
             Api::Es1 => self.es1,
             Api::Es2 => self.es2,
         };
-        from.is_some_and(|from| version >= from)
+        match from {
+            Some(from) => !from.is_after(version),
+            None => false,
+        }
     }
 
     /// The extensions that add it to an API.

@@ -1,14 +1,13 @@
 //! What the core profile of OpenGL 3.3 has removed (GL 3.3, appendix E.2.2): commands by the Khronos registry, and
 //! values of enums, with what takes their place.
 
-use super::availability::{Api, Availability, REMOVED_VALUES, Version};
+use super::availability::{Api, Availability, REMOVED_VALUES};
 use super::constants::enum_name;
 use super::error::{ErrorCode, GlError};
 use super::types::GLenum;
+use super::version;
 
 const SECTION: &str = "GL 3.3, appendix E.2.2";
-/// The version of core contexts.
-pub const VERSION: Version = Version::new(3, 3);
 
 /// Whether the core profile has a command.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -37,14 +36,8 @@ impl InCore {
 
 /// Whether core contexts have what is available there.
 pub const fn has(availability: &Availability) -> bool {
-    if let Some(core) = availability.core {
-        let is_removed = match core.removed_in {
-            Some(end) => !end.is_after(VERSION),
-            None => false,
-        };
-        if !is_removed && !core.from.is_after(VERSION) {
-            return true;
-        }
+    if availability.is_in(Api::Core, version::IMPLEMENTED) {
+        return true;
     }
     let mut at = 0;
     while at < availability.extensions.len() {
@@ -294,16 +287,14 @@ fn replacement(name: &str) -> String {
     }
 }
 
-/// Whether the command of that name is kept.
-#[cfg(test)]
-fn keeps(name: &str) -> bool {
-    InCore::of(&[name]) == InCore::Kept
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::base::constants::*;
+
+    fn keeps(name: &str) -> bool {
+        InCore::of(&[name]) == InCore::Kept
+    }
 
     #[test]
     fn commands_are_removed_as_the_registry_says() {

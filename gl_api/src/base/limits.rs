@@ -6,9 +6,6 @@ pub(crate) use glsl::limits::{
     MAX_UNIFORM_BLOCK_SIZE, MAX_UNIFORM_BLOCKS, MAX_UNIFORM_COMPONENTS,
 };
 
-/// `GL_MAJOR_VERSION` and `GL_MINOR_VERSION`.
-pub(crate) const VERSION: (i32, i32) = (3, 3);
-
 /// `GL_MAX_TEXTURE_SIZE`, `GL_MAX_CUBE_MAP_TEXTURE_SIZE` and `GL_MAX_RENDERBUFFER_SIZE`.
 pub(crate) const MAX_TEXTURE_SIZE: u32 = 8192;
 /// Levels of the largest texture: 8192 to 1.

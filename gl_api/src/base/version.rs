@@ -1,14 +1,13 @@
 //! The version that contexts report.
 
 use super::availability::Version;
-use super::limits;
 use std::sync::LazyLock;
 
 /// What OpenGL has: no later version can be reported.
 const LATEST: Version = Version::new(4, 6);
 
 /// The version that DetGL implements.
-pub const IMPLEMENTED: Version = Version::new(limits::VERSION.0 as u8, limits::VERSION.1 as u8);
+pub const IMPLEMENTED: Version = Version::new(3, 3);
 
 /// The latest version that contexts can be asked for, and that all of them report: [`IMPLEMENTED`], or a later one that
 /// the environment variable `DETGL_GL_VERSION` has, for programs that ask for a version of which they use nothing.

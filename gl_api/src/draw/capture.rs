@@ -46,8 +46,9 @@ pub(crate) fn draw(
     let all = primitives(topology, context.state.raster.provoking, count)
         .numbered_from(context.recorder.first_primitive);
     let made = u64::from(all.len) * instances.len() as u64;
-    if let Some(interface) = interface(context).cloned() {
+    if let Some(interface) = interface(context) {
         if context.transform_feedback.is_active() || counts_emitted(context) {
+            let interface = interface.clone();
             return emitted(context, (&all, drawn), &interface, vertices, elements);
         }
         return Ok(());

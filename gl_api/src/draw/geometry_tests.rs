@@ -4,7 +4,6 @@ use crate::base::args::{Data, DataOut, Names, Strings};
 use crate::base::constants::*;
 use crate::base::types::*;
 use crate::context::{Context, ContextDesc};
-use crate::glsl::ContextLanguage;
 
 const SIZE: i32 = 8;
 
@@ -23,9 +22,7 @@ const SQUARES: &str = "#version 150 compatibility\n\
 fn context() -> Context {
     let side = SIZE as u32;
     let desc = ContextDesc { width: side, height: side, ..ContextDesc::default() };
-    let mut c = Context::new(desc).expect("a device");
-    c.compiler.context = ContextLanguage::Compatibility33;
-    c
+    Context::new(desc).expect("a device")
 }
 
 fn fine(c: &mut Context) {

@@ -279,7 +279,7 @@ pub enum Item {
     Function(Function),
     /// A block.
     Block(BlockDecl),
-    /// `layout(std140) uniform;`, `layout(triangles) in;`: a layout of what comes after it.
+    /// `layout(std140) uniform;`, `layout(triangles) in;`: default layout qualifiers (GLSL 1.50 section 4.3.8).
     LayoutDefaults(Vec<(Qualifier, Span)>),
     /// `invariant a, b;`.
     Invariant(Vec<Name>),

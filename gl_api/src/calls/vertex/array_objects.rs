@@ -33,7 +33,7 @@ pub(crate) fn delete_vertex_arrays(
 }
 
 /// Refuses a call of arrays where no vertex array object is bound, in a core context.
-pub(crate) fn require(context: &Context) -> Result<()> {
+pub(crate) fn require_vertex_array(context: &Context) -> Result<()> {
     if context.state.bindings.vertex_array != 0 || !context.profile.is_core() {
         return Ok(());
     }

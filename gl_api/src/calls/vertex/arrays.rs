@@ -9,7 +9,7 @@ use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation, invalid_value, not_negative};
 use crate::base::memory::{copied, out_of_memory};
 use crate::base::types::*;
-use crate::calls::vertex::array_objects::require;
+use crate::calls::vertex::array_objects::require_vertex_array;
 use crate::context::Context;
 use crate::draw::array_names::refuse_client_memory;
 use crate::interface::*;
@@ -138,7 +138,7 @@ fn set(
 ) -> Result<()> {
     let (components, ty, format) = rules.check(size, ty)?;
     let stride = not_negative(SECTION, "stride", stride.into())?;
-    require(context)?;
+    require_vertex_array(context)?;
     refuse_client_memory(context, &pointer)?;
     let buffer = context.state.bindings.array_buffer.clone();
     let name = buffer.name();
@@ -311,14 +311,14 @@ pub(crate) fn vertex_attrib_divisor(
 }
 
 pub(crate) fn enable_vertex_attrib_array(context: &mut Context, index: GLuint) -> Result<()> {
-    require(context)?;
+    require_vertex_array(context)?;
     context.state.arrays.by_location[usize::from(generic(index)?)].enabled = true;
     context.state_changes.values_only();
     Ok(())
 }
 
 pub(crate) fn disable_vertex_attrib_array(context: &mut Context, index: GLuint) -> Result<()> {
-    require(context)?;
+    require_vertex_array(context)?;
     context.state.arrays.by_location[usize::from(generic(index)?)].enabled = false;
     context.state_changes.values_only();
     Ok(())

@@ -5,7 +5,7 @@ use crate::base::error::{Result, invalid_operation, invalid_value, not_negative}
 use crate::base::limits::LOCATIONS;
 use crate::base::topology::topology;
 use crate::base::types::*;
-use crate::calls::vertex::array_objects::require;
+use crate::calls::vertex::array_objects::require_vertex_array;
 use crate::calls::vertex::immediate::attribute;
 use crate::calls::vertex::indices::{INDEX_TYPE, index_buffer};
 use crate::context::Context;
@@ -196,7 +196,7 @@ fn draw_range(
     instances: GLsizei,
 ) -> Result<()> {
     let topology = topology(mode)?;
-    require(context)?;
+    require_vertex_array(context)?;
     let first = not_negative(SECTION, "first", first.into())?;
     let count = not_negative(SECTION, "count", count.into())?;
     let instances = not_negative(INSTANCED, "primcount", instances.into())?;
@@ -231,7 +231,7 @@ pub(crate) fn draw_indexed(
     instances: GLsizei,
 ) -> Result<()> {
     let topology = topology(mode)?;
-    require(context)?;
+    require_vertex_array(context)?;
     let count = not_negative(SECTION, "count", request.count.into())?;
     let instances = not_negative(INSTANCED, "primcount", instances.into())? as u32;
     let ty = INDEX_TYPE.decode("type", request.ty)?;
@@ -258,7 +258,7 @@ struct RunsRequest {
     base_vertex: GLint,
 }
 
-/// Draws what lies between restart indices. Primitives are numbered through all of it.
+/// Draws each run of indices between restart indices. `gl_PrimitiveID` counts on from run to run.
 fn draw_runs(context: &mut Context, request: &RunsRequest, instances: u32) -> Result<()> {
     let &RunsRequest { topology, ref buffer, offset, ty, count, base_vertex } = request;
     let runs = crate::calls::vertex::restart::runs(context, buffer, offset, ty, count);

@@ -5,7 +5,7 @@ use crate::base::args::{Data, Pointers};
 use crate::base::error::{Result, invalid_operation, not_negative};
 use crate::base::topology::topology;
 use crate::base::types::*;
-use crate::calls::vertex::array_objects::require;
+use crate::calls::vertex::array_objects::require_vertex_array;
 use crate::calls::vertex::draws::{
     IndexRequest, SECTION, check_arrays, draw_arrays, draw_indexed, has_positions,
 };
@@ -37,7 +37,7 @@ pub(crate) fn multi_draw_arrays(
     primcount: GLsizei,
 ) -> Result<()> {
     let topology = topology(mode)?;
-    require(context)?;
+    require_vertex_array(context)?;
     let draws = draws(primcount, count, first.len())?;
     let all = first.iter().zip(count).take(draws);
     let some = all.clone().filter(|(_, count)| **count != 0);

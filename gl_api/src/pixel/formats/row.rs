@@ -1,8 +1,8 @@
 //! A row of the table of internal formats.
 
-use crate::base::availability::{Api, Availability, Version};
-use crate::base::limits;
+use crate::base::availability::{Api, Availability};
 use crate::base::types::*;
+use crate::base::version;
 use texunit::format::Format;
 
 /// What the components of a format are.
@@ -76,11 +76,10 @@ pub struct InternalFormat {
     pub texel_buffer: Availability,
 }
 
-/// Whether contexts have what is available there: they are of [`limits::VERSION`] with the compatibility profile and
+/// Whether contexts have what is available there: they are of [`version::IMPLEMENTED`] with the compatibility profile and
 /// every extension that the table names.
 fn in_contexts(availability: &Availability) -> bool {
-    let version = Version::new(limits::VERSION.0 as u8, limits::VERSION.1 as u8);
-    availability.is_in(Api::Compatibility, version)
+    availability.is_in(Api::Compatibility, version::IMPLEMENTED)
         || availability.extensions_of(Api::Compatibility).next().is_some()
 }
 
