@@ -40,7 +40,16 @@ impl PreparedStage {
                         });
                     }
                     Input::PrimitiveId => lanes.0[..numbers.len()].copy_from_slice(numbers),
-                    _ => *lanes = U32s::ZERO,
+                    Input::Varying(_)
+                    | Input::Gradient { .. }
+                    | Input::FragCoord(_)
+                    | Input::FrontFacing
+                    | Input::PointCoord(_)
+                    | Input::Coverage
+                    | Input::LineDirection(_)
+                    | Input::Attribute { .. }
+                    | Input::VertexId
+                    | Input::InstanceId => *lanes = U32s::ZERO,
                 }
             }
             let invocation = Invocation {

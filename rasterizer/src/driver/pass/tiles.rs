@@ -15,6 +15,20 @@ use std::sync::Arc;
 /// Pixels that a short program shades before another thread would wake.
 const SMALL_WORK_PIXELS: u64 = 1 << 14;
 
+/// The surfaces of colours, and that of depths.
+type Surfaces<'a> = (&'a mut Vec<Option<Surface>>, &'a mut Option<Surface>);
+
+/// The surfaces of a layer; `None` of one that has nothing to do.
+fn surfaces_of<'a>(
+    layer: usize,
+    first: Surfaces<'a>,
+    more_layers: &'a mut [Option<LayerSurfaces>],
+) -> Option<Surfaces<'a>> {
+    let Some(behind) = layer.checked_sub(1) else { return Some(first) };
+    let LayerSurfaces { colors, depth } = more_layers[behind].as_mut()?;
+    Some((colors, depth))
+}
+
 impl Pass<'_> {
     /// Appends a command to the bins of the tiles of every layer from pixel `low` to pixel `high`, both inside the pass.
     pub(super) fn bin(&mut self, low: [i32; 2], high: [i32; 2], command: TileCommand) {
@@ -141,12 +155,9 @@ impl Pass<'_> {
             }
             let (layer, tile) = (index / tiles_per_layer, (index % tiles_per_layer) as u32);
             let (tx, ty) = (tile % self.across, tile / self.across);
-            let (colors, depth) = match layer.checked_sub(1) {
-                None => (&mut self.colors, &mut self.depth),
-                Some(behind) => match &mut self.more_layers[behind] {
-                    Some(LayerSurfaces { colors, depth }) => (colors, depth),
-                    None => continue,
-                },
+            let first = (&mut self.colors, &mut self.depth);
+            let Some((colors, depth)) = surfaces_of(layer, first, &mut self.more_layers) else {
+                continue;
             };
             let take = |surface: &mut Surface| {
                 let at = (ty * surface.tiles_across() + tx) as usize;
@@ -184,12 +195,9 @@ impl Pass<'_> {
             }
         }
         for (tile, (layer, tx, ty)) in tiles.into_iter().zip(positions) {
-            let (colors, depth) = match layer.checked_sub(1) {
-                None => (&mut self.colors, &mut self.depth),
-                Some(behind) => match &mut self.more_layers[behind] {
-                    Some(LayerSurfaces { colors, depth }) => (colors, depth),
-                    None => continue,
-                },
+            let first = (&mut self.colors, &mut self.depth);
+            let Some((colors, depth)) = surfaces_of(layer, first, &mut self.more_layers) else {
+                continue;
             };
             let surfaces = colors.iter_mut().chain([depth]);
             for (surface, target) in surfaces.zip(tile.colors.into_iter().chain([tile.depth])) {
