@@ -13,28 +13,35 @@ use std::path::Path;
 /// Where the extensions are listed that DetGL has.
 const CLAIMED: &str = "src/query/extensions.rs";
 
+/// Where those of OpenGL ES are.
+const CLAIMED_ES: &str = "src/base/es_extensions.rs";
+
 fn main() {
     println!("cargo:rerun-if-changed=build.rs");
     println!("cargo:rerun-if-changed=build");
     println!("cargo:rerun-if-changed={CLAIMED}");
+    println!("cargo:rerun-if-changed={CLAIMED_ES}");
     let xml = String::from_utf8_lossy(khronos_api::GL_XML);
-    let registry = Registry::new(
-        Api::Gl,
-        (4, 6),
-        Profile::Compatibility,
-        Fallbacks::All,
-        extensions(&xml, "gl"),
-    );
+    let of = |api: Api, version, extensions: Vec<&str>| {
+        Registry::new(api, version, Profile::Compatibility, Fallbacks::All, extensions)
+    };
+    let mut registry = of(Api::Gl, (4, 6), extensions(&xml, "gl"));
 
-    let claimed = std::fs::read_to_string(CLAIMED).expect("it is in this package");
-    let claimed: Vec<&str> = claimed.split('"').skip(1).step_by(2).collect();
+    let claimed = read(CLAIMED);
+    let claimed = quoted(&claimed);
     let known = extensions(&xml, "gl").into_iter().filter(|name| claimed.contains(name));
-    let known: Vec<&str> = known.collect();
-    let implemented = Registry::new(Api::Gl, (3, 3), Profile::Compatibility, Fallbacks::All, known);
+    let mut implemented = of(Api::Gl, (3, 3), known.collect());
+    let claimed_es = read(CLAIMED_ES);
+    let claimed_es = quoted(&claimed_es);
+    let known = extensions(&xml, "gles2").into_iter().filter(|name| claimed_es.contains(name));
+    let es = of(Api::Gles2, (3, 0), known.collect());
+    for registry in [&mut registry, &mut implemented] {
+        registry.enums.extend(es.enums.iter().cloned());
+    }
 
     let mut text = String::new();
     constants(&registry, &mut text);
-    let later = Registry::new(Api::Gl, (4, 6), Profile::Compatibility, Fallbacks::All, []);
+    let later = of(Api::Gl, (4, 6), Vec::new());
     names(&registry, &implemented, &later, &mut text);
     commands(&registry, &mut text);
     let directory = std::env::var_os("OUT_DIR").expect("cargo sets OUT_DIR");
@@ -44,7 +51,17 @@ fn main() {
     write("constants.rs", text);
     let enums = implemented.enums.iter().chain(&later.enums);
     let enums = enums.map(|value| value.ident.as_str()).collect();
-    write("availability.rs", availability::tables(&xml, &enums));
+    write("availability.rs", availability::tables(&xml, &enums, &claimed_es));
+}
+
+/// A file of this package.
+fn read(path: &str) -> String {
+    std::fs::read_to_string(path).expect("it is in this package")
+}
+
+/// What stands between quotes.
+fn quoted(text: &str) -> Vec<&str> {
+    text.split('"').skip(1).step_by(2).collect()
 }
 
 /// An attribute of an XML element that is on one line.

@@ -37,8 +37,9 @@ enum Block<'a> {
     Remove,
 }
 
-/// The tables, in Rust: of all commands, and of the enums of these names, which have `GL_` in front in the table.
-pub fn tables(xml: &str, enums_wanted: &BTreeSet<&str>) -> String {
+/// The tables, in Rust: of all commands, and of the enums of these names, which have `GL_` in front in the table; and of
+/// what OpenGL ES has by version or by one of its claimed extensions.
+pub fn tables(xml: &str, enums_wanted: &BTreeSet<&str>, claimed_es: &[&str]) -> String {
     let mut commands: BTreeMap<&str, Found<'_>> = BTreeMap::new();
     let mut enums: BTreeMap<&str, Found<'_>> = BTreeMap::new();
     let mut values: BTreeMap<&str, u32> = BTreeMap::new();
@@ -79,9 +80,21 @@ pub fn tables(xml: &str, enums_wanted: &BTreeSet<&str>) -> String {
             enums.entry(name).or_default().note(&group, block);
         }
     }
-    let commands =
-        text("/// What the registry says of its commands, by name.", "COMMANDS", &commands);
-    let removed = removed_values(&enums, &values) + &extensions_of_core(xml);
+    let found = commands;
+    let commands = text("/// What the registry says of its commands, by name.", "COMMANDS", &found);
+    let of_es: Vec<&str> = found
+        .iter()
+        .filter(|(_, found)| found.is_in_es(claimed_es))
+        .map(|(name, _)| *name)
+        .collect();
+    let removed = removed_values(&enums, &values)
+        + &extensions_of_core(xml)
+        + &values_outside_es(&enums, &values, claimed_es)
+        + &format!(
+            "/// The commands that OpenGL ES 3.0 has, or an implemented extension of it, in order.\n\
+             pub static COMMANDS_OF_ES: [&str; {}] = {of_es:?};\n",
+            of_es.len()
+        );
     commands
         + &text("/// What the registry says of its enums, by name.", "ENUMS", &enums)
         + &removed
@@ -97,21 +110,43 @@ fn extensions_of_core(xml: &str) -> String {
     )
 }
 
-/// The values that no use in the core profile of 3.3 has, of any of their names. Values below 0x100 have too many uses.
+/// The values that no use in the core profile of 3.3 has, of any of their names.
 fn removed_values(enums: &BTreeMap<&str, Found<'_>>, values: &BTreeMap<&str, u32>) -> String {
-    let mut in_core: BTreeMap<u32, bool> = BTreeMap::new();
-    for (name, found) in enums {
-        if let Some(value) = values.get(name).filter(|value| **value >= 0x100) {
-            *in_core.entry(*value).or_default() |= found.is_in_core();
-        }
-    }
-    let removed: Vec<u32> =
-        in_core.iter().filter(|(_, kept)| !**kept).map(|(value, _)| *value).collect();
+    let removed = without_use(enums, values, |found| found.is_in_core());
     format!(
         "/// The values of enums that only the compatibility profile of OpenGL 3.3 has, in order.\n\
          pub static REMOVED_VALUES: [u32; {}] = {removed:?};\n",
         removed.len()
     )
+}
+
+/// The values that no use in OpenGL ES 3.0 has.
+fn values_outside_es(
+    enums: &BTreeMap<&str, Found<'_>>,
+    values: &BTreeMap<&str, u32>,
+    claimed: &[&str],
+) -> String {
+    let outside = without_use(enums, values, |found| found.is_in_es(claimed));
+    format!(
+        "/// The values of enums that OpenGL has and OpenGL ES 3.0 has not, in order.\n\
+         pub static VALUES_OUTSIDE_ES: [u32; {}] = {outside:?};\n",
+        outside.len()
+    )
+}
+
+/// The values of which no name has a use. Values below 0x100 have too many uses.
+fn without_use(
+    enums: &BTreeMap<&str, Found<'_>>,
+    values: &BTreeMap<&str, u32>,
+    has_use: impl Fn(&Found<'_>) -> bool,
+) -> Vec<u32> {
+    let mut used: BTreeMap<u32, bool> = BTreeMap::new();
+    for (name, found) in enums {
+        if let Some(value) = values.get(name).filter(|value| **value >= 0x100) {
+            *used.entry(*value).or_default() |= has_use(found);
+        }
+    }
+    used.iter().filter(|(_, used)| !**used).map(|(value, _)| *value).collect()
 }
 
 /// The name in a line `<proto>void <name>glAccum</name></proto>`.
@@ -132,6 +167,15 @@ impl<'a> Found<'a> {
         let by_version =
             self.core.is_some_and(|(_, removed)| removed.is_none_or(|end| end > (3, 3)));
         by_version || self.extensions.iter().any(|(_, apis)| apis.contains(&"glcore"))
+    }
+
+    /// Whether OpenGL ES 3.0 has it, or an extension of it that is claimed.
+    fn is_in_es(&self, claimed: &[&str]) -> bool {
+        self.es2.is_some_and(|from| from <= (3, 0))
+            || self
+                .extensions
+                .iter()
+                .any(|(name, apis)| apis.contains(&"gles2") && claimed.contains(name))
     }
 
     fn note(&mut self, group: &Group<'a>, block: Block<'a>) {

@@ -36,6 +36,11 @@ pub mod limits {
         crate::base::version::reported()
     }
 
+    /// The latest version of OpenGL ES that contexts can be asked for.
+    pub fn es_version() -> crate::Version {
+        crate::base::version::IMPLEMENTED_ES
+    }
+
     /// Pixels of a side of a default framebuffer.
     pub const MAX_VIEWPORT_DIMS: u32 = crate::base::limits::MAX_VIEWPORT_DIMS;
     /// Environment parameters of an assembly program.

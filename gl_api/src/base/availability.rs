@@ -121,6 +121,20 @@ pub const fn of_enum(name: &str) -> Option<Availability> {
     find(&ENUMS, name)
 }
 
+/// Whether a list in order has a name, by bisection.
+pub(super) const fn has_name(names: &[&str], name: &str) -> bool {
+    let (mut low, mut high) = (0, names.len());
+    while low < high {
+        let middle = usize::midpoint(low, high);
+        match order(names[middle].as_bytes(), name.as_bytes()) {
+            Ordering::Less => low = middle + 1,
+            Ordering::Greater => high = middle,
+            Ordering::Equal => return true,
+        }
+    }
+    false
+}
+
 /// The row of that name, by bisection.
 const fn find(rows: &[(&str, Availability)], name: &str) -> Option<Availability> {
     let (mut low, mut high) = (0, rows.len());

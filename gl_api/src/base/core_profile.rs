@@ -276,7 +276,7 @@ const REPLACEMENTS: &[(&[&str], &str)] = &[
     ),
 ];
 
-fn replacement(name: &str) -> String {
+pub(super) fn replacement(name: &str) -> String {
     let rows = REPLACEMENTS.iter();
     let beginnings =
         rows.flat_map(|(names, instead)| names.iter().map(move |begin| (begin, instead)));

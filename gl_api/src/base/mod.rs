@@ -13,6 +13,8 @@ pub mod constants;
 pub(crate) mod convert;
 pub(crate) mod core_profile;
 pub mod error;
+pub(crate) mod es_extensions;
+pub(crate) mod es_profile;
 pub(crate) mod float_environment;
 pub(crate) mod inverse;
 pub(crate) mod limits;

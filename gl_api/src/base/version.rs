@@ -9,6 +9,9 @@ const LATEST: Version = Version::new(4, 6);
 /// The version that DetGL implements.
 pub const IMPLEMENTED: Version = Version::new(3, 3);
 
+/// The version of OpenGL ES that contexts of it have; one of 2.0 is one of 3.0, which has all of that.
+pub const IMPLEMENTED_ES: Version = Version::new(3, 0);
+
 /// The latest version that contexts can be asked for, and that all of them report: [`IMPLEMENTED`], or a later one that
 /// the environment variable `DETGL_GL_VERSION` has, for programs that ask for a version of which they use nothing.
 pub fn reported() -> Version {

@@ -52,9 +52,9 @@ fn switch(context: &mut Context, cap: GLenum, to: Switch) -> Result<()> {
     let on = to == Switch::On;
     let capability = capability(cap)?;
     if let Capability::Texture(_) = capability {
-        if context.profile.is_core() {
+        if !context.profile.is_compatibility() {
             let rule = format!(
-                "cap = {} was removed from core profiles: shaders sample what is bound, without glEnable",
+                "cap = {}: without a fixed function, shaders sample what is bound, without glEnable",
                 enum_name(cap)
             );
             return invalid_enum("GL 3.3, appendix E.2.2", rule);
@@ -98,14 +98,14 @@ fn switch(context: &mut Context, cap: GLenum, to: Switch) -> Result<()> {
 
 /// GL 1.1's drivers switch the client's arrays by `glEnable` too, and programs came to rely on it.
 pub(crate) fn enable(context: &mut Context, cap: GLenum) -> Result<()> {
-    if CLIENT_ARRAY.get(cap).is_some() && !context.profile.is_core() {
+    if CLIENT_ARRAY.get(cap).is_some() && context.profile.is_compatibility() {
         return switch_client(context, cap, Switch::On);
     }
     switch(context, cap, Switch::On)
 }
 
 pub(crate) fn disable(context: &mut Context, cap: GLenum) -> Result<()> {
-    if CLIENT_ARRAY.get(cap).is_some() && !context.profile.is_core() {
+    if CLIENT_ARRAY.get(cap).is_some() && context.profile.is_compatibility() {
         return switch_client(context, cap, Switch::Off);
     }
     switch(context, cap, Switch::Off)

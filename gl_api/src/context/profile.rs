@@ -3,6 +3,7 @@
 use crate::base::availability::Api;
 use crate::base::constants::*;
 use crate::base::core_profile::{self, Argument, InCore};
+use crate::base::es_profile::{self, InEs};
 use crate::base::types::GLenum;
 use crate::base::version;
 use crate::context::{Context, ContextDesc, ContextError};
@@ -27,6 +28,8 @@ pub(crate) enum Profile {
     Compatibility(ForwardCompatible),
     /// Without.
     Core(ForwardCompatible),
+    /// OpenGL ES 3.0, which has all of 2.0.
+    Es,
 }
 
 impl Profile {
@@ -43,14 +46,30 @@ impl Profile {
             }
             Api::Compatibility => Ok(Self::Compatibility(forward_compatible)),
             Api::Core => Ok(Self::Core(forward_compatible)),
-            Api::Es1 | Api::Es2 => Err(ContextError::Api(api)),
+            Api::Es2 if asked > version::IMPLEMENTED_ES => {
+                Err(ContextError::Version { asked, most: version::IMPLEMENTED_ES })
+            }
+            Api::Es2 => Ok(Self::Es),
+            Api::Es1 => Err(ContextError::Api(api)),
         }
     }
 
     pub fn is_core(self) -> bool {
         match self {
-            Self::Compatibility(_) => false,
+            Self::Compatibility(_) | Self::Es => false,
             Self::Core(_) => true,
+        }
+    }
+
+    pub fn is_es(self) -> bool {
+        self == Self::Es
+    }
+
+    /// Whether it has the fixed function and all else that any version had.
+    pub fn is_compatibility(self) -> bool {
+        match self {
+            Self::Compatibility(_) => true,
+            Self::Core(_) | Self::Es => false,
         }
     }
 
@@ -64,24 +83,27 @@ impl Profile {
         match self {
             Self::Compatibility(_) => GL_CONTEXT_COMPATIBILITY_PROFILE_BIT,
             Self::Core(_) => GL_CONTEXT_CORE_PROFILE_BIT,
+            Self::Es => 0,
         }
     }
 
     /// The bits of `GL_CONTEXT_FLAGS` (GL 3.0, table 6.47).
     pub fn flags(self) -> GLenum {
         match self {
-            Self::Compatibility(ForwardCompatible::No) | Self::Core(ForwardCompatible::No) => 0,
+            Self::Compatibility(ForwardCompatible::No)
+            | Self::Core(ForwardCompatible::No)
+            | Self::Es => 0,
             Self::Compatibility(ForwardCompatible::Yes) | Self::Core(ForwardCompatible::Yes) => {
                 GL_CONTEXT_FLAG_FORWARD_COMPATIBLE_BIT
             }
         }
     }
 
-    /// What depth textures are read as at first: core profiles have no `GL_DEPTH_TEXTURE_MODE`, and read red.
+    /// What depth textures are read as at first: core profiles and OpenGL ES have no `GL_DEPTH_TEXTURE_MODE`, and read red.
     pub fn depth_mode(self) -> DepthMode {
         match self {
             Self::Compatibility(_) => DepthMode::Luminance,
-            Self::Core(_) => DepthMode::Red,
+            Self::Core(_) | Self::Es => DepthMode::Red,
         }
     }
 
@@ -90,32 +112,51 @@ impl Profile {
         match self {
             Self::Compatibility(_) => ContextLanguage::Compatibility33,
             Self::Core(_) => ContextLanguage::Core33,
+            Self::Es => ContextLanguage::Core33,
         }
     }
 }
 
 impl Context {
-    /// Sets what begins otherwise in core contexts.
+    /// Sets what begins otherwise in contexts without all of OpenGL.
     pub(super) fn begin_with_profile(&mut self) {
-        if self.profile.is_core() {
+        let always: &[Flag] = match self.profile {
+            Profile::Compatibility(_) => return,
             // Points always have gl_PointCoord (GL 3.3, section 3.4).
-            self.state.enables.set(Flag::PointSprite, true);
-            for texture in &mut self.objects.default_textures {
-                texture.state.sampler.depth_mode = self.profile.depth_mode();
-            }
+            Profile::Core(_) => &[Flag::PointSprite],
+            // OpenGL ES has no capabilities of these names: points have the size that shaders write and gl_PointCoord
+            // (3.0, section 3.4), cube maps are filtered across faces (3.8.10), colours for sRGB formats are encoded
+            // (4.1.8).
+            Profile::Es => &[
+                Flag::PointSprite,
+                Flag::VertexProgramPointSize,
+                Flag::SeamlessCubeMaps,
+                Flag::FramebufferSrgb,
+            ],
+        };
+        always.iter().for_each(|flag| self.state.enables.set(*flag, true));
+        for texture in &mut self.objects.default_textures {
+            texture.state.sampler.depth_mode = self.profile.depth_mode();
         }
     }
 
-    /// Whether a call breaks a rule of the core profile, in a core context; the error is set then.
+    /// Whether a call breaks a rule of the core profile in a core context, or one of OpenGL ES in one of that; the error
+    /// is set then.
     #[cold]
     #[inline(never)]
-    pub(crate) fn is_removed(
+    pub(crate) fn is_refused(
         &mut self,
         name: &'static str,
         in_core: InCore,
+        in_es: InEs,
         arguments: &[Argument],
     ) -> bool {
-        match core_profile::check(name, in_core, arguments) {
+        let checked = match self.profile {
+            Profile::Compatibility(_) => Ok(()),
+            Profile::Core(_) => core_profile::check(name, in_core, arguments),
+            Profile::Es => es_profile::check(name, in_es, arguments),
+        };
+        match checked {
             Ok(()) => false,
             Err(error) => {
                 self.refuse(name, error);

@@ -70,11 +70,12 @@ macro_rules! implement {
             }
         }
     };
-    // In core contexts, what was removed is refused.
+    // In contexts without all of OpenGL, what they lack is refused.
     (@core $context:ident $gl:ident [$($alias:ident)*] ($($param:ident: $ty:ty),*)) => {
-        if $context.profile.is_core() {
-            const IN_CORE: $crate::base::core_profile::InCore =
-                $crate::base::core_profile::InCore::of(&[stringify!($gl) $(, stringify!($alias))*]);
+        if !$context.profile.is_compatibility() {
+            const NAMES: &[&str] = &[stringify!($gl) $(, stringify!($alias))*];
+            const IN_CORE: $crate::base::core_profile::InCore = $crate::base::core_profile::InCore::of(NAMES);
+            const IN_ES: $crate::base::es_profile::InEs = $crate::base::es_profile::InEs::of(NAMES);
             let arguments: &[$crate::base::core_profile::Argument] = &[$(
                 $crate::base::core_profile::Argument {
                     name: stringify!($param),
@@ -82,7 +83,7 @@ macro_rules! implement {
                     value: $crate::record::arguments::RecordArgument::integer(&$param),
                 }
             ),*];
-            if $context.is_removed(stringify!($gl), IN_CORE, arguments) {
+            if $context.is_refused(stringify!($gl), IN_CORE, IN_ES, arguments) {
                 return $crate::base::refused_result::RefusedResult::refused_result();
             }
         }

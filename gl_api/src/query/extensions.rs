@@ -4,9 +4,11 @@ use crate::base::availability::EXTENSIONS_OF_CORE;
 use crate::base::constants::*;
 use crate::base::core_profile::removed_value;
 use crate::base::error::{ErrorCode, Result, Table, invalid_value};
+use crate::base::es_extensions::EXTENSIONS_OF_ES;
 use crate::base::types::*;
 use crate::base::version;
 use crate::context::Context;
+use crate::context::profile::Profile;
 use std::sync::LazyLock;
 
 /// The names by the year of their specification, as a program copies the string into an array of a size that
@@ -234,7 +236,11 @@ static CORE: LazyLock<Vec<&str>> = LazyLock::new(|| {
 
 /// The extensions of a context.
 pub(crate) fn extensions_of(context: &Context) -> &'static [&'static str] {
-    if context.profile.is_core() { &CORE } else { EXTENSIONS }
+    match context.profile {
+        Profile::Compatibility(_) => EXTENSIONS,
+        Profile::Core(_) => &CORE,
+        Profile::Es => EXTENSIONS_OF_ES,
+    }
 }
 
 /// `GL_VERSION` of a profile.
@@ -245,8 +251,14 @@ fn version_of(profile: &str) -> String {
 static CORE_VERSION: LazyLock<String> = LazyLock::new(|| version_of("Core"));
 static COMPATIBILITY_VERSION: LazyLock<String> = LazyLock::new(|| version_of("Compatibility"));
 
+/// What stands first is what programs look for (OpenGL ES 3.0, section 6.1.5).
+static ES_VERSION: LazyLock<String> = LazyLock::new(|| {
+    format!("OpenGL ES {} DetGL {}", version::IMPLEMENTED_ES, env!("CARGO_PKG_VERSION"))
+});
+
 /// The names with blanks between them.
 static JOINED: LazyLock<String> = LazyLock::new(|| EXTENSIONS.join(" "));
+static JOINED_OF_ES: LazyLock<String> = LazyLock::new(|| EXTENSIONS_OF_ES.join(" "));
 
 pub(crate) fn get_string(context: &mut Context, name: GLenum) -> Result<&'static str> {
     const STRING: Table<&str> = Table {
@@ -260,13 +272,17 @@ pub(crate) fn get_string(context: &mut Context, name: GLenum) -> Result<&'static
             (GL_PROGRAM_ERROR_STRING_ARB, ""),
         ],
     };
-    let is_core = context.profile.is_core();
-    match name {
-        GL_VERSION if is_core => Ok(&CORE_VERSION),
-        GL_VERSION => Ok(&COMPATIBILITY_VERSION),
-        GL_EXTENSIONS if is_core => Err(removed_value("name", name, ErrorCode::InvalidEnum)),
-        GL_EXTENSIONS => Ok(&JOINED),
-        GL_PROGRAM_ERROR_STRING_ARB => {
+    match (name, context.profile) {
+        (GL_VERSION, Profile::Compatibility(_)) => Ok(&COMPATIBILITY_VERSION),
+        (GL_VERSION, Profile::Core(_)) => Ok(&CORE_VERSION),
+        (GL_VERSION, Profile::Es) => Ok(&ES_VERSION),
+        (GL_SHADING_LANGUAGE_VERSION, Profile::Es) => Ok("OpenGL ES GLSL ES 3.00"),
+        (GL_EXTENSIONS, Profile::Compatibility(_)) => Ok(&JOINED),
+        (GL_EXTENSIONS, Profile::Core(_)) => {
+            Err(removed_value("name", name, ErrorCode::InvalidEnum))
+        }
+        (GL_EXTENSIONS, Profile::Es) => Ok(&JOINED_OF_ES),
+        (GL_PROGRAM_ERROR_STRING_ARB, _) => {
             Ok(context.state.assembly.error.map_or("", |(_, message)| message))
         }
         _ => STRING.decode("name", name),

@@ -93,7 +93,7 @@ const ATTRIBUTES: [Row; 34] = [
     (EGL_NATIVE_RENDERABLE, Criterion::Exact, EGL_DONT_CARE, Allowed::Boolean),
     (EGL_NATIVE_VISUAL_ID, Criterion::Ignored, EGL_DONT_CARE, Allowed::Any),
     (EGL_NATIVE_VISUAL_TYPE, Criterion::Exact, EGL_DONT_CARE, Allowed::Any),
-    // EGL's default is OpenGL ES, which no config has: a request that names no API would find none.
+    // EGL's default is OpenGL ES 1, which no config has: a request that names no API would find none.
     (EGL_RENDERABLE_TYPE, Criterion::Mask, EGL_DONT_CARE, Allowed::Bits(APIS)),
     (EGL_SAMPLE_BUFFERS, Criterion::AtLeast, 0, Allowed::Boolean),
     (EGL_SAMPLES, Criterion::AtLeast, 0, Allowed::Count),

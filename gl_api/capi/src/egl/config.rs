@@ -16,6 +16,9 @@ pub(crate) struct Config {
     pub samples: Int,
 }
 
+/// The APIs that draw to surfaces of every config.
+const CLIENT_APIS: Int = EGL_OPENGL_BIT | EGL_OPENGL_ES2_BIT | EGL_OPENGL_ES3_BIT;
+
 /// Bits of alpha, with 8 each of red, green and blue.
 const ALPHA: [Int; 2] = [8, 0];
 /// Bits of depth and stencil.
@@ -80,7 +83,7 @@ impl Config {
             EGL_COLOR_BUFFER_TYPE => EGL_RGB_BUFFER,
             EGL_COLOR_COMPONENT_TYPE_EXT => EGL_COLOR_COMPONENT_TYPE_FIXED_EXT,
             EGL_CONFIG_CAVEAT | EGL_TRANSPARENT_TYPE | EGL_NATIVE_VISUAL_TYPE => EGL_NONE,
-            EGL_CONFORMANT | EGL_RENDERABLE_TYPE => EGL_OPENGL_BIT,
+            EGL_CONFORMANT | EGL_RENDERABLE_TYPE => CLIENT_APIS,
             EGL_SURFACE_TYPE => EGL_PBUFFER_BIT,
             EGL_MAX_PBUFFER_WIDTH | EGL_MAX_PBUFFER_HEIGHT => MAX_VIEWPORT_DIMS as Int,
             EGL_MAX_PBUFFER_PIXELS => (MAX_VIEWPORT_DIMS * MAX_VIEWPORT_DIMS) as Int,

@@ -32,6 +32,16 @@ fn is_version(major: Attrib, minor: Attrib) -> bool {
     }
 }
 
+/// The versions of OpenGL ES that were ever defined.
+fn is_es_version(major: Attrib, minor: Attrib) -> bool {
+    match major {
+        1 => (0..=1).contains(&minor),
+        2 => minor == 0,
+        3 => (0..=2).contains(&minor),
+        _ => false,
+    }
+}
+
 /// What the attributes ask for.
 struct Asked {
     api: ClientApi,
@@ -42,8 +52,8 @@ struct Asked {
     reset_notification: ResetNotification,
 }
 
-/// Checks that the attributes ask for no more than there is.
-fn check(attributes: &[(Int, Attrib)]) -> Result<Asked> {
+/// Checks that the attributes ask for no more than there is of the thread's API.
+fn check(client: Api, attributes: &[(Int, Attrib)]) -> Result<Asked> {
     let mut reset_notification = ResetNotification::Never;
     let (mut major, mut minor, mut flags) = (1, 0, 0);
     let (mut forward, mut debug, mut robust, mut no_error) = (false, false, false, false);
@@ -103,6 +113,23 @@ fn check(attributes: &[(Int, Attrib)]) -> Result<Asked> {
             "EGL_CONTEXT_OPENGL_NO_ERROR_KHR cannot go with a debug or robust context: leave one out",
         );
     }
+    let api = match client {
+        Api::OpenGl => {
+            check_version(major, minor)?;
+            profile_of((major, minor), profile, forward)?
+        }
+        Api::OpenGlEs => {
+            check_es_version(major, minor, attributes)?;
+            ClientApi::Es2
+        }
+    };
+    let version = Version::new(major as u8, minor as u8);
+    let forward_compatible = if forward { ForwardCompatible::Yes } else { ForwardCompatible::No };
+    let output = if debug { DebugOutput::On } else { DebugOutput::Off };
+    Ok(Asked { api, version, forward_compatible, output, reset_notification })
+}
+
+fn check_version(major: Attrib, minor: Attrib) -> Result<()> {
     if !is_version(major, minor) {
         return fail(Code::BadMatch, format!("there is no OpenGL {major}.{minor}"));
     }
@@ -116,11 +143,36 @@ fn check(attributes: &[(Int, Attrib)]) -> Result<Asked> {
             ),
         );
     }
-    let api = profile_of((major, minor), profile, forward)?;
-    let version = Version::new(major as u8, minor as u8);
-    let forward_compatible = if forward { ForwardCompatible::Yes } else { ForwardCompatible::No };
-    let output = if debug { DebugOutput::On } else { DebugOutput::Off };
-    Ok(Asked { api, version, forward_compatible, output, reset_notification })
+    Ok(())
+}
+
+/// Checks that there are contexts of a version of OpenGL ES, and that no attribute is OpenGL's alone.
+fn check_es_version(major: Attrib, minor: Attrib, attributes: &[(Int, Attrib)]) -> Result<()> {
+    const FORWARD: Attrib = EGL_CONTEXT_OPENGL_FORWARD_COMPATIBLE_BIT_KHR as Attrib;
+    let of_opengl = attributes.iter().find(|(name, value)| match *name {
+        EGL_CONTEXT_OPENGL_PROFILE_MASK | EGL_CONTEXT_OPENGL_FORWARD_COMPATIBLE => true,
+        EGL_CONTEXT_FLAGS_KHR => value & FORWARD != 0,
+        _ => false,
+    });
+    if let Some((name, _)) = of_opengl {
+        let name = name_of(*name);
+        let rule = format!("attrib_list: {name} is for OpenGL: call eglBindAPI(EGL_OPENGL_API)");
+        return fail(Code::BadAttribute, rule);
+    }
+    if !is_es_version(major, minor) {
+        return fail(Code::BadMatch, format!("there is no OpenGL ES {major}.{minor}"));
+    }
+    let most = limits::es_version();
+    if major < 2 || (major, minor) > (most.major.into(), most.minor.into()) {
+        return fail(
+            Code::BadMatch,
+            format!(
+                "OpenGL ES {major}.{minor} was asked for; DetGL has 2.0 and {most}: set \
+                 EGL_CONTEXT_MAJOR_VERSION to 2 or 3 (without it, it is 1)"
+            ),
+        );
+    }
+    Ok(())
 }
 
 /// The profile that is asked for. Before 3.2 there are none (EGL 1.5, section 3.7.1): a context of 3.0 or 3.1 has all
@@ -153,9 +205,17 @@ fn profile_of(version: (Attrib, Attrib), profile: Attrib, forward: bool) -> Resu
     }
 }
 
-/// What a new context needs to share the objects of another, wherever that is current.
-pub(crate) fn shared_by(display: Id, share: Handle) -> Result<ShareHandle> {
-    registry().context(display, share).map(|(_, entry)| entry.share.clone())
+/// What a new context needs to share the objects of another of the same API, wherever that is current.
+pub(crate) fn shared_by(display: Id, client: Api, share: Handle) -> Result<ShareHandle> {
+    let mut registry = registry();
+    let (_, entry) = registry.context(display, share)?;
+    if entry.client != client {
+        return fail(
+            Code::BadContext,
+            "share_context is of another API: contexts of OpenGL share with such, those of OpenGL ES too",
+        );
+    }
+    Ok(entry.share.clone())
 }
 
 pub(super) fn create(
@@ -166,13 +226,9 @@ pub(super) fn create(
 ) -> Result<Handle> {
     let display = registry().display(dpy)?;
     let config = if config.is_null() { None } else { Some(Config::find(config)?) };
-    if thread(|thread| thread.api.get()) == Api::None {
-        return fail(
-            Code::BadMatch,
-            "there is no OpenGL ES: call eglBindAPI(EGL_OPENGL_API) before",
-        );
-    }
-    let Asked { api, version, forward_compatible, output, reset_notification } = check(attributes)?;
+    let client = thread(|thread| thread.api.get());
+    let Asked { api, version, forward_compatible, output, reset_notification } =
+        check(client, attributes)?;
     // The surface comes with eglMakeCurrent.
     let desc = ContextDesc {
         api,
@@ -183,14 +239,14 @@ pub(super) fn create(
         reset_notification,
         ..ContextDesc::default()
     };
-    let shared = if share.is_null() { None } else { Some(shared_by(display, share)?) };
+    let shared = if share.is_null() { None } else { Some(shared_by(display, client, share)?) };
     let context = match host::new_context(desc, shared, output) {
         Ok(context) => context,
         Err(error) => return fail(Code::BadAlloc, error.to_string()),
     };
     let mut registry = registry();
     let id = registry.new_id();
-    registry.contexts.insert(id, ContextEntry::new(display, config, context));
+    registry.contexts.insert(id, ContextEntry::new(display, client, config, context));
     Ok(handle(id))
 }
 
@@ -215,8 +271,11 @@ pub(super) unsafe fn query(
     let bound = binding.filter(|binding| binding.context == id);
     let found = match attribute {
         EGL_CONFIG_ID => entry.config.map_or(0, |config| config.id),
-        EGL_CONTEXT_CLIENT_TYPE => EGL_OPENGL_API,
-        EGL_CONTEXT_CLIENT_VERSION => limits::version().major.into(),
+        EGL_CONTEXT_CLIENT_TYPE => entry.client.encode(),
+        EGL_CONTEXT_CLIENT_VERSION => match entry.client {
+            Api::OpenGl => limits::version().major.into(),
+            Api::OpenGlEs => limits::es_version().major.into(),
+        },
         EGL_RENDER_BUFFER if bound.is_some_and(|bound| bound.surface.is_some()) => EGL_BACK_BUFFER,
         EGL_RENDER_BUFFER => EGL_NONE,
         _ => {
@@ -233,16 +292,19 @@ pub(super) unsafe fn query(
 }
 
 pub(super) fn bind_api(api: u32) -> Result<u32> {
-    if api as Int != EGL_OPENGL_API {
-        return fail(Code::BadParameter, format!("api = {} must be EGL_OPENGL_API", name_of(api)));
-    }
-    thread(|thread| thread.api.set(Api::OpenGl));
+    let api = match api as Int {
+        EGL_OPENGL_API => Api::OpenGl,
+        EGL_OPENGL_ES_API => Api::OpenGlEs,
+        name => {
+            let name = name_of(name);
+            let rule = format!("api = {name} must be EGL_OPENGL_API or EGL_OPENGL_ES_API");
+            return fail(Code::BadParameter, rule);
+        }
+    };
+    thread(|thread| thread.api.set(api));
     Ok(1)
 }
 
 pub(super) fn query_api() -> Result<u32> {
-    Ok(match thread(|thread| thread.api.get()) {
-        Api::None => EGL_NONE as u32,
-        Api::OpenGl => EGL_OPENGL_API as u32,
-    })
+    Ok(thread(|thread| thread.api.get()).encode() as u32)
 }

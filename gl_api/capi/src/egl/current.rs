@@ -200,8 +200,7 @@ fn binding() -> Option<Binding> {
 }
 
 pub(super) fn current_context() -> Result<Handle> {
-    let id = binding().map_or(0, |binding| binding.context);
-    Ok(if thread(|thread| thread.api.get()) == Api::None { handle(0) } else { handle(id) })
+    Ok(handle(binding().map_or(0, |binding| binding.context)))
 }
 
 pub(super) fn current_display() -> Result<Handle> {
@@ -222,7 +221,7 @@ pub(super) fn current_surface(which: Int) -> Result<Handle> {
 pub(super) fn release_thread() -> Result<u32> {
     thread(|thread| {
         release(thread);
-        thread.api.set(Api::None);
+        thread.api.set(Api::OpenGlEs);
     });
     Ok(1)
 }

@@ -106,7 +106,7 @@ pub(super) fn query_string(dpy: Handle, name: Int) -> Result<*const c_char> {
     }
     registry().display(dpy)?;
     Ok(match name {
-        EGL_CLIENT_APIS => c"OpenGL".as_ptr(),
+        EGL_CLIENT_APIS => c"OpenGL OpenGL_ES".as_ptr(),
         EGL_EXTENSIONS => EXTENSIONS.as_ptr(),
         EGL_VENDOR => c"DetGL".as_ptr(),
         EGL_VERSION => c"1.5 DetGL".as_ptr(),

@@ -3,7 +3,7 @@
 use super::config::Config;
 use super::error::{Code, Result, fail};
 use super::raw::{Handle, Id};
-use super::thread::ThreadId;
+use super::thread::{Api, ThreadId};
 use gl_api::Context;
 use gl_api::host::{self, ShareHandle, Surface};
 use std::collections::BTreeMap;
@@ -52,6 +52,7 @@ pub(crate) enum Holder {
 #[derive(Debug)]
 pub(crate) struct ContextEntry {
     pub display: Id,
+    pub client: Api,
     /// `None` was made with `EGL_NO_CONFIG_KHR`.
     pub config: Option<&'static Config>,
     pub holder: Holder,
@@ -65,10 +66,15 @@ pub(crate) struct ContextEntry {
 
 impl ContextEntry {
     /// A new one, current nowhere.
-    pub fn new(display: Id, config: Option<&'static Config>, context: Box<Context>) -> Self {
+    pub fn new(
+        display: Id,
+        client: Api,
+        config: Option<&'static Config>,
+        context: Box<Context>,
+    ) -> Self {
         let share = host::share(&context);
         let holder = Holder::Registry(context);
-        Self { display, config, holder, share, doomed: false, sized: false }
+        Self { display, client, config, holder, share, doomed: false, sized: false }
     }
 }
 

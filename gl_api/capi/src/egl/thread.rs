@@ -1,6 +1,6 @@
 //! What belongs to a thread: its error, its API, and what is current on it.
 
-use super::constants::EGL_SUCCESS;
+use super::constants::{EGL_OPENGL_API, EGL_OPENGL_ES_API, EGL_SUCCESS};
 use super::raw::{Id, Int};
 use std::cell::Cell;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -19,9 +19,19 @@ pub(crate) struct Binding {
 /// The API that `eglBindAPI` chose.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Api {
-    /// Before the first call: OpenGL ES would be the default, but there is none.
-    None,
+    /// Before the first call (EGL 1.5, section 3.7).
+    OpenGlEs,
     OpenGl,
+}
+
+impl Api {
+    /// EGL's value.
+    pub fn encode(self) -> Int {
+        match self {
+            Self::OpenGlEs => EGL_OPENGL_ES_API,
+            Self::OpenGl => EGL_OPENGL_API,
+        }
+    }
 }
 
 /// A thread, by a number that no other has. (One that is ending has no `std::thread::ThreadId`.)
@@ -52,7 +62,7 @@ thread_local! {
         Thread {
             id: Cell::new(None),
             error: Cell::new(EGL_SUCCESS),
-            api: Cell::new(Api::None),
+            api: Cell::new(Api::OpenGlEs),
             binding: Cell::new(None),
         }
     };

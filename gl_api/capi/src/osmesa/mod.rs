@@ -10,10 +10,10 @@ mod mirror;
 
 pub(crate) use functions::FUNCTIONS;
 
-use super::egl::current;
 use super::egl::raw::{Id, handle};
 use super::egl::registry::{ContextEntry, OSMESA, Settings, SurfaceEntry, registry};
 use super::egl::thread::{Binding, thread};
+use super::egl::{self, current};
 use gl_api::constants::*;
 use gl_api::host::{self, Alpha, DebugOutput, FirstRow, Pixels, Surface, limits};
 use gl_api::{Api, ContextDesc, SurfaceColor, SurfaceDesc, with_current};
@@ -155,7 +155,7 @@ fn create(request: Request, share: Id) -> *mut c_void {
     let desc = ContextDesc { api: request.api, width: 1, height: 1, ..ContextDesc::default() };
     let shared = match share {
         0 => None,
-        share => match super::egl::shared_by(OSMESA, handle(share)) {
+        share => match egl::shared_by(OSMESA, egl::thread::Api::OpenGl, handle(share)) {
             Ok(shared) => Some(shared),
             Err(_) => return std::ptr::null_mut(),
         },
@@ -166,7 +166,9 @@ fn create(request: Request, share: Id) -> *mut c_void {
     let id = {
         let mut registry = registry();
         let id = registry.new_id();
-        registry.contexts.insert(id, ContextEntry::new(OSMESA, None, context));
+        registry
+            .contexts
+            .insert(id, ContextEntry::new(OSMESA, egl::thread::Api::OpenGl, None, context));
         id
     };
     let entry = Entry {

@@ -46,7 +46,7 @@ pub(crate) fn begin_query(context: &mut Context, target: GLenum, id: GLuint) -> 
     if id == 0 {
         return invalid_operation(SECTION, "id = 0 is no query: call glGenQueries");
     }
-    if context.profile.is_core() {
+    if !context.profile.is_compatibility() {
         context.objects.queries.check_given("id", id, "glGenQueries")?;
     }
     let active = *context.queries.slot(kind);

@@ -75,9 +75,9 @@ pub(crate) fn has_positions(context: &mut Context, topology: Topology) -> bool {
         warnings::arrays::none(context, topology);
         return true;
     }
-    if context.profile.is_core() && !program {
+    if !context.profile.is_compatibility() && !program {
         context.debug.warn(
-            "draw: nothing is drawn, as no program is in use, and core profiles have no fixed function: call \
+            "draw: nothing is drawn, as no program is in use, and there is no fixed function: call \
              glUseProgram"
                 .into(),
         );

@@ -17,8 +17,7 @@ mod transform;
 mod vertex_arrays;
 
 use crate::base::constants::*;
-use crate::base::core_profile::removed_value;
-use crate::base::error::{ErrorCode, Result, invalid_enum};
+use crate::base::error::{Result, invalid_enum};
 use crate::base::query_value::QueryValue;
 use crate::base::types::*;
 use crate::context::Context;
@@ -85,10 +84,10 @@ fn row(pname: GLenum) -> Option<&'static Row> {
 /// `GL_INVALID_ENUM` where there is none of that name.
 pub(crate) fn state_value(context: &Context, pname: GLenum) -> Result<QueryValue> {
     match row(pname) {
-        Some(row) if context.profile.is_core() && !row.is_in_core() => {
-            Err(removed_value("pname", pname, ErrorCode::InvalidEnum))
+        Some(row) => {
+            row.check_profile(context.profile)?;
+            row.value(context)
         }
-        Some(row) => row.value(context),
         None => invalid_enum(
             "GL 2.1, section 6.1.1",
             format!("pname = {} names no state that DetGL has", enum_name(pname)),

@@ -1,11 +1,14 @@
 //! A row of the table of state: the name, where its value is and of which type, and which APIs have it.
 
-use crate::base::availability::{Availability, REMOVED_VALUES, Version};
-use crate::base::core_profile;
-use crate::base::error::Result;
+use crate::base::availability::{Api, Availability, REMOVED_VALUES, VALUES_OUTSIDE_ES, Version};
+use crate::base::core_profile::{self, removed_value};
+use crate::base::error::{ErrorCode, Result};
+use crate::base::es_profile::foreign_value;
 use crate::base::query_value::QueryValue;
 use crate::base::types::*;
+use crate::base::version;
 use crate::context::Context;
+use crate::context::profile::Profile;
 use crate::query::enabled::is_on;
 
 /// Where a value is in the context. The variant is the type of the value, which says how it becomes the type that
@@ -67,12 +70,30 @@ pub(crate) struct Row {
 }
 
 impl Row {
-    /// Whether core contexts have the state.
-    pub fn is_in_core(&self) -> bool {
-        match self.availability {
+    /// Checks that contexts of a profile have the state.
+    pub fn check_profile(&self, profile: Profile) -> Result<()> {
+        let has = match (profile, self.availability) {
+            (Profile::Compatibility(_), _) => true,
             // By value: names that the core profile has replaced have the same.
-            StateAvailability::Registry(_) => REMOVED_VALUES.binary_search(&self.name).is_err(),
-            StateAvailability::Stated(availability) => core_profile::has(&availability),
+            (Profile::Core(_), StateAvailability::Registry(_)) => {
+                REMOVED_VALUES.binary_search(&self.name).is_err()
+            }
+            (Profile::Core(_), StateAvailability::Stated(availability)) => {
+                core_profile::has(&availability)
+            }
+            (Profile::Es, StateAvailability::Registry(_)) => {
+                VALUES_OUTSIDE_ES.binary_search(&self.name).is_err()
+            }
+            (Profile::Es, StateAvailability::Stated(availability)) => {
+                availability.is_in(Api::Es2, version::IMPLEMENTED_ES)
+            }
+        };
+        match profile {
+            _ if has => Ok(()),
+            Profile::Es => Err(foreign_value("pname", self.name, ErrorCode::InvalidEnum)),
+            Profile::Core(_) | Profile::Compatibility(_) => {
+                Err(removed_value("pname", self.name, ErrorCode::InvalidEnum))
+            }
         }
     }
 
