@@ -42,6 +42,28 @@ pub struct ArraySize {
     pub size: Option<Box<Expr>>,
 }
 
+/// `lowp`, `mediump` and `highp`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Precision {
+    /// `lowp`.
+    Low,
+    /// `mediump`.
+    Medium,
+    /// `highp`.
+    High,
+}
+
+impl Precision {
+    /// The keyword.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Low => "lowp",
+            Self::Medium => "mediump",
+            Self::High => "highp",
+        }
+    }
+}
+
 /// A qualifier in a declaration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Qualifier {
@@ -70,7 +92,7 @@ pub enum Qualifier {
     /// `noperspective`.
     NoPerspective,
     /// `lowp`, `mediump` or `highp`.
-    Precision,
+    Precision(Precision),
     /// `layout(origin_upper_left)` of `gl_FragCoord`.
     OriginUpperLeft,
     /// `layout(pixel_center_integer)` of `gl_FragCoord`.
@@ -164,7 +186,7 @@ impl Qualifier {
             | Self::Smooth
             | Self::Flat
             | Self::NoPerspective
-            | Self::Precision => false,
+            | Self::Precision(_) => false,
         }
     }
 
@@ -190,7 +212,7 @@ impl Qualifier {
             | Self::In
             | Self::Out
             | Self::Inout => 3,
-            Self::Precision => 4,
+            Self::Precision(_) => 4,
         }
     }
 }
@@ -284,5 +306,5 @@ pub enum Item {
     /// `invariant a, b;`.
     Invariant(Vec<Name>),
     /// `precision highp float;`, with the type.
-    Precision(TypeName),
+    Precision(Precision, TypeName),
 }

@@ -1,6 +1,6 @@
 //! Statements.
 
-use super::{Declaration, Expr, Function, TypeName};
+use super::{Declaration, Expr, Function, Precision, TypeName};
 use crate::text::source::Span;
 
 /// A statement.
@@ -18,7 +18,7 @@ pub enum StmtKind {
     /// `;`.
     Empty,
     /// `precision highp float;`, with the type.
-    Precision(TypeName),
+    Precision(Precision, TypeName),
     /// Variables.
     Declaration(Declaration),
     /// A prototype.

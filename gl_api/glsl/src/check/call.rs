@@ -281,7 +281,7 @@ impl Checker<'_> {
                 match &mut self.body {
                     Some(body) => body.calls.push((index, name.span)),
                     // Initializers run before `main`; those of GLSL ES are constant.
-                    None if self.version != Version::Es100 => self.unit.calls.push(index),
+                    None if !self.version.is_es() => self.unit.calls.push(index),
                     None => {
                         let message =
                             "functions of the shader cannot be called outside of functions";
@@ -339,8 +339,19 @@ impl Checker<'_> {
         let explicit = matches!(lookup, Lookup::Sample(_, LodSource::Explicit, _));
         if explicit && !self.is_vertex() && self.version < Version::V130 {
             let message = format!("`{}` in the fragment stage is an extension", name.text);
-            let problem = Diagnostic::deviation(self.log.strictness, name.span, message)
-                .help("write `#extension GL_ARB_shader_texture_lod : enable` first");
+            let problem = match self.version {
+                // Compilers of GLSL ES refuse it (GLSL ES 1.00 section 8.7).
+                Version::Es100 => Diagnostic::error(name.span, message)
+                    .help("enable GL_EXT_shader_texture_lod, and add `EXT` to the name"),
+                Version::V110
+                | Version::V120
+                | Version::V130
+                | Version::V140
+                | Version::V150
+                | Version::V330
+                | Version::Es300 => Diagnostic::deviation(self.log.strictness, name.span, message)
+                    .help("write `#extension GL_ARB_shader_texture_lod : enable` first"),
+            };
             let known = [Extension::ShaderTextureLod, Extension::GpuShader4];
             if !known.iter().any(|known| self.language.enabled(*known)) {
                 self.log.push(problem);

@@ -4,7 +4,7 @@ use super::Checker;
 use super::scope::Symbol;
 use crate::ast::{self, TypeBase};
 use crate::builtins::variable;
-use crate::hir::{Expr, ExprKind, Storage, VarRef, Variable};
+use crate::hir::{Expr, ExprKind, InterfaceQualifiers, Storage, VarRef, Variable};
 use crate::language::{Availability, Extension, Version};
 use crate::limits::{MAX_DIMENSIONS, MAX_SCALARS, MAX_STRUCT_DEPTH};
 use crate::text::diagnostics::Diagnostic;
@@ -204,7 +204,7 @@ impl Checker<'_> {
         let Some((storage, interface_qualifiers)) = self.global_storage(&declaration.ty) else {
             return;
         };
-        self.check_precision(&declaration.ty);
+        let precision = self.precision_of(&declaration.ty);
         if declaration.names.is_empty() {
             let _ = self.type_of(&declaration.ty.ty, &[]);
             return;
@@ -232,7 +232,8 @@ impl Checker<'_> {
             let type_span = (declaration.names.len() == 1).then_some(declaration.ty.ty.span);
             let mut variable = self.new_variable(declared, ty, storage);
             variable.type_span = type_span.filter(|_| declared.array.is_empty());
-            variable.interface_qualifiers = interface_qualifiers;
+            variable.interface_qualifiers =
+                InterfaceQualifiers { precision, ..interface_qualifiers };
             self.initialize(&mut variable, init, declared.name.span);
             self.check_sized(&variable);
             let var = VarRef::Global(self.unit.globals.len() as u32);
@@ -262,6 +263,7 @@ impl Checker<'_> {
         };
         let unfit = match variable.storage {
             Storage::Plain | Storage::Const => None,
+            Storage::Uniform if self.version.is_es() => Some("uniforms take no value in GLSL ES"),
             Storage::Uniform if self.version >= Version::V120 => None,
             Storage::Uniform => Some("uniforms take no value before GLSL 1.20"),
             Storage::Attribute
@@ -291,7 +293,7 @@ impl Checker<'_> {
             Storage::Const => Some("a constant"),
             Storage::Uniform => Some("a uniform"),
             // Desktop GLSL runs other initializers before `main` (section 4.3).
-            Storage::Plain if self.version == Version::Es100 => {
+            Storage::Plain if self.version.is_es() => {
                 self.body.is_none().then_some("a global variable")
             }
             Storage::Plain => None,
@@ -344,6 +346,13 @@ impl Checker<'_> {
             None => ty,
         };
         match &ty {
+            // GLSL ES 3.00 section 4.1.9; in 1.00 there are none.
+            ty if self.version.is_es() && ty.is_unsized() => {
+                if !init.is_some_and(Expr::is_error) {
+                    self.error(span, "4.1.9", format!("the array needs a size: this is {ty}"));
+                }
+                Type::Error
+            }
             Type::Array(element, _) if element.is_unsized() => {
                 if init.is_some_and(Expr::is_error) {
                     return Type::Error;

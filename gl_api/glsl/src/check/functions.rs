@@ -11,10 +11,10 @@ use crate::types::Type;
 
 impl Checker<'_> {
     pub(super) fn function(&mut self, declared: &ast::Function) {
-        self.check_precision(&declared.ty);
+        self.precision_of(&declared.ty);
         let result = self.type_of(&declared.ty.ty, &[]);
         for (qualifier, span) in &declared.ty.qualifiers {
-            if *qualifier != Qualifier::Precision {
+            if !matches!(qualifier, Qualifier::Precision(_)) {
                 self.error(*span, "6.4", "what a function returns takes no such word");
             }
         }
@@ -60,7 +60,7 @@ impl Checker<'_> {
                 Qualifier::In => direction = Direction::In,
                 Qualifier::Out => direction = Direction::Out,
                 Qualifier::Inout => direction = Direction::Inout,
-                Qualifier::Const | Qualifier::Precision => {}
+                Qualifier::Const | Qualifier::Precision(_) => {}
                 Qualifier::Attribute
                 | Qualifier::Varying
                 | Qualifier::Uniform
@@ -82,7 +82,7 @@ impl Checker<'_> {
                 }
             }
         }
-        self.check_precision(&parameter.ty);
+        self.precision_of(&parameter.ty);
         let ty = self.type_of(&parameter.ty.ty, &parameter.array);
         let span = parameter.name.as_ref().map_or(parameter.ty.ty.span, |name| name.span);
         if ty == Type::Void || ty.is_unsized() {
@@ -137,10 +137,7 @@ impl Checker<'_> {
                 Some(("differs from its declaration", &*name.text))
             } else if other.body.is_some() && declared.body.is_some() {
                 Some(("is defined already,", &*signature))
-            } else if self.version == Version::Es100
-                && other.body.is_none()
-                && declared.body.is_none()
-            {
+            } else if self.version.is_es() && other.body.is_none() && declared.body.is_none() {
                 // GLSL ES allows one prototype besides the definition (section 4.2.7).
                 Some(("is declared already,", &*signature))
             } else {
@@ -168,7 +165,7 @@ impl Checker<'_> {
         let (locals, result) = (function.locals.clone(), function.result.clone());
         self.body =
             Some(Body { function: index, result: Some(result.clone()), locals, ..Body::default() });
-        let precision = self.float_precision;
+        let precisions = self.precisions.open();
         self.scopes.open();
         for (number, parameter) in declared.parameters.iter().enumerate() {
             if let Some(name) = &parameter.name {
@@ -179,7 +176,7 @@ impl Checker<'_> {
         }
         let statements = self.statements(body);
         self.scopes.close();
-        self.float_precision = precision;
+        self.precisions.close(precisions);
         let Some(mut body) = self.body.take() else { return };
         settle_arrays(&mut body.locals);
         if result != Type::Void && result != Type::Error && !body.returns {

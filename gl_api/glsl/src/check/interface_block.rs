@@ -126,7 +126,7 @@ impl Checker<'_> {
         let Some((storage, interface_qualifiers)) = self.global_storage(&ty) else {
             return Vec::new();
         };
-        self.check_precision(&ty);
+        self.precision_of(&ty);
         if declaration.names.is_empty() {
             self.error(ty.ty.span, SECTION, "a member needs a name");
         }

@@ -13,6 +13,7 @@ mod interface_block;
 mod lvalue;
 mod operators;
 mod per_vertex;
+mod precision;
 mod qualifiers;
 mod redeclare;
 mod scope;
@@ -29,6 +30,7 @@ use crate::text::diagnostics::{Diagnostic, Log};
 use crate::text::source::{Source, Span};
 use crate::types::Type;
 use interface_block::Instance;
+use precision::DefaultPrecisions;
 use rasterizer::ir::Stage;
 use redeclare::settle_arrays;
 use scope::{Scopes, Undeclared};
@@ -64,8 +66,8 @@ struct Checker<'a> {
     stage: Stage,
     language: Language,
     version: Version,
-    /// Whether `float` has a default precision here (GLSL ES 1.00 section 4.5.3).
-    float_precision: bool,
+    /// The default precisions here.
+    precisions: DefaultPrecisions,
     /// Whether a missing precision was reported: once is enough.
     reported_missing_precision: bool,
     unit: Unit,
@@ -109,7 +111,7 @@ pub fn check(
         stage,
         language,
         version,
-        float_precision: version != Version::Es100 || stage == Stage::Vertex,
+        precisions: DefaultPrecisions::new(version, stage),
         reported_missing_precision: false,
         unit,
         block_layout: BlockDefaults::default(),
@@ -130,7 +132,7 @@ pub fn check(
             Item::LayoutDefaults(words) => checker.layout_defaults(words),
             Item::Function(function) => checker.function(function),
             Item::Invariant(names) => checker.invariant(names),
-            Item::Precision(ty) => checker.default_precision(ty),
+            Item::Precision(precision, ty) => checker.default_precision(*precision, ty),
         }
         if checker.log.is_full() {
             break;
@@ -232,11 +234,11 @@ impl Checker<'_> {
 
     /// Checks statements in a scope of their own.
     fn scoped(&mut self, check: impl FnOnce(&mut Self) -> Vec<Stmt>) -> Vec<Stmt> {
-        let precision = self.float_precision;
+        let precisions = self.precisions.open();
         self.scopes.open();
         let statements = check(self);
         self.scopes.close();
-        self.float_precision = precision;
+        self.precisions.close(precisions);
         statements
     }
 }

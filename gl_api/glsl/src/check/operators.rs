@@ -10,11 +10,13 @@ pub fn converts(from: &Type, to: &Type, version: Version) -> bool {
     let (Type::Vector(from, n), Type::Vector(Scalar::Float, m)) = (from, to) else {
         return false;
     };
-    let allowed = match from {
-        Scalar::Int => version >= Version::V120,
-        Scalar::Uint => true,
-        Scalar::Float | Scalar::Bool => false,
-    };
+    // GLSL ES has none.
+    let allowed = !version.is_es()
+        && match from {
+            Scalar::Int => version >= Version::V120,
+            Scalar::Uint => true,
+            Scalar::Float | Scalar::Bool => false,
+        };
     allowed && n == m
 }
 

@@ -8,7 +8,7 @@ use crate::hir::{InterfaceQualifiers, Storage};
 use crate::language::{Availability, Extension, Version};
 use crate::text::diagnostics::Diagnostic;
 use crate::text::source::Span;
-use crate::types::{FLOAT, INT, Scalar, Type};
+use crate::types::{Scalar, Type};
 use rasterizer::ir::{Interpolation, Stage};
 
 /// The storage that a qualifier gives a global in a stage; the error says why it is not allowed.
@@ -39,7 +39,7 @@ fn storage(
             | Qualifier::Smooth
             | Qualifier::Flat
             | Qualifier::NoPerspective
-            | Qualifier::Precision
+            | Qualifier::Precision(_)
             | Qualifier::OriginUpperLeft
             | Qualifier::PixelCenterInteger
             | Qualifier::Location(_)
@@ -133,7 +133,7 @@ impl Checker<'_> {
                     self.log.push(Diagnostic::error(span, message).rule(self.rule("4.3.8")));
                     continue;
                 }
-                Qualifier::Block(_) | Qualifier::Precision => continue,
+                Qualifier::Block(_) | Qualifier::Precision(_) => continue,
             };
             words_of_passing.push((qualifier, span));
             if interface_qualifiers.interpolation.replace(smoothness).is_some() {
@@ -254,9 +254,11 @@ impl Checker<'_> {
     /// Only what passes between the stages can be invariant (GLSL 1.20 section 4.6.1), and from 1.30
     /// on and in GLSL ES what the fragment stage writes.
     fn check_invariant(&mut self, storage: Storage, span: Span) {
-        let later = self.version >= Version::V130 || self.version == Version::Es100;
+        let later = self.version >= Version::V130 || self.version.is_es();
         let fits = match storage {
-            Storage::Output(_) | Storage::Input(_) => true,
+            Storage::Output(_) => true,
+            // GLSL ES 3.00 section 4.6.1: outputs alone.
+            Storage::Input(_) => self.version != Version::Es300,
             Storage::FragmentOutput => later,
             Storage::Builtin(builtin) => match builtin.invariance() {
                 Invariance::Allowed => true,
@@ -346,8 +348,12 @@ impl Checker<'_> {
                 }
             }
             Storage::Output(interpolation) | Storage::Input(interpolation) => {
-                let structure = structure && !self.language.has(Availability::V150);
+                let has_structures =
+                    self.language.has(Availability::V150) || self.version == Version::Es300;
+                let structure = structure && !has_structures;
                 let read = matches!(storage, Storage::Input(_)) && self.stage == Stage::Fragment;
+                // GLSL ES 3.00 section 4.3.6: of outputs too.
+                let read = read || self.version == Version::Es300;
                 if boolean || structure || (old && integer(ty)) {
                     Some("what passes between the stages is made of floats")
                 } else if integer(ty) && interpolation != Interpolation::Flat && read {
@@ -372,51 +378,5 @@ impl Checker<'_> {
             let rule = format!("{} section 4.3", self.version.title());
             self.log.push(Diagnostic::error(span, format!("{message}; this is {ty}")).rule(rule));
         }
-    }
-
-    /// `precision highp float;`: all numbers have 32 bits, so only the type is checked.
-    pub(super) fn default_precision(&mut self, name: &ast::TypeName) {
-        let ty = self.type_of(name, &[]);
-        match ty {
-            FLOAT => self.float_precision = true,
-            INT | Type::Sampler(_) | Type::Error => {}
-            Type::Void
-            | Type::Vector(..)
-            | Type::Matrix(..)
-            | Type::Struct(_)
-            | Type::Array(..) => {
-                let message = format!("{ty} has no default precision");
-                let problem = Diagnostic::error(name.span, message).rule(self.rule("4.5.3"));
-                self.log.push(problem.help("float, int and the samplers have one"));
-            }
-        }
-    }
-
-    /// Only numbers and samplers have a precision (GLSL 1.30 section 4.5.2); floats of the fragment
-    /// stage need one in GLSL ES.
-    pub(super) fn check_precision(&mut self, ty: &ast::QualifiedType) {
-        let word = ty.qualifiers.iter().find(|(qualifier, _)| *qualifier == Qualifier::Precision);
-        let given = word.is_some();
-        let named = match &ty.ty.base {
-            ast::TypeBase::Named(word) => Type::named(word, self.language),
-            ast::TypeBase::Struct(_) => None,
-        };
-        let precise = match &named {
-            Some(Type::Sampler(_)) => true,
-            Some(named) => named.scalar().is_some_and(|scalar| scalar != Scalar::Bool),
-            None => false,
-        };
-        if let (Some((_, span)), false) = (word, precise) {
-            let message = "only numbers, their vectors and matrices, and samplers have a precision";
-            self.error(*span, "4.5.2", message);
-        }
-        let float = named.is_some_and(|named| named.scalar() == Some(Scalar::Float));
-        if self.float_precision || self.reported_missing_precision || given || !float {
-            return;
-        }
-        self.reported_missing_precision = true;
-        let message = "floats of the fragment stage have no precision yet";
-        let problem = Diagnostic::error(ty.ty.span, message).rule(self.rule("4.5.3"));
-        self.log.push(problem.help("write `precision mediump float;` first"));
     }
 }

@@ -75,7 +75,8 @@ impl Scopes {
             | Version::V130
             | Version::V140
             | Version::V150
-            | Version::V330 => FunctionNames::Shared,
+            | Version::V330
+            | Version::Es300 => FunctionNames::Shared,
         };
         Self { open: vec![BTreeMap::new()], functions: BTreeMap::new(), names }
     }

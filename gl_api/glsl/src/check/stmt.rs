@@ -27,7 +27,7 @@ impl Checker<'_> {
     fn statement(&mut self, statement: &ast::Stmt, all: &mut Vec<Stmt>) {
         match &statement.kind {
             StmtKind::Empty => {}
-            StmtKind::Precision(ty) => self.default_precision(ty),
+            StmtKind::Precision(precision, ty) => self.default_precision(*precision, ty),
             StmtKind::Declaration(declaration) => self.local_declaration(declaration, all),
             StmtKind::Prototype(function) => self.function(function),
             StmtKind::Expr(expr) => {
@@ -197,7 +197,7 @@ impl Checker<'_> {
         for &(qualifier, span) in &declaration.ty.qualifiers {
             match qualifier {
                 Qualifier::Const => storage = Storage::Const,
-                Qualifier::Precision => {}
+                Qualifier::Precision(_) => {}
                 Qualifier::Attribute
                 | Qualifier::Varying
                 | Qualifier::Uniform
@@ -224,7 +224,7 @@ impl Checker<'_> {
                 }
             }
         }
-        self.check_precision(&declaration.ty);
+        self.precision_of(&declaration.ty);
         if declaration.names.is_empty() {
             let _ = self.type_of(&declaration.ty.ty, &[]);
         }
@@ -315,7 +315,7 @@ impl Checker<'_> {
                     Some(CaseLabel::Default)
                 }
                 StmtKind::Empty
-                | StmtKind::Precision(_)
+                | StmtKind::Precision(..)
                 | StmtKind::Declaration(_)
                 | StmtKind::Prototype(_)
                 | StmtKind::Expr(_)

@@ -58,7 +58,7 @@ impl Checker<'_> {
     ) -> Vec<(BlockLayout, Span)> {
         let mut layouts = Vec::new();
         for &(qualifier, span) in words {
-            if matches!(qualifier, Qualifier::Binding(_)) {
+            if matches!(qualifier, Qualifier::Binding(_) | Qualifier::Precision(_)) {
                 continue;
             }
             if let Qualifier::Block(layout) = qualifier {
@@ -92,7 +92,7 @@ impl Checker<'_> {
     /// The matrix order of a member.
     fn order_of(&mut self, words: &[(Qualifier, Span)], order: MatrixOrder) -> MatrixOrder {
         let message = "a member of a uniform block takes `layout(...)` and `uniform`";
-        let others = [Qualifier::Uniform, Qualifier::Precision];
+        let others = [Qualifier::Uniform];
         let mut order = order;
         for (layout, span) in self.layouts(words, &others, message) {
             match layout {
@@ -129,7 +129,7 @@ impl Checker<'_> {
                 break;
             }
             let order = self.order_of(&declaration.ty.qualifiers, layout.order);
-            self.check_precision(&declaration.ty);
+            self.precision_of(&declaration.ty);
             if declaration.names.is_empty() {
                 self.against(declaration.ty.ty.span, BLOCKS, "a member needs a name");
             }

@@ -5,7 +5,7 @@ mod function;
 mod recursion;
 mod stmt;
 
-use crate::ast::DepthLayout;
+use crate::ast::{DepthLayout, Precision};
 use crate::builtins::variable::Builtin;
 use crate::language::Version;
 use crate::text::source::Span;
@@ -125,6 +125,8 @@ pub struct InterfaceQualifiers {
     pub binding: Option<(u32, Span)>,
     /// `layout(depth_less)` and the like.
     pub depth: Option<DepthLayout>,
+    /// The precision, of its own or by default.
+    pub precision: Option<Precision>,
 }
 
 impl InterfaceQualifiers {

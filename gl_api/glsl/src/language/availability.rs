@@ -21,6 +21,30 @@ pub enum Profiles {
     Compatibility,
 }
 
+/// The versions of GLSL ES that have something.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum EsVersions {
+    /// None.
+    None,
+    /// 1.00, and no longer 3.00.
+    Only100,
+    /// 3.00, and not yet 1.00.
+    From300,
+    /// Both.
+    All,
+}
+
+impl EsVersions {
+    pub(super) fn has(self, version: Version) -> bool {
+        match self {
+            Self::None => false,
+            Self::Only100 => version == Version::Es100,
+            Self::From300 => version == Version::Es300,
+            Self::All => version.is_es(),
+        }
+    }
+}
+
 /// Which versions, profiles and extensions have something.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Availability {
@@ -28,15 +52,17 @@ pub struct Availability {
     pub(super) desktop: Option<Version>,
     /// The profiles of desktop GLSL that have it.
     pub(super) profiles: Profiles,
-    /// Whether GLSL ES 1.00 has it.
-    pub(super) es: bool,
+    /// The versions of GLSL ES that have it.
+    pub(super) es: EsVersions,
     /// The bits of the extensions each of which adds it.
     pub(super) extensions: u32,
 }
 
 impl Availability {
+    /// Every version of desktop GLSL, and of GLSL ES.
+    pub const DESKTOP_AND_ES: Self = Self::DESKTOP.and_es(EsVersions::All);
     /// Every version of desktop GLSL, and GLSL ES 1.00.
-    pub const DESKTOP_AND_ES: Self = Self { es: true, ..Self::DESKTOP };
+    pub const DESKTOP_AND_ES_100: Self = Self::DESKTOP.and_es(EsVersions::Only100);
     /// Every version of desktop GLSL.
     pub const DESKTOP: Self = Self::from_version(Version::V110);
     /// From GLSL 1.20 on.
@@ -49,17 +75,20 @@ impl Availability {
     pub const V150: Self = Self::from_version(Version::V150);
     /// From GLSL 3.30 on.
     pub const V330: Self = Self::from_version(Version::V330);
-    /// GLSL ES 1.00 alone.
-    pub const ES: Self = Self { desktop: None, profiles: Profiles::All, es: true, extensions: 0 };
+    /// GLSL ES alone.
+    pub const ES: Self =
+        Self { desktop: None, profiles: Profiles::All, es: EsVersions::All, extensions: 0 };
 
     /// Integers: their types, operators and functions.
-    pub const INTEGERS: Self = Self::V130.or(Extension::GpuShader4);
+    pub const INTEGERS: Self = Self::V130.or(Extension::GpuShader4).and_es(EsVersions::From300);
     /// Uniform blocks and their layouts.
-    pub const UNIFORM_BLOCKS: Self = Self::V140.or(Extension::UniformBufferObject);
+    pub const UNIFORM_BLOCKS: Self =
+        Self::V140.or(Extension::UniformBufferObject).and_es(EsVersions::From300);
     /// The layouts of `gl_FragCoord`.
     pub const FRAGMENT_COORD_CONVENTIONS: Self = Self::V150.or(Extension::FragmentCoordConventions);
     /// `layout(location = n)`.
-    pub const EXPLICIT_LOCATIONS: Self = Self::V330.or(Extension::ExplicitAttribLocation);
+    pub const EXPLICIT_LOCATIONS: Self =
+        Self::V330.or(Extension::ExplicitAttribLocation).and_es(EsVersions::From300);
     /// The layouts of `gl_FragDepth`.
     pub const CONSERVATIVE_DEPTH: Self =
         Self::extension(Extension::AmdConservativeDepth).or(Extension::ConservativeDepth);
@@ -69,12 +98,22 @@ impl Availability {
     pub const MULTISAMPLE: Self = Self::V150.or(Extension::TextureMultisample);
 
     const fn from_version(version: Version) -> Self {
-        Self { desktop: Some(version), profiles: Profiles::All, es: false, extensions: 0 }
+        Self {
+            desktop: Some(version),
+            profiles: Profiles::All,
+            es: EsVersions::None,
+            extensions: 0,
+        }
     }
 
     /// An extension alone.
     pub const fn extension(extension: Extension) -> Self {
-        Self { desktop: None, profiles: Profiles::All, es: false, extensions: extension.bit() }
+        Self {
+            desktop: None,
+            profiles: Profiles::All,
+            es: EsVersions::None,
+            extensions: extension.bit(),
+        }
     }
 
     /// An extension too.
@@ -82,9 +121,9 @@ impl Availability {
         Self { extensions: self.extensions | extension.bit(), ..self }
     }
 
-    /// GLSL ES 1.00 too.
-    pub const fn and_es(self) -> Self {
-        Self { es: true, ..self }
+    /// These versions of GLSL ES too.
+    pub const fn and_es(self, es: EsVersions) -> Self {
+        Self { es, ..self }
     }
 
     /// From GLSL 1.40 on only in the compatibility profile.

@@ -2,8 +2,7 @@
 
 use super::{Extension, Profile, Version};
 
-/// What the shaders of a context may be written in. Every context takes GLSL ES 1.00
-/// (ARB_ES2_compatibility).
+/// What the shaders of a context may be written in. Every context takes GLSL ES 1.00 (ARB_ES2_compatibility).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum ContextLanguage {
     /// GL 3.1 with `GL_ARB_compatibility`: GLSL 1.10 to 1.40.
@@ -14,17 +13,18 @@ pub enum ContextLanguage {
     /// The core profile of GL 3.3: GLSL 1.40 to 3.30 in the core profile. Shaders of earlier versions have no
     /// profile; they are accepted, as Mesa accepts them.
     Core33,
+    /// OpenGL ES 3.0: GLSL ES 1.00 and 3.00.
+    Es30,
 }
 
 impl ContextLanguage {
     /// Whether it offers a version.
     pub fn has(self, version: Version) -> bool {
-        if version == Version::Es100 {
-            return true;
-        }
-        match self {
-            Self::Compatibility31 => version <= Version::V140,
-            Self::Compatibility33 | Self::Core33 => true,
+        match (self, version) {
+            (_, Version::Es100) => true,
+            (Self::Compatibility31, _) => version <= Version::V140,
+            (Self::Compatibility33 | Self::Core33, _) => true,
+            (Self::Es30, _) => version.is_es(),
         }
     }
 
@@ -33,7 +33,7 @@ impl ContextLanguage {
         match (self, profile) {
             (_, Profile::Core) => true,
             (Self::Compatibility31 | Self::Compatibility33, Profile::Compatibility) => true,
-            (Self::Core33, Profile::Compatibility) => false,
+            (Self::Core33 | Self::Es30, Profile::Compatibility) => false,
         }
     }
 
@@ -46,9 +46,17 @@ impl ContextLanguage {
             }
             Version::V140 => match self {
                 Self::Compatibility31 | Self::Compatibility33 => Profile::Compatibility,
-                Self::Core33 => Profile::Core,
+                Self::Core33 | Self::Es30 => Profile::Core,
             },
-            Version::V150 | Version::V330 => Profile::Core,
+            Version::V150 | Version::V330 | Version::Es300 => Profile::Core,
+        }
+    }
+
+    /// The version of a shader without `#version`.
+    pub fn default_version(self) -> Version {
+        match self {
+            Self::Compatibility31 | Self::Compatibility33 | Self::Core33 => Version::V110,
+            Self::Es30 => Version::Es100,
         }
     }
 
@@ -61,8 +69,10 @@ impl ContextLanguage {
 
     /// The versions, as messages list them.
     pub fn versions(self) -> String {
-        let desktop = Version::ALL.into_iter().filter(|v| *v != Version::Es100 && self.has(*v));
+        let es =
+            if self.has(Version::Es300) { "100 and 300 es (GLSL ES)" } else { "100 (GLSL ES)" };
+        let desktop = Version::ALL.into_iter().filter(|v| !v.is_es() && self.has(*v));
         let numbers: Vec<String> = desktop.map(|version| version.number().to_string()).collect();
-        format!("{} and 100 (GLSL ES)", numbers.join(", "))
+        if numbers.is_empty() { es.to_owned() } else { format!("{}, and {es}", numbers.join(", ")) }
     }
 }

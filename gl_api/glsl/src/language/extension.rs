@@ -90,7 +90,7 @@ impl Extension {
     pub fn is_in(self, version: Version) -> bool {
         match self {
             Self::StandardDerivatives => version == Version::Es100,
-            Self::Compatibility => version >= Version::V140,
+            Self::Compatibility => version >= Version::V140 && !version.is_es(),
             Self::ArraysOfArrays
             | Self::AmdConservativeDepth
             | Self::ConservativeDepth
@@ -109,7 +109,7 @@ impl Extension {
             | Self::TextureQueryLod
             | Self::TextureRectangle
             | Self::GpuShader4
-            | Self::TextureArray => version != Version::Es100,
+            | Self::TextureArray => !version.is_es(),
         }
     }
 

@@ -6,7 +6,7 @@ mod extension;
 mod version;
 
 use availability::Profiles;
-pub use availability::{Availability, Profile, Stages, stage_name};
+pub use availability::{Availability, EsVersions, Profile, Stages, stage_name};
 pub use context::ContextLanguage;
 pub use extension::{Behaviour, Extension};
 pub use version::Version;
@@ -83,7 +83,7 @@ impl Language {
     /// Whether the version and profile have it without an extension.
     fn has_core(self, availability: Availability) -> bool {
         match self.version {
-            Version::Es100 => availability.es,
+            Version::Es100 | Version::Es300 => availability.es.has(self.version),
             Version::V110
             | Version::V120
             | Version::V130
@@ -98,6 +98,10 @@ impl Language {
         }
     }
 
+    fn directive(desktop: Version) -> String {
+        format!("`#version {}`", desktop.number())
+    }
+
     /// Advice: the directives that make it available; `None` if none does.
     pub fn advice(self, availability: Availability) -> Option<String> {
         if self.has_core(availability) {
@@ -106,10 +110,22 @@ impl Language {
         let extensions =
             availability.extensions().filter(|extension| extension.is_in(self.version));
         let extensions = extensions.map(|known| format!("`#extension {} : enable`", known.name()));
-        let core = availability
-            .desktop
-            .filter(|core| *core > self.version || self.version == Version::Es100);
-        let core = core.map(|core| format!("`#version {}`", core.number()));
+        let core = match self.version {
+            Version::Es100 => {
+                let es =
+                    availability.es.has(Version::Es300).then(|| "`#version 300 es`".to_owned());
+                es.or_else(|| availability.desktop.map(Self::directive))
+            }
+            Version::Es300 => availability.desktop.map(Self::directive),
+            Version::V110
+            | Version::V120
+            | Version::V130
+            | Version::V140
+            | Version::V150
+            | Version::V330 => {
+                availability.desktop.filter(|core| *core > self.version).map(Self::directive)
+            }
+        };
         let directives: Vec<String> = core.into_iter().chain(extensions).collect();
         (!directives.is_empty()).then(|| format!("write {} first", directives.join(" or ")))
     }

@@ -33,6 +33,7 @@ pub fn link(shaders: &[&Arc<Unit>], bindings: &Bindings) -> Linked {
 }
 
 fn build(shaders: &[&Arc<Unit>], bindings: &Bindings, log: &mut Log) -> Option<Program> {
+    check_versions(shaders, log);
     let units = globals::unify_globals(shaders.iter().map(|shader| Arc::clone(shader)));
     let vertex = stage_units(&units, Stage::Vertex, log);
     let geometry = stage_units(&units, Stage::Geometry, log);
@@ -115,6 +116,19 @@ fn build(shaders: &[&Arc<Unit>], bindings: &Bindings, log: &mut Log) -> Option<P
         state: words.state,
         words: words.next,
     })
+}
+
+/// Shaders of GLSL ES go together with those of their own version (GLSL ES 3.00 section 1.5).
+fn check_versions(shaders: &[&Arc<Unit>], log: &mut Log) {
+    let mut versions = shaders.iter().map(|unit| unit.version);
+    let Some(first) = versions.next() else { return };
+    let other = versions.find(|other| *other != first && (first.is_es() || other.is_es()));
+    if let Some(other) = other {
+        let (first, other) = (first.title(), other.title());
+        let message = format!("one shader is in {first} and one in {other}");
+        let problem = Diagnostic::link_error(message).rule("GLSL ES 3.00 section 1.5");
+        log.push(problem.help("begin all of them with the same `#version`"));
+    }
 }
 
 /// The vertex stage must write the position.

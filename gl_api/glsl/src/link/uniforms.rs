@@ -2,6 +2,7 @@
 //! 1.30 section 4.3.5).
 
 use super::stage::StageUnits;
+use crate::ast::Precision;
 use crate::builtins::variable::Builtin;
 use crate::hir::{Storage, Variable};
 use crate::limits::MAX_UNIFORM_WORDS;
@@ -42,6 +43,7 @@ pub fn uniforms(
             all.push((variable, initial(variable, &mut log.work)));
         }
     }
+    let is_es = stages.iter().flat_map(|stage| &stage.units).all(|unit| unit.version.is_es());
     // The first declaration of each name.
     let mut first: BTreeMap<&str, usize> = BTreeMap::new();
     let every: Vec<&Variable> = declared().filter(is_uniform).collect();
@@ -53,6 +55,17 @@ pub fn uniforms(
                 variable.name, variable.ty
             );
             log.push(Diagnostic::link_error(message).rule("GLSL 1.30 section 4.3.5"));
+            continue;
+        }
+        let precisions = [every[first[&*variable.name]], variable]
+            .map(|variable| variable.interface_qualifiers.precision);
+        if let [Some(a), Some(b)] = precisions
+            && a != b
+            && is_es
+        {
+            let (name, [a, b]) = (&variable.name, [a, b].map(Precision::word));
+            let message = format!("uniform `{name}` is {a} in one shader and {b} in another");
+            log.push(Diagnostic::link_error(message).rule("GLSL ES 3.00 section 4.3.5"));
             continue;
         }
         let Some(&index) = names.get(&*variable.name) else { continue };

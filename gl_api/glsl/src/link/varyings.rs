@@ -124,7 +124,7 @@ fn check_alike(
     } else if let Some((a, b)) = mismatch(output, input) {
         (a.to_owned(), b.to_owned(), "GLSL 1.30 section 4.3.7")
     } else if output.interface_qualifiers.invariant != input.interface_qualifiers.invariant
-        && !writer.units.iter().any(|unit| unit.all_invariant)
+        && !writer.units.iter().any(|unit| unit.all_invariant || unit.version == Version::Es300)
     {
         let [a, b] =
             [output, input].map(|variable| match variable.interface_qualifiers.invariant {

@@ -3,8 +3,8 @@
 use super::keywords::{self, WordClass};
 use super::{ParseResult, Parser};
 use crate::ast::{
-    ArraySize, Declaration, Declarator, ExprKind, Function, Item, Name, Parameter, QualifiedType,
-    Qualifier, StructDecl, TypeBase, TypeName,
+    ArraySize, Declaration, Declarator, ExprKind, Function, Item, Name, Parameter, Precision,
+    QualifiedType, Qualifier, StructDecl, TypeBase, TypeName,
 };
 use crate::language::{Availability, Extension, Version};
 use crate::lex::TokenKind;
@@ -19,7 +19,9 @@ impl Parser<'_> {
             return Ok(None);
         }
         if self.is_word("precision") && keywords::has_precision(self.language) {
-            return self.default_precision().map(|ty| Some(Item::Precision(ty)));
+            return self
+                .default_precision()
+                .map(|(precision, ty)| Some(Item::Precision(precision, ty)));
         }
         if self.is_word("invariant")
             && keywords::qualifier("invariant", self.language).is_some()
@@ -47,14 +49,16 @@ impl Parser<'_> {
     }
 
     /// `precision highp float;`
-    pub(super) fn default_precision(&mut self) -> ParseResult<TypeName> {
+    pub(super) fn default_precision(&mut self) -> ParseResult<(Precision, TypeName)> {
         self.bump();
-        if !(self.eat_word("lowp") || self.eat_word("mediump") || self.eat_word("highp")) {
+        let word = self.token().word().and_then(|word| keywords::qualifier(word, self.language));
+        let Some(Qualifier::Precision(precision)) = word else {
             return self.fail("expected `lowp`, `mediump` or `highp`");
-        }
+        };
+        self.bump();
         let ty = self.type_name()?;
         self.expect(";")?;
-        Ok(ty)
+        Ok((precision, ty))
     }
 
     /// Qualifiers and a type.
@@ -81,8 +85,12 @@ impl Parser<'_> {
                 Some(qualifier) => {
                     let ways = [Qualifier::In, Qualifier::Out, Qualifier::Inout];
                     let kind = if ways.contains(&qualifier) { &ways[..] } else { &[qualifier] };
-                    if qualifiers.iter().any(|(before, _)| kind.contains(before)) {
-                        let message = if qualifier == Qualifier::Precision {
+                    let is_second = |before: &Qualifier| match (before, qualifier) {
+                        (Qualifier::Precision(_), Qualifier::Precision(_)) => true,
+                        (before, _) => kind.contains(before),
+                    };
+                    if qualifiers.iter().any(|(before, _)| is_second(before)) {
+                        let message = if matches!(qualifier, Qualifier::Precision(_)) {
                             "a declaration has one precision".to_owned()
                         } else if ways.contains(&qualifier) {
                             "one of `in`, `out` and `inout` is enough".to_owned()
@@ -284,7 +292,7 @@ impl Parser<'_> {
             }
             let ty = self.qualified_type()?;
             for (qualifier, span) in &ty.qualifiers {
-                if *qualifier != Qualifier::Precision {
+                if !matches!(qualifier, Qualifier::Precision(_)) {
                     let message = "members of a structure take no qualifiers";
                     self.log
                         .push(Diagnostic::error(*span, message).rule("GLSL 1.30 section 4.1.8"));

@@ -334,7 +334,8 @@ impl Parser<'_> {
                     | Version::V130
                     | Version::V140
                     | Version::V150
-                    | Version::V330 => Diagnostic::error(span, message),
+                    | Version::V330
+                    | Version::Es300 => Diagnostic::error(span, message),
                 };
                 self.log.push(problem.fix(format!("write `{plain}`"), span, plain));
                 ExprKind::Float(value)

@@ -1,14 +1,17 @@
 //! Keywords, reserved words and names (GLSL 1.30 section 3.6).
 
-use crate::ast::{BlockLayout, DepthLayout, PrimitiveLayout, Qualifier};
-use crate::language::{Availability, Extension, Language, Version};
+use crate::ast::{BlockLayout, DepthLayout, Precision, PrimitiveLayout, Qualifier};
+use crate::language::{Availability, EsVersions, Extension, Language, Version};
 use crate::types::Type;
 
 const DESKTOP_AND_ES: Availability = Availability::DESKTOP_AND_ES;
-const V120: Availability = Availability::V120;
-const V130: Availability = Availability::V130;
+const DESKTOP_AND_ES_100: Availability = Availability::DESKTOP_AND_ES_100;
+const V120: Availability = Availability::V120.and_es(EsVersions::From300);
+const V130: Availability = Availability::V130.and_es(EsVersions::From300);
 /// Precision qualifiers.
-const PRECISION: Availability = V130.and_es();
+const PRECISION: Availability = V130.and_es(EsVersions::All);
+/// Without perspective.
+const NO_PERSPECTIVE: Availability = Availability::V130.or(Extension::GpuShader4);
 
 /// `layout`: of `gl_FragCoord`, of attributes and outputs, of uniform blocks; a keyword from GLSL 1.40 on.
 const LAYOUT: Availability = Availability::V140
@@ -16,7 +19,8 @@ const LAYOUT: Availability = Availability::V140
     .or(Extension::ShadingLanguage420Pack)
     .or(Extension::AmdConservativeDepth)
     .or(Extension::ConservativeDepth)
-    .or(Extension::ExplicitAttribLocation);
+    .or(Extension::ExplicitAttribLocation)
+    .and_es(EsVersions::From300);
 
 /// The layout qualifiers of uniform blocks.
 const BLOCK_LAYOUTS: [(&str, BlockLayout); 5] = [
@@ -61,10 +65,10 @@ pub enum WordClass {
 
 /// Keywords that name no types, and their availability.
 const KEYWORDS: [(&str, Availability); 32] = [
-    ("attribute", DESKTOP_AND_ES),
+    ("attribute", DESKTOP_AND_ES_100),
     ("const", DESKTOP_AND_ES),
     ("uniform", DESKTOP_AND_ES),
-    ("varying", DESKTOP_AND_ES),
+    ("varying", DESKTOP_AND_ES_100),
     ("break", DESKTOP_AND_ES),
     ("continue", DESKTOP_AND_ES),
     ("do", DESKTOP_AND_ES),
@@ -81,10 +85,10 @@ const KEYWORDS: [(&str, Availability); 32] = [
     ("return", DESKTOP_AND_ES),
     ("struct", DESKTOP_AND_ES),
     ("centroid", V120.or(Extension::GpuShader4)),
-    ("invariant", V120.and_es()),
+    ("invariant", V120.and_es(EsVersions::All)),
     ("flat", V130.or(Extension::GpuShader4)),
     ("smooth", V130),
-    ("noperspective", V130.or(Extension::GpuShader4)),
+    ("noperspective", NO_PERSPECTIVE),
     ("switch", V130),
     ("case", V130),
     ("default", DESKTOP_AND_ES),
@@ -98,20 +102,20 @@ const KEYWORDS: [(&str, Availability); 32] = [
 /// Qualifiers, and their availability.
 const QUALIFIERS: [(&str, Qualifier, Availability); 15] = [
     ("const", Qualifier::Const, DESKTOP_AND_ES),
-    ("attribute", Qualifier::Attribute, DESKTOP_AND_ES),
-    ("varying", Qualifier::Varying, DESKTOP_AND_ES),
+    ("attribute", Qualifier::Attribute, DESKTOP_AND_ES_100),
+    ("varying", Qualifier::Varying, DESKTOP_AND_ES_100),
     ("uniform", Qualifier::Uniform, DESKTOP_AND_ES),
     ("in", Qualifier::In, DESKTOP_AND_ES),
     ("out", Qualifier::Out, DESKTOP_AND_ES),
     ("inout", Qualifier::Inout, DESKTOP_AND_ES),
     ("centroid", Qualifier::Centroid, V120.or(Extension::GpuShader4)),
-    ("invariant", Qualifier::Invariant, V120.and_es()),
+    ("invariant", Qualifier::Invariant, V120.and_es(EsVersions::All)),
     ("smooth", Qualifier::Smooth, V130),
     ("flat", Qualifier::Flat, V130.or(Extension::GpuShader4)),
-    ("noperspective", Qualifier::NoPerspective, V130.or(Extension::GpuShader4)),
-    ("lowp", Qualifier::Precision, PRECISION),
-    ("mediump", Qualifier::Precision, PRECISION),
-    ("highp", Qualifier::Precision, PRECISION),
+    ("noperspective", Qualifier::NoPerspective, NO_PERSPECTIVE),
+    ("lowp", Qualifier::Precision(Precision::Low), PRECISION),
+    ("mediump", Qualifier::Precision(Precision::Medium), PRECISION),
+    ("highp", Qualifier::Precision(Precision::High), PRECISION),
 ];
 
 /// Words that every version reserves.

@@ -142,7 +142,9 @@ impl Parser<'_> {
     /// A declaration or an expression, with its `;`.
     fn simple(&mut self) -> ParseResult<StmtKind> {
         let kind = if self.is_word("precision") && keywords::has_precision(self.language) {
-            return self.default_precision().map(StmtKind::Precision);
+            return self
+                .default_precision()
+                .map(|(precision, ty)| StmtKind::Precision(precision, ty));
         } else if self.is_declaration() {
             let ty = self.qualified_type()?;
             if self.token().word().is_some() && self.ahead(1).is("(") {

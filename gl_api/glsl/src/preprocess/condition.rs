@@ -152,7 +152,7 @@ impl Parser<'_> {
     /// counts as 0, as in every desktop compiler; GLSL ES rejects it.
     fn undefined(&mut self, name: &str, span: Span) -> Result<(), Box<Diagnostic>> {
         let help = format!("test it with `defined({name})`");
-        if self.version == Version::Es100 {
+        if self.version.is_es() {
             return Err(Diagnostic::error(span, format!("`{name}` is not defined"))
                 .rule("GLSL ES 1.00 section 3.4: undefined names do not count as 0")
                 .help(help)

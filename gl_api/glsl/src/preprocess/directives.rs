@@ -230,6 +230,9 @@ impl Preprocessor<'_> {
             return;
         };
         let known = Version::ALL.into_iter().find(|known| i64::from(known.number()) == number);
+        let es = rest.get(1).is_some_and(|token| token.word().is_some_and(|word| &**word == "es"));
+        // Of GLSL ES 3.00, `es` is a part of the number (section 3.3).
+        let known = known.filter(|known| *known != Version::Es300 || es);
         // A shader in an unknown version is checked like one in the newest version with all
         // extensions: most of the language is the same, and its other errors are worth reporting.
         let version = known.unwrap_or(Version::NEWEST);
@@ -240,7 +243,17 @@ impl Preprocessor<'_> {
                     .help(format!("this context knows the versions {}", self.context.versions())),
             );
         }
-        let named = if known.is_some() { self.profile(version, &rest[1..]) } else { None };
+        let named = match known {
+            Some(Version::Es300) => {
+                if let Some(unexpected) = rest.get(2) {
+                    let message = format!("unexpected {} after the version", unexpected.describe());
+                    self.log.push(Diagnostic::error(unexpected.span, message));
+                }
+                None
+            }
+            Some(_) => self.profile(version, &rest[1..]),
+            None => None,
+        };
         let profile = named.unwrap_or_else(|| self.context.default_profile(version));
         self.language = Language::new(version, profile);
         self.macros = Macros::new(self.language, self.context);
@@ -273,7 +286,9 @@ impl Preprocessor<'_> {
                 let problem = Diagnostic::error(first.span, message).rule(rule);
                 let es = first.word().is_some_and(|word| &**word == "es");
                 self.log.push(problem.help(match es {
-                    true => "of GLSL ES there is version 100 here, which is written without `es`",
+                    true => {
+                        "the versions of GLSL ES are 100, which is written without `es`, and 300"
+                    }
                     false => "it is `core` or `compatibility`",
                 }));
             }

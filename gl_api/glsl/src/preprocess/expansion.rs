@@ -315,8 +315,8 @@ impl Expansion<'_> {
         let message = format!("`##` is not in {}", self.version.title());
         let problem = match self.version {
             Version::V130 | Version::V140 | Version::V150 | Version::V330 => return Ok(()),
-            Version::Es100 => Diagnostic::error(at.span, message)
-                .rule("GLSL ES 1.00 section 3.4: there is no operator `##`"),
+            Version::Es100 | Version::Es300 => Diagnostic::error(at.span, message)
+                .rule("GLSL ES 3.00 section 3.4: there is no operator `##`"),
             Version::V110 | Version::V120 => {
                 Diagnostic::deviation(self.log.strictness, at.span, message)
                     .rule("GLSL 1.30 section 3.3: `##` joins two tokens, from version 130 on")

@@ -98,7 +98,7 @@ impl Macros {
             Extension::ALL.iter().filter(|known| context.has_extension(known.0, version));
         let names = extensions.map(|known| known.1);
         let table = match version {
-            Version::Es100 => names.chain(ES).map(row).collect(),
+            Version::Es100 | Version::Es300 => names.chain(ES).map(row).collect(),
             Version::V130 | Version::V140 => names.chain([HIGH]).map(row).collect(),
             Version::V150 | Version::V330 => {
                 let profile = match language.profile() {

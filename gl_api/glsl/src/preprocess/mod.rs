@@ -73,20 +73,24 @@ pub fn preprocess(source: &mut Source, context: ContextLanguage, log: &mut Log) 
         let problem = Diagnostic::warning(span, message);
         log.push(problem.help("leave it out of the length that glShaderSource is given"));
     }
+    let version = context.default_version();
+    let language = Language::new(version, context.default_profile(version));
     let mut preprocessor = Preprocessor {
         source,
         log,
         context,
-        language: Version::V110.into(),
+        language,
         all_invariant: false,
-        macros: Macros::new(Version::V110.into(), context),
+        macros: Macros::new(language, context),
         conditionals: Vec::new(),
         begun: false,
         program_begun: false,
     };
     let mut tokens = preprocessor.run(&lexed.tokens);
     let Preprocessor { language, all_invariant, macros, log, .. } = preprocessor;
-    if let Some(span) = lexed.continued {
+    if let Some(span) = lexed.continued
+        && language.version != Version::Es300
+    {
         let message = format!("a line continued by `\\` is not in {}", language.version.title());
         let problem = Diagnostic::deviation(log.strictness, span, message)
             .rule("GLSL 1.30 section 3.1: the backslash is no character of the language");

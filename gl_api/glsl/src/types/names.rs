@@ -1,7 +1,7 @@
 //! The keywords that name types, and in which versions they are keywords (GLSL 1.30 section 4.1).
 
 use super::{Comparison, Dim, Sampler, Scalar, Type};
-use crate::language::{Availability, Extension, Language};
+use crate::language::{Availability, EsVersions, Extension, Language};
 use std::fmt;
 
 /// The keywords and their availability.
@@ -14,9 +14,12 @@ static NAMES: [(&str, Type, Availability); 69] = {
     use Type::{Matrix, Vector, Void};
     const DESKTOP_AND_ES: Availability = Availability::DESKTOP_AND_ES;
     const DESKTOP: Availability = Availability::DESKTOP;
-    const V120: Availability = Availability::V120;
+    const V120: Availability = Availability::V120.and_es(EsVersions::From300);
+    const ES_300: Availability = DESKTOP.and_es(EsVersions::From300);
     const INTEGERS: Availability = Availability::INTEGERS;
+    const GPU_SHADER4: Availability = INTEGERS.and_es(EsVersions::None);
     const ARRAY: Availability = INTEGERS.or(Extension::TextureArray);
+    const ARRAY_1D: Availability = ARRAY.and_es(EsVersions::None);
     const CUBE_ARRAY: Availability = Availability::extension(Extension::TextureCubeMapArray);
     const RECT: Availability = Availability::V140.or(Extension::TextureRectangle);
     const INTEGER_RECT: Availability = Availability::V140.or(Extension::GpuShader4);
@@ -59,12 +62,12 @@ static NAMES: [(&str, Type, Availability); 69] = {
         ("mat4x3", Matrix(4, 3), V120),
         ("mat4x4", Matrix(4, 4), V120),
         ("sampler1D", plain(D1, Float), DESKTOP),
-        ("isampler1D", plain(D1, Int), INTEGERS),
-        ("usampler1D", plain(D1, Uint), INTEGERS),
+        ("isampler1D", plain(D1, Int), GPU_SHADER4),
+        ("usampler1D", plain(D1, Uint), GPU_SHADER4),
         ("sampler2D", plain(D2, Float), DESKTOP_AND_ES),
         ("isampler2D", plain(D2, Int), INTEGERS),
         ("usampler2D", plain(D2, Uint), INTEGERS),
-        ("sampler3D", plain(D3, Float), DESKTOP),
+        ("sampler3D", plain(D3, Float), ES_300),
         ("isampler3D", plain(D3, Int), INTEGERS),
         ("usampler3D", plain(D3, Uint), INTEGERS),
         ("samplerCube", plain(Cube, Float), DESKTOP_AND_ES),
@@ -73,9 +76,9 @@ static NAMES: [(&str, Type, Availability); 69] = {
         ("sampler2DRect", plain(Rect, Float), RECT),
         ("isampler2DRect", plain(Rect, Int), INTEGER_RECT),
         ("usampler2DRect", plain(Rect, Uint), INTEGER_RECT),
-        ("sampler1DArray", plain(D1Array, Float), ARRAY),
-        ("isampler1DArray", plain(D1Array, Int), INTEGERS),
-        ("usampler1DArray", plain(D1Array, Uint), INTEGERS),
+        ("sampler1DArray", plain(D1Array, Float), ARRAY_1D),
+        ("isampler1DArray", plain(D1Array, Int), GPU_SHADER4),
+        ("usampler1DArray", plain(D1Array, Uint), GPU_SHADER4),
         ("sampler2DArray", plain(D2Array, Float), ARRAY),
         ("isampler2DArray", plain(D2Array, Int), INTEGERS),
         ("usampler2DArray", plain(D2Array, Uint), INTEGERS),
@@ -92,10 +95,10 @@ static NAMES: [(&str, Type, Availability); 69] = {
         ("isamplerBuffer", plain(Buffer, Int), BUFFER),
         ("usamplerBuffer", plain(Buffer, Uint), BUFFER),
         ("sampler1DShadow", shadow(D1), DESKTOP),
-        ("sampler2DShadow", shadow(D2), DESKTOP),
+        ("sampler2DShadow", shadow(D2), ES_300),
         ("samplerCubeShadow", shadow(Cube), INTEGERS),
         ("sampler2DRectShadow", shadow(Rect), RECT),
-        ("sampler1DArrayShadow", shadow(D1Array), ARRAY),
+        ("sampler1DArrayShadow", shadow(D1Array), ARRAY_1D),
         ("sampler2DArrayShadow", shadow(D2Array), ARRAY),
         ("samplerCubeArrayShadow", shadow(CubeArray), CUBE_ARRAY),
     ]

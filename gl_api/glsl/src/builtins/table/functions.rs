@@ -6,24 +6,26 @@ use crate::builtins::function::Lowering::{
     Derivative, EmitVertex, EndPrimitive, Expand, ExpandAtRunTime, Ftransform, Modf, PerComponent,
 };
 use crate::builtins::function::{FunctionRow, Lowering, Pattern};
-use crate::language::{Availability, Extension, Stages};
+use crate::language::{Availability, EsVersions, Extension, Stages};
 use crate::types::Scalar;
 use rasterizer::ir::{Axis, Op};
 use std::borrow::Cow;
 
 const DESKTOP_AND_ES: Availability = Availability::DESKTOP_AND_ES;
 const DESKTOP: Availability = Availability::DESKTOP;
-const V120: Availability = Availability::V120;
-const V130: Availability = Availability::V130;
-const V140: Availability = Availability::V140;
-const V150: Availability = Availability::V150;
+const V120: Availability = Availability::V120.and_es(EsVersions::From300);
+const V130: Availability = Availability::V130.and_es(EsVersions::From300);
+const V140: Availability = Availability::V140.and_es(EsVersions::From300);
+const V150: Availability = Availability::V150.and_es(EsVersions::From300);
 /// Not in the core profile.
 const COMPATIBILITY: Availability = DESKTOP.in_compatibility();
 const INTEGERS: Availability = Availability::INTEGERS;
 const GPU_SHADER4: Availability = Availability::extension(Extension::GpuShader4);
 /// The bits of numbers.
-const BITS: Availability = Availability::V330.or(Extension::ShaderBitEncoding);
-const DERIVATIVES: Availability = DESKTOP.or(Extension::StandardDerivatives);
+const BITS: Availability =
+    Availability::V330.or(Extension::ShaderBitEncoding).and_es(EsVersions::From300);
+const DERIVATIVES: Availability =
+    DESKTOP.or(Extension::StandardDerivatives).and_es(EsVersions::From300);
 
 const F: Pattern = Pattern::Gen(Scalar::Float);
 const I: Pattern = Pattern::Gen(Scalar::Int);

@@ -1,7 +1,7 @@
 //! The sampler types and the lookups that they allow (GLSL 1.30 section 8.7, and the extensions that
 //! [`textures`](super::textures) lists).
 
-use crate::language::{Availability, Extension};
+use crate::language::{Availability, EsVersions, Extension};
 use crate::types::{Comparison, Dim};
 
 const GPU_SHADER4: Availability = Availability::extension(Extension::GpuShader4);
@@ -59,7 +59,17 @@ pub const SAMPLERS: [SamplerRow; 15] = {
         lod_support: LodSupport,
         prefixed: (&'static str, Availability),
     ) -> SamplerRow {
-        let (prefixed, overloaded) = (Some(prefixed), Availability::V130);
+        let es = match dim {
+            D2 | D3 | Cube | D2Array => EsVersions::From300,
+            D1
+            | D1Array
+            | Rect
+            | CubeArray
+            | Dim::D2Multisample
+            | Dim::D2MultisampleArray
+            | Dim::Buffer => EsVersions::None,
+        };
+        let (prefixed, overloaded) = (Some(prefixed), Availability::V130.and_es(es));
         SamplerRow {
             dim,
             comparison,
@@ -92,7 +102,7 @@ pub const SAMPLERS: [SamplerRow; 15] = {
         }
     }
     const DESKTOP: Availability = Availability::DESKTOP;
-    const DESKTOP_AND_ES: Availability = Availability::DESKTOP_AND_ES;
+    const DESKTOP_AND_ES: Availability = Availability::DESKTOP_AND_ES_100;
     const RECT: Availability = Availability::extension(Extension::TextureRectangle);
     const ARRAY: Availability = GPU_SHADER4.or(Extension::TextureArray);
     [

@@ -26,7 +26,7 @@ use crate::interface::{
     VARYING_TEX_COORD,
 };
 use crate::language::Stages::{self, Any, Fragment, Geometry, Vertex, Vertices};
-use crate::language::{Availability, Extension};
+use crate::language::{Availability, EsVersions, Extension};
 use crate::limits::{
     MAX_CLIP_DISTANCES, MAX_CLIP_PLANES, MAX_COMBINED_TEXTURE_IMAGE_UNITS, MAX_DRAW_BUFFERS,
     MAX_GEOMETRY_OUTPUT_VERTICES, MAX_GEOMETRY_TOTAL_OUTPUT_COMPONENTS, MAX_LIGHTS,
@@ -39,12 +39,19 @@ const DESKTOP: Availability = Availability::DESKTOP;
 const V120: Availability = Availability::V120;
 const V130: Availability = Availability::V130;
 const V150: Availability = Availability::V150;
+const DESKTOP_AND_ES_100: Availability = Availability::DESKTOP_AND_ES_100;
 const ES: Availability = Availability::ES;
+const ES_100: Availability = ES.and_es(EsVersions::Only100);
+const ES_300: Availability = ES.and_es(EsVersions::From300);
 /// Not in the core profile.
 const COMPATIBILITY: Availability = DESKTOP.in_compatibility();
 const DRAW_INSTANCED: Availability = Availability::extension(Extension::DrawInstanced);
-const INSTANCE_ID: Availability =
-    Availability::V140.or(Extension::DrawInstanced).or(Extension::GpuShader4);
+const INSTANCE_ID: Availability = Availability::V140
+    .or(Extension::DrawInstanced)
+    .or(Extension::GpuShader4)
+    .and_es(EsVersions::From300);
+const VERTEX_ID: Availability =
+    Availability::V130.or(Extension::GpuShader4).and_es(EsVersions::From300);
 const STENCIL_EXPORT: Availability = Availability::extension(Extension::ShaderStencilExport);
 
 /// A `vec4` for each texture unit.
@@ -145,11 +152,11 @@ const fn old(name: &'static str, ty: VariableType, member: Incoming) -> Variable
 }
 
 /// Every variable, of all stages.
-pub static VARIABLES: [VariableRow; 119] = [
+pub static VARIABLES: [VariableRow; 121] = [
     row("gl_Position", Vec(4), Vertices, DESKTOP_AND_ES, ReadWrite, Position),
     row("gl_PointSize", Vec(1), Vertices, DESKTOP_AND_ES, ReadWrite, PointSize),
     row("gl_ClipVertex", Vec(4), Vertices, COMPATIBILITY, ReadWrite, ClipVertex),
-    row("gl_VertexID", Int, Vertex, V130.or(Extension::GpuShader4), ReadOnly, VertexId),
+    row("gl_VertexID", Int, Vertex, VERTEX_ID, ReadOnly, VertexId),
     row("gl_InstanceIDARB", Int, Vertex, DRAW_INSTANCED, ReadOnly, InstanceId),
     row("gl_InstanceID", Int, Vertex, INSTANCE_ID, ReadOnly, InstanceId),
     row("gl_ClipDistance", UnsizedFloats, Vertices, V130, ReadWrite, ClipDistance),
@@ -226,10 +233,24 @@ pub static VARIABLES: [VariableRow; 119] = [
     row("gl_FragCoord", Vec(4), Fragment, DESKTOP_AND_ES, ReadOnly, FragCoord),
     row("gl_PrimitiveID", Int, Fragment, V150.or(Extension::GpuShader4), ReadOnly, PrimitiveId),
     row("gl_FrontFacing", Bool, Fragment, DESKTOP_AND_ES, ReadOnly, FrontFacing),
-    row("gl_PointCoord", Vec(2), Fragment, V120.and_es(), ReadOnly, PointCoord),
-    row("gl_FragColor", Vec(4), Fragment, DESKTOP_AND_ES, ReadWrite, FragColor),
-    row("gl_FragData", Vec4Array(MAX_DRAW_BUFFERS), Fragment, DESKTOP_AND_ES, ReadWrite, FragData),
-    row("gl_FragDepth", Vec(1), Fragment, DESKTOP, ReadWrite, FragDepth),
+    row("gl_PointCoord", Vec(2), Fragment, V120.and_es(EsVersions::All), ReadOnly, PointCoord),
+    row("gl_FragColor", Vec(4), Fragment, DESKTOP_AND_ES_100, ReadWrite, FragColor),
+    row(
+        "gl_FragData",
+        Vec4Array(MAX_DRAW_BUFFERS),
+        Fragment,
+        DESKTOP_AND_ES_100,
+        ReadWrite,
+        FragData,
+    ),
+    row(
+        "gl_FragDepth",
+        Vec(1),
+        Fragment,
+        DESKTOP.and_es(EsVersions::From300),
+        ReadWrite,
+        FragDepth,
+    ),
     row("gl_FragStencilRefARB", Int, Fragment, STENCIL_EXPORT, ReadWrite, FragStencilRef),
     // State of the context (GLSL 1.30 section 7.4)
     state("gl_ModelViewMatrix", Mat(4), Matrix(ModelView, Plain)),
@@ -317,7 +338,9 @@ pub static VARIABLES: [VariableRow; 119] = [
     limit("gl_MaxGeometryVaryingComponents", MAX_VARYING_FLOATS as i32, V150),
     limit("gl_MaxVertexUniformVectors", MAX_UNIFORM_COMPONENTS / 4, ES),
     limit("gl_MaxFragmentUniformVectors", MAX_UNIFORM_COMPONENTS / 4, ES),
-    limit("gl_MaxVaryingVectors", MAX_VARYING_FLOATS as i32 / 4, ES),
-    limit("gl_MinProgramTexelOffset", *TEXEL_OFFSETS.start(), V130),
-    limit("gl_MaxProgramTexelOffset", *TEXEL_OFFSETS.end(), V130),
+    limit("gl_MaxVaryingVectors", MAX_VARYING_FLOATS as i32 / 4, ES_100),
+    limit("gl_MaxVertexOutputVectors", MAX_VARYING_FLOATS as i32 / 4, ES_300),
+    limit("gl_MaxFragmentInputVectors", MAX_VARYING_FLOATS as i32 / 4, ES_300),
+    limit("gl_MinProgramTexelOffset", *TEXEL_OFFSETS.start(), V130.and_es(EsVersions::From300)),
+    limit("gl_MaxProgramTexelOffset", *TEXEL_OFFSETS.end(), V130.and_es(EsVersions::From300)),
 ];
