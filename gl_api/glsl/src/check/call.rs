@@ -337,21 +337,11 @@ impl Checker<'_> {
     /// Checks of a texture lookup beyond the types of its arguments; whether it is valid.
     fn check_lookup(&mut self, lookup: Lookup, name: &ast::Name, arguments: &[Expr]) -> bool {
         let explicit = matches!(lookup, Lookup::Sample(_, LodSource::Explicit, _));
-        if explicit && !self.is_vertex() && self.version < Version::V130 {
+        let is_old = self.version < Version::V130 && !self.version.is_es();
+        if explicit && !self.is_vertex() && is_old {
             let message = format!("`{}` in the fragment stage is an extension", name.text);
-            let problem = match self.version {
-                // Compilers of GLSL ES refuse it (GLSL ES 1.00 section 8.7).
-                Version::Es100 => Diagnostic::error(name.span, message)
-                    .help("enable GL_EXT_shader_texture_lod, and add `EXT` to the name"),
-                Version::V110
-                | Version::V120
-                | Version::V130
-                | Version::V140
-                | Version::V150
-                | Version::V330
-                | Version::Es300 => Diagnostic::deviation(self.log.strictness, name.span, message)
-                    .help("write `#extension GL_ARB_shader_texture_lod : enable` first"),
-            };
+            let problem = Diagnostic::deviation(self.log.strictness, name.span, message)
+                .help("write `#extension GL_ARB_shader_texture_lod : enable` first");
             let known = [Extension::ShaderTextureLod, Extension::GpuShader4];
             if !known.iter().any(|known| self.language.enabled(*known)) {
                 self.log.push(problem);

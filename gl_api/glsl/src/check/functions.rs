@@ -4,6 +4,7 @@ use super::redeclare::settle_arrays;
 use super::scope::Symbol;
 use super::{Body, Checker};
 use crate::ast::{self, Qualifier};
+use crate::builtins::function;
 use crate::hir::{Direction, Function, Storage, VarRef, Variable};
 use crate::language::Version;
 use crate::text::diagnostics::Diagnostic;
@@ -124,6 +125,12 @@ impl Checker<'_> {
         }
         if name.text.starts_with("gl_") {
             self.check_new(name);
+        }
+        let is_builtin = || function::find(&name.text, self.stage, self.language).next().is_some();
+        if self.version == Version::Es300 && is_builtin() {
+            let message = format!("`{}` is built in, and cannot be overloaded", name.text);
+            self.error(name.span, "6.1", message);
+            return None;
         }
         let signature = new.signature();
         let known = self.signatures.get(&signature).copied();

@@ -6,6 +6,7 @@ mod fix_its;
 
 use crate::hir::Unit;
 pub use crate::language::ContextLanguage;
+use crate::language::Version;
 pub use crate::text::diagnostics::Strictness;
 use crate::text::diagnostics::{Diagnostic, Log};
 use crate::text::source::{Source, Span};
@@ -80,6 +81,14 @@ fn compile_once(stage: Stage, text: &str, options: &Options) -> Pass {
         log.push(Diagnostic::error(Span::default(), message));
     }
     let preprocessed = preprocess::preprocess(&mut source, options.context, &mut log);
+    if preprocessed.all_invariant
+        && stage == Stage::Fragment
+        && preprocessed.language.version == Version::Es300
+    {
+        let message = "`#pragma STDGL invariant(all)` is not for the fragment stage";
+        let problem = Diagnostic::error(Span::default(), message);
+        log.push(problem.rule("GLSL ES 3.00 section 4.6.1"));
+    }
     let items = parse::parse(&preprocessed.tokens, preprocessed.language, &mut log);
     let mut unit = check::check(&items, stage, preprocessed.language, &source, &mut log);
     unit.all_invariant = preprocessed.all_invariant;

@@ -28,6 +28,16 @@ pub enum Extension {
     /// `GL_ARB_shading_language_420pack`: lists as initializers, `layout(binding = n)`, qualifiers in
     /// any order.
     ShadingLanguage420Pack,
+    /// `GL_ARB_shading_language_packing`: `packHalf2x16` and the like, of versions with unsigned integers.
+    ShadingLanguagePacking,
+    /// `GL_APPLE_clip_distance`: `gl_ClipDistance` of GLSL ES 1.00 and 3.00.
+    ClipDistance,
+    /// `GL_EXT_draw_buffers`: more than one element of `gl_FragData` in GLSL ES 1.00.
+    EsDrawBuffers,
+    /// `GL_EXT_frag_depth`: `gl_FragDepthEXT` of GLSL ES 1.00.
+    FragDepth,
+    /// `GL_EXT_shader_texture_lod`: explicit levels and gradients in the fragment stage of GLSL ES 1.00.
+    EsShaderTextureLod,
     /// `GL_ARB_shader_texture_lod`: explicit levels and gradients in both stages.
     ShaderTextureLod,
     /// `GL_ARB_texture_cube_map_array`: `samplerCubeArray`.
@@ -52,7 +62,7 @@ pub enum Extension {
 
 impl Extension {
     /// Every extension and its name.
-    pub const ALL: [(Self, &'static str); 21] = [
+    pub const ALL: [(Self, &'static str); 26] = [
         (Self::ArraysOfArrays, "GL_ARB_arrays_of_arrays"),
         (Self::AmdConservativeDepth, "GL_AMD_conservative_depth"),
         (Self::ConservativeDepth, "GL_ARB_conservative_depth"),
@@ -64,6 +74,11 @@ impl Extension {
         (Self::ShaderBitEncoding, "GL_ARB_shader_bit_encoding"),
         (Self::ShaderStencilExport, "GL_ARB_shader_stencil_export"),
         (Self::ShadingLanguage420Pack, "GL_ARB_shading_language_420pack"),
+        (Self::ShadingLanguagePacking, "GL_ARB_shading_language_packing"),
+        (Self::ClipDistance, "GL_APPLE_clip_distance"),
+        (Self::EsDrawBuffers, "GL_EXT_draw_buffers"),
+        (Self::FragDepth, "GL_EXT_frag_depth"),
+        (Self::EsShaderTextureLod, "GL_EXT_shader_texture_lod"),
         (Self::ShaderTextureLod, "GL_ARB_shader_texture_lod"),
         (Self::TextureCubeMapArray, "GL_ARB_texture_cube_map_array"),
         (Self::TextureGather, "GL_ARB_texture_gather"),
@@ -89,7 +104,12 @@ impl Extension {
     /// Whether shaders of a version can enable it.
     pub fn is_in(self, version: Version) -> bool {
         match self {
-            Self::StandardDerivatives => version == Version::Es100,
+            Self::StandardDerivatives
+            | Self::EsDrawBuffers
+            | Self::FragDepth
+            | Self::EsShaderTextureLod => version == Version::Es100,
+            Self::ClipDistance => version.is_es(),
+            Self::ShadingLanguagePacking => version >= Version::V130 && !version.is_es(),
             Self::Compatibility => version >= Version::V140 && !version.is_es(),
             Self::ArraysOfArrays
             | Self::AmdConservativeDepth

@@ -73,6 +73,7 @@ fn build(shaders: &[&Arc<Unit>], bindings: &Bindings, log: &mut Log) -> Option<P
     };
     let inputs = fragment.as_ref();
     let next = varyings::varyings((outputs, inputs), in_outputs, &mut in_fragment, log);
+    varyings::invariant_coordinates(vertex.as_ref(), inputs, log);
     let captured = transform_feedback::captured(outputs, &bindings.capture, next, in_outputs, log);
     let varyings = varyings::slots(inputs, &in_fragment);
     let color_interpolation = varyings::colors(outputs, inputs, log);

@@ -82,6 +82,30 @@ pub fn varyings(
     next
 }
 
+/// What the fragment stage reads is invariant only if what it is made of is (GLSL ES 1.00 section 4.6.4).
+pub fn invariant_coordinates(
+    vertex: Option<&StageUnits<'_>>,
+    fragment: Option<&StageUnits<'_>>,
+    log: &mut Log,
+) {
+    let (Some(vertex), Some(fragment)) = (vertex, fragment) else { return };
+    let is_invariant = |stage: &StageUnits<'_>, name: &str| {
+        let mut declared = stage.units.iter().flat_map(|unit| &unit.globals);
+        let named = |v: &Variable| &*v.name == name && v.interface_qualifiers.invariant;
+        stage.units.iter().any(|unit| unit.all_invariant) || declared.any(named)
+    };
+    let is_es = fragment.units.iter().any(|unit| unit.version == Version::Es100);
+    for (read, of) in [("gl_FragCoord", "gl_Position"), ("gl_PointCoord", "gl_PointSize")] {
+        let named = |v: &Variable| &*v.name == read && v.interface_qualifiers.invariant;
+        let declared = fragment.units.iter().flat_map(|unit| &unit.globals).any(named);
+        if is_es && declared && !is_invariant(vertex, of) {
+            let message = format!("`{read}` is invariant, and `{of}` is not");
+            let problem = Diagnostic::link_error(message).rule("GLSL ES 1.00 section 4.6.4");
+            log.push(problem.help(format!("write `invariant {of};` in the vertex shader")));
+        }
+    }
+}
+
 /// The slots of the varyings that the fragment stage reads: first, how many, name.
 pub fn slots(fragment: Option<&StageUnits<'_>>, locations: &BindingMap) -> Vec<(u16, u16, String)> {
     let inputs = fragment.iter().flat_map(|stage| stage.with(|s| matches!(s, Storage::Input(_))));

@@ -242,11 +242,20 @@ impl Parser<'_> {
         if let Some(array) = array.first()
             && self.version < Version::V120
         {
-            self.log.push(
-                Diagnostic::error(array.span, "the size of an array stands after the name")
-                    .rule("GLSL 1.10 section 4.1.9")
-                    .help("write `#version 120` for sizes after the type"),
-            );
+            let message = "the size of an array stands after the name";
+            let problem = match self.version {
+                // Compilers of GLSL ES accept it.
+                Version::Es100 => Diagnostic::deviation(self.log.strictness, array.span, message),
+                Version::V110
+                | Version::V120
+                | Version::V130
+                | Version::V140
+                | Version::V150
+                | Version::V330
+                | Version::Es300 => Diagnostic::error(array.span, message),
+            };
+            let rule = format!("{} section 4.1.9", self.version.title());
+            self.log.push(problem.rule(rule).help("write `#version 120` for sizes after the type"));
         }
         Ok(TypeName { span, base, array })
     }

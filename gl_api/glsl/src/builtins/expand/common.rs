@@ -48,7 +48,7 @@ pub fn float_bits_to_uint(emit: &mut Emit, args: Args<'_>) -> Vec<Value> {
 }
 
 /// The bits as [`texunit::lanes::math::bits`] gives them.
-fn float_bits(emit: &mut Emit, x: Value) -> Value {
+pub(super) fn float_bits(emit: &mut Emit, x: Value) -> Value {
     let bits = emit.op(Op::FloatBits, &[x]);
     let [signed, unsigned] = [NAN | 1 << 31, NAN].map(|bits| emit.uint(bits));
     let is_signed = emit.equal(bits, signed);

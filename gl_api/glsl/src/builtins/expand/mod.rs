@@ -7,6 +7,7 @@ pub mod derivative;
 pub mod geometric;
 pub mod matrix;
 pub mod noise;
+pub mod pack;
 pub mod relational;
 
 use crate::emit::Emit;

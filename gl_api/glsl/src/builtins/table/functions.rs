@@ -1,7 +1,9 @@
 //! The functions but for texture lookups (GLSL 1.40 sections 8.1 to 8.6, 8.8 and 8.9): result,
 //! parameters, availability, lowering. Rows of one name are its overloads.
 
-use crate::builtins::expand::{angle, common, derivative, geometric, matrix, noise, relational};
+use crate::builtins::expand::{
+    angle, common, derivative, geometric, matrix, noise, pack, relational,
+};
 use crate::builtins::function::Lowering::{
     Derivative, EmitVertex, EndPrimitive, Expand, ExpandAtRunTime, Ftransform, Modf, PerComponent,
 };
@@ -24,6 +26,9 @@ const GPU_SHADER4: Availability = Availability::extension(Extension::GpuShader4)
 /// The bits of numbers.
 const BITS: Availability =
     Availability::V330.or(Extension::ShaderBitEncoding).and_es(EsVersions::From300);
+/// Fractions and half floats as integers.
+const PACKING: Availability = Availability::extension(Extension::ShadingLanguagePacking);
+const PACKING_16: Availability = PACKING.and_es(EsVersions::From300);
 const DERIVATIVES: Availability =
     DESKTOP.or(Extension::StandardDerivatives).and_es(EsVersions::From300);
 
@@ -144,6 +149,16 @@ pub static FUNCTIONS: &[FunctionRow] = &[
     row("floatBitsToUint", U, &[F], BITS, Expand(common::float_bits_to_uint)),
     row("intBitsToFloat", F, &[I], BITS, Expand(common::int_bits_to_float)),
     row("uintBitsToFloat", F, &[U], BITS, PerComponent(Op::BitsFloat)),
+    row("packUnorm2x16", U1, &[F2], PACKING_16, Expand(pack::pack_unorm_2x16)),
+    row("packSnorm2x16", U1, &[F2], PACKING_16, Expand(pack::pack_snorm_2x16)),
+    row("packHalf2x16", U1, &[F2], PACKING_16, Expand(pack::pack_half_2x16)),
+    row("packUnorm4x8", U1, &[F4], PACKING, Expand(pack::pack_unorm_4x8)),
+    row("packSnorm4x8", U1, &[F4], PACKING, Expand(pack::pack_snorm_4x8)),
+    row("unpackUnorm2x16", F2, &[U1], PACKING_16, Expand(pack::unpack_unorm_2x16)),
+    row("unpackSnorm2x16", F2, &[U1], PACKING_16, Expand(pack::unpack_snorm_2x16)),
+    row("unpackHalf2x16", F2, &[U1], PACKING_16, Expand(pack::unpack_half_2x16)),
+    row("unpackUnorm4x8", F4, &[U1], PACKING, Expand(pack::unpack_unorm_4x8)),
+    row("unpackSnorm4x8", F4, &[U1], PACKING, Expand(pack::unpack_snorm_4x8)),
     // 8.4 Geometric
     row("length", F1, &[F], DESKTOP_AND_ES, Expand(geometric::length)),
     row("distance", F1, &[F, F], DESKTOP_AND_ES, Expand(geometric::distance)),

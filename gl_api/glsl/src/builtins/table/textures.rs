@@ -7,7 +7,7 @@
 use super::samplers::{LodSupport, SAMPLERS, SamplerRow};
 use crate::builtins::function::{FunctionRow, Lowering, Pattern};
 use crate::builtins::texture_lookup::{LodSource, Lookup, Projection, TexelOffset};
-use crate::language::{Availability, Extension, Stages};
+use crate::language::{Availability, EsVersions, Extension, Stages};
 use crate::types::{Comparison, Dim, Sampler, Scalar};
 use std::borrow::Cow;
 
@@ -190,13 +190,22 @@ fn prefixed_rows(
                         let parameters = sampler_row.parameters(sampler, size, lod, offset);
                         let availability = Availability::extension(Extension::ShaderTextureLod);
                         rows.push(row(name, result, parameters, availability, lookup));
+                        es_row(sampler_row, (prefix, sampler, size), lookup, rows);
                         GPU_SHADER4
                     }
                     (
                         Scalar::Float,
                         LodSource::Implicit | LodSource::Bias | LodSource::Explicit,
                         TexelOffset::None,
-                    ) => float_availability,
+                    ) => {
+                        es_row(sampler_row, (prefix, sampler, size), lookup, rows);
+                        match lod {
+                            LodSource::Explicit => float_availability.and_es(EsVersions::None),
+                            LodSource::Implicit | LodSource::Bias | LodSource::Gradient => {
+                                float_availability
+                            }
+                        }
+                    }
                     (_, _, _) => GPU_SHADER4,
                 };
                 let name = format!("{prefix}{}{suffix}", infix(projection, lod));
@@ -210,6 +219,34 @@ fn prefixed_rows(
     if let Some(dim) = prefix.strip_prefix("texture") {
         unfiltered_rows(sampler_row, sampler, dim, GPU_SHADER4, rows);
     }
+}
+
+/// Explicit levels and gradients of GLSL ES 1.00: `texture2DLod` of the vertex stage, and `texture2DLodEXT` of the
+/// fragment stage (EXT_shader_texture_lod).
+fn es_row(
+    sampler_row: &SamplerRow,
+    (prefix, sampler, size): (&str, Sampler, u8),
+    lookup: Lookup,
+    rows: &mut Vec<FunctionRow>,
+) {
+    let Lookup::Sample(projection, lod, offset) = lookup else { return };
+    let is_explicit = matches!(lod, LodSource::Explicit | LodSource::Gradient);
+    let is_in_es =
+        matches!(sampler.dim, Dim::D2 | Dim::Cube) && sampler.comparison == Comparison::No;
+    if !is_explicit || !is_in_es {
+        return;
+    }
+    let name = format!("{prefix}{}", infix(projection, lod));
+    let parameters = sampler_row.parameters(sampler, size, lod, offset);
+    let extension = Availability::extension(Extension::EsShaderTextureLod);
+    let es_100 = Availability::ES.and_es(EsVersions::Only100);
+    let result = Pattern::Fixed(Scalar::Float, 4);
+    if lod == LodSource::Explicit {
+        let row = row(name.clone(), result, parameters.clone(), es_100, lookup);
+        rows.push(FunctionRow { stages: Stages::Vertex, ..row });
+    }
+    let row = row(format!("{name}EXT"), result, parameters, extension, lookup);
+    rows.push(FunctionRow { stages: Stages::Fragment, ..row });
 }
 
 /// The overloads that came with GLSL 1.30: `textureProjLodOffset`.

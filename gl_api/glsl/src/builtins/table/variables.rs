@@ -52,6 +52,8 @@ const INSTANCE_ID: Availability = Availability::V140
     .and_es(EsVersions::From300);
 const VERTEX_ID: Availability =
     Availability::V130.or(Extension::GpuShader4).and_es(EsVersions::From300);
+const FRAG_DEPTH_EXT: Availability = Availability::extension(Extension::FragDepth);
+const CLIP_DISTANCE: Availability = V130.or(Extension::ClipDistance);
 const STENCIL_EXPORT: Availability = Availability::extension(Extension::ShaderStencilExport);
 
 /// A `vec4` for each texture unit.
@@ -152,15 +154,15 @@ const fn old(name: &'static str, ty: VariableType, member: Incoming) -> Variable
 }
 
 /// Every variable, of all stages.
-pub static VARIABLES: [VariableRow; 121] = [
+pub static VARIABLES: [VariableRow; 122] = [
     row("gl_Position", Vec(4), Vertices, DESKTOP_AND_ES, ReadWrite, Position),
     row("gl_PointSize", Vec(1), Vertices, DESKTOP_AND_ES, ReadWrite, PointSize),
     row("gl_ClipVertex", Vec(4), Vertices, COMPATIBILITY, ReadWrite, ClipVertex),
     row("gl_VertexID", Int, Vertex, VERTEX_ID, ReadOnly, VertexId),
     row("gl_InstanceIDARB", Int, Vertex, DRAW_INSTANCED, ReadOnly, InstanceId),
     row("gl_InstanceID", Int, Vertex, INSTANCE_ID, ReadOnly, InstanceId),
-    row("gl_ClipDistance", UnsizedFloats, Vertices, V130, ReadWrite, ClipDistance),
-    row("gl_ClipDistance", UnsizedFloats, Fragment, V130, ReadOnly, ClipDistance),
+    row("gl_ClipDistance", UnsizedFloats, Vertices, CLIP_DISTANCE, ReadWrite, ClipDistance),
+    row("gl_ClipDistance", UnsizedFloats, Fragment, CLIP_DISTANCE, ReadOnly, ClipDistance),
     // Conventional attributes
     attribute("gl_Vertex", 4, ATTRIB_VERTEX),
     attribute("gl_Normal", 3, ATTRIB_NORMAL),
@@ -251,6 +253,7 @@ pub static VARIABLES: [VariableRow; 121] = [
         ReadWrite,
         FragDepth,
     ),
+    row("gl_FragDepthEXT", Vec(1), Fragment, FRAG_DEPTH_EXT, ReadWrite, FragDepth),
     row("gl_FragStencilRefARB", Int, Fragment, STENCIL_EXPORT, ReadWrite, FragStencilRef),
     // State of the context (GLSL 1.30 section 7.4)
     state("gl_ModelViewMatrix", Mat(4), Matrix(ModelView, Plain)),
@@ -326,7 +329,7 @@ pub static VARIABLES: [VariableRow; 121] = [
     limit("gl_MaxFragmentUniformComponents", MAX_UNIFORM_COMPONENTS, DESKTOP),
     limit("gl_MaxDrawBuffers", MAX_DRAW_BUFFERS as i32, DESKTOP_AND_ES),
     limit("gl_MaxVaryingComponents", MAX_VARYING_FLOATS as i32, V130),
-    limit("gl_MaxClipDistances", MAX_CLIP_DISTANCES as i32, V130),
+    limit("gl_MaxClipDistances", MAX_CLIP_DISTANCES as i32, CLIP_DISTANCE),
     limit("gl_MaxVertexOutputComponents", MAX_STAGE_COMPONENTS as i32, V150),
     limit("gl_MaxGeometryInputComponents", MAX_STAGE_COMPONENTS as i32, V150),
     limit("gl_MaxGeometryOutputComponents", MAX_STAGE_COMPONENTS as i32, V150),
