@@ -1,22 +1,26 @@
-//! `glBeginTransformFeedback` and `glEndTransformFeedback`.
+//! Transform feedback (GL 3.0, section 2.15), and its objects (`ARB_transform_feedback2`; OpenGL ES 3.0, section 2.14).
 
-use crate::base::error::{Result, invalid_operation};
+use crate::base::constants::*;
+use crate::base::error::{Result, Table, invalid_operation};
 use crate::base::limits::MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS;
 use crate::base::types::*;
 use crate::context::Context;
 use crate::glsl::BufferMode;
-use crate::state::transform_feedback::{Active, CapturedPrimitive, SECTION};
+use crate::objects::name_table::listed;
+use crate::state::transform_feedback::{Active, CapturedPrimitive, SECTION, TransformFeedback};
+
+const OBJECTS: &str = "OpenGL ES 3.0, section 2.14";
 
 pub(crate) fn begin_transform_feedback(context: &mut Context, mode: GLenum) -> Result<()> {
     let kind = CapturedPrimitive::TABLE.decode("primitiveMode", mode)?;
-    if context.transform_feedback.is_active() {
+    if context.transform_feedback.has_begun() {
         return invalid_operation(
             SECTION,
             "transform feedback is active: glEndTransformFeedback is missing",
         );
     }
-    let Some(linked) = context.objects.shared.linked_program(context.state.bindings.program.name())
-    else {
+    let program = context.state.bindings.program.name();
+    let Some(linked) = context.objects.shared.linked_program(program) else {
         return invalid_operation(SECTION, "no program is in use: call glUseProgram");
     };
     let count = linked.program.captured.len();
@@ -41,18 +45,145 @@ pub(crate) fn begin_transform_feedback(context: &mut Context, mode: GLenum) -> R
         );
     }
     let written = [0; MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS];
-    context.transform_feedback.active = Some(Active { kind, written });
+    context.transform_feedback.active = Some(Active { kind, program, written });
     Ok(())
 }
 
 pub(crate) fn end_transform_feedback(context: &mut Context) -> Result<()> {
-    match context.transform_feedback.active.take() {
+    let state = &mut context.transform_feedback;
+    match state.active.take().or(state.paused.take()) {
         Some(_) => Ok(()),
         None => invalid_operation(
             SECTION,
             "transform feedback is not active: glBeginTransformFeedback is missing",
         ),
     }
+}
+
+pub(crate) fn pause_transform_feedback(context: &mut Context) -> Result<()> {
+    let state = &mut context.transform_feedback;
+    match state.active.take() {
+        Some(active) => {
+            state.paused = Some(active);
+            Ok(())
+        }
+        None => invalid_operation(
+            OBJECTS,
+            "transform feedback is not active, or paused already: call glBeginTransformFeedback",
+        ),
+    }
+}
+
+pub(crate) fn resume_transform_feedback(context: &mut Context) -> Result<()> {
+    let Some(paused) = context.transform_feedback.paused else {
+        return invalid_operation(
+            OBJECTS,
+            "transform feedback is not paused: glPauseTransformFeedback is missing",
+        );
+    };
+    let program = context.state.bindings.program.name();
+    if program != paused.program {
+        return invalid_operation(
+            OBJECTS,
+            format!(
+                "program {program} is in use, but program {} was when transform feedback began: call glUseProgram",
+                paused.program
+            ),
+        );
+    }
+    let state = &mut context.transform_feedback;
+    state.active = state.paused.take();
+    Ok(())
+}
+
+pub(crate) fn gen_transform_feedbacks(
+    context: &mut Context,
+    n: GLsizei,
+    ids: &mut [GLuint],
+) -> Result<()> {
+    context.transform_feedback_objects.named.reserve(OBJECTS, n, ids)
+}
+
+/// The state of an object that is not bound.
+fn parked(context: &mut Context, name: GLuint) -> &mut TransformFeedback {
+    let objects = &mut context.transform_feedback_objects;
+    objects.named.get_mut(name).unwrap_or(&mut objects.default)
+}
+
+/// Makes an object the current one.
+fn bind(context: &mut Context, name: GLuint) {
+    let before = context.transform_feedback_objects.bound;
+    let leaving = std::mem::take(&mut context.transform_feedback);
+    *parked(context, before) = leaving;
+    context.transform_feedback_objects.named.create(name, TransformFeedback::default);
+    context.transform_feedback = std::mem::take(parked(context, name));
+    context.transform_feedback_objects.bound = name;
+}
+
+pub(crate) fn delete_transform_feedbacks(
+    context: &mut Context,
+    n: GLsizei,
+    ids: &[GLuint],
+) -> Result<()> {
+    let names = listed(OBJECTS, n, ids)?;
+    let current = context.transform_feedback_objects.bound;
+    for &name in names {
+        let has_begun = match name == current {
+            true => context.transform_feedback.has_begun(),
+            false => context
+                .transform_feedback_objects
+                .named
+                .get(name)
+                .is_some_and(TransformFeedback::has_begun),
+        };
+        if name != 0 && has_begun {
+            let rule = format!("transform feedback {name} is active: call glEndTransformFeedback");
+            return invalid_operation(OBJECTS, rule);
+        }
+    }
+    for &name in names.iter().filter(|&&name| name != 0) {
+        if name == context.transform_feedback_objects.bound {
+            bind(context, 0);
+        }
+        context.transform_feedback_objects.named.remove(name);
+    }
+    Ok(())
+}
+
+pub(crate) fn is_transform_feedback(context: &mut Context, id: GLuint) -> Result<bool> {
+    Ok(context.transform_feedback_objects.named.get(id).is_some())
+}
+
+pub(crate) fn bind_transform_feedback(
+    context: &mut Context,
+    target: GLenum,
+    id: GLuint,
+) -> Result<()> {
+    const TARGET: Table<()> = Table { section: OBJECTS, rows: &[(GL_TRANSFORM_FEEDBACK, ())] };
+    TARGET.decode("target", target)?;
+    if context.transform_feedback.is_active() {
+        return invalid_operation(
+            OBJECTS,
+            "transform feedback is active: call glPauseTransformFeedback or glEndTransformFeedback",
+        );
+    }
+    context.transform_feedback_objects.named.check_given("id", id, "glGenTransformFeedbacks")?;
+    bind(context, id);
+    Ok(())
+}
+
+/// Refuses what must not change while vertices are captured, or will be once that is resumed.
+///
+/// # Errors
+/// `GL_INVALID_OPERATION`.
+pub(crate) fn not_while_begun(context: &Context) -> Result<()> {
+    if context.transform_feedback.has_begun() {
+        return invalid_operation(
+            SECTION,
+            "transform feedback is active: call glEndTransformFeedback first",
+        );
+    }
+    Ok(())
 }
 
 /// Refuses what must not change while vertices are captured.

@@ -37,7 +37,7 @@ use crate::objects::shared::ShareGroup;
 use crate::state::State;
 use crate::state::attrib::AttribStacks;
 use crate::state::evaluators::EvaluatorMaps;
-use crate::state::transform_feedback::TransformFeedback;
+use crate::state::transform_feedback::{TransformFeedback, TransformFeedbackObjects};
 use crate::state::uniform_buffers::UniformBuffers;
 pub use debug::{Message, Severity};
 pub use log::GLDEBUGPROC;
@@ -185,6 +185,7 @@ pub struct Context {
     /// Selection and feedback.
     pub(crate) feedback: Feedback,
     pub(crate) transform_feedback: TransformFeedback,
+    pub(crate) transform_feedback_objects: TransformFeedbackObjects,
     pub(crate) uniform_buffers: UniformBuffers,
     pub(crate) state_changes: StateChanges,
     pub(crate) compiler: glsl::Options,
@@ -269,6 +270,7 @@ impl Context {
             evaluators: EvaluatorMaps::default(),
             feedback: Feedback::default(),
             transform_feedback: TransformFeedback::default(),
+            transform_feedback_objects: TransformFeedbackObjects::default(),
             uniform_buffers: UniformBuffers::default(),
             state_changes: StateChanges::default(),
             compiler,

@@ -9,6 +9,7 @@ use crate::context::window::{Presence, base_level_attachment};
 use crate::objects::color_buffers::attachment_index;
 use crate::objects::framebuffers::{Attached, AttachedLayers, Framebuffer, Planes, Source};
 use crate::objects::target::TextureTarget;
+use crate::pixel::es_texels;
 use crate::pixel::formats::format_name;
 use crate::pixel::texel::is_renderable;
 use rasterizer::driver::{Attachment, LevelInfo, PassDesc};
@@ -172,6 +173,21 @@ pub(crate) enum Aspect {
     Stencil,
 }
 
+/// Why OpenGL ES draws nothing to an image as a colour, if so: its table of formats is shorter.
+fn unsuitable_in_es(context: &Context, attached: &Attached) -> Option<String> {
+    let internal = match attached.source {
+        Source::Texture { name, target, level, .. } => {
+            let texture = context.objects.shared.textures.get(name)?;
+            let texture = Some(texture).filter(|t| t.image.is_same_image(&attached.image))?;
+            *texture.requested.get(usize::from(target.face))?.get(level)?
+        }
+        Source::Renderbuffer(_) => return None,
+    };
+    (!es_texels::is_drawn_to(internal)).then(|| {
+        format!("OpenGL ES draws nothing to images of {} (3.0, table 3.13)", enum_name(internal))
+    })
+}
+
 /// Why an image cannot be at a point, if so.
 fn unsuitable(attached: &Attached, aspect: Aspect, found: &AttachedImage) -> Option<String> {
     let format = found.format;
@@ -238,7 +254,11 @@ pub(crate) fn completeness(context: &Context, name: GLuint) -> std::result::Resu
                         ),
                     );
                 }
-                unsuitable(attached, aspect, &found)
+                let in_es = || match aspect {
+                    Aspect::Color if context.profile.is_es() => unsuitable_in_es(context, attached),
+                    Aspect::Color | Aspect::Depth | Aspect::Stencil => None,
+                };
+                unsuitable(attached, aspect, &found).or_else(in_es)
             }
             Err(reason) => Some(reason),
         };

@@ -38,6 +38,8 @@ pub(crate) struct ProgramObject {
     pub link: LinkStatus,
     pub log: String,
     pub validated: bool,
+    /// `GL_PROGRAM_BINARY_RETRIEVABLE_HINT`.
+    pub binary_hint: bool,
     pub doomed: bool,
 }
 

@@ -4,6 +4,7 @@ pub(crate) mod blocks;
 pub(crate) mod client;
 pub(crate) mod component_bits;
 pub(crate) mod convert;
+pub(crate) mod es_texels;
 pub mod formats;
 pub(crate) mod layout;
 pub(crate) mod map;

@@ -3,8 +3,10 @@
 use crate::base::constants::*;
 use crate::base::error::Table;
 use crate::base::limits::MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS;
+use crate::base::types::*;
 use crate::objects::bound::Bound;
 use crate::objects::buffers::BufferRange;
+use crate::objects::name_table::NameTable;
 use rasterizer::driver::Topology;
 
 pub(crate) const SECTION: &str = "GL 3.0, section 2.15";
@@ -69,6 +71,8 @@ impl CapturedPrimitive {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Active {
     pub kind: CapturedPrimitive,
+    /// The program whose outputs are captured.
+    pub program: GLuint,
     /// Bytes written to each buffer.
     pub written: [usize; MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS],
 }
@@ -78,7 +82,10 @@ pub(crate) struct Active {
 pub(crate) struct TransformFeedback {
     /// Their offsets and sizes are multiples of 4.
     pub buffers: [BufferRange; MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS],
+    /// What is captured now.
     pub active: Option<Active>,
+    /// What is captured once `glResumeTransformFeedback` is called.
+    pub paused: Option<Active>,
 }
 
 impl TransformFeedback {
@@ -87,10 +94,25 @@ impl TransformFeedback {
         self.active.is_some()
     }
 
+    /// Whether it is between `glBeginTransformFeedback` and `glEndTransformFeedback`.
+    pub fn has_begun(&self) -> bool {
+        self.active.is_some() || self.paused.is_some()
+    }
+
     /// Unbinds a deleted buffer.
     pub fn forget_buffer(&mut self, gone: &Bound) {
         for range in self.buffers.iter_mut().filter(|range| range.buffer == *gone) {
             *range = BufferRange::default();
         }
     }
+}
+
+/// Transform feedback objects but the bound one, whose state is [`TransformFeedback`] of the context.
+#[derive(Debug, Default)]
+pub(crate) struct TransformFeedbackObjects {
+    /// The name of the bound one.
+    pub bound: GLuint,
+    pub named: NameTable<TransformFeedback>,
+    /// The state of name 0 while another is bound.
+    pub default: TransformFeedback,
 }

@@ -4,7 +4,7 @@ use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_value};
 use crate::base::limits::UNIFORM_BUFFER_OFFSET_ALIGNMENT;
 use crate::base::types::*;
-use crate::calls::transform_feedback::not_while_active;
+use crate::calls::transform_feedback::not_while_begun;
 use crate::context::Context;
 use crate::objects::buffers::{BufferRange, BufferTarget};
 
@@ -107,7 +107,7 @@ impl BindRequest {
             return invalid_value(SECTION, rule);
         }
         if numbered == Numbered::TransformFeedback {
-            not_while_active(context)?;
+            not_while_begun(context)?;
         }
         Ok(Self { numbered, index, buffer, offset, size })
     }

@@ -6,6 +6,7 @@ pub(crate) mod blit;
 pub(crate) mod buffers;
 pub(crate) mod clear;
 pub(crate) mod inspect;
+pub(crate) mod invalidate;
 pub(crate) mod names;
 pub(crate) mod read;
 pub(crate) mod renderbuffers;

@@ -12,12 +12,13 @@ use crate::draw::warnings::visibility;
 use crate::pixel::client::Pixel;
 use crate::pixel::client::format::{ClientFormat, LuminanceOf};
 use crate::pixel::convert::{Conversion, FinalConversion};
+use crate::pixel::es_texels;
 use crate::pixel::layout::{Extent, Layout};
 use crate::pixel::scratch::scratch;
 use crate::pixel::transfer::TransferKind;
 use rasterizer::driver::{Attachment, Device, RowSpan, RowWriter};
 use std::sync::Arc;
-use texunit::format::Format;
+use texunit::format::{BaseFormat, Encoding, Format};
 use texunit::image::Level;
 
 const SECTION: &str = "GL 2.1, section 4.3.2";
@@ -239,6 +240,64 @@ impl ReadPixelsRequest {
     }
 }
 
+/// The `format` and `type` that the read buffer is best read with: `GL_IMPLEMENTATION_COLOR_READ_FORMAT` and
+/// `GL_IMPLEMENTATION_COLOR_READ_TYPE` (OpenGL ES 3.0, section 4.3.2).
+pub(crate) fn preferred(from: Format) -> (GLenum, GLenum) {
+    let info = from.info();
+    let format = match (from.base(), from.is_integer()) {
+        (BaseFormat::Red, false) => GL_RED,
+        (BaseFormat::Red, true) => GL_RED_INTEGER,
+        (BaseFormat::Rg, false) => GL_RG,
+        (BaseFormat::Rg, true) => GL_RG_INTEGER,
+        (BaseFormat::Rgb, false) => GL_RGB,
+        (_, true) => GL_RGBA_INTEGER,
+        (_, false) => GL_RGBA,
+    };
+    let ty = match (from, info.encoding) {
+        (Format::Rgb10A2 | Format::Rgb10A2UI, _) => GL_UNSIGNED_INT_2_10_10_10_REV,
+        (Format::R5G6B5, _) => GL_UNSIGNED_SHORT_5_6_5,
+        (Format::Rgba4, _) => GL_UNSIGNED_SHORT_4_4_4_4,
+        (Format::Rgb5A1, _) => GL_UNSIGNED_SHORT_5_5_5_1,
+        (_, Encoding::Float) => GL_FLOAT,
+        (_, Encoding::Sint) => GL_INT,
+        (_, Encoding::Uint) => GL_UNSIGNED_INT,
+        (_, _) => GL_UNSIGNED_BYTE,
+    };
+    (format, ty)
+}
+
+/// Checks that OpenGL ES reads a buffer as such pixels: each kind of numbers as `GL_RGBA` of one type, or as the
+/// implementation prefers (3.0, section 4.3.2; `EXT_read_format_bgra`).
+fn check_es(from: Format, (format, ty): (GLenum, GLenum)) -> Result<()> {
+    let always: &[(GLenum, GLenum)] = match from.info().encoding {
+        Encoding::Sint => &[(GL_RGBA_INTEGER, GL_INT)],
+        Encoding::Uint => &[(GL_RGBA_INTEGER, GL_UNSIGNED_INT)],
+        Encoding::Float => &[(GL_RGBA, GL_FLOAT)],
+        Encoding::Unorm if from == Format::Rgb10A2 => {
+            &[(GL_RGBA, GL_UNSIGNED_BYTE), (GL_RGBA, GL_UNSIGNED_INT_2_10_10_10_REV)]
+        }
+        Encoding::Unorm
+        | Encoding::Snorm
+        | Encoding::Srgb
+        | Encoding::SharedExponent
+        | Encoding::Block(_)
+        | Encoding::SrgbBlock(_) => &[(GL_RGBA, GL_UNSIGNED_BYTE), (GL_BGRA, GL_UNSIGNED_BYTE)],
+    };
+    if always.contains(&(format, ty)) || preferred(from) == (format, ty) {
+        return Ok(());
+    }
+    let (other_format, other_type) = preferred(from);
+    let all = always.iter().copied().chain([(other_format, other_type)]);
+    let all: Vec<String> =
+        all.map(|(format, ty)| format!("{} with {}", enum_name(format), enum_name(ty))).collect();
+    let [format, ty] = [format, ty].map(enum_name);
+    let rule = format!(
+        "format = {format} with type = {ty}: OpenGL ES reads this buffer as {}",
+        all.join(" or ")
+    );
+    invalid_operation("OpenGL ES 3.0, section 4.3.2", rule)
+}
+
 /// Checks the arguments of `glReadPixels`: the lowest left pixel, pixels across and up, and format and type.
 ///
 /// # Errors
@@ -251,8 +310,13 @@ pub(crate) fn request(
 ) -> Result<ReadPixelsRequest> {
     let width = not_negative(SECTION, "width", width.into())?;
     let height = not_negative(SECTION, "height", height.into())?;
-    let pixel = Pixel::new(format, ty)?;
-    ReadPixelsRequest::new(context, Region::new(x, y, width, height), pixel)
+    let is_es = context.profile.is_es();
+    let pixel = Pixel::new(format, if is_es { es_texels::plain_type(ty) } else { ty })?;
+    let request = ReadPixelsRequest::new(context, Region::new(x, y, width, height), pixel)?;
+    if is_es {
+        check_es(request.buffer.format, (format, es_texels::plain_type(ty)))?;
+    }
+    Ok(request)
 }
 
 #[expect(clippy::too_many_arguments, reason = "GL's signature")]
@@ -317,8 +381,7 @@ pub(crate) fn read_rows(
 
 /// Whether signed integers go to signed ones, unsigned to unsigned and other numbers to others, as a blit needs.
 pub(crate) fn same_kind(a: Format, b: Format) -> bool {
-    let kind = |format: Format| {
-        (format.is_integer()).then(|| format.info().encoding == texunit::format::Encoding::Sint)
-    };
+    let kind =
+        |format: Format| (format.is_integer()).then(|| format.info().encoding == Encoding::Sint);
     kind(a) == kind(b)
 }

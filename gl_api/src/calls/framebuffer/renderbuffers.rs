@@ -122,6 +122,11 @@ impl StorageRequest {
         size: [GLsizei; 2],
     ) -> Result<Self> {
         let format = checked_format(internal)?;
+        if context.profile.is_es() && !format.is_for_renderbuffers_in_es() {
+            let internal = enum_name(internal);
+            let rule = format!("internalformat = {internal} is none of renderbuffers of OpenGL ES");
+            return invalid_enum("OpenGL ES 3.0, table 3.13", rule);
+        }
         for (argument, size) in ["width", "height"].into_iter().zip(size) {
             if not_negative(SECTION, argument, size.into())? > limits::MAX_TEXTURE_SIZE as usize {
                 return invalid_value(
@@ -129,6 +134,10 @@ impl StorageRequest {
                     format!("{argument} = {size} must not be above {}", limits::MAX_TEXTURE_SIZE),
                 );
             }
+        }
+        if context.profile.is_es() && format.stored.is_integer() && samples > 0 {
+            let rule = format!("samples = {samples} must be 0 with {}", enum_name(internal));
+            return invalid_operation("OpenGL ES 3.0, section 4.4.2.1", rule);
         }
         if not_negative(SECTION, "samples", samples.into())? > usize::from(limits::MAX_SAMPLES) {
             if format.stored.is_integer() {

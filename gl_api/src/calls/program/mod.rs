@@ -3,6 +3,7 @@
 pub(crate) mod assembly;
 pub(crate) mod assembly_names;
 pub(crate) mod assembly_query;
+pub(crate) mod binaries;
 pub(crate) mod blocks;
 pub(crate) mod data_type;
 pub(crate) mod es2_compiler;

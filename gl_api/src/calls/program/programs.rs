@@ -4,7 +4,7 @@ use crate::base::error::{Result, invalid_operation, invalid_value};
 use crate::base::limits;
 use crate::base::types::*;
 use crate::calls::program::shaders::shader;
-use crate::calls::transform_feedback::not_while_active;
+use crate::calls::transform_feedback::{not_while_active, not_while_begun};
 use crate::context::Context;
 use crate::generate::executable::executable;
 use crate::glsl;
@@ -48,12 +48,22 @@ pub(crate) fn is_program(context: &mut Context, name: GLuint) -> Result<bool> {
 }
 
 pub(crate) fn attach_shader(context: &mut Context, name: GLuint, added: GLuint) -> Result<()> {
-    shader(context, added)?;
-    let program = program(context, name)?;
-    if program.attached.contains(&added) {
+    let stage = shader(context, added)?.stage;
+    let attached = program(context, name)?.attached.clone();
+    if attached.contains(&added) {
         return invalid_operation(SECTION, format!("shader {added} is attached already"));
     }
-    program.attached.push(added);
+    if context.profile.is_es() {
+        for other in attached {
+            if shader(context, other)?.stage == stage {
+                let rule = format!(
+                    "shader {other} of the same stage is attached: OpenGL ES has one a stage"
+                );
+                return invalid_operation("OpenGL ES 3.0, section 2.12.3", rule);
+            }
+        }
+    }
+    program(context, name)?.attached.push(added);
     shader(context, added)?.attachments += 1;
     Ok(())
 }
@@ -121,20 +131,32 @@ pub(crate) fn bind_frag_data_location(
 }
 
 pub(crate) fn link_program(context: &mut Context, name: GLuint) -> Result<()> {
-    if context.state.bindings.program.name() == name {
-        not_while_active(context)?;
+    let state = &context.transform_feedback;
+    if state.active.or(state.paused).is_some_and(|active| active.program == name) {
+        not_while_begun(context)?;
     }
     let attached = program(context, name)?.attached.clone();
     let mut log = String::new();
-    let mut shaders = Vec::new();
+    let (mut shaders, mut stages) = (Vec::new(), Vec::new());
     for &attached in &attached {
         let Some(ShaderOrProgram::Shader(shader)) = context.objects.shared.programs.get(attached)
         else {
             continue;
         };
+        stages.push(shader.stage);
         match &shader.compiled {
             Some(compiled) => shaders.push(compiled),
             None => log.push_str(&format!("error: shader {attached} is not compiled\n")),
+        }
+    }
+    if context.profile.is_es() {
+        for (stage, name) in [(glsl::Stage::Vertex, "vertex"), (glsl::Stage::Fragment, "fragment")]
+        {
+            if log.is_empty() && !stages.contains(&stage) {
+                log = format!(
+                    "error: there is no {name} shader, and OpenGL ES has no fixed function (3.0, section 2.12.3)\n"
+                );
+            }
         }
     }
     let mut linked = None;

@@ -9,6 +9,7 @@ use crate::calls::texture::bound::{bound, bound_mut};
 use crate::context::Context;
 use crate::objects::target::TARGET;
 use crate::objects::texture::Texture;
+use crate::pixel::es_texels;
 use texunit::image::ImageError;
 use texunit::lanes::Isa;
 use texunit::sampler::Sampler;
@@ -69,12 +70,25 @@ pub(crate) fn generate_mipmap(context: &mut Context, target: GLenum) -> Result<(
         let name = enum_name(TARGET.encode(target));
         return invalid_enum(SECTION, format!("target = {name} has no mipmaps"));
     }
+    let is_es = context.profile.is_es();
     let image = bound(context, target).image.clone();
     crate::draw::pass::submit_draws_to(context, &image);
     let isa = context.recorder.isa();
     let texture = bound_mut(context, target);
     let base = texture.sampler().base_level as usize;
     let texels = texture.image.texels();
+    if is_es
+        && !es_texels::has_mipmaps(texture.requested[0][base.min(limits::MAX_TEXTURE_LEVELS - 1)])
+    {
+        let internal = enum_name(texture.requested[0][base.min(limits::MAX_TEXTURE_LEVELS - 1)]);
+        return invalid_operation(
+            "OpenGL ES 3.0, section 3.8.10.5",
+            format!(
+                "the base level is of {internal}: mipmaps are made of unsized formats, and of those that are drawn \
+                 to and filtered"
+            ),
+        );
+    }
     let mut kinds = Vec::new();
     for face in 0..texels.shape().faces() {
         let Some(level) = texels.level(face, base) else {

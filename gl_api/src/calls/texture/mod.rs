@@ -7,6 +7,7 @@ pub(crate) mod copy;
 pub(crate) mod environment;
 pub(crate) mod get;
 pub(crate) mod get_sub;
+pub(crate) mod internal_format;
 pub(crate) mod level_request;
 pub(crate) mod mipmap;
 pub(crate) mod multisample;

@@ -13,7 +13,7 @@ use crate::pixel::client::format::{ClientFormat, Numbers};
 use crate::pixel::formats::{UNCOMPRESSED, texture_format};
 use crate::pixel::layout::{Extent, Layout};
 use crate::pixel::scratch::scratch;
-use crate::pixel::{blocks, convert};
+use crate::pixel::{blocks, convert, es_texels};
 use texunit::format::Format;
 
 const SECTION: &str = "GL 2.1, section 3.8.1";
@@ -106,9 +106,13 @@ fn tex_image(
 ) -> Result<()> {
     let image = dimensions.image(target)?;
     let internal = internal as GLenum;
-    let format = checked_internal(internal)?;
+    let (format, pixel) = if context.profile.is_es() {
+        let pixel = Pixel::new(pixels.format, es_texels::plain_type(pixels.ty))?;
+        (es_texels::stored(internal, pixels.format, pixels.ty)?, pixel)
+    } else {
+        (checked_internal(internal)?, Pixel::new(pixels.format, pixels.ty)?)
+    };
     let desc = LevelDesc::new(image, level, internal, format, given, border)?;
-    let pixel = Pixel::new(pixels.format, pixels.ty)?;
     kinds_match(pixel, format)?;
     match desc.request(context)? {
         ImageRequest::Texture(request) => {

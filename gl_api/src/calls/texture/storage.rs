@@ -7,7 +7,7 @@ use crate::calls::texture::bound::{bound, bound_mut};
 use crate::calls::texture::level_request::{ImageRequest, LevelDesc, LevelRequest, ProxyRequest};
 use crate::context::Context;
 use crate::objects::target::{FaceTarget, ImageTarget, TextureTarget};
-use crate::pixel::formats::sized_format;
+use crate::pixel::formats::{InternalFormat, sized_format};
 use texunit::image::{Image as Texels, Level};
 
 const SECTION: &str = "ARB_texture_storage, section 3.8.X";
@@ -88,7 +88,10 @@ impl StorageRequest {
         size: [GLsizei; 3],
     ) -> Result<Self> {
         let target = image.target();
-        let Some(format) = sized_format(internal).map(|format| format.stored) else {
+        let in_profile =
+            |format: &&InternalFormat| !context.profile.is_es() || format.is_for_textures_in_es();
+        let row = sized_format(internal).filter(in_profile);
+        let Some(format) = row.map(|format| format.stored) else {
             return invalid_enum(
                 SECTION,
                 format!(

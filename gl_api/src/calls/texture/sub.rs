@@ -13,7 +13,7 @@ use crate::pixel::layout::Layout;
 use crate::pixel::memory::Source;
 use crate::pixel::scratch::scratch;
 use crate::pixel::storage_error::storage_error;
-use crate::pixel::{blocks, convert};
+use crate::pixel::{blocks, convert, es_texels};
 use std::sync::Arc;
 use texunit::format::Format;
 use texunit::image::{ImageError, Level};
@@ -194,9 +194,18 @@ fn tex_sub_image(
     pixels: Data<'_>,
 ) -> Result<()> {
     let target = dimensions.bound(target)?;
-    let pixel = Pixel::new(format, ty)?;
+    let is_es = context.profile.is_es();
+    let pixel = Pixel::new(format, if is_es { es_texels::plain_type(ty) } else { ty })?;
     let area = BoxRequest::new(context, target, level, offset, size)?;
     kinds_match(pixel, area.format)?;
+    if is_es {
+        let texture = bound(context, target.target);
+        es_texels::check_replaced(
+            texture.requested[usize::from(target.face)][area.level],
+            format,
+            ty,
+        )?;
+    }
     let size = size.map(|side| side as usize);
     let layout = Layout::new(&context.state.unpack, pixel, size, extent(dimensions))?;
     match TexSubImageRequest::new(context, area, layout, pixels)? {

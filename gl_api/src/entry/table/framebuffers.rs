@@ -3,8 +3,9 @@
 
 use crate::base::types::*;
 use crate::calls::framebuffer::{
-    attach, blit, buffers, inspect, names as framebuffers, renderbuffers,
+    attach, blit, buffers, inspect, invalidate, names as framebuffers, renderbuffers,
 };
+use crate::calls::texture::internal_format;
 
 #[doc(hidden)]
 #[macro_export]
@@ -48,6 +49,22 @@ macro_rules! entry_points_framebuffers {
         get_renderbuffer_parameteriv:
             glGetRenderbufferParameteriv | glGetRenderbufferParameterivEXT
             (target: GLenum, pname: GLenum, params: &'a mut [GLint]);
+    }
+    Refused in invalidate {
+        /// Says that the contents of attachments will not be used.
+        invalidate_framebuffer: glInvalidateFramebuffer | glDiscardFramebufferEXT
+            (target: GLenum, numattachments: GLsizei, attachments: &'a [GLenum]), not_compiled;
+        /// Says that a part of the contents of attachments will not be used.
+        invalidate_sub_framebuffer: glInvalidateSubFramebuffer (
+            target: GLenum, numattachments: GLsizei, attachments: &'a [GLenum], x: GLint, y: GLint,
+            width: GLsizei, height: GLsizei
+        ), not_compiled;
+    }
+    Refused in internal_format {
+        /// Reads the numbers of samples that images of a format can have.
+        get_internalformativ: glGetInternalformativ (
+            target: GLenum, internalformat: GLenum, pname: GLenum, bufsize: GLsizei, params: &'a mut [GLint]
+        );
     }
     Refused in attach {
         /// Attaches a level of a one-dimensional texture to the bound framebuffer.
@@ -96,7 +113,7 @@ macro_rules! entry_points_framebuffers {
         /// Sets which colour buffer is drawn to.
         draw_buffer: glDrawBuffer (buf: GLenum);
         /// Sets which colour buffer each fragment colour is drawn to.
-        draw_buffers: glDrawBuffers | glDrawBuffersARB | glDrawBuffersATI (n: GLsizei, bufs: &'a [GLenum]);
+        draw_buffers: glDrawBuffers | glDrawBuffersARB | glDrawBuffersATI | glDrawBuffersEXT (n: GLsizei, bufs: &'a [GLenum]);
         /// Sets which colour buffer is read from.
         read_buffer: glReadBuffer (src: GLenum);
     }

@@ -1,9 +1,9 @@
 //! Shaders and programs: GL 2.1, sections 2.15, 3.11 and 6.1.14.
 
-use crate::base::args::{Data, Strings, TextOut};
+use crate::base::args::{Data, DataOut, Strings, TextOut};
 use crate::base::types::*;
 use crate::calls::program::{
-    es2_compiler, inspect, programs, shader_objects_arb, shaders, uniform, validate,
+    binaries, es2_compiler, inspect, programs, shader_objects_arb, shaders, uniform, validate,
 };
 
 #[doc(hidden)]
@@ -40,6 +40,19 @@ macro_rules! entry_points_programs {
         /// Reads the range and the precision of the numbers of a stage.
         get_shader_precision_format: glGetShaderPrecisionFormat
             (shader_type: GLenum, precision_type: GLenum, range: &'a mut [GLint], precision: &'a mut [GLint]);
+    }
+    Refused in binaries {
+        /// Reads a linked program, of which there is no format.
+        get_program_binary: glGetProgramBinary (
+            program: GLuint, bufsize: GLsizei, length: &'a mut [GLsizei], binary_format: &'a mut [GLenum],
+            binary: DataOut<'a>
+        );
+        /// Loads a linked program, of which there is no format.
+        program_binary: glProgramBinary
+            (program: GLuint, binary_format: GLenum, binary: Data<'a>, length: GLsizei), not_compiled;
+        /// Says whether the binary of a program will be read.
+        program_parameteri: glProgramParameteri | glProgramParameteriARB
+            (program: GLuint, pname: GLenum, value: GLint), not_compiled;
     }
     Refused in programs {
         /// Makes a program object.

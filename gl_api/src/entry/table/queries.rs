@@ -32,25 +32,25 @@ macro_rules! entry_points_queries {
     }
     Refused in queries {
         /// Makes `n` unused names of queries.
-        gen_queries: glGenQueries | glGenQueriesARB (n: GLsizei, ids: &'a mut [GLuint]);
+        gen_queries: glGenQueries | glGenQueriesARB | glGenQueriesEXT (n: GLsizei, ids: &'a mut [GLuint]);
         /// Deletes queries; an active one ends.
-        delete_queries: glDeleteQueries | glDeleteQueriesARB (n: GLsizei, ids: &'a [GLuint]), not_compiled;
+        delete_queries: glDeleteQueries | glDeleteQueriesARB | glDeleteQueriesEXT (n: GLsizei, ids: &'a [GLuint]), not_compiled;
         /// Whether a name is a query that has begun.
-        is_query: glIsQuery | glIsQueryARB (id: GLuint) -> bool;
+        is_query: glIsQuery | glIsQueryARB | glIsQueryEXT (id: GLuint) -> bool;
         /// Begins to count samples, or time.
-        begin_query: glBeginQuery | glBeginQueryARB (target: GLenum, id: GLuint);
+        begin_query: glBeginQuery | glBeginQueryARB | glBeginQueryEXT (target: GLenum, id: GLuint);
         /// Ends the query of a target.
-        end_query: glEndQuery | glEndQueryARB (target: GLenum);
+        end_query: glEndQuery | glEndQueryARB | glEndQueryEXT (target: GLenum);
         /// Takes the time when everything so far is carried out.
         query_counter: glQueryCounter (id: GLuint, target: GLenum);
         /// Reads what is known of a target of queries.
-        get_queryiv: glGetQueryiv | glGetQueryivARB
+        get_queryiv: glGetQueryiv | glGetQueryivARB | glGetQueryivEXT
             (target: GLenum, pname: GLenum, params: &'a mut [GLint]);
         /// Reads the result of a query.
         get_query_objectiv: glGetQueryObjectiv | glGetQueryObjectivARB
             (id: GLuint, pname: GLenum, params: &'a mut [GLint]);
         /// Reads the result of a query.
-        get_query_objectuiv: glGetQueryObjectuiv | glGetQueryObjectuivARB
+        get_query_objectuiv: glGetQueryObjectuiv | glGetQueryObjectuivARB | glGetQueryObjectuivEXT
             (id: GLuint, pname: GLenum, params: &'a mut [GLuint]);
         /// Reads the result of a query.
         get_query_objecti64v: glGetQueryObjecti64v | glGetQueryObjecti64vEXT

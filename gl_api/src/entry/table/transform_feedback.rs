@@ -16,6 +16,19 @@ macro_rules! entry_points_transform_feedback {
             (primitive_mode: GLenum);
         /// Ends it.
         end_transform_feedback: glEndTransformFeedback | glEndTransformFeedbackEXT ();
+        /// Makes `n` unused names of transform feedback objects.
+        gen_transform_feedbacks: glGenTransformFeedbacks (n: GLsizei, ids: &'a mut [GLuint]);
+        /// Deletes transform feedback objects; the bound one is replaced by that of name 0.
+        delete_transform_feedbacks: glDeleteTransformFeedbacks
+            (n: GLsizei, ids: &'a [GLuint]), not_compiled;
+        /// Whether a name is a transform feedback object that has been bound.
+        is_transform_feedback: glIsTransformFeedback (id: GLuint) -> bool;
+        /// Makes a transform feedback object the current one.
+        bind_transform_feedback: glBindTransformFeedback (target: GLenum, id: GLuint);
+        /// Captures nothing until it is resumed.
+        pause_transform_feedback: glPauseTransformFeedback ();
+        /// Captures again.
+        resume_transform_feedback: glResumeTransformFeedback ();
     }
     Refused in indexed_buffers {
         /// Binds a part of a buffer to a numbered binding.

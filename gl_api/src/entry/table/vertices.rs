@@ -138,13 +138,13 @@ macro_rules! entry_points_vertices {
     }
     Refused in vertex_arrays {
         /// Makes `n` unused names of vertex array objects.
-        gen_vertex_arrays: glGenVertexArrays (n: GLsizei, arrays: &'a mut [GLuint]);
+        gen_vertex_arrays: glGenVertexArrays | glGenVertexArraysOES (n: GLsizei, arrays: &'a mut [GLuint]);
         /// Deletes vertex array objects; a bound one is unbound.
-        delete_vertex_arrays: glDeleteVertexArrays (n: GLsizei, arrays: &'a [GLuint]), not_compiled;
+        delete_vertex_arrays: glDeleteVertexArrays | glDeleteVertexArraysOES (n: GLsizei, arrays: &'a [GLuint]), not_compiled;
         /// Makes a vertex array object the current one; 0 is the default one.
-        bind_vertex_array: glBindVertexArray (array: GLuint), not_compiled;
+        bind_vertex_array: glBindVertexArray | glBindVertexArrayOES (array: GLuint), not_compiled;
         /// Whether a name is a vertex array object that has been bound.
-        is_vertex_array: glIsVertexArray (array: GLuint) -> bool;
+        is_vertex_array: glIsVertexArray | glIsVertexArrayOES (array: GLuint) -> bool;
     }
     Refused in calls {
         /// Draws `count` vertices of the arrays from `first` on.
@@ -218,23 +218,23 @@ macro_rules! entry_points_vertices {
     Refused in buffer_map {
         /// Gives the buffer's bytes to the client until `glUnmapBuffer`; see also
         /// [`crate::Context::mapped_bytes`].
-        map_buffer: glMapBuffer | glMapBufferARB (target: GLenum, access: GLenum) -> *mut GLvoid;
+        map_buffer: glMapBuffer | glMapBufferARB | glMapBufferOES (target: GLenum, access: GLenum) -> *mut GLvoid;
         /// Gives a part of the buffer's bytes to the client until `glUnmapBuffer`.
-        map_buffer_range: glMapBufferRange (
+        map_buffer_range: glMapBufferRange | glMapBufferRangeEXT (
             target: GLenum, offset: GLintptr, length: GLsizeiptr, access: GLbitfield
         ) -> *mut GLvoid;
         /// Says which mapped bytes were written; all are taken at `glUnmapBuffer`.
-        flush_mapped_buffer_range: glFlushMappedBufferRange
+        flush_mapped_buffer_range: glFlushMappedBufferRange | glFlushMappedBufferRangeEXT
             (target: GLenum, offset: GLintptr, length: GLsizeiptr), not_compiled;
         /// Takes the bytes back; false if it was not mapped.
-        unmap_buffer: glUnmapBuffer | glUnmapBufferARB (target: GLenum) -> bool;
+        unmap_buffer: glUnmapBuffer | glUnmapBufferARB | glUnmapBufferOES (target: GLenum) -> bool;
         /// Copies bytes from a buffer to another, or to itself.
         copy_buffer_sub_data: glCopyBufferSubData (
             readtarget: GLenum, writetarget: GLenum, readoffset: GLintptr, writeoffset: GLintptr,
             size: GLsizeiptr
         ), not_compiled;
         /// Where a buffer is mapped; null if it is not.
-        get_buffer_pointerv: glGetBufferPointerv | glGetBufferPointervARB
+        get_buffer_pointerv: glGetBufferPointerv | glGetBufferPointervARB | glGetBufferPointervOES
             (target: GLenum, pname: GLenum, params: &'a mut [*mut GLvoid]);
         /// Reads what is known of a buffer.
         get_buffer_parameteriv: glGetBufferParameteriv | glGetBufferParameterivARB

@@ -44,6 +44,11 @@ pub(crate) const COMPRESSED: FormatSet = FormatSet {
 };
 
 impl FormatSet {
+    /// The formats for which `contains` holds.
+    pub const fn new(section: &'static str, contains: fn(&InternalFormat) -> bool) -> Self {
+        Self { section, contains }
+    }
+
     /// The row of a format of the set.
     pub fn get(&self, name: GLenum) -> Option<&'static InternalFormat> {
         find(name).filter(|format| (self.contains)(format))

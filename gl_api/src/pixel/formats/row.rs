@@ -1,6 +1,8 @@
 //! A row of the table of internal formats.
 
 use crate::base::availability::{Api, Availability};
+use crate::base::constants::*;
+use crate::base::es_extensions::EXTENSIONS_OF_ES;
 use crate::base::types::*;
 use crate::base::version;
 use texunit::format::Format;
@@ -83,6 +85,12 @@ fn in_contexts(availability: &Availability) -> bool {
         || availability.extensions_of(Api::Compatibility).next().is_some()
 }
 
+/// Whether contexts of OpenGL ES have what is available there.
+fn in_es(availability: &Availability) -> bool {
+    availability.is_in(Api::Es2, version::IMPLEMENTED_ES)
+        || availability.extensions_of(Api::Es2).any(|name| EXTENSIONS_OF_ES.contains(&name))
+}
+
 impl InternalFormat {
     /// Whether textures may have it.
     pub fn is_for_textures(&self) -> bool {
@@ -97,6 +105,32 @@ impl InternalFormat {
     /// Whether buffer textures may have it.
     pub fn is_for_texel_buffers(&self) -> bool {
         in_contexts(&self.texel_buffer)
+    }
+
+    /// Whether textures of OpenGL ES may have it.
+    pub fn is_for_textures_in_es(&self) -> bool {
+        in_es(&self.texture)
+    }
+
+    /// Whether contexts of OpenGL ES draw to images of it; of unsized ones, to textures (section 4.4.4).
+    pub fn is_drawn_to_in_es(&self) -> bool {
+        let by_row = in_es(&self.renderbuffer);
+        by_row || self.class == FormatClass::Unsized && self.is_color()
+    }
+
+    /// Whether renderbuffers of OpenGL ES may have it.
+    pub fn is_for_renderbuffers_in_es(&self) -> bool {
+        in_es(&self.renderbuffer)
+    }
+
+    /// Whether linear filters of OpenGL ES take it.
+    pub fn is_filtered_in_es(&self) -> bool {
+        in_es(&self.filter)
+    }
+
+    /// Whether it has red, as formats that unsized textures are drawn to with have.
+    fn is_color(&self) -> bool {
+        matches!(self.base, GL_RED | GL_RG | GL_RGB | GL_RGBA)
     }
 
     /// Whether texels are stored in blocks.

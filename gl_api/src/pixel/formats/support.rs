@@ -8,6 +8,8 @@ use texunit::format::Format;
 const COMPATIBILITY: &[Api] = &[Api::Compatibility];
 const DESKTOP: &[Api] = &[Api::Compatibility, Api::Core];
 
+const ES: &[Api] = &[Api::Es2];
+
 const fn of(name: &'static str, apis: &'static [Api]) -> Extension {
     Extension { name, apis }
 }
@@ -27,6 +29,11 @@ pub(super) const TEXTURE_INTEGER: &[Extension] = &[of("GL_EXT_texture_integer", 
 pub(super) const TEXTURE_RGB10_A2UI: &[Extension] = &[of("GL_ARB_texture_rgb10_a2ui", DESKTOP)];
 pub(super) const TEXTURE_SNORM: &[Extension] = &[of("GL_EXT_texture_snorm", COMPATIBILITY)];
 pub(super) const TEXTURE_SRGB: &[Extension] = &[of("GL_EXT_texture_sRGB", DESKTOP)];
+
+pub(super) const COLOR_BUFFER_FLOAT: &[Extension] = &[of("GL_EXT_color_buffer_float", ES)];
+pub(super) const COLOR_BUFFER_HALF_FLOAT: &[Extension] =
+    &[of("GL_EXT_color_buffer_half_float", ES)];
+pub(super) const FLOAT_LINEAR: &[Extension] = &[of("GL_OES_texture_float_linear", ES)];
 
 /// Which versions and extensions allow each use of a format.
 pub(super) struct Support {
@@ -118,6 +125,18 @@ impl Support {
             0 => None,
             _ => version(later(filter, 20)),
         };
+        self
+    }
+
+    /// An extension of OpenGL ES draws to it.
+    pub const fn drawn_to(mut self, extensions: &'static [Extension]) -> Self {
+        self.renderbuffer.extensions = extensions;
+        self
+    }
+
+    /// An extension of OpenGL ES filters it.
+    pub const fn filtered(mut self, extensions: &'static [Extension]) -> Self {
+        self.filter.extensions = extensions;
         self
     }
 

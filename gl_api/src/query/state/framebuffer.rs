@@ -4,12 +4,15 @@
 use super::row::Read::*;
 use super::row::{Row, doubles, rows};
 use crate::base::constants::*;
+use crate::base::types::*;
 use crate::calls::fragment::clamp::signed_components;
 use crate::calls::framebuffer::accumulate::BITS;
 use crate::calls::framebuffer::buffers::{drawn_format, selection};
+use crate::calls::framebuffer::read::preferred;
 use crate::context::Context;
+use crate::context::window::format_of;
 use crate::draw::color_clamp::of_fragments;
-use crate::draw::completeness::{drawn_formats, samples};
+use crate::draw::completeness::{Aspect, drawn_formats, read_attachment, samples};
 use crate::objects::color_buffers::Selection;
 use crate::pixel::component_bits::{Component, component_bits};
 use rasterizer::driver::DepthWrite;
@@ -36,6 +39,12 @@ fn sample_count(context: &Context) -> i32 {
 /// Whether the first buffer that is drawn to is there and has such a format.
 fn is_drawn(context: &Context, has: fn(Format) -> bool) -> bool {
     drawn_format(context, Component::Red).is_some_and(has)
+}
+
+/// The pixels that the colour buffer of the read framebuffer is best read as.
+fn preferred_pixels(context: &Context) -> (GLenum, GLenum) {
+    let attachment = read_attachment(context, Aspect::Color).ok().flatten();
+    attachment.and_then(|found| format_of(&found)).map_or((GL_RGBA, GL_UNSIGNED_BYTE), preferred)
 }
 
 pub(super) const ROWS: &[Row] = rows! {
@@ -88,6 +97,6 @@ pub(super) const ROWS: &[Row] = rows! {
     GL_RGBA_SIGNED_COMPONENTS_EXT:
         Flags(|c| drawn_format(c, Component::Red).map_or([false; 4], signed_components));
     GL_FRAMEBUFFER_SRGB_CAPABLE_EXT: Flag(|c| is_drawn(c, Format::is_srgb));
-    GL_IMPLEMENTATION_COLOR_READ_FORMAT: Word(|_| GL_RGBA);
-    GL_IMPLEMENTATION_COLOR_READ_TYPE: Word(|_| GL_UNSIGNED_BYTE);
+    GL_IMPLEMENTATION_COLOR_READ_FORMAT: Word(|c| preferred_pixels(c).0);
+    GL_IMPLEMENTATION_COLOR_READ_TYPE: Word(|c| preferred_pixels(c).1);
 };
