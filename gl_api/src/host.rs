@@ -285,8 +285,8 @@ pub fn block_values(context: &mut Context, program: GLuint, index: GLuint, pname
 }
 
 /// How many values `GL_COMPRESSED_TEXTURE_FORMATS` has.
-pub fn compressed_formats() -> usize {
-    crate::pixel::formats::general_purpose_formats().len()
+pub fn compressed_formats(context: &Context) -> usize {
+    crate::query::state::compressed_formats(context).len()
 }
 
 /// The setters of quadrics, which return the error callback for a value that was refused: it may delete the quadric, so

@@ -230,14 +230,21 @@ pub(crate) const fn rules<const N: usize>(
     command: &str,
     counted: [Counted; N],
 ) -> [Rule; N] {
-    let lengths = registry(command);
+    let (lengths, of_first) = (registry(command), registry(first));
     let mut rules = [Rule::None; N];
     let mut at = 0;
     while at < N {
         rules[at] = match (counted[at], overridden(first, at)) {
             (Counted::No, _) => Rule::None,
             (Counted::Elements | Counted::Text, Some(rule)) => rule,
-            (Counted::Elements, None) => limited(command, rule(lengths[at])),
+            (Counted::Elements, None) => {
+                // The registry says less of some names of extensions.
+                let length = match lengths[at] {
+                    Length::Unsaid => of_first[at],
+                    said => said,
+                };
+                limited(command, rule(length))
+            }
             (Counted::Text, None) => text_rule(lengths[at]),
         };
         at += 1;
@@ -351,7 +358,9 @@ pub(crate) fn values(pname: GLenum) -> usize {
         | GL_ALIASED_LINE_WIDTH_RANGE
         | GL_MAP1_GRID_DOMAIN
         | GL_MAP2_GRID_SEGMENTS => 2,
-        GL_COMPRESSED_TEXTURE_FORMATS => host::compressed_formats(),
+        GL_COMPRESSED_TEXTURE_FORMATS => {
+            with_current(|context| host::compressed_formats(context)).unwrap_or(0)
+        }
         GL_SHADER_BINARY_FORMATS => 0,
         _ => 1,
     }

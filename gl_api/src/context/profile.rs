@@ -112,7 +112,7 @@ impl Profile {
         match self {
             Self::Compatibility(_) => ContextLanguage::Compatibility33,
             Self::Core(_) => ContextLanguage::Core33,
-            Self::Es => ContextLanguage::Core33,
+            Self::Es => ContextLanguage::Es30,
         }
     }
 }

@@ -174,6 +174,12 @@ fn refused<T>(
 /// # Errors
 /// `GL_INVALID_OPERATION` for pixels that `glTexImage` would not take for that internal format.
 pub(crate) fn check_replaced(internal: GLenum, format: GLenum, ty: GLenum) -> Result<()> {
+    let is_known =
+        SIZED.iter().any(|row| row.0 == internal) || UNSIZED.iter().any(|row| row.0 == internal);
+    if !is_known {
+        let rule = format!("the level is of {}, which takes blocks alone", enum_name(internal));
+        return invalid_operation(SECTION, rule);
+    }
     stored(internal, format, ty).map(|_| ())
 }
 

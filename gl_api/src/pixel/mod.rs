@@ -5,6 +5,7 @@ pub(crate) mod client;
 pub(crate) mod component_bits;
 pub(crate) mod convert;
 pub(crate) mod es_texels;
+pub(crate) mod etc;
 pub mod formats;
 pub(crate) mod layout;
 pub(crate) mod map;

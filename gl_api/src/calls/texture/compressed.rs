@@ -2,6 +2,7 @@
 //! `glGetCompressedTexImage`; GL 2.1, sections 3.8.3 and 6.1.4.
 
 use crate::base::args::{Data, DataOut};
+use crate::base::constants::*;
 use crate::base::error::{Result, invalid_operation, invalid_value};
 use crate::base::types::*;
 use crate::calls::pixels::memory::{source, write_bytes};
@@ -9,13 +10,18 @@ use crate::calls::texture::bound::bound;
 use crate::calls::texture::level_request::{ImageRequest, LevelDesc};
 use crate::calls::texture::sub::BoxRequest;
 use crate::context::Context;
-use crate::objects::target::{Dimensions, any_bound, checked_level};
+use crate::objects::target::{
+    Dimensions, FaceTarget, ImageTarget, TextureTarget, any_bound, checked_level,
+};
 use crate::pixel::convert;
+use crate::pixel::etc::{self, EtcFormat};
 use crate::pixel::formats::COMPRESSED;
+use crate::pixel::scratch::scratch;
 use texunit::format::Format;
 use texunit::image::Level;
 
 const SECTION: &str = "GL 2.1, section 3.8.3";
+const ETC: &str = "OpenGL ES 3.0, section 3.8.6";
 
 /// Checks that `imageSize` is what a box of this size takes.
 fn checked_bytes(format: Format, size: [u32; 3], image_size: GLsizei) -> Result<usize> {
@@ -40,6 +46,10 @@ fn compressed_tex_image(
     (image_size, data): (GLsizei, Data<'_>),
 ) -> Result<()> {
     let image = dimensions.image(target)?;
+    if let Some(format) = of_es(context, internal) {
+        let box_ = (image, level, given);
+        return etc_image(context, format, box_, (image_size, data));
+    }
     let format = COMPRESSED.decode("internalformat", internal)?.stored;
     if border != 0 {
         return invalid_value(SECTION, format!("border = {border} of compressed images must be 0"));
@@ -56,6 +66,80 @@ fn compressed_tex_image(
         texels.texels[..bytes].copy_from_slice(checked_slice(source.bytes(), bytes)?);
     }
     request.apply(context, texels)
+}
+
+/// The format of ETC2 or EAC of that name, which contexts of OpenGL ES have.
+fn of_es(context: &Context, name: GLenum) -> Option<&'static EtcFormat> {
+    etc::find(name).filter(|_| context.profile.is_es())
+}
+
+fn checked_etc_bytes(format: &EtcFormat, size: [u32; 3], image_size: GLsizei) -> Result<usize> {
+    let bytes = format.bytes(size);
+    if usize::try_from(image_size) == Ok(bytes) {
+        return Ok(bytes);
+    }
+    let [width, height, depth] = size;
+    invalid_value(
+        ETC,
+        format!("imageSize = {image_size}, but {width}×{height}×{depth} texels take {bytes} bytes"),
+    )
+}
+
+/// A level of ETC2 or EAC, which is stored decoded.
+fn etc_image(
+    context: &mut Context,
+    format: &EtcFormat,
+    (image, level, given): (ImageTarget, GLint, [GLsizei; 3]),
+    (image_size, data): (GLsizei, Data<'_>),
+) -> Result<()> {
+    let is_array = given[2] > 1 || image.target() == TextureTarget::D2Array;
+    if image.target() == TextureTarget::D3 || is_array && format.name == GL_ETC1_RGB8_OES {
+        let name = enum_name(format.name);
+        return invalid_operation(ETC, format!("this target takes no images of {name}"));
+    }
+    let desc = LevelDesc::new(image, level, format.name, format.stored, given, 0)?;
+    let request = match desc.request(context)? {
+        ImageRequest::Texture(request) => request,
+        ImageRequest::Proxy(proxy) => return proxy.apply(context),
+    };
+    let size = request.desc.size;
+    let bytes = checked_etc_bytes(format, size, image_size)?;
+    let source = source(context, data, bytes)?;
+    let mut texels = request.storage()?;
+    if let Some(source) = source {
+        let blocks = checked_slice(source.bytes(), bytes)?;
+        let end = texels.texels.len() - texunit::image::PADDING;
+        format.decode(size, blocks, &mut texels.texels[..end]);
+    }
+    request.apply(context, texels)
+}
+
+/// Blocks over a box of a level of ETC2 or EAC.
+fn etc_sub_image(
+    context: &mut Context,
+    format: &EtcFormat,
+    (target, level, offset, size): (FaceTarget, GLint, [GLint; 3], [GLsizei; 3]),
+    (image_size, data): (GLsizei, Data<'_>),
+) -> Result<()> {
+    let area = BoxRequest::new(context, target, level, offset, size)?;
+    let requested = bound(context, target.target).requested[usize::from(target.face)][area.level];
+    if requested != format.name || requested == GL_ETC1_RGB8_OES {
+        let [format, requested] = [format.name, requested].map(enum_name);
+        let rule = format!(
+            "format = {format}, but the level is of {requested} (of ETC1, levels are given whole)"
+        );
+        return invalid_operation(ETC, rule);
+    }
+    let bytes = checked_etc_bytes(format, area.size, image_size)?;
+    let Some(source) = source(context, data, bytes)? else {
+        let rule = format!("data must not be NULL: {bytes} bytes are needed");
+        return invalid_operation(ETC, rule);
+    };
+    let blocks = checked_slice(source.bytes(), bytes)?;
+    area.check_blocks_of(etc::SIDE)?;
+    let mut texels = scratch(format.stored, area.size.map(|side| side as usize))?;
+    format.decode(area.size, blocks, &mut texels);
+    area.apply(context, &texels)
 }
 
 fn checked_slice(has: &[u8], bytes: usize) -> Result<&[u8]> {
@@ -78,6 +162,9 @@ fn compressed_tex_sub_image(
     (image_size, data): (GLsizei, Data<'_>),
 ) -> Result<()> {
     let target = dimensions.bound(target)?;
+    if let Some(format) = of_es(context, format) {
+        return etc_sub_image(context, format, (target, level, offset, size), (image_size, data));
+    }
     let format = COMPRESSED.decode("format", format)?.stored;
     let area = BoxRequest::new(context, target, level, offset, size)?;
     if area.format != format {

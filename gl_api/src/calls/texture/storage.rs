@@ -7,6 +7,7 @@ use crate::calls::texture::bound::{bound, bound_mut};
 use crate::calls::texture::level_request::{ImageRequest, LevelDesc, LevelRequest, ProxyRequest};
 use crate::context::Context;
 use crate::objects::target::{FaceTarget, ImageTarget, TextureTarget};
+use crate::pixel::etc;
 use crate::pixel::formats::{InternalFormat, sized_format};
 use texunit::image::{Image as Texels, Level};
 
@@ -90,8 +91,14 @@ impl StorageRequest {
         let target = image.target();
         let in_profile =
             |format: &&InternalFormat| !context.profile.is_es() || format.is_for_textures_in_es();
-        let row = sized_format(internal).filter(in_profile);
-        let Some(format) = row.map(|format| format.stored) else {
+        let row = sized_format(internal).filter(in_profile).map(|format| format.stored);
+        let blocks = etc::find(internal)
+            .filter(|format| context.profile.is_es() && format.name != GL_ETC1_RGB8_OES);
+        if blocks.is_some() && image.target() == TextureTarget::D3 {
+            let rule = "this target takes no images of ETC2 or EAC";
+            return invalid_operation("OpenGL ES 3.0, section 3.8.4", rule);
+        }
+        let Some(format) = row.or(blocks.map(|format| format.stored)) else {
             return invalid_enum(
                 SECTION,
                 format!(

@@ -25,7 +25,7 @@ const SECTION: &str = "GL 2.1, section 3.8.2";
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct BoxRequest {
     target: FaceTarget,
-    level: usize,
+    pub level: usize,
     /// The level's format.
     pub format: Format,
     /// Width, height and depth of the level.
@@ -87,8 +87,12 @@ impl BoxRequest {
         if self.format.block().is_none() {
             return Ok(());
         }
+        self.check_blocks_of(self.format.block_side())
+    }
+
+    /// The same for blocks of this side, whatever is stored.
+    pub fn check_blocks_of(&self, side: u32) -> Result<()> {
         let &Self { at, size, level_size, .. } = self;
-        let side = self.format.block_side();
         let cuts = |axis: usize| {
             let reaches_edge =
                 i64::from(at[axis]) + i64::from(size[axis]) >= level_size[axis].into();

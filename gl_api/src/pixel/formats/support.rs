@@ -23,7 +23,7 @@ pub(super) const TEXTURE_COMPRESSION_3DC: &[Extension] =
 pub(super) const TEXTURE_COMPRESSION_LATC: &[Extension] =
     &[of("GL_EXT_texture_compression_latc", COMPATIBILITY)];
 pub(super) const TEXTURE_COMPRESSION_S3TC: &[Extension] =
-    &[of("GL_EXT_texture_compression_s3tc", DESKTOP)];
+    &[of("GL_EXT_texture_compression_s3tc", &[Api::Compatibility, Api::Core, Api::Es2])];
 pub(super) const TEXTURE_FLOAT: &[Extension] = &[of("GL_ARB_texture_float", COMPATIBILITY)];
 pub(super) const TEXTURE_INTEGER: &[Extension] = &[of("GL_EXT_texture_integer", COMPATIBILITY)];
 pub(super) const TEXTURE_RGB10_A2UI: &[Extension] = &[of("GL_ARB_texture_rgb10_a2ui", DESKTOP)];

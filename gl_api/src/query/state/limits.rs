@@ -5,9 +5,12 @@ use super::row::{Row, doubles, rows, saturated};
 use crate::base::assembly_limits::{MAX_PROGRAM_MATRICES, MAX_PROGRAM_MATRIX_STACK_DEPTH};
 use crate::base::constants::*;
 use crate::base::limits;
+use crate::base::types::*;
 use crate::base::version;
+use crate::context::Context;
 use crate::glsl::{GATHER_OFFSETS, TEXEL_OFFSETS};
 use crate::interface::*;
+use crate::pixel::etc;
 use crate::pixel::formats::general_purpose_formats;
 use crate::query::extensions::extensions_of;
 use crate::state::matrix::{MAX_MODELVIEW_STACK_DEPTH, MAX_STACK_DEPTH};
@@ -17,6 +20,11 @@ use rasterizer::driver::{MAX_LINE_WIDTH, MAX_POINT_SIZE};
 /// Of one stage: its own uniforms and all of its blocks.
 const COMBINED_UNIFORM_COMPONENTS: i32 = limits::MAX_UNIFORM_COMPONENTS
     + limits::MAX_UNIFORM_BLOCKS as i32 * (limits::MAX_UNIFORM_BLOCK_SIZE / 4) as i32;
+
+/// The values of `GL_COMPRESSED_TEXTURE_FORMATS`; in OpenGL ES all formats of blocks are listed (3.0, section 3.8.6).
+pub(crate) fn compressed_formats(context: &Context) -> Vec<GLenum> {
+    if context.profile.is_es() { etc::names().collect() } else { general_purpose_formats() }
+}
 
 pub(super) const ROWS: &[Row] = rows! {
     GL_MAJOR_VERSION: Integer(|_| saturated(version::reported().major));
@@ -55,9 +63,9 @@ pub(super) const ROWS: &[Row] = rows! {
     GL_MAX_TEXTURE_IMAGE_UNITS: Integer(|_| saturated(MAX_TEXTURE_IMAGE_UNITS));
     GL_MAX_VERTEX_TEXTURE_IMAGE_UNITS: Integer(|_| saturated(MAX_TEXTURE_IMAGE_UNITS));
     GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS: Integer(|_| saturated(MAX_COMBINED_TEXTURE_IMAGE_UNITS));
-    GL_NUM_COMPRESSED_TEXTURE_FORMATS: Integer(|_| saturated(general_purpose_formats().len()));
+    GL_NUM_COMPRESSED_TEXTURE_FORMATS: Integer(|c| saturated(compressed_formats(c).len()));
     GL_COMPRESSED_TEXTURE_FORMATS:
-        Integers(|_| general_purpose_formats().into_iter().map(|format| format as i32).collect());
+        Integers(|c| compressed_formats(c).into_iter().map(|format| format as i32).collect());
 
     GL_MAX_COLOR_ATTACHMENTS: Integer(|_| saturated(limits::MAX_COLOR_ATTACHMENTS));
     GL_MAX_DRAW_BUFFERS: Integer(|_| saturated(limits::MAX_COLOR_ATTACHMENTS));

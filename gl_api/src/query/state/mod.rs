@@ -73,6 +73,8 @@ static ROWS: [&Row; COUNT] = {
     sorted
 };
 
+pub(crate) use limits::compressed_formats;
+
 /// The row of a name.
 fn row(pname: GLenum) -> Option<&'static Row> {
     ROWS.binary_search_by_key(&pname, |row| row.name).ok().map(|at| ROWS[at])
