@@ -13,6 +13,9 @@ use std::path::Path;
 /// Where the extensions are listed that DetGL has.
 const CLAIMED: &str = "src/query/extensions.rs";
 
+/// Of two implemented names of a value, those that commands take as an argument more often.
+const PREFERRED: [&str; 1] = ["GL_DOT3_RGBA_EXT"];
+
 /// Where those of OpenGL ES are.
 const CLAIMED_ES: &str = "src/base/es_extensions.rs";
 
@@ -38,6 +41,7 @@ fn main() {
     for registry in [&mut registry, &mut implemented] {
         registry.enums.extend(es.enums.iter().cloned());
     }
+    registry.cmds.extend(es.cmds.iter().cloned());
 
     let mut text = String::new();
     constants(&registry, &mut text);
@@ -128,7 +132,8 @@ fn names(registry: &Registry, implemented: &Registry, later: &Registry, text: &m
         let bit = name.split('_').any(|word| word == "BIT");
         // Nobody's first, then ARB's, then EXT's, then one vendor's.
         let place = place(name).map_or(0, |place| 1 + place.min(2));
-        (foreign, bit, place, name.len(), name.to_owned())
+        let rare = !PREFERRED.contains(&name);
+        (foreign, rare, bit, place, name.len(), name.to_owned())
     };
     let later: BTreeSet<String> = later.enums.iter().map(c_name).collect();
     for item in &registry.enums {

@@ -1,9 +1,10 @@
 //! Transform feedback (GL 3.0, section 2.15), and its objects (`ARB_transform_feedback2`; OpenGL ES 3.0, section 2.14).
 
 use crate::base::constants::*;
-use crate::base::error::{Result, Table, invalid_operation};
+use crate::base::error::{Result, Table, invalid_operation, invalid_value};
 use crate::base::limits::MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS;
 use crate::base::types::*;
+use crate::calls::vertex::draws::draw_arrays;
 use crate::context::Context;
 use crate::glsl::BufferMode;
 use crate::objects::name_table::listed;
@@ -45,14 +46,17 @@ pub(crate) fn begin_transform_feedback(context: &mut Context, mode: GLenum) -> R
         );
     }
     let written = [0; MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS];
-    context.transform_feedback.active = Some(Active { kind, program, written });
+    context.transform_feedback.active = Some(Active { kind, program, written, vertices: 0 });
     Ok(())
 }
 
 pub(crate) fn end_transform_feedback(context: &mut Context) -> Result<()> {
     let state = &mut context.transform_feedback;
     match state.active.take().or(state.paused.take()) {
-        Some(_) => Ok(()),
+        Some(ended) => {
+            state.captured = Some(ended.vertices);
+            Ok(())
+        }
         None => invalid_operation(
             SECTION,
             "transform feedback is not active: glBeginTransformFeedback is missing",
@@ -170,6 +174,30 @@ pub(crate) fn bind_transform_feedback(
     context.transform_feedback_objects.named.check_given("id", id, "glGenTransformFeedbacks")?;
     bind(context, id);
     Ok(())
+}
+
+/// Draws as many vertices as an object has captured.
+pub(crate) fn draw_transform_feedback(
+    context: &mut Context,
+    mode: GLenum,
+    id: GLuint,
+) -> Result<()> {
+    let is_bound = id == context.transform_feedback_objects.bound;
+    if !is_bound && id != 0 && context.transform_feedback_objects.named.get(id).is_none() {
+        let rule =
+            format!("id = {id} is no transform feedback object: call glBindTransformFeedback");
+        return invalid_value(OBJECTS, rule);
+    }
+    let captured = match is_bound {
+        true => context.transform_feedback.captured,
+        false => parked(context, id).captured,
+    };
+    let Some(captured) = captured else {
+        let rule =
+            format!("transform feedback {id} has captured nothing: call glEndTransformFeedback");
+        return invalid_operation(OBJECTS, rule);
+    };
+    draw_arrays(context, mode, 0, captured.min(GLsizei::MAX as u32) as GLsizei)
 }
 
 /// Refuses what must not change while vertices are captured, or will be once that is resumed.

@@ -57,9 +57,9 @@ use thiserror::Error;
 #[derive(Clone, Debug)]
 pub struct ContextDesc {
     /// The API: [`Api::Compatibility`] has everything that any version of OpenGL had, [`Api::Core`] is without what
-    /// later versions removed.
+    /// later versions removed, [`Api::Es2`] is OpenGL ES.
     pub api: Api,
-    /// The version that is asked for, at most 3.3. Contexts of all versions are of 3.3.
+    /// The version that is asked for, at most 3.3, and 3.0 of OpenGL ES. Contexts of all versions are of the latest one.
     pub version: Version,
     /// Whether the context is without what is deprecated.
     pub forward_compatible: ForwardCompatible,
@@ -140,7 +140,7 @@ pub enum ContextError {
         most: Version,
     },
     /// There is no such API.
-    #[error("{0:?} was asked for; DetGL has Api::Compatibility and Api::Core")]
+    #[error("{0:?} was asked for; DetGL has Api::Compatibility, Api::Core and Api::Es2")]
     Api(Api),
     /// There is no memory for the default framebuffer.
     #[error("no memory for the default framebuffer")]

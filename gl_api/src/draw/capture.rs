@@ -221,6 +221,7 @@ impl Layout {
             }
             *written += bytes;
         }
+        active.vertices = active.vertices.saturating_add((fit * corners) as u32);
         fit as u64
     }
 }

@@ -174,6 +174,7 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     "GL_ARB_conservative_depth",
     "GL_ARB_debug_output",
     "GL_ARB_explicit_attrib_location",
+    "GL_ARB_get_program_binary",
     "GL_ARB_occlusion_query2",
     "GL_ARB_sampler_objects",
     "GL_ARB_shader_bit_encoding",
@@ -181,9 +182,12 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     "GL_ARB_texture_buffer_object_rgb32",
     "GL_ARB_texture_rgb10_a2ui",
     "GL_ARB_timer_query",
+    "GL_ARB_transform_feedback2",
     "GL_ARB_vertex_type_2_10_10_10_rev",
     // 2011
+    "GL_ARB_internalformat_query",
     "GL_ARB_shading_language_420pack",
+    "GL_ARB_shading_language_packing",
     "GL_ARB_texture_storage",
     // 2012
     "GL_ARB_arrays_of_arrays",

@@ -75,6 +75,8 @@ pub(crate) struct Active {
     pub program: GLuint,
     /// Bytes written to each buffer.
     pub written: [usize; MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS],
+    /// Vertices written.
+    pub vertices: u32,
 }
 
 /// The bound buffers, and active transform feedback.
@@ -86,6 +88,8 @@ pub(crate) struct TransformFeedback {
     pub active: Option<Active>,
     /// What is captured once `glResumeTransformFeedback` is called.
     pub paused: Option<Active>,
+    /// The vertices that were captured when `glEndTransformFeedback` was called last.
+    pub captured: Option<u32>,
 }
 
 impl TransformFeedback {

@@ -34,6 +34,7 @@ const CANNOT_FAIL: &[(&str, &[&str])] = &[
             "glIsShader",
             "glIsSync",
             "glIsTexture",
+            "glIsTransformFeedback",
             "glIsVertexArray",
         ],
     ),

@@ -24,6 +24,50 @@ fn multisampled(c: &mut Context, samples: GLsizei) {
 }
 
 const CASES: &[Case] = &[
+    (
+        nothing,
+        |c| c.invalidate_framebuffer(GL_RENDERBUFFER, 0, &[]),
+        GL_INVALID_ENUM,
+        "target = GL_RENDERBUFFER",
+    ),
+    (nothing, |c| c.invalidate_framebuffer(FB, -1, &[]), GL_INVALID_VALUE, "numAttachments = -1"),
+    (nothing, |c| c.invalidate_framebuffer(FB, 1, &[C0]), GL_INVALID_ENUM, "GL_COLOR"),
+    (
+        framebuffer,
+        |c| c.invalidate_framebuffer(FB, 1, &[GL_COLOR_ATTACHMENT31]),
+        GL_INVALID_OPERATION,
+        "GL_MAX_COLOR_ATTACHMENTS",
+    ),
+    (
+        nothing,
+        |c| c.invalidate_sub_framebuffer(FB, 0, &[], 0, 0, -1, 1),
+        GL_INVALID_VALUE,
+        "width = -1",
+    ),
+    (
+        nothing,
+        |c| c.get_internalformativ(GL_TEXTURE_2D, GL_RGBA8, GL_SAMPLES, 1, &mut [0]),
+        GL_INVALID_ENUM,
+        "target = GL_TEXTURE_2D",
+    ),
+    (
+        nothing,
+        |c| c.get_internalformativ(GL_RENDERBUFFER, GL_RGB9_E5, GL_SAMPLES, 1, &mut [0]),
+        GL_INVALID_ENUM,
+        "internalformat = GL_RGB9_E5",
+    ),
+    (
+        nothing,
+        |c| c.get_internalformativ(GL_RENDERBUFFER, GL_RGBA8, GL_RGBA, 1, &mut [0]),
+        GL_INVALID_ENUM,
+        "pname = GL_RGBA",
+    ),
+    (
+        nothing,
+        |c| c.get_internalformativ(GL_RENDERBUFFER, GL_RGBA8, GL_SAMPLES, -1, &mut [0]),
+        GL_INVALID_VALUE,
+        "bufSize = -1",
+    ),
     (nothing, |c| c.bind_renderbuffer(GL_TEXTURE_2D, 1), GL_INVALID_ENUM, "target = GL_TEXTURE_2D"),
     (
         nothing,

@@ -58,6 +58,25 @@ const CASES: &[Case] = &[
     (|c| c.shader_binary(1, &[V], GL_RGBA, Data::Null, -1), VALUE, "length = -1"),
     (|c| c.shader_binary(1, &[V], GL_RGBA, Data::Null, 0), ENUM, "binaryFormat = GL_RGBA"),
     (
+        |c| c.get_program_binary(P, 0, &mut [], &mut [], DataOut::Bytes(&mut [])),
+        OPERATION,
+        "GL_NUM_PROGRAM_BINARY_FORMATS",
+    ),
+    (
+        |c| c.get_program_binary(P, -1, &mut [], &mut [], DataOut::Bytes(&mut [])),
+        VALUE,
+        "bufSize = -1",
+    ),
+    (
+        |c| c.get_program_binary(99, 0, &mut [], &mut [], DataOut::Bytes(&mut [])),
+        VALUE,
+        "99 is no program",
+    ),
+    (|c| c.program_binary(P, GL_RGBA, Data::Null, 0), ENUM, "binaryFormat = GL_RGBA"),
+    (|c| c.program_binary(P, GL_RGBA, Data::Null, -1), VALUE, "length = -1"),
+    (|c| c.program_parameteri(P, GL_RGBA, 0), ENUM, "pname = GL_RGBA"),
+    (|c| c.program_parameteri(P, GL_PROGRAM_BINARY_RETRIEVABLE_HINT, 2), VALUE, "value = 2"),
+    (
         |c| c.get_shader_precision_format(GL_RGBA, GL_LOW_INT, &mut [0; 2], &mut [0]),
         ENUM,
         "shaderType = GL_RGBA",

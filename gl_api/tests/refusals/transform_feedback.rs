@@ -49,7 +49,65 @@ fn point(c: &mut Context) {
     c.draw_arrays(GL_POINTS, 0, 2);
 }
 
+/// Object 1 is bound.
+fn object(c: &mut Context) {
+    c.gen_transform_feedbacks(1, &mut [0]);
+    c.bind_transform_feedback(GL_TRANSFORM_FEEDBACK, 1);
+    for name in [1, 2] {
+        c.bind_buffer_base(TARGET, name - 1, name);
+    }
+}
+
+/// Object 1 captures, and is paused.
+fn paused(c: &mut Context) {
+    object(c);
+    active(c);
+    c.pause_transform_feedback();
+}
+
 const ROWS: &[Case] = &[
+    (nothing, |c| c.gen_transform_feedbacks(-1, &mut []), GL_INVALID_VALUE, "n = -1"),
+    (nothing, |c| c.delete_transform_feedbacks(-1, &[]), GL_INVALID_VALUE, "n = -1"),
+    (
+        paused,
+        |c| c.delete_transform_feedbacks(1, &[1]),
+        GL_INVALID_OPERATION,
+        "call glEndTransformFeedback",
+    ),
+    (nothing, |c| c.bind_transform_feedback(TARGET, 0), GL_INVALID_ENUM, "target"),
+    (
+        nothing,
+        |c| c.bind_transform_feedback(GL_TRANSFORM_FEEDBACK, 7),
+        GL_INVALID_OPERATION,
+        "glGenTransformFeedbacks",
+    ),
+    (
+        active,
+        |c| c.bind_transform_feedback(GL_TRANSFORM_FEEDBACK, 0),
+        GL_INVALID_OPERATION,
+        "glPauseTransformFeedback",
+    ),
+    (nothing, |c| c.pause_transform_feedback(), GL_INVALID_OPERATION, "glBeginTransformFeedback"),
+    (paused, |c| c.pause_transform_feedback(), GL_INVALID_OPERATION, "paused already"),
+    (
+        active,
+        |c| c.resume_transform_feedback(),
+        GL_INVALID_OPERATION,
+        "glPauseTransformFeedback is missing",
+    ),
+    (
+        |c| {
+            paused(c);
+            c.use_program(0);
+        },
+        |c| c.resume_transform_feedback(),
+        GL_INVALID_OPERATION,
+        "program 1 was",
+    ),
+    (paused, |c| c.link_program(1), GL_INVALID_OPERATION, "call glEndTransformFeedback first"),
+    (paused, begin, GL_INVALID_OPERATION, "glEndTransformFeedback is missing"),
+    (nothing, |c| c.draw_transform_feedback(GL_POINTS, 7), GL_INVALID_VALUE, "id = 7"),
+    (object, |c| c.draw_transform_feedback(GL_POINTS, 1), GL_INVALID_OPERATION, "captured nothing"),
     (nothing, |c| c.begin_transform_feedback(GL_TRIANGLE_STRIP), GL_INVALID_ENUM, "must be"),
     (
         nothing,

@@ -27,8 +27,47 @@ fn versions_that_are_not_there_are_refused() {
             eglDestroyContext(dpy, context);
         }
     }
+}
+
+/// Contexts of OpenGL ES 2.0 and 3.0 are there once its API is bound, which it is at first; they share objects with each
+/// other, not with those of OpenGL.
+#[test]
+fn contexts_of_opengl_es_are_made_by_their_versions() {
+    let (dpy, config) = display();
+    // SAFETY: lists end with EGL_NONE.
+    let context = |major, share| unsafe {
+        let list = [0x3098, major, EGL_NONE];
+        eglCreateContext(dpy, config, share, list.as_ptr())
+    };
     // SAFETY: no pointers.
-    assert_eq!(unsafe { eglBindAPI(EGL_OPENGL_ES_API) }, 0);
+    let error = || unsafe { eglGetError() };
+    // SAFETY: no pointers.
+    assert_eq!(unsafe { eglBindAPI(EGL_OPENGL_API) }, 1);
+    let desktop = context(3, null_mut());
+    assert!(!desktop.is_null());
+    // SAFETY: no pointers.
+    assert_eq!(unsafe { eglBindAPI(EGL_OPENGL_ES_API) }, 1);
+    let first = context(2, null_mut());
+    let second = context(3, first);
+    assert!(!first.is_null() && !second.is_null());
+    assert!(context(1, null_mut()).is_null());
+    assert_eq!(error(), EGL_BAD_MATCH);
+    assert!(context(3, desktop).is_null());
+    assert_eq!(error(), EGL_BAD_CONTEXT);
+    // SAFETY: the handles are those above; what is written to is a number.
+    unsafe {
+        let mut client = 0;
+        assert_eq!(eglQueryContext(dpy, first, 0x3097, &raw mut client), 1);
+        assert_eq!(client, EGL_OPENGL_ES_API as i32);
+        assert_eq!(eglMakeCurrent(dpy, null_mut(), null_mut(), second), 1);
+        let version = CStr::from_ptr(glGetString(0x1F02)).to_str().expect("ASCII");
+        assert!(version.starts_with("OpenGL ES 3.0"), "{version}");
+        eglMakeCurrent(dpy, null_mut(), null_mut(), null_mut());
+        for context in [desktop, first, second] {
+            eglDestroyContext(dpy, context);
+        }
+        eglBindAPI(EGL_OPENGL_API);
+    }
 }
 
 /// Words of a string that the library keeps.
@@ -101,7 +140,9 @@ fn configs_are_found_by_what_they_have() {
     for (what, wanted, there) in [
         ("pbuffers of any API", &[][..], true),
         ("OpenGL", &[0x3040, 8], true),
-        ("OpenGL ES 2", &[0x3040, 4], false),
+        ("OpenGL ES 2", &[0x3040, 4], true),
+        ("OpenGL ES 3", &[0x3040, 0x40], true),
+        ("OpenGL ES 1", &[0x3040, 1], false),
         ("RGBA8, depth 24, stencil 8", &[0x3021, 8, 0x3025, 24, 0x3026, 8], true),
         ("depth 16 at least", &[0x3025, 16], true),
         ("depth 32", &[0x3025, 32], false),

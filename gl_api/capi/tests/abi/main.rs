@@ -43,6 +43,7 @@ unsafe extern "C" {
     fn eglCopyBuffers(dpy: Handle, surface: Handle, target: Handle) -> u32;
     fn eglQuerySurface(dpy: Handle, surface: Handle, name: i32, value: *mut i32) -> u32;
     fn eglGetCurrentSurface(which: i32) -> Handle;
+    fn eglQueryContext(dpy: Handle, context: Handle, name: i32, value: *mut i32) -> u32;
     fn eglGetCurrentContext() -> Handle;
     fn eglGetCurrentDisplay() -> Handle;
     fn eglCreateSync(dpy: Handle, ty: u32, list: *const isize) -> Handle;

@@ -69,10 +69,13 @@ impl ContextLanguage {
 
     /// The versions, as messages list them.
     pub fn versions(self) -> String {
-        let es =
-            if self.has(Version::Es300) { "100 and 300 es (GLSL ES)" } else { "100 (GLSL ES)" };
         let desktop = Version::ALL.into_iter().filter(|v| !v.is_es() && self.has(*v));
         let numbers: Vec<String> = desktop.map(|version| version.number().to_string()).collect();
-        if numbers.is_empty() { es.to_owned() } else { format!("{}, and {es}", numbers.join(", ")) }
+        let numbers = numbers.join(", ");
+        match (numbers.is_empty(), self.has(Version::Es300)) {
+            (true, _) => "100 and 300 es (GLSL ES)".to_owned(),
+            (false, true) => format!("{numbers}, 100 (GLSL ES) and 300 es"),
+            (false, false) => format!("{numbers} and 100 (GLSL ES)"),
+        }
     }
 }

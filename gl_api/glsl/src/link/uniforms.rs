@@ -5,6 +5,7 @@ use super::stage::StageUnits;
 use crate::ast::Precision;
 use crate::builtins::variable::Builtin;
 use crate::hir::{Storage, Variable};
+use crate::language::Version;
 use crate::limits::MAX_UNIFORM_WORDS;
 use crate::lower::{self, Words};
 use crate::program::{BuiltinUniform, Uniform};
@@ -43,7 +44,9 @@ pub fn uniforms(
             all.push((variable, initial(variable, &mut log.work)));
         }
     }
-    let is_es = stages.iter().flat_map(|stage| &stage.units).all(|unit| unit.version.is_es());
+    let units = || stages.iter().flat_map(|stage| &stage.units);
+    let is_es = units().all(|unit| unit.version.is_es());
+    let is_es_300 = units().all(|unit| unit.version == Version::Es300);
     // The first declaration of each name.
     let mut first: BTreeMap<&str, usize> = BTreeMap::new();
     let every: Vec<&Variable> = declared().filter(is_uniform).collect();
@@ -57,11 +60,14 @@ pub fn uniforms(
             log.push(Diagnostic::link_error(message).rule("GLSL 1.30 section 4.3.5"));
             continue;
         }
-        let precisions = [every[first[&*variable.name]], variable]
-            .map(|variable| variable.interface_qualifiers.precision);
+        let pair = [every[first[&*variable.name]], variable];
+        let precisions = pair.map(|variable| variable.interface_qualifiers.precision);
+        // Programs of GLSL ES 1.00 rely on other precisions where one shader does not use the uniform.
+        let counts = is_es_300 || pair.iter().all(|variable| variable.references > 0);
         if let [Some(a), Some(b)] = precisions
             && a != b
             && is_es
+            && counts
         {
             let (name, [a, b]) = (&variable.name, [a, b].map(Precision::word));
             let message = format!("uniform `{name}` is {a} in one shader and {b} in another");

@@ -316,7 +316,7 @@ impl Expansion<'_> {
         let problem = match self.version {
             Version::V130 | Version::V140 | Version::V150 | Version::V330 => return Ok(()),
             Version::Es100 | Version::Es300 => Diagnostic::error(at.span, message)
-                .rule("GLSL ES 3.00 section 3.4: there is no operator `##`"),
+                .rule(format!("{} section 3.4: there is no operator `##`", self.version.title())),
             Version::V110 | Version::V120 => {
                 Diagnostic::deviation(self.log.strictness, at.span, message)
                     .rule("GLSL 1.30 section 3.3: `##` joins two tokens, from version 130 on")

@@ -29,6 +29,8 @@ macro_rules! entry_points_transform_feedback {
         pause_transform_feedback: glPauseTransformFeedback ();
         /// Captures again.
         resume_transform_feedback: glResumeTransformFeedback ();
+        /// Draws the vertices that an object has captured.
+        draw_transform_feedback: glDrawTransformFeedback (mode: GLenum, id: GLuint);
     }
     Refused in indexed_buffers {
         /// Binds a part of a buffer to a numbered binding.

@@ -17,8 +17,8 @@ pub(super) const ROWS: &[Row] = rows! {
     GL_TRANSFORM_FEEDBACK_BUFFER_BINDING:
         Word(|c| c.state.bindings.transform_feedback_buffer.name());
     GL_TRANSFORM_FEEDBACK_BINDING: Word(|c| c.transform_feedback_objects.bound);
-    GL_TRANSFORM_FEEDBACK_ACTIVE: Flag(|c| c.transform_feedback.has_begun());
-    GL_TRANSFORM_FEEDBACK_PAUSED: Flag(|c| c.transform_feedback.paused.is_some());
+    GL_TRANSFORM_FEEDBACK_BUFFER_ACTIVE: Flag(|c| c.transform_feedback.has_begun());
+    GL_TRANSFORM_FEEDBACK_BUFFER_PAUSED: Flag(|c| c.transform_feedback.paused.is_some());
     GL_NUM_PROGRAM_BINARY_FORMATS: Integer(|_| 0);
     GL_PROGRAM_BINARY_FORMATS: Integers(|_| Vec::new());
 };
