@@ -347,3 +347,74 @@ fn transform_feedback_objects_keep_what_they_have_captured() {
     }
     assert_eq!(c.get_error(), GL_NO_ERROR, "{:?}", c.messages());
 }
+
+/// The largest index of a type ends a strip (OpenGL ES 3.0, section 2.9.1).
+#[test]
+fn the_largest_index_restarts_primitives() {
+    let mut c = es();
+    let vertex = "#version 300 es\n\
+        layout(location = 0) in vec2 position;\n\
+        void main() { gl_Position = vec4(position, 0.0, 1.0); }";
+    let fragment = "#version 300 es\n\
+        precision highp float;\n\
+        out vec4 color;\n\
+        void main() { color = vec4(1.0); }";
+    program(&mut c, vertex, fragment);
+    // Two triangles left and right of the middle, which a strip would join over it.
+    let positions: [f32; 12] = [-1.0, -1.0, -0.5, -1.0, -1.0, 1.0, 1.0, 1.0, 1.0, -1.0, 0.75, -1.0];
+    c.enable_vertex_attrib_array(0);
+    c.vertex_attrib_pointer(0, 2, GL_FLOAT, false, 0, positions[..].arg());
+    c.enable(GL_PRIMITIVE_RESTART_FIXED_INDEX);
+    let indices: [u8; 7] = [0, 1, 2, 255, 3, 4, 5];
+    c.draw_elements(GL_TRIANGLE_STRIP, 7, GL_UNSIGNED_BYTE, indices[..].arg());
+    assert_eq!(pixel(&mut c), [0; 4]);
+    // Without it, the strip reaches over the middle.
+    let indices: [u8; 6] = [0, 1, 2, 3, 4, 5];
+    c.draw_elements(GL_TRIANGLE_STRIP, 6, GL_UNSIGNED_BYTE, indices[..].arg());
+    assert_eq!(pixel(&mut c), [255; 4]);
+}
+
+/// Draw buffers keep the order of the attachments (section 4.2.1), and copies make no channels up (table 3.15).
+#[test]
+fn draw_buffers_and_copies_follow_the_stricter_rules() {
+    let mut c = es();
+    let mut buffer = [0];
+    c.get_integerv(GL_DRAW_BUFFER0, &mut buffer);
+    assert_eq!(buffer[0] as u32, GL_BACK);
+    c.draw_buffers(1, &[GL_NONE]);
+    c.draw_buffers(1, &[GL_BACK]);
+    assert_eq!(c.get_error(), GL_NO_ERROR);
+    c.draw_buffers(1, &[GL_COLOR_ATTACHMENT0]);
+    assert_eq!(c.get_error(), GL_INVALID_OPERATION);
+    let (mut texture, mut framebuffer) = ([0], [0]);
+    c.gen_textures(1, &mut texture);
+    c.bind_texture(GL_TEXTURE_2D, texture[0]);
+    image(&mut c, GL_RGB, GL_RGB, GL_UNSIGNED_BYTE);
+    c.gen_framebuffers(1, &mut framebuffer);
+    c.bind_framebuffer(GL_FRAMEBUFFER, framebuffer[0]);
+    c.framebuffer_texture_2d(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture[0], 0);
+    c.draw_buffers(2, &[GL_NONE, GL_COLOR_ATTACHMENT1]);
+    assert_eq!(c.get_error(), GL_NO_ERROR);
+    c.draw_buffers(2, &[GL_COLOR_ATTACHMENT1, GL_NONE]);
+    assert_eq!(c.get_error(), GL_INVALID_OPERATION);
+    c.bind_texture(GL_TEXTURE_2D, 0);
+    c.copy_tex_image_2d(GL_TEXTURE_2D, 0, GL_LUMINANCE, 0, 0, 1, 1, 0);
+    assert_eq!(c.get_error(), GL_NO_ERROR);
+    c.copy_tex_image_2d(GL_TEXTURE_2D, 0, GL_RGBA, 0, 0, 1, 1, 0);
+    assert_eq!(c.get_error(), GL_INVALID_OPERATION);
+}
+
+/// The numbers of samples are those that renderbuffers get; integers have none.
+#[test]
+fn sample_counts_can_be_asked_for() {
+    let mut c = es();
+    let mut counts = |format, pname| {
+        let mut values = [-1; 2];
+        c.get_internalformativ(GL_RENDERBUFFER, format, pname, 2, &mut values);
+        assert_eq!(c.get_error(), GL_NO_ERROR);
+        values
+    };
+    assert_eq!(counts(GL_RGBA8, GL_NUM_SAMPLE_COUNTS), [1, -1]);
+    assert_eq!(counts(GL_RGBA8, GL_SAMPLES), [4, -1]);
+    assert_eq!(counts(GL_RGBA8UI, GL_NUM_SAMPLE_COUNTS), [0, -1]);
+}

@@ -31,10 +31,10 @@ fn random_calls_never_panic_and_leave_a_context_that_works() {
 }
 
 #[test]
-fn random_calls_on_a_core_context_leave_it_working() {
+fn random_calls_on_contexts_of_core_and_es_leave_them_working() {
     let start = Instant::now();
     for seed in 100..140 {
-        let mut c = context_of(Api::Core);
+        let mut c = context_of(if seed % 2 == 0 { Api::Core } else { Api::Es2 });
         make_calls(&mut c, &mut Random::new(seed, &[]), 600);
         still_works(&mut c);
         if start.elapsed() > Duration::from_secs(20) {

@@ -8,6 +8,7 @@ use crate::base::types::GLenum;
 use crate::base::version;
 use crate::context::{Context, ContextDesc, ContextError};
 use crate::glsl::ContextLanguage;
+use crate::objects::color_buffers::Selection;
 use crate::state::enable::Flag;
 use texunit::sampler::DepthMode;
 
@@ -135,6 +136,9 @@ impl Context {
             ],
         };
         always.iter().for_each(|flag| self.state.enables.set(*flag, true));
+        if self.profile.is_es() {
+            self.window.selection = Selection::window_of_es();
+        }
         for texture in &mut self.objects.default_textures {
             texture.state.sampler.depth_mode = self.profile.depth_mode();
         }

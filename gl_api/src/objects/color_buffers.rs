@@ -24,6 +24,11 @@ impl Selection {
         Self::first(GL_FRONT)
     }
 
+    /// The same of OpenGL ES, which has no other name of the buffer (3.0, section 4.2.1).
+    pub fn window_of_es() -> Self {
+        Self::first(GL_BACK)
+    }
+
     /// The initial selection of a framebuffer object.
     pub fn object() -> Self {
         Self::first(GL_COLOR_ATTACHMENT0)

@@ -15,6 +15,8 @@ const SECTION: &str = "GL 2.1, section 4.1.7";
 pub(crate) enum QueryTarget {
     SamplesPassed,
     AnySamplesPassed,
+    /// As exact as the other (OpenGL ES 3.0, section 2.13).
+    AnySamplesPassedConservative,
     PrimitivesGenerated,
     TransformFeedbackPrimitivesWritten,
     TimeElapsed,
@@ -29,6 +31,7 @@ pub(crate) const TARGET: Table<QueryTarget> = Table {
     rows: &[
         (GL_SAMPLES_PASSED, QueryTarget::SamplesPassed),
         (GL_ANY_SAMPLES_PASSED, QueryTarget::AnySamplesPassed),
+        (GL_ANY_SAMPLES_PASSED_CONSERVATIVE, QueryTarget::AnySamplesPassedConservative),
         (GL_PRIMITIVES_GENERATED, QueryTarget::PrimitivesGenerated),
         (GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN, QueryTarget::TransformFeedbackPrimitivesWritten),
         (GL_TIME_ELAPSED, QueryTarget::TimeElapsed),
@@ -66,6 +69,7 @@ impl Query {
             QueryTarget::Timestamp => GL_TIMESTAMP,
             target @ (QueryTarget::SamplesPassed
             | QueryTarget::AnySamplesPassed
+            | QueryTarget::AnySamplesPassedConservative
             | QueryTarget::TimeElapsed
             | QueryTarget::PrimitivesGenerated
             | QueryTarget::TransformFeedbackPrimitivesWritten) => TARGET.encode(target),
@@ -87,7 +91,9 @@ impl ActiveQueries {
     pub(crate) fn slot(&mut self, target: QueryTarget) -> &mut GLuint {
         // Both targets of samples share the counter that draws have.
         match target {
-            QueryTarget::SamplesPassed | QueryTarget::AnySamplesPassed => &mut self.names[0],
+            QueryTarget::SamplesPassed
+            | QueryTarget::AnySamplesPassed
+            | QueryTarget::AnySamplesPassedConservative => &mut self.names[0],
             QueryTarget::TimeElapsed | QueryTarget::Timestamp => &mut self.names[1],
             QueryTarget::PrimitivesGenerated => &mut self.names[GENERATED],
             QueryTarget::TransformFeedbackPrimitivesWritten => &mut self.names[WRITTEN],

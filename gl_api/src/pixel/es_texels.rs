@@ -169,17 +169,25 @@ fn refused<T>(
     invalid_operation(SECTION, rule)
 }
 
+/// Checks that pixels can overwrite texels of an image: not in blocks.
+///
+/// # Errors
+/// `GL_INVALID_OPERATION`.
+pub(crate) fn check_copied(internal: GLenum) -> Result<()> {
+    let mut names = SIZED.iter().map(|row| row.0).chain(UNSIZED.iter().map(|row| row.0));
+    if names.any(|name| name == internal) {
+        return Ok(());
+    }
+    let rule = format!("the level is of {}, which takes blocks alone", enum_name(internal));
+    invalid_operation(SECTION, rule)
+}
+
 /// Checks the pixels of a call that overwrites texels of an image.
 ///
 /// # Errors
 /// `GL_INVALID_OPERATION` for pixels that `glTexImage` would not take for that internal format.
 pub(crate) fn check_replaced(internal: GLenum, format: GLenum, ty: GLenum) -> Result<()> {
-    let is_known =
-        SIZED.iter().any(|row| row.0 == internal) || UNSIZED.iter().any(|row| row.0 == internal);
-    if !is_known {
-        let rule = format!("the level is of {}, which takes blocks alone", enum_name(internal));
-        return invalid_operation(SECTION, rule);
-    }
+    check_copied(internal)?;
     stored(internal, format, ty).map(|_| ())
 }
 

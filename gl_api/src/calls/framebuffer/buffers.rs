@@ -118,6 +118,10 @@ pub(crate) fn draw_buffers(context: &mut Context, n: GLsizei, bufs: &[GLenum]) -
         return invalid_operation(DRAW, format!("n = {n}, but bufs has {}", bufs.len()));
     };
     let framebuffer = context.state.bindings.draw_framebuffer;
+    if context.profile.is_es() {
+        check_es_order(framebuffer, bufs)?;
+        return select(context, framebuffer, bufs);
+    }
     for (index, &buf) in bufs.iter().enumerate() {
         if SEVERAL.contains(&buf) {
             return invalid_enum(
@@ -136,9 +140,37 @@ pub(crate) fn draw_buffers(context: &mut Context, n: GLsizei, bufs: &[GLenum]) -
             );
         }
     }
+    select(context, framebuffer, bufs)
+}
+
+fn select(context: &mut Context, framebuffer: GLuint, bufs: &[GLenum]) -> Result<()> {
     let mut draw = [GL_NONE; limits::MAX_COLOR_ATTACHMENTS];
-    draw[..n].copy_from_slice(bufs);
+    draw[..bufs.len()].copy_from_slice(bufs);
     selection_mut(context, framebuffer).draw = draw;
+    Ok(())
+}
+
+/// In OpenGL ES, the default framebuffer has `GL_BACK`, and buffer `i` of others is their attachment `i` (3.0, section
+/// 4.2.1).
+fn check_es_order(framebuffer: GLuint, bufs: &[GLenum]) -> Result<()> {
+    const SECTION: &str = "OpenGL ES 3.0, section 4.2.1";
+    if framebuffer == 0 && bufs.len() != 1 {
+        let rule = format!("n = {} must be 1 for the default framebuffer", bufs.len());
+        return invalid_operation(SECTION, rule);
+    }
+    for (index, &buf) in bufs.iter().enumerate() {
+        let own = if framebuffer == 0 { GL_BACK } else { GL_COLOR_ATTACHMENT0 + index as GLenum };
+        let is_color = buf.wrapping_sub(GL_COLOR_ATTACHMENT0) < 32;
+        let name = enum_name(buf);
+        if buf != GL_NONE && buf != GL_BACK && !is_color {
+            return invalid_enum(SECTION, format!("bufs[{index}] = {name} names no colour buffer"));
+        }
+        if buf != GL_NONE && buf != own {
+            let own = enum_name(own);
+            let rule = format!("bufs[{index}] = {name} must be {own} or GL_NONE");
+            return invalid_operation(SECTION, rule);
+        }
+    }
     Ok(())
 }
 

@@ -36,7 +36,9 @@ pub(crate) fn begin_conditional_render(
         return invalid_value(SECTION, format!("id = {id} is no query that has begun"));
     };
     match query.target() {
-        QueryTarget::SamplesPassed | QueryTarget::AnySamplesPassed => {}
+        QueryTarget::SamplesPassed
+        | QueryTarget::AnySamplesPassed
+        | QueryTarget::AnySamplesPassedConservative => {}
         QueryTarget::PrimitivesGenerated
         | QueryTarget::TransformFeedbackPrimitivesWritten
         | QueryTarget::TimeElapsed

@@ -162,7 +162,7 @@ pub(crate) fn get_queryiv(
             if same { id as GLint } else { 0 }
         }
         Property::Bits => match kind {
-            QueryTarget::AnySamplesPassed => 1,
+            QueryTarget::AnySamplesPassed | QueryTarget::AnySamplesPassedConservative => 1,
             QueryTarget::SamplesPassed
             | QueryTarget::PrimitivesGenerated
             | QueryTarget::TransformFeedbackPrimitivesWritten
@@ -200,7 +200,10 @@ fn answer(context: &mut Context, id: GLuint, pname: GLenum) -> Result<u64> {
     Ok(match (wanted, query.target) {
         (Answer::Available, _) => 1,
         (Answer::Result, QueryTarget::SamplesPassed) => query.counter.samples(),
-        (Answer::Result, QueryTarget::AnySamplesPassed) => u64::from(query.counter.samples() > 0),
+        (
+            Answer::Result,
+            QueryTarget::AnySamplesPassed | QueryTarget::AnySamplesPassedConservative,
+        ) => u64::from(query.counter.samples() > 0),
         (
             Answer::Result,
             QueryTarget::PrimitivesGenerated | QueryTarget::TransformFeedbackPrimitivesWritten,

@@ -1,18 +1,21 @@
 //! `glCopyTexImage` and `glCopyTexSubImage`: GL 2.1, section 3.8.2.
 
+use crate::base::constants::*;
 use crate::base::error::{Result, invalid_operation};
 use crate::base::types::*;
 use crate::calls::framebuffer::read::ReadBuffer;
+use crate::calls::texture::bound::bound;
 use crate::calls::texture::level_request::{ImageRequest, LevelDesc, LevelRequest};
 use crate::calls::texture::sub::BoxRequest;
 use crate::context::Context;
 use crate::context::window::Region;
 use crate::draw::completeness::Aspect;
 use crate::objects::target::{Dimensions, ImageTarget};
+use crate::pixel::es_texels;
 use crate::pixel::formats::{COMPRESSED, UNCOMPRESSED, format_name};
 use crate::pixel::storage_error::storage_error;
 use crate::pixel::{blocks, convert};
-use texunit::format::Format;
+use texunit::format::{BaseFormat, Encoding, Format};
 
 const SECTION: &str = "GL 2.1, section 3.8.2";
 
@@ -41,6 +44,9 @@ impl CopySource {
         if from.is_depth() != to.is_depth() {
             return invalid_operation(SECTION, "depth is copied from depth, colours from colours");
         }
+        if context.profile.is_es() {
+            check_es(from, to)?;
+        }
         Ok(Self { buffer, region, to })
     }
 
@@ -51,6 +57,28 @@ impl CopySource {
         let (isa, transfer) = (context.recorder.isa(), &context.state.transfer);
         Ok(convert::transcode(isa, from.format(), &from.region(self.region)?, to, transfer))
     }
+}
+
+/// Checks that OpenGL ES copies colours of one format to texels of another: no channel is made up, and numbers stay what
+/// they are (3.0, table 3.15).
+fn check_es(from: Format, to: Format) -> Result<()> {
+    const SECTION: &str = "OpenGL ES 3.0, table 3.15";
+    let has = |format: Format| match format.base() {
+        BaseFormat::Red | BaseFormat::Luminance => [true, false, false, false],
+        BaseFormat::Rg => [true, true, false, false],
+        BaseFormat::Rgb => [true, true, true, false],
+        BaseFormat::Rgba | BaseFormat::Intensity => [true; 4],
+        BaseFormat::Alpha => [false, false, false, true],
+        BaseFormat::LuminanceAlpha => [true, false, false, true],
+        BaseFormat::Depth => [false; 4],
+    };
+    let is_float = |format: Format| format.info().encoding == Encoding::Float;
+    let made_up = has(from).into_iter().zip(has(to)).any(|(from, to)| to && !from);
+    if to.is_depth() || made_up || is_float(from) != is_float(to) || to.block().is_some() {
+        let [from, to] = [from, to].map(format_name);
+        return invalid_operation(SECTION, format!("{from} is not copied to texels of {to}"));
+    }
+    Ok(())
 }
 
 /// A checked `glCopyTexImage`.
@@ -87,6 +115,10 @@ fn copy_tex_image(
 ) -> Result<()> {
     let image = ImageTarget::Bound(dimensions.bound(target)?);
     let format = match COMPRESSED.get(internal) {
+        Some(_) if context.profile.is_es() => {
+            let rule = format!("internalformat = {} takes blocks alone", enum_name(internal));
+            return invalid_operation(SECTION, rule);
+        }
         Some(format) => format.stored,
         None => UNCOMPRESSED.decode("internalformat", internal)?.stored,
     };
@@ -112,6 +144,11 @@ fn copy_tex_sub_image(
     let target = dimensions.bound(target)?;
     let area = BoxRequest::new(context, target, level, offset, [width, height, 1])?;
     let region = Region::new(x, y, width as usize, height as usize);
+    if context.profile.is_es() {
+        let requested =
+            bound(context, target.target).requested[usize::from(target.face)][area.level];
+        es_texels::check_copied(requested)?;
+    }
     let source = CopySource::new(context, region, area.format)?;
     area.check_blocks()?;
     let texels = source.texels(context)?;

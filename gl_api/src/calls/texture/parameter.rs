@@ -43,6 +43,8 @@ enum Parameter {
     Resident,
     /// Whether it has immutable storage.
     Immutable,
+    /// How many levels that has.
+    ImmutableLevels,
     BaseLevel,
     MaxLevel,
     DepthMode,
@@ -61,6 +63,7 @@ const PARAMETER: Table<Parameter> = Table {
         (GL_TEXTURE_PRIORITY, Parameter::Priority),
         (GL_TEXTURE_RESIDENT, Parameter::Resident),
         (GL_TEXTURE_IMMUTABLE_FORMAT, Parameter::Immutable),
+        (GL_TEXTURE_IMMUTABLE_LEVELS, Parameter::ImmutableLevels),
         (GL_TEXTURE_BASE_LEVEL, Parameter::BaseLevel),
         (GL_TEXTURE_MAX_LEVEL, Parameter::MaxLevel),
         (GL_DEPTH_TEXTURE_MODE, Parameter::DepthMode),
@@ -174,7 +177,7 @@ fn set(
         Parameter::BorderColor | Parameter::Swizzles => {
             return needs_vector(SECTION, pname, "glTexParameter");
         }
-        Parameter::Resident | Parameter::Immutable => {
+        Parameter::Resident | Parameter::Immutable | Parameter::ImmutableLevels => {
             return invalid_enum(SECTION, format!("pname = {} can only be read", enum_name(pname)));
         }
     }
@@ -210,6 +213,7 @@ fn vector(context: &mut Context, target: GLenum, pname: GLenum, values: &Values)
         | Parameter::Priority
         | Parameter::Resident
         | Parameter::Immutable
+        | Parameter::ImmutableLevels
         | Parameter::BaseLevel
         | Parameter::MaxLevel
         | Parameter::DepthMode
@@ -301,6 +305,7 @@ fn get(context: &Context, target: TextureTarget, parameter: Parameter) -> Answer
         Parameter::Priority => return Answer::Fraction(texture.priority),
         Parameter::Resident => 1.0,
         Parameter::Immutable => f64::from(u8::from(texture.immutable.is_some())),
+        Parameter::ImmutableLevels => texture.immutable.unwrap_or(0).into(),
         Parameter::BaseLevel => sampler.base_level.into(),
         Parameter::MaxLevel => sampler.max_level.into(),
         Parameter::DepthMode => DEPTH_MODE.encode(sampler.depth_mode).into(),

@@ -1,4 +1,4 @@
-//! Primitive restart (`NV_primitive_restart`, GL 3.1): an index that ends a primitive and begins
+//! Primitive restart (`NV_primitive_restart`, GL 3.1; OpenGL ES 3.0, section 2.9.1): an index that ends a primitive and begins
 //! the next. An indexed draw becomes a draw of each run between such indices.
 
 use crate::base::error::{Result, invalid_operation};
@@ -21,14 +21,20 @@ pub(crate) fn runs(
     ty: IndexType,
     count: usize,
 ) -> Vec<Range<usize>> {
-    if !context.state.enables.has(Flag::PrimitiveRestart) {
+    let enables = &context.state.enables;
+    // The largest index of the type restarts whatever glPrimitiveRestartIndex has.
+    let restart = if enables.has(Flag::PrimitiveRestartFixedIndex) {
+        u32::MAX >> (32 - 8 * ty.size())
+    } else if enables.has(Flag::PrimitiveRestart) {
+        context.state.restart_index
+    } else {
         return Vec::from([Range { start: 0, end: count }]);
-    }
+    };
     let bytes = &buffer.bytes()[offset..offset + count * ty.size()];
     let mut runs = Vec::new();
     let mut start = 0;
     for (at, index) in bytes.chunks_exact(ty.size()).enumerate() {
-        if is_restart(context, IndexType::index(index)) {
+        if IndexType::index(index) == restart {
             runs.push(start..at);
             start = at + 1;
         }

@@ -46,6 +46,8 @@ pub(super) const ROWS: &[Row] = rows! {
     GL_LINE_WIDTH_GRANULARITY: Float(|_| 1.0 / 256.0);
     GL_MAX_ELEMENTS_VERTICES: Integer(|_| 1 << 20);
     GL_MAX_ELEMENTS_INDICES: Integer(|_| 1 << 20);
+    // A double is exact.
+    GL_MAX_ELEMENT_INDEX: Floats(|_| vec![u32::MAX.into()]);
 
     GL_MAX_TEXTURE_SIZE: Integer(|_| saturated(limits::MAX_TEXTURE_SIZE));
     GL_MAX_CUBE_MAP_TEXTURE_SIZE: Integer(|_| saturated(limits::MAX_TEXTURE_SIZE));

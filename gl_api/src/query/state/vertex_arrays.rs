@@ -77,6 +77,7 @@ pub(super) const ROWS: &[Row] = rows! {
     GL_ARRAY_ELEMENT_LOCK_COUNT_EXT: Integer(|c| saturated(c.state.locked.count));
     GL_PRIMITIVE_RESTART: Enabled;
     GL_PRIMITIVE_RESTART_NV: Enabled;
+    GL_PRIMITIVE_RESTART_FIXED_INDEX: Enabled;
     GL_PRIMITIVE_RESTART_INDEX: Word(|c| c.state.restart_index);
     GL_PRIMITIVE_RESTART_INDEX_NV: Word(|c| c.state.restart_index);
 };
