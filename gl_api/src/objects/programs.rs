@@ -38,8 +38,9 @@ pub(crate) struct ProgramObject {
     pub link: LinkStatus,
     pub log: String,
     pub validated: bool,
-    /// `GL_PROGRAM_BINARY_RETRIEVABLE_HINT`.
+    /// `GL_PROGRAM_BINARY_RETRIEVABLE_HINT` of the last link, and what the next one takes.
     pub binary_hint: bool,
+    pub next_binary_hint: bool,
     pub doomed: bool,
 }
 

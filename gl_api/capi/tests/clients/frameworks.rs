@@ -1,4 +1,5 @@
-//! What programs draw with: vispy, Panda3D, pyglet, Kivy, pygame, ModernGL, pyrender, VTK, PyVista, Arcade, LÖVE.
+//! What programs draw with: vispy, Panda3D, pyglet, Kivy, pygame, ModernGL, pyrender, VTK, PyVista, Arcade, LÖVE,
+//! SDL with OpenGL ES.
 //! Each draws a picture with what is its own, on DetGL and on Mesa's llvmpipe, and the two are compared.
 
 use super::picture::Picture;
@@ -86,6 +87,13 @@ fn kivy() {
 fn pygame() {
     let limits = Limits { colors: 100, mean: 0.5, visible: 0.001 };
     script_looks_as_on_mesa("pygame_sphere.py", "pygame, OpenGL", &limits);
+}
+
+/// OpenGL ES 3.0. Random blocks of ETC2 differ where the two choose another texel.
+#[test]
+fn sdl_of_opengl_es() {
+    let limits = Limits { colors: 10_000, mean: 0.8, visible: 0.002 };
+    script_looks_as_on_mesa("sdl_es.py", "sdl2, OpenGL.GLES3", &limits);
 }
 
 #[test]

@@ -45,7 +45,7 @@ pub(crate) fn program_binary(
     invalid_enum(SECTION, rule)
 }
 
-/// `GL_PROGRAM_BINARY_RETRIEVABLE_HINT`, which is kept and has no effect.
+/// `GL_PROGRAM_BINARY_RETRIEVABLE_HINT`, which the next link takes over; it has no effect.
 pub(crate) fn program_parameteri(
     context: &mut Context,
     name: GLuint,
@@ -56,7 +56,7 @@ pub(crate) fn program_parameteri(
         Table { section: SECTION, rows: &[(GL_PROGRAM_BINARY_RETRIEVABLE_HINT, ())] };
     let program = program(context, name)?;
     PARAMETER.decode("pname", pname)?;
-    program.binary_hint = match value {
+    program.next_binary_hint = match value {
         0 => false,
         1 => true,
         _ => return invalid_value(SECTION, format!("value = {value} must be GL_FALSE or GL_TRUE")),

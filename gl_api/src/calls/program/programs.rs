@@ -174,6 +174,7 @@ pub(crate) fn link_program(context: &mut Context, name: GLuint) -> Result<()> {
     }
     let in_use = context.objects.shared.programs.is_held(name);
     let program = program(context, name)?;
+    program.binary_hint = program.next_binary_hint;
     program.link = if linked.is_some() { LinkStatus::Linked } else { LinkStatus::Failed };
     if linked.is_some() || !in_use {
         program.executable = linked;

@@ -12,13 +12,15 @@ use std::{env, fs};
 const LIBRARY: &str = "libdetgl.so";
 /// The names that it stands in for: those that programs were linked with, and those that `cc -l`
 /// looks for.
-const NAMES: [&str; 8] = [
+const NAMES: [&str; 10] = [
     "libEGL.so.1",
     "libEGL.so",
     "libGL.so.1",
     "libGL.so",
     "libOpenGL.so.0",
     "libOpenGL.so",
+    "libGLESv2.so.2",
+    "libGLESv2.so",
     "libOSMesa.so.8",
     "libOSMesa.so",
 ];
