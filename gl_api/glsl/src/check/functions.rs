@@ -19,7 +19,8 @@ impl Checker<'_> {
                 self.error(*span, "6.4", "what a function returns takes no such word");
             }
         }
-        if result.has_sampler() || result.is_unsized() {
+        let no_array = self.version == Version::Es100 && result.has_array();
+        if result.has_sampler() || result.is_unsized() || no_array {
             self.error(declared.ty.ty.span, "6.4", format!("a function cannot return {result}"));
         }
         let mut directions = Vec::new();

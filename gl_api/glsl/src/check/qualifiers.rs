@@ -351,11 +351,16 @@ impl Checker<'_> {
                 let has_structures =
                     self.language.has(Availability::V150) || self.version == Version::Es300;
                 let structure = structure && !has_structures;
+                let nested = self.version == Version::Es300 && is_nested(ty);
                 let read = matches!(storage, Storage::Input(_)) && self.stage == Stage::Fragment;
                 // GLSL ES 3.00 section 4.3.6: of outputs too.
                 let read = read || self.version == Version::Es300;
                 if boolean || structure || (old && integer(ty)) {
                     Some("what passes between the stages is made of floats")
+                } else if nested {
+                    Some(
+                        "no arrays of structures, nor structures with arrays or structures, pass between the stages",
+                    )
                 } else if integer(ty) && interpolation != Interpolation::Flat && read {
                     Some("integers that pass between the stages are `flat`")
                 } else {
@@ -378,5 +383,18 @@ impl Checker<'_> {
             let rule = format!("{} section 4.3", self.version.title());
             self.log.push(Diagnostic::error(span, format!("{message}; this is {ty}")).rule(rule));
         }
+    }
+}
+
+/// Whether a type is an array of structures, or a structure with an array or a structure in it (GLSL ES 3.00 sections
+/// 4.3.4 and 4.3.6).
+fn is_nested(ty: &Type) -> bool {
+    match ty {
+        Type::Array(element, _) => matches!(**element, Type::Struct(_)),
+        Type::Struct(structure) => structure
+            .fields
+            .iter()
+            .any(|(_, field)| matches!(field, Type::Array(..) | Type::Struct(_))),
+        Type::Void | Type::Vector(..) | Type::Matrix(..) | Type::Sampler(_) | Type::Error => false,
     }
 }

@@ -84,6 +84,8 @@ impl Availability {
     /// Uniform blocks and their layouts.
     pub const UNIFORM_BLOCKS: Self =
         Self::V140.or(Extension::UniformBufferObject).and_es(EsVersions::From300);
+    /// The names of instances of blocks.
+    pub const INSTANCE_NAMES: Self = Self::V150.and_es(EsVersions::From300);
     /// The layouts of `gl_FragCoord`.
     pub const FRAGMENT_COORD_CONVENTIONS: Self = Self::V150.or(Extension::FragmentCoordConventions);
     /// `layout(location = n)`.

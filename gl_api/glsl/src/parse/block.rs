@@ -91,7 +91,7 @@ impl Parser<'_> {
     }
 
     fn instance_name(&mut self) -> ParseResult<InstanceName> {
-        if !self.language.has(Availability::V150) {
+        if !self.language.has(Availability::INSTANCE_NAMES) {
             let message = format!("a block has no name behind it in {}", self.version.title());
             let problem = Diagnostic::error(self.span(), message).rule(SECTION);
             let help =

@@ -151,6 +151,24 @@ const RESERVED_130: [&str; 34] = [
     "sampler2DRect", "sampler2DRectShadow", "row_major", "superp",
 ];
 
+/// Words that GLSL ES 1.00 reserves too (section 3.6).
+#[rustfmt::skip]
+const RESERVED_ES_100: [&str; 9] = [
+    "flat", "superp", "sampler1D", "sampler3D", "sampler1DShadow", "sampler2DShadow", "sampler2DRect",
+    "sampler2DRectShadow", "switch",
+];
+
+/// Words that GLSL ES 3.00 reserves beside those of GLSL 1.30 (section 3.8).
+#[rustfmt::skip]
+const RESERVED_ES_300: [&str; 38] = [
+    "attribute", "varying", "coherent", "restrict", "readonly", "writeonly", "resource", "atomic_uint",
+    "noperspective", "patch", "sample", "subroutine", "image2DRect", "iimage2DRect", "uimage2DRect",
+    "iimage1DShadow", "sampler1D", "sampler1DShadow", "sampler1DArray", "sampler1DArrayShadow", "isampler1D",
+    "isampler1DArray", "usampler1D", "usampler1DArray", "isampler2DRect", "usampler2DRect", "isamplerBuffer",
+    "usamplerBuffer", "sampler2DMS", "isampler2DMS", "usampler2DMS", "sampler2DMSArray", "isampler2DMSArray",
+    "usampler2DMSArray", "image2DMS", "imageCubeArray", "samplerCubeArray", "samplerCubeArrayShadow",
+];
+
 /// The class of a word in a version.
 pub fn classify(word: &str, language: Language) -> WordClass {
     if Type::named(word, language).is_some() {
@@ -165,7 +183,17 @@ pub fn classify(word: &str, language: Language) -> WordClass {
     let early = |row: &(&str, Version, Version)| {
         row.0 == word && (row.1..=row.2).contains(&language.version)
     };
-    if RESERVED.contains(&word) || later || RESERVED_EARLY.iter().any(early) {
+    let of_es = match language.version {
+        Version::Es100 => RESERVED_ES_100.contains(&word),
+        Version::Es300 => RESERVED_ES_300.contains(&word),
+        Version::V110
+        | Version::V120
+        | Version::V130
+        | Version::V140
+        | Version::V150
+        | Version::V330 => false,
+    };
+    if RESERVED.contains(&word) || of_es || later || RESERVED_EARLY.iter().any(early) {
         return WordClass::Reserved;
     }
     WordClass::Name

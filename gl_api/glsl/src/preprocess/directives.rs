@@ -95,7 +95,12 @@ impl Preprocessor<'_> {
     fn expect_line_end(&mut self, rest: &[Token]) {
         if let Some(token) = rest.first() {
             let message = format!("unexpected {} after the directive", token.describe());
-            self.log.push(Diagnostic::warning(token.span, message));
+            // Compilers of GLSL ES refuse it.
+            let problem = match self.language.version.is_es() {
+                true => Diagnostic::error(token.span, message),
+                false => Diagnostic::warning(token.span, message),
+            };
+            self.log.push(problem);
         }
     }
 
