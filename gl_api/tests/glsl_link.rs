@@ -1,6 +1,8 @@
 //! Links: several shaders per stage, and bindings that the application sets before the link.
 
-use gl_api::glsl::{Bindings, Linked, Options, Program, Shader, Stage, compile, link};
+use gl_api::glsl::{
+    Bindings, FragmentColor, Linked, Options, Program, Shader, Stage, compile, link,
+};
 use gl_api::interface::VARYING_USER;
 use rasterizer::ir::Output;
 
@@ -232,15 +234,59 @@ fn attributes_go_where_they_are_bound_and_the_others_around_them() {
 fn fragment_outputs_go_where_they_are_bound() {
     let fragment = "#version 130\nout vec4 a; out vec2 b; void main() { a = vec4(1.0); b = a.xy; }";
     let mut bindings = Bindings::default();
-    bindings.frag_data.insert("a".to_owned(), 3);
+    bindings.frag_data.insert("a".to_owned(), color(3, 0));
     let program = program(&[VERTEX], &[fragment], &bindings);
     let outputs = &program.fragment.expect("a fragment stage was linked").outputs;
     let has = |target, component| {
         outputs.iter().any(|(output, _)| *output == Output::Color { target, component })
     };
     assert!(has(3, 3) && has(0, 1) && !has(0, 2) && !has(1, 0));
-    bindings.frag_data.insert("b".to_owned(), 3);
+    bindings.frag_data.insert("b".to_owned(), color(3, 0));
     assert!(linked(&[VERTEX], &[fragment], &bindings).program.is_none());
+}
+
+fn color(location: u8, index: u8) -> FragmentColor {
+    FragmentColor { location, index }
+}
+
+#[test]
+fn a_second_colour_is_there_of_one_draw_buffer() {
+    const HEAD: &str = "#version 130\n#extension GL_ARB_explicit_attrib_location : require\n";
+    let fragment = |a: &str, b: &str| {
+        format!("{HEAD}{a} out vec4 a; {b} out vec3 b; void main() {{ a = vec4(1.0); b = a.xyz; }}")
+    };
+    let second = "layout(location = 0, index = 1)";
+    let vertex = "#version 130\nvoid main() { gl_Position = vec4(0.0); }";
+    let outputs = |fragment: &str, bindings: &Bindings| {
+        let program = program(&[vertex], &[fragment], bindings);
+        let found =
+            program.outputs.iter().map(|o| (o.name.clone(), o.color, o.index)).collect::<Vec<_>>();
+        let module = program.fragment.expect("a fragment stage was linked");
+        let seconds =
+            module.outputs.iter().filter(|(output, _)| matches!(output, Output::SecondColor(_)));
+        (found, seconds.count())
+    };
+    let at = |name: &str, color: u8, index: u8| (name.to_owned(), color, index);
+    let mut bindings = Bindings::default();
+    let (found, count) = outputs(&fragment("", second), &bindings);
+    assert_eq!((found, count), (vec![at("a", 0, 0), at("b", 0, 1)], 3));
+    // What the shader says goes before what was bound, its index too.
+    bindings.frag_data.insert("a".into(), color(0, 1));
+    let (found, count) = outputs(&fragment("layout(location = 0)", second), &bindings);
+    assert_eq!((found, count), (vec![at("a", 0, 0), at("b", 0, 1)], 3));
+    let (found, count) = outputs(&fragment("", ""), &bindings);
+    assert_eq!((found, count), (vec![at("a", 0, 1), at("b", 0, 0)], 4));
+    // No two outputs of one colour, and no second colour of other buffers.
+    fails(&[vertex], &[&fragment(second, second)], "two outputs are bound to colour 0 of index 1");
+    let far = "layout(location = 1, index = 1)";
+    fails(&[vertex], &[&fragment("", far)], "GL_MAX_DUAL_SOURCE_DRAW_BUFFERS");
+    let pair =
+        fragment("", second).replace("vec3 b;", "vec3 b[2];").replace("b = a.xyz", "b[1] = a.xyz");
+    fails(&[vertex], &[&pair], "GL_MAX_DUAL_SOURCE_DRAW_BUFFERS");
+    for wrong in ["layout(location = 0, index = 2)", "layout(index = 1)"] {
+        let source = fragment("", wrong);
+        assert!(compile(Stage::Fragment, &source, &Options::default()).shader.is_none(), "{wrong}");
+    }
 }
 
 #[test]
@@ -286,7 +332,7 @@ fn locations_that_shaders_say_go_before_those_that_were_bound() {
     );
     let mut bindings = Bindings::default();
     bindings.attributes.insert("a".into(), 9);
-    bindings.frag_data.insert("late".into(), 0);
+    bindings.frag_data.insert("late".into(), color(0, 0));
     let program = program(&[&vertex], &[&fragment], &bindings);
     let found: Vec<(&str, u8)> =
         program.attributes.iter().map(|a| (a.name.as_str(), a.location)).collect();

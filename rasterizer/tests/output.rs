@@ -7,9 +7,10 @@ mod common;
 use common::{bindings, bytes, device, fragment, image, pass, pipeline, vertex, viewport};
 use rasterizer::driver::{
     Blend, BlendEquation, BlendFactor, ClearValue, ColorState, Command, CommandBuffer, Device,
-    Image, LogicOp, Pipeline, PipelineDesc, Rect, SrgbWrite, StencilFace, StencilOp, StencilState,
+    Image, LogicOp, Pipeline, PipelineDesc, Rect, ShaderModule, SrgbWrite, StencilFace, StencilOp,
+    StencilState,
 };
-use rasterizer::ir::Input;
+use rasterizer::ir::{Builder, Input, Output, Stage};
 use texunit::format::{Encoding, Format};
 use texunit::lanes::Isa;
 use texunit::sampler::Compare;
@@ -44,7 +45,20 @@ fn constant(color: [f32; 4]) -> PipelineDesc {
     pipeline(vertex(0), fragment(0, |b| color.map(|v| b.float(v))))
 }
 
-const FACTORS: [BlendFactor; 15] = [
+/// A fragment module of two constant colours.
+fn two_colors(first: [f32; 4], second: [f32; 4]) -> ShaderModule {
+    let mut b = Builder::new(Stage::Fragment);
+    for component in 0..4 {
+        let (first, second) = (b.float(first[component]), b.float(second[component]));
+        let out = b.output(Output::Color { target: 0, component: component as u8 });
+        b.store(out, first);
+        let out = b.output(Output::SecondColor(component as u8));
+        b.store(out, second);
+    }
+    ShaderModule::new(b.finish()).expect("valid")
+}
+
+const FACTORS: [BlendFactor; 19] = [
     BlendFactor::Zero,
     BlendFactor::One,
     BlendFactor::SrcColor,
@@ -60,10 +74,14 @@ const FACTORS: [BlendFactor; 15] = [
     BlendFactor::ConstantAlpha,
     BlendFactor::OneMinusConstantAlpha,
     BlendFactor::SrcAlphaSaturate,
+    BlendFactor::Src1Color,
+    BlendFactor::OneMinusSrc1Color,
+    BlendFactor::Src1Alpha,
+    BlendFactor::OneMinusSrc1Alpha,
 ];
 
-/// GL 2.1, table 4.2.
-fn factor(of: BlendFactor, i: usize, s: [f64; 4], d: [f64; 4], c: [f64; 4]) -> f64 {
+/// GL 3.3, table 4.2.
+fn factor(of: BlendFactor, i: usize, [s, s1, d, c]: [[f64; 4]; 4]) -> f64 {
     match of {
         BlendFactor::Zero => 0.0,
         BlendFactor::One => 1.0,
@@ -81,20 +99,27 @@ fn factor(of: BlendFactor, i: usize, s: [f64; 4], d: [f64; 4], c: [f64; 4]) -> f
         BlendFactor::OneMinusConstantAlpha => 1.0 - c[3],
         BlendFactor::SrcAlphaSaturate if i == 3 => 1.0,
         BlendFactor::SrcAlphaSaturate => s[3].min(1.0 - d[3]),
+        BlendFactor::Src1Color => s1[i],
+        BlendFactor::OneMinusSrc1Color => 1.0 - s1[i],
+        BlendFactor::Src1Alpha => s1[3],
+        BlendFactor::OneMinusSrc1Alpha => 1.0 - s1[3],
     }
 }
 
 #[test]
 fn every_pair_of_factors_is_what_the_table_says() {
     const SOURCE: [f32; 4] = [0.25, 0.75, 1.5, 0.625];
+    const SECOND: [f32; 4] = [0.375, 1.25, -0.5, 0.8125];
     const STORED: [f32; 4] = [0.5, 0.125, 0.375, 0.25];
     const CONSTANT: [f32; 4] = [0.75, 0.0625, 0.5, 0.875];
     let device = device(Isa::best(), 1);
-    for (format, largest) in [(Format::Rgba16, Some(65_535.0)), (Format::Rgba32F, None)] {
+    for (format, largest) in
+        [(Format::Rgba8, Some(255.0)), (Format::Rgba16, Some(65_535.0)), (Format::Rgba32F, None)]
+    {
         let target = image(format, SIZE, SIZE);
         // What is stored is what the format can hold of the colour.
         let clamp = |c: f32| if largest.is_some() { c.clamp(0.0, 1.0) } else { c };
-        let s = SOURCE.map(|c| f64::from(clamp(c)));
+        let [s, s1] = [SOURCE, SECOND].map(|color| color.map(|c| f64::from(clamp(c))));
         let held = |c: f32| match largest {
             Some(largest) => (f64::from(c) * largest).round() / largest,
             None => c.into(),
@@ -105,7 +130,7 @@ fn every_pair_of_factors_is_what_the_table_says() {
         {
             for src in FACTORS {
                 for dst in FACTORS {
-                    let mut desc = constant(SOURCE);
+                    let mut desc = pipeline(vertex(0), two_colors(SOURCE, SECOND));
                     // Alpha the other way round.
                     let blend = Blend {
                         equation: [equation; 2],
@@ -120,8 +145,8 @@ fn every_pair_of_factors_is_what_the_table_says() {
                     let got = texunit::format::convert::decode(format, level.texel(9, 5));
                     for i in 0..4 {
                         let part = usize::from(i == 3);
-                        let a = s[i] * factor(blend.src[part], i, s, d, c);
-                        let b = d[i] * factor(blend.dst[part], i, s, d, c);
+                        let a = s[i] * factor(blend.src[part], i, [s, s1, d, c]);
+                        let b = d[i] * factor(blend.dst[part], i, [s, s1, d, c]);
                         let want = match equation {
                             BlendEquation::Subtract => a - b,
                             BlendEquation::ReverseSubtract => b - a,

@@ -20,6 +20,8 @@ pub const MAX_COMBINED_TEXTURE_IMAGE_UNITS: u8 = 48;
 pub const MAX_CLIP_DISTANCES: u8 = MAX_CLIP_PLANES;
 /// `gl_MaxDrawBuffers`: how many elements `gl_FragData` has.
 pub const MAX_DRAW_BUFFERS: u8 = 8;
+/// `GL_MAX_DUAL_SOURCE_DRAW_BUFFERS`: how many draw buffers have a second colour.
+pub const MAX_DUAL_SOURCE_DRAW_BUFFERS: u8 = 1;
 /// `gl_MaxVaryingFloats`: how many scalars may pass from stage to stage.
 pub const MAX_VARYING_FLOATS: u16 = 64;
 /// `gl_MaxVertexOutputComponents`, `gl_MaxGeometryInputComponents`, `gl_MaxGeometryOutputComponents`

@@ -19,6 +19,15 @@ pub struct Attribute {
     pub location: u8,
 }
 
+/// A colour that the fragment stage gives.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct FragmentColor {
+    /// Its draw buffer.
+    pub location: u8,
+    /// Which colour of the blend function it is: 0, or 1 (GL 3.3, section 4.1.7).
+    pub index: u8,
+}
+
 /// An output of the fragment stage of a linked program.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FragmentOutput {
@@ -26,7 +35,7 @@ pub struct FragmentOutput {
     pub name: String,
     /// Its (first) colour attachment.
     pub color: u8,
-    /// Which colour of the blend function it is: 0, or 1 (ARB_blend_func_extended).
+    /// Which colour of the blend function it is: 0, or 1 (GL 3.3, section 4.1.7).
     pub index: u8,
 }
 
@@ -117,14 +126,14 @@ pub struct SamplerSlot {
     pub result: ComparisonResult,
 }
 
-/// What the application set before the link with `glBindAttribLocation`, `glBindFragDataLocation`
+/// What the application set before the link with `glBindAttribLocation`, `glBindFragDataLocationIndexed`
 /// and `glTransformFeedbackVaryings`.
 #[derive(Clone, Debug, Default)]
 pub struct Bindings {
     /// Attribute name to location.
     pub attributes: BTreeMap<String, u8>,
-    /// Fragment output name to colour attachment.
-    pub frag_data: BTreeMap<String, u8>,
+    /// Fragment output name to its colour.
+    pub frag_data: BTreeMap<String, FragmentColor>,
     /// What transform feedback captures.
     pub capture: Capture,
 }

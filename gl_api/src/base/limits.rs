@@ -23,6 +23,9 @@ pub(crate) const TEXTURE_BUFFER_OFFSET_ALIGNMENT: usize = 16;
 pub(crate) const MAX_VIEWPORT_DIMS: u32 = 8192;
 /// `GL_MAX_COLOR_ATTACHMENTS` and `GL_MAX_DRAW_BUFFERS`.
 pub(crate) const MAX_COLOR_ATTACHMENTS: usize = glsl::limits::MAX_DRAW_BUFFERS as usize;
+/// `GL_MAX_DUAL_SOURCE_DRAW_BUFFERS`.
+pub(crate) const MAX_DUAL_SOURCE_DRAW_BUFFERS: usize =
+    glsl::limits::MAX_DUAL_SOURCE_DRAW_BUFFERS as usize;
 /// `GL_MAX_SAMPLES`.
 pub(crate) const MAX_SAMPLES: u8 = rasterizer::driver::MAX_SAMPLES as u8;
 /// `GL_MAX_TEXTURE_LOD_BIAS`.

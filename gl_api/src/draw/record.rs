@@ -1,6 +1,7 @@
 //! The steps of a draw, in order: checks, transform feedback, other render modes, stages, pipeline, commands.
 
 use crate::base::error::{Result, invalid_operation};
+use crate::base::limits::MAX_DUAL_SOURCE_DRAW_BUFFERS;
 use crate::context::Context;
 use crate::context::feedback::RenderMode;
 use crate::context::recorder::elements::{Elements, bit};
@@ -194,7 +195,30 @@ fn checked_pass(context: &mut Context) -> Result<PassDesc> {
     if !is_shaded {
         no_integers(context)?;
     }
+    second_color_of_few(context, &pass)?;
     Ok(pass)
+}
+
+/// Refuses factors of the second colour where more buffers are drawn to than have one.
+fn second_color_of_few(context: &Context, pass: &PassDesc) -> Result<()> {
+    let limit = MAX_DUAL_SOURCE_DRAW_BUFFERS;
+    let active = pass.colors.iter().flatten().count();
+    if active <= limit {
+        return Ok(());
+    }
+    let states = context.state.fragment.buffers.iter().zip(&pass.colors);
+    let of_second = states
+        .enumerate()
+        .find(|(_, (state, color))| color.is_some() && state.formula.has_second_color());
+    let Some((buffer, _)) = of_second else { return Ok(()) };
+    invalid_operation(
+        "GL 3.3, section 4.1.7",
+        format!(
+            "the blend function of draw buffer {buffer} is made of the second colour (GL_SRC1_COLOR and the like), and \
+             {active} colour buffers are drawn to, above GL_MAX_DUAL_SOURCE_DRAW_BUFFERS, {limit}: call glDrawBuffer \
+             with one, or glBlendFunc with other factors"
+        ),
+    )
 }
 
 /// Refuses to draw to integers without a fragment shader, which alone writes them.

@@ -4,7 +4,7 @@ use crate::base::constants::enum_name;
 use crate::explain::explanation::Explanation;
 use crate::explain::page::{Page, number, numbers};
 use crate::pixel::formats::format_name;
-use crate::state::blend::SRC_FACTOR;
+use crate::state::blend::FACTOR;
 use crate::state::draw_buffers::LOGIC_OP;
 use rasterizer::driver::{BlendEquation, BlendFactor, DepthWrite};
 use rasterizer::trace::{Blending, Fragment, Test, When, Write};
@@ -92,7 +92,7 @@ pub fn writes(page: &mut Page, fragment: &Fragment) {
 fn blend(page: &mut Page, blending: &Blending) {
     let state = &blending.state;
     let factor = |factors: [BlendFactor; 2]| {
-        factors.map(|factor| enum_name(SRC_FACTOR.encode(factor))).join(", ")
+        factors.map(|factor| enum_name(FACTOR.encode(factor))).join(", ")
     };
     let formula = |equation: BlendEquation| match equation {
         BlendEquation::Add => "C = C_s S + C_d D",
@@ -109,16 +109,18 @@ fn blend(page: &mut Page, blending: &Blending) {
     page.line(1, &text, "GL 2.1, section 4.1.8, tables 4.1, 4.2");
     let row =
         |name: &str, values: &[f32; 4], what: String| vec![name.to_owned(), numbers(values), what];
-    page.table(
-        2,
-        &[
-            row("C_s", &blending.source, "the shader's colour, in the buffer's range".into()),
-            row("S", &blending.source_factor, factor(state.src)),
-            row("C_d", &blending.destination, "what was stored".into()),
-            row("D", &blending.destination_factor, factor(state.dst)),
-            row("C", &blending.result, String::new()),
-        ],
-    );
+    let mut rows =
+        vec![row("C_s", &blending.source, "the shader's colour, in the buffer's range".into())];
+    if let Some(second) = &blending.second {
+        rows.push(row("C_s1", second, "its second colour, in the buffer's range".into()));
+    }
+    rows.extend([
+        row("S", &blending.source_factor, factor(state.src)),
+        row("C_d", &blending.destination, "what was stored".into()),
+        row("D", &blending.destination_factor, factor(state.dst)),
+        row("C", &blending.result, String::new()),
+    ]);
+    page.table(2, &rows);
 }
 
 fn stored(page: &mut Page, write: &Write) {

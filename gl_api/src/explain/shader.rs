@@ -42,6 +42,9 @@ pub fn steps(page: &mut Page, fragment: &Fragment, note: &DrawNote) {
                 Output::Color { target: 0, component } => {
                     format!("colour.{}", ["r", "g", "b", "a"][usize::from(*component % 4)])
                 }
+                Output::SecondColor(component) => {
+                    format!("second colour.{}", ["r", "g", "b", "a"][usize::from(*component % 4)])
+                }
                 Output::Depth => "depth".into(),
                 Output::StencilReference => "stencil reference".into(),
                 Output::Color { .. }

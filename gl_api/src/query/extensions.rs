@@ -171,6 +171,7 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     // 2010
     "GL_AMD_conservative_depth",
     "GL_ARB_ES2_compatibility",
+    "GL_ARB_blend_func_extended",
     "GL_ARB_conservative_depth",
     "GL_ARB_debug_output",
     "GL_ARB_explicit_attrib_location",

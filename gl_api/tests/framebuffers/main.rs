@@ -13,6 +13,7 @@ mod integers;
 mod rectangles;
 mod sample_textures;
 mod samples;
+mod second_colors;
 mod stencils;
 mod whole;
 

@@ -224,7 +224,7 @@ const CASES: &[Case] = &[
     (|c| c.point_size(f32::NAN), GL_INVALID_VALUE, "size = NaN must be positive"),
     (|c| c.hint(GL_FOG_HINT, GL_LINEAR), GL_INVALID_ENUM, "GL_FASTEST"),
     (|c| c.blend_func(GL_LINEAR, GL_ZERO), GL_INVALID_ENUM, "source factor = GL_LINEAR"),
-    (|c| c.blend_func(GL_ONE, GL_SRC_ALPHA_SATURATE), GL_INVALID_ENUM, "destination factor"),
+    (|c| c.blend_func(GL_ONE, GL_MAX), GL_INVALID_ENUM, "destination factor = GL_MAX"),
     (|c| c.blend_equation(GL_ONE), GL_INVALID_ENUM, "GL_FUNC_ADD"),
     (|c| c.depth_func(GL_ONE), GL_INVALID_ENUM, "GL_NEVER, GL_LESS"),
     (|c| c.alpha_func(GL_LINEAR, 0.5), GL_INVALID_ENUM, "func = GL_LINEAR"),

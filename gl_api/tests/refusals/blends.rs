@@ -5,7 +5,7 @@ use gl_api::*;
 
 const CASES: &[Case] = &[
     (|c| c.blend_funci(8, GL_ONE, GL_ONE), GL_INVALID_VALUE, "buf = 8 must be 0 to 7"),
-    (|c| c.blend_funci(7, GL_ONE, GL_SRC_ALPHA_SATURATE), GL_INVALID_ENUM, "destination"),
+    (|c| c.blend_funci(7, GL_ONE, GL_MIN), GL_INVALID_ENUM, "destination factor = GL_MIN"),
     (|c| c.blend_func_separatei(8, GL_ONE, GL_ONE, GL_ONE, GL_ONE), GL_INVALID_VALUE, "buf = 8"),
     (
         |c| c.blend_func_separatei(1, GL_ONE, GL_ONE, GL_MIN, GL_ONE),

@@ -35,6 +35,41 @@ pub enum BlendFactor {
     OneMinusConstantAlpha,
     /// min(source alpha, 1 - destination alpha) for colour, 1 for alpha.
     SrcAlphaSaturate,
+    /// The second source colour (GL 3.3, table 4.2).
+    Src1Color,
+    /// 1 - the second source colour.
+    OneMinusSrc1Color,
+    /// The second source alpha.
+    Src1Alpha,
+    /// 1 - the second source alpha.
+    OneMinusSrc1Alpha,
+}
+
+impl BlendFactor {
+    /// Whether it is made of the second source colour.
+    pub fn is_of_second_color(self) -> bool {
+        match self {
+            Self::Src1Color
+            | Self::OneMinusSrc1Color
+            | Self::Src1Alpha
+            | Self::OneMinusSrc1Alpha => true,
+            Self::Zero
+            | Self::One
+            | Self::SrcColor
+            | Self::OneMinusSrcColor
+            | Self::DstColor
+            | Self::OneMinusDstColor
+            | Self::SrcAlpha
+            | Self::OneMinusSrcAlpha
+            | Self::DstAlpha
+            | Self::OneMinusDstAlpha
+            | Self::ConstantColor
+            | Self::OneMinusConstantColor
+            | Self::ConstantAlpha
+            | Self::OneMinusConstantAlpha
+            | Self::SrcAlphaSaturate => false,
+        }
+    }
 }
 
 /// How weighted source and destination are combined.
@@ -65,6 +100,18 @@ pub struct Blend {
     pub constant: [f32; 4],
 }
 
+impl Blend {
+    /// Whether a factor that counts is made of the second source colour: minimum and maximum have no factors.
+    pub fn reads_second_color(&self) -> bool {
+        (0..2).any(|part| match self.equation[part] {
+            BlendEquation::Min | BlendEquation::Max => false,
+            BlendEquation::Add | BlendEquation::Subtract | BlendEquation::ReverseSubtract => {
+                self.src[part].is_of_second_color() || self.dst[part].is_of_second_color()
+            }
+        })
+    }
+}
+
 impl Eq for Blend {}
 
 impl Hash for Blend {
@@ -88,5 +135,10 @@ impl ColorState {
         // Blending weights every component by source alpha, or may.
         self.mask[component]
             || (component == 3 && self.blend.is_some() && self.mask.contains(&true))
+    }
+
+    /// Whether a component of the second source colour has any effect.
+    pub(crate) fn needs_second(&self, component: usize) -> bool {
+        self.blend.is_some_and(|blend| blend.reads_second_color()) && self.needs(component)
     }
 }

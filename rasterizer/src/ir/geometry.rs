@@ -70,6 +70,7 @@ impl Output {
             | Self::ClipDistance(_)
             | Self::Varying(_)
             | Self::Color { .. }
+            | Self::SecondColor(_)
             | Self::Depth
             | Self::StencilReference => Ty::F32,
         }

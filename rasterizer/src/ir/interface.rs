@@ -78,6 +78,8 @@ pub enum Output {
         /// 0 to 3 for red, green, blue, alpha.
         component: u8,
     },
+    /// Component 0 to 3 of the second colour for render target 0, which only the factors of blending read (`f32`).
+    SecondColor(u8),
     /// `gl_FragDepth`.
     Depth,
     /// Of a geometry program: the layer of the attachments, taken from the provoking vertex (`i32`).

@@ -100,7 +100,10 @@ impl Module {
                 | Output::Layer
                 | Output::PrimitiveId
                 | Output::ViewportIndex => true,
-                Output::Color { .. } | Output::Depth | Output::StencilReference => {
+                Output::Color { .. }
+                | Output::SecondColor(_)
+                | Output::Depth
+                | Output::StencilReference => {
                     return Err(IrError(format!("output {output:?} in a Geometry module")));
                 }
             };
@@ -117,7 +120,9 @@ impl Module {
                 Output::Position(component) => (Stage::Vertex, component < 4),
                 Output::PointSize | Output::Varying(_) => (Stage::Vertex, true),
                 Output::ClipDistance(plane) => (Stage::Vertex, plane < 8),
-                Output::Color { component, .. } => (Stage::Fragment, component < 4),
+                Output::Color { component, .. } | Output::SecondColor(component) => {
+                    (Stage::Fragment, component < 4)
+                }
                 Output::Depth | Output::StencilReference => (Stage::Fragment, true),
                 // Those of a geometry module are in its interface.
                 Output::Layer | Output::PrimitiveId | Output::ViewportIndex => {
@@ -138,6 +143,7 @@ impl Module {
                 | Output::PointSize
                 | Output::ClipDistance(_)
                 | Output::Varying(_)
+                | Output::SecondColor(_)
                 | Output::Depth => variable.ty == Ty::F32,
                 Output::Layer | Output::PrimitiveId | Output::ViewportIndex => false,
             };
@@ -242,6 +248,7 @@ impl Body<'_> {
                     Output::ClipDistance(plane) => plane < 8,
                     Output::PointSize | Output::Varying(_) => true,
                     Output::Color { .. }
+                    | Output::SecondColor(_)
                     | Output::Depth
                     | Output::StencilReference
                     | Output::Layer

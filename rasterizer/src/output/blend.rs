@@ -1,4 +1,4 @@
-//! Blending (GL 2.1, section 4.1.8), in `f32`. Where the attachment is fixed-point, colours are
+//! Blending (GL 3.3, section 4.1.7), in `f32`. Where the attachment is fixed-point, colours are
 //! clamped to what it can hold; the constant colour here, source and destination by the caller.
 
 use crate::desc::{Blend, BlendEquation, BlendFactor};
@@ -8,11 +8,15 @@ use texunit::lanes::{F32s, LANES, math};
 /// ([`texunit::format::Encoding::range`]).
 type Range = Option<[f32; 2]>;
 
-/// The blended colour of 64 fragments, unclamped. The usual ways in one loop, the others factor by factor.
+/// The second colour of fragments that have none.
+pub const NO_SECOND: &[F32s; 4] = &[F32s::ZERO; 4];
+
+/// The blended colour of 64 fragments, unclamped, of their first and second colour and the stored one. The usual ways
+/// in one loop, the others factor by factor.
 #[inline(always)]
 pub fn blend(
     state: &Blend,
-    source: &[F32s; 4],
+    [source, second]: [&[F32s; 4]; 2],
     destination: &[F32s; 4],
     range: Range,
 ) -> [F32s; 4] {
@@ -28,7 +32,7 @@ pub fn blend(
             (_, _) => {}
         }
     }
-    by_factors(state, source, destination, range)
+    by_factors(state, [source, second], destination, range)
 }
 
 /// `f` of source, destination and source alpha.
@@ -48,7 +52,7 @@ fn each([source, destination]: [&[F32s; 4]; 2], f: impl Fn(f32, f32, f32) -> f32
 #[inline(always)]
 fn by_factors(
     state: &Blend,
-    source: &[F32s; 4],
+    [source, second]: [&[F32s; 4]; 2],
     destination: &[F32s; 4],
     range: Range,
 ) -> [F32s; 4] {
@@ -62,7 +66,7 @@ fn by_factors(
     for (channel, out) in out.iter_mut().enumerate() {
         let part = usize::from(channel == 3);
         let (s, d) = (&source[channel], &destination[channel]);
-        let colors = Colors { source, destination, constant, channel };
+        let colors = Colors { source, second, destination, constant, channel };
         match state.equation[part] {
             BlendEquation::Min => {
                 for lane in 0..LANES {
@@ -99,27 +103,29 @@ fn by_factors(
 /// same functions, for a trace.
 pub fn factors(
     state: &Blend,
-    source: [f32; 4],
+    sources: [[f32; 4]; 2],
     destination: [f32; 4],
     range: Range,
 ) -> [[f32; 4]; 3] {
-    let (source, destination) = (source.map(F32s::splat), destination.map(F32s::splat));
+    let [source, second] = &sources.map(|color| color.map(F32s::splat));
+    let destination = &destination.map(F32s::splat);
     let constant = state.constant.map(|c| range.map_or(c, |[low, high]| math::clamp(c, low, high)));
     let by = |factors: [BlendFactor; 2]| {
         std::array::from_fn(|channel| {
-            let (source, destination, mut out) = (&source, &destination, F32s::ZERO);
-            let colors = Colors { source, destination, constant, channel };
+            let mut out = F32s::ZERO;
+            let colors = Colors { source, second, destination, constant, channel };
             colors.factor(factors[usize::from(channel == 3)], &mut out);
             out[0]
         })
     };
-    let blended = blend(state, &source, &destination, range);
+    let blended = blend(state, [source, second], destination, range);
     [by(state.src), by(state.dst), blended.map(|channel| channel[0])]
 }
 
 /// What the factors of a channel are made of.
 struct Colors<'a> {
     source: &'a [F32s; 4],
+    second: &'a [F32s; 4],
     destination: &'a [F32s; 4],
     constant: [f32; 4],
     channel: usize,
@@ -128,7 +134,7 @@ struct Colors<'a> {
 impl Colors<'_> {
     #[inline(always)]
     fn factor(&self, factor: BlendFactor, out: &mut F32s) {
-        let Colors { source, destination, constant, channel } = self;
+        let Colors { source, second, destination, constant, channel } = self;
         match factor {
             BlendFactor::Zero => *out = F32s::ZERO,
             BlendFactor::One => *out = F32s::splat(1.0),
@@ -153,6 +159,10 @@ impl Colors<'_> {
                     }
                 }
             }
+            BlendFactor::Src1Color => *out = second[*channel],
+            BlendFactor::OneMinusSrc1Color => one_minus(&second[*channel], out),
+            BlendFactor::Src1Alpha => *out = second[3],
+            BlendFactor::OneMinusSrc1Alpha => one_minus(&second[3], out),
         }
     }
 }
@@ -186,8 +196,8 @@ mod tests {
                     let equation = [BlendEquation::Add; 2];
                     let state =
                         Blend { equation, src: [src; 2], dst: [dst; 2], constant: [0.0; 4] };
-                    let got = blend(&state, &source, &destination, None);
-                    let want = by_factors(&state, &source, &destination, None);
+                    let got = blend(&state, [&source, NO_SECOND], &destination, None);
+                    let want = by_factors(&state, [&source, NO_SECOND], &destination, None);
                     for (got, want) in got.iter().zip(&want) {
                         for lane in 0..LANES {
                             let [got, want] = [got[lane], want[lane]];

@@ -22,6 +22,8 @@ pub struct ColorPlan {
     pub target: usize,
     /// The program outputs of red, green, blue, alpha; a component that is not written is 0, alpha 1.
     pub outputs: [Option<usize>; 4],
+    /// The program outputs of the second colour, if blending reads it; a component that is not written is 0.
+    pub second: Option<[Option<usize>; 4]>,
     /// How texels are written: the format of the attachment, or the linear one of the same bits.
     pub format: Format,
     /// Which kernel writes them.
@@ -84,6 +86,12 @@ impl ColorPlan {
         }
     }
 
+    /// The second colour, if blending reads it, of the outputs of a program.
+    #[inline(always)]
+    pub fn second_color<'a>(&self, output: impl Fn(usize) -> &'a F32s) -> Option<[&'a F32s; 4]> {
+        self.second.map(|outputs| outputs.map(|at| at.map_or(&F32s::ZERO, &output)))
+    }
+
     /// Whether the stored texels are read: by blending, by a logical operation, or as the write mask keeps bits.
     pub fn load_op(&self) -> LoadOp {
         let is_read = self.blend.is_some() || self.logic_op.is_some() || !self.all_bits_written;
@@ -104,7 +112,7 @@ impl ColorPlan {
     /// What is done to an attachment that is written as `format`.
     pub fn new(
         target: usize,
-        outputs: [Option<usize>; 4],
+        [outputs, second]: [[Option<usize>; 4]; 2],
         format: Format,
         write: WordMask,
         blend: Option<Blend>,
@@ -127,7 +135,8 @@ impl ColorPlan {
             class => class,
         };
         let all_bits_written = write == all_bits(format);
-        Self { target, outputs, format, class, blend, logic_op, write, all_bits_written }
+        let second = blend.is_some_and(|blend| blend.reads_second_color()).then_some(second);
+        Self { target, outputs, second, format, class, blend, logic_op, write, all_bits_written }
     }
 }
 

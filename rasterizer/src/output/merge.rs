@@ -95,29 +95,29 @@ fn test_depth(
     }
 }
 
-/// Writes the colours of fragments into the planes of a sample.
+/// Writes the colours of fragments into the planes of a sample; their block is that of the layout.
 pub fn write(
     isa: Isa,
     plan: &ColorPlan,
     target: &mut TileTarget,
     sample: usize,
     layout: &BatchLayout<'_>,
-    color: [&F32s; 4],
-    mask: u64,
+    colors: BlockColors<'_>,
 ) {
+    let mask = colors.mask;
     let planes = target.sample(sample);
     match (plan.class, planes, layout) {
         (_, planes, &BatchLayout::Block(block)) => {
-            write_planes(isa, plan, planes, &[BlockColors { block, color, mask }]);
+            write_planes(isa, plan, planes, &[BlockColors { block, ..colors }]);
         }
         (ColorClass::Bytes, [plane], _) => {
             with_words(isa, plane, layout, mask, plan.load_op(), |stored| {
-                let colors = &[BlockColors { block: 0, color, mask }];
+                let colors = &[BlockColors { block: 0, ..colors }];
                 isa.run(WriteBytes { plan, colors, blocks: std::slice::from_mut(stored) });
             });
         }
         (_, planes, _) => with_texels(isa, planes, layout, mask, plan.load_op(), |words| {
-            let colors = &[BlockColors { block: 0, color, mask }];
+            let colors = &[BlockColors { block: 0, ..colors }];
             isa.run(WriteTexels { plan, colors, words });
         }),
     }

@@ -187,6 +187,11 @@ fn colors(pipeline: &Pipeline, formats: &[Option<Format>]) -> Vec<ColorPlan> {
         let Some(format) = formats.get(target).copied().flatten() else { continue };
         let outputs = [0, 1, 2, 3]
             .map(|component| fragment.output(Output::Color { target: target as u8, component }));
+        // Only target 0 has a second colour.
+        let second = match target {
+            0 => [0, 1, 2, 3].map(|component| fragment.output(Output::SecondColor(component))),
+            _ => [None; 4],
+        };
         let format = desc.output.srgb.format(format);
         let write = component_bits(format, state.mask);
         // A target that the shader never mentions is not written.
@@ -195,7 +200,14 @@ fn colors(pipeline: &Pipeline, formats: &[Option<Format>]) -> Vec<ColorPlan> {
         );
         if write != [0; 4] && mentioned {
             let logic_op = desc.output.logic_op;
-            colors.push(ColorPlan::new(target, outputs, format, write, state.blend, logic_op));
+            colors.push(ColorPlan::new(
+                target,
+                [outputs, second],
+                format,
+                write,
+                state.blend,
+                logic_op,
+            ));
         }
     }
     colors

@@ -174,6 +174,9 @@ impl Compiled {
                 .colors
                 .get(usize::from(target))
                 .is_some_and(|color| color.needs(usize::from(component))),
+            Output::SecondColor(component) => {
+                desc.colors.first().is_some_and(|color| color.needs_second(usize::from(component)))
+            }
             Output::Depth => desc.depth.is_some(),
             Output::StencilReference => desc.output.stencil.is_some(),
             Output::Position(_)
@@ -230,6 +233,7 @@ impl Compiled {
                 Output::PrimitiveId => reads_number,
                 Output::ViewportIndex
                 | Output::Color { .. }
+                | Output::SecondColor(_)
                 | Output::Depth
                 | Output::StencilReference => false,
             })
@@ -241,6 +245,7 @@ impl Compiled {
             Output::PointSize | Output::ClipDistance(_) => true,
             Output::Varying(slot) => vertex_slots.contains(&slot),
             Output::Color { .. }
+            | Output::SecondColor(_)
             | Output::Depth
             | Output::StencilReference
             | Output::Layer

@@ -46,13 +46,14 @@ pub fn early_tests(
     }
 }
 
-/// Writes the colours of a block group: of a register file, an attachment's plan and a component.
+/// Writes the colours of a block group, the second ones those of its program: of a register file, an attachment's plan and a component.
 #[inline(always)]
 fn write_group<'a>(
     isa: Isa,
     job: &'a DrawJob,
     blocks: &BlockGroup,
     tile: &mut TileJob,
+    machine: &'a Machine,
     color_of: impl Fn(usize, &'a ColorPlan, usize) -> &'a F32s,
 ) {
     for plan in &job.plan.colors {
@@ -62,7 +63,8 @@ fn write_group<'a>(
             let of = |component| color_of(file, plan, component);
             // Not `map`, which stays a call for each.
             let color = [of(0), of(1), of(2), of(3)];
-            BlockColors { block, color, mask }
+            let second = plan.second_color(|output| machine.output_of(file, output).as_f32());
+            BlockColors { block, color, second, mask }
         };
         // Entries beyond the last repeat the last and are not read. Written out, so that none is copied.
         let last = blocks.len().saturating_sub(1);
@@ -153,9 +155,11 @@ impl Shader {
             (Ok(()), Some((_, product))) => self.multiply(isa, job, product, blocks, tile),
             (Ok(()), None) => {
                 let machine = &self.machine;
-                write_group(isa, job, blocks, tile, |file, color, i| match color.outputs[i] {
-                    Some(output) => machine.output_of(file, output).as_f32(),
-                    None => color.unwritten(i),
+                write_group(isa, job, blocks, tile, machine, |file, color, i| {
+                    match color.outputs[i] {
+                        Some(output) => machine.output_of(file, output).as_f32(),
+                        None => color.unwritten(i),
+                    }
                 });
             }
             (Err(OverBudget), _) => self.budget.stop(),
@@ -191,8 +195,8 @@ impl Shader {
         isa.run(Multiply { isa, plan, product, machine, block_group: blocks, products, words });
         products.finish_group(blocks);
         if !is_done {
-            let products = &self.products;
-            write_group(isa, job, blocks, tile, |file, _, component| {
+            let Self { machine, products, .. } = &*self;
+            write_group(isa, job, blocks, tile, machine, |file, _, component| {
                 products.color(file, component)
             });
         }
@@ -324,13 +328,20 @@ impl Shader {
             if samples.alpha_to_one == AlphaToOne::On {
                 rgba[3] = color.unwritten(3);
             }
+            let second = color.second_color(|output| machine.output(output).as_f32());
             for (sample, &mask) in masks.iter().enumerate() {
                 if mask != 0 {
-                    write(isa, color, target, sample, layout, rgba, mask);
+                    let colors = BlockColors { block: 0, color: rgba, second, mask };
+                    write(isa, color, target, sample, layout, colors);
                 }
             }
             if let (Some(shaded), Some(before)) = (&mut *shaded, before) {
-                shaded.written(color, rgba, masks, [&before, &tile.watched_color(color.target)]);
+                shaded.written(
+                    color,
+                    (rgba, second),
+                    masks,
+                    [&before, &tile.watched_color(color.target)],
+                );
             }
         }
     }

@@ -271,6 +271,8 @@ pub struct Blending {
     pub state: Blend,
     /// The source colour, clamped to what the attachment can hold.
     pub source: [f32; 4],
+    /// The second source colour, clamped in the same way, if a factor is made of it.
+    pub second: Option<[f32; 4]>,
     /// The destination colour.
     pub destination: [f32; 4],
     /// What the source is multiplied by.

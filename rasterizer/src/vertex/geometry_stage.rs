@@ -168,6 +168,7 @@ impl GeometryStage<'_> {
             Output::PointSize
             | Output::ClipDistance(_)
             | Output::Color { .. }
+            | Output::SecondColor(_)
             | Output::Depth
             | Output::StencilReference
             | Output::Layer
@@ -198,6 +199,7 @@ impl GeometryStage<'_> {
                 Output::PrimitiveId => targets.primitive_id = Some(word),
                 Output::ViewportIndex
                 | Output::Color { .. }
+                | Output::SecondColor(_)
                 | Output::Depth
                 | Output::StencilReference => {}
             }

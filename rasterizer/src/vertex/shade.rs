@@ -282,6 +282,7 @@ impl VertexStage<'_> {
                 plane.next().map_or(OutputTarget::Nowhere, OutputTarget::Distance)
             }
             Output::Color { .. }
+            | Output::SecondColor(_)
             | Output::Depth
             | Output::StencilReference
             | Output::Layer

@@ -5,9 +5,9 @@ use super::stage::{BindingMap, StageUnits};
 use crate::builtins::variable::Builtin;
 use crate::hir::{Storage, Variable};
 use crate::interface::ATTRIB_VERTEX;
-use crate::limits::{MAX_DRAW_BUFFERS, MAX_VERTEX_ATTRIBS};
+use crate::limits::{MAX_DRAW_BUFFERS, MAX_DUAL_SOURCE_DRAW_BUFFERS, MAX_VERTEX_ATTRIBS};
 use crate::lower::Binding;
-use crate::program::{Attribute, Bindings, FragmentOutput};
+use crate::program::{Attribute, Bindings, FragmentColor, FragmentOutput};
 use crate::text::diagnostics::{Diagnostic, Log};
 use crate::types::Type;
 
@@ -113,40 +113,49 @@ pub fn targets(
     }
     // By index of the colour.
     let mut taken = [[false; MAX_DRAW_BUFFERS as usize]; 2];
-    let index = |variable: &Variable| u8::from(variable.interface_qualifiers.index == Some(1));
     // An array takes an attachment for each element.
     let colors = |variable: &Variable| {
         (variable.ty.scalars() / variable.ty.base().scalars().max(1)) as usize
     };
     let bound = |variable: &Variable| {
-        let explicit = variable
-            .interface_qualifiers
-            .location
-            .map(|explicit| u8::try_from(explicit).unwrap_or(u8::MAX));
+        let qualifiers = &variable.interface_qualifiers;
+        let explicit = qualifiers.location.map(|location| FragmentColor {
+            location: u8::try_from(location).unwrap_or(u8::MAX),
+            index: u8::from(qualifiers.index == Some(1)),
+        });
         explicit.or_else(|| bindings.frag_data.get(&*variable.name).copied())
     };
     for output in &outputs {
-        let Some(target) = bound(output) else { continue };
-        let first = usize::from(target);
-        let taken = &mut taken[usize::from(index(output))];
+        let Some(FragmentColor { location, index }) = bound(output) else { continue };
+        let first = usize::from(location);
+        let (limit, binding) = match index {
+            0 => (MAX_DRAW_BUFFERS, Binding::Target(location)),
+            _ => (MAX_DUAL_SOURCE_DRAW_BUFFERS, Binding::SecondColor),
+        };
+        let taken = &mut taken[usize::from(index.min(1))][..usize::from(limit)];
         match taken.get_mut(first..first + colors(output)) {
             Some(taken) if !taken.contains(&true) => taken.fill(true),
             Some(_) => {
-                let message = format!("two outputs are bound to colour {target}");
+                let of = if index == 0 { "" } else { " of index 1" };
+                let message = format!("two outputs are bound to colour {location}{of}");
                 log.push(Diagnostic::link_error(message));
             }
-            None => {
+            None if index == 0 => {
                 let message = format!(
-                    "output `{}` is bound to colour {target}; there are {MAX_DRAW_BUFFERS}",
+                    "output `{}` is bound to colour {location}; there are {MAX_DRAW_BUFFERS}",
                     output.name
                 );
                 log.push(Diagnostic::link_error(message));
             }
+            None => {
+                let message = format!(
+                    "output `{}` is bound to colour {location} of index 1; of these there are \
+                     {MAX_DUAL_SOURCE_DRAW_BUFFERS} (GL_MAX_DUAL_SOURCE_DRAW_BUFFERS)",
+                    output.name
+                );
+                log.push(Diagnostic::link_error(message).rule("GL 3.3 section 3.9.2"));
+            }
         }
-        let binding = match index(output) {
-            0 => Binding::Target(target),
-            _ => Binding::SecondColor(target),
-        };
         locations.insert(output.name.clone(), binding);
     }
     for output in &outputs {
@@ -165,13 +174,13 @@ pub fn targets(
             }
         }
     }
-    let color = |output: &&Variable| match locations.get(&output.name) {
-        Some(Binding::Target(color) | Binding::SecondColor(color)) => Some(FragmentOutput {
-            name: output.name.to_string(),
-            color: *color,
-            index: index(output),
-        }),
-        Some(Binding::Attribute(_) | Binding::Uniform(_) | Binding::Varying(_)) | None => None,
+    let color = |output: &&Variable| {
+        let (color, index) = match locations.get(&output.name)? {
+            Binding::Target(color) => (*color, 0),
+            Binding::SecondColor => (0, 1),
+            Binding::Attribute(_) | Binding::Uniform(_) | Binding::Varying(_) => return None,
+        };
+        Some(FragmentOutput { name: output.name.to_string(), color, index })
     };
     outputs.iter().filter_map(color).collect()
 }

@@ -121,7 +121,7 @@ fn find(
             | Binding::Attribute(_)
             | Binding::Uniform(_)
             | Binding::Target(_)
-            | Binding::SecondColor(_),
+            | Binding::SecondColor,
         )
         | None => {
             let first = *next;

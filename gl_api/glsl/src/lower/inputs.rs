@@ -69,7 +69,7 @@ impl Lowerer<'_> {
                 Binding::Attribute(_)
                 | Binding::Uniform(_)
                 | Binding::Target(_)
-                | Binding::SecondColor(_),
+                | Binding::SecondColor,
             )
             | None => None,
         };

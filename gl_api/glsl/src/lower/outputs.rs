@@ -100,6 +100,7 @@ impl Lowerer<'_> {
             | Output::PrimitiveId
             | Output::ViewportIndex => Ty::I32,
             Output::Color { .. }
+            | Output::SecondColor(_)
             | Output::Position(_)
             | Output::PointSize
             | Output::ClipDistance(_)

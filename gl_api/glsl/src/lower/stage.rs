@@ -25,8 +25,8 @@ pub enum Binding {
     Varying(Option<u16>),
     /// The render target of a fragment output.
     Target(u8),
-    /// That of an output that is the second colour of the blend function, which is not used.
-    SecondColor(u8),
+    /// The second colour for render target 0.
+    SecondColor,
 }
 
 /// The number of varying slots of scalars of these types: varyings are floats, and an integer takes
@@ -308,8 +308,12 @@ impl Lowerer<'_> {
                 }
                 Ok(storage)
             }
-            (Storage::FragmentOutput, Some(Binding::SecondColor(_))) => {
-                Ok(self.new_storage(variable, &types))
+            (Storage::FragmentOutput, Some(Binding::SecondColor)) => {
+                let storage = self.new_storage(variable, &types);
+                for at in 0..types.len() as u8 {
+                    self.output(&storage, &types, at.into(), Output::SecondColor(at), copies);
+                }
+                Ok(storage)
             }
             (Storage::FragmentOutput, Some(Binding::Target(target))) => {
                 let storage = self.new_storage(variable, &types);

@@ -3,7 +3,7 @@
 use crate::base::error::Result;
 use crate::base::types::*;
 use crate::context::Context;
-use crate::state::blend::{BLEND_EQUATION, DST_FACTOR, Formula, SRC_FACTOR};
+use crate::state::blend::{BLEND_EQUATION, FACTOR, Formula};
 use crate::state::draw_buffers::{BufferStates, buffer_index};
 
 /// The draw buffers that a call is about.
@@ -31,12 +31,12 @@ fn set_factors(context: &mut Context, buffers: Buffers, factors: [GLenum; 4]) ->
     let buffers = buffers.of(&mut context.state.fragment.buffers)?;
     let [src_rgb, dst_rgb, src_alpha, dst_alpha] = factors;
     let src = [
-        SRC_FACTOR.decode("source factor", src_rgb)?,
-        SRC_FACTOR.decode("source alpha factor", src_alpha)?,
+        FACTOR.decode("source factor", src_rgb)?,
+        FACTOR.decode("source alpha factor", src_alpha)?,
     ];
     let dst = [
-        DST_FACTOR.decode("destination factor", dst_rgb)?,
-        DST_FACTOR.decode("destination alpha factor", dst_alpha)?,
+        FACTOR.decode("destination factor", dst_rgb)?,
+        FACTOR.decode("destination alpha factor", dst_alpha)?,
     ];
     for buffer in buffers {
         buffer.formula = Formula { src, dst, ..buffer.formula };

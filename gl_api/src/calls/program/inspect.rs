@@ -333,6 +333,16 @@ pub(crate) fn get_frag_data_location(
     Ok(found.map_or(-1, |found| found.color.into()))
 }
 
+pub(crate) fn get_frag_data_index(
+    context: &mut Context,
+    name: GLuint,
+    output: &str,
+) -> Result<GLint> {
+    let outputs = &linked(context, name)?.program.outputs;
+    let found = outputs.iter().find(|found| found.name == output);
+    Ok(found.map_or(-1, |found| found.index.into()))
+}
+
 /// The words of the uniform element at a location, and their scalar type.
 pub(crate) fn words(
     context: &mut Context,

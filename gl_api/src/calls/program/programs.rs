@@ -8,6 +8,7 @@ use crate::calls::transform_feedback::{not_while_active, not_while_begun};
 use crate::context::Context;
 use crate::generate::executable::executable;
 use crate::glsl;
+use crate::glsl::FragmentColor;
 use crate::interface::MAX_VERTEX_ATTRIBS;
 use crate::objects::name_table::Sweep;
 use crate::objects::programs::{LinkStatus, ProgramObject, ShaderOrProgram};
@@ -125,8 +126,47 @@ pub(crate) fn bind_frag_data_location(
             format!("color = {color} must be below {limit}"),
         );
     }
+    bind_fragment_color(context, name, FragmentColor { location: color as u8, index: 0 }, output)
+}
+
+pub(crate) fn bind_frag_data_location_indexed(
+    context: &mut Context,
+    name: GLuint,
+    color_number: GLuint,
+    index: GLuint,
+    output: &str,
+) -> Result<()> {
+    let (limit, what) = match index {
+        0 => (limits::MAX_COLOR_ATTACHMENTS, "GL_MAX_DRAW_BUFFERS"),
+        1 => (limits::MAX_DUAL_SOURCE_DRAW_BUFFERS, "GL_MAX_DUAL_SOURCE_DRAW_BUFFERS"),
+        _ => {
+            return invalid_value(
+                "GL 3.3, section 3.9.2",
+                format!("index = {index} must be 0 or 1, the first or the second colour"),
+            );
+        }
+    };
+    if color_number as usize >= limit {
+        return invalid_value(
+            "GL 3.3, section 3.9.2",
+            format!(
+                "colorNumber = {color_number} must be below {what}, {limit}, where index = {index}"
+            ),
+        );
+    }
+    let color = FragmentColor { location: color_number as u8, index: index as u8 };
+    bind_fragment_color(context, name, color, output)
+}
+
+/// The colour that an output is from the next link on.
+fn bind_fragment_color(
+    context: &mut Context,
+    name: GLuint,
+    color: FragmentColor,
+    output: &str,
+) -> Result<()> {
     let output = checked_name(output)?.to_owned();
-    program(context, name)?.bindings.frag_data.insert(output, color as u8);
+    program(context, name)?.bindings.frag_data.insert(output, color);
     Ok(())
 }
 

@@ -49,6 +49,7 @@ impl Outputs {
             },
             Output::PointSize
             | Output::Color { .. }
+            | Output::SecondColor(_)
             | Output::Depth
             | Output::StencilReference
             | Output::Layer

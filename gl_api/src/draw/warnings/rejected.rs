@@ -6,7 +6,7 @@ use crate::context::Context;
 use crate::context::warnings::DrawWarning;
 use crate::draw::warnings::constant_color::ConstantColor;
 use crate::generate::fixed::fragment::FragmentKey;
-use crate::state::blend::{DST_FACTOR, SRC_FACTOR};
+use crate::state::blend::FACTOR;
 use rasterizer::driver::{BlendEquation, BlendFactor, PipelineDesc, StencilOp};
 use texunit::sampler::Compare;
 
@@ -89,8 +89,8 @@ pub(crate) fn blending(context: &mut Context, desc: &PipelineDesc, color: &Const
         && matches!(blend.dst[0], BlendFactor::OneMinusSrcAlpha | BlendFactor::One)
         && blend.equation[0] == BlendEquation::Add;
     if keeps && color.has_no_alpha() && context.is_first_warning(DrawWarning::NoAlpha, 0) {
-        let src = enum_name(SRC_FACTOR.encode(blend.src[0]));
-        let dst = enum_name(DST_FACTOR.encode(blend.dst[0]));
+        let src = enum_name(FACTOR.encode(blend.src[0]));
+        let dst = enum_name(FACTOR.encode(blend.dst[0]));
         context.debug.warn(format!(
             "draw: GL_BLEND is enabled with glBlendFunc({src}, {dst}), and the current colour has alpha 0, so nothing \
              is seen: call glColor4f with an alpha above 0, such as glColor4f(1, 1, 1, 1), or glDisable(GL_BLEND) (GL \

@@ -70,6 +70,9 @@ macro_rules! entry_points_programs {
         /// Sets the colour number that a fragment output gets at the next link.
         bind_frag_data_location: glBindFragDataLocation | glBindFragDataLocationEXT
             (program: GLuint, color: GLuint, name: &'a str), not_compiled;
+        /// Sets the draw buffer and the colour of it, first or second, that a fragment output gets at the next link.
+        bind_frag_data_location_indexed: glBindFragDataLocationIndexed
+            (program: GLuint, color_number: GLuint, index: GLuint, name: &'a str), not_compiled;
         /// Links a program; `glGetProgramiv` says whether it worked.
         link_program: glLinkProgram | glLinkProgramARB (program: GLuint), not_compiled;
         /// Makes a program the one that draws use; 0 brings the fixed function back.
@@ -105,6 +108,8 @@ macro_rules! entry_points_programs {
         /// The colour number of a fragment output, or -1.
         get_frag_data_location: glGetFragDataLocation | glGetFragDataLocationEXT
             (program: GLuint, name: &'a str) -> GLint;
+        /// Which colour of its draw buffer a fragment output is, 0 or 1, or -1.
+        get_frag_data_index: glGetFragDataIndex (program: GLuint, name: &'a str) -> GLint;
         /// Reads a uniform.
         get_uniformfv: glGetUniformfv | glGetUniformfvARB (program: GLuint, location: GLint, params: &'a mut [GLfloat]);
         /// Reads a uniform.

@@ -16,6 +16,7 @@ pub(crate) fn clamp_vertex_colors(module: &mut Module) -> bool {
         | Output::PointSize
         | Output::ClipDistance(_)
         | Output::Color { .. }
+        | Output::SecondColor(_)
         | Output::Depth
         | Output::StencilReference
         | Output::Layer
@@ -26,7 +27,7 @@ pub(crate) fn clamp_vertex_colors(module: &mut Module) -> bool {
 
 /// Appends the clamp to [0, 1] of every colour that a fragment stage writes; integers stay.
 pub(crate) fn clamp_fragment_colors(module: &mut Module) {
-    clamp_outputs(module, |output| matches!(output, Output::Color { .. }));
+    clamp_outputs(module, |output| matches!(output, Output::Color { .. } | Output::SecondColor(_)));
 }
 
 /// Appends the clamp of outputs that are floats. Says whether there are any.

@@ -71,6 +71,7 @@ pub(super) const ROWS: &[Row] = rows! {
 
     GL_MAX_COLOR_ATTACHMENTS: Integer(|_| saturated(limits::MAX_COLOR_ATTACHMENTS));
     GL_MAX_DRAW_BUFFERS: Integer(|_| saturated(limits::MAX_COLOR_ATTACHMENTS));
+    GL_MAX_DUAL_SOURCE_DRAW_BUFFERS: Integer(|_| saturated(limits::MAX_DUAL_SOURCE_DRAW_BUFFERS));
     GL_MAX_SAMPLES: Integer(|_| saturated(limits::MAX_SAMPLES));
     GL_MAX_COLOR_TEXTURE_SAMPLES: Integer(|_| saturated(limits::MAX_SAMPLES));
     GL_MAX_DEPTH_TEXTURE_SAMPLES: Integer(|_| saturated(limits::MAX_SAMPLES));

@@ -14,6 +14,8 @@ pub struct BlockColors<'a> {
     pub block: usize,
     /// Red, green, blue, alpha of each fragment.
     pub color: [&'a F32s; 4],
+    /// Their second colour, if blending reads it.
+    pub second: Option<[&'a F32s; 4]>,
     /// Which fragments there are.
     pub mask: u64,
 }
@@ -33,11 +35,11 @@ impl Kernel for WriteBytes<'_> {
     #[inline(always)]
     fn run<S: Simd>(self) {
         let Self { plan, colors, blocks } = self;
-        for &BlockColors { block, color, mask } in colors {
+        for &BlockColors { block, color, second, mask } in colors {
             let stored = &mut blocks[block];
             let word = match &plan.blend {
                 None => pack(|lane, channel| color[channel][lane]),
-                Some(state) => blended_bytes(state, plan.format, color, stored),
+                Some(state) => blended_bytes(state, plan.format, (color, second), stored),
             };
             store_masked(stored, &word, mask, plan.write_of(0));
         }
@@ -111,7 +113,12 @@ impl<C: Color> PerLane<u32> for Packed<'_, C> {
 /// Fragments blended with the bytes that are stored. The usual ways in one loop, the others factor by
 /// factor.
 #[inline(always)]
-fn blended_bytes(state: &Blend, format: Format, color: [&F32s; 4], stored: &U32s) -> U32s {
+fn blended_bytes(
+    state: &Blend,
+    format: Format,
+    (color, second): ([&F32s; 4], Option<[&F32s; 4]>),
+    stored: &U32s,
+) -> U32s {
     use BlendFactor::{DstColor, One, OneMinusSrcAlpha, SrcAlpha, SrcColor, Zero};
     let channels = format.channels();
     let source = |lane: usize, channel: usize| math::clamp(color[channel][lane], 0.0, 1.0);
@@ -142,8 +149,28 @@ fn blended_bytes(state: &Blend, format: Format, color: [&F32s; 4], stored: &U32s
             destinations[channel][lane] = destination(lane, channel);
         }
     }
-    let blended = blend::blend(state, &sources, &destinations, Some(Encoding::UNIT));
+    let seconds;
+    let second = match second {
+        None => blend::NO_SECOND,
+        Some(second) => {
+            seconds = clamped(second, Encoding::UNIT);
+            &seconds
+        }
+    };
+    let blended = blend::blend(state, [&sources, second], &destinations, Some(Encoding::UNIT));
     pack(|lane, channel| blended[channel][lane])
+}
+
+/// Colours clamped to a range.
+#[inline(always)]
+pub fn clamped([r, g, b, a]: [&F32s; 4], [low, high]: [f32; 2]) -> [F32s; 4] {
+    let mut out = [*r, *g, *b, *a];
+    for values in &mut out {
+        for lane in 0..LANES {
+            values[lane] = math::clamp(values[lane], low, high);
+        }
+    }
+    out
 }
 
 /// Blends 64 fragments of bytes in one loop: lane and channel to the numbers that are blended.
@@ -182,7 +209,7 @@ mod tests {
         type Output = U32s;
         #[inline(always)]
         fn run<S: Simd>(self) -> U32s {
-            blended_bytes(self.0, self.1, self.2, self.3)
+            blended_bytes(self.0, self.1, (self.2, None), self.3)
         }
     }
 
@@ -221,7 +248,8 @@ mod tests {
                             _ => (stored[lane] >> (8 * channel) & 0xFF) as f32 / 255.0,
                         })
                     });
-                    let general = blend::blend(&state, &clamped, &old, Some(Encoding::UNIT));
+                    let sources = [&clamped, blend::NO_SECOND];
+                    let general = blend::blend(&state, sources, &old, Some(Encoding::UNIT));
                     let expected = pack(|lane, channel| general[channel][lane]);
                     for isa in Isa::available() {
                         let got = isa.run(Blended(&state, format, color.each_ref(), &stored));

@@ -4,9 +4,9 @@ use super::super::{blend, logic};
 use super::{ColorClass, ColorPlan, store_masked};
 use crate::attachment::{decode_color, encode_color};
 use crate::desc::Blend;
-use crate::output::color::bytes::BlockColors;
+use crate::output::color::bytes::{BlockColors, clamped};
 use texunit::format::{Encoding, Format};
-use texunit::lanes::{F32s, Kernel, LANES, Simd, U32s, math};
+use texunit::lanes::{F32s, Kernel, LANES, Simd, U32s};
 
 /// Blends, packs and writes fragments of any class, block after block.
 pub struct WriteTexels<'a> {
@@ -24,7 +24,7 @@ impl Kernel for WriteTexels<'_> {
     fn run<S: Simd>(self) {
         let Self { plan, colors, mut words } = self;
         let mut texels = [U32s::ZERO; 4];
-        for &BlockColors { block, color, mask } in colors {
+        for &BlockColors { block, color, second, mask } in colors {
             match plan.class {
                 ColorClass::Integers => encode_integers(plan.format, color, &mut texels),
                 ColorClass::Bytes | ColorClass::Converted => {
@@ -34,7 +34,7 @@ impl Kernel for WriteTexels<'_> {
                         Some(state) => {
                             let [x, y, z, w] = &words;
                             let stored = [x.get(block), y.get(block), z.get(block), w.get(block)];
-                            mixed = blended::<S>(state, plan.format, color, stored);
+                            mixed = blended::<S>(state, plan.format, (color, second), stored);
                             mixed.each_ref()
                         }
                     };
@@ -60,24 +60,28 @@ impl Kernel for WriteTexels<'_> {
 fn blended<S: Simd>(
     state: &Blend,
     format: Format,
-    color: [&F32s; 4],
+    (color, second): ([&F32s; 4], Option<[&F32s; 4]>),
     stored: [Option<&U32s>; 4],
 ) -> [F32s; 4] {
     let range = format.info().encoding.range();
-    let [r, g, b, a] = color;
-    let mut clamped = [*r, *g, *b, *a];
-    if let Some([low, high]) = range {
-        for values in &mut clamped {
-            for lane in 0..LANES {
-                values[lane] = math::clamp(values[lane], low, high);
-            }
+    let in_range = |[r, g, b, a]: [&F32s; 4]| match range {
+        Some(range) => clamped([r, g, b, a], range),
+        None => [*r, *g, *b, *a],
+    };
+    let source = in_range(color);
+    let seconds;
+    let second = match second {
+        None => blend::NO_SECOND,
+        Some(second) => {
+            seconds = in_range(second);
+            &seconds
         }
-    }
+    };
     let [x, y, z, w] = stored;
     const NONE: &U32s = &U32s::ZERO;
     let words = [x.unwrap_or(NONE), y.unwrap_or(NONE), z.unwrap_or(NONE), w.unwrap_or(NONE)];
     let destination = decode_color::<S>(format, words);
-    blend::blend(state, &clamped, &destination, range)
+    blend::blend(state, [&source, second], &destination, range)
 }
 
 /// The texels of 64 integer colours, each clamped to the range of its field.

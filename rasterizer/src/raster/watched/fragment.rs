@@ -148,24 +148,29 @@ impl Shaded {
     pub fn written(
         &mut self,
         plan: &ColorPlan,
-        rgba: [&F32s; 4],
+        (rgba, second): ([&F32s; 4], Option<[&F32s; 4]>),
         masks: &[u64],
         [before, after]: [&Stored; 2],
     ) {
-        let color = rgba.map(|values| values[self.lane]);
+        let of_lane = |color: [&F32s; 4]| color.map(|values| values[self.lane]);
+        let (color, second) = (of_lane(rgba), second.map(of_lane));
         for (sample, (before, after)) in before.iter().zip(after).enumerate() {
             if masks.get(sample).is_none_or(|mask| mask >> self.lane & 1 == 0) {
                 continue;
             }
             let blend = plan.blend.map(|state| {
                 let range = plan.format.info().encoding.range();
-                let clamped =
-                    color.map(|c| range.map_or(c, |[low, high]| math::clamp(c, low, high)));
+                let in_range = |color: [f32; 4]| {
+                    color.map(|c| range.map_or(c, |[low, high]| math::clamp(c, low, high)))
+                };
+                let (source, second) = (in_range(color), second.map(in_range));
+                let sources = [source, second.unwrap_or_default()];
                 let [source_factor, destination_factor, result] =
-                    blend_factors(&state, clamped, before.color, range);
+                    blend_factors(&state, sources, before.color, range);
                 Blending {
                     state,
-                    source: clamped,
+                    source,
+                    second,
                     destination: before.color,
                     source_factor,
                     destination_factor,
