@@ -42,7 +42,6 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     // 1998
     "GL_ARB_multitexture",
     "GL_EXT_fog_coord",
-    "GL_IBM_texture_mirrored_repeat",
     // 1999
     "GL_ARB_multisample",
     "GL_ARB_texture_cube_map",

@@ -328,7 +328,11 @@ impl Shader {
             if samples.alpha_to_one == AlphaToOne::On {
                 rgba[3] = color.unwritten(3);
             }
-            let second = color.second_color(|output| machine.output(output).as_f32());
+            let mut second = color.second_color(|output| machine.output(output).as_f32());
+            // Of each colour (GL 3.3, section 4.1.3).
+            if let (AlphaToOne::On, Some(second)) = (samples.alpha_to_one, &mut second) {
+                second[3] = color.unwritten(3);
+            }
             for (sample, &mask) in masks.iter().enumerate() {
                 if mask != 0 {
                     let colors = BlockColors { block: 0, color: rgba, second, mask };
