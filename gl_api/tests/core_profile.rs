@@ -1,6 +1,10 @@
 //! Core contexts (GL 3.3, appendix E): what they refuse, with which words, and that they draw.
 
+#[path = "common/shading.rs"]
+mod shading;
+
 use gl_api::*;
+use shading::use_program;
 
 fn context(api: Api) -> Context {
     let desc = ContextDesc {
@@ -183,19 +187,6 @@ fn forward_compatible_contexts_have_no_wide_lines() {
     }
 }
 
-fn program(c: &mut Context, vertex: &str, fragment: &str) {
-    let program = c.create_program();
-    for (ty, text) in [(GL_VERTEX_SHADER, vertex), (GL_FRAGMENT_SHADER, fragment)] {
-        let shader = c.create_shader(ty);
-        c.shader_source(shader, 1, Strings(vec![text]), &[]);
-        c.compile_shader(shader);
-        c.attach_shader(program, shader);
-    }
-    c.link_program(program);
-    c.use_program(program);
-    assert_eq!(c.get_error(), GL_NO_ERROR, "{:?}", c.messages());
-}
-
 const QUAD: &str = "#version 330 core\n\
     void main() {\n\
       vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1);\n\
@@ -217,7 +208,7 @@ fn a_core_context_draws_what_a_vertex_array_object_has() {
         uniform sampler2D depth;\n\
         layout(location = 0) out vec4 color;\n\
         void main() { color = texture(depth, vec2(0.5)); }";
-    program(&mut c, QUAD, fragment);
+    use_program(&mut c, QUAD, fragment);
     // A depth texture is read as red.
     let mut names = [0];
     c.gen_textures(1, &mut names);
@@ -250,7 +241,7 @@ fn points_of_core_contexts_have_coordinates() {
         void main() { color = vec4(gl_PointCoord, 0.0, 1.0); }";
     let vertex = "#version 330 core\n\
         void main() { gl_Position = vec4(0.0, 0.0, 0.0, 1.0); gl_PointSize = 8.0; }";
-    program(&mut c, vertex, fragment);
+    use_program(&mut c, vertex, fragment);
     let mut arrays = [0];
     c.gen_vertex_arrays(1, &mut arrays);
     c.bind_vertex_array(arrays[0]);

@@ -1,7 +1,11 @@
 //! Contexts of OpenGL ES 3.0: what they refuse, which shaders they compile, and that they draw and read back what the
 //! tables of the specification say.
 
+#[path = "common/shading.rs"]
+mod shading;
+
 use gl_api::*;
+use shading::use_program;
 
 fn context(api: Api) -> Context {
     let version = Version::new(if api == Api::Es2 { 2 } else { 3 }, 0);
@@ -97,20 +101,6 @@ fn the_version_and_the_extensions_can_be_asked_for() {
     assert!(error.contains("3.1") && error.contains("3.0"), "{error}");
 }
 
-fn program(c: &mut Context, vertex: &str, fragment: &str) -> GLuint {
-    let program = c.create_program();
-    for (ty, text) in [(GL_VERTEX_SHADER, vertex), (GL_FRAGMENT_SHADER, fragment)] {
-        let shader = c.create_shader(ty);
-        c.shader_source(shader, 1, Strings(vec![text]), &[]);
-        c.compile_shader(shader);
-        c.attach_shader(program, shader);
-    }
-    c.link_program(program);
-    c.use_program(program);
-    assert_eq!(c.get_error(), GL_NO_ERROR, "{:?}", c.messages());
-    program
-}
-
 const QUAD: &str = "#version 300 es\n\
     void main() {\n\
       vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1);\n\
@@ -133,7 +123,7 @@ fn shaders_of_1_00_draw_from_client_memory() {
         void main() { gl_Position = vec4(position, 0.0, 1.0); gl_PointSize = 8.0; }";
     let fragment = "precision mediump float;\n\
         void main() { gl_FragColor = vec4(gl_PointCoord, 0.0, 1.0); }";
-    let program = program(&mut c, vertex, fragment);
+    let program = use_program(&mut c, vertex, fragment);
     let location = c.get_attrib_location(program, "position") as u32;
     let positions = [0.0_f32, 0.0];
     c.enable_vertex_attrib_array(location);
@@ -158,7 +148,7 @@ fn shaders_of_3_00_pack_half_floats_and_fractions() {
           bool again = packHalf2x16(half_floats) == expected.x;\n\
           color = vec4(equal(found, expected), again);\n\
         }";
-    let program = program(&mut c, QUAD, fragment);
+    let program = use_program(&mut c, QUAD, fragment);
     let [given, expected] = ["given", "expected"].map(|name| c.get_uniform_location(program, name));
     // 65519 is below the middle of 65504 and 2^16, 2^-25 ties to 0, 1.5 · 2^-25 rounds to 2^-24; fractions round to the
     // nearest and are clamped.
@@ -223,7 +213,7 @@ fn blocks_of_etc2_are_sampled_as_the_specification_decodes_them() {
         uniform sampler2D image;\n\
         out vec4 color;\n\
         void main() { color = texture(image, vec2(0.5)); }";
-    program(&mut c, QUAD, fragment);
+    use_program(&mut c, QUAD, fragment);
     let mut names = [0];
     c.gen_textures(1, &mut names);
     c.bind_texture(GL_TEXTURE_2D, names[0]);
@@ -359,7 +349,7 @@ fn the_largest_index_restarts_primitives() {
         precision highp float;\n\
         out vec4 color;\n\
         void main() { color = vec4(1.0); }";
-    program(&mut c, vertex, fragment);
+    use_program(&mut c, vertex, fragment);
     // Two triangles left and right of the middle, which a strip would join over it.
     let positions: [f32; 12] = [-1.0, -1.0, -0.5, -1.0, -1.0, 1.0, 1.0, 1.0, 1.0, -1.0, 0.75, -1.0];
     c.enable_vertex_attrib_array(0);

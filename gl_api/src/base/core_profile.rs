@@ -79,10 +79,19 @@ pub fn check(
     arguments.iter().try_for_each(check_argument)
 }
 
+/// The enum that an argument is, and the error flag where a profile does not have its value; `None` for what is no enum.
+pub(super) fn enum_of(argument: &Argument) -> Option<(GLenum, ErrorCode)> {
+    let Argument { name, ty, value } = *argument;
+    match (ty, name) {
+        ("GLenum", _) | ("GLint", "param") => Some((value as GLenum, ErrorCode::InvalidEnum)),
+        ("GLint", "internalformat") => Some((value as GLenum, ErrorCode::InvalidValue)),
+        (_, _) => None,
+    }
+}
+
 fn check_argument(argument: &Argument) -> Result<(), GlError> {
     let Argument { name, ty, value } = *argument;
-    let (symbol, code) = match (ty, name) {
-        ("GLenum", _) => (value as GLenum, ErrorCode::InvalidEnum),
+    match (ty, name) {
         // Of glTexImage: the number of components was removed too.
         ("GLint", "internalformat") if (1..=4).contains(&value) => {
             let rule = format!(
@@ -91,8 +100,6 @@ fn check_argument(argument: &Argument) -> Result<(), GlError> {
             );
             return Err(GlError::new(ErrorCode::InvalidValue, SECTION, rule));
         }
-        ("GLint", "internalformat") => (value as GLenum, ErrorCode::InvalidValue),
-        ("GLint", "param") => (value as GLenum, ErrorCode::InvalidEnum),
         ("GLint", "border") if value != 0 => {
             let rule = format!(
                 "border = {value} must be 0: borders of textures were removed from core profiles; use \
@@ -100,8 +107,9 @@ fn check_argument(argument: &Argument) -> Result<(), GlError> {
             );
             return Err(GlError::new(ErrorCode::InvalidValue, SECTION, rule));
         }
-        (_, _) => return Ok(()),
-    };
+        (_, _) => {}
+    }
+    let Some((symbol, code)) = enum_of(argument) else { return Ok(()) };
     // Of glDrawArrays and its kin; the values are too small to be told apart from others.
     let removed_mode = match (name, symbol) {
         ("mode", 7) => "GL_QUADS",

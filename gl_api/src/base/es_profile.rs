@@ -3,7 +3,7 @@
 
 use super::availability::{COMMANDS_OF_ES, VALUES_OUTSIDE_ES, has_name};
 use super::constants::*;
-use super::core_profile::{Argument, replacement};
+use super::core_profile::{Argument, enum_of, replacement};
 use super::error::{ErrorCode, GlError};
 use super::types::GLenum;
 
@@ -44,8 +44,7 @@ pub fn check(command: &'static str, in_es: InEs, arguments: &[Argument]) -> Resu
 
 fn check_argument(argument: &Argument) -> Result<(), GlError> {
     let Argument { name, ty, value } = *argument;
-    let (symbol, code) = match (ty, name) {
-        ("GLenum", _) => (value as GLenum, ErrorCode::InvalidEnum),
+    match (ty, name) {
         // Of glTexImage: numbers of components are no formats.
         ("GLint", "internalformat") if (1..=4).contains(&value) => {
             let rule = format!(
@@ -53,8 +52,6 @@ fn check_argument(argument: &Argument) -> Result<(), GlError> {
             );
             return Err(GlError::new(ErrorCode::InvalidValue, SECTION, rule));
         }
-        ("GLint", "internalformat") => (value as GLenum, ErrorCode::InvalidValue),
-        ("GLint", "param") => (value as GLenum, ErrorCode::InvalidEnum),
         ("GLint", "border") if value != 0 => {
             let rule = format!("border = {value} must be 0: textures of OpenGL ES have no borders");
             return Err(GlError::new(ErrorCode::InvalidValue, SECTION, rule));
@@ -64,8 +61,9 @@ fn check_argument(argument: &Argument) -> Result<(), GlError> {
             let rule = "size = GL_BGRA must be 1, 2, 3 or 4: OpenGL ES has no other order";
             return Err(GlError::new(ErrorCode::InvalidValue, SECTION, rule));
         }
-        (_, _) => return Ok(()),
-    };
+        (_, _) => {}
+    }
+    let Some((symbol, code)) = enum_of(argument) else { return Ok(()) };
     // The values of these modes are too small to be told apart from others.
     if name == "mode" && matches!(symbol, 7..=13) {
         let rule = format!("mode = {symbol:#06x} is none of OpenGL ES; draw triangles");

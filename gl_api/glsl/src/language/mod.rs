@@ -98,10 +98,6 @@ impl Language {
         }
     }
 
-    fn directive(desktop: Version) -> String {
-        format!("`#version {}`", desktop.number())
-    }
-
     /// Advice: the directives that make it available; `None` if none does.
     pub fn advice(self, availability: Availability) -> Option<String> {
         if self.has_core(availability) {
@@ -110,22 +106,11 @@ impl Language {
         let extensions =
             availability.extensions().filter(|extension| extension.is_in(self.version));
         let extensions = extensions.map(|known| format!("`#extension {} : enable`", known.name()));
-        let core = match self.version {
-            Version::Es100 => {
-                let es =
-                    availability.es.has(Version::Es300).then(|| "`#version 300 es`".to_owned());
-                es.or_else(|| availability.desktop.map(Self::directive))
-            }
-            Version::Es300 => availability.desktop.map(Self::directive),
-            Version::V110
-            | Version::V120
-            | Version::V130
-            | Version::V140
-            | Version::V150
-            | Version::V330 => {
-                availability.desktop.filter(|core| *core > self.version).map(Self::directive)
-            }
-        };
+        let is_es = self.version.is_es();
+        let desktop = availability.desktop.filter(|core| is_es || *core > self.version);
+        let desktop = desktop.map(|core| format!("`#version {}`", core.number()));
+        let in_es_300 = self.version == Version::Es100 && availability.es.has(Version::Es300);
+        let core = if in_es_300 { Some("`#version 300 es`".to_owned()) } else { desktop };
         let directives: Vec<String> = core.into_iter().chain(extensions).collect();
         (!directives.is_empty()).then(|| format!("write {} first", directives.join(" or ")))
     }

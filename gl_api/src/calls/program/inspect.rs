@@ -12,7 +12,7 @@ use crate::calls::program::similar_names::NamedResource;
 use crate::calls::program::uniform::{at_location, element_words};
 use crate::calls::program::varyings::BUFFER_MODE;
 use crate::context::Context;
-use crate::glsl::{DataType, Member, Scalar};
+use crate::glsl::{DataType, FragmentOutput, Member, Scalar};
 use crate::interface::MAX_VERTEX_ATTRIBS;
 use crate::objects::programs::{Linked, ProgramObject};
 use crate::objects::shaders::{c_length, put_text};
@@ -323,13 +323,22 @@ pub(crate) fn get_attrib_location(
     Ok(location.map_or(-1, GLint::from))
 }
 
+/// The output of the fragment stage of that name, if the program has it.
+fn fragment_output<'a>(
+    context: &'a mut Context,
+    name: GLuint,
+    output: &str,
+) -> Result<Option<&'a FragmentOutput>> {
+    let outputs = &linked(context, name)?.program.outputs;
+    Ok(outputs.iter().find(|found| found.name == output))
+}
+
 pub(crate) fn get_frag_data_location(
     context: &mut Context,
     name: GLuint,
     output: &str,
 ) -> Result<GLint> {
-    let outputs = &linked(context, name)?.program.outputs;
-    let found = outputs.iter().find(|found| found.name == output);
+    let found = fragment_output(context, name, output)?;
     Ok(found.map_or(-1, |found| found.color.into()))
 }
 
@@ -338,8 +347,7 @@ pub(crate) fn get_frag_data_index(
     name: GLuint,
     output: &str,
 ) -> Result<GLint> {
-    let outputs = &linked(context, name)?.program.outputs;
-    let found = outputs.iter().find(|found| found.name == output);
+    let found = fragment_output(context, name, output)?;
     Ok(found.map_or(-1, |found| found.index.into()))
 }
 
