@@ -223,6 +223,7 @@ fn commands(text: &str) -> CommandBuffer {
                 near: 0.0,
                 far: 1.0,
                 depth_clip: Default::default(),
+                clip_control: Default::default(),
             }),
             Command::Draw { first: 0, count: 6, instances: 0..1 },
             Command::EndPass,

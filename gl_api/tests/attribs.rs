@@ -39,6 +39,8 @@ const ROWS: &[Row] = &[
     (GL_STENCIL_BUFFER_BIT, GL_STENCIL_CLEAR_VALUE, |c| c.clear_stencil(7)),
     (GL_VIEWPORT_BIT, GL_VIEWPORT, |c| c.viewport(1, 2, 3, 4)),
     (GL_VIEWPORT_BIT, GL_DEPTH_RANGE, |c| c.depth_range(0.25, 0.5)),
+    (GL_TRANSFORM_BIT, GL_CLIP_ORIGIN, |c| c.clip_control(GL_UPPER_LEFT, GL_ZERO_TO_ONE)),
+    (GL_TRANSFORM_BIT, GL_CLIP_DEPTH_MODE, |c| c.clip_control(GL_UPPER_LEFT, GL_ZERO_TO_ONE)),
     (GL_TRANSFORM_BIT, GL_MATRIX_MODE, |c| c.matrix_mode(GL_PROJECTION)),
     (GL_TRANSFORM_BIT, GL_NORMALIZE, |c| c.enable(GL_NORMALIZE)),
     (GL_TRANSFORM_BIT, GL_CLIP_PLANE3, |c| c.enable(GL_CLIP_PLANE3)),

@@ -265,6 +265,7 @@ fn commands(scene: &Scene, texels: &Texels, target: Image) -> CommandBuffer {
                 near: 0.0,
                 far: 1.0,
                 depth_clip: Default::default(),
+                clip_control: Default::default(),
             }),
             Command::Draw { first: 0, count: scene.count, instances: 0..1 },
             Command::EndPass,

@@ -362,6 +362,7 @@ fn nothing_is_drawn_beyond_the_viewport() {
             near: 0.0,
             far: 1.0,
             depth_clip: Default::default(),
+            clip_control: Default::default(),
         }),
         Command::BindPipeline(Pipeline::new(desc).expect("valid")),
         Command::BindVertices(bindings(&wide, 1)),

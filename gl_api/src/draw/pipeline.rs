@@ -6,9 +6,10 @@ use crate::draw::completeness::draw_planes;
 use crate::draw::no_effect;
 use crate::state::enable::Flag;
 use crate::state::stencil::Side;
+use crate::state::viewport::WindowTransform;
 use rasterizer::driver::{
-    ColorState, Cull, DepthClip, DepthState, OutputState, PassDesc, Pipeline, PipelineDesc, Rect,
-    ShaderModule, SrgbWrite, Topology, Viewport,
+    ClipControl, ClipOrigin, ColorState, Cull, DepthClip, DepthState, FrontFace, OutputState,
+    PassDesc, Pipeline, PipelineDesc, Rect, ShaderModule, SrgbWrite, Topology, Viewport,
 };
 
 /// When there are this many pipelines, all are dropped.
@@ -26,14 +27,23 @@ pub(crate) fn viewport(context: &Context) -> Viewport {
         near: near as f32,
         far: far as f32,
         depth_clip: depth_clip(context),
+        clip_control: context.state.clip.control,
     }
 }
 
 /// The whole framebuffer, everything at one depth.
 pub(crate) fn rectangle_viewport(pass: &PassDesc, depth: f32) -> Viewport {
     let (width, height) = (pass.width as f32, pass.height as f32);
-    let depth_clip = DepthClip::Cut;
-    Viewport { x: 0.0, y: 0.0, width, height, near: depth, far: depth, depth_clip }
+    Viewport {
+        x: 0.0,
+        y: 0.0,
+        width,
+        height,
+        near: depth,
+        far: depth,
+        depth_clip: DepthClip::Cut,
+        clip_control: ClipControl::default(),
+    }
 }
 
 /// The scissor rectangle, if the test is on.
@@ -79,7 +89,7 @@ pub(crate) fn pipeline_desc(
         fragment,
         topology,
         cull: if enables.has(Flag::CullFace) { raster.cull } else { Cull::None },
-        front_face: raster.front_face,
+        front_face: front_face(context),
         provoking: raster.provoking,
         depth,
         colors: colors.collect(),
@@ -118,4 +128,26 @@ pub(crate) fn srgb_write(context: &Context) -> SrgbWrite {
 /// What the near and the far plane do (`ARB_depth_clamp`).
 pub(crate) fn depth_clip(context: &Context) -> DepthClip {
     if context.state.enables.has(Flag::DepthClamp) { DepthClip::Clamp } else { DepthClip::Cut }
+}
+
+/// The orientation in the window of front faces. An origin above turns the picture upside down, and no face to its other
+/// side (`ARB_clip_control`: the sign of the area is negated).
+pub(crate) fn front_face(context: &Context) -> FrontFace {
+    match (context.state.raster.front_face, context.state.clip.control.origin) {
+        (FrontFace::Ccw, ClipOrigin::LowerLeft) | (FrontFace::Cw, ClipOrigin::UpperLeft) => {
+            FrontFace::Ccw
+        }
+        (FrontFace::Cw, ClipOrigin::LowerLeft) | (FrontFace::Ccw, ClipOrigin::UpperLeft) => {
+            FrontFace::Cw
+        }
+    }
+}
+
+/// How positions of the current state become window coordinates.
+pub(crate) fn window_transform(context: &Context) -> WindowTransform<'_> {
+    WindowTransform {
+        viewport: &context.state.viewport,
+        control: context.state.clip.control,
+        depth_clip: depth_clip(context),
+    }
 }

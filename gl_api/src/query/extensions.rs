@@ -198,6 +198,7 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     // 2013
     "GL_ARB_texture_mirror_clamp_to_edge",
     // 2014
+    "GL_ARB_clip_control",
     "GL_ARB_get_texture_sub_image",
 ];
 

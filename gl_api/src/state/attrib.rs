@@ -36,7 +36,7 @@ pub(crate) struct ServerAttribs {
     pub current: Option<([[f32; 4]; limits::LOCATIONS], RasterPosition)>,
     pub lighting: Option<(Versioned<light::Lights>, Versioned<material::Materials>)>,
     pub fog: Option<fog::FogState>,
-    pub clip: Option<clip::ClipPlanes>,
+    pub clip: Option<clip::ClipState>,
     /// Of `GL_POINT_BIT`, `GL_LINE_BIT`, `GL_POLYGON_BIT` and others of rasterization.
     pub raster: Option<raster::RasterState>,
     /// Of the groups of per-fragment operations.

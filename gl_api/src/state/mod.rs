@@ -36,7 +36,7 @@ use crate::pixel::store::PixelStore;
 use crate::pixel::transfer::Transfer;
 use crate::state::assembly::AssemblyState;
 use crate::state::clamp::ClampState;
-use crate::state::clip::ClipPlanes;
+use crate::state::clip::ClipState;
 use crate::state::enable::Enables;
 use crate::state::evaluators::EvaluatorState;
 use crate::state::fog::FogState;
@@ -84,7 +84,7 @@ pub(crate) struct State {
     pub lights: Versioned<Lights>,
     pub materials: Versioned<Materials>,
     pub fog: FogState,
-    pub clip: ClipPlanes,
+    pub clip: ClipState,
     pub raster: RasterState,
     pub fragment: FragmentState,
     pub clear: ClearState,
@@ -120,7 +120,7 @@ impl State {
             lights: Versioned::new(Lights::default()),
             materials: Versioned::new(Materials::default()),
             fog: FogState::default(),
-            clip: ClipPlanes::default(),
+            clip: ClipState::default(),
             raster: RasterState::default(),
             fragment: FragmentState::new(width, height),
             clear: ClearState::default(),

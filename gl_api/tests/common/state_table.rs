@@ -105,6 +105,8 @@ pub const STATE: &[Row] = rows! {
         GL_TRANSPOSE_TEXTURE_MATRIX Number IDENTITY;
         GL_VIEWPORT Number &[0.0, 0.0, 16.0, 8.0];
         GL_DEPTH_RANGE Fraction &[0.0, 1.0];
+        GL_CLIP_ORIGIN Number enums![GL_LOWER_LEFT];
+        GL_CLIP_DEPTH_MODE Number enums![GL_NEGATIVE_ONE_TO_ONE];
         GL_MODELVIEW_STACK_DEPTH Number T;
         GL_PROJECTION_STACK_DEPTH Number T;
         GL_TEXTURE_STACK_DEPTH Number T;

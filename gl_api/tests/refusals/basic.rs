@@ -218,6 +218,16 @@ const CASES: &[Case] = &[
     (|c| c.enable_client_state(GL_TEXTURE_2D), GL_INVALID_ENUM, "GL_VERTEX_ARRAY"),
     (|c| c.cull_face(GL_CW), GL_INVALID_ENUM, "mode = GL_CW must be GL_FRONT, GL_BACK or"),
     (|c| c.front_face(GL_FRONT), GL_INVALID_ENUM, "GL_CCW or GL_CW"),
+    (
+        |c| c.clip_control(GL_LEFT, GL_ZERO_TO_ONE),
+        GL_INVALID_ENUM,
+        "GL_LOWER_LEFT or GL_UPPER_LEFT",
+    ),
+    (
+        |c| c.clip_control(GL_UPPER_LEFT, GL_UPPER_LEFT),
+        GL_INVALID_ENUM,
+        "GL_NEGATIVE_ONE_TO_ONE or GL_ZERO_TO_ONE",
+    ),
     (|c| c.shade_model(GL_FILL), GL_INVALID_ENUM, "GL_SMOOTH or GL_FLAT"),
     (|c| c.provoking_vertex(GL_FLAT), GL_INVALID_ENUM, "mode = GL_FLAT"),
     (|c| c.line_width(0.0), GL_INVALID_VALUE, "width = 0 must be positive"),

@@ -10,6 +10,7 @@ mod state_table;
 
 mod accumulation;
 mod bad_input;
+mod clip_control;
 mod conditional;
 mod depth_clamp;
 mod evaluators;

@@ -28,4 +28,5 @@ pub use raster::{
     PolygonState, RasterState, SampleCoverage, SampleRule, SpriteOrigin, Stipple,
 };
 pub use vertex::{VertexBinding, VertexFormat, VertexSource, VertexType};
-pub use viewport::{DepthClip, Rect, Viewport};
+pub(crate) use viewport::DepthTransform;
+pub use viewport::{ClipControl, ClipDepth, ClipOrigin, DepthClip, Rect, Viewport};

@@ -17,6 +17,37 @@ pub struct Viewport {
     pub far: f32,
     /// The treatment of depths beyond the near and the far plane.
     pub depth_clip: DepthClip,
+    /// How clip coordinates become window coordinates.
+    pub clip_control: ClipControl,
+}
+
+/// How clip coordinates become window coordinates (`ARB_clip_control`).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct ClipControl {
+    /// Where y = -w is in the viewport.
+    pub origin: ClipOrigin,
+    /// The depths between the near and the far plane.
+    pub depth: ClipDepth,
+}
+
+/// Where y = -w is in the viewport.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum ClipOrigin {
+    /// At its lower edge.
+    #[default]
+    LowerLeft,
+    /// At its upper edge: pictures are upside down.
+    UpperLeft,
+}
+
+/// The depths in clip coordinates between the near and the far plane.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum ClipDepth {
+    /// From -w to w.
+    #[default]
+    NegativeOneToOne,
+    /// From 0 to w.
+    ZeroToOne,
 }
 
 /// The treatment of depths beyond the near and the far plane.
@@ -39,15 +70,32 @@ impl Viewport {
         }
     }
 
-    /// Half its width and height.
+    /// Pixels per unit of normalized device coordinates. The second is negative where y points down.
     pub(crate) fn half(&self) -> [f64; 2] {
-        [f64::from(self.width) * 0.5, f64::from(self.height) * 0.5]
+        let [x, y] = [f64::from(self.width) * 0.5, f64::from(self.height) * 0.5];
+        match self.clip_control.origin {
+            ClipOrigin::LowerLeft => [x, y],
+            ClipOrigin::UpperLeft => [x, -y],
+        }
     }
 
     /// The window position of clip coordinates (0, 0).
     pub(crate) fn center(&self) -> [f64; 2] {
-        let half = self.half();
-        [f64::from(self.x) + half[0], f64::from(self.y) + half[1]]
+        [
+            f64::from(self.x) + f64::from(self.width) * 0.5,
+            f64::from(self.y) + f64::from(self.height) * 0.5,
+        ]
+    }
+
+    /// Window depth is `scale · z/w + bias` (GL 2.1, section 2.11.1; `ARB_clip_control`).
+    pub(crate) fn depth_transform(&self) -> DepthTransform {
+        let (near, far) = (f64::from(self.near), f64::from(self.far));
+        match self.clip_control.depth {
+            ClipDepth::NegativeOneToOne => {
+                DepthTransform { scale: (far - near) * 0.5, bias: (near + far) * 0.5 }
+            }
+            ClipDepth::ZeroToOne => DepthTransform { scale: far - near, bias: near },
+        }
     }
 
     /// The pixels whose centres it holds: the first, and one past the last.
@@ -65,6 +113,13 @@ impl Viewport {
         let (half, center) = (self.half(), self.center());
         [clip[0] / clip[3] * half[0] + center[0], clip[1] / clip[3] * half[1] + center[1]]
     }
+}
+
+/// Window depth is `scale · z/w + bias`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct DepthTransform {
+    pub scale: f64,
+    pub bias: f64,
 }
 
 /// A rectangle of pixels; row 0 is the lowest.

@@ -55,6 +55,7 @@ impl BoundState {
                 near: 0.0,
                 far: 1.0,
                 depth_clip: Default::default(),
+                clip_control: Default::default(),
             },
             scissor: None,
             counter: None,

@@ -5,7 +5,7 @@
 //! precision and leaves no seam. The sides of the view volume cut nothing: a guard band far outside
 //! the window does, and the scissor does the rest.
 
-use crate::desc::{DepthClip, Viewport};
+use crate::desc::{ClipDepth, DepthClip, Viewport};
 use crate::sizes::{GUARD_BAND, MAX_DISTANCES};
 use crate::vertex::Geometry;
 
@@ -60,14 +60,18 @@ pub fn planes(viewport: &Viewport) -> [Plane; 7] {
     // -G w <= x half + center w <= G w
     let low = |axis: usize| center[axis] + GUARD_BAND;
     let high = |axis: usize| GUARD_BAND - center[axis];
-    let depth = match viewport.depth_clip {
-        DepthClip::Cut => 1.0,
-        DepthClip::Clamp => 0.0,
+    let in_front = [0.0, 0.0, 0.0, 1.0];
+    let [near, far] = match (viewport.depth_clip, viewport.clip_control.depth) {
+        (DepthClip::Cut, ClipDepth::NegativeOneToOne) => {
+            [[0.0, 0.0, 1.0, 1.0], [0.0, 0.0, -1.0, 1.0]]
+        }
+        (DepthClip::Cut, ClipDepth::ZeroToOne) => [[0.0, 0.0, 1.0, 0.0], [0.0, 0.0, -1.0, 1.0]],
+        (DepthClip::Clamp, _) => [in_front; 2],
     };
     [
-        [0.0, 0.0, 0.0, 1.0],
-        [0.0, 0.0, depth, 1.0],
-        [0.0, 0.0, -depth, 1.0],
+        in_front,
+        near,
+        far,
         [half[0], 0.0, 0.0, low(0)],
         [-half[0], 0.0, 0.0, high(0)],
         [0.0, half[1], 0.0, low(1)],

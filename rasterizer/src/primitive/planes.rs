@@ -13,7 +13,9 @@
 //! the planes of the whole one.
 
 use super::setup::{Clipping, Shape, ShapeKind};
-use crate::desc::{Antialiasing, Facing, LineState, PolygonOffset, SpriteOrigin, Viewport};
+use crate::desc::{
+    Antialiasing, DepthTransform, Facing, LineState, PolygonOffset, SpriteOrigin, Viewport,
+};
 use crate::sizes::SUBPIXEL;
 use crate::vertex::{Geometry, Outcode};
 
@@ -173,9 +175,9 @@ impl VertexPlanes {
     /// Window depth (GL 2.1, section 2.11.1), moved by the polygon offset (section 3.5.5).
     pub fn depth(&self, setup: &DepthSetup, shape: &Shape, geometry: &Geometry) -> Plane {
         let z = shape.vertices.map(|v| f64::from(geometry.clip(v)[2]));
-        let (near, far) = (f64::from(setup.viewport.near), f64::from(setup.viewport.far));
-        let mut plane = Plane::sum(&self.projective, z).scaled((far - near) * 0.5);
-        plane.c += (near + far) * 0.5;
+        let DepthTransform { scale, bias } = setup.viewport.depth_transform();
+        let mut plane = Plane::sum(&self.projective, z).scaled(scale);
+        plane.c += bias;
         plane.c += match (shape.kind, setup.offset) {
             (ShapeKind::Triangle, Some(by)) => offset(&plane, &shape.corners, by, setup.resolution),
             (ShapeKind::Triangle, None) => 0.0,

@@ -5,6 +5,7 @@ use super::interpolate::{PlaneSetup, Planes};
 use super::plane_weights::{PlaneLanes, Weights, sum, to_depth};
 use super::shape_lanes::ShapeLanes;
 use super::small_triangles::{WINDOW_BLOCKS, Windows};
+use crate::desc::DepthTransform;
 use crate::plan::{FactorPlanes, PlaneSource};
 use crate::primitive::Shape;
 use crate::sizes::SUBPIXEL;
@@ -267,9 +268,8 @@ impl Kernel for ComputePlanes<'_> {
             }
             sum(weights, values, at % 4, out, needs_scalar_path);
             if *source == PlaneSource::Depth {
-                let (near, far) =
-                    (f64::from(setup.depth.viewport.near), f64::from(setup.depth.viewport.far));
-                to_depth(out, (far - near) * 0.5, (near + far) * 0.5);
+                let DepthTransform { scale, bias } = setup.depth.viewport.depth_transform();
+                to_depth(out, scale, bias);
             }
         }
         let mut marked = U32s::ZERO;

@@ -1,6 +1,6 @@
 //! The viewport transform and the clip tests of shaded vertices, 64 at a time.
 
-use crate::desc::{DepthClip, Viewport};
+use crate::desc::{ClipDepth, DepthClip, Viewport};
 use crate::sizes::{GUARD_BAND, SUBPIXEL};
 use texunit::lanes::{F32s, Kernel, LANES, Simd};
 
@@ -18,7 +18,7 @@ impl Outcode {
     pub const BOTTOM: u32 = 4;
     /// `y > w`.
     pub const TOP: u32 = 8;
-    /// `z < -w`.
+    /// `z < -w`, or `z < 0` where depths begin at 0.
     pub const NEAR: u32 = 16;
     /// `z > w`.
     pub const FAR: u32 = 32;
@@ -81,6 +81,11 @@ impl Kernel for ViewportTransform<'_> {
             DepthClip::Cut => !0,
             DepthClip::Clamp => !(Outcode::NEAR | Outcode::FAR),
         };
+        // The near plane is at z = near_w · w.
+        let near_w = match viewport.clip_control.depth {
+            ClipDepth::NegativeOneToOne => -1.0,
+            ClipDepth::ZeroToOne => 0.0,
+        };
         for lane in 0..LANES {
             let (x, y, z, w) = (x[lane], y[lane], z[lane], w[lane]);
             let inside = |v: f64| v.abs() <= GUARD_BAND;
@@ -90,7 +95,7 @@ impl Kernel for ViewportTransform<'_> {
                 | bit(x > w, Outcode::RIGHT)
                 | bit(y < -w, Outcode::BOTTOM)
                 | bit(y > w, Outcode::TOP)
-                | bit(z < -w, Outcode::NEAR)
+                | bit(z < near_w * w, Outcode::NEAR)
                 | bit(z > w, Outcode::FAR)
                 | bit(w <= 0.0, Outcode::BEHIND)
                 | bit(!in_band, Outcode::GUARD);

@@ -120,5 +120,6 @@ pub fn viewport(width: u32, height: u32) -> Command {
         near: 0.0,
         far: 1.0,
         depth_clip: Default::default(),
+        clip_control: Default::default(),
     })
 }

@@ -10,12 +10,12 @@ use crate::context::recorder::vertex_stage::{
     Outputs, PreparedStage, RasterPositionStage, Shaded, Vertices,
 };
 use crate::draw::draw_reuse::allows_reuse;
-use crate::draw::pipeline::depth_clip;
+use crate::draw::feedback::clip::DepthPlanes;
+use crate::draw::pipeline::{depth_clip, window_transform};
 use crate::interface::*;
 use crate::state::fog::FogSource;
 use crate::state::raster_position::RasterPosition;
-use crate::state::viewport::within;
-use rasterizer::driver::{Antialiasing, DepthClip, VertexBinding, VertexSource};
+use rasterizer::driver::{Antialiasing, VertexBinding, VertexSource};
 use rasterizer::ir::{Input, Output};
 use texunit::lanes::U32s;
 
@@ -36,15 +36,16 @@ impl Default for RasterPosition {
 }
 
 /// Whether a shaded point is outside of the view volume or behind a plane of the user.
-fn is_clipped(shaded: Shaded<'_>, depth_clip: DepthClip) -> bool {
+fn is_clipped(shaded: Shaded<'_>, depth_planes: DepthPlanes) -> bool {
     let [x, y, z, w] = shaded.position();
-    let bounded = match depth_clip {
-        DepthClip::Cut => [x, y, z],
-        // Behind the eye is outside of something whatever z is.
-        DepthClip::Clamp => [x, y, w],
-    };
-    let outside = bounded.iter().any(|c| !(-w <= *c && *c <= w));
-    outside || shaded.clip_distances().any(|distance| distance < 0.0)
+    let inside = [x, y].iter().all(|c| -w <= *c && *c <= w)
+        && match depth_planes {
+            DepthPlanes::NegativeOneToOne => -w <= z && z <= w,
+            DepthPlanes::ZeroToOne => 0.0 <= z && z <= w,
+            // Behind the eye is outside of something whatever z is.
+            DepthPlanes::Clamp => w >= 0.0,
+        };
+    !inside || shaded.clip_distances().any(|distance| distance < 0.0)
 }
 
 impl RasterPositionStage {
@@ -142,26 +143,14 @@ pub(crate) fn raster(context: &mut Context, position: [f64; 4]) -> Result<()> {
     context.state_changes.no_change();
     let vertices = shade(context, position.map(|c| c as f32))?;
     let shaded = vertices.vertex(0);
-    let depth_clip = depth_clip(context);
-    if is_clipped(shaded, depth_clip) {
+    let depth_planes = DepthPlanes::of(depth_clip(context), context.state.clip.control.depth);
+    if is_clipped(shaded, depth_planes) {
         context.state.raster_position.valid = false;
         return Ok(());
     }
-    let [x, y, z, w] = shaded.position();
-    let viewport = &context.state.viewport;
-    let along =
-        |c: f64, start: i32, size: i32| f64::from(start) + (c / w + 1.0) * f64::from(size) / 2.0;
-    let [near, far] = viewport.depth;
-    let depth = near + (z / w + 1.0) * (far - near) / 2.0;
-    let window = [
-        along(x, viewport.x, viewport.width),
-        along(y, viewport.y, viewport.height),
-        match depth_clip {
-            DepthClip::Cut => unit(depth),
-            DepthClip::Clamp => within(depth, viewport.depth),
-        },
-        w,
-    ];
+    let position = shaded.position();
+    let [x, y, depth] = window_transform(context).window(position);
+    let window = [x, y, unit(depth), position[3]];
     let clamp = crate::draw::color_clamp::of_vertices(context);
     let current = |location: u8| context.state.current[usize::from(location)];
     let mut tex_coords = [[0.0; 4]; MAX_TEXTURE_UNITS as usize];

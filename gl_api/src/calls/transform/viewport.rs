@@ -5,6 +5,8 @@ use crate::base::error::{Result, not_negative};
 use crate::base::limits;
 use crate::base::types::*;
 use crate::context::Context;
+use crate::state::clip::{CLIP_DEPTH, CLIP_ORIGIN};
+use rasterizer::driver::ClipControl;
 
 /// Sizes beyond `GL_MAX_VIEWPORT_DIMS` are clamped to it, and places to twice that.
 pub(crate) fn viewport(
@@ -33,4 +35,12 @@ pub(crate) fn depth_range(context: &mut Context, near: GLclampd, far: GLclampd) 
 
 pub(crate) fn depth_rangef(context: &mut Context, near: GLclampf, far: GLclampf) -> Result<()> {
     depth_range(context, near.into(), far.into())
+}
+
+pub(crate) fn clip_control(context: &mut Context, origin: GLenum, depth: GLenum) -> Result<()> {
+    context.state.clip.control = ClipControl {
+        origin: CLIP_ORIGIN.decode("origin", origin)?,
+        depth: CLIP_DEPTH.decode("depth", depth)?,
+    };
+    Ok(())
 }

@@ -1,7 +1,7 @@
 //! Clipping of primitives in homogeneous coordinates (GL 2.1, section 2.12), in `f64`. Values between two vertices are
 //! interpolated linearly there (section 2.14.8).
 
-use rasterizer::driver::DepthClip;
+use rasterizer::driver::{ClipDepth, DepthClip};
 use std::borrow::Cow;
 
 /// The number of user clip planes.
@@ -19,8 +19,28 @@ pub(crate) struct Vertex {
     pub values: [[f64; 4]; 3],
     /// Whether the edge that begins here is one of the polygon's.
     pub edge: bool,
-    /// What the near and the far plane do.
-    pub depth_clip: DepthClip,
+    pub depth_planes: DepthPlanes,
+}
+
+/// The near and the far plane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum DepthPlanes {
+    /// They clip nothing.
+    Clamp,
+    /// z from -w to w.
+    NegativeOneToOne,
+    /// z from 0 to w.
+    ZeroToOne,
+}
+
+impl DepthPlanes {
+    pub fn of(clip: DepthClip, depth: ClipDepth) -> Self {
+        match (clip, depth) {
+            (DepthClip::Clamp, _) => Self::Clamp,
+            (DepthClip::Cut, ClipDepth::NegativeOneToOne) => Self::NegativeOneToOne,
+            (DepthClip::Cut, ClipDepth::ZeroToOne) => Self::ZeroToOne,
+        }
+    }
 }
 
 impl Vertex {
@@ -32,9 +52,15 @@ impl Vertex {
             1 => w - x,
             2 => w + y,
             3 => w - y,
-            4 | 5 if self.depth_clip == DepthClip::Clamp => 1.0,
-            4 => w + z,
-            5 => w - z,
+            4 => match self.depth_planes {
+                DepthPlanes::Clamp => 1.0,
+                DepthPlanes::NegativeOneToOne => w + z,
+                DepthPlanes::ZeroToOne => z,
+            },
+            5 => match self.depth_planes {
+                DepthPlanes::Clamp => 1.0,
+                DepthPlanes::NegativeOneToOne | DepthPlanes::ZeroToOne => w - z,
+            },
             _ => self.distances[plane - 6],
         }
     }
@@ -50,7 +76,7 @@ impl Vertex {
             distances: std::array::from_fn(|i| mix(self.distances[i], to.distances[i])),
             values: std::array::from_fn(|i| four(self.values[i], to.values[i])),
             edge: self.edge,
-            depth_clip: self.depth_clip,
+            depth_planes: self.depth_planes,
         }
     }
 }
@@ -110,8 +136,8 @@ mod tests {
 
     fn at(x: f64, y: f64) -> Vertex {
         let values = [[x, y, 0.0, 1.0]; 3];
-        let depth_clip = DepthClip::Cut;
-        Vertex { clip: [x, y, 0.0, 1.0], distances: [1.0; 8], values, edge: true, depth_clip }
+        let depth_planes = DepthPlanes::NegativeOneToOne;
+        Vertex { clip: [x, y, 0.0, 1.0], distances: [1.0; 8], values, edge: true, depth_planes }
     }
 
     #[test]

@@ -11,15 +11,14 @@ use crate::context::pending_primitives::vertices_of_primitive;
 use crate::context::recorder::elements::Elements;
 use crate::context::recorder::vertex_stage::{Outputs, VertexInstance, Vertices};
 use crate::draw::assembly_words::has_vertex_program;
-use crate::draw::feedback::clip::Vertex;
-use crate::draw::pipeline::depth_clip;
+use crate::draw::feedback::clip::{DepthPlanes, Vertex};
+use crate::draw::pipeline::{depth_clip, front_face, window_transform};
 use crate::draw::vertex_stage::shade;
 use crate::interface::*;
 use crate::state::enable::Flag;
-use crate::state::viewport::within;
 use rasterizer::driver::{
-    Cull, DepthClip, FrontFace, PolygonMode, Primitive, Provoking, Topology, VertexBinding,
-    VertexSource, primitives,
+    Cull, FrontFace, PolygonMode, Primitive, Provoking, Topology, VertexBinding, VertexSource,
+    primitives,
 };
 use rasterizer::ir::{Interpolation, Output};
 use std::borrow::Cow;
@@ -80,7 +79,7 @@ fn clip_vertices(
     shaded: &Vertices,
 ) -> Vec<Vertex> {
     let current = |location: u8| context.state.current[usize::from(location)];
-    let depth_clip = depth_clip(context);
+    let depth_planes = DepthPlanes::of(depth_clip(context), context.state.clip.control.depth);
     let flags = vertices.iter().find(|binding| binding.location == ATTRIB_EDGE_FLAG);
     let edge = |id: &VertexInstance| match flags.map(|flags| &flags.source) {
         Some(VertexSource::Constant(flag)) => flag[0] != 0.0,
@@ -103,7 +102,7 @@ fn clip_vertices(
             distances: planes.map(distance).map(f64::from),
             values: values.map(|value| value.map(f64::from)),
             edge: edge(id),
-            depth_clip,
+            depth_planes,
         }
     };
     ids.iter().enumerate().map(vertex).collect()
@@ -226,22 +225,9 @@ enum Facing {
 
 /// The corner in window coordinates (section 2.11.1).
 fn corner(context: &Context, vertex: &Vertex, facing: Facing) -> Corner {
-    let [x, y, z, w] = vertex.clip;
-    let viewport = &context.state.viewport;
-    let along =
-        |c: f64, start: i32, size: i32| f64::from(start) + (c / w + 1.0) * f64::from(size) / 2.0;
-    let [near, far] = viewport.depth;
-    let depth = near + (z / w + 1.0) * (far - near) / 2.0;
     Corner {
-        window: [
-            along(x, viewport.x, viewport.width),
-            along(y, viewport.y, viewport.height),
-            match vertex.depth_clip {
-                DepthClip::Cut => depth,
-                DepthClip::Clamp => within(depth, viewport.depth),
-            },
-        ],
-        clip_w: w,
+        window: window_transform(context).window(vertex.clip),
+        clip_w: vertex.clip[3],
         color: match facing {
             Facing::Front => vertex.values[0],
             Facing::Back => vertex.values[1],
@@ -295,7 +281,7 @@ fn polygon(context: &mut Context, vertices: &[Vertex], provoking: &Vertex) {
     let mut corners = as_facing(Facing::Front);
     let raster = &context.state.raster;
     let counterclockwise = doubled_area(&corners) > 0.0;
-    let is_front = counterclockwise == (raster.front_face == FrontFace::Ccw);
+    let is_front = counterclockwise == (front_face(context) == FrontFace::Ccw);
     let culled = match raster.cull {
         Cull::None => false,
         Cull::Front => is_front,

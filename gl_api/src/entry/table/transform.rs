@@ -62,6 +62,8 @@ macro_rules! entry_points_transform {
         depth_range: glDepthRange (near: GLclampd, far: GLclampd);
         /// Sets the window depth of the near and far planes.
         depth_rangef: glDepthRangef (near: GLclampf, far: GLclampf);
+        /// Sets where y = -w is in the viewport, and the depths between the near and the far plane.
+        clip_control: glClipControl | glClipControlEXT (origin: GLenum, depth: GLenum);
     }
     } };
 }

@@ -6,6 +6,7 @@ use crate::base::constants::*;
 use crate::base::error::Result;
 use crate::calls::transform::matrix::current;
 use crate::context::Context;
+use crate::state::clip::{CLIP_DEPTH, CLIP_ORIGIN};
 use crate::state::matrix::{MATRIX_MODE, Stack};
 use glam::DMat4;
 
@@ -39,6 +40,8 @@ pub(super) const ROWS: &[Row] = rows! {
         vec![viewport.x, viewport.y, viewport.width, viewport.height]
     });
     GL_DEPTH_RANGE: Fractions(|c| c.state.viewport.depth.to_vec());
+    GL_CLIP_ORIGIN: Word(|c| CLIP_ORIGIN.encode(c.state.clip.control.origin));
+    GL_CLIP_DEPTH_MODE: Word(|c| CLIP_DEPTH.encode(c.state.clip.control.depth));
 
     GL_NORMALIZE: Enabled;
     GL_RESCALE_NORMAL: Enabled;

@@ -30,6 +30,7 @@ fn have_the_planes_they_have_alone(is_flat: impl Fn(u32) -> bool) {
         near: 0.25,
         far: 1.0,
         depth_clip: Default::default(),
+        clip_control: Default::default(),
     };
     let mut state = 9;
     let mut geometry = Geometry::default();
