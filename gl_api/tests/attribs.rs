@@ -22,6 +22,7 @@ const ROWS: &[Row] = &[
     (GL_POLYGON_BIT, GL_FRONT_FACE, |c| c.front_face(GL_CW)),
     (GL_POLYGON_BIT, GL_POLYGON_OFFSET_FILL, |c| c.enable(GL_POLYGON_OFFSET_FILL)),
     (GL_POLYGON_BIT, GL_POLYGON_OFFSET_UNITS, |c| c.polygon_offset(1.0, 2.0)),
+    (GL_POLYGON_BIT, GL_POLYGON_OFFSET_CLAMP, |c| c.polygon_offset_clamp(1.0, 2.0, 3.0)),
     (GL_LIGHTING_BIT, GL_LIGHTING, |c| c.enable(GL_LIGHTING)),
     (GL_LIGHTING_BIT, GL_LIGHT2, |c| c.enable(GL_LIGHT2)),
     (GL_LIGHTING_BIT, GL_SHADE_MODEL, |c| c.shade_model(GL_FLAT)),

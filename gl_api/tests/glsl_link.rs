@@ -389,3 +389,67 @@ fn a_misspelt_varying_is_suggested() {
     fails(&[vertex], &[&reads("texcoord")], suggested);
     fails(&[vertex], &[&reads("normal")], "reads `normal`, which no vertex shader writes (GLSL");
 }
+
+/// `layout(location = n)` of uniforms (ARB_explicit_uniform_location).
+const LOCATIONS: &str = "#version 130
+    #extension GL_ARB_explicit_attrib_location : require
+    #extension GL_ARB_explicit_uniform_location : require\n";
+
+#[test]
+fn uniforms_have_the_locations_that_they_declare() {
+    let vertex = format!(
+        "{LOCATIONS} struct S {{ float a[2]; vec2 b; }};
+        layout(location = 3) uniform S s[2]; uniform float free[4]; uniform vec4 other;
+        void main() {{ gl_Position = other + s[0].a[1] + s[1].b.x + free[3]; }}"
+    );
+    let fragment = format!(
+        "{LOCATIONS} layout(location = 20) uniform vec4 unused; layout(location = 1) uniform vec4 c;
+        uniform vec4 other; void main() {{ gl_FragColor = c + other; }}"
+    );
+    let program = program(&[&vertex], &[&fragment], &Bindings::default());
+    let mut found: Vec<(&str, u32)> =
+        program.uniforms.iter().map(|uniform| (&*uniform.name, uniform.location)).collect();
+    found.sort_unstable();
+    // Each element of each member has a location; `free` and `other` take what is left.
+    let wanted = [
+        ("c", 1),
+        ("free", 9),
+        ("other", 0),
+        ("s[0].a", 3),
+        ("s[0].b", 5),
+        ("s[1].a", 6),
+        ("s[1].b", 8),
+    ];
+    let others = |(name, _): &&(&str, u32)| *name != "other" && *name != "free";
+    assert_eq!(
+        found.iter().filter(others).collect::<Vec<_>>(),
+        wanted.iter().filter(others).collect::<Vec<_>>()
+    );
+    for (name, count) in [("free", 4), ("other", 1)] {
+        let (_, first) = found.iter().find(|row| row.0 == name).expect("it is active");
+        let taken = [1..2, 3..9, 20..21];
+        let is_free = taken.iter().all(|range| first + count <= range.start || *first >= range.end);
+        assert!(is_free, "{name} at {first}");
+    }
+    assert!(program.is_explicit_location(20) && !program.is_explicit_location(19));
+}
+
+#[test]
+fn explicit_locations_must_not_overlap() {
+    let fragment = |declarations: &str| {
+        format!("{LOCATIONS} {declarations} void main() {{ gl_FragColor = vec4(1.0); }}")
+    };
+    for (declarations, because) in [
+        (
+            "layout(location = 1) uniform float a[3]; layout(location = 3) uniform float b;",
+            "uniforms `a` and `b` both have location 3",
+        ),
+        ("layout(location = 65535) uniform float a[2];", "65535 to 65536"),
+    ] {
+        fails(&[VERTEX], &[&fragment(declarations)], because);
+    }
+    let twice = |location| fragment(&format!("layout(location = {location}) uniform float a;"));
+    let vertex = twice(1).replace("gl_FragColor", "gl_Position");
+    fails(&[&vertex], &[&twice(2)], "uniform `a` has the locations 1 and 2");
+    program(&[&vertex], &[&twice(1)], &Bindings::default());
+}

@@ -98,6 +98,12 @@ impl SamplePlan {
         out
     }
 
+    /// The number of levels from the base level to the last that the sampler and the image allow, whatever the filter; 0
+    /// if the image is incomplete.
+    pub fn level_count(&self) -> u32 {
+        self.0.as_ref().map_or(0, |texture| texture.level_count)
+    }
+
     /// About how many additions of 64 lanes a lookup takes as long as, at most.
     pub fn cost(&self) -> u32 {
         const OVERHEAD: u32 = 32;

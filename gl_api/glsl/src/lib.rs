@@ -39,7 +39,7 @@ mod types;
 mod work;
 
 pub use compile::{Compiled, ContextLanguage, FixIts, Options, Shader, Strictness, compile};
-pub use limits::{GATHER_OFFSETS, TEXEL_OFFSETS};
+pub use limits::{GATHER_OFFSETS, MAX_UNIFORM_LOCATIONS, TEXEL_OFFSETS};
 pub use program::*;
 pub use rasterizer::ir::Stage;
 use rasterizer::stack::with_large_stack;

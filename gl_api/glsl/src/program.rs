@@ -5,6 +5,7 @@ use crate::types::{ComparisonResult, DataType, Dim, MatrixOrder};
 use rasterizer::ir::{Interpolation, Module, Output, Stage};
 use std::collections::BTreeMap;
 use std::fmt;
+use std::ops::Range;
 
 /// An attribute of a linked program.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -95,7 +96,7 @@ pub struct UniformBlock {
     /// The binding that the shader gives it.
     pub binding: u32,
     /// The range of its members in [`Program::members`].
-    pub members: std::ops::Range<u32>,
+    pub members: Range<u32>,
     /// Which stages read it.
     pub stages: Vec<Stage>,
 }
@@ -216,6 +217,8 @@ pub struct Program {
     pub attributes: Vec<Attribute>,
     /// What the application sets.
     pub uniforms: Vec<Uniform>,
+    /// The locations that `layout(location = n)` gives, also to uniforms that are not active.
+    pub explicit_locations: Vec<Range<u32>>,
     /// The members of uniform blocks.
     pub members: Vec<Member>,
     /// The uniform blocks.
@@ -239,6 +242,15 @@ pub struct Program {
     pub state: Vec<StateBinding>,
     /// The number of uniform words of a draw: uniforms and state together.
     pub words: u32,
+}
+
+impl Program {
+    /// Whether a uniform, active or not, declares this location.
+    pub fn is_explicit_location(&self, location: i32) -> bool {
+        let is_in =
+            |range: &Range<u32>| u32::try_from(location).is_ok_and(|at| range.contains(&at));
+        self.explicit_locations.iter().any(is_in)
+    }
 }
 
 /// The result of a link.

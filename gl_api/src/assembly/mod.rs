@@ -111,6 +111,7 @@ pub(crate) fn load(text: &str, target: Target) -> Parsed<Loaded> {
         fragment,
         attributes: Vec::new(),
         uniforms: Vec::new(),
+        explicit_locations: Vec::new(),
         members: Vec::new(),
         blocks: Vec::new(),
         builtin_uniforms: Vec::new(),

@@ -14,6 +14,7 @@ pub const EXTENSIONS_OF_ES: &[&str] = &[
     "GL_EXT_frag_depth",
     "GL_EXT_map_buffer_range",
     "GL_EXT_occlusion_query_boolean",
+    "GL_EXT_polygon_offset_clamp",
     "GL_EXT_read_format_bgra",
     "GL_EXT_sRGB_write_control",
     "GL_EXT_shader_texture_lod",

@@ -96,7 +96,11 @@ pub(crate) fn raster_state(
 
 fn polygon_state(context: &Context, vertices: &[VertexBinding]) -> PolygonState {
     let (enables, polygons) = (&context.state.enables, &context.state.raster.polygons);
-    let offset = PolygonOffset { factor: polygons.offset_factor, units: polygons.offset_units };
+    let offset = PolygonOffset {
+        factor: polygons.offset_factor,
+        units: polygons.offset_units,
+        clamp: polygons.offset_clamp,
+    };
     let stipple = enables.has(Flag::PolygonStipple).then_some(Stipple::Pattern(polygons.stipple));
     let flags = [Flag::PolygonOffsetPoint, Flag::PolygonOffsetLine, Flag::PolygonOffsetFill];
     // Edge flags that are all set change nothing, nor do they where the inside is filled.

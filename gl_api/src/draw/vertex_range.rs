@@ -22,6 +22,8 @@ pub(crate) struct VertexRange<'a> {
     pub first: u32,
     pub last: u32,
     pub instances: u32,
+    /// The element of the first instance, of arrays with a divisor (`ARB_base_instance`).
+    pub base_instance: u32,
     /// The vertices, where they are copied one by one: the copy of an array has them in this order.
     pub scattered: Option<&'a [u32]>,
 }
@@ -38,19 +40,26 @@ impl VertexRange<'_> {
         (self.last - self.first) as usize / 4 <= count + 64
     }
 
+    /// The element of an array that its number 0 is in this draw.
+    fn base(self, array: &Array) -> usize {
+        if array.divisor == 0 { 0 } else { self.base_instance as usize }
+    }
+
     /// The elements of an array: one with a divisor has one for every so many instances.
     fn elements(self, array: &Array) -> (usize, usize) {
+        let base = self.base(array);
         match self.instances.saturating_sub(1).checked_div(array.divisor) {
-            Some(last) => (0, last as usize),
+            Some(last) => (base, base + last as usize),
             None => (self.first as usize, self.last as usize),
         }
     }
 
-    /// The bytes of its elements of an array, and the first element.
+    /// The bytes of its elements of an array, and the number of the first.
     fn bytes(self, array: &Array, offset: usize) -> Option<(Range<usize>, u32)> {
         let (first, last) = self.elements(array);
         let at = |element: usize| element.checked_mul(array.step())?.checked_add(offset);
-        Some((at(first)?..at(last)?.checked_add(array.size())?, first as u32))
+        let number = (first - self.base(array)) as u32;
+        Some((at(first)?..at(last)?.checked_add(array.size())?, number))
     }
 }
 
@@ -175,9 +184,11 @@ pub(crate) fn vertex_source(
 ) -> Result<VertexSource> {
     let array = &context.state.arrays.by_location[location];
     let scattered = vertex_range.scattered.filter(|_| array.divisor == 0);
+    // Far beyond every buffer where it overflows.
+    let base = vertex_range.base(array).saturating_mul(array.step());
     let (buffer, first, offset) = match (&array.source, scattered) {
         (_, Some(vertices)) => (gathered(context, array, vertices), 0, 0),
-        (Source::Client(buffer), None) => (buffer.clone(), 0, 0),
+        (Source::Client(buffer), None) => (buffer.clone(), 0, base),
         (Source::Pointer(pointer), None) => {
             let (buffer, first) = snapshot(array, *pointer, vertex_range)?;
             (buffer, first, 0)
@@ -191,7 +202,9 @@ pub(crate) fn vertex_source(
                     let part = part.and_then(|(bytes, first)| {
                         Some((small_range(object.buffer(), bytes)?, first, 0))
                     });
-                    part.unwrap_or_else(|| (object.buffer().clone(), 0, *offset))
+                    part.unwrap_or_else(|| {
+                        (object.buffer().clone(), 0, offset.saturating_add(base))
+                    })
                 }
                 None => (Buffer::default(), 0, *offset),
             }

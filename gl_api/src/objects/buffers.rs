@@ -132,10 +132,11 @@ pub(crate) enum BufferTarget {
     TransformFeedback,
     Uniform,
     Texture,
+    DrawIndirect,
 }
 
 impl BufferTarget {
-    pub(crate) const ALL: [Self; 9] = [
+    pub(crate) const ALL: [Self; 10] = [
         Self::Array,
         Self::ElementArray,
         Self::PixelPack,
@@ -145,6 +146,7 @@ impl BufferTarget {
         Self::TransformFeedback,
         Self::Uniform,
         Self::Texture,
+        Self::DrawIndirect,
     ];
 }
 
@@ -160,6 +162,7 @@ pub(crate) const BUFFER_TARGET: Table<BufferTarget> = Table {
         (GL_TRANSFORM_FEEDBACK_BUFFER, BufferTarget::TransformFeedback),
         (GL_UNIFORM_BUFFER, BufferTarget::Uniform),
         (GL_TEXTURE_BUFFER, BufferTarget::Texture),
+        (GL_DRAW_INDIRECT_BUFFER, BufferTarget::DrawIndirect),
     ],
 };
 

@@ -173,6 +173,7 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     "GL_ARB_blend_func_extended",
     "GL_ARB_conservative_depth",
     "GL_ARB_debug_output",
+    "GL_ARB_draw_indirect",
     "GL_ARB_explicit_attrib_location",
     "GL_ARB_get_program_binary",
     "GL_ARB_occlusion_query2",
@@ -185,21 +186,31 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     "GL_ARB_transform_feedback2",
     "GL_ARB_vertex_type_2_10_10_10_rev",
     // 2011
+    "GL_ARB_base_instance",
     "GL_ARB_internalformat_query",
     "GL_ARB_shading_language_420pack",
     "GL_ARB_shading_language_packing",
     "GL_ARB_texture_storage",
     // 2012
     "GL_ARB_arrays_of_arrays",
+    "GL_ARB_clear_buffer_object",
+    "GL_ARB_copy_image",
+    "GL_ARB_explicit_uniform_location",
+    "GL_ARB_multi_draw_indirect",
     "GL_ARB_texture_buffer_range",
+    "GL_ARB_texture_query_levels",
     "GL_ARB_texture_storage_multisample",
     "GL_KHR_debug",
     "GL_KHR_robustness",
     // 2013
+    "GL_ARB_clear_texture",
     "GL_ARB_texture_mirror_clamp_to_edge",
     // 2014
     "GL_ARB_clip_control",
     "GL_ARB_get_texture_sub_image",
+    "GL_EXT_polygon_offset_clamp",
+    // 2017
+    "GL_ARB_polygon_offset_clamp",
 ];
 
 /// Extensions that the registry has for the compatibility profile alone, and that Mesa's core contexts list: programs
@@ -262,7 +273,22 @@ static ES_VERSION: LazyLock<String> = LazyLock::new(|| {
 });
 
 /// The names with blanks between them.
-static JOINED: LazyLock<String> = LazyLock::new(|| EXTENSIONS.join(" "));
+/// The names as `glGetString` gives them, as many as fit: programs of the years of the first ones copy the string into
+/// arrays of 4096 bytes. Programs that look for the later ones ask `glGetStringi`, which has them all.
+static JOINED: LazyLock<String> = LazyLock::new(|| {
+    const LONGEST: usize = 4095;
+    let mut joined = String::new();
+    for name in EXTENSIONS {
+        if joined.len() + 1 + name.len() > LONGEST {
+            break;
+        }
+        if !joined.is_empty() {
+            joined.push(' ');
+        }
+        joined.push_str(name);
+    }
+    joined
+});
 static JOINED_OF_ES: LazyLock<String> = LazyLock::new(|| EXTENSIONS_OF_ES.join(" "));
 
 pub(crate) fn get_string(context: &mut Context, name: GLenum) -> Result<&'static str> {

@@ -62,6 +62,7 @@ pub(crate) struct Bindings {
     pub copy_write_buffer: Bound,
     pub transform_feedback_buffer: Bound,
     pub uniform_buffer: Bound,
+    pub draw_indirect_buffer: Bound,
     pub vertex_array: GLuint,
     pub draw_framebuffer: GLuint,
     pub read_framebuffer: GLuint,

@@ -11,6 +11,8 @@ pub(crate) struct Polygons {
     pub mode: [PolygonMode; 2],
     pub offset_factor: f32,
     pub offset_units: f32,
+    /// `ARB_polygon_offset_clamp`; 0 bounds nothing.
+    pub offset_clamp: f32,
     /// Rows from the lowest, the leftmost pixel in the highest bit.
     pub stipple: [u32; 32],
 }
@@ -21,6 +23,7 @@ impl Default for Polygons {
             mode: [PolygonMode::Fill; 2],
             offset_factor: 0.0,
             offset_units: 0.0,
+            offset_clamp: 0.0,
             stipple: [!0; 32],
         }
     }

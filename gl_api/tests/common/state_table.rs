@@ -176,6 +176,7 @@ pub const STATE: &[Row] = rows! {
         GL_POLYGON_MODE Number enums![GL_FILL, GL_FILL];
         GL_POLYGON_OFFSET_FACTOR Number F;
         GL_POLYGON_OFFSET_UNITS Number F;
+        GL_POLYGON_OFFSET_CLAMP Number F;
         GL_POLYGON_OFFSET_POINT Number F;
         GL_POLYGON_OFFSET_LINE Number F;
         GL_POLYGON_OFFSET_FILL Number F;
@@ -444,6 +445,7 @@ pub const LEAST: &[Row] = rows! {
         GL_MAX_SAMPLE_MASK_WORDS Number T;
     }
     "ARB_uniform_buffer_object" {
+        GL_MAX_UNIFORM_LOCATIONS Number &[1024.0];
         GL_MAX_VERTEX_UNIFORM_BLOCKS Number &[12.0];
         GL_MAX_FRAGMENT_UNIFORM_BLOCKS Number &[12.0];
         GL_MAX_GEOMETRY_UNIFORM_BLOCKS Number F;

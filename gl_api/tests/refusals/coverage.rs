@@ -95,6 +95,7 @@ const CANNOT_FAIL: &[(&str, &[&str])] = &[
             "glNormal3s",
             "glPassThrough",
             "glPolygonOffset",
+            "glPolygonOffsetClamp",
             "glPrimitiveRestartIndex",
             "glRasterPos2d",
             "glRasterPos2f",

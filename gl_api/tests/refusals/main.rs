@@ -22,6 +22,7 @@ mod samplers;
 mod short_slices;
 mod sibling_forms;
 mod special_functions;
+mod stored_texels;
 mod texture_storage;
 mod textures;
 mod transform_feedback;
@@ -72,6 +73,7 @@ fn each_refusal_sets_its_flag_says_why_and_changes_nothing_and_each_call_has_one
         special_functions::run,
         packed::run,
         get_texture_sub_image::run,
+        stored_texels::run,
         programs::run,
         queries::run,
         reading::run,

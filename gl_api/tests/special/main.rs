@@ -17,11 +17,14 @@ mod evaluators;
 mod feedback;
 mod fragments;
 mod indices;
+mod indirect;
+mod level_counts;
 mod materials;
 mod packed;
 mod provoking;
 mod selection;
 mod state;
+mod stored_texels;
 mod windows;
 
 use gl_api::*;

@@ -88,7 +88,11 @@ fn texts_answer() {
     }
     let count = get(&mut c, GL_NUM_EXTENSIONS).expect("a number")[0] as u32;
     let listed: Vec<&str> = (0..count).map(|index| c.get_stringi(GL_EXTENSIONS, index)).collect();
-    assert_eq!(listed.join(" "), c.get_string(GL_EXTENSIONS));
+    // As many as fit into the array of an old program.
+    let (all, string) = (listed.join(" "), c.get_string(GL_EXTENSIONS));
+    assert!(string.len() < 4096 && string.len() > 4000, "{}", string.len());
+    let rest = all.strip_prefix(string).expect("the names, in their order");
+    assert!(rest.is_empty() || rest.starts_with(' '), "a name is cut: {rest}");
     fine(&mut c);
 }
 

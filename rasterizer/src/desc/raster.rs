@@ -38,6 +38,8 @@ pub struct PolygonOffset {
     pub factor: f32,
     /// Times the smallest resolvable difference.
     pub units: f32,
+    /// The largest sum if positive, the least if negative (`ARB_polygon_offset_clamp`); 0 bounds nothing.
+    pub clamp: f32,
 }
 
 /// The stipple of filled polygons: the pixels that are drawn.

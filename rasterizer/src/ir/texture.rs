@@ -62,7 +62,8 @@ pub enum Access {
         offset: [i32; 3],
     },
     /// `textureSize`: width, height and depth (or layers, after the sides that are filtered along)
-    /// of a level (an explicit λ, `i32`), as `i32`. Coordinates do not matter. No compare.
+    /// of a level (an explicit λ, `i32`), and the number of levels (`textureQueryLevels`), as `i32`. Coordinates do not
+    /// matter. No compare.
     Size,
     /// `textureQueryLOD` of the fragment stage: the level that a lookup without explicit λ reads,
     /// with a fraction where it mixes two, and λ before it is held in the sampler's range, as `f32`.

@@ -215,7 +215,9 @@ fn offset(
         let exponent = (largest as f32).to_bits() & 0x7F80_0000;
         f64::from(f32::from_bits(exponent)) / 8_388_608.0
     });
-    f64::from(by.factor) * slope + f64::from(by.units) * r
+    let sum = f64::from(by.factor) * slope + f64::from(by.units) * r;
+    let clamp = f64::from(by.clamp);
+    if clamp > 0.0 && sum > clamp || clamp < 0.0 && sum < clamp { clamp } else { sum }
 }
 
 /// What the polygon offset adds to the depth of a triangle that is drawn as lines or points.

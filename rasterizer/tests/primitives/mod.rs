@@ -242,7 +242,7 @@ fn offsets_move_the_mode_they_are_for() {
         let mut raster = RasterState::default();
         raster.polygon.mode = [mode; 2];
         let units = 8_388_608.0 / 4.0;
-        raster.polygon.offset[index] = Some(PolygonOffset { factor: 1.0, units });
+        raster.polygon.offset[index] = Some(PolygonOffset { factor: 1.0, units, clamp: 0.0 });
         let got = draw(&devices()[0], &desc, &raster, &vertices(&points));
         let depths: BTreeSet<u8> = got.chunks(4).map(|pixel| pixel[0]).collect();
         assert_eq!(depths, BTreeSet::from([0, 191]), "{mode:?}");
@@ -367,7 +367,8 @@ fn what_is_not_a_number_is_the_same_everywhere_as_lines_and_points() {
         raster.point.size = 19.5;
         raster.line.stipple = Some(LineStipple { factor: 3, pattern: 0x5F31 });
         raster.polygon.mode = [PolygonMode::Line, PolygonMode::Point];
-        raster.polygon.offset = [Some(PolygonOffset { factor: 1e30, units: f32::NAN }); 3];
+        raster.polygon.offset =
+            [Some(PolygonOffset { factor: 1e30, units: f32::NAN, clamp: 0.0 }); 3];
         if round >= 4 {
             raster.point.antialiasing = Antialiasing::Smooth;
             raster.line.antialiasing = Antialiasing::Smooth;

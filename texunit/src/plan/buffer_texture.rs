@@ -18,6 +18,7 @@ impl SamplePlan {
             format,
             size,
             scale: size.map(|side| shape.scale(side)),
+            level_count: 1,
             levels: vec![vec![Arc::new(level)]],
             wrap: [Wrap::ClampToEdge; 3],
             seamless: Seamless::Off,

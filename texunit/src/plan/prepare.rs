@@ -48,6 +48,8 @@ impl Texture {
             format,
             size,
             scale: size.map(|side| shape.scale(side)),
+            level_count: (levels[0].len() as u32)
+                .min(sampler.max_level.saturating_sub(reached.base).saturating_add(1)),
             levels,
             wrap: sampler.wrap.map(|wrap| wrap_of(shape, sampler.seamless, wrap)),
             seamless: if shape.is_cube() { sampler.seamless } else { Seamless::Off },

@@ -20,6 +20,8 @@ pub(crate) struct Texture {
     /// and those that fit them, which only a fetch reads. In an array of cubes, all faces are
     /// slices of the same levels.
     pub levels: Vec<Vec<Arc<Level>>>,
+    /// The number of levels from the base level to the last allowed one.
+    pub level_count: u32,
     /// Effective wrap modes of s, t, r.
     pub wrap: [Wrap; 3],
     /// `Off` unless the image is a cube.

@@ -42,6 +42,8 @@ pub enum Lookup {
     Fetch(TexelOffset),
     /// The size of a level: `textureSize`.
     Size,
+    /// How many levels there are: `textureQueryLevels`.
+    QueryLevels,
     /// Which level would be sampled: `textureQueryLOD`.
     QueryLod,
 }

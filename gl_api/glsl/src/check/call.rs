@@ -358,6 +358,7 @@ impl Checker<'_> {
             | Lookup::Gather(TexelOffset::None)
             | Lookup::Fetch(TexelOffset::None)
             | Lookup::Size
+            | Lookup::QueryLevels
             | Lookup::QueryLod => None,
         };
         if let Some(offset) = shift.and_then(|index| arguments.get(index)) {

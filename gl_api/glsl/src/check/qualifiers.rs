@@ -209,7 +209,7 @@ impl Checker<'_> {
     }
 
     /// Only `in` of the vertex stage and `out` of the fragment stage have locations
-    /// (ARB_explicit_attrib_location), not `attribute` and `varying`.
+    /// (ARB_explicit_attrib_location), not `attribute` and `varying`; by an extension uniforms, too.
     fn check_location(
         &mut self,
         storage: Storage,
@@ -220,6 +220,15 @@ impl Checker<'_> {
         let location =
             qualifiers.iter().find(|(qualifier, _)| matches!(qualifier, Qualifier::Location(_)));
         let Some(&(_, span)) = location else { return };
+        if storage == Storage::Uniform {
+            let extension = Extension::ExplicitUniformLocation;
+            if !self.language.enabled(extension) {
+                let message = "a uniform has a location only by an extension";
+                let problem = Diagnostic::error(span, message).rule(extension.name());
+                self.log.push(problem.help(format!("#extension {} : enable", extension.name())));
+            }
+            return;
+        }
         let has_one = matches!(storage, Storage::Attribute | Storage::FragmentOutput);
         if has_one && !matches!(word, Some(Qualifier::Attribute | Qualifier::Varying)) {
             return;

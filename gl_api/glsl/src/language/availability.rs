@@ -55,7 +55,7 @@ pub struct Availability {
     /// The versions of GLSL ES that have it.
     pub(super) es: EsVersions,
     /// The bits of the extensions each of which adds it.
-    pub(super) extensions: u32,
+    pub(super) extensions: u64,
 }
 
 impl Availability {

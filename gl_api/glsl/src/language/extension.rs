@@ -19,6 +19,8 @@ pub enum Extension {
     DrawInstanced,
     /// `GL_ARB_explicit_attrib_location`: `layout(location = n)`.
     ExplicitAttribLocation,
+    /// `GL_ARB_explicit_uniform_location`: `layout(location = n)` of uniforms.
+    ExplicitUniformLocation,
     /// `GL_ARB_fragment_coord_conventions`: `layout(...)` of `gl_FragCoord`.
     FragmentCoordConventions,
     /// `GL_ARB_shader_bit_encoding`: `floatBitsToInt` and the like.
@@ -48,6 +50,8 @@ pub enum Extension {
     TextureMultisample,
     /// `GL_ARB_texture_query_lod`: `textureQueryLOD`.
     TextureQueryLod,
+    /// `GL_ARB_texture_query_levels`: `textureQueryLevels`.
+    TextureQueryLevels,
     /// `GL_ARB_texture_rectangle`: `sampler2DRect`.
     TextureRectangle,
     /// `GL_ARB_uniform_buffer_object`: uniform blocks.
@@ -62,7 +66,7 @@ pub enum Extension {
 
 impl Extension {
     /// Every extension and its name.
-    pub const ALL: [(Self, &'static str); 26] = [
+    pub const ALL: [(Self, &'static str); 28] = [
         (Self::ArraysOfArrays, "GL_ARB_arrays_of_arrays"),
         (Self::AmdConservativeDepth, "GL_AMD_conservative_depth"),
         (Self::ConservativeDepth, "GL_ARB_conservative_depth"),
@@ -70,6 +74,7 @@ impl Extension {
         (Self::DrawBuffers, "GL_ARB_draw_buffers"),
         (Self::DrawInstanced, "GL_ARB_draw_instanced"),
         (Self::ExplicitAttribLocation, "GL_ARB_explicit_attrib_location"),
+        (Self::ExplicitUniformLocation, "GL_ARB_explicit_uniform_location"),
         (Self::FragmentCoordConventions, "GL_ARB_fragment_coord_conventions"),
         (Self::ShaderBitEncoding, "GL_ARB_shader_bit_encoding"),
         (Self::ShaderStencilExport, "GL_ARB_shader_stencil_export"),
@@ -84,6 +89,7 @@ impl Extension {
         (Self::TextureGather, "GL_ARB_texture_gather"),
         (Self::TextureMultisample, "GL_ARB_texture_multisample"),
         (Self::TextureQueryLod, "GL_ARB_texture_query_lod"),
+        (Self::TextureQueryLevels, "GL_ARB_texture_query_levels"),
         (Self::TextureRectangle, "GL_ARB_texture_rectangle"),
         (Self::UniformBufferObject, "GL_ARB_uniform_buffer_object"),
         (Self::GpuShader4, "GL_EXT_gpu_shader4"),
@@ -118,6 +124,7 @@ impl Extension {
             | Self::ShadingLanguage420Pack
             | Self::DrawInstanced
             | Self::ExplicitAttribLocation
+            | Self::ExplicitUniformLocation
             | Self::FragmentCoordConventions
             | Self::ShaderBitEncoding
             | Self::ShaderStencilExport
@@ -127,13 +134,14 @@ impl Extension {
             | Self::TextureGather
             | Self::TextureMultisample
             | Self::TextureQueryLod
+            | Self::TextureQueryLevels
             | Self::TextureRectangle
             | Self::GpuShader4
             | Self::TextureArray => !version.is_es(),
         }
     }
 
-    pub(super) const fn bit(self) -> u32 {
+    pub(super) const fn bit(self) -> u64 {
         1 << self as u32
     }
 }

@@ -18,8 +18,8 @@ pub struct Language {
     pub version: Version,
     /// The profile, from GLSL 1.40 on.
     profile: Profile,
-    enabled: u32,
-    warned: u32,
+    enabled: u64,
+    warned: u64,
 }
 
 impl From<Version> for Language {

@@ -9,6 +9,7 @@ mod per_vertex;
 mod stage;
 mod std140;
 mod transform_feedback;
+mod uniform_locations;
 mod uniforms;
 mod varyings;
 
@@ -105,6 +106,7 @@ fn build(shaders: &[&Arc<Unit>], bindings: &Bindings, log: &mut Log) -> Option<P
         fragment,
         attributes,
         uniforms: uniforms.list,
+        explicit_locations: uniforms.explicit,
         members: blocks.members,
         blocks: blocks.list,
         builtin_uniforms,

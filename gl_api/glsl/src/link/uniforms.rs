@@ -2,6 +2,7 @@
 //! 1.30 section 4.3.5).
 
 use super::stage::StageUnits;
+use super::uniform_locations::UniformLocations;
 use crate::ast::Precision;
 use crate::builtins::variable::Builtin;
 use crate::hir::{Storage, Variable};
@@ -13,6 +14,7 @@ use crate::text::diagnostics::{Diagnostic, Log};
 use crate::types::Type;
 use crate::work::Work;
 use std::collections::BTreeMap;
+use std::ops::Range;
 use std::sync::Arc;
 
 /// The uniforms of a program.
@@ -21,6 +23,8 @@ pub struct Uniforms {
     pub list: Vec<Uniform>,
     /// The first word of each variable.
     pub words: BTreeMap<Arc<str>, u32>,
+    /// The locations that `layout(location = n)` gives.
+    pub explicit: Vec<Range<u32>>,
 }
 
 /// The uniforms that the stages reference. One with an initializer counts even if this shader does
@@ -94,8 +98,8 @@ pub fn uniforms(
             log.push(Diagnostic::link_error(message).rule("GLSL 1.30 section 4.3.5"));
         }
     }
-    let mut uniforms = Uniforms { list: Vec::new(), words: BTreeMap::new() };
-    let mut location = 0;
+    let mut locations = UniformLocations::of(&every, log);
+    let mut uniforms = Uniforms { list: Vec::new(), words: BTreeMap::new(), explicit: Vec::new() };
     for (variable, initial) in &all {
         let count = variable.ty.scalars();
         if words.next.saturating_add(count) > MAX_UNIFORM_WORDS {
@@ -106,6 +110,7 @@ pub fn uniforms(
         uniforms.words.insert(variable.name.clone(), words.next);
         let mut leaves = Vec::new();
         add_leaves(&variable.name, &variable.ty, used_elements.get(variable), 0, &mut leaves);
+        let mut explicit = locations.explicit(&variable.name);
         for Leaf { name, ty, array, at, scalars } in leaves {
             let Some(data_type) = ty.data_type() else {
                 let message = format!("uniform `{name}`: {ty} is not supported by DetGL yet");
@@ -114,11 +119,17 @@ pub fn uniforms(
             };
             let word = words.next + at as u32;
             let initial = initial[at..at + scalars].to_vec();
+            let count = array.unwrap_or(1);
+            let location = match &mut explicit {
+                Some(next) => std::mem::replace(next, *next + count),
+                None => locations.free(count),
+            };
             uniforms.list.push(Uniform { name, ty: data_type, array, location, word, initial });
-            location += array.unwrap_or(1);
         }
         words.next += count;
     }
+    locations.check_end(log);
+    uniforms.explicit = locations.into_ranges();
     uniforms
 }
 

@@ -113,7 +113,7 @@ impl Lowerer<'_> {
                 LookupOperands { access: ir::Access::Gather { offset: [s, t] }, ..sample }
             }
             Lookup::Fetch(shift) => self.fetch_access(&arguments, shift),
-            Lookup::Size => {
+            Lookup::Size | Lookup::QueryLevels => {
                 let [zero, _] = zeros;
                 let lod = Lod::Explicit(arguments.scalar(Some(0)).unwrap_or(zero));
                 let comparison_result = ComparisonResult::DepthTextureMode;
@@ -146,6 +146,9 @@ impl Lowerer<'_> {
         if (lookup, kind.dim) == (Lookup::Size, Dim::D2MultisampleArray) {
             let samples = self.emit.constant(MAX_SAMPLES as u32, Ty::I32);
             values[2] = self.emit.op(Op::IDiv, &[values[2], samples]);
+        }
+        if lookup == Lookup::QueryLevels {
+            values = vec![values[3]];
         }
         values.truncate(result.scalars() as usize);
         Ok(values)

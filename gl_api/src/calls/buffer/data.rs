@@ -42,6 +42,7 @@ pub(crate) fn binding(context: &mut Context, target: BufferTarget) -> &mut Bound
         BufferTarget::TransformFeedback => &mut context.state.bindings.transform_feedback_buffer,
         BufferTarget::Uniform => &mut context.state.bindings.uniform_buffer,
         BufferTarget::Texture => &mut context.state.bindings.texture_buffer,
+        BufferTarget::DrawIndirect => &mut context.state.bindings.draw_indirect_buffer,
     }
 }
 
@@ -112,7 +113,9 @@ pub(crate) fn bind(context: &mut Context, target: BufferTarget, buffer: GLuint) 
     *binding(context, target) = context.objects.shared.buffers.hold(buffer);
     match target {
         // Calls look there for what they are given.
-        BufferTarget::Array | BufferTarget::ElementArray => context.state_changes.no_change(),
+        BufferTarget::Array | BufferTarget::ElementArray | BufferTarget::DrawIndirect => {
+            context.state_changes.no_change()
+        }
         BufferTarget::PixelPack
         | BufferTarget::PixelUnpack
         | BufferTarget::CopyRead

@@ -1,5 +1,6 @@
 //! Buffer objects: data, mapping, indexed bindings.
 
+pub(crate) mod clear;
 pub(crate) mod data;
 pub(crate) mod indexed;
 pub(crate) mod map;

@@ -65,6 +65,10 @@ fn store(
         return Ok(());
     }
     let Some((uniform, element)) = at_location(&linked.program.uniforms, location) else {
+        // One of a uniform that is not active (ARB_explicit_uniform_location).
+        if linked.program.is_explicit_location(location) {
+            return Ok(());
+        }
         return invalid_operation(
             SECTION,
             format!("location = {location} is no uniform's of program {name}"),

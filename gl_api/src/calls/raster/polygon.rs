@@ -34,8 +34,19 @@ pub(crate) fn polygon_mode(context: &mut Context, face: GLenum, mode: GLenum) ->
 }
 
 pub(crate) fn polygon_offset(context: &mut Context, factor: GLfloat, units: GLfloat) -> Result<()> {
+    polygon_offset_clamp(context, factor, units, 0.0)
+}
+
+/// `ARB_polygon_offset_clamp`: a clamp that is no number bounds nothing.
+pub(crate) fn polygon_offset_clamp(
+    context: &mut Context,
+    factor: GLfloat,
+    units: GLfloat,
+    clamp: GLfloat,
+) -> Result<()> {
     let polygons = &mut context.state.raster.polygons;
     (polygons.offset_factor, polygons.offset_units) = (factor, units);
+    polygons.offset_clamp = clamp;
     Ok(())
 }
 

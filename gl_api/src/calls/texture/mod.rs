@@ -2,8 +2,10 @@
 
 pub(crate) mod bound;
 pub(crate) mod buffer;
+pub(crate) mod clear_image;
 pub(crate) mod compressed;
 pub(crate) mod copy;
+pub(crate) mod copy_image;
 pub(crate) mod environment;
 pub(crate) mod get;
 pub(crate) mod get_sub;
@@ -17,4 +19,5 @@ pub(crate) mod query;
 pub(crate) mod samplers;
 pub(crate) mod specify;
 pub(crate) mod storage;
+pub(crate) mod stored_level;
 pub(crate) mod sub;

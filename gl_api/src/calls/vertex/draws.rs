@@ -28,14 +28,48 @@ use std::ops::Range;
 pub(crate) const SECTION: &str = "GL 2.1, section 2.8";
 const INSTANCED: &str = "ARB_draw_instanced";
 
+/// The instances of a draw.
+#[derive(Clone, Copy)]
+pub(crate) struct Instances {
+    pub count: GLsizei,
+    /// The first element of arrays with a divisor (`ARB_base_instance`).
+    pub base: GLuint,
+}
+
+impl Instances {
+    pub const ONE: Self = Self::new(1);
+
+    pub const fn new(count: GLsizei) -> Self {
+        Self { count, base: 0 }
+    }
+
+    fn checked(self) -> Result<CheckedInstances> {
+        let count = not_negative(INSTANCED, "primcount", self.count.into())? as u32;
+        Ok(CheckedInstances { count, base: self.base })
+    }
+}
+
+/// The instances of a draw, no negative number of them.
+#[derive(Clone, Copy)]
+struct CheckedInstances {
+    count: u32,
+    base: u32,
+}
+
 /// The range of vertices that an indexed draw reads; computed only if the vertex source needs it.
 fn indexed_vertex_range(
     context: &Context,
     bytes: &[u8],
     (ty, base_vertex): (IndexType, GLint),
-    instances: u32,
+    instances: CheckedInstances,
 ) -> VertexRange<'static> {
-    let mut vertex_range = VertexRange { first: 0, last: 0, instances, scattered: None };
+    let mut vertex_range = VertexRange {
+        first: 0,
+        last: 0,
+        instances: instances.count,
+        base_instance: instances.base,
+        scattered: None,
+    };
     if needs_vertex_range(context) {
         let indices = bytes.chunks_exact(ty.size()).map(IndexType::index);
         // Sums wrap (ARB_draw_elements_base_vertex, section 2.8).
@@ -134,7 +168,8 @@ pub(crate) fn check_arrays(context: &mut Context, first: GLint, count: GLsizei) 
     let first = not_negative(SECTION, "first", first.into())?;
     let count = not_negative(SECTION, "count", count.into())?;
     let last = (first + count - 1) as u32;
-    let vertex_range = VertexRange { first: last, last, instances: 1, scattered: None };
+    let vertex_range =
+        VertexRange { first: last, last, instances: 1, base_instance: 0, scattered: None };
     let vertices = bindings(context, vertex_range)?;
     let checked = check_range(context, &vertices, first, count);
     context.recorder.bindings = vertices;
@@ -146,13 +181,14 @@ fn draw_or_record(
     context: &mut Context,
     topology: Topology,
     vertices: Vec<VertexBinding>,
-    elements: Elements,
+    (elements, base_instance): (Elements, u32),
 ) -> Result<()> {
     let (before, is_whole) = (context.recorder.draws, !needs_vertex_range(context));
     let (count, _) = elements.counts();
     if let Some((vertices, elements)) = context.record_arrays(topology, vertices, elements) {
         draw(context, topology, vertices, &elements)?;
-        if is_whole && context.recorder.draws > before {
+        // Later draws that repeat its arrays begin with element 0.
+        if is_whole && base_instance == 0 && context.recorder.draws > before {
             remember_last_draw(context, topology, count);
         }
     }
@@ -165,11 +201,11 @@ pub(crate) fn draw_arrays(
     first: GLint,
     count: GLsizei,
 ) -> Result<()> {
-    draw_range(context, mode, first, count, 1)
+    draw_range(context, mode, [first, count], Instances::ONE)
 }
 
 /// Refuses an instanced draw while a list is compiled (`ARB_draw_instanced`).
-fn refuse_in_list(context: &Context) -> Result<()> {
+pub(crate) fn refuse_in_list(context: &Context) -> Result<()> {
     if context.compiling.is_some() {
         return invalid_operation(INSTANCED, "draws of instances are not compiled into lists");
     }
@@ -184,33 +220,51 @@ pub(crate) fn draw_arrays_instanced(
     instances: GLsizei,
 ) -> Result<()> {
     refuse_in_list(context)?;
-    draw_range(context, mode, first, count, instances)
+    draw_range(context, mode, [first, count], Instances::new(instances))
 }
 
-/// Draws vertices in their order.
-fn draw_range(
+pub(crate) fn draw_arrays_instanced_base_instance(
     context: &mut Context,
     mode: GLenum,
     first: GLint,
     count: GLsizei,
     instances: GLsizei,
+    base: GLuint,
+) -> Result<()> {
+    refuse_in_list(context)?;
+    draw_range(context, mode, [first, count], Instances { count: instances, base })
+}
+
+/// Draws vertices in their order: the first, and how many.
+pub(crate) fn draw_range(
+    context: &mut Context,
+    mode: GLenum,
+    [first, count]: [GLint; 2],
+    instances: Instances,
 ) -> Result<()> {
     let topology = topology(mode)?;
     require_vertex_array(context)?;
     let first = not_negative(SECTION, "first", first.into())?;
     let count = not_negative(SECTION, "count", count.into())?;
-    let instances = not_negative(INSTANCED, "primcount", instances.into())?;
-    if count > 0 && instances > 0 && has_positions(context, topology) {
-        let (last, instances) = ((first + count - 1) as u32, instances as u32);
+    let instances = instances.checked()?;
+    if count > 0 && instances.count > 0 && has_positions(context, topology) {
+        let last = (first + count - 1) as u32;
         let range = (first as u32, count as u32);
-        let elements = Elements::Range { first: range.0, count: range.1, instances: 0..instances };
-        if try_append(context, topology, &elements) {
+        let elements =
+            Elements::Range { first: range.0, count: range.1, instances: 0..instances.count };
+        if instances.base == 0 && try_append(context, topology, &elements) {
             return Ok(());
         }
-        let vertices =
-            bindings(context, VertexRange { first: range.0, last, instances, scattered: None })?;
+        let vertex_range = VertexRange {
+            first: range.0,
+            last,
+            instances: instances.count,
+            base_instance: instances.base,
+            scattered: None,
+        };
+        let vertices = bindings(context, vertex_range)?;
         check_range(context, &vertices, first, count)?;
-        return draw_or_record(context, topology, vertices, elements);
+        return draw_or_record(context, topology, vertices, (elements, instances.base));
     }
     context.empty_draw("glDrawArrays")
 }
@@ -228,16 +282,16 @@ pub(crate) fn draw_indexed(
     context: &mut Context,
     mode: GLenum,
     request: IndexRequest<'_>,
-    instances: GLsizei,
+    instances: Instances,
 ) -> Result<()> {
     let topology = topology(mode)?;
     require_vertex_array(context)?;
     let count = not_negative(SECTION, "count", request.count.into())?;
-    let instances = not_negative(INSTANCED, "primcount", instances.into())? as u32;
+    let instances = instances.checked()?;
     let ty = INDEX_TYPE.decode("type", request.ty)?;
-    let needed = if instances == 0 { 0 } else { count.saturating_mul(ty.size()) };
+    let needed = if instances.count == 0 { 0 } else { count.saturating_mul(ty.size()) };
     let (buffer, offset) = index_buffer(context, request.indices, count, needed)?;
-    if count == 0 || instances == 0 || !has_positions(context, topology) {
+    if count == 0 || instances.count == 0 || !has_positions(context, topology) {
         return context.empty_draw("glDrawElements");
     }
     let request =
@@ -259,7 +313,11 @@ struct RunsRequest {
 }
 
 /// Draws each run of indices between restart indices. `gl_PrimitiveID` counts on from run to run.
-fn draw_runs(context: &mut Context, request: &RunsRequest, instances: u32) -> Result<()> {
+fn draw_runs(
+    context: &mut Context,
+    request: &RunsRequest,
+    instances: CheckedInstances,
+) -> Result<()> {
     let &RunsRequest { topology, ref buffer, offset, ty, count, base_vertex } = request;
     let runs = crate::calls::vertex::restart::runs(context, buffer, offset, ty, count);
     let indexed =
@@ -272,18 +330,18 @@ fn draw_runs(context: &mut Context, request: &RunsRequest, instances: u32) -> Re
     let all = all.filter(|all| runs.len() > 1 && all.is_dense(count));
     let shared = all.map(|all| bindings(context, all)).transpose()?;
     // ARB_draw_instanced: each instance is drawn whole, all its runs, before the next one.
-    let step = if runs.len() > 1 { 1 } else { instances };
-    for first in (0..instances).step_by(step as usize) {
+    let step = if runs.len() > 1 { 1 } else { instances.count };
+    for first in (0..instances.count).step_by(step as usize) {
         context.recorder.first_primitive = 0;
         for run in &runs {
             let offset = offset + run.start * ty.size();
             let indices = Indices { buffer: buffer.clone(), offset, ty, base_vertex };
             let (count, last) = (run.len() as u32, first + step);
             let mut elements = Elements::Indexed { indices, count, instances: first..last };
-            if try_append(context, topology, &elements) {
+            if instances.base == 0 && try_append(context, topology, &elements) {
                 // Nothing reads the number of a primitive.
             } else if let Some(vertices) = &shared {
-                draw_or_record(context, topology, vertices.clone(), elements)?;
+                draw_or_record(context, topology, vertices.clone(), (elements, instances.base))?;
             } else {
                 let mut vertex_range = vertex_range(context, run);
                 let scattered =
@@ -293,7 +351,7 @@ fn draw_runs(context: &mut Context, request: &RunsRequest, instances: u32) -> Re
                 }
                 vertex_range.scattered = scattered.as_deref();
                 let vertices = bindings(context, vertex_range)?;
-                draw_or_record(context, topology, vertices, elements)?;
+                draw_or_record(context, topology, vertices, (elements, instances.base))?;
             }
             let made = primitives(topology, context.state.raster.provoking, count);
             let numbered = made.numbered_from(context.recorder.first_primitive);
@@ -310,7 +368,7 @@ pub(crate) fn draw_elements(
     ty: GLenum,
     indices: Data<'_>,
 ) -> Result<()> {
-    draw_indexed(context, mode, IndexRequest { count, ty, indices, base_vertex: 0 }, 1)
+    draw_indexed(context, mode, IndexRequest { count, ty, indices, base_vertex: 0 }, Instances::ONE)
 }
 
 pub(crate) fn draw_elements_instanced(
@@ -322,7 +380,12 @@ pub(crate) fn draw_elements_instanced(
     instances: GLsizei,
 ) -> Result<()> {
     refuse_in_list(context)?;
-    draw_indexed(context, mode, IndexRequest { count, ty, indices, base_vertex: 0 }, instances)
+    draw_indexed(
+        context,
+        mode,
+        IndexRequest { count, ty, indices, base_vertex: 0 },
+        Instances::new(instances),
+    )
 }
 
 pub(crate) fn draw_elements_base_vertex(
@@ -333,7 +396,7 @@ pub(crate) fn draw_elements_base_vertex(
     indices: Data<'_>,
     base_vertex: GLint,
 ) -> Result<()> {
-    draw_indexed(context, mode, IndexRequest { count, ty, indices, base_vertex }, 1)
+    draw_indexed(context, mode, IndexRequest { count, ty, indices, base_vertex }, Instances::ONE)
 }
 
 /// Checks the range that indices are promised to be in.
@@ -366,7 +429,8 @@ pub(crate) fn array_element(context: &mut Context, index: GLint) -> Result<()> {
     let arrays = &context.state.arrays.by_location;
     let enabled: Vec<usize> = (0..LOCATIONS).filter(|&at| arrays[at].enabled).collect();
     let position = usize::from(ATTRIB_VERTEX);
-    let vertex_range = VertexRange { first: index, last: index, instances: 1, scattered: None };
+    let vertex_range =
+        VertexRange { first: index, last: index, instances: 1, base_instance: 0, scattered: None };
     let of_position = |location: &usize| *location == 0 || *location == position;
     for &location in enabled.iter().filter(|location| !of_position(location)) {
         let value = vertex_source(context, location, vertex_range)?.read(index);
@@ -404,5 +468,10 @@ pub(crate) fn draw_elements_instanced_base_vertex(
     base_vertex: GLint,
 ) -> Result<()> {
     refuse_in_list(context)?;
-    draw_indexed(context, mode, IndexRequest { count, ty, indices, base_vertex }, instances)
+    draw_indexed(
+        context,
+        mode,
+        IndexRequest { count, ty, indices, base_vertex },
+        Instances::new(instances),
+    )
 }

@@ -6,6 +6,7 @@ pub(crate) mod counted;
 pub(crate) mod draws;
 pub(crate) mod immediate;
 pub(crate) mod indices;
+pub(crate) mod indirect;
 pub(crate) mod interleaved;
 pub(crate) mod locked;
 pub(crate) mod packed;

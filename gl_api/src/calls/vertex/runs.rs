@@ -7,7 +7,7 @@ use crate::base::topology::topology;
 use crate::base::types::*;
 use crate::calls::vertex::array_objects::require_vertex_array;
 use crate::calls::vertex::draws::{
-    IndexRequest, SECTION, check_arrays, draw_arrays, draw_indexed, has_positions,
+    IndexRequest, Instances, SECTION, check_arrays, draw_arrays, draw_indexed, has_positions,
 };
 use crate::calls::vertex::indices::{INDEX_TYPE, check_indices};
 use crate::context::Context;
@@ -91,7 +91,12 @@ fn multi_draw_indexed(
         // Where no index is read, it does not matter from where.
         let indices = if count == 0 { Data::Null } else { indices };
         let base_vertex = base_vertices.map_or(0, |all| all[at]);
-        draw_indexed(context, mode, IndexRequest { count, ty, indices, base_vertex }, 1)?;
+        draw_indexed(
+            context,
+            mode,
+            IndexRequest { count, ty, indices, base_vertex },
+            Instances::ONE,
+        )?;
     }
     Ok(())
 }

@@ -57,6 +57,9 @@ macro_rules! entry_points_rasterization {
         polygon_mode: glPolygonMode (face: GLenum, mode: GLenum);
         /// Sets what is added to the depth of polygons.
         polygon_offset: glPolygonOffset (factor: GLfloat, units: GLfloat);
+        /// As `glPolygonOffset`; a positive `clamp` is the most that is added, a negative one the least.
+        polygon_offset_clamp: glPolygonOffsetClamp | glPolygonOffsetClampEXT
+            (factor: GLfloat, units: GLfloat, clamp: GLfloat);
         /// Sets which pixels of filled polygons are left: 32 rows of 32 bits.
         polygon_stipple: glPolygonStipple (mask: Data<'a>);
         /// Gives the polygon stipple.

@@ -3,8 +3,8 @@
 use crate::base::args::{Data, DataOut};
 use crate::base::types::*;
 use crate::calls::texture::{
-    buffer, compressed, copy, environment as env, get, get_sub, mipmap, multisample,
-    names as textures, parameter, query, samplers, specify, storage, sub,
+    buffer, clear_image, compressed, copy, copy_image, environment as env, get, get_sub, mipmap,
+    multisample, names as textures, parameter, query, samplers, specify, storage, sub,
 };
 
 #[doc(hidden)]
@@ -140,6 +140,26 @@ macro_rules! entry_points_textures {
         /// Reads the blocks of a compressed level.
         get_compressed_tex_image: glGetCompressedTexImage | glGetCompressedTexImageARB
             (target: GLenum, level: GLint, img: DataOut<'a>);
+    }
+    Refused in copy_image {
+        /// Copies texels as they are stored from one image to another.
+        copy_image_sub_data: glCopyImageSubData (
+            src_name: GLuint, src_target: GLenum, src_level: GLint, src_x: GLint, src_y: GLint, src_z: GLint,
+            dst_name: GLuint, dst_target: GLenum, dst_level: GLint, dst_x: GLint, dst_y: GLint, dst_z: GLint,
+            src_width: GLsizei, src_height: GLsizei, src_depth: GLsizei
+        ), not_compiled;
+    }
+    Refused in clear_image {
+        /// Gives every texel of a level the same value; zeros where `data` is null.
+        clear_tex_image: glClearTexImage (
+            texture: GLuint, level: GLint, format: GLenum, ty: GLenum, data: Data<'a>
+        ), not_compiled;
+        /// Gives every texel of a box of a level the same value; zeros where `data` is null.
+        clear_tex_sub_image: glClearTexSubImage (
+            texture: GLuint, level: GLint, xoffset: GLint, yoffset: GLint, zoffset: GLint,
+            width: GLsizei, height: GLsizei, depth: GLsizei, format: GLenum, ty: GLenum,
+            data: Data<'a>
+        ), not_compiled;
     }
     Refused in get_sub {
         /// Reads a part of a level of a texture.

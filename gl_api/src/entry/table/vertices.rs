@@ -3,10 +3,10 @@
 
 use crate::base::args::{Data, DataOut, Pointers};
 use crate::base::types::*;
-use crate::calls::buffer::{data as buffers, map as buffer_map};
+use crate::calls::buffer::{clear as buffer_clear, data as buffers, map as buffer_map};
 use crate::calls::vertex::{
-    array_objects as vertex_arrays, arrays, counted, draws as calls, immediate, interleaved,
-    locked, rect, restart, runs,
+    array_objects as vertex_arrays, arrays, counted, draws as calls, immediate, indirect,
+    interleaved, locked, rect, restart, runs,
 };
 use crate::query::arrays as query_arrays;
 
@@ -146,6 +146,31 @@ macro_rules! entry_points_vertices {
         /// Whether a name is a vertex array object that has been bound.
         is_vertex_array: glIsVertexArray | glIsVertexArrayOES (array: GLuint) -> bool;
     }
+    Refused in indirect {
+        /// Draws with the arguments of `glDrawArraysInstanced` that lie in a buffer.
+        draw_arrays_indirect: glDrawArraysIndirect (mode: GLenum, indirect: Data<'a>), not_compiled;
+        /// Draws by index with the arguments that lie in a buffer.
+        draw_elements_indirect: glDrawElementsIndirect
+            (mode: GLenum, ty: GLenum, indirect: Data<'a>), not_compiled;
+        /// Several `glDrawArraysIndirect`.
+        multi_draw_arrays_indirect: glMultiDrawArraysIndirect (
+            mode: GLenum, indirect: Data<'a>, drawcount: GLsizei, stride: GLsizei
+        ), not_compiled;
+        /// Several `glDrawElementsIndirect`.
+        multi_draw_elements_indirect: glMultiDrawElementsIndirect (
+            mode: GLenum, ty: GLenum, indirect: Data<'a>, drawcount: GLsizei, stride: GLsizei
+        ), not_compiled;
+        /// As `glDrawElementsInstanced`; arrays with a divisor begin at element `baseinstance`.
+        draw_elements_instanced_base_instance: glDrawElementsInstancedBaseInstance (
+            mode: GLenum, count: GLsizei, ty: GLenum, indices: Data<'a>, instancecount: GLsizei,
+            baseinstance: GLuint
+        ), not_compiled;
+        /// As `glDrawElementsInstancedBaseVertex`; arrays with a divisor begin at element `baseinstance`.
+        draw_elements_instanced_base_vertex_base_instance: glDrawElementsInstancedBaseVertexBaseInstance (
+            mode: GLenum, count: GLsizei, ty: GLenum, indices: Data<'a>, instancecount: GLsizei,
+            basevertex: GLint, baseinstance: GLuint
+        ), not_compiled;
+    }
     Refused in calls {
         /// Draws `count` vertices of the arrays from `first` on.
         draw_arrays: glDrawArrays | glDrawArraysEXT (mode: GLenum, first: GLint, count: GLsizei), not_compiled;
@@ -157,6 +182,10 @@ macro_rules! entry_points_vertices {
         draw_elements_instanced: glDrawElementsInstanced | glDrawElementsInstancedARB
                 | glDrawElementsInstancedEXT (
             mode: GLenum, count: GLsizei, ty: GLenum, indices: Data<'a>, instancecount: GLsizei
+        ), not_compiled;
+        /// As `glDrawArraysInstanced`; arrays with a divisor begin at element `baseinstance`.
+        draw_arrays_instanced_base_instance: glDrawArraysInstancedBaseInstance (
+            mode: GLenum, first: GLint, count: GLsizei, instancecount: GLsizei, baseinstance: GLuint
         ), not_compiled;
         /// Draws vertices of the arrays by index; `basevertex` is added to each.
         draw_elements_base_vertex: glDrawElementsBaseVertex (
@@ -214,6 +243,17 @@ macro_rules! entry_points_vertices {
         /// Reads a part of a buffer.
         get_buffer_sub_data: glGetBufferSubData | glGetBufferSubDataARB
             (target: GLenum, offset: GLintptr, size: GLsizeiptr, data: DataOut<'a>);
+    }
+    Refused in buffer_clear {
+        /// Fills a buffer with one value, converted to a format of buffer textures; zeros where `data` is null.
+        clear_buffer_data: glClearBufferData (
+            target: GLenum, internalformat: GLenum, format: GLenum, ty: GLenum, data: Data<'a>
+        ), not_compiled;
+        /// Fills a range of a buffer with one value, converted to a format of buffer textures; zeros where `data` is null.
+        clear_buffer_sub_data: glClearBufferSubData (
+            target: GLenum, internalformat: GLenum, offset: GLintptr, size: GLsizeiptr,
+            format: GLenum, ty: GLenum, data: Data<'a>
+        ), not_compiled;
     }
     Refused in buffer_map {
         /// Gives the buffer's bytes to the client until `glUnmapBuffer`; see also

@@ -8,7 +8,7 @@ use crate::base::limits;
 use crate::base::types::*;
 use crate::base::version;
 use crate::context::Context;
-use crate::glsl::{GATHER_OFFSETS, TEXEL_OFFSETS};
+use crate::glsl::{GATHER_OFFSETS, MAX_UNIFORM_LOCATIONS, TEXEL_OFFSETS};
 use crate::interface::*;
 use crate::pixel::etc;
 use crate::pixel::formats::general_purpose_formats;
@@ -113,6 +113,7 @@ pub(super) const ROWS: &[Row] = rows! {
     GL_MAX_TRANSFORM_FEEDBACK_INTERLEAVED_COMPONENTS:
         Integer(|_| saturated(limits::MAX_TRANSFORM_FEEDBACK_INTERLEAVED_COMPONENTS));
 
+    GL_MAX_UNIFORM_LOCATIONS: Integer(|_| saturated(MAX_UNIFORM_LOCATIONS));
     GL_MAX_VERTEX_UNIFORM_BLOCKS: Integer(|_| saturated(limits::MAX_UNIFORM_BLOCKS));
     GL_MAX_FRAGMENT_UNIFORM_BLOCKS: Integer(|_| saturated(limits::MAX_UNIFORM_BLOCKS));
     GL_MAX_GEOMETRY_UNIFORM_BLOCKS: Integer(|_| saturated(limits::MAX_UNIFORM_BLOCKS));

@@ -63,6 +63,7 @@ pub(super) const ROWS: &[Row] = rows! {
     GL_CONTEXT_PROFILE_MASK: Word(|c| c.profile.mask());
 
     GL_COPY_READ_BUFFER: Word(|c| c.state.bindings.copy_read_buffer.name());
+    GL_DRAW_INDIRECT_BUFFER_BINDING: Word(|c| c.state.bindings.draw_indirect_buffer.name());
     GL_COPY_WRITE_BUFFER: Word(|c| c.state.bindings.copy_write_buffer.name());
     GL_MAX_SERVER_WAIT_TIMEOUT: Integer(|_| MAX_SERVER_WAIT_TIMEOUT as i32);
     // A double is exact for a hundred days of nanoseconds.

@@ -32,6 +32,7 @@ pub(super) const ROWS: &[Row] = rows! {
     });
     GL_POLYGON_OFFSET_FACTOR: Float(|c| c.state.raster.polygons.offset_factor);
     GL_POLYGON_OFFSET_UNITS: Float(|c| c.state.raster.polygons.offset_units);
+    GL_POLYGON_OFFSET_CLAMP: Float(|c| c.state.raster.polygons.offset_clamp);
     GL_POLYGON_OFFSET_POINT: Enabled;
     GL_POLYGON_OFFSET_LINE: Enabled;
     GL_POLYGON_OFFSET_FILL: Enabled;

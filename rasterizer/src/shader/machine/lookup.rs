@@ -28,7 +28,7 @@ impl Machine {
                     }
                     (Access::Size, Lod::Explicit(level)) => {
                         let size = plan.size(level.as_u32().as_i32());
-                        out[3] = F32s::ZERO;
+                        *out[3].as_u32_mut() = U32s::splat(plan.level_count());
                         for (out, size) in out.iter_mut().zip(&size) {
                             let out = out.as_u32_mut();
                             for lane in 0..LANES {

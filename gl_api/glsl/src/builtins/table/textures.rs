@@ -110,6 +110,7 @@ pub fn rows() -> Vec<FunctionRow> {
             }
             overloaded_rows(sampler_row, sampler, &mut rows);
             query_rows(sampler_row, sampler, &mut rows);
+            query_levels_row(sampler_row, sampler, &mut rows);
             gather_rows(sampler_row, sampler, &mut rows);
         }
     }
@@ -281,6 +282,22 @@ fn query_rows(sampler_row: &SamplerRow, sampler: Sampler, rows: &mut Vec<Functio
     let (name, result) = ("textureQueryLOD".to_owned(), Pattern::Fixed(Scalar::Float, 2));
     let row = row(name, result, parameters, availability, Lookup::QueryLod);
     rows.push(FunctionRow { stages: Stages::Fragment, ..row });
+}
+
+/// `textureQueryLevels` (ARB_texture_query_levels). A rectangle has one level.
+fn query_levels_row(sampler_row: &SamplerRow, sampler: Sampler, rows: &mut Vec<FunctionRow>) {
+    if sampler_row.dim == Dim::Rect {
+        return;
+    }
+    let availability = Availability::extension(Extension::TextureQueryLevels);
+    let (name, result) = ("textureQueryLevels".to_owned(), Pattern::Fixed(Scalar::Int, 1));
+    rows.push(row(
+        name,
+        result,
+        vec![Pattern::Sampler(sampler)],
+        availability,
+        Lookup::QueryLevels,
+    ));
 }
 
 /// `textureGather` and `textureGatherOffset` (ARB_texture_gather) of textures that have two axes and

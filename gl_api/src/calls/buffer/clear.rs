@@ -1,0 +1,113 @@
+//! `glClearBufferData` and `glClearBufferSubData`: one value all over a buffer (`ARB_clear_buffer_object`).
+
+use crate::base::args::{Data, Located};
+use crate::base::constants::*;
+use crate::base::error::{Result, invalid_enum, invalid_operation, invalid_value};
+use crate::base::types::*;
+use crate::calls::buffer::data::binding;
+use crate::calls::texture::specify::kinds_match;
+use crate::context::Context;
+use crate::objects::buffers::{BUFFER_TARGET, range};
+use crate::pixel::client::Pixel;
+use crate::pixel::layout::{Extent, Layout};
+use crate::pixel::store::PixelStore;
+use crate::pixel::transfer::Transfer;
+use crate::pixel::{convert, formats};
+
+const SECTION: &str = "ARB_clear_buffer_object, section 2.9.X";
+
+/// Clears a range, or the whole buffer.
+fn clear(
+    context: &mut Context,
+    (target, internal): (GLenum, GLenum),
+    part: Option<(GLintptr, GLsizeiptr)>,
+    (format, ty): (GLenum, GLenum),
+    data: Data<'_>,
+) -> Result<()> {
+    let bound = binding(context, BUFFER_TARGET.decode("target", target)?).clone();
+    let isa = context.recorder.isa();
+    let (recorder, shared) = (&mut context.recorder, &mut context.objects.shared);
+    let Some(object) = shared.buffers.bound_mut(&bound) else {
+        let target = enum_name(target);
+        return invalid_value(
+            SECTION,
+            format!("no buffer is bound to {target}: call glBindBuffer"),
+        );
+    };
+    let row = formats::find(internal).filter(|format| format.is_for_texel_buffers());
+    let Some(stored) = row.map(|format| format.stored) else {
+        let internal = enum_name(internal);
+        return invalid_enum(
+            SECTION,
+            format!("internalformat = {internal} must be one of buffer textures, as GL_RGBA8"),
+        );
+    };
+    let range = match part {
+        None => 0..object.len(),
+        Some((offset, size)) => range(object, offset, size)?,
+    };
+    let mapped = object.map.as_ref().map(|map| map.range.clone());
+    if let Some(mapped) = mapped
+        .filter(|mapped| part.is_none() || range.start < mapped.end && mapped.start < range.end)
+    {
+        return invalid_operation(
+            SECTION,
+            format!("bytes {range:?} are cleared, and {mapped:?} are mapped: call glUnmapBuffer"),
+        );
+    }
+    let bytes = stored.bytes();
+    if !range.start.is_multiple_of(bytes) || !range.len().is_multiple_of(bytes) {
+        let (offset, size) = (range.start, range.len());
+        return invalid_value(
+            SECTION,
+            format!(
+                "offset = {offset} and size = {size} must be multiples of the texel's {bytes} bytes"
+            ),
+        );
+    }
+    let pixel = Pixel::new(format, ty)?;
+    kinds_match(pixel, stored)?;
+    let mut texel = vec![0; bytes];
+    let layout = Layout::new(&PixelStore::default(), pixel, [1; 3], Extent::Flat)?;
+    match data.locate(0, layout.needed) {
+        Located::Null => {}
+        Located::Bytes(from) if from.len() >= layout.needed => {
+            convert::unpack(isa, &layout, from, stored, &Transfer::default(), &mut texel);
+        }
+        Located::Bytes(from) => {
+            let (needed, has) = (layout.needed, from.len());
+            return invalid_operation(SECTION, format!("a pixel has {needed} bytes, data {has}"));
+        }
+        Located::Offset(_) => return invalid_operation(SECTION, "data must be memory or NULL"),
+    }
+    let cleared = match &mut object.map {
+        Some(map) => &mut map.bytes[range],
+        None => &mut object.bytes_mut(recorder)[range],
+    };
+    cleared.chunks_exact_mut(bytes).for_each(|to| to.copy_from_slice(&texel));
+    Ok(())
+}
+
+pub(crate) fn clear_buffer_data(
+    context: &mut Context,
+    target: GLenum,
+    internalformat: GLenum,
+    format: GLenum,
+    ty: GLenum,
+    data: Data<'_>,
+) -> Result<()> {
+    clear(context, (target, internalformat), None, (format, ty), data)
+}
+
+pub(crate) fn clear_buffer_sub_data(
+    context: &mut Context,
+    target: GLenum,
+    internalformat: GLenum,
+    offset: GLintptr,
+    size: GLsizeiptr,
+    format: GLenum,
+    ty: GLenum,
+    data: Data<'_>,
+) -> Result<()> {
+    clear(context, (target, internalformat), Some((offset, size)), (format, ty), data)
+}

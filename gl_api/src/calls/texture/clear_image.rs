@@ -1,0 +1,152 @@
+//! `glClearTexImage` and `glClearTexSubImage`: texels of one value (`ARB_clear_texture`).
+
+use crate::base::args::{Data, Located};
+use crate::base::error::{Result, invalid_operation};
+use crate::base::types::*;
+use crate::calls::texture::specify::kinds_match;
+use crate::calls::texture::stored_level::{Owner, StoredLevel, UnitBox};
+use crate::context::Context;
+use crate::objects::target::TextureTarget;
+use crate::pixel::client::Pixel;
+use crate::pixel::convert;
+use crate::pixel::layout::{Extent, Layout};
+use crate::pixel::store::PixelStore;
+use crate::pixel::transfer::Transfer;
+
+const SECTION: &str = "ARB_clear_texture, section 3.9.X";
+
+/// The part of a level that is cleared.
+enum ClearedArea {
+    /// All of it, the border too.
+    Level,
+    /// A box, as calls on the target give it.
+    Box { at: [GLint; 3], size: [GLsizei; 3] },
+}
+
+/// A checked clear.
+struct ClearRequest {
+    level: StoredLevel,
+    area: UnitBox,
+    /// A texel as it is stored.
+    texel: Vec<u8>,
+}
+
+impl ClearRequest {
+    fn new(
+        context: &mut Context,
+        name: GLuint,
+        level: GLint,
+        area: ClearedArea,
+        (format, ty): (GLenum, GLenum),
+        data: Data<'_>,
+    ) -> Result<Self> {
+        let found = context.objects.shared.textures.get(name).filter(|_| name != 0);
+        let Some(texture) = found else {
+            return invalid_operation(SECTION, format!("texture = {name} is no texture"));
+        };
+        let (target, image) = (texture.target, texture.image.clone());
+        if target == TextureTarget::Buffer {
+            return invalid_operation(SECTION, "a buffer texture is cleared by glClearBufferData");
+        }
+        let owner = Owner::Texture(name, target);
+        let found = usize::try_from(level).ok();
+        let Some(stored) = found.and_then(|at| StoredLevel::new(context, owner, &image, at)) else {
+            return invalid_operation(SECTION, format!("level = {level} has no image"));
+        };
+        if stored.format.block().is_some() {
+            return invalid_operation(SECTION, "compressed texels are not cleared");
+        }
+        let area = unit_box(target, &stored, area)?;
+        let pixel = Pixel::new(format, ty)?;
+        kinds_match(pixel, stored.format)?;
+        let texel = texel(context, &stored, pixel, data)?;
+        Ok(Self { level: stored, area, texel })
+    }
+
+    fn apply(self, context: &mut Context) -> Result<()> {
+        let Self { level, area, texel } = self;
+        let [width, height, layers] = area.size;
+        let count = width * height * layers * usize::from(level.samples);
+        if count == 0 {
+            return Ok(());
+        }
+        level.write(context, area, &texel.repeat(count))
+    }
+}
+
+/// One texel of a level's format.
+fn texel(context: &Context, stored: &StoredLevel, pixel: Pixel, data: Data<'_>) -> Result<Vec<u8>> {
+    let mut texel = vec![0; stored.format.bytes()];
+    let layout = Layout::new(&PixelStore::default(), pixel, [1; 3], Extent::Flat)?;
+    match data.locate(0, layout.needed) {
+        Located::Null => {}
+        Located::Bytes(bytes) if bytes.len() >= layout.needed => {
+            let (isa, transfer) = (context.recorder.isa(), Transfer::default());
+            convert::unpack(isa, &layout, bytes, stored.format, &transfer, &mut texel);
+        }
+        Located::Bytes(bytes) => {
+            let (needed, has) = (layout.needed, bytes.len());
+            return invalid_operation(SECTION, format!("a pixel has {needed} bytes, data {has}"));
+        }
+        Located::Offset(_) => return invalid_operation(SECTION, "data must be memory or NULL"),
+    }
+    Ok(texel)
+}
+
+/// The cleared box, if it lies within the level and its border.
+fn unit_box(target: TextureTarget, stored: &StoredLevel, area: ClearedArea) -> Result<UnitBox> {
+    let border = stored.border.map(|side| side as i32);
+    let (at, size) = match area {
+        ClearedArea::Level => {
+            let size = [0, 1, 2].map(|axis| stored.size[axis] as i32 + 2 * border[axis]);
+            (border.map(|side| -side), size)
+        }
+        ClearedArea::Box { at, size } => (target.level_box(at), target.level_box(size)),
+    };
+    for axis in 0..3 {
+        let (from, side) = (i64::from(at[axis]), i64::from(size[axis]));
+        let (low, high) =
+            (-i64::from(border[axis]), i64::from(stored.size[axis]) + i64::from(border[axis]));
+        if side < 0 || from < low || from + side > high {
+            let letter = ["x", "y", "z"][axis];
+            return invalid_operation(
+                SECTION,
+                format!(
+                    "{side} texels along {letter} from {from} on reach outside {low} to {high}"
+                ),
+            );
+        }
+    }
+    Ok(UnitBox { at, size: size.map(|side| side as usize) })
+}
+
+pub(crate) fn clear_tex_image(
+    context: &mut Context,
+    texture: GLuint,
+    level: GLint,
+    format: GLenum,
+    ty: GLenum,
+    data: Data<'_>,
+) -> Result<()> {
+    let area = ClearedArea::Level;
+    ClearRequest::new(context, texture, level, area, (format, ty), data)?.apply(context)
+}
+
+#[expect(clippy::too_many_arguments, reason = "GL's signature")]
+pub(crate) fn clear_tex_sub_image(
+    context: &mut Context,
+    texture: GLuint,
+    level: GLint,
+    xoffset: GLint,
+    yoffset: GLint,
+    zoffset: GLint,
+    width: GLsizei,
+    height: GLsizei,
+    depth: GLsizei,
+    format: GLenum,
+    ty: GLenum,
+    data: Data<'_>,
+) -> Result<()> {
+    let area = ClearedArea::Box { at: [xoffset, yoffset, zoffset], size: [width, height, depth] };
+    ClearRequest::new(context, texture, level, area, (format, ty), data)?.apply(context)
+}
