@@ -160,18 +160,29 @@ pub struct Capture {
 
 /// A name that transform feedback is to capture.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct CaptureRequest {
-    /// The variable.
-    pub variable: String,
-    /// The element of the array, if the name ends in `[n]`.
-    pub element: Option<u32>,
+pub enum CaptureRequest {
+    /// An output.
+    Varying {
+        /// The variable.
+        variable: String,
+        /// The element of the array, if the name ends in `[n]`.
+        element: Option<u32>,
+    },
+    /// Components that keep what the buffer has: `gl_SkipComponents1` to `4` (`ARB_transform_feedback3`).
+    Gap(u8),
+    /// What follows goes to the next buffer: `gl_NextBuffer`.
+    NextBuffer,
 }
 
 impl fmt::Display for CaptureRequest {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.element {
-            Some(element) => write!(f, "{}[{element}]", self.variable),
-            None => f.write_str(&self.variable),
+        match self {
+            Self::Varying { variable, element: Some(element) } => {
+                write!(f, "{variable}[{element}]")
+            }
+            Self::Varying { variable, element: None } => f.write_str(variable),
+            Self::Gap(components) => write!(f, "gl_SkipComponents{components}"),
+            Self::NextBuffer => f.write_str("gl_NextBuffer"),
         }
     }
 }
@@ -181,17 +192,30 @@ impl fmt::Display for CaptureRequest {
 pub struct Captured {
     /// Its name, as the application gave it.
     pub name: String,
-    /// The type of it or of its elements.
-    pub ty: DataType,
-    /// How many elements; 1 if it is no array.
+    /// What it is.
+    pub item: CapturedItem,
+    /// How many elements, 1 if it is no array; how many components of a gap.
     pub size: u32,
     /// Its scalars among the outputs of the vertex stage, in order.
     pub scalars: Vec<CapturedScalar>,
 }
 
+/// What a name of [`Captured`] stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CapturedItem {
+    /// An output, by the type of it or of its elements.
+    Varying(DataType),
+    /// Components of the buffer that are left as they are.
+    Gap,
+    /// The step to the next buffer.
+    NextBuffer,
+}
+
 /// A captured scalar among the outputs of the vertex stage.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CapturedScalar {
+    /// A component of the buffer that is left as it is.
+    Gap,
     /// An output as it is.
     Float(Output),
     /// A word whose halves of 16 bits are outputs.
@@ -245,6 +269,18 @@ pub struct Program {
 }
 
 impl Program {
+    /// The scalars that are captured for a vertex, by buffer.
+    pub fn captured_by_buffer(&self) -> Vec<Vec<CapturedScalar>> {
+        let of_name = |captured: &Captured| captured.scalars.clone();
+        match self.buffer_mode {
+            BufferMode::Separate => self.captured.iter().map(of_name).collect(),
+            BufferMode::Interleaved => {
+                let buffers = self.captured.split(|name| name.item == CapturedItem::NextBuffer);
+                buffers.map(|names| names.iter().flat_map(of_name).collect()).collect()
+            }
+        }
+    }
+
     /// Whether a uniform, active or not, declares this location.
     pub fn is_explicit_location(&self, location: i32) -> bool {
         let is_in =

@@ -5,6 +5,7 @@
 pub const EXTENSIONS_OF_ES: &[&str] = &[
     "GL_APPLE_clip_distance",
     "GL_EXT_blend_minmax",
+    "GL_EXT_buffer_storage",
     "GL_EXT_clip_control",
     "GL_EXT_color_buffer_float",
     "GL_EXT_color_buffer_half_float",

@@ -30,6 +30,10 @@ pub(crate) const MAX_DUAL_SOURCE_DRAW_BUFFERS: usize =
 pub(crate) const MAX_SAMPLES: u8 = rasterizer::driver::MAX_SAMPLES as u8;
 /// `GL_MAX_TEXTURE_LOD_BIAS`.
 pub(crate) const MAX_TEXTURE_LOD_BIAS: f32 = 16.0;
+/// `GL_MAX_VERTEX_ATTRIB_BINDINGS`.
+pub(crate) const MAX_VERTEX_ATTRIB_BINDINGS: usize = glsl::limits::MAX_VERTEX_ATTRIBS as usize;
+/// `GL_MAX_VERTEX_ATTRIB_RELATIVE_OFFSET`.
+pub(crate) const MAX_VERTEX_ATTRIB_RELATIVE_OFFSET: u32 = 2047;
 /// `GL_MAX_UNIFORM_BUFFER_BINDINGS`.
 pub(crate) const MAX_UNIFORM_BUFFER_BINDINGS: usize = glsl::limits::MAX_UNIFORM_BUFFER_BINDINGS;
 /// `GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT`: what rows of blocks in one buffer are a multiple of.
@@ -40,6 +44,10 @@ pub(crate) const MAX_VARYING_FLOATS: i32 = glsl::limits::MAX_VARYING_FLOATS as i
 pub(crate) const MAX_BUFFER_SIZE: usize = 1 << 31;
 /// `GL_MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS`: the buffers that transform feedback fills at once.
 pub(crate) const MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS: usize = 4;
+/// `GL_MAX_TRANSFORM_FEEDBACK_BUFFERS`: the same of interleaved capture.
+pub(crate) const MAX_TRANSFORM_FEEDBACK_BUFFERS: usize = MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS;
+/// `GL_MAX_VERTEX_STREAMS`: several are of `ARB_gpu_shader5`.
+pub(crate) const MAX_VERTEX_STREAMS: u32 = 1;
 
 /// How many attribute locations there are, conventional ones included; see [`crate::interface`].
 pub(crate) const LOCATIONS: usize = 32;

@@ -2,11 +2,12 @@
 
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation, invalid_value};
-use crate::base::limits::MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS;
+use crate::base::limits::{MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS, MAX_VERTEX_STREAMS};
 use crate::base::types::*;
 use crate::calls::vertex::draws::draw_arrays;
 use crate::context::Context;
-use crate::glsl::BufferMode;
+use crate::glsl::CapturedScalar;
+use crate::objects::buffers::BufferRange;
 use crate::objects::name_table::listed;
 use crate::state::transform_feedback::{Active, CapturedPrimitive, SECTION, TransformFeedback};
 
@@ -31,12 +32,12 @@ pub(crate) fn begin_transform_feedback(context: &mut Context, mode: GLenum) -> R
             "the program captures nothing: call glTransformFeedbackVaryings before it is linked",
         );
     }
-    let needed = match linked.program.buffer_mode {
-        BufferMode::Interleaved => 1,
-        BufferMode::Separate => count,
+    let captured = linked.program.captured_by_buffer();
+    let mut buffers = context.transform_feedback.buffers.iter().zip(captured);
+    let is_missing = |(range, scalars): (&BufferRange, Vec<CapturedScalar>)| {
+        range.buffer.name() == 0 && !scalars.is_empty()
     };
-    let buffers = context.transform_feedback.buffers.iter().take(needed);
-    if let Some(index) = buffers.clone().position(|range| range.buffer.name() == 0) {
+    if let Some(index) = buffers.position(is_missing) {
         return invalid_operation(
             SECTION,
             format!(
@@ -198,6 +199,28 @@ pub(crate) fn draw_transform_feedback(
         return invalid_operation(OBJECTS, rule);
     };
     draw_arrays(context, mode, 0, captured.min(GLsizei::MAX as u32) as GLsizei)
+}
+
+/// As `glDrawTransformFeedback`, of one of the vertex streams (`ARB_transform_feedback3`).
+pub(crate) fn draw_transform_feedback_stream(
+    context: &mut Context,
+    mode: GLenum,
+    id: GLuint,
+    stream: GLuint,
+) -> Result<()> {
+    checked_stream("stream", stream)?;
+    draw_transform_feedback(context, mode, id)
+}
+
+/// Checks the number of a vertex stream.
+pub(crate) fn checked_stream(argument: &str, stream: GLuint) -> Result<()> {
+    if stream < MAX_VERTEX_STREAMS {
+        return Ok(());
+    }
+    invalid_value(
+        "ARB_transform_feedback3, section 2.17",
+        format!("{argument} = {stream} must be below GL_MAX_VERTEX_STREAMS, {MAX_VERTEX_STREAMS}"),
+    )
 }
 
 /// Refuses what must not change while vertices are captured, or will be once that is resumed.

@@ -7,7 +7,8 @@ use crate::context::recorder::elements::Elements;
 use crate::context::recorder::vertex_stage::{Outputs, PreparedStage, VertexInstance, Vertices};
 use crate::draw::stages::choose;
 use crate::draw::vertex_stage::{shade, shade_with};
-use crate::glsl::{BufferMode, Captured, CapturedScalar};
+use crate::glsl::CapturedScalar;
+use crate::objects::buffers::BufferObject;
 use crate::objects::programs::Linked;
 use crate::objects::queries::{GENERATED, WRITTEN};
 use crate::state::transform_feedback::{Active, CapturedPrimitive, SECTION};
@@ -166,21 +167,14 @@ impl Layout {
     fn of(context: &Context) -> Option<Self> {
         let linked =
             context.objects.shared.linked_program(context.state.bindings.program.name())?;
-        let scalars = |captured: &Captured| captured.scalars.clone();
-        let all = linked.program.captured.iter();
-        Some(Self {
-            buffers: match linked.program.buffer_mode {
-                BufferMode::Interleaved => vec![all.flat_map(scalars).collect()],
-                BufferMode::Separate => all.map(scalars).collect(),
-            },
-        })
+        Some(Self { buffers: linked.program.captured_by_buffer() })
     }
 
     /// Checks that the buffers can be written to.
     fn check(&self, context: &Context) -> Result<()> {
         for range in context.transform_feedback.buffers.iter().take(self.buffers.len()) {
             let object = context.objects.shared.buffers.bound(&range.buffer);
-            if object.is_some_and(|object| object.map.is_some()) {
+            if object.is_some_and(BufferObject::is_mapped_alone) {
                 return invalid_operation(
                     SECTION,
                     format!("buffer {} is mapped: call glUnmapBuffer", range.buffer.name()),
@@ -196,6 +190,10 @@ impl Layout {
         let ranges = &context.transform_feedback.buffers;
         let mut fit = vertices.len() / corners;
         for ((range, scalars), written) in ranges.iter().zip(&self.buffers).zip(active.written) {
+            // Nothing is written to it, nor need it be bound.
+            if scalars.is_empty() {
+                continue;
+            }
             let buffer = context.objects.shared.buffers.bound(&range.buffer);
             let bytes = buffer.map_or(0, |object| object.buffer().bytes().len());
             let available =
@@ -212,13 +210,18 @@ impl Layout {
             let indices: Vec<CapturedIndex> = indices.collect();
             let first = range.offset + *written;
             let bytes = fit * corners * scalars.len() * 4;
-            let out = object.bytes_mut(&mut context.recorder);
-            let out = out.get_mut(first..first + bytes).unwrap_or_default();
+            if first + bytes > object.len() {
+                continue;
+            }
             let words = (0..fit * corners)
                 .flat_map(|at| indices.iter().map(move |place| place.word(vertices, at)));
-            for (out, word) in out.chunks_exact_mut(4).zip(words) {
-                out.copy_from_slice(&word.to_le_bytes());
-            }
+            object.write(&mut context.recorder, first..first + bytes, |out| {
+                for (out, word) in out.chunks_exact_mut(4).zip(words) {
+                    if let Some(word) = word {
+                        out.copy_from_slice(&word.to_le_bytes());
+                    }
+                }
+            });
             *written += bytes;
         }
         active.vertices = active.vertices.saturating_add((fit * corners) as u32);
@@ -229,6 +232,7 @@ impl Layout {
 /// The indices of a captured scalar's outputs; an output that the stage does not have is 0.
 #[derive(Clone, Copy)]
 enum CapturedIndex {
+    Gap,
     Float(Option<usize>),
     Word([Option<usize>; 2]),
 }
@@ -236,6 +240,7 @@ enum CapturedIndex {
 impl CapturedIndex {
     fn of(vertices: &Vertices, scalar: CapturedScalar) -> Self {
         match scalar {
+            CapturedScalar::Gap => Self::Gap,
             CapturedScalar::Float(output) => Self::Float(vertices.output_index(output)),
             CapturedScalar::Word { low, high } => {
                 Self::Word([low, high].map(|output| vertices.output_index(output)))
@@ -243,14 +248,15 @@ impl CapturedIndex {
         }
     }
 
-    /// The bits of the scalar at a vertex.
-    fn word(self, vertices: &Vertices, at: usize) -> u32 {
+    /// The bits of the scalar at a vertex; none of a gap.
+    fn word(self, vertices: &Vertices, at: usize) -> Option<u32> {
         let value = |place: Option<usize>| place.map_or(0.0, |place| vertices.value(at, place));
         match self {
-            Self::Float(place) => math::bits(value(place)),
+            Self::Gap => None,
+            Self::Float(place) => Some(math::bits(value(place))),
             Self::Word(indices) => {
                 let [low, high] = indices.map(|place| value(place) as u32);
-                high << 16 | low
+                Some(high << 16 | low)
             }
         }
     }

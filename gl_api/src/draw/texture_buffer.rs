@@ -26,7 +26,7 @@ pub(crate) fn plan(context: &mut Context, unit: u8) -> Result<Arc<SamplePlan>> {
     let bound = &context.state.units.units[usize::from(unit)].bound[TextureTarget::Buffer as usize];
     let store = &context.objects.texture(TextureTarget::Buffer, bound).store;
     let buffer = match context.objects.shared.buffers.bound(&store.buffer) {
-        Some(object) if object.map.is_some() => {
+        Some(object) if object.is_mapped_alone() => {
             let (buffer, name) = (store.buffer.name(), bound.name());
             let rule = format!("buffer {buffer} of texture {name} is mapped: call glUnmapBuffer");
             return invalid_operation("ARB_texture_buffer_object, section 3.8", rule);

@@ -27,7 +27,7 @@ pub(crate) fn refresh(context: &mut Context, name: GLuint) -> Result<()> {
         let bound = context.uniform_buffers.buffers.get(state.binding as usize);
         let range = bound.unwrap_or(&none);
         let object = objects.buffers.bound(&range.buffer);
-        if object.is_some_and(|object| object.map.is_some()) {
+        if object.is_some_and(BufferObject::is_mapped_alone) {
             return invalid_operation(
                 SECTION,
                 format!(

@@ -57,7 +57,7 @@ impl VertexRange<'_> {
     /// The bytes of its elements of an array, and the number of the first.
     fn bytes(self, array: &Array, offset: usize) -> Option<(Range<usize>, u32)> {
         let (first, last) = self.elements(array);
-        let at = |element: usize| element.checked_mul(array.step())?.checked_add(offset);
+        let at = |element: usize| element.checked_mul(array.step)?.checked_add(offset);
         let number = (first - self.base(array)) as u32;
         Some((at(first)?..at(last)?.checked_add(array.size())?, number))
     }
@@ -89,7 +89,10 @@ pub(crate) fn array_limits(context: &Context) -> [u32; 2] {
                 object.map_or(0, |object| object.buffer().bytes().len()).saturating_sub(*offset)
             }
         };
-        let elements = bytes.checked_sub(array.size()).map_or(0, |rest| rest / array.step() + 1);
+        let elements = bytes.checked_sub(array.size()).map_or(0, |rest| {
+            // All elements are the same one.
+            rest.checked_div(array.step).map_or(usize::MAX, |last| last + 1)
+        });
         let elements = u32::try_from(elements).unwrap_or(u32::MAX);
         let (axis, each) = if array.divisor == 0 { (0, 1) } else { (1, array.divisor) };
         all[axis] = all[axis].min(elements.saturating_mul(each));
@@ -165,7 +168,7 @@ fn gathered(context: &Context, array: &Array, vertices: &[u32]) -> Buffer {
         }
     };
     for &vertex in vertices {
-        let at = vertex as usize * array.step() + offset;
+        let at = vertex as usize * array.step + offset;
         bytes.extend_from_slice(match &array.source {
             Source::Client(_) | Source::Object { .. } => {
                 memory.get(at..at + size).unwrap_or_default()
@@ -185,7 +188,7 @@ pub(crate) fn vertex_source(
     let array = &context.state.arrays.by_location[location];
     let scattered = vertex_range.scattered.filter(|_| array.divisor == 0);
     // Far beyond every buffer where it overflows.
-    let base = vertex_range.base(array).saturating_mul(array.step());
+    let base = vertex_range.base(array).saturating_mul(array.step);
     let (buffer, first, offset) = match (&array.source, scattered) {
         (_, Some(vertices)) => (gathered(context, array, vertices), 0, 0),
         (Source::Client(buffer), None) => (buffer.clone(), 0, base),
@@ -195,7 +198,7 @@ pub(crate) fn vertex_source(
         }
         (Source::Object { buffer, offset }, None) => {
             match context.objects.shared.buffers.bound(buffer) {
-                Some(object) if object.map.is_some() => return mapped(buffer.name(), location),
+                Some(object) if object.is_mapped_alone() => return mapped(buffer.name(), location),
                 Some(object) => {
                     let place = vertex_range.bytes(array, *offset);
                     let part = place.filter(|_| object.is_rewritten(&context.recorder));
@@ -214,7 +217,7 @@ pub(crate) fn vertex_source(
         buffer,
         first,
         offset,
-        stride: if scattered.is_some() { array.size() } else { array.step() },
+        stride: if scattered.is_some() { array.size() } else { array.step },
         ty: array.ty,
         components: array.components,
         format: array.format,

@@ -31,8 +31,10 @@ pub(crate) struct Array {
     pub components: u8,
     pub ty: VertexType,
     pub format: VertexFormat,
-    /// As it was given; 0 is tightly packed.
+    /// As a pointer call gave it; 0 is tightly packed.
     pub stride: usize,
+    /// Bytes from one element to the next; 0 where all are the same one (`ARB_vertex_attrib_binding`).
+    pub step: usize,
     pub source: Source,
     /// 0 for an element a vertex, else one for so many instances.
     pub divisor: u32,
@@ -40,10 +42,35 @@ pub(crate) struct Array {
     pub count: usize,
 }
 
+/// The binding point that a generic attribute reads, and where its first byte lies in an element
+/// (`ARB_vertex_attrib_binding`).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct AttributeBinding {
+    pub binding: u8,
+    pub relative_offset: usize,
+}
+
+/// A binding point of generic attributes: a range of a buffer object, or nothing.
+#[derive(Clone, Debug)]
+pub(crate) struct VertexBufferBinding {
+    pub buffer: Bound,
+    pub offset: usize,
+    pub stride: usize,
+    pub divisor: u32,
+}
+
+/// How many generic attributes and binding points of them there are.
+const GENERICS: usize = MAX_VERTEX_ATTRIBS as usize;
+
 /// The arrays by attribute location.
 #[derive(Clone, Debug)]
 pub(crate) struct Arrays {
+    /// What draws read. Of generic attributes, that follows from their bindings, but for memory of the client.
     pub by_location: [Array; LOCATIONS],
+    /// By generic attribute.
+    pub attributes: [AttributeBinding; GENERICS],
+    /// By binding point.
+    pub bindings: [VertexBufferBinding; GENERICS],
 }
 
 impl Default for Arrays {
@@ -55,9 +82,20 @@ impl Default for Arrays {
                 ty: VertexType::F32,
                 format: VertexFormat::Plain,
                 stride: 0,
+                step: 16,
                 source: Source::Client(Buffer::default()),
                 divisor: 0,
                 count: 0,
+            }),
+            attributes: std::array::from_fn(|location| AttributeBinding {
+                binding: location as u8,
+                relative_offset: 0,
+            }),
+            bindings: std::array::from_fn(|_| VertexBufferBinding {
+                buffer: Bound::default(),
+                offset: 0,
+                stride: 16,
+                divisor: 0,
             }),
         }
     }
@@ -71,6 +109,55 @@ impl Arrays {
                 array.source = Source::Client(Buffer::default());
             }
         }
+        for binding in &mut self.bindings {
+            binding.buffer.forget(gone);
+        }
+    }
+
+    /// Gives the attributes of a binding point what is bound to it.
+    pub fn binding_changed(&mut self, binding: u8) {
+        for location in 0..GENERICS {
+            if self.attributes[location].binding == binding {
+                self.attribute_changed(location);
+            }
+        }
+    }
+
+    /// Gives a generic attribute what is bound to its binding point.
+    pub fn attribute_changed(&mut self, location: usize) {
+        let AttributeBinding { binding, relative_offset } = self.attributes[location];
+        let VertexBufferBinding { buffer, offset, stride, divisor } =
+            &self.bindings[usize::from(binding)];
+        let array = &mut self.by_location[location];
+        array.source = match buffer.name() {
+            0 => Source::Client(Buffer::default()),
+            _ => Source::Object {
+                buffer: buffer.clone(),
+                offset: offset.saturating_add(relative_offset),
+            },
+        };
+        (array.step, array.divisor) = (*stride, *divisor);
+    }
+
+    /// What a pointer call does to the bindings: the attribute has the binding point of its own number
+    /// (`ARB_vertex_attrib_binding`, section 2.8).
+    pub fn pointer_given(&mut self, location: usize) {
+        let Some(attribute) = self.attributes.get_mut(location) else { return };
+        *attribute = AttributeBinding { binding: location as u8, relative_offset: 0 };
+        let array = &mut self.by_location[location];
+        let binding = &mut self.bindings[location];
+        (binding.buffer, binding.offset) = match &array.source {
+            Source::Object { buffer, offset } => (buffer.clone(), *offset),
+            Source::Client(_) | Source::Pointer(_) => (Bound::default(), 0),
+        };
+        binding.stride = array.step;
+        array.divisor = binding.divisor;
+        // Other attributes may have its binding point.
+        for other in 0..GENERICS {
+            if other != location && usize::from(self.attributes[other].binding) == location {
+                self.attribute_changed(other);
+            }
+        }
     }
 }
 
@@ -78,11 +165,6 @@ impl Array {
     /// The size as it was given.
     pub fn given_size(&self) -> GLenum {
         if self.format == VertexFormat::NormalizedBgra { GL_BGRA } else { self.components.into() }
-    }
-
-    /// Bytes from one vertex to the next.
-    pub(crate) fn step(&self) -> usize {
-        if self.stride > 0 { self.stride } else { self.size() }
     }
 
     /// Bytes of a vertex.

@@ -3,6 +3,7 @@
 
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation, invalid_value, not_negative};
+use crate::base::memory::{copied, out_of_memory};
 use crate::base::types::*;
 use crate::objects::bound::Bound;
 use rasterizer::driver::Buffer;
@@ -20,8 +21,10 @@ pub(crate) trait WaitingDraws {
 /// A buffer object.
 #[derive(Clone, Debug)]
 pub(crate) struct BufferObject {
-    /// Empty while it is mapped.
+    /// Empty while it is mapped, but persistently: then, what the client has written up to the last call that reads it.
     pub buffer: Buffer,
+    /// The flags of immutable storage (`ARB_buffer_storage`).
+    pub storage: Option<GLbitfield>,
     pub usage: GLenum,
     pub map: Option<Map>,
     /// `GL_BUFFER_ACCESS`, of the last mapping.
@@ -39,6 +42,7 @@ impl BufferObject {
     pub(crate) fn new() -> Self {
         Self {
             buffer: Buffer::default(),
+            storage: None,
             usage: GL_STATIC_DRAW,
             map: None,
             access: GL_READ_WRITE,
@@ -56,9 +60,46 @@ impl BufferObject {
         &self.buffer
     }
 
-    /// Its bytes for writing. Recorded draws keep the old bytes, which are counted.
+    /// Whether calls that use its bytes are refused, as the client has them.
+    pub fn is_mapped_alone(&self) -> bool {
+        self.map.as_ref().is_some_and(|map| !map.is_persistent())
+    }
+
+    /// Takes over what the client has written to a persistent mapping.
+    pub fn take_client_writes(&mut self, recorder: &mut impl WaitingDraws) {
+        let Some(map) = self.map.take() else { return };
+        if map.is_persistent() && map.access & GL_MAP_WRITE_BIT != 0 {
+            let range = map.range.clone();
+            if map.bytes[range.clone()] != self.buffer.bytes()[range.clone()] {
+                self.all_bytes_mut(recorder)[range.clone()].copy_from_slice(&map.bytes[range]);
+            }
+        }
+        self.map = Some(map);
+    }
+
+    /// Lets `write` change a range of its bytes. Recorded draws keep the old bytes, which are counted; a persistent mapping
+    /// has the new ones.
+    pub fn write(
+        &mut self,
+        recorder: &mut impl WaitingDraws,
+        range: std::ops::Range<usize>,
+        write: impl FnOnce(&mut [u8]),
+    ) {
+        write(&mut self.bytes_mut(recorder)[range.clone()]);
+        self.written(range);
+    }
+
+    /// Its bytes for writing; [`Self::written`] follows.
     pub fn bytes_mut(&mut self, recorder: &mut impl WaitingDraws) -> &mut [u8] {
+        self.take_client_writes(recorder);
         self.all_bytes_mut(recorder)
+    }
+
+    /// Gives a persistent mapping what was written.
+    pub fn written(&mut self, range: std::ops::Range<usize>) {
+        if let Some(map) = &mut self.map {
+            map.bytes[range.clone()].copy_from_slice(&self.buffer.bytes()[range]);
+        }
     }
 
     fn all_bytes_mut(&mut self, recorder: &mut impl WaitingDraws) -> &mut Vec<u8> {
@@ -78,8 +119,20 @@ impl BufferObject {
         self.rewritten.is_some_and(|draws| recorder.draws() - draws < FORGOTTEN)
     }
 
+    /// The bytes for a mapping with these flags: a copy for a persistent one.
+    pub(crate) fn bytes_to_map(
+        &mut self,
+        recorder: &mut impl WaitingDraws,
+        access: GLbitfield,
+    ) -> Result<Vec<u8>> {
+        if access & GL_MAP_PERSISTENT_BIT == 0 {
+            return Ok(self.take_bytes(recorder));
+        }
+        copied(self.buffer.bytes()).map_err(out_of_memory(SECTION, "a copy of the buffer"))
+    }
+
     /// Takes the bytes out, to be mapped.
-    pub(crate) fn take_bytes(&mut self, recorder: &mut impl WaitingDraws) -> Vec<u8> {
+    fn take_bytes(&mut self, recorder: &mut impl WaitingDraws) -> Vec<u8> {
         let bytes = std::mem::take(self.all_bytes_mut(recorder));
         self.buffer = Buffer::default();
         bytes
@@ -113,6 +166,11 @@ pub(crate) struct Map {
 }
 
 impl Map {
+    /// Whether calls may use the buffer meanwhile.
+    pub fn is_persistent(&self) -> bool {
+        self.access & GL_MAP_PERSISTENT_BIT != 0
+    }
+
     /// The start of the range. The pointer is valid until the buffer is unmapped. (A pointer derived from a slice would
     /// invalidate earlier ones.)
     pub fn pointer(&mut self) -> *mut u8 {
@@ -168,9 +226,9 @@ pub(crate) const BUFFER_TARGET: Table<BufferTarget> = Table {
 
 /// The buffer, if it is not mapped.
 pub(crate) fn unmapped(object: &mut BufferObject) -> Result<&mut BufferObject> {
-    match object.map {
-        None => Ok(object),
-        Some(_) => invalid_operation(SECTION, "the buffer is mapped: call glUnmapBuffer"),
+    match object.is_mapped_alone() {
+        false => Ok(object),
+        true => invalid_operation(SECTION, "the buffer is mapped: call glUnmapBuffer"),
     }
 }
 

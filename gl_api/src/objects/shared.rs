@@ -17,7 +17,7 @@
 
 use crate::base::types::GLuint;
 use crate::objects::assemblies::Assembly;
-use crate::objects::buffers::BufferObject;
+use crate::objects::buffers::{BufferObject, Map, WaitingDraws};
 use crate::objects::lists::ListNames;
 use crate::objects::name_table::{NameTable, Sweep};
 use crate::objects::programs::ShaderOrProgram;
@@ -38,6 +38,8 @@ pub(crate) struct SharedObjects {
     pub textures: NameTable<Texture>,
     pub samplers: NameTable<SamplerState>,
     pub buffers: NameTable<BufferObject>,
+    /// Buffers that have been mapped persistently.
+    pub persistent: Vec<GLuint>,
     pub renderbuffers: NameTable<Renderbuffer>,
     /// Shaders and programs share one space of names.
     pub programs: NameTable<ShaderOrProgram>,
@@ -50,6 +52,22 @@ pub(crate) struct SharedObjects {
 }
 
 impl SharedObjects {
+    /// Takes over what clients have written to persistent mappings; whether there are any.
+    pub fn take_client_writes(&mut self, recorder: &mut impl WaitingDraws) -> bool {
+        if self.persistent.is_empty() {
+            return false;
+        }
+        let buffers = &mut self.buffers;
+        self.persistent.retain(|name| match buffers.get_mut(*name) {
+            Some(object) if object.map.as_ref().is_some_and(Map::is_persistent) => {
+                object.take_client_writes(recorder);
+                true
+            }
+            Some(_) | None => false,
+        });
+        !self.persistent.is_empty()
+    }
+
     /// Frees deleted objects without references; textures before buffers, which they reference.
     pub fn sweep(&mut self, when: Sweep) {
         self.textures.sweep(when);

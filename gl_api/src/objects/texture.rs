@@ -8,6 +8,7 @@ pub(crate) use crate::objects::target::TextureTarget;
 use crate::objects::texture_buffer::DataStore;
 use crate::pixel::formats::ComponentType;
 use crate::pixel::formats::{self, format_name};
+use crate::pixel::stencil_texels::stencil_texels;
 use rasterizer::driver::{Device, Image};
 use std::sync::Arc;
 use texunit::format::{Encoding, Format};
@@ -24,6 +25,8 @@ pub(crate) struct Texture {
     /// `GL_GENERATE_MIPMAP`: whether a change of the base level generates the others.
     pub generate_mipmap: bool,
     pub priority: f32,
+    /// Which of depth and stencil is sampled, of images that have both.
+    pub depth_stencil: DepthStencilMode,
     /// The number of levels of immutable storage (`ARB_texture_storage`).
     pub immutable: Option<u32>,
     /// The requested samples of a multisample texture.
@@ -36,6 +39,14 @@ pub(crate) struct Texture {
     plan: Option<Planned>,
     /// Whether no draw has used its texels yet.
     is_new: bool,
+}
+
+/// `GL_DEPTH_STENCIL_TEXTURE_MODE` (`ARB_stencil_texturing`).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum DepthStencilMode {
+    Depth,
+    /// Stencil values as unsigned integers.
+    Stencil,
 }
 
 /// The sample plan for one sampler state.
@@ -127,6 +138,7 @@ impl Texture {
             state: SamplerState { sampler: default_sampler(target), ..SamplerState::default() },
             generate_mipmap: false,
             priority: 1.0,
+            depth_stencil: DepthStencilMode::Depth,
             immutable: None,
             samples: None,
             store: DataStore::default(),
@@ -174,7 +186,12 @@ impl Texture {
         if let Some(planned) = self.plan.as_mut().filter(|planned| planned.sampler == *sampler) {
             return planned.again();
         }
-        let plan = Arc::new(SamplePlan::new(&device.texels(&self.image), sampler));
+        let texels = device.texels(&self.image);
+        let plan = match self.depth_stencil {
+            DepthStencilMode::Depth => SamplePlan::new(&texels, sampler),
+            DepthStencilMode::Stencil => SamplePlan::new(&stencil_texels(&texels), sampler),
+        };
+        let plan = Arc::new(plan);
         let first = Planned { sampler: sampler.clone(), plan, draws: Draws::One };
         Arc::clone(&self.plan.insert(first).plan)
     }

@@ -12,6 +12,7 @@ pub(crate) mod map;
 pub(crate) mod memory;
 pub(crate) mod packed;
 pub(crate) mod scratch;
+pub(crate) mod stencil_texels;
 pub(crate) mod storage_error;
 pub(crate) mod store;
 pub(crate) mod texel;

@@ -67,6 +67,8 @@ enum Property {
     Integer,
     Divisor,
     Buffer,
+    Binding,
+    RelativeOffset,
     Current,
 }
 
@@ -81,6 +83,8 @@ const PROPERTY: Table<Property> = Table {
         (GL_VERTEX_ATTRIB_ARRAY_INTEGER, Property::Integer),
         (GL_VERTEX_ATTRIB_ARRAY_DIVISOR, Property::Divisor),
         (GL_VERTEX_ATTRIB_ARRAY_BUFFER_BINDING, Property::Buffer),
+        (GL_VERTEX_ATTRIB_BINDING, Property::Binding),
+        (GL_VERTEX_ATTRIB_RELATIVE_OFFSET, Property::RelativeOffset),
         (GL_CURRENT_VERTEX_ATTRIB, Property::Current),
     ],
 };
@@ -124,6 +128,10 @@ pub(crate) fn property(context: &Context, index: GLuint, pname: GLenum) -> Resul
         Property::Integer => u8::from(array.format == VertexFormat::Integer).into(),
         Property::Divisor => array.divisor.into(),
         Property::Buffer => buffer(array).into(),
+        Property::Binding => context.state.arrays.attributes[location].binding.into(),
+        Property::RelativeOffset => {
+            context.state.arrays.attributes[location].relative_offset as f64
+        }
         Property::Current => return Ok(Answer::Current(context.state.current[location])),
     }))
 }

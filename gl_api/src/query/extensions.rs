@@ -184,6 +184,7 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     "GL_ARB_texture_rgb10_a2ui",
     "GL_ARB_timer_query",
     "GL_ARB_transform_feedback2",
+    "GL_ARB_transform_feedback3",
     "GL_ARB_vertex_type_2_10_10_10_rev",
     // 2011
     "GL_ARB_base_instance",
@@ -197,12 +198,15 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     "GL_ARB_copy_image",
     "GL_ARB_explicit_uniform_location",
     "GL_ARB_multi_draw_indirect",
+    "GL_ARB_stencil_texturing",
     "GL_ARB_texture_buffer_range",
     "GL_ARB_texture_query_levels",
     "GL_ARB_texture_storage_multisample",
+    "GL_ARB_vertex_attrib_binding",
     "GL_KHR_debug",
     "GL_KHR_robustness",
     // 2013
+    "GL_ARB_buffer_storage",
     "GL_ARB_clear_texture",
     "GL_ARB_texture_mirror_clamp_to_edge",
     // 2014

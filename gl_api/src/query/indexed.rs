@@ -8,7 +8,9 @@ use crate::base::types::*;
 use crate::calls::buffer::indexed::{Numbered, range};
 use crate::calls::fragment::masks::{SECTION, indexed};
 use crate::calls::raster::multisample::checked_word;
+use crate::calls::vertex::bindings::binding_point;
 use crate::context::Context;
+use crate::objects::arrays::VertexBufferBinding;
 use crate::state::blend::Formula;
 use crate::state::draw_buffers::{BufferState, buffer_index};
 use Read::{Flag, Flags, Number};
@@ -48,7 +50,15 @@ const ROWS: &[(GLenum, Read)] = &[
     (GL_UNIFORM_BUFFER_BINDING, Number(|c, i| name(c, Numbered::Uniform, i))),
     (GL_UNIFORM_BUFFER_START, Number(|c, i| start(c, Numbered::Uniform, i))),
     (GL_UNIFORM_BUFFER_SIZE, Number(|c, i| size(c, Numbered::Uniform, i))),
+    (GL_VERTEX_BINDING_OFFSET, Number(|c, i| Ok(vertex_buffer(c, i)?.offset as GLint64))),
+    (GL_VERTEX_BINDING_STRIDE, Number(|c, i| Ok(vertex_buffer(c, i)?.stride as GLint64))),
+    (GL_VERTEX_BINDING_DIVISOR, Number(|c, i| Ok(vertex_buffer(c, i)?.divisor.into()))),
+    (GL_VERTEX_BINDING_BUFFER, Number(|c, i| Ok(vertex_buffer(c, i)?.buffer.name().into()))),
 ];
+
+fn vertex_buffer(context: &Context, index: GLuint) -> Result<&VertexBufferBinding> {
+    Ok(&context.state.arrays.bindings[usize::from(binding_point(index)?)])
+}
 
 fn name(context: &Context, numbered: Numbered, index: GLuint) -> Result<GLint64> {
     Ok(range(context, numbered, index)?.buffer.name().into())
@@ -95,7 +105,7 @@ fn indexed_state(context: &Context, target: GLenum, index: GLuint) -> Result<Ind
                 SECTION,
                 format!(
                     "target = {} must be GL_BLEND, GL_BLEND_SRC_RGB or another part of a blend \
-                     formula, GL_COLOR_WRITEMASK, GL_SAMPLE_MASK_VALUE or an indexed buffer",
+                     formula, GL_COLOR_WRITEMASK, GL_SAMPLE_MASK_VALUE, a vertex buffer or an indexed buffer",
                     enum_name(target)
                 ),
             );

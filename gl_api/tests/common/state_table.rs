@@ -445,6 +445,8 @@ pub const LEAST: &[Row] = rows! {
         GL_MAX_SAMPLE_MASK_WORDS Number T;
     }
     "ARB_uniform_buffer_object" {
+        GL_MAX_VERTEX_ATTRIB_BINDINGS Number &[16.0];
+        GL_MAX_VERTEX_ATTRIB_RELATIVE_OFFSET Number &[2047.0];
         GL_MAX_UNIFORM_LOCATIONS Number &[1024.0];
         GL_MAX_VERTEX_UNIFORM_BLOCKS Number &[12.0];
         GL_MAX_FRAGMENT_UNIFORM_BLOCKS Number &[12.0];

@@ -1,5 +1,5 @@
-//! What calls on stored texels and draws from buffers refuse: `ARB_copy_image`, `ARB_clear_texture`,
-//! `ARB_clear_buffer_object`, `ARB_draw_indirect`.
+//! What calls on stored texels and on buffers refuse: `ARB_copy_image`, `ARB_clear_texture`, `ARB_clear_buffer_object`,
+//! `ARB_draw_indirect`, `ARB_vertex_attrib_binding`, `ARB_buffer_storage`, `ARB_transform_feedback3`.
 
 use gl_api::*;
 
@@ -236,6 +236,79 @@ const ROWS: &[Row] = &[
         },
         ENUM,
         "type = GL_FLOAT",
+    ),
+    (nothing, |c| c.vertex_attrib_format(16, 4, GL_FLOAT, false, 0), VALUE, "index = 16"),
+    (nothing, |c| c.vertex_attrib_format(0, 5, GL_FLOAT, false, 0), VALUE, "size = 5"),
+    (
+        nothing,
+        |c| c.vertex_attrib_format(0, 4, GL_FLOAT, false, 2048),
+        VALUE,
+        "relativeoffset = 2048",
+    ),
+    (nothing, |c| c.vertex_attrib_i_format(0, 4, GL_FLOAT, 0), ENUM, "type = GL_FLOAT"),
+    (nothing, |c| c.vertex_attrib_l_format(0, 4, GL_FLOAT, 0), ENUM, "type = GL_FLOAT"),
+    (nothing, |c| c.vertex_attrib_binding(0, 16), VALUE, "bindingindex = 16"),
+    (nothing, |c| c.bind_vertex_buffer(16, 1, 0, 4), VALUE, "bindingindex = 16"),
+    (nothing, |c| c.bind_vertex_buffer(0, 1, -1, 4), VALUE, "offset = -1"),
+    (nothing, |c| c.bind_vertex_buffer(0, 1, 0, -4), VALUE, "stride = -4"),
+    (nothing, |c| c.bind_vertex_buffer(0, 99, 0, 4), OPERATION, "buffer = 99"),
+    (nothing, |c| c.vertex_binding_divisor(16, 1), VALUE, "bindingindex = 16"),
+    (
+        nothing,
+        |c| c.buffer_storage(GL_UNIFORM_BUFFER, 4, Data::Null, 0),
+        OPERATION,
+        "no buffer is bound",
+    ),
+    (nothing, |c| c.buffer_storage(GL_ARRAY_BUFFER, 0, Data::Null, 0), VALUE, "size = 0"),
+    (
+        nothing,
+        |c| c.buffer_storage(GL_ARRAY_BUFFER, 4, Data::Null, 1 << 30),
+        VALUE,
+        "none of glBufferStorage's",
+    ),
+    (
+        nothing,
+        |c| c.buffer_storage(GL_ARRAY_BUFFER, 4, Data::Null, GL_MAP_PERSISTENT_BIT),
+        VALUE,
+        "needs GL_MAP_READ_BIT or GL_MAP_WRITE_BIT",
+    ),
+    (
+        nothing,
+        |c| {
+            let flags = GL_MAP_READ_BIT | GL_MAP_COHERENT_BIT;
+            c.buffer_storage(GL_ARRAY_BUFFER, 4, Data::Null, flags);
+        },
+        VALUE,
+        "needs GL_MAP_PERSISTENT_BIT",
+    ),
+    (
+        nothing,
+        |c| {
+            let access = GL_MAP_READ_BIT | GL_MAP_PERSISTENT_BIT;
+            c.map_buffer_range(GL_ARRAY_BUFFER, 0, 4, access);
+        },
+        OPERATION,
+        "which the flags of glBufferStorage lack",
+    ),
+    (
+        nothing,
+        |c| c.begin_query_indexed(GL_PRIMITIVES_GENERATED, 1, 1),
+        VALUE,
+        "index = 1 must be below GL_MAX_VERTEX_STREAMS",
+    ),
+    (nothing, |c| c.begin_query_indexed(GL_SAMPLES_PASSED, 1, 1), VALUE, "index = 1 must be 0"),
+    (nothing, |c| c.end_query_indexed(GL_SAMPLES_PASSED, 1), VALUE, "index = 1 must be 0"),
+    (
+        nothing,
+        |c| c.get_query_indexediv(GL_SAMPLES_PASSED, 1, GL_CURRENT_QUERY, &mut [0]),
+        VALUE,
+        "index = 1 must be 0",
+    ),
+    (
+        nothing,
+        |c| c.draw_transform_feedback_stream(GL_POINTS, 0, 1),
+        VALUE,
+        "stream = 1 must be below",
     ),
 ];
 

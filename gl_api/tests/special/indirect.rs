@@ -32,15 +32,14 @@ fn prepared() -> Context {
     corners.extend([[0.0, -1.0], [1.0, -1.0], [1.0, 1.0], [0.0, -1.0], [1.0, 1.0], [0.0, 1.0]]);
     let columns: Vec<f32> = (0..8).map(|column| column as f32).collect();
     let tints: Vec<[f32; 3]> = (0..4).map(|at| [at as f32 / 3.0, 1.0, 0.0]).collect();
-    let mut array =
-        |c: &mut Context, (buffer, at): (GLuint, GLuint), size, data: &[u8], divisor| {
-            c.bind_buffer(GL_ARRAY_BUFFER, buffer);
-            let bytes = data.len() as GLsizeiptr;
-            c.buffer_data(GL_ARRAY_BUFFER, bytes, Data::Bytes(data), GL_STATIC_DRAW);
-            c.vertex_attrib_pointer(at, size, GL_FLOAT, false, 0, Data::Offset(0));
-            c.enable_vertex_attrib_array(at);
-            c.vertex_attrib_divisor(at, divisor);
-        };
+    let array = |c: &mut Context, (buffer, at): (GLuint, GLuint), size, data: &[u8], divisor| {
+        c.bind_buffer(GL_ARRAY_BUFFER, buffer);
+        let bytes = data.len() as GLsizeiptr;
+        c.buffer_data(GL_ARRAY_BUFFER, bytes, Data::Bytes(data), GL_STATIC_DRAW);
+        c.vertex_attrib_pointer(at, size, GL_FLOAT, false, 0, Data::Offset(0));
+        c.enable_vertex_attrib_array(at);
+        c.vertex_attrib_divisor(at, divisor);
+    };
     array(&mut c, (1, corner), 2, bytemuck::cast_slice(&corners), 0);
     array(&mut c, (2, column), 1, bytemuck::cast_slice(&columns), 1);
     array(&mut c, (3, tint), 3, bytemuck::cast_slice(&tints), 2);

@@ -24,6 +24,7 @@ mod packed;
 mod provoking;
 mod selection;
 mod state;
+mod stencil_texturing;
 mod stored_texels;
 mod windows;
 

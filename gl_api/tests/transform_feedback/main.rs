@@ -5,6 +5,7 @@
 mod shading;
 
 mod captured;
+mod gaps;
 mod linked;
 
 use gl_api::*;

@@ -1,6 +1,7 @@
 //! Where vertices come from: every way to say the same triangles gives the same picture; buffers in
 //! the client's hands; the errors of each call.
 
+mod bindings;
 mod instances;
 mod runs;
 mod uploads;

@@ -9,7 +9,7 @@ use crate::limits::{
     MAX_TRANSFORM_FEEDBACK_INTERLEAVED_COMPONENTS, MAX_TRANSFORM_FEEDBACK_SEPARATE_COMPONENTS,
 };
 use crate::lower::{Binding, varying_slots};
-use crate::program::{BufferMode, Capture, CaptureRequest, Captured, CapturedScalar};
+use crate::program::{BufferMode, Capture, CaptureRequest, Captured, CapturedItem, CapturedScalar};
 use crate::text::diagnostics::{Diagnostic, Log};
 use crate::text::spelling::closest;
 use crate::types::Type;
@@ -28,8 +28,15 @@ pub fn captured(
 ) -> Vec<Captured> {
     let mut all: Vec<Captured> = Vec::new();
     for wanted in &request.varyings {
-        let found = find(vertex, wanted, &mut next, in_vertex);
-        let twice = all.iter().any(|other| other.name == wanted.to_string());
+        let found = match wanted {
+            CaptureRequest::Varying { variable, element } => {
+                let captured = find(vertex, (variable, *element), &mut next, in_vertex);
+                captured.map(|captured| Captured { name: wanted.to_string(), ..captured })
+            }
+            CaptureRequest::Gap(_) | CaptureRequest::NextBuffer => Ok(without_output(wanted)),
+        };
+        let is_varying = matches!(wanted, CaptureRequest::Varying { .. });
+        let twice = is_varying && all.iter().any(|other| other.name == wanted.to_string());
         match found {
             Ok(_) if twice => {
                 let message = format!("transform feedback captures `{wanted}` twice");
@@ -60,20 +67,32 @@ pub fn captured(
     all
 }
 
+/// A name that stands for no output.
+fn without_output(wanted: &CaptureRequest) -> Captured {
+    let (item, size) = match wanted {
+        CaptureRequest::Gap(components) => (CapturedItem::Gap, u32::from(*components)),
+        CaptureRequest::NextBuffer | CaptureRequest::Varying { .. } => {
+            (CapturedItem::NextBuffer, 0)
+        }
+    };
+    let scalars = vec![CapturedScalar::Gap; size as usize];
+    Captured { name: wanted.to_string(), item, size, scalars }
+}
+
 /// The variable, or element of an array, that a name stands for.
 fn find(
     vertex: Option<&StageUnits<'_>>,
-    wanted: &CaptureRequest,
+    (wanted, element): (&str, Option<u32>),
     next: &mut u16,
     in_vertex: &mut BindingMap,
 ) -> Result<Captured, String> {
     let Some(vertex) = vertex else { return Err("there is no vertex shader".to_owned()) };
-    let named = |variable: &&Variable| *variable.public_name() == *wanted.variable;
+    let named = |variable: &&Variable| *variable.public_name() == *wanted;
     let is_output = |variable: &&Variable| matches!(variable.storage, Storage::Output(_));
     let declared = vertex.declared().filter(is_output).find(named);
     let Some(variable) = declared.or_else(|| vertex.used.iter().copied().find(named)) else {
         let names = vertex.declared().filter(is_output).map(Variable::public_name);
-        let near = closest(&wanted.variable, names);
+        let near = closest(wanted, names);
         let near = near.map_or_else(String::new, |near| format!("; did you mean `{near}`?"));
         let stage = stage_name(vertex.stage);
         return Err(format!("the {stage} shader has no such output{near}"));
@@ -135,7 +154,7 @@ fn find(
         Type::Array(element, size) => (&**element, size.unwrap_or(0)),
         ty => (ty, 1),
     };
-    if let Some(element) = wanted.element {
+    if let Some(element) = element {
         if !matches!(variable.ty, Type::Array(..)) {
             return Err("it is no array".to_owned());
         }
@@ -148,7 +167,8 @@ fn find(
         size = 1;
     }
     let Some(ty) = element_ty.data_type() else { return Err(format!("it is of {element_ty}")) };
-    Ok(Captured { name: wanted.to_string(), ty, size, scalars })
+    let name = wanted.to_owned();
+    Ok(Captured { name, item: CapturedItem::Varying(ty), size, scalars })
 }
 
 /// The outputs of scalars of these types, from a slot on.

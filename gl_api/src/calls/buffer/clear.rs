@@ -46,7 +46,8 @@ fn clear(
         None => 0..object.len(),
         Some((offset, size)) => range(object, offset, size)?,
     };
-    let mapped = object.map.as_ref().map(|map| map.range.clone());
+    let mapped = object.map.as_ref().filter(|map| !map.is_persistent());
+    let mapped = mapped.map(|map| map.range.clone());
     if let Some(mapped) = mapped
         .filter(|mapped| part.is_none() || range.start < mapped.end && mapped.start < range.end)
     {
@@ -80,11 +81,13 @@ fn clear(
         }
         Located::Offset(_) => return invalid_operation(SECTION, "data must be memory or NULL"),
     }
-    let cleared = match &mut object.map {
-        Some(map) => &mut map.bytes[range],
-        None => &mut object.bytes_mut(recorder)[range],
+    let fill = |to: &mut [u8]| {
+        to.chunks_exact_mut(bytes).for_each(|to| to.copy_from_slice(&texel));
     };
-    cleared.chunks_exact_mut(bytes).for_each(|to| to.copy_from_slice(&texel));
+    match &mut object.map {
+        Some(map) if !map.is_persistent() => fill(&mut map.bytes[range]),
+        Some(_) | None => object.write(recorder, range, fill),
+    }
     Ok(())
 }
 
@@ -99,6 +102,7 @@ pub(crate) fn clear_buffer_data(
     clear(context, (target, internalformat), None, (format, ty), data)
 }
 
+#[expect(clippy::too_many_arguments, reason = "GL's signature")]
 pub(crate) fn clear_buffer_sub_data(
     context: &mut Context,
     target: GLenum,

@@ -2,7 +2,9 @@
 
 use crate::base::args::{Data, DataOut, Located, LocatedOut};
 use crate::base::constants::*;
-use crate::base::error::{ErrorCode, GlError, Result, Table, invalid_operation, not_negative};
+use crate::base::error::{
+    ErrorCode, GlError, Result, Table, invalid_operation, invalid_value, not_negative,
+};
 use crate::base::limits;
 use crate::base::types::*;
 use crate::context::Context;
@@ -14,6 +16,7 @@ use bytemuck::allocation::try_zeroed_vec;
 use rasterizer::driver::Buffer;
 
 const SECTION: &str = "GL 2.1, section 2.9";
+const STORAGE: &str = "ARB_buffer_storage";
 
 /// Kept for queries; it changes nothing.
 const USAGE: Table<GLenum> = Table {
@@ -148,6 +151,9 @@ impl<'a> BufferDataRequest<'a> {
         usage: GLenum,
     ) -> Result<Self> {
         let size = not_negative(SECTION, "size", size as i64)?;
+        if object.storage.is_some() {
+            return invalid_operation(STORAGE, "the buffer's storage is immutable: bind another");
+        }
         let usage = USAGE.decode("usage", usage)?;
         if size > limits::MAX_BUFFER_SIZE {
             return Err(no_memory(size));
@@ -163,7 +169,7 @@ impl<'a> BufferDataRequest<'a> {
         Ok(Self { object, recorder, size, usage, source })
     }
 
-    fn apply(self) -> Result<()> {
+    fn apply(self) -> Result<&'a mut BufferObject> {
         let Self { object, recorder, size, usage, source } = self;
         let zeros = || try_zeroed_vec(size).map_err(|()| no_memory(size));
         let bytes = match source {
@@ -179,7 +185,7 @@ impl<'a> BufferDataRequest<'a> {
         object.map = None;
         object.access = GL_READ_WRITE;
         recorder.hold(size);
-        Ok(())
+        Ok(object)
     }
 }
 
@@ -206,7 +212,8 @@ pub(crate) fn buffer_data(
     data: Data<'_>,
     usage: GLenum,
 ) -> Result<()> {
-    BufferDataRequest::new(with_recorder(context, target)?, size, data, usage)?.apply()
+    BufferDataRequest::new(with_recorder(context, target)?, size, data, usage)?.apply()?;
+    Ok(())
 }
 
 pub(crate) fn buffer_sub_data(
@@ -218,10 +225,17 @@ pub(crate) fn buffer_sub_data(
 ) -> Result<()> {
     let (object, recorder) = writable(context, target)?;
     let range = range(object, offset, size)?;
+    if object.storage.is_some_and(|flags| flags & GL_DYNAMIC_STORAGE_BIT == 0) {
+        return invalid_operation(
+            STORAGE,
+            "the buffer's storage is immutable: give glBufferStorage GL_DYNAMIC_STORAGE_BIT",
+        );
+    }
     match data.locate(0, range.len()) {
         Located::Bytes(source) if source.len() >= range.len() => {
-            let to = &mut object.bytes_mut(recorder)[range];
+            let to = &mut object.bytes_mut(recorder)[range.clone()];
             recorder.copy(&source[..to.len()], to);
+            object.written(range);
             Ok(())
         }
         Located::Bytes(source) => too_short(size as i64, source.len()),
@@ -238,8 +252,10 @@ pub(crate) fn get_buffer_sub_data(
     size: GLsizeiptr,
     data: DataOut<'_>,
 ) -> Result<()> {
-    let object = unmapped(bound(context, target)?)?;
+    let (object, recorder) = with_recorder(context, target)?;
+    let object = unmapped(object)?;
     let range = range(object, offset, size)?;
+    object.take_client_writes(recorder);
     match data.locate(0, range.len()) {
         LocatedOut::Bytes(out) if out.len() >= range.len() => {
             out[..range.len()].copy_from_slice(&object.buffer.bytes()[range]);
@@ -249,4 +265,38 @@ pub(crate) fn get_buffer_sub_data(
         LocatedOut::Null | LocatedOut::Offset(_) if range.is_empty() => Ok(()),
         LocatedOut::Null | LocatedOut::Offset(_) => not_memory(),
     }
+}
+
+/// Gives the bound buffer its bytes for good, and says what may be done with them (`ARB_buffer_storage`).
+pub(crate) fn buffer_storage(
+    context: &mut Context,
+    target: GLenum,
+    size: GLsizeiptr,
+    data: Data<'_>,
+    flags: GLbitfield,
+) -> Result<()> {
+    const ALL: GLbitfield = GL_MAP_READ_BIT
+        | GL_MAP_WRITE_BIT
+        | GL_MAP_PERSISTENT_BIT
+        | GL_MAP_COHERENT_BIT
+        | GL_DYNAMIC_STORAGE_BIT
+        | GL_CLIENT_STORAGE_BIT;
+    let bound = with_recorder(context, target)?;
+    let has = |bits| flags & bits != 0;
+    if size <= 0 {
+        return invalid_value(STORAGE, format!("size = {size} must be above 0"));
+    }
+    let rule = if has(!ALL) {
+        "has bits that are none of glBufferStorage's"
+    } else if has(GL_MAP_PERSISTENT_BIT) && !has(GL_MAP_READ_BIT | GL_MAP_WRITE_BIT) {
+        "has GL_MAP_PERSISTENT_BIT, which needs GL_MAP_READ_BIT or GL_MAP_WRITE_BIT"
+    } else if has(GL_MAP_COHERENT_BIT) && !has(GL_MAP_PERSISTENT_BIT) {
+        "has GL_MAP_COHERENT_BIT, which needs GL_MAP_PERSISTENT_BIT"
+    } else {
+        let request = BufferDataRequest::new(bound, size, data, GL_DYNAMIC_DRAW)?;
+        let object = request.apply()?;
+        object.storage = Some(flags);
+        return Ok(());
+    };
+    invalid_value(STORAGE, format!("flags = {flags:#x} {rule}"))
 }

@@ -37,12 +37,12 @@ struct MapRequest<'a> {
 
 impl MapRequest<'_> {
     /// Takes the bytes out.
-    fn apply(self) -> *mut GLvoid {
+    fn apply(self) -> Result<*mut GLvoid> {
         let Self { object, recorder, range, access } = self;
-        let bytes = object.take_bytes(recorder);
+        let bytes = object.bytes_to_map(recorder, access)?;
         let both = access & (GL_MAP_READ_BIT | GL_MAP_WRITE_BIT);
         object.access = ACCESS.encode(both);
-        object.map.insert(Map { bytes, range, access }).pointer().cast()
+        Ok(object.map.insert(Map { bytes, range, access }).pointer().cast())
     }
 }
 
@@ -53,12 +53,13 @@ pub(crate) fn map_buffer(
 ) -> Result<*mut GLvoid> {
     let (object, recorder) = with_recorder(context, target)?;
     let access = ACCESS.decode("access", access)?;
-    let object = unmapped(object)?;
+    let object = never_mapped(object)?;
+    check_storage(object, access)?;
     let range = 0..object.len();
     if range.is_empty() {
         return invalid_operation(SECTION, "the buffer has no bytes: call glBufferData first");
     }
-    Ok(MapRequest { object, recorder, range, access }.apply())
+    MapRequest { object, recorder, range, access }.apply()
 }
 
 /// The rule that a combination of access flags breaks.
@@ -80,6 +81,28 @@ fn broken_rule(access: GLbitfield) -> Option<&'static str> {
     }
 }
 
+/// The buffer, if it has no mapping of any sort.
+fn never_mapped(object: &mut BufferObject) -> Result<&mut BufferObject> {
+    match object.map {
+        None => Ok(object),
+        Some(_) => invalid_operation(SECTION, "the buffer is mapped: call glUnmapBuffer"),
+    }
+}
+
+/// Refuses accesses that the flags of immutable storage do not have; other buffers are not mapped persistently.
+fn check_storage(object: &BufferObject, access: GLbitfield) -> Result<()> {
+    const ASKED: GLbitfield =
+        GL_MAP_READ_BIT | GL_MAP_WRITE_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
+    let allowed = object.storage.unwrap_or(GL_MAP_READ_BIT | GL_MAP_WRITE_BIT);
+    match access & ASKED & !allowed {
+        0 => Ok(()),
+        missing => invalid_operation(
+            "ARB_buffer_storage",
+            format!("access has {missing:#x}, which the flags of glBufferStorage lack"),
+        ),
+    }
+}
+
 pub(crate) fn map_buffer_range(
     context: &mut Context,
     target: GLenum,
@@ -92,7 +115,9 @@ pub(crate) fn map_buffer_range(
         | GL_MAP_INVALIDATE_RANGE_BIT
         | GL_MAP_INVALIDATE_BUFFER_BIT
         | GL_MAP_FLUSH_EXPLICIT_BIT
-        | GL_MAP_UNSYNCHRONIZED_BIT;
+        | GL_MAP_UNSYNCHRONIZED_BIT
+        | GL_MAP_PERSISTENT_BIT
+        | GL_MAP_COHERENT_BIT;
     let (object, recorder) = with_recorder(context, target)?;
     let range = range(object, offset, length)?;
     if access & !ALL != 0 {
@@ -101,14 +126,23 @@ pub(crate) fn map_buffer_range(
             format!("access = {access:#x} has bits that are none of GL_MAP_..._BIT"),
         );
     }
-    let object = unmapped(object)?;
+    let object = never_mapped(object)?;
     if let Some(rule) = broken_rule(access) {
         return invalid_operation(RANGE, format!("access = {access:#x} {rule}"));
     }
+    check_storage(object, access)?;
     if range.is_empty() {
         return invalid_operation(RANGE, "length = 0 must be above 0");
     }
-    Ok(MapRequest { object, recorder, range, access }.apply())
+    let pointer = MapRequest { object, recorder, range, access }.apply()?;
+    if access & GL_MAP_PERSISTENT_BIT != 0 {
+        let name = binding_of(context, target).map_or(0, |bound| bound.name());
+        let persistent = &mut context.objects.shared.persistent;
+        if !persistent.contains(&name) {
+            persistent.push(name);
+        }
+    }
+    Ok(pointer)
 }
 
 pub(crate) fn flush_mapped_buffer_range(
@@ -166,7 +200,9 @@ pub(crate) fn copy_buffer_sub_data(
     write_offset: GLintptr,
     size: GLsizeiptr,
 ) -> Result<()> {
-    let source = unmapped(bound(context, read_target)?)?;
+    let (source, recorder) = with_recorder(context, read_target)?;
+    let source = unmapped(source)?;
+    source.take_client_writes(recorder);
     let from = range(source, read_offset, size)?;
     let source = source.buffer().clone();
     let same = binding_of(context, read_target) == binding_of(context, write_target);
@@ -183,9 +219,18 @@ pub(crate) fn copy_buffer_sub_data(
         drop(source);
         target.bytes_mut(recorder).copy_within(from, to.start);
     } else {
-        target.bytes_mut(recorder)[to].copy_from_slice(&source.bytes()[from]);
+        target.bytes_mut(recorder)[to.clone()].copy_from_slice(&source.bytes()[from]);
     }
+    target.written(to);
     Ok(())
+}
+
+/// Takes over what clients have written to persistent mappings. The next draw is none that can be appended to the last
+/// one.
+pub(crate) fn take_client_writes(context: &mut Context) {
+    if context.objects.shared.take_client_writes(&mut context.recorder) {
+        context.recorder.emitted.last_draw = None;
+    }
 }
 
 fn binding_of(context: &mut Context, target: GLenum) -> Option<Bound> {
@@ -218,6 +263,8 @@ enum Property {
     Mapped,
     MapOffset,
     MapLength,
+    ImmutableStorage,
+    StorageFlags,
 }
 
 fn parameter(context: &mut Context, target: GLenum, pname: GLenum) -> Result<GLint64> {
@@ -231,6 +278,8 @@ fn parameter(context: &mut Context, target: GLenum, pname: GLenum) -> Result<GLi
             (GL_BUFFER_MAPPED, Property::Mapped),
             (GL_BUFFER_MAP_OFFSET, Property::MapOffset),
             (GL_BUFFER_MAP_LENGTH, Property::MapLength),
+            (GL_BUFFER_IMMUTABLE_STORAGE, Property::ImmutableStorage),
+            (GL_BUFFER_STORAGE_FLAGS, Property::StorageFlags),
         ],
     };
     let object = bound(context, target)?;
@@ -243,6 +292,8 @@ fn parameter(context: &mut Context, target: GLenum, pname: GLenum) -> Result<GLi
         Property::Mapped => map.is_some().into(),
         Property::MapOffset => map.map_or(0, |map| map.range.start as GLint64),
         Property::MapLength => map.map_or(0, |map| map.range.len() as GLint64),
+        Property::ImmutableStorage => object.storage.is_some().into(),
+        Property::StorageFlags => object.storage.unwrap_or(0).into(),
     })
 }
 

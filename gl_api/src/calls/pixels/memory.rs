@@ -4,6 +4,7 @@
 use crate::base::args::{Data, DataOut, Located, LocatedOut};
 use crate::base::error::{Result, invalid_operation};
 use crate::base::types::GLuint;
+use crate::calls::buffer::map::take_client_writes;
 use crate::context::Context;
 use crate::objects::bound::Bound;
 use crate::pixel::layout::Layout;
@@ -45,6 +46,7 @@ pub(crate) fn pixel_source<'a>(
     layout: &Layout,
     pixels: Data<'a>,
 ) -> Result<Option<Source<'a>>> {
+    take_client_writes(context);
     // How long a pointer's memory is, nobody knows.
     let unknown = matches!(pixels, Data::Client(_));
     let source = source(context, pixels, layout.needed)?;
@@ -108,7 +110,7 @@ pub(crate) fn write_bytes(
             let length = object.buffer().bytes().len();
             check_offset(offset, length, name, "GL_PIXEL_PACK_BUFFER")?;
             check_length(length - offset, needed)?;
-            write(&mut object.bytes_mut(&mut context.recorder)[offset..]);
+            object.write(&mut context.recorder, offset..length, write);
             Ok(())
         }
     }
@@ -135,7 +137,7 @@ pub(crate) fn write_pixels(
 /// Refuses a buffer that the client has mapped.
 fn not_mapped(context: &Context, bound: &Bound) -> Result<()> {
     match context.objects.shared.buffers.bound(bound) {
-        Some(object) if object.map.is_some() => invalid_operation(
+        Some(object) if object.is_mapped_alone() => invalid_operation(
             SECTION,
             format!("buffer {} is bound for pixels and mapped: call glUnmapBuffer", bound.name()),
         ),

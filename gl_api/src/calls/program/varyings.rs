@@ -4,7 +4,8 @@ use crate::base::args::{Names, TextOut};
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation, invalid_value, not_negative};
 use crate::base::limits::{
-    MAX_TRANSFORM_FEEDBACK_INTERLEAVED_COMPONENTS, MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS,
+    MAX_TRANSFORM_FEEDBACK_BUFFERS, MAX_TRANSFORM_FEEDBACK_INTERLEAVED_COMPONENTS,
+    MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS,
 };
 use crate::base::query_value::put;
 use crate::base::types::*;
@@ -12,7 +13,7 @@ use crate::calls::program::data_type::gl_type;
 use crate::calls::program::inspect::indexed;
 use crate::calls::program::programs::program;
 use crate::context::Context;
-use crate::glsl::{BufferMode, Capture, CaptureRequest};
+use crate::glsl::{BufferMode, Capture, CaptureRequest, CapturedItem};
 use crate::objects::shaders::put_text;
 use crate::state::transform_feedback::SECTION;
 
@@ -25,6 +26,46 @@ pub(crate) const BUFFER_MODE: Table<BufferMode> = Table {
     ],
 };
 
+const GAPS: &str = "ARB_transform_feedback3, section 2.17";
+
+/// What a name asks for.
+fn request(name: &str, is_es: bool) -> CaptureRequest {
+    match name {
+        "gl_NextBuffer" if !is_es => return CaptureRequest::NextBuffer,
+        "gl_SkipComponents1" if !is_es => return CaptureRequest::Gap(1),
+        "gl_SkipComponents2" if !is_es => return CaptureRequest::Gap(2),
+        "gl_SkipComponents3" if !is_es => return CaptureRequest::Gap(3),
+        "gl_SkipComponents4" if !is_es => return CaptureRequest::Gap(4),
+        _ => {}
+    }
+    match indexed(name) {
+        Some((variable, element)) => {
+            CaptureRequest::Varying { variable: variable.to_owned(), element: Some(element) }
+        }
+        None => CaptureRequest::Varying { variable: name.to_owned(), element: None },
+    }
+}
+
+/// Gaps and steps to the next buffer are for interleaved capture, into as many buffers as there are.
+fn check_gaps(varyings: &[CaptureRequest], mode: BufferMode) -> Result<()> {
+    let other = varyings.iter().find(|name| !matches!(name, CaptureRequest::Varying { .. }));
+    if let (BufferMode::Separate, Some(name)) = (mode, other) {
+        let rule = format!("varyings has {name}, which needs bufferMode = GL_INTERLEAVED_ATTRIBS");
+        return invalid_operation(GAPS, rule);
+    }
+    let steps = varyings.iter().filter(|name| **name == CaptureRequest::NextBuffer).count();
+    if steps >= MAX_TRANSFORM_FEEDBACK_BUFFERS {
+        return invalid_operation(
+            GAPS,
+            format!(
+                "varyings has gl_NextBuffer {steps} times, but there are \
+                 GL_MAX_TRANSFORM_FEEDBACK_BUFFERS = {MAX_TRANSFORM_FEEDBACK_BUFFERS} buffers"
+            ),
+        );
+    }
+    Ok(())
+}
+
 /// What the next link is to capture.
 pub(crate) fn transform_feedback_varyings(
     context: &mut Context,
@@ -33,6 +74,7 @@ pub(crate) fn transform_feedback_varyings(
     varyings: Names<'_>,
     buffer_mode: GLenum,
 ) -> Result<()> {
+    let is_es = context.profile.is_es();
     let program = program(context, name)?;
     let count = not_negative(SECTION, "count", count.into())?;
     let mode = BUFFER_MODE.decode("bufferMode", buffer_mode)?;
@@ -52,13 +94,9 @@ pub(crate) fn transform_feedback_varyings(
         let has = varyings.0.len();
         return invalid_operation(SECTION, format!("count = {count}, but there are {has} names"));
     };
-    let request = |name: &&str| match indexed(name) {
-        Some((variable, element)) => {
-            CaptureRequest { variable: variable.to_owned(), element: Some(element) }
-        }
-        None => CaptureRequest { variable: (*name).to_owned(), element: None },
-    };
-    program.bindings.capture = Capture { mode, varyings: names.iter().map(request).collect() };
+    let varyings: Vec<CaptureRequest> = names.iter().map(|name| request(name, is_es)).collect();
+    check_gaps(&varyings, mode)?;
+    program.bindings.capture = Capture { mode, varyings };
     Ok(())
 }
 
@@ -88,5 +126,9 @@ pub(crate) fn get_transform_feedback_varying(
     };
     put_text(&found.name, max_length, length, out)?;
     put(size, &[found.size as GLsizei])?;
-    put(ty, &[gl_type(found.ty)])
+    let found = match found.item {
+        CapturedItem::Varying(ty) => gl_type(ty),
+        CapturedItem::Gap | CapturedItem::NextBuffer => GL_NONE,
+    };
+    put(ty, &[found])
 }

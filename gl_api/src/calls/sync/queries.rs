@@ -2,9 +2,10 @@
 //! `ARB_occlusion_query2`, `ARB_timer_query`.
 
 use crate::base::constants::*;
-use crate::base::error::{Result, Table, invalid_operation};
+use crate::base::error::{Result, Table, invalid_operation, invalid_value};
 use crate::base::query_value::put;
 use crate::base::types::*;
+use crate::calls::transform_feedback::checked_stream;
 use crate::context::Context;
 use crate::draw::pass::submit;
 use crate::objects::name_table::listed;
@@ -250,4 +251,63 @@ pub(crate) fn get_query_objectui64v(
 ) -> Result<()> {
     let value = answer(context, id, pname)?;
     put(params, &[value])
+}
+
+/// Checks the index of a query: a vertex stream of the queries that count primitives, 0 of others
+/// (`ARB_transform_feedback3`).
+fn check_index(target: GLenum, index: GLuint) -> Result<()> {
+    match TARGET.decode("target", target)? {
+        QueryTarget::PrimitivesGenerated | QueryTarget::TransformFeedbackPrimitivesWritten => {
+            checked_stream("index", index)
+        }
+        QueryTarget::AnySamplesPassed
+        | QueryTarget::AnySamplesPassedConservative
+        | QueryTarget::SamplesPassed
+        | QueryTarget::TimeElapsed
+        | QueryTarget::Timestamp
+            if index == 0 =>
+        {
+            Ok(())
+        }
+        QueryTarget::AnySamplesPassed
+        | QueryTarget::AnySamplesPassedConservative
+        | QueryTarget::SamplesPassed
+        | QueryTarget::TimeElapsed
+        | QueryTarget::Timestamp => invalid_value(
+            "ARB_transform_feedback3, section 2.14",
+            format!("index = {index} must be 0 for {}", enum_name(target)),
+        ),
+    }
+}
+
+pub(crate) fn begin_query_indexed(
+    context: &mut Context,
+    target: GLenum,
+    index: GLuint,
+    id: GLuint,
+) -> Result<()> {
+    check_index(target, index)?;
+    begin_query(context, target, id)
+}
+
+pub(crate) fn end_query_indexed(
+    context: &mut Context,
+    target: GLenum,
+    index: GLuint,
+) -> Result<()> {
+    check_index(target, index)?;
+    end_query(context, target)
+}
+
+pub(crate) fn get_query_indexediv(
+    context: &mut Context,
+    target: GLenum,
+    index: GLuint,
+    pname: GLenum,
+    params: &mut [GLint],
+) -> Result<()> {
+    if target != GL_TIMESTAMP {
+        check_index(target, index)?;
+    }
+    get_queryiv(context, target, pname, params)
 }

@@ -9,6 +9,7 @@ use crate::calls::texture::bound::{bound, bound_mut};
 use crate::context::Context;
 use crate::objects::sampler::{Answer, SAMPLER_PARAMETER, SamplerParameter, Values, needs_vector};
 use crate::objects::target::{TARGET, TextureTarget};
+use crate::objects::texture::DepthStencilMode;
 use texunit::sampler::{Border, DepthMode, Swizzle};
 
 const SECTION: &str = "GL 2.1, section 3.8.4";
@@ -35,6 +36,14 @@ const SWIZZLE: Table<Swizzle> = Table {
     ],
 };
 
+const DEPTH_STENCIL_MODE: Table<DepthStencilMode> = Table {
+    section: "ARB_stencil_texturing, section 3.9.X",
+    rows: &[
+        (GL_DEPTH_COMPONENT, DepthStencilMode::Depth),
+        (GL_STENCIL_INDEX, DepthStencilMode::Stencil),
+    ],
+};
+
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Parameter {
     Sampler(SamplerParameter),
@@ -48,6 +57,7 @@ enum Parameter {
     BaseLevel,
     MaxLevel,
     DepthMode,
+    DepthStencilMode,
     GenerateMipmap,
     /// Of one component.
     Swizzle(u8),
@@ -67,6 +77,7 @@ const PARAMETER: Table<Parameter> = Table {
         (GL_TEXTURE_BASE_LEVEL, Parameter::BaseLevel),
         (GL_TEXTURE_MAX_LEVEL, Parameter::MaxLevel),
         (GL_DEPTH_TEXTURE_MODE, Parameter::DepthMode),
+        (GL_DEPTH_STENCIL_TEXTURE_MODE, Parameter::DepthStencilMode),
         (GL_GENERATE_MIPMAP, Parameter::GenerateMipmap),
         (GL_TEXTURE_SWIZZLE_R, Parameter::Swizzle(0)),
         (GL_TEXTURE_SWIZZLE_G, Parameter::Swizzle(1)),
@@ -170,6 +181,14 @@ fn set(
             sampler.max_level = last.map_or(level, |last| level.clamp(base.min(last), last));
         }
         Parameter::DepthMode => sampler.depth_mode = DEPTH_MODE.decode("param", symbol)?,
+        Parameter::DepthStencilMode => {
+            let mode = DEPTH_STENCIL_MODE.decode("param", symbol)?;
+            if texture.depth_stencil != mode {
+                texture.depth_stencil = mode;
+                texture.changed();
+                return Ok(());
+            }
+        }
         Parameter::GenerateMipmap => texture.generate_mipmap = value != 0.0,
         Parameter::Swizzle(component) => {
             sampler.swizzle[usize::from(component)] = SWIZZLE.decode("param", symbol)?;
@@ -217,6 +236,7 @@ fn vector(context: &mut Context, target: GLenum, pname: GLenum, values: &Values)
         | Parameter::BaseLevel
         | Parameter::MaxLevel
         | Parameter::DepthMode
+        | Parameter::DepthStencilMode
         | Parameter::GenerateMipmap
         | Parameter::Swizzle(_) => {
             return set(context, target, pname, parameter, values);
@@ -309,6 +329,7 @@ fn get(context: &Context, target: TextureTarget, parameter: Parameter) -> Answer
         Parameter::BaseLevel => sampler.base_level.into(),
         Parameter::MaxLevel => sampler.max_level.into(),
         Parameter::DepthMode => DEPTH_MODE.encode(sampler.depth_mode).into(),
+        Parameter::DepthStencilMode => DEPTH_STENCIL_MODE.encode(texture.depth_stencil).into(),
         Parameter::GenerateMipmap => f64::from(u8::from(texture.generate_mipmap)),
         Parameter::Swizzle(at) => SWIZZLE.encode(sampler.swizzle[usize::from(at)]).into(),
     };

@@ -10,6 +10,7 @@ use crate::base::error::{Result, Table, invalid_operation, invalid_value, not_ne
 use crate::base::memory::{copied, out_of_memory};
 use crate::base::types::*;
 use crate::calls::vertex::array_objects::require_vertex_array;
+use crate::calls::vertex::bindings::{vertex_attrib_binding, vertex_binding_divisor};
 use crate::context::Context;
 use crate::draw::array_names::refuse_client_memory;
 use crate::interface::*;
@@ -44,7 +45,7 @@ const INDEX_TYPE: Table<VertexType> = Table {
 };
 
 /// Of generic attributes that stay integers.
-const INTEGER_TYPE: Table<VertexType> = Table {
+pub(crate) const INTEGER_TYPE: Table<VertexType> = Table {
     section: "EXT_gpu_shader4, section 2.8",
     rows: &[
         (GL_BYTE, VertexType::I8),
@@ -64,7 +65,7 @@ pub(crate) enum Bgra {
 }
 
 /// Which sizes an array can have, and how its integers are read.
-struct Rules {
+pub(crate) struct Rules {
     sizes: std::ops::RangeInclusive<GLint>,
     bgra: Bgra,
     types: Table<VertexType>,
@@ -72,7 +73,7 @@ struct Rules {
 }
 
 impl Rules {
-    fn new(
+    pub(crate) fn new(
         sizes: std::ops::RangeInclusive<GLint>,
         types: Table<VertexType>,
         format: VertexFormat,
@@ -80,7 +81,7 @@ impl Rules {
         Self { sizes, bgra: Bgra::Refused, types, format }
     }
 
-    fn or_bgra(self) -> Self {
+    pub(crate) fn or_bgra(self) -> Self {
         Self { bgra: Bgra::Taken, ..self }
     }
 
@@ -88,7 +89,7 @@ impl Rules {
     ///
     /// # Errors
     /// As GL 3.3, section 2.8, says which sizes and types go together.
-    fn check(&self, size: GLint, ty: GLenum) -> Result<(u8, VertexType, VertexFormat)> {
+    pub(crate) fn check(&self, size: GLint, ty: GLenum) -> Result<(u8, VertexType, VertexFormat)> {
         let is_bgra = size == GL_BGRA as GLint && self.bgra == Bgra::Taken;
         if !is_bgra && !self.sizes.contains(&size) {
             let (least, most) = (self.sizes.start(), self.sizes.end());
@@ -179,8 +180,10 @@ fn set(
     array.ty = ty;
     array.format = format;
     array.stride = stride;
+    array.step = if stride > 0 { stride } else { array.size() };
     array.source = source;
     array.count = 0;
+    context.state.arrays.pointer_given(location.into());
     context.state_changes.values_only();
     Ok(())
 }
@@ -305,9 +308,9 @@ pub(crate) fn vertex_attrib_divisor(
     index: GLuint,
     divisor: GLuint,
 ) -> Result<()> {
-    context.state.arrays.by_location[usize::from(generic(index)?)].divisor = divisor;
-    context.state_changes.values_only();
-    Ok(())
+    generic(index)?;
+    vertex_attrib_binding(context, index, index)?;
+    vertex_binding_divisor(context, index, divisor)
 }
 
 pub(crate) fn enable_vertex_attrib_array(context: &mut Context, index: GLuint) -> Result<()> {

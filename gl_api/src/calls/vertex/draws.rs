@@ -5,6 +5,7 @@ use crate::base::error::{Result, invalid_operation, invalid_value, not_negative}
 use crate::base::limits::LOCATIONS;
 use crate::base::topology::topology;
 use crate::base::types::*;
+use crate::calls::buffer::map::take_client_writes;
 use crate::calls::vertex::array_objects::require_vertex_array;
 use crate::calls::vertex::immediate::attribute;
 use crate::calls::vertex::indices::{INDEX_TYPE, index_buffer};
@@ -247,6 +248,7 @@ pub(crate) fn draw_range(
     let first = not_negative(SECTION, "first", first.into())?;
     let count = not_negative(SECTION, "count", count.into())?;
     let instances = instances.checked()?;
+    take_client_writes(context);
     if count > 0 && instances.count > 0 && has_positions(context, topology) {
         let last = (first + count - 1) as u32;
         let range = (first as u32, count as u32);
@@ -289,6 +291,7 @@ pub(crate) fn draw_indexed(
     let count = not_negative(SECTION, "count", request.count.into())?;
     let instances = instances.checked()?;
     let ty = INDEX_TYPE.decode("type", request.ty)?;
+    take_client_writes(context);
     let needed = if instances.count == 0 { 0 } else { count.saturating_mul(ty.size()) };
     let (buffer, offset) = index_buffer(context, request.indices, count, needed)?;
     if count == 0 || instances.count == 0 || !has_positions(context, topology) {

@@ -8,6 +8,7 @@ use crate::base::types::*;
 use crate::calls::vertex::draws::SECTION;
 use crate::context::Context;
 use crate::draw::vertex_range::small_range;
+use crate::objects::buffers::BufferObject;
 use rasterizer::driver::{Buffer, IndexType};
 
 pub(crate) const INDEX_TYPE: Table<IndexType> = Table {
@@ -32,7 +33,7 @@ fn located_indices<'a>(
     let bound = &context.state.bindings.element_array_buffer;
     let name = bound.name();
     let object = context.objects.shared.buffers.bound(bound);
-    if object.is_some_and(|object| object.map.is_some()) {
+    if object.is_some_and(BufferObject::is_mapped_alone) {
         return invalid_operation(
             SECTION,
             format!(

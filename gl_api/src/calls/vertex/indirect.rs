@@ -5,6 +5,7 @@ use crate::base::args::{Data, Located};
 use crate::base::error::{Result, invalid_operation, invalid_value, not_negative};
 use crate::base::topology::topology;
 use crate::base::types::*;
+use crate::calls::buffer::map::take_client_writes;
 use crate::calls::vertex::array_objects::require_vertex_array;
 use crate::calls::vertex::draws::{
     IndexRequest, Instances, draw_indexed, draw_range, refuse_in_list,
@@ -43,7 +44,7 @@ fn arguments<const N: usize>(
                 "no buffer is bound to GL_DRAW_INDIRECT_BUFFER: call glBindBuffer",
             );
         }
-        (_, Some(object)) if object.map.is_some() => {
+        (_, Some(object)) if object.is_mapped_alone() => {
             return invalid_operation(
                 SECTION,
                 "the buffer of GL_DRAW_INDIRECT_BUFFER is mapped: call glUnmapBuffer",
@@ -100,6 +101,7 @@ pub(crate) fn multi_draw_arrays_indirect(
     refuse_in_list(context)?;
     topology(mode)?;
     require_vertex_array(context)?;
+    take_client_writes(context);
     let draws = arguments::<ARRAYS>(context, indirect, draw_count, stride)?;
     draws.into_iter().try_for_each(|[count, instances, first, base]| {
         let instances = Instances { count: number(instances), base };
@@ -135,6 +137,7 @@ pub(crate) fn multi_draw_elements_indirect(
             "no buffer is bound to GL_ELEMENT_ARRAY_BUFFER: call glBindBuffer",
         );
     }
+    take_client_writes(context);
     let draws = arguments::<ELEMENTS>(context, indirect, draw_count, stride)?;
     draws.into_iter().try_for_each(|[count, instances, first, base_vertex, base]| {
         let instances = Instances { count: number(instances), base };

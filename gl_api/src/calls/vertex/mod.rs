@@ -2,6 +2,7 @@
 
 pub(crate) mod array_objects;
 pub(crate) mod arrays;
+pub(crate) mod bindings;
 pub(crate) mod counted;
 pub(crate) mod draws;
 pub(crate) mod immediate;

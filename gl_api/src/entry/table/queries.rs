@@ -41,6 +41,13 @@ macro_rules! entry_points_queries {
         begin_query: glBeginQuery | glBeginQueryARB | glBeginQueryEXT (target: GLenum, id: GLuint);
         /// Ends the query of a target.
         end_query: glEndQuery | glEndQueryARB | glEndQueryEXT (target: GLenum);
+        /// Begins a query of one vertex stream.
+        begin_query_indexed: glBeginQueryIndexed (target: GLenum, index: GLuint, id: GLuint);
+        /// Ends the query of one vertex stream.
+        end_query_indexed: glEndQueryIndexed (target: GLenum, index: GLuint);
+        /// Reads what is known of a target of queries of one vertex stream.
+        get_query_indexediv: glGetQueryIndexediv
+            (target: GLenum, index: GLuint, pname: GLenum, params: &'a mut [GLint]);
         /// Takes the time when everything so far is carried out.
         query_counter: glQueryCounter (id: GLuint, target: GLenum);
         /// Reads what is known of a target of queries.

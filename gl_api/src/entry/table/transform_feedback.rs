@@ -31,6 +31,9 @@ macro_rules! entry_points_transform_feedback {
         resume_transform_feedback: glResumeTransformFeedback ();
         /// Draws the vertices that an object has captured.
         draw_transform_feedback: glDrawTransformFeedback (mode: GLenum, id: GLuint);
+        /// The same of one vertex stream.
+        draw_transform_feedback_stream: glDrawTransformFeedbackStream
+            (mode: GLenum, id: GLuint, stream: GLuint);
     }
     Refused in indexed_buffers {
         /// Binds a part of a buffer to a numbered binding.

@@ -5,7 +5,7 @@ use crate::base::args::{Data, DataOut, Pointers};
 use crate::base::types::*;
 use crate::calls::buffer::{clear as buffer_clear, data as buffers, map as buffer_map};
 use crate::calls::vertex::{
-    array_objects as vertex_arrays, arrays, counted, draws as calls, immediate, indirect,
+    array_objects as vertex_arrays, arrays, bindings, counted, draws as calls, immediate, indirect,
     interleaved, locked, rect, restart, runs,
 };
 use crate::query::arrays as query_arrays;
@@ -25,6 +25,30 @@ macro_rules! entry_points_vertices {
         lock_arrays: glLockArraysEXT (first: GLint, count: GLsizei), not_compiled;
         /// Ends the promise.
         unlock_arrays: glUnlockArraysEXT (), not_compiled;
+    }
+    Refused in bindings {
+        /// Sets the format of a generic attribute, and where it lies in an element of its binding point.
+        vertex_attrib_format: glVertexAttribFormat (
+            attribindex: GLuint, size: GLint, ty: GLenum, normalized: bool, relativeoffset: GLuint
+        ), not_compiled;
+        /// The same for integers that stay integers.
+        vertex_attrib_i_format: glVertexAttribIFormat (
+            attribindex: GLuint, size: GLint, ty: GLenum, relativeoffset: GLuint
+        ), not_compiled;
+        /// The same for doubles.
+        vertex_attrib_l_format: glVertexAttribLFormat (
+            attribindex: GLuint, size: GLint, ty: GLenum, relativeoffset: GLuint
+        ), not_compiled;
+        /// Sets the binding point that a generic attribute reads.
+        vertex_attrib_binding: glVertexAttribBinding
+            (attribindex: GLuint, bindingindex: GLuint), not_compiled;
+        /// Binds a buffer to a binding point of generic attributes.
+        bind_vertex_buffer: glBindVertexBuffer (
+            bindingindex: GLuint, buffer: GLuint, offset: GLintptr, stride: GLsizei
+        ), not_compiled;
+        /// Lets the attributes of a binding point go on once in so many instances; 0 is once a vertex.
+        vertex_binding_divisor: glVertexBindingDivisor
+            (bindingindex: GLuint, divisor: GLuint), not_compiled;
     }
     Refused in arrays {
         /// Says where positions are. A slice is copied now; later writes to it are not seen.
@@ -237,6 +261,9 @@ macro_rules! entry_points_vertices {
         /// Fills a buffer anew with `size` bytes; `NULL` gives zeros.
         buffer_data: glBufferData | glBufferDataARB
             (target: GLenum, size: GLsizeiptr, data: Data<'a>, usage: GLenum), not_compiled;
+        /// Gives a buffer its bytes for good; `flags` say what may be done with them.
+        buffer_storage: glBufferStorage | glBufferStorageEXT
+            (target: GLenum, size: GLsizeiptr, data: Data<'a>, flags: GLbitfield), not_compiled;
         /// Replaces a part of a buffer.
         buffer_sub_data: glBufferSubData | glBufferSubDataARB
             (target: GLenum, offset: GLintptr, size: GLsizeiptr, data: Data<'a>), not_compiled;
