@@ -143,7 +143,7 @@ pub struct Current {
 
 impl Context {
     /// Makes this the thread's current context, for as long as the guard lives.
-    #[must_use = "the context is current only as long as the guard lives"]
+    #[must_use = "the context is current only as long as the guard lives: `let _current = …`, as `let _ = …` drops it at once"]
     pub fn make_current(self) -> Current {
         Current { before: set_current(Some(self)), released: false, _thread: PhantomData }
     }

@@ -10,6 +10,7 @@ mod demon;
 mod frameworks;
 mod picture;
 mod python;
+mod wheel;
 
 use std::ffi::OsString;
 use std::io::Write;
