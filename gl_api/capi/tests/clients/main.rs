@@ -7,6 +7,7 @@
 
 mod c;
 mod demon;
+mod doctor;
 mod frameworks;
 mod picture;
 mod python;

@@ -14,6 +14,14 @@ pub fn run(_: &[OsString], _: Glu) -> io::Result<()> {
     Err(not_here())
 }
 
+pub fn report() -> io::Result<()> {
+    Err(not_here())
+}
+
+pub fn probe() -> io::Result<()> {
+    Err(not_here())
+}
+
 fn not_here() -> io::Error {
     io::Error::new(
         io::ErrorKind::Unsupported,

@@ -1,19 +1,24 @@
 //! `detgl run -- PROGRAM`: runs a program on DetGL instead of the system's OpenGL.
+//! `detgl doctor`: prints what programs load.
 //! `detgl install DIR`: lays the library out under the names that programs and loaders look for.
 
+#[cfg(all(unix, not(target_vendor = "apple")))]
+mod doctor;
 #[cfg(all(unix, not(target_vendor = "apple")))]
 mod facade;
 #[cfg(all(unix, not(target_vendor = "apple")))]
 mod layout;
 #[cfg(all(unix, not(target_vendor = "apple")))]
+mod probe;
+#[cfg(all(unix, not(target_vendor = "apple")))]
 mod run;
 #[cfg(all(unix, not(target_vendor = "apple")))]
-use {layout::install, run::run};
+use {doctor::report, layout::install, probe::probe, run::run};
 
 #[cfg(not(all(unix, not(target_vendor = "apple"))))]
 mod elsewhere;
 #[cfg(not(all(unix, not(target_vendor = "apple"))))]
-use elsewhere::{install, run};
+use elsewhere::{install, probe, report, run};
 
 use clap::{Args, Parser, Subcommand};
 use std::ffi::OsString;
@@ -50,6 +55,11 @@ enum Task {
         #[arg(required = true, trailing_var_arg = true, allow_hyphen_values = true)]
         program: Vec<OsString>,
     },
+    /// Prints what programs load, in which order, and which contexts they can make: for reports of bugs.
+    Doctor,
+    /// What `doctor` runs in processes of their own.
+    #[command(hide = true)]
+    Probe,
     /// Lays the library out in a folder, for LD_LIBRARY_PATH or `cc -L`.
     Install {
         #[command(flatten)]
@@ -100,6 +110,8 @@ impl OwnGlu {
 fn main() -> ExitCode {
     let result = match Arguments::parse().task {
         Task::Run { glu, program } => run(&program, glu.choice()),
+        Task::Doctor => report(),
+        Task::Probe => probe(),
         Task::Install { glu, no_links, library, dir } => {
             let links = if no_links { Links::None } else { Links::Symbolic };
             install(&dir, glu.choice(), links, library.as_deref()).map(|()| {
