@@ -11,6 +11,7 @@ mod doctor;
 mod frameworks;
 mod picture;
 mod python;
+mod tarball;
 mod wheel;
 
 use std::ffi::OsString;
