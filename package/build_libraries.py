@@ -1,5 +1,6 @@
 """Builds the libraries and the command with cargo, and reads what they need of a machine."""
 
+import json
 import os
 import re
 import shutil
@@ -23,6 +24,35 @@ MACHINES = {62: "x86_64", 183: "aarch64"}
 def host():
     text = subprocess.run(["rustc", "-vV"], cwd=ROOT, check=True, capture_output=True, text=True)
     return re.search(r"^host: (.+)$", text.stdout, re.M)[1]
+
+
+def packages(target):
+    """The crates of the workspace and all that they use, by name and version."""
+    command = ["cargo", "metadata", "--format-version=1", "--locked", "--filter-platform", target]
+    text = subprocess.run(command, cwd=ROOT, check=True, capture_output=True, text=True).stdout
+    return {(one["name"], one["version"]): one for one in json.loads(text)["packages"]}
+
+
+def licences(target):
+    """The licences of the crates that are linked in, each text once."""
+    command = ["cargo", "tree", "-p", "capi", "-e", "normal,no-proc-macro", "--prefix", "none", "--format", "{p}"]
+    command += ["--locked", "--target", target]
+    text = subprocess.run(command, cwd=ROOT, check=True, capture_output=True, text=True).stdout
+    linked = {(line.split()[0], line.split()[1].removeprefix("v")) for line in text.splitlines() if line}
+    crates = packages(target)
+    texts, terms = {}, []
+    for name, version in sorted(linked):
+        crate = crates[name, version]
+        if crate["source"] is None:
+            continue
+        terms.append(f"{name} {version}: {crate['license']}")
+        folder = Path(crate["manifest_path"]).parent
+        for file in sorted(folder.iterdir()):
+            if re.match(r"(LICEN[CS]E|COPYING|NOTICE|UNLICENSE)", file.name, re.I) and file.is_file():
+                texts.setdefault(file.read_text(errors="replace").strip(), []).append(f"{name} {version}")
+    parts = [f"{', '.join(names)}:\n\n{text}" for text, names in texts.items()]
+    rule = "\n\n" + "-" * 80 + "\n\n"
+    return rule.join(["DetGL's library has these crates in it:\n\n" + "\n".join(terms), *parts]) + "\n"
 
 
 class Build:

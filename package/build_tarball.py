@@ -16,7 +16,7 @@ import tempfile
 from pathlib import Path
 
 import headers
-from build_libraries import MACHINES, ROOT, VERSION, Build, exports, platform_of, read_elf
+from build_libraries import MACHINES, ROOT, VERSION, Build, exports, licences, packages, platform_of, read_elf
 
 LIBRARIES = ["EGL", "GL", "OpenGL", "GLESv2", "OSMesa"]
 # Names as pkg-config knows them, with what each library is.
@@ -61,7 +61,9 @@ def fill(tree, build):
             plain.unlink()
             plain.symlink_to(versioned[0])
     shutil.copytree(Path(__file__).parent / "include", tree / "include")
-    headers.write(tree / "include", ROOT, exports((lib / "libdetgl.so").read_bytes()))
+    registry = next(one for (name, _), one in packages(build.target).items() if name == "khronos_api")
+    headers.write(
+        tree / "include", Path(registry["manifest_path"]).parent, exports((lib / "libdetgl.so").read_bytes()))
     for name, (library, text) in PKG_CONFIG.items():
         (lib / f"pkgconfig/{name}.pc").write_text(pkg_config(name, library, text))
     for package in ["OSMesa", "DetGL"]:
@@ -71,6 +73,7 @@ def fill(tree, build):
         (folder / f"{package}ConfigVersion.cmake").write_text(CMAKE_VERSION)
     for name in ["LICENSE-MIT", "LICENSE-APACHE"]:
         shutil.copy(ROOT / name, tree / "share/licenses/detgl" / name)
+    (tree / "share/licenses/detgl/LICENSES-CRATES").write_text(licences(build.target))
 
 
 def pkg_config(name, library, text):

@@ -1,9 +1,6 @@
 """The C headers of the commands that the library has, from the Khronos registry (khronos_api, which cargo has fetched)."""
 
-import json
 import re
-import subprocess
-from pathlib import Path
 from xml.etree import ElementTree
 
 NOTICE = """/* Made from the Khronos registry, {file}:
@@ -52,17 +49,8 @@ ALIASES = {
 }
 
 
-def registry(root):
-    """The folder of the crate khronos_api."""
-    command = ["cargo", "metadata", "--format-version=1", "--locked"]
-    text = subprocess.run(command, cwd=root, check=True, capture_output=True, text=True).stdout
-    packages = json.loads(text)["packages"]
-    return Path(next(one["manifest_path"] for one in packages if one["name"] == "khronos_api")).parent
-
-
-def write(folder, root, functions):
-    """Writes the headers; functions are the names that the library exports."""
-    xml = registry(root)
+def write(folder, xml, functions):
+    """Writes the headers; xml is the folder of the crate khronos_api, functions are the names that the library exports."""
     headers = {
         "GL/gl.h": header(xml / "api/xml/gl.xml", "__gl_h_", GL_BEGINNING, "GLAPI", "APIENTRY", "gl", functions),
         "EGL/egl.h": header(

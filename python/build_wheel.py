@@ -18,7 +18,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "package"))
 
-from build_libraries import LINKER, ROOT, VERSION, Build, platform_of  # noqa: E402
+from build_libraries import LINKER, ROOT, VERSION, Build, licences, platform_of  # noqa: E402
 
 METADATA = f"""Metadata-Version: 2.4
 Name: detgl
@@ -27,6 +27,7 @@ Summary: OpenGL, EGL and OSMesa in software, with the same bits on every machine
 License-Expression: MIT OR Apache-2.0
 License-File: LICENSE-MIT
 License-File: LICENSE-APACHE
+License-File: LICENSES-CRATES
 Requires-Python: >=3.9
 Classifier: Framework :: Pytest
 Classifier: Operating System :: POSIX :: Linux
@@ -65,11 +66,11 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
         build.lay_out(libraries, libraries)
         tag = f"py3-none-{platform_of(libraries)}"
         path = Path(wheel_directory) / f"detgl-{VERSION}-{tag}.whl"
-        pack(path, tag, libraries)
+        pack(path, tag, libraries, licences(build.target))
     return path.name
 
 
-def pack(path, tag, libraries):
+def pack(path, tag, libraries, crates):
     """Writes the wheel."""
     wheel = f"Wheel-Version: 1.0\nGenerator: build_wheel\nRoot-Is-Purelib: false\nTag: {tag}\n"
     files = {f"detgl/{file.name}": file.read_bytes() for file in (HERE / "detgl").glob("*.py")}
@@ -78,6 +79,7 @@ def pack(path, tag, libraries):
             files[f"detgl/lib/{file.relative_to(libraries).as_posix()}"] = file.read_bytes()
     for name in ["LICENSE-MIT", "LICENSE-APACHE"]:
         files[f"{INFO}/licenses/{name}"] = (ROOT / name).read_bytes()
+    files[f"{INFO}/licenses/LICENSES-CRATES"] = crates.encode()
     for name, text in {**TEXTS, "WHEEL": wheel}.items():
         files[f"{INFO}/{name}"] = text.encode()
     record = ""

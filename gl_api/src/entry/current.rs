@@ -77,7 +77,10 @@ pub fn call<R: RefusedResult>(name: &str, f: impl FnOnce(&mut Context) -> R) -> 
 #[inline(never)]
 fn warn(name: &str) {
     if !WARNED.replace(true) {
-        eprintln!("detgl: {name}: ignored, as this thread has no current context");
+        eprintln!(
+            "detgl: {name}: ignored, as this thread has no current context: call eglMakeCurrent or OSMesaMakeCurrent \
+             before (in Rust, keep what Context::make_current returns)"
+        );
     }
 }
 

@@ -28,8 +28,11 @@ impl Environment {
         })?;
         let mut files = std::fs::read_dir(&wheels).expect("pip made it");
         let file = files.next().expect("a wheel").expect("readable").path();
+        // The tag says what the library needs of a machine: nothing but libc and what comes with it.
+        let name = file.file_name().unwrap_or_default().to_string_lossy();
+        assert!(name.contains("-py3-none-manylinux_") || !cfg!(target_env = "gnu"), "{name}");
         let mut install = environment.python();
-        install.args(["-m", "pip", "install", "--no-index", "--no-deps"]).arg(file);
+        install.args(["-m", "pip", "install", "--no-index", "--no-deps"]).arg(&file);
         run(&mut install).unwrap_or_else(|said| panic!("{said}"));
         Ok(environment)
     }
