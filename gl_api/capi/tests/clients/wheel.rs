@@ -92,6 +92,17 @@ fn the_wheel_runs_its_examples_in_a_fresh_environment() {
     }
     environment.pytest("python/tests");
     environment.pytest("examples/python");
+    // Ray is 90 MB, and takes half a minute to start.
+    match std::env::var_os("DETGL_TEST_RAY") {
+        None => skip(&format!("{test}: ray_frames.py"), "set DETGL_TEST_RAY=1 to fetch ray"),
+        Some(_) => {
+            let mut install = environment.python();
+            run(install.args(["-m", "pip", "install", "ray"]))
+                .unwrap_or_else(|said| panic!("{said}"));
+            let printed = environment.example("ray_frames.py", &[], "1");
+            assert_eq!(printed.matches("the digests of this one").count(), 2, "{printed}");
+        }
+    }
     for (example, picture) in [("mujoco_frame.py", true), ("gymnasium_digest.py", false)] {
         let out = environment.folder.join(example).with_extension("png");
         let arguments = if picture { vec![out.as_path()] } else { Vec::new() };
