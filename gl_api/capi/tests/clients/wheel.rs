@@ -23,8 +23,8 @@ impl Environment {
         run(Command::new(python_program())
             .args(["-m", "venv"])
             .arg(environment.folder.join("venv")))?;
-        run(wheel.env("PYTHONDONTWRITEBYTECODE", "1")).or_else(|said| {
-            if said.contains("No module named pip") { Err(said) } else { panic!("{said}") }
+        run(wheel.env("PYTHONDONTWRITEBYTECODE", "1")).map_err(|said| {
+            if said.contains("No module named pip") { said } else { panic!("{said}") }
         })?;
         let mut files = std::fs::read_dir(&wheels).expect("pip made it");
         let file = files.next().expect("a wheel").expect("readable").path();
