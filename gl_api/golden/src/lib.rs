@@ -12,6 +12,9 @@
 //!
 //! The Python module `detgl.golden` does the same; digests of the two are equal.
 
+#[cfg(test)]
+mod tests;
+
 use image::{ColorType, DynamicImage, ImageError, ImageReader};
 use sha2::{Digest, Sha256};
 use std::fmt::{self, Write};
@@ -20,6 +23,9 @@ use std::{env, fs, io};
 
 /// How much brighter the difference is in its picture, so that one step can be seen.
 const AMPLIFIED: u8 = 16;
+
+/// What is written of a failure.
+const KINDS: [&str; 3] = ["old", "new", "difference"];
 
 /// A picture of components of 8 bits, the rows from the top.
 #[derive(Clone, PartialEq, Eq)]
@@ -211,7 +217,7 @@ impl Golden {
         let path = self.folder.join(format!("{name}.png"));
         let old = Picture::read(&path).ok();
         if old.as_ref() == Some(picture) {
-            return Ok(());
+            return self.forget(name).map_err(|error| format!("{name}: {error}"));
         }
         if self.task == Task::Bless {
             return picture.write(&path).map_err(|error| format!("{}: {error}", path.display()));
@@ -239,8 +245,8 @@ impl Golden {
                 Some(_) | None => return Ok(()),
             },
         };
-        let kinds = [("old", old), ("new", Some(new)), ("difference", difference.as_ref())];
-        let page = self.report(name, &why, kinds).map_err(|error| {
+        let pictures = [old, Some(new), difference.as_ref()];
+        let page = self.report(name, &why, pictures).map_err(|error| {
             format!("{name}: {why}. {} cannot be written: {error}", self.failures.display())
         })?;
         Err(format!(
@@ -249,14 +255,30 @@ impl Golden {
         ))
     }
 
+    /// Takes an earlier run's failure from the page.
+    fn forget(&self, name: &str) -> io::Result<()> {
+        let text = self.failures.join(format!("{name}.txt"));
+        if !text.exists() {
+            return Ok(());
+        }
+        fs::remove_file(text)?;
+        for kind in KINDS {
+            match fs::remove_file(self.failures.join(format!("{name}-{kind}.png"))) {
+                Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
+                Ok(()) | Err(_) => {}
+            }
+        }
+        write_page(&self.failures).map(drop)
+    }
+
     /// Writes the pictures of a failure, and the page of all.
     fn report(
         &self,
         name: &str,
         why: &str,
-        kinds: [(&str, Option<&Picture>); 3],
+        pictures: [Option<&Picture>; 3],
     ) -> Result<PathBuf, ImageError> {
-        for (kind, picture) in kinds {
+        for (kind, picture) in KINDS.into_iter().zip(pictures) {
             let path = self.failures.join(format!("{name}-{kind}.png"));
             match picture {
                 Some(picture) => picture.write(&path)?,
@@ -286,7 +308,7 @@ fn write_page(folder: &Path) -> io::Result<PathBuf> {
         let name = path.file_stem().unwrap_or_default().to_string_lossy();
         let why = fs::read_to_string(path)?;
         write!(rows, "<h2>{name}</h2><p>{why}</p><div>").expect("a String takes everything");
-        for kind in ["old", "new", "difference"] {
+        for kind in KINDS {
             let file = format!("{name}-{kind}.png");
             if folder.join(&file).exists() {
                 write!(
@@ -321,85 +343,5 @@ pub fn check(picture: &Picture, name: &str) {
     let golden = Golden::new(folder.join("golden"), folder.join("golden-failures"));
     if let Err(said) = golden.check(picture, name) {
         panic!("{said}");
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn old() -> Picture {
-        Picture::rgb(4, 2, &(0..24).collect::<Vec<_>>())
-    }
-
-    fn changed(at: usize, value: u8) -> Picture {
-        let mut picture = old();
-        picture.bytes[at] = value;
-        picture
-    }
-
-    fn blessed(folder: &Path) -> Golden {
-        let golden = Golden::new(folder.join("golden"), folder.join("failures"));
-        let bless = Golden { task: Task::Bless, ..golden.clone() };
-        bless.check(&old(), "a").expect("written");
-        Golden { task: Task::Compare, ..golden }
-    }
-
-    #[test]
-    fn a_difference_says_how_many_how_much_and_where() {
-        let folder = tempfile::tempdir().expect("a folder");
-        let golden = blessed(folder.path());
-        assert_eq!(golden.check(&old(), "a"), Ok(()));
-        assert!(!golden.failures.exists());
-        let said = golden.check(&changed(17, 19), "a").expect_err("they differ");
-        assert!(
-            said.starts_with("a: 1 pixels differ, by 2 at most, first at (1, 1). See "),
-            "{said}"
-        );
-        let read = |kind: &str| {
-            Picture::read(&golden.failures.join(format!("a-{kind}.png"))).expect("a picture")
-        };
-        assert_eq!((read("old"), read("new")), (old(), changed(17, 19)));
-        let mut bytes = [0; 24];
-        bytes[17] = 32;
-        assert_eq!(read("difference"), Picture::rgb(4, 2, &bytes));
-        let page = fs::read_to_string(golden.failures.join("index.html")).expect("a page");
-        assert!(page.contains("1 pictures differ") && page.contains("a-difference.png"), "{page}");
-    }
-
-    #[test]
-    fn a_tolerance_is_asked_for() {
-        let folder = tempfile::tempdir().expect("a folder");
-        let golden = blessed(folder.path());
-        let with = |tolerance| Golden { tolerance, ..golden.clone() }.check(&changed(17, 19), "a");
-        assert!(with(1).is_err());
-        assert_eq!(with(2), Ok(()));
-    }
-
-    #[test]
-    fn another_size_and_no_picture_fail() {
-        let folder = tempfile::tempdir().expect("a folder");
-        let golden = blessed(folder.path());
-        let other = Picture::rgba(3, 2, &[0; 24]);
-        let said = golden.check(&other, "a").expect_err("they differ");
-        assert!(said.contains("the old is 4×2 Rgb, the new 3×2 Rgba"), "{said}");
-        let said = golden.check(&old(), "b").expect_err("there is none");
-        assert!(said.contains("no picture to compare with"), "{said}");
-    }
-
-    #[test]
-    fn a_difference_of_alpha_alone_is_seen() {
-        let [before, after] = [255, 250].map(|alpha| Picture::rgba(1, 1, &[9, 9, 9, alpha]));
-        let difference = Difference::between(&before, &after).expect("one");
-        assert_eq!(difference.picture, Picture::rgb(1, 1, &[80; 3]));
-    }
-
-    #[test]
-    fn a_digest_is_that_of_pythons_module() {
-        // By printf '2x4x3 B\n\x00\x01…\x17' | sha256sum.
-        let expected = "2db9f17b72bd6577fdec0ad5e75a1d3cfadb72b2d9dac27ea0b4f2da15c782e0";
-        assert_eq!(old().digest(), expected);
-        assert_eq!(old().flipped().flipped().digest(), expected);
-        assert_ne!(old().flipped().digest(), expected);
     }
 }

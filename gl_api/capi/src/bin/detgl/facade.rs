@@ -111,15 +111,17 @@ impl<'a> Elf<'a> {
                 continue;
             }
             let (_, texts, _, _) = self.section(link)?;
-            for at in (offset..offset + length).step_by(format.choose(16, 24)) {
+            for at in (offset..offset.saturating_add(length)).step_by(format.choose(16, 24)) {
                 let (info, section) = (at + format.choose(12, 4), at + format.choose(14, 6));
                 if self.number(info, 1)? != u64::from(GLOBAL_FUNCTION)
                     || self.number(section, 2)? == 0
                 {
                     continue;
                 }
-                let text =
-                    self.bytes.get(texts + self.number(at, 4)? as usize..).ok_or_else(broken)?;
+                let text = self
+                    .bytes
+                    .get(texts.saturating_add(self.number(at, 4)? as usize)..)
+                    .ok_or_else(broken)?;
                 let end = text.iter().position(|&byte| byte == 0).ok_or_else(broken)?;
                 names.push(std::str::from_utf8(&text[..end]).map_err(|_| broken())?);
             }
@@ -328,4 +330,40 @@ pub fn write(facade: &Facade<'_>, library: &[u8]) -> io::Result<Vec<u8>> {
         out.word(section.entry);
     }
     Ok(out.bytes)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_facade_is_read_back_in_every_format() {
+        for (class, data) in [(1, 1), (1, 2), (2, 1), (2, 2)] {
+            let mut library = vec![0; 64];
+            library[..7].copy_from_slice(&[0x7f, b'E', b'L', b'F', class, data, 1]);
+            library[18..20].copy_from_slice(&[5, 6]);
+            let functions = ["glBegin", "glEnd"];
+            let file = write(&Facade { soname: "libGL.so.1", functions: &functions }, &library);
+            let file = file.expect("written");
+            assert_eq!((&file[..16], &file[18..20]), (&library[..16], &library[18..20]));
+            assert_eq!(exports(&file).expect("readable"), functions);
+        }
+    }
+
+    #[test]
+    fn what_is_no_library_is_refused() {
+        for bytes in [&b""[..], b"\x7fELF", b"not at all a library, however long", &[0x7f; 4096]] {
+            assert!(exports(bytes).is_err());
+        }
+        let mut cut =
+            write(&Facade { soname: "a", functions: &["glA"] }, &header()).expect("written");
+        cut.truncate(cut.len() - 64);
+        assert!(exports(&cut).is_err());
+    }
+
+    fn header() -> Vec<u8> {
+        let mut header = b"\x7fELF\x02\x01\x01".to_vec();
+        header.resize(64, 0);
+        header
+    }
 }
