@@ -1,6 +1,14 @@
 /* Draws a triangle into its own memory, as a program that is linked with OSMesa; says which driver that was. */
+#include <EGL/egl.h>
+#include <GL/glext.h>
+#include <GL/glu.h>
 #include <GL/osmesa.h>
+#include <GLES2/gl2.h>
 #include <stdio.h>
+
+#if !defined(GL_VERSION_3_3) || !defined(EGL_VERSION_1_5) || !defined(GL_ES_VERSION_2_0)
+#error "the headers do not say which versions there are"
+#endif
 
 int main(void)
 {
@@ -19,6 +27,7 @@ int main(void)
     glFinish();
     const unsigned char *middle = &pixels[(32 * 64 + 32) * 4], *corner = &pixels[63 * 64 * 4];
     printf("%s %d %d %d %d\n", (const char *)glGetString(GL_RENDERER), middle[0], middle[2], corner[0], corner[2]);
+    const GLenum error = glGetError();
     OSMesaDestroyContext(context);
-    return glGetError() != GL_NO_ERROR;
+    return error != GL_NO_ERROR;
 }

@@ -47,7 +47,7 @@ fn with_pkg_config(test: &str, folder: &Path, tree: &Path) {
     let program = folder.join("draw");
     // pkg-config escapes the space of the folder for a shell.
     let script =
-        r#"eval "cc -Wall -Werror -std=c99 '$1' -o '$2' $(pkg-config --cflags --libs osmesa)""#;
+        r#"eval "cc -Wall -Wextra -pedantic -Werror -std=c99 '$1' -o '$2' $(pkg-config --cflags --libs osmesa)""#;
     let mut command = Command::new("sh");
     command.args(["-c", script, "sh"]).arg(source("osmesa.c")).arg(&program);
     command.env("PKG_CONFIG_PATH", tree.join("lib/pkgconfig"));
