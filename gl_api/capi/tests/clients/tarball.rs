@@ -46,8 +46,7 @@ fn a_program_in_c_is_built_with_the_tarball() {
 fn with_pkg_config(test: &str, folder: &Path, tree: &Path) {
     let program = folder.join("draw");
     // pkg-config escapes the space of the folder for a shell.
-    let script =
-        r#"eval "cc -Wall -Wextra -pedantic -Werror -std=c99 '$1' -o '$2' $(pkg-config --cflags --libs osmesa)""#;
+    let script = r#"eval "cc -Wall -Wextra -pedantic -Werror -std=c99 '$1' -o '$2' $(pkg-config --cflags --libs osmesa)""#;
     let mut command = Command::new("sh");
     command.args(["-c", script, "sh"]).arg(source("osmesa.c")).arg(&program);
     command.env("PKG_CONFIG_PATH", tree.join("lib/pkgconfig"));

@@ -28,7 +28,7 @@ impl Environment {
         })?;
         let mut files = std::fs::read_dir(&wheels).expect("pip made it");
         let file = files.next().expect("a wheel").expect("readable").path();
-        // The tag says what the library needs of a machine: nothing but libc and what comes with it.
+        // It would not be manylinux if the library needed more than glibc.
         let name = file.file_name().unwrap_or_default().to_string_lossy();
         assert!(name.contains("-py3-none-manylinux_") || !cfg!(target_env = "gnu"), "{name}");
         let mut install = environment.python();

@@ -31,7 +31,7 @@ pub const NAMES: [Name; 5] = [
     Name { versioned: "libOSMesa.so.8", plain: "libOSMesa.so", prefixes: &["OSMesa", "gl"] },
 ];
 
-/// libGLU, for whoever asks for it: a program with a tessellator or NURBS, which this library does not have, needs the
+/// libGLU, for programs that ask for it by `--glu`: one with a tessellator or NURBS, which this library does not have, needs the
 /// system's. In a folder of its own below the others.
 const GLU: Name = Name { versioned: "libGLU.so.1", plain: "libGLU.so", prefixes: &["glu"] };
 const GLU_FOLDER: &str = "glu";
