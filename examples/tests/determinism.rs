@@ -4,10 +4,11 @@
 //! `DETGL_BLESS=1 cargo test -p examples --test determinism` writes those pictures anew; look at them
 //! before you commit them.
 
-use examples::picture::{self, Picture, packed_pixel_t};
+use examples::picture::Picture;
 use examples::programs;
 use examples::window::{Program, render};
 use gl_api::context::ContextDesc;
+use golden::Golden;
 use rasterizer::driver::{Device, DeviceDesc};
 use std::fmt::Write;
 use std::path::Path;
@@ -50,7 +51,9 @@ fn are_the_same_everywhere(programs: &[Program]) {
                 let got = draw(program, SIZE, isa, threads);
                 if got != expected {
                     let what = format!("{}-{}-{threads}", program.name, isa.name());
-                    panic!("{}", difference(&what, Some(&expected), &got));
+                    let [old, new] = [&expected, &got].map(comparable);
+                    let said = golden().compare(Some(&old), &new, &what);
+                    panic!("{}", said.expect_err("they differ"));
                 }
             }
         }
@@ -59,57 +62,23 @@ fn are_the_same_everywhere(programs: &[Program]) {
 
 #[test]
 fn every_picture_is_the_one_that_was_looked_at() {
-    let golden = Path::new(env!("CARGO_MANIFEST_DIR")).join("pictures");
+    let golden = golden();
     let mut wrong = String::new();
     for program in &programs::ALL {
-        let got = plain(program, GOLDEN_SIZE);
-        let path = golden.join(format!("{}.png", program.name));
-        if std::env::var_os("DETGL_BLESS").is_some() {
-            picture::save(&got, &path).expect("the source is writable");
-        }
-        let old = picture::load(&path).ok();
-        if old.as_ref() != Some(&got) {
-            writeln!(wrong, "{}", difference(program.name, old.as_ref(), &got)).unwrap();
+        let got = comparable(&plain(program, GOLDEN_SIZE));
+        if let Err(said) = golden.check(&got, program.name) {
+            writeln!(wrong, "{said}").unwrap();
         }
     }
     assert!(wrong.is_empty(), "{wrong}");
 }
 
-/// Writes the old, the new, and the difference to `target/tmp/difference/`, and says where they
-/// differ.
-fn difference(what: &str, old: Option<&Picture>, new: &Picture) -> String {
-    let directory = Path::new(env!("CARGO_TARGET_TMPDIR")).join("difference");
-    std::fs::create_dir_all(&directory).expect("target is writable");
-    let save = |kind: &str, picture: &Picture| {
-        let path = directory.join(format!("{what}-{kind}.png"));
-        picture::save(picture, &path).expect("target is writable");
-    };
-    save("new", new);
-    let Some(old) = old.filter(|old| (old.width, old.height) == (new.width, new.height)) else {
-        return format!(
-            "{what}: no picture of this size to compare with; see {}",
-            directory.display()
-        );
-    };
-    save("old", old);
-    let apart = |(a, b): (&packed_pixel_t, &packed_pixel_t)| packed_pixel_t {
-        r: a.r.abs_diff(b.r),
-        g: a.g.abs_diff(b.g),
-        b: a.b.abs_diff(b.b),
-    };
-    let pixels: Vec<_> = old.pixels.iter().zip(&new.pixels).map(apart).collect();
-    let largest = |p: &packed_pixel_t| p.r.max(p.g).max(p.b);
-    let count = pixels.iter().filter(|p| largest(p) > 0).count();
-    let most = pixels.iter().map(largest).max().unwrap_or(0);
-    let first = pixels.iter().position(|p| largest(p) > 0).unwrap_or(0);
-    let (x, y) = (first % new.width, first / new.width);
-    // Stretched so that a difference of one step can be seen.
-    let bright = |v: u8| if v == 0 { 0 } else { v.saturating_mul(8).max(64) };
-    let pixels =
-        pixels.iter().map(|p| packed_pixel_t { r: bright(p.r), g: bright(p.g), b: bright(p.b) });
-    save("difference", &Picture { pixels: pixels.collect(), ..*new });
-    format!(
-        "{what}: {count} pixels differ, by up to {most}, the first at ({x}, {y}); see {}",
-        directory.display()
-    )
+fn golden() -> Golden {
+    let failures = Path::new(env!("CARGO_TARGET_TMPDIR")).join("difference");
+    Golden::new(Path::new(env!("CARGO_MANIFEST_DIR")).join("pictures"), failures)
+}
+
+fn comparable(picture: &Picture) -> golden::Picture {
+    let bytes = bytemuck::cast_slice(&picture.pixels);
+    golden::Picture::rgb(picture.width as u32, picture.height as u32, bytes)
 }

@@ -29,6 +29,8 @@ fn links_elf() -> bool {
 fn link_as_elf(directory: &Path) {
     // Threads that wait in the library would crash if it were unloaded beneath them.
     println!("cargo:rustc-cdylib-link-arg=-Wl,-z,nodelete");
+    // Whatever path it is loaded by, it is loaded once: it has one current context.
+    println!("cargo:rustc-cdylib-link-arg=-Wl,-soname,libdetgl.so");
     // Names of its own are its own, whatever else the process has under them.
     println!("cargo:rustc-cdylib-link-arg=-Wl,-Bsymbolic");
     // The workspace's `strip` does not reach a package that has a setting of its own.

@@ -20,7 +20,7 @@ use crate::pixel::convert::{Conversion, FinalConversion};
 use crate::pixel::layout::{Extent, Layout};
 use crate::pixel::store::PixelStore;
 use crate::pixel::transfer::Transfer;
-use rasterizer::driver::{Image, RowWriter};
+use rasterizer::driver::{DeviceDesc, DeviceError, Image, RowWriter};
 
 pub use crate::base::refused_result::RefusedResult;
 pub use crate::context::mirror::SurfaceMirror;
@@ -63,6 +63,40 @@ pub mod limits {
     pub const MAX_LENGTH: usize = context::log::MAX_LENGTH;
     /// The order of an evaluator's map.
     pub const MAX_EVAL_ORDER: usize = crate::state::evaluators::MAX_EVAL_ORDER;
+}
+
+/// What contexts have that are made without a device of their own.
+#[derive(Clone, Debug)]
+pub struct ContextInfo {
+    /// The name of the instruction set.
+    pub isa: &'static str,
+    /// How many threads draw.
+    pub threads: usize,
+    /// The latest version of OpenGL.
+    pub gl: crate::Version,
+    /// The latest version of OpenGL ES.
+    pub es: crate::Version,
+    /// Limits by the names of `glGet`, in small letters and without `GL_`.
+    pub limits: &'static [(&'static str, u64)],
+}
+
+/// What contexts have, by the environment.
+///
+/// # Errors
+/// A variable asks for something that there is not.
+pub fn context_info() -> Result<ContextInfo, DeviceError> {
+    use crate::base::limits::*;
+    const LIMITS: &[(&str, u64)] = &[
+        ("max_texture_size", MAX_TEXTURE_SIZE as u64),
+        ("max_3d_texture_size", MAX_3D_TEXTURE_SIZE as u64),
+        ("max_array_texture_layers", MAX_ARRAY_TEXTURE_LAYERS as u64),
+        ("max_viewport_dims", MAX_VIEWPORT_DIMS as u64),
+        ("max_color_attachments", MAX_COLOR_ATTACHMENTS as u64),
+        ("max_samples", MAX_SAMPLES as u64),
+    ];
+    let desc = DeviceDesc::from_env()?;
+    let (gl, es) = (limits::version(), limits::es_version());
+    Ok(ContextInfo { isa: desc.isa.name(), threads: desc.threads, gl, es, limits: LIMITS })
 }
 
 /// A default framebuffer that is not, or not yet, a context's.

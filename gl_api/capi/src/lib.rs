@@ -18,6 +18,7 @@
 //! | `glx` | the names of GLX |
 //! | `egl` | EGL 1.5: displays, configs, surfaces, contexts |
 //! | `osmesa` | OSMesa: contexts that draw into the client's memory |
+//! | `info` | DetGL's own functions |
 //! | `proc_address` | functions by name |
 //! | `glvnd` | the vendor interface of libglvnd |
 //!
@@ -35,6 +36,7 @@ mod glx;
 mod guard;
 #[cfg(feature = "c-names")]
 mod imaging;
+mod info;
 mod lengths;
 mod main_thread;
 mod memory;
@@ -42,4 +44,5 @@ mod osmesa;
 mod param;
 mod proc_address;
 
+pub use info::info;
 pub use proc_address::{get_proc_address, get_proc_address_of};

@@ -4,7 +4,7 @@ use crate::egl::error::{Code, call, fail};
 #[cfg(feature = "c-names")]
 use crate::glx;
 use crate::guard::guard;
-use crate::{egl, gl, glu, osmesa};
+use crate::{egl, gl, glu, info, osmesa};
 use gl_api::availability::{Api, Version};
 use std::collections::BTreeMap;
 use std::ffi::{CStr, c_char, c_void};
@@ -34,7 +34,7 @@ pub fn get_proc_address(name: &str) -> *const c_void {
     if !found.is_null() {
         return found;
     }
-    let others = [FUNCTIONS, egl::FUNCTIONS, osmesa::FUNCTIONS, glu::FUNCTIONS];
+    let others = [FUNCTIONS, egl::FUNCTIONS, osmesa::FUNCTIONS, glu::FUNCTIONS, info::FUNCTIONS];
     let found = others.into_iter().flatten().find(|row| row.0 == name);
     found.map_or(std::ptr::null(), |row| row.1.cast())
 }

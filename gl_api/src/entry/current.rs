@@ -77,7 +77,10 @@ pub fn call<R: RefusedResult>(name: &str, f: impl FnOnce(&mut Context) -> R) -> 
 #[inline(never)]
 fn warn(name: &str) {
     if !WARNED.replace(true) {
-        eprintln!("detgl: {name}: ignored, as this thread has no current context");
+        eprintln!(
+            "detgl: {name}: ignored, as this thread has no current context: call eglMakeCurrent or OSMesaMakeCurrent \
+             before (in Rust, keep what Context::make_current returns)"
+        );
     }
 }
 
@@ -143,7 +146,7 @@ pub struct Current {
 
 impl Context {
     /// Makes this the thread's current context, for as long as the guard lives.
-    #[must_use = "the context is current only as long as the guard lives"]
+    #[must_use = "the context is current only as long as the guard lives: `let _current = …`, as `let _ = …` drops it at once"]
     pub fn make_current(self) -> Current {
         Current { before: set_current(Some(self)), released: false, _thread: PhantomData }
     }

@@ -6,6 +6,7 @@ mod current;
 mod glu;
 mod glx;
 mod handles;
+mod info;
 mod lengths;
 mod memory;
 mod osmesa;

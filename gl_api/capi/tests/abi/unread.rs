@@ -68,3 +68,22 @@ fn osmesa_says_so_when_it_finishes() {
         OSMesaDestroyContext(context);
     }
 }
+
+#[test]
+fn calls_without_a_context_say_so_once() {
+    let test = "unread::calls_without_a_context_say_so_once";
+    if std::env::var_os(CHILD).is_none() {
+        let lines = said(test, None);
+        assert_eq!(lines.len(), 1, "{lines:?}");
+        assert!(
+            lines[0].starts_with("detgl: glClear: ignored, as this thread has no current context"),
+            "{lines:?}"
+        );
+        return;
+    }
+    // SAFETY: they have no pointers.
+    unsafe {
+        glClear(0x4000);
+        glFinish();
+    }
+}

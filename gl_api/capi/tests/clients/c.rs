@@ -141,6 +141,21 @@ fn variables_of_gls_names_are_the_programs_own() {
 }
 
 #[test]
+fn a_linked_program_needs_the_names_that_other_drivers_have() {
+    let test = "sonames";
+    let folder = folder(test);
+    if let Some(program) = compile(test, &folder, "pointers", Against::Ours, &["-lGL", "-lEGL"]) {
+        let bytes = std::fs::read(program).expect("it was written");
+        let has = |text: &[u8]| bytes.windows(text.len()).any(|window| window == text);
+        for (name, is_there) in
+            [(&b"\0libGL.so.1\0"[..], true), (b"\0libEGL.so.1\0", true), (b"libdetgl", false)]
+        {
+            assert_eq!(has(name), is_there, "{}", String::from_utf8_lossy(name));
+        }
+    }
+}
+
+#[test]
 fn the_systems_libegl_finds_the_library_as_a_vendor() {
     let test = "vendor";
     let folder = folder(test);

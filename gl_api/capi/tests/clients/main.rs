@@ -7,9 +7,12 @@
 
 mod c;
 mod demon;
+mod doctor;
 mod frameworks;
 mod picture;
 mod python;
+mod tarball;
+mod wheel;
 
 use std::ffi::OsString;
 use std::io::Write;

@@ -288,6 +288,8 @@ pub(crate) fn check_framebuffer_status(context: &mut Context, target: GLenum) ->
             }
             GL_FRAMEBUFFER_COMPLETE
         }
+        // That there is no surface is what programs ask for that make do without: MuJoCo.
+        Err(incomplete) if incomplete.status == GL_FRAMEBUFFER_UNDEFINED => incomplete.status,
         Err(incomplete) => {
             context
                 .debug

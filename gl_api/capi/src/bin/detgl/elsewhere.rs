@@ -1,16 +1,24 @@
 //! Systems whose loaders do not look for OpenGL by Linux's names.
 
-use super::Glu;
+use super::{Glu, Links};
 use std::env::consts::{DLL_PREFIX, DLL_SUFFIX, OS};
 use std::ffi::OsString;
 use std::io;
 use std::path::Path;
 
-pub fn install(_: &Path, _: Glu) -> io::Result<()> {
+pub fn install(_: &Path, _: Glu, _: Links, _: Option<&Path>) -> io::Result<()> {
     Err(not_here())
 }
 
 pub fn run(_: &[OsString], _: Glu) -> io::Result<()> {
+    Err(not_here())
+}
+
+pub fn report() -> io::Result<()> {
+    Err(not_here())
+}
+
+pub fn probe() -> io::Result<()> {
     Err(not_here())
 }
 

@@ -1,17 +1,24 @@
 //! `detgl run -- PROGRAM`: runs a program on DetGL instead of the system's OpenGL.
+//! `detgl doctor`: prints what programs load.
 //! `detgl install DIR`: lays the library out under the names that programs and loaders look for.
 
 #[cfg(all(unix, not(target_vendor = "apple")))]
+mod doctor;
+#[cfg(all(unix, not(target_vendor = "apple")))]
+mod facade;
+#[cfg(all(unix, not(target_vendor = "apple")))]
 mod layout;
+#[cfg(all(unix, not(target_vendor = "apple")))]
+mod probe;
 #[cfg(all(unix, not(target_vendor = "apple")))]
 mod run;
 #[cfg(all(unix, not(target_vendor = "apple")))]
-use {layout::install, run::run};
+use {doctor::report, layout::install, probe::probe, run::run};
 
 #[cfg(not(all(unix, not(target_vendor = "apple"))))]
 mod elsewhere;
 #[cfg(not(all(unix, not(target_vendor = "apple"))))]
-use elsewhere::{install, run};
+use elsewhere::{install, probe, report, run};
 
 use clap::{Args, Parser, Subcommand};
 use std::ffi::OsString;
@@ -32,7 +39,7 @@ Examples:
 
 /// DetGL in place of libEGL, libGL, libOpenGL and libOSMesa.
 #[derive(Parser)]
-#[command(version, about, after_help = EXAMPLES)]
+#[command(name = "detgl", version, about, after_help = EXAMPLES)]
 struct Arguments {
     #[command(subcommand)]
     task: Task,
@@ -43,15 +50,26 @@ enum Task {
     /// Runs a program on DetGL: `detgl run -- python3 draw.py`.
     Run {
         #[command(flatten)]
-        library: Library,
+        glu: OwnGlu,
         /// The program and its arguments.
         #[arg(required = true, trailing_var_arg = true, allow_hyphen_values = true)]
         program: Vec<OsString>,
     },
+    /// Prints what programs load, in which order, and which contexts they can make: for reports of bugs.
+    Doctor,
+    /// What `doctor` runs in processes of their own.
+    #[command(hide = true)]
+    Probe,
     /// Lays the library out in a folder, for LD_LIBRARY_PATH or `cc -L`.
     Install {
         #[command(flatten)]
-        library: Library,
+        glu: OwnGlu,
+        /// No symbolic links, and no path of this machine: for archives, and to be moved. Not for `cc -L`.
+        #[arg(long)]
+        no_links: bool,
+        /// The library to copy, in place of the one beside this program: one that was built for another machine.
+        #[arg(long, value_name = "FILE")]
+        library: Option<PathBuf>,
         /// The folder; it is made if need be.
         dir: PathBuf,
     },
@@ -66,26 +84,40 @@ enum Glu {
     Own,
 }
 
+/// What the names without a version are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Links {
+    /// Links to those with a version, as linkers want them.
+    Symbolic,
+    /// Files, with SONAMEs of their own, for programs that load these names.
+    None,
+}
+
 #[derive(Args)]
-struct Library {
+struct OwnGlu {
     /// In place of libGLU too; without it programs keep the system's, which also has a tessellator
     /// and NURBS.
     #[arg(long)]
     glu: bool,
 }
 
-impl Library {
-    fn glu(&self) -> Glu {
+impl OwnGlu {
+    fn choice(&self) -> Glu {
         if self.glu { Glu::Own } else { Glu::System }
     }
 }
 
 fn main() -> ExitCode {
     let result = match Arguments::parse().task {
-        Task::Run { library, program } => run(&program, library.glu()),
-        Task::Install { library, dir } => install(&dir, library.glu()).map(|()| {
-            println!("DetGL is in {0}: LD_LIBRARY_PATH={0} PROGRAM", dir.display());
-        }),
+        Task::Run { glu, program } => run(&program, glu.choice()),
+        Task::Doctor => report(),
+        Task::Probe => probe(),
+        Task::Install { glu, no_links, library, dir } => {
+            let links = if no_links { Links::None } else { Links::Symbolic };
+            install(&dir, glu.choice(), links, library.as_deref()).map(|()| {
+                println!("DetGL is in {0}: LD_LIBRARY_PATH={0} PROGRAM", dir.display());
+            })
+        }
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

@@ -4,7 +4,6 @@ use super::{Glu, layout};
 use std::ffi::OsString;
 use std::io;
 use std::os::unix::process::CommandExt;
-use std::path::Path;
 use std::process::Command;
 
 /// The variables by which clients choose between EGL and OSMesa. One that is set stays, and the
@@ -16,10 +15,20 @@ pub fn run(program: &[OsString], glu: Glu) -> io::Result<()> {
     let [name, arguments @ ..] = program else {
         return Err(io::Error::other("no program was named: detgl run -- PROGRAM"));
     };
-    let folder = layout::private_folder(glu)?;
-    layout::install(&folder, glu)?;
     let mut command = Command::new(name);
-    command.args(arguments).env("LD_LIBRARY_PATH", library_path(&folder)?);
+    command.args(arguments);
+    prepare(&mut command, glu)?;
+    let error = command.exec();
+    Err(io::Error::new(error.kind(), format!("{}: {error}", name.display())))
+}
+
+/// Sets a program's environment.
+pub fn prepare(command: &mut Command, glu: Glu) -> io::Result<()> {
+    let folder = layout::folder_for_programs()?;
+    let before = std::env::var_os("LD_LIBRARY_PATH").unwrap_or_default();
+    let others = std::env::split_paths(&before).filter(|path| !path.as_os_str().is_empty());
+    let path = layout::search_path(&folder, glu).into_iter().chain(others);
+    command.env("LD_LIBRARY_PATH", std::env::join_paths(path).map_err(io::Error::other)?);
     command.env("__EGL_VENDOR_LIBRARY_FILENAMES", folder.join(layout::VENDOR_FILE));
     let platform = PLATFORMS.iter().find_map(std::env::var_os).unwrap_or_else(|| "egl".into());
     for variable in PLATFORMS {
@@ -27,13 +36,5 @@ pub fn run(program: &[OsString], glu: Glu) -> io::Result<()> {
             command.env(variable, &platform);
         }
     }
-    let error = command.exec();
-    Err(io::Error::new(error.kind(), format!("{}: {error}", name.display())))
-}
-
-/// The folder before those that LD_LIBRARY_PATH has already.
-fn library_path(folder: &Path) -> io::Result<OsString> {
-    let before = std::env::var_os("LD_LIBRARY_PATH").unwrap_or_default();
-    let others = std::env::split_paths(&before).filter(|path| !path.as_os_str().is_empty());
-    std::env::join_paths(std::iter::once(folder.to_owned()).chain(others)).map_err(io::Error::other)
+    Ok(())
 }
