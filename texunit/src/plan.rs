@@ -110,9 +110,10 @@ impl SamplePlan {
         let Ok(texture) = &self.0 else { return OVERHEAD };
         let (per_texel, overhead) = match texture.texel_path {
             TexelPath::Words(_) => (16, OVERHEAD),
-            TexelPath::General | TexelPath::Blocks(_) | TexelPath::ComparedWords(_) => {
-                (64, 4 * OVERHEAD)
-            }
+            TexelPath::General
+            | TexelPath::Blocks(_)
+            | TexelPath::ComparedWords(_)
+            | TexelPath::ScatteredWords(_) => (64, 4 * OVERHEAD),
         };
         let texels = |filter: Filter| match filter {
             Filter::Nearest => 1,
@@ -138,8 +139,10 @@ impl SamplePlan {
     pub(crate) fn general(&self) -> Self {
         let texel_path = TexelPath::General;
         Self(self.0.clone().map(|texture| {
-            let kernel = SampleKernel::new(texture.shape, texel_path, &texture.level_selection);
-            Texture { texel_path, kernel, alpha: Alpha::Stored, is_fusible: false, ..texture }
+            let alpha = Alpha::Stored;
+            let mut texture = Texture { texel_path, alpha, is_fusible: false, ..texture };
+            texture.kernel = SampleKernel::new(&texture);
+            texture
         }))
     }
 

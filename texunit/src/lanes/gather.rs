@@ -1,7 +1,10 @@
 //! Gathers: the largest index of the batch is checked once, then 64 words are read unchecked.
 
+mod sources;
 #[cfg(target_arch = "x86_64")]
 pub(super) mod x86;
+
+pub use sources::Sources;
 
 use super::isa::Baseline;
 use super::{F32s, Kernel, LANES, Simd, U32s};
@@ -41,6 +44,46 @@ impl Kernel for Pairs<'_> {
     #[inline(always)]
     fn run<S: Simd>(self) -> [U32s; 2] {
         S::gather_pairs_inline(self.bytes, self.offsets)
+    }
+}
+
+/// [`Simd::gather_from`].
+pub struct WordsFrom<'a> {
+    pub sources: &'a Sources<'a>,
+    pub numbers: &'a U32s,
+    pub offsets: &'a U32s,
+}
+
+impl Kernel for WordsFrom<'_> {
+    type Output = U32s;
+    #[inline(always)]
+    fn run<S: Simd>(self) -> U32s {
+        let addresses = self.sources.addresses(self.numbers, self.offsets, (4, None));
+        // SAFETY: `addresses` saw that these four bytes are inside their slices.
+        unsafe { addresses.words() }
+    }
+}
+
+/// [`Simd::gather_quads_from`].
+pub struct QuadsFrom<'a> {
+    pub sources: &'a Sources<'a>,
+    pub numbers: &'a U32s,
+    pub offsets: &'a U32s,
+    pub apart: &'a U32s,
+    pub out: &'a mut [U32s; 4],
+}
+
+impl Kernel for QuadsFrom<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Simd>(self) {
+        let Self { sources, numbers, offsets, apart, out: [a, b, c, d] } = self;
+        let addresses = sources.addresses(numbers, offsets, (8, Some(apart)));
+        // SAFETY: `addresses` saw that these eight bytes, and those that are `apart` further, are inside their slices.
+        unsafe {
+            addresses.pairs(None, [a, b]);
+            addresses.pairs(Some(apart), [c, d]);
+        }
     }
 }
 

@@ -32,6 +32,7 @@ mod weigh;
 
 pub use batch::{F32s, F64s, I32s, LANES, PerLane, QUADS, U32s, lane_x, lane_y};
 pub use float_env::{FloatEnv, OutlinedFloatEnv};
+pub use gather::Sources;
 pub use isa::{Baseline, Isa, IsaError};
 pub use log2::{log2, log2_of_root};
 pub use prefetch::{prefetch, prefetch_at};

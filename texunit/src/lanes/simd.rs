@@ -3,7 +3,7 @@
 use super::row_walk::{self, RowWalk};
 use super::weigh::Sums;
 use super::{F32s, LANES, U32s};
-use super::{gather, math};
+use super::{gather, math, Sources};
 
 /// One body of loops over lanes, compiled once per instruction set.
 ///
@@ -91,6 +91,30 @@ pub trait Simd: Copy + private::Sealed {
     #[inline(always)]
     fn weigh_rows(bytes: &[u8], walk: &RowWalk<'_>, sums: &mut Sums) {
         row_walk::sum_rows::<Self>(bytes, walk, sums);
+    }
+
+    /// Reads the word at each byte offset of the slice of this number, which each lane has for itself.
+    ///
+    /// # Panics
+    /// When an offset's four bytes are not all inside its slice.
+    #[inline(always)]
+    fn gather_from(sources: &Sources<'_>, numbers: &U32s, offsets: &U32s) -> U32s {
+        Self::outlined(gather::WordsFrom { sources, numbers, offsets })
+    }
+
+    /// [`Simd::gather_quads`] of the slice of this number; number and `apart` are of each lane for itself.
+    ///
+    /// # Panics
+    /// When not all of these bytes are inside its slice.
+    #[inline(always)]
+    fn gather_quads_from(
+        sources: &Sources<'_>,
+        numbers: &U32s,
+        offsets: &U32s,
+        apart: &U32s,
+        out: &mut [U32s; 4],
+    ) {
+        Self::outlined(gather::QuadsFrom { sources, numbers, offsets, apart, out });
     }
 
     /// Reads `table[index]` in each lane.

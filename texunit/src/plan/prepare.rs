@@ -42,8 +42,7 @@ impl Texture {
             *to = border_channel(format, channel, sampler.border, from);
         }
         let texel_path = TexelPath::new(shape, format, compare);
-        let kernel = SampleKernel::new(shape, texel_path, &level_selection);
-        Ok(Self {
+        let mut texture = Self {
             shape,
             format,
             size,
@@ -59,13 +58,16 @@ impl Texture {
             swizzle: sampler.swizzle,
             texel_path,
             alpha: if format.base() == BaseFormat::Rgb { Alpha::One } else { Alpha::Stored },
-            is_fusible: texel_path == TexelPath::Words(TexelClass::Bytes)
-                && matches!(kernel, SampleKernel::UniformLevel(_) | SampleKernel::RowScan)
-                && matches!(format.base(), BaseFormat::Rgb | BaseFormat::Rgba)
-                && sampler.swizzle == Swizzle::IDENTITY,
-            kernel,
+            is_fusible: false,
+            kernel: SampleKernel::Probes,
             level_selection,
-        })
+        };
+        texture.kernel = SampleKernel::new(&texture);
+        texture.is_fusible = texel_path == TexelPath::Words(TexelClass::Bytes)
+            && matches!(texture.kernel, SampleKernel::UniformLevel(_) | SampleKernel::RowScan)
+            && matches!(format.base(), BaseFormat::Rgb | BaseFormat::Rgba)
+            && sampler.swizzle == Swizzle::IDENTITY;
+        Ok(texture)
     }
 
     /// Whether alpha is filtered although it is 255 in every texel of the filtered levels.
@@ -77,7 +79,8 @@ impl Texture {
             )
             | TexelPath::General
             | TexelPath::Blocks(_)
-            | TexelPath::ComparedWords(_) => false,
+            | TexelPath::ComparedWords(_)
+            | TexelPath::ScatteredWords(_) => false,
         };
         let has_means = match &self.level_selection {
             LevelSelection::Fixed { filter, .. } => *filter == Filter::Linear,

@@ -2,7 +2,7 @@
 
 use super::lod_range::LodRange;
 use super::texel_class::TexelClass;
-use super::texture::{Anisotropy, LevelSelection, SampleKernel, TexelPath};
+use super::texture::{Anisotropy, LevelSelection, SampleKernel, TexelPath, Texture};
 use crate::format::Format;
 use crate::image::Shape;
 use crate::lanes::F32s;
@@ -10,54 +10,72 @@ use crate::lanes::math::clamp;
 use crate::sampler::{Compare, Filter, MAX_ANISOTROPY, Mipmap, Sampler, Seamless, Wrap};
 
 impl SampleKernel {
-    pub fn new(shape: Shape, path: TexelPath, detail: &LevelSelection) -> Self {
-        let (anisotropy, min, mag) = match detail {
-            LevelSelection::Fixed { filter, .. } => (Anisotropy::Off, filter, filter),
-            LevelSelection::PerLane { anisotropy, min, mag, .. } => (*anisotropy, min, mag),
+    pub fn new(texture: &Texture) -> Self {
+        let (anisotropy, min, mag) = match &texture.level_selection {
+            LevelSelection::Fixed { filter, .. } => (Anisotropy::Off, *filter, *filter),
+            LevelSelection::PerLane { anisotropy, min, mag, .. } => (*anisotropy, *min, *mag),
         };
-        let single_filter = match path {
-            TexelPath::ComparedWords(_) => (min, mag) == (&Filter::Nearest, &Filter::Nearest),
-            TexelPath::General | TexelPath::Words(_) | TexelPath::Blocks(_) => min == mag,
+        let kernel = match (texture.shape, texture.texel_path) {
+            (Shape::D2 | Shape::Rect, TexelPath::Words(class)) => Some(Self::UniformLevel(class)),
+            (Shape::D2 | Shape::Rect, TexelPath::ComparedWords(class)) => {
+                (min == Filter::Nearest).then_some(Self::UniformLevel(class))
+            }
+            (Shape::Cube, TexelPath::Words(class)) | (_, TexelPath::ScatteredWords(class)) => {
+                scatters(texture, min).then_some(Self::Scattered(class))
+            }
+            (_, TexelPath::General | TexelPath::Blocks(_))
+            | (
+                Shape::D1
+                | Shape::D3
+                | Shape::Cube
+                | Shape::D1Array
+                | Shape::D2Array
+                | Shape::CubeArray,
+                TexelPath::Words(_) | TexelPath::ComparedWords(_),
+            ) => None,
         };
-        match (anisotropy, uniform_level_class(shape, path)) {
-            (Anisotropy::Off, Some(class)) if single_filter => Self::UniformLevel(class),
+        match (anisotropy, kernel) {
+            (Anisotropy::Off, Some(kernel)) if min == mag => kernel,
             (Anisotropy::Off | Anisotropy::Probes(_), _) => Self::Probes,
             (Anisotropy::Scan(_), _) => Self::RowScan,
         }
     }
 }
 
-/// The texel class, if the uniform-level kernel supports the shape and the path.
-fn uniform_level_class(shape: Shape, path: TexelPath) -> Option<TexelClass> {
-    match (shape, path) {
-        (Shape::D2 | Shape::Rect, TexelPath::Words(class) | TexelPath::ComparedWords(class)) => {
-            Some(class)
-        }
-        (Shape::D2 | Shape::Rect, TexelPath::General | TexelPath::Blocks(_))
-        | (
-            Shape::D1
-            | Shape::D3
-            | Shape::Cube
-            | Shape::D1Array
-            | Shape::D2Array
-            | Shape::CubeArray,
+/// Whether the kernel of scattered lanes has the wrap modes of a texture of two axes, which is without border.
+fn scatters(texture: &Texture, filter: Filter) -> bool {
+    let [s, t, _] = texture.wrap;
+    let is_known = |wrap: Wrap| match (wrap, filter) {
+        (Wrap::Repeat | Wrap::MirroredRepeat | Wrap::ClampToEdge, _)
+        | (Wrap::Clamp, Filter::Nearest) => true,
+        (Wrap::Clamp, Filter::Linear) => texture.seamless == Seamless::On,
+        (
+            Wrap::ClampToBorder
+            | Wrap::MirrorClamp
+            | Wrap::MirrorClampToEdge
+            | Wrap::MirrorClampToBorder,
             _,
-        ) => None,
-    }
+        ) => false,
+    };
+    let has_border = texture.levels.iter().flatten().any(|level| level.border != [0; 3]);
+    is_known(s) && is_known(t) && !has_border
 }
 
 impl TexelPath {
     pub fn new(shape: Shape, format: Format, compare: Option<Compare>) -> Self {
-        let short = match shape {
-            Shape::D2 | Shape::Rect => true,
-            Shape::Cube => compare.is_none(),
-            Shape::D1 | Shape::D3 | Shape::D1Array | Shape::D2Array | Shape::CubeArray => false,
+        let Some(class) = TexelClass::of(format) else {
+            return match (shape, format.block(), compare) {
+                (Shape::D2 | Shape::Rect | Shape::Cube, Some(block), None) => Self::Blocks(block),
+                (_, _, _) => Self::General,
+            };
         };
-        match (short, format.block(), TexelClass::of(format), compare) {
-            (true, Some(block), _, None) => Self::Blocks(block),
-            (true, None, Some(class), None) => Self::Words(class),
-            (true, None, Some(class), Some(_)) => Self::ComparedWords(class),
-            (true, Some(_), _, Some(_)) | (true, None, None, _) | (false, _, _, _) => Self::General,
+        match (shape, compare) {
+            (Shape::D2 | Shape::Rect | Shape::Cube, None) => Self::Words(class),
+            (Shape::D2 | Shape::Rect, Some(_)) => Self::ComparedWords(class),
+            (Shape::Cube, Some(_)) | (Shape::D2Array | Shape::CubeArray, _) => {
+                Self::ScatteredWords(class)
+            }
+            (Shape::D1 | Shape::D3 | Shape::D1Array, _) => Self::General,
         }
     }
 }

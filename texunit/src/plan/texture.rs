@@ -55,6 +55,8 @@ pub(crate) enum Alpha {
 pub(crate) enum SampleKernel {
     /// Two-dimensional textures of a fast texel class, with one filter for magnification and minification.
     UniformLevel(TexelClass),
+    /// Cubes and arrays of a fast texel class, with one filter for magnification and minification, without border.
+    Scattered(TexelClass),
     /// The general kernel, with probes for anisotropic footprints.
     Probes,
     /// The general kernel, with a row scan for anisotropic footprints. Batches of bytes whose footprints are all round, and
@@ -67,12 +69,15 @@ pub(crate) enum SampleKernel {
 pub(crate) enum TexelPath {
     /// Any texture.
     General,
-    /// The fast path of two-dimensional textures without depth compare.
+    /// The fast path of two-dimensional textures and of cubes, without depth compare.
     Words(TexelClass),
     /// The fast path of compressed two-dimensional textures.
     Blocks(Block),
     /// Two-dimensional depth textures with compare: fast with a nearest filter, else general.
     ComparedWords(TexelClass),
+    /// Arrays of two-dimensional textures and of cubes, and cubes with depth compare: fast in the kernel of scattered
+    /// lanes, else general.
+    ScatteredWords(TexelClass),
 }
 
 /// How a lane's filter and levels are selected.

@@ -9,6 +9,7 @@ use super::lod_query::Query;
 use super::lookup::{Lod, Points};
 use super::prefetch::{self, LevelHint};
 use super::recorder::{LaneRecorder, NoRecorder};
+use super::scattered::ScatteredCall;
 use super::scratch::{LevelScratch, LookupScratch, QuadScratch, SelectedLevels};
 use super::texel_fetch::Fetch;
 use super::uniform::{Outcome, UniformCall};
@@ -80,12 +81,20 @@ impl SamplePlan {
                         let (class, scratch) = (TexelClass::Bytes, (quads, levels));
                         sample.run_uniform::<RowScans>(isa, class, addresses, scratch);
                     }
+                    (SampleKernel::Scattered(class), _) if offset == [0; 3] => {
+                        sample.run_scattered(isa, class);
+                    }
                     (SampleKernel::RowScan, Lod::Implicit { .. } | Lod::Gradient { .. }) => {
                         sample.with_footprints::<RowScans>().run_on(isa);
                     }
                     // With an explicit λ there is no footprint.
                     (SampleKernel::RowScan, Lod::Explicit(_))
-                    | (SampleKernel::UniformLevel(_) | SampleKernel::Probes, _) => {
+                    | (
+                        SampleKernel::UniformLevel(_)
+                        | SampleKernel::Scattered(_)
+                        | SampleKernel::Probes,
+                        _,
+                    ) => {
                         sample.run_on(isa);
                     }
                 }
@@ -250,6 +259,15 @@ impl<'a, F: FootprintSet> SampleCall<'a, NoRecorder, F> {
             Ok(Outcome::NotUniform) | Err(UniformCall { .. }) => {
                 self.with_footprints::<G>().run_on(isa);
             }
+        }
+    }
+
+    /// Runs the kernel of [`super::scattered`], on the baseline the general one. Texels are of this class.
+    #[inline]
+    pub fn run_scattered(mut self, isa: Isa, class: TexelClass) {
+        let sample = &mut self;
+        if isa.run_above_baseline(ScatteredCall { sample, class }).is_err() {
+            self.run_on(isa);
         }
     }
 

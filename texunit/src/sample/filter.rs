@@ -29,9 +29,10 @@ pub fn sample_level<S: Simd>(
         }
         // The general fetch of one texel is as fast.
         (TexelPath::Blocks(_), Filter::Nearest) => false,
-        (TexelPath::General | TexelPath::ComparedWords(_), Filter::Nearest | Filter::Linear) => {
-            false
-        }
+        (
+            TexelPath::General | TexelPath::ComparedWords(_) | TexelPath::ScatteredWords(_),
+            Filter::Nearest | Filter::Linear,
+        ) => false,
     };
     match view.filter {
         _ if done => {}
@@ -60,7 +61,7 @@ impl Kernel for FastPath<'_> {
             }
             (TexelPath::Blocks(_), Filter::Nearest) => false,
             (
-                TexelPath::General | TexelPath::ComparedWords(_),
+                TexelPath::General | TexelPath::ComparedWords(_) | TexelPath::ScatteredWords(_),
                 Filter::Nearest | Filter::Linear,
             ) => false,
         }

@@ -3,7 +3,7 @@
 //!
 //! The modules from below: `wrap`, `cube`, `compare` and `expand` are single steps; `level_view`, `fetch`,
 //! `interpolate`, `fast` and `filter` sample one level; `footprint`, `row_scan` and `level_taps` say which levels and
-//! how; `general`, `uniform` and `fused` are the kernels of whole samples, which `dispatch` chooses from.
+//! how; `general`, `uniform`, `scattered` and `fused` are the kernels of whole samples, which `dispatch` chooses from.
 
 mod call;
 mod compare;
@@ -27,6 +27,7 @@ mod lookup;
 mod prefetch;
 mod recorder;
 mod row_scan;
+mod scattered;
 mod scratch;
 mod seamless;
 mod texel_fetch;

@@ -8,6 +8,7 @@ use super::level_view::LevelView;
 use super::recorder::{NoRecorder, Recorder};
 use super::wrap::Indices;
 use super::{cube, fetch};
+use crate::format::Format;
 use crate::lanes::{F32s, I32s, LANES, Simd, U32s};
 use crate::trace::{SampleStep, TexelSource};
 
@@ -40,7 +41,19 @@ pub fn linear<S: Simd>(
             compare: None,
         });
     }
-    for (channel, out) in out.iter_mut().enumerate().take(view.texture.format.channels()) {
+    mean_of_corners(view.texture.format, &mut corners, &missing, [alpha, beta], out);
+}
+
+/// The mean of 2×2 texels, of which one may be missing.
+#[inline(always)]
+pub fn mean_of_corners(
+    format: Format,
+    corners: &mut [[F32s; 4]; 4],
+    missing: &[U32s; 4],
+    [alpha, beta]: [&F32s; 2],
+    out: &mut [F32s; 4],
+) {
+    for (channel, out) in out.iter_mut().enumerate().take(format.channels()) {
         for corner in 0..4 {
             for lane in 0..LANES {
                 let a = corners[(corner + 1) % 4][channel][lane];
@@ -51,9 +64,9 @@ pub fn linear<S: Simd>(
                 corners[corner][channel][lane] = if exists { texel } else { (a + b + c) / 3.0 };
             }
         }
-        *out = mean(view.texture.format, &corners, channel, [alpha, beta]);
+        *out = mean(format, corners, channel, [alpha, beta]);
     }
-    divide(view.texture.format, out);
+    divide(format, out);
 }
 
 /// One texel of each lane, from whichever faces the lanes ended up on.

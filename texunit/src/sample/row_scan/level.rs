@@ -38,7 +38,7 @@ pub fn level<S: Simd>(
             words::<S>(view, class, &mut rows, out);
         }
         TexelPath::Blocks(_) => blocks::<S>(view, &mut rows, out),
-        TexelPath::General | TexelPath::ComparedWords(_) => {
+        TexelPath::General | TexelPath::ComparedWords(_) | TexelPath::ScatteredWords(_) => {
             general::<S>(view, &mut rows, mask, out, recorder)
         }
     }

@@ -1,0 +1,199 @@
+//! The weighted mean of 2×2 texels of each lane's level.
+
+use super::edges::across_edge;
+use super::ScatteredLevel;
+use super::lane_level::LaneLevel;
+use crate::lanes::{F32s, I32s, Kernel, LANES, Simd, U32s};
+use crate::sample::compare::compare;
+use crate::sample::fast::{channels_of_quad, channels_of_texel, word_offsets};
+use crate::sample::fetch::split_threes;
+use crate::sample::seamless;
+use crate::sampler::{Seamless, Wrap};
+
+pub struct Linear<'a> {
+    pub lanes: &'a ScatteredLevel<'a>,
+    pub out: &'a mut [F32s; 4],
+}
+
+/// The place of each lane's four texels.
+struct Quads {
+    /// Column and row of the lower left texel; -1 is beyond the edge.
+    first: [I32s; 2],
+    /// The weights of the right and of the upper texels.
+    weights: [F32s; 2],
+    /// Whether all four texels lie inside the face, in every lane.
+    are_inside: bool,
+}
+
+impl Kernel for Linear<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<S: Simd>(self) {
+        let Self { lanes, out } = self;
+        let quads = lanes.quads::<S>();
+        if quads.are_inside && lanes.texture.compare.is_none() {
+            lanes.mean_inside::<S>(&quads, out);
+        } else {
+            S::outlined(MeanAcrossEdges { lanes, quads: &quads, out });
+        }
+    }
+}
+
+impl ScatteredLevel<'_> {
+    #[inline(always)]
+    fn quads<S: Simd>(&self) -> Quads {
+        let Self { texture, level, at, .. } = self;
+        let u = level.texel_coordinate::<S>(texture.wrap[0], 0, at[0]);
+        let v = level.texel_coordinate::<S>(texture.wrap[1], 1, at[1]);
+        let (mut i, mut j) = (I32s::ZERO, I32s::ZERO);
+        let (mut alpha, mut beta) = (F32s::ZERO, F32s::ZERO);
+        let mut across = U32s::ZERO;
+        let [widths, heights] = &level.size;
+        for lane in 0..LANES {
+            let (x, y) = (u[lane] - 0.5, v[lane] - 0.5);
+            let ((column, left), (row, below)) = (S::floor_small(x), S::floor_small(y));
+            i[lane] = column;
+            j[lane] = row;
+            alpha[lane] = x - left;
+            beta[lane] = y - below;
+            // As an unsigned number, -1 is the largest.
+            let is_inside =
+                ((column as u32) < widths[lane] - 1) & ((row as u32) < heights[lane] - 1);
+            across[lane] = if is_inside { 0 } else { !0 };
+        }
+        Quads { first: [i, j], weights: [alpha, beta], are_inside: !S::any(&across) }
+    }
+
+    #[inline(always)]
+    fn mean_inside<S: Simd>(&self, quads: &Quads, out: &mut [F32s; 4]) {
+        let Self { texture, class, sources, level, .. } = self;
+        let [i, j] = &quads.first;
+        let offsets = level.offsets(&level.face, [i.as_u32(), j.as_u32()]);
+        let (numbers, row) = (level.sources(&level.face), level.row());
+        let (format, alpha) = (texture.format, texture.alpha);
+        let (channels, bytes) = (format.channels(), format.bytes() as u32);
+        let weights = quads.weights.each_ref();
+        let mut words = [U32s::ZERO; 4];
+        if bytes < 3 {
+            let above = sum(&offsets, &row);
+            let lower = S::gather_from(sources, &numbers, &offsets);
+            let upper = S::gather_from(sources, &numbers, &above);
+            for lane in 0..LANES {
+                words[0][lane] = lower[lane];
+                words[1][lane] = lower[lane] >> (8 * bytes);
+                words[2][lane] = upper[lane];
+                words[3][lane] = upper[lane] >> (8 * bytes);
+            }
+        } else {
+            S::gather_quads_from(sources, &numbers, &offsets, &row, &mut words);
+            if bytes == 3 {
+                let [a, b, c, d] = words.each_mut();
+                split_threes([a, b]);
+                split_threes([c, d]);
+            }
+        }
+        if format.words() == 1 {
+            let words = words.each_ref();
+            channels_of_quad::<S>(*class, (channels, alpha), 0, words, weights, out);
+            return;
+        }
+        // So far the first words of the texels of a column: those of the next column follow.
+        let mut word = 0;
+        let mut right = [U32s::ZERO; 4];
+        while word < format.words() {
+            let left = word_offsets(&offsets, word);
+            if word > 0 {
+                S::gather_quads_from(sources, &numbers, &left, &row, &mut words);
+            }
+            let next = sum(&left, &U32s::splat(bytes));
+            if word + 1 == format.words() {
+                // Eight bytes from the last word on may be beyond the end.
+                let above = sum(&next, &row);
+                right[0] = S::gather_from(sources, &numbers, &next);
+                right[2] = S::gather_from(sources, &numbers, &above);
+            } else {
+                S::gather_quads_from(sources, &numbers, &next, &row, &mut right);
+            }
+            for half in 0..2 {
+                if word + half < format.words() {
+                    let words = [&words[half], &right[half], &words[2 + half], &right[2 + half]];
+                    let number = word + half;
+                    channels_of_quad::<S>(*class, (channels, alpha), number, words, weights, out);
+                }
+            }
+            word += 2;
+        }
+    }
+}
+
+/// The mean where texels are taken one by one: some lie beyond an edge, or are compared.
+struct MeanAcrossEdges<'a> {
+    lanes: &'a ScatteredLevel<'a>,
+    quads: &'a Quads,
+    out: &'a mut [F32s; 4],
+}
+
+impl Kernel for MeanAcrossEdges<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<S: Simd>(self) {
+        let Self { lanes, quads, out } = self;
+        let ScatteredLevel { texture, class, sources, level, reference, .. } = lanes;
+        let format = texture.format;
+        let mut corners = [[F32s::ZERO; 4]; 4];
+        let mut missing = [U32s::ZERO; 4];
+        for corner in 0..4 {
+            let [i, j] = &quads.first;
+            let step = [corner & 1, corner >> 1];
+            let (numbers, offsets);
+            if texture.seamless == Seamless::On {
+                let found = across_edge(level, i, j, step.map(|step| step as i32));
+                missing[corner] = found.missing;
+                numbers = level.sources(&found.face);
+                offsets = level.offsets(&found.face, [&found.x, &found.y]);
+            } else {
+                let x = wrapped(level, texture.wrap[0], 0, i, step[0]);
+                let y = wrapped(level, texture.wrap[1], 1, j, step[1]);
+                numbers = level.sources(&level.face);
+                offsets = level.offsets(&level.face, [&x, &y]);
+            }
+            for word in 0..format.words() {
+                let words = S::gather_from(sources, &numbers, &word_offsets(&offsets, word));
+                let texels = &mut corners[corner];
+                channels_of_texel::<S>(*class, format.channels(), word, &words, texels);
+            }
+            if let Some(op) = texture.compare {
+                compare(op, reference, &mut corners[corner][0]);
+            }
+        }
+        let [alpha, beta] = &quads.weights;
+        seamless::mean_of_corners(format, &mut corners, &missing, [alpha, beta], out);
+    }
+}
+
+/// The lower (0) or upper (1) of two texels, whose lower is `i`: across the edge, where there is no other face.
+#[inline(always)]
+fn wrapped(level: &LaneLevel, wrap: Wrap, axis: usize, i: &I32s, step: usize) -> U32s {
+    let repeats = wrap == Wrap::Repeat;
+    let mut out = U32s::ZERO;
+    for lane in 0..LANES {
+        let last = level.size[axis][lane] as i32 - 1;
+        let at = i[lane] + step as i32;
+        let below = if repeats { last } else { 0 };
+        let above = if repeats { 0 } else { last };
+        let low = if at < 0 { below } else { at };
+        out[lane] = if low > last { above } else { low } as u32;
+    }
+    out
+}
+
+#[inline(always)]
+fn sum(a: &U32s, b: &U32s) -> U32s {
+    let mut out = U32s::ZERO;
+    for lane in 0..LANES {
+        out[lane] = a[lane].wrapping_add(b[lane]);
+    }
+    out
+}

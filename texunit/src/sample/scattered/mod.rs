@@ -1,0 +1,140 @@
+//! The kernel of lanes that read from faces, layers and levels of their own: cube maps.
+//!
+//! A batch is sampled at once, and not once for each face and level: the size of its level and the place of its texels
+//! are numbers of each lane, and gathers take each lane's bytes from a slice of its own ([`Sources`]). A footprint
+//! across the edge of a face reads the texels beyond it from the face that touches it ([`edges`]), and all lanes of the
+//! batch then take the four texels one by one.
+//!
+//! Same bits as [`super::general`]: the arithmetic of a lane is the same (a test holds this).
+
+mod edges;
+mod lane_level;
+mod linear;
+mod nearest;
+#[cfg(test)]
+mod tests;
+
+use super::call::SampleCall;
+use super::compare::unit_range;
+use super::coordinates::Coordinates;
+use super::footprint::IsotropicOnly;
+use super::interpolate::mix;
+use super::recorder::NoRecorder;
+use super::{expand, level_taps};
+use crate::image::FACES;
+use crate::lanes::{F32s, Kernel, Simd, Sources, U32s};
+use crate::plan::{Anisotropy, LevelSelection, TexelClass, Texture};
+use crate::sampler::Filter;
+use lane_level::LaneLevel;
+
+/// One call: 64 samples of a texture with texels of this class.
+pub(super) struct ScatteredCall<'s, 'a, F> {
+    pub sample: &'s mut SampleCall<'a, NoRecorder, F>,
+    pub class: TexelClass,
+}
+
+impl<F> Kernel for ScatteredCall<'_, '_, F> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<S: Simd>(self) {
+        let Self { sample, class } = self;
+        let texture = sample.texture;
+        let reference = match texture.compare {
+            Some(_) => unit_range(sample.reference.unwrap_or(sample.coords[2])),
+            None => F32s::ZERO,
+        };
+        let at = Coordinates::new(texture, *sample.coords, sample.layer, &mut NoRecorder);
+        let [s, t, _] = at.filtered();
+        let Levels { filter, levels, weight } = levels::<S, F>(texture, &at, sample);
+        let is_mixed = S::any(weight.as_u32());
+        let sources = sources::<S>(texture, [&levels[0], &levels[usize::from(is_mixed)]]);
+        // Initialized only where there is a second level.
+        let mut second = None;
+        for (index, level) in levels.iter().enumerate().take(1 + usize::from(is_mixed)) {
+            let out = match index {
+                0 => &mut *sample.out,
+                _ => second.get_or_insert([F32s::ZERO; 4]),
+            };
+            let lanes = ScatteredLevel {
+                texture,
+                class,
+                sources: &sources,
+                level: LaneLevel::new(texture, level, &at.face, &at.layer),
+                at: [s, t],
+                reference: &reference,
+            };
+            // Outlined, so that the code size of one does not add to the other.
+            match filter {
+                Filter::Nearest => S::outlined(nearest::Nearest { lanes: &lanes, out }),
+                Filter::Linear => S::outlined(linear::Linear { lanes: &lanes, out }),
+            }
+        }
+        if let Some(second) = &second {
+            let channels = texture.format.channels();
+            for (out, second) in sample.out.iter_mut().zip(second).take(channels) {
+                let first = *out;
+                mix(&first, second, &weight, out);
+            }
+        }
+        expand::expand(texture.format, texture.depth_mode, sample.out);
+        expand::swizzle(texture.format, texture.swizzle, sample.out);
+    }
+}
+
+/// A level of each lane, and what all its texels share.
+struct ScatteredLevel<'a> {
+    texture: &'a Texture,
+    class: TexelClass,
+    sources: &'a Sources<'a>,
+    level: LaneLevel,
+    /// s and t.
+    at: [&'a F32s; 2],
+    /// The reference of a depth compare.
+    reference: &'a F32s,
+}
+
+/// The levels of each lane.
+struct Levels {
+    filter: Filter,
+    levels: [U32s; 2],
+    /// Of the second level.
+    weight: F32s,
+}
+
+/// Magnification and minification have the same filter, so up to λ = 0 the level is 0 in any case.
+#[inline(always)]
+fn levels<S: Simd, F>(
+    texture: &Texture,
+    at: &Coordinates<'_>,
+    sample: &SampleCall<'_, NoRecorder, F>,
+) -> Levels {
+    match &texture.level_selection {
+        LevelSelection::Fixed { filter, level, .. } => Levels {
+            filter: *filter,
+            levels: [U32s::splat(*level), U32s::splat(*level)],
+            weight: F32s::ZERO,
+        },
+        LevelSelection::PerLane { min, range, .. } => {
+            let (off, recorder) = (Anisotropy::Off, &mut NoRecorder);
+            let (base, _, bias) = level_taps::base_lambda::<S, IsotropicOnly>(
+                texture, at, *sample.lod, off, recorder,
+            );
+            let (levels, weight) = range.levels(&range.lambda(&base, bias));
+            Levels { filter: *min, levels, weight }
+        }
+    }
+}
+
+/// The faces of the levels that lanes read.
+#[inline(always)]
+fn sources<'a, S: Simd>(texture: &'a Texture, levels: [&U32s; 2]) -> Sources<'a> {
+    let mut sources = Sources::empty();
+    let (first, last) = (S::smallest(levels[0]) as usize, S::largest(levels[1]) as usize);
+    for (face, levels) in texture.levels.iter().enumerate() {
+        for (number, level) in levels.iter().enumerate().take(last + 1).skip(first) {
+            sources.set(number * FACES + face, &level.texels);
+        }
+    }
+    sources
+}
