@@ -12,7 +12,7 @@ use texunit::image::{Image, Level, Shape};
 use texunit::lanes::{F32s, Isa, LANES, QUADS, lane_x, lane_y};
 use texunit::plan::SamplePlan;
 use texunit::sample::{Addresses, Lod, LookupScratch, Points};
-use texunit::sampler::{Filter, Mipmap, Sampler, Wrap};
+use texunit::sampler::{Filter, Mipmap, Sampler, Seamless, Wrap};
 
 /// Texels of a side.
 const SIZE: u32 = 512;
@@ -70,10 +70,10 @@ const COHERENCES: [(&str, Coherence); 4] = [
     ("random", Coherence::Random),
 ];
 
-fn image(format: Format) -> Image {
-    let mut image = Image::new(Shape::D2);
+fn image(shape: Shape, format: Format) -> Image {
+    let mut image = Image::new(shape);
     let mut seed = 1_u32;
-    for number in 0..=SIZE.ilog2() {
+    for (number, face) in (0..=SIZE.ilog2()).flat_map(|n| (0..shape.faces()).map(move |f| (n, f))) {
         let mut level = Level::new(format, SIZE >> number, SIZE >> number).expect("a small level");
         level.fill(|_| {
             [0; 4].map(|_| {
@@ -81,7 +81,7 @@ fn image(format: Format) -> Image {
                 (seed >> 8) as f32 / 16_777_216.0
             })
         });
-        image.set_level(0, number as usize, level).expect("a level of a 2D image");
+        image.set_level(face, number as usize, level).expect("a level of this shape");
     }
     image
 }
@@ -117,9 +117,26 @@ fn coordinates(coherence: Coherence, stretch: f32) -> Vec<[F32s; 2]> {
     blocks
 }
 
+/// The directions of (s, t) on a cube's face +X; where quads are anywhere, on any face.
+fn directions(blocks: Vec<[F32s; 2]>, coherence: Coherence) -> Vec<[F32s; 3]> {
+    let direction = |[s, t]: [F32s; 2]| {
+        let of = |lane: usize| {
+            let on_x = [1.0, 1.0 - 2.0 * t[lane], 1.0 - 2.0 * s[lane]];
+            let quad = match coherence {
+                Coherence::Even(_) => 0,
+                Coherence::Random => lane % QUADS,
+            };
+            let sign = if quad % 2 == 0 { 1.0 } else { -1.0 };
+            [0, 1, 2].map(|axis| sign * on_x[(axis + quad) % 3])
+        };
+        [0, 1, 2].map(|axis| F32s::from_fn(|lane| of(lane)[axis]))
+    };
+    blocks.into_iter().map(direction).collect()
+}
+
 struct Cell {
     plan: SamplePlan,
-    blocks: Vec<[F32s; 2]>,
+    blocks: Vec<[F32s; 3]>,
     least: f64,
 }
 
@@ -128,9 +145,9 @@ impl Cell {
         let mut room = LookupScratch::default();
         let start = Instant::now();
         for _ in 0..PICTURES {
-            for [s, t] in &self.blocks {
+            for block in &self.blocks {
                 let lod = Lod::Implicit { bias: None };
-                let points = Points { coords: [s, t, &F32s::ZERO], layer: None, reference: None };
+                let points = Points { coords: block.each_ref(), layer: None, reference: None };
                 self.plan.sample_offset(isa, points, [0; 3], lod, Addresses::Compute, &mut room);
                 black_box(&mut room);
             }
@@ -145,14 +162,20 @@ fn main() {
     let words: Vec<String> = std::env::args().skip(1).filter(|a| !a.starts_with("--")).collect();
     let mut rows = Vec::new();
     for (format_name, format) in FORMATS {
-        let image = image(format);
+        let [plane, cube] = [Shape::D2, Shape::Cube].map(|shape| image(shape, format));
         for filter in &FILTERS {
-            for (wrap_name, wrap) in [("repeat", Wrap::Repeat), ("edge", Wrap::ClampToEdge)] {
+            for (place, wrap) in [
+                ("repeat", Wrap::Repeat),
+                ("edge", Wrap::ClampToEdge),
+                ("cube", Wrap::ClampToEdge),
+                ("seamless cube", Wrap::ClampToEdge),
+            ] {
+                let is_cube = place.contains("cube");
                 let extra = format != Format::Rgba8 || filter.anisotropy > 1.0;
-                if extra && wrap == Wrap::ClampToEdge {
+                if extra && place == "edge" {
                     continue;
                 }
-                let name = format!("{format_name}, {}, {wrap_name}", filter.name);
+                let name = format!("{format_name}, {}, {place}", filter.name);
                 if !words.is_empty() && !words.iter().any(|word| name.contains(word.as_str())) {
                     continue;
                 }
@@ -162,12 +185,17 @@ fn main() {
                     mag: filter.min,
                     mipmap: filter.mipmap,
                     max_anisotropy: filter.anisotropy,
+                    seamless: if place == "seamless cube" { Seamless::On } else { Seamless::Off },
                     ..Sampler::default()
                 };
-                let cells = COHERENCES.map(|(_, coherence)| Cell {
-                    plan: SamplePlan::new(&image, &sampler),
-                    blocks: coordinates(coherence, filter.anisotropy),
-                    least: f64::INFINITY,
+                let cells = COHERENCES.map(|(_, coherence)| {
+                    let points = coordinates(coherence, filter.anisotropy);
+                    let blocks = match is_cube {
+                        true => directions(points, coherence),
+                        false => points.into_iter().map(|[s, t]| [s, t, F32s::ZERO]).collect(),
+                    };
+                    let plan = SamplePlan::new(if is_cube { &cube } else { &plane }, &sampler);
+                    Cell { plan, blocks, least: f64::INFINITY }
                 });
                 rows.push((name, cells));
             }

@@ -3,7 +3,7 @@
 use super::row_walk::{self, RowWalk};
 use super::weigh::Sums;
 use super::{F32s, LANES, U32s};
-use super::{gather, math, Sources};
+use super::{Sources, gather, math};
 
 /// One body of loops over lanes, compiled once per instruction set.
 ///

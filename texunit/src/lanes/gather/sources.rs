@@ -88,9 +88,8 @@ impl Addresses {
                 None => 0,
             };
             // SAFETY: the caller vouches for the bytes.
-            let pair = u64::from_le(unsafe {
-                self.0[lane].add(further).cast::<u64>().read_unaligned()
-            });
+            let pair =
+                u64::from_le(unsafe { self.0[lane].add(further).cast::<u64>().read_unaligned() });
             first[lane] = pair as u32;
             second[lane] = (pair >> 32) as u32;
         }

@@ -1,10 +1,10 @@
 //! The size of each lane's level, and where its texels are.
 
 use crate::image::{FACES, Shape};
+use crate::lanes::math::clamp;
 use crate::lanes::{F32s, LANES, Simd, U32s};
 use crate::plan::Texture;
 use crate::sample::wrap::{mirrored_repeat, repeated};
-use crate::lanes::math::{clamp};
 use crate::sampler::Wrap;
 
 /// A level of each lane, of an image without border whose levels are square or of two axes.

@@ -1,7 +1,7 @@
 //! The weighted mean of 2×2 texels of each lane's level.
 
-use super::edges::across_edge;
 use super::ScatteredLevel;
+use super::edges::across_edge;
 use super::lane_level::LaneLevel;
 use crate::lanes::{F32s, I32s, Kernel, LANES, Simd, U32s};
 use crate::sample::compare::compare;

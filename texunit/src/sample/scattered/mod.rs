@@ -118,7 +118,11 @@ fn levels<S: Simd, F>(
         LevelSelection::PerLane { min, range, .. } => {
             let (off, recorder) = (Anisotropy::Off, &mut NoRecorder);
             let (base, _, bias) = level_taps::base_lambda::<S, IsotropicOnly>(
-                texture, at, *sample.lod, off, recorder,
+                texture,
+                at,
+                *sample.lod,
+                off,
+                recorder,
             );
             let (levels, weight) = range.levels(&range.lambda(&base, bias));
             Levels { filter: *min, levels, weight }

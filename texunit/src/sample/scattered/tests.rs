@@ -15,7 +15,8 @@ struct Noise(u64);
 
 impl Noise {
     fn bits(&mut self) -> u32 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        self.0 =
+            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 33) as u32
     }
 
@@ -125,7 +126,8 @@ fn points(noise: &mut Noise, kind: u32, texels: u32) -> [F32s; 3] {
             }
             // At centres and sides of texels, where weights are 0 and nearest texels change.
             _ => {
-                let half = |noise: &mut Noise| (noise.bits() % (2 * texels + 1)) as f32 / texels as f32;
+                let half =
+                    |noise: &mut Noise| (noise.bits() % (2 * texels + 1)) as f32 / texels as f32;
                 let mut point = [half(noise) - 1.0, half(noise) - 1.0, half(noise) - 1.0];
                 point[axis] = noise.pick(&[1.0, -1.0]);
                 point
