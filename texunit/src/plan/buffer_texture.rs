@@ -29,6 +29,7 @@ impl SamplePlan {
             texel_path: TexelPath::General,
             alpha: Alpha::Stored,
             is_fusible: false,
+            has_fusible_texels: false,
             kernel: SampleKernel::Probes,
             level_selection,
         }))

@@ -59,14 +59,15 @@ impl Texture {
             texel_path,
             alpha: if format.base() == BaseFormat::Rgb { Alpha::One } else { Alpha::Stored },
             is_fusible: false,
+            has_fusible_texels: texel_path == TexelPath::Words(TexelClass::Bytes)
+                && matches!(format.base(), BaseFormat::Rgb | BaseFormat::Rgba)
+                && sampler.swizzle == Swizzle::IDENTITY,
             kernel: SampleKernel::Probes,
             level_selection,
         };
         texture.kernel = SampleKernel::new(&texture);
-        texture.is_fusible = texel_path == TexelPath::Words(TexelClass::Bytes)
-            && matches!(texture.kernel, SampleKernel::UniformLevel(_) | SampleKernel::RowScan)
-            && matches!(format.base(), BaseFormat::Rgb | BaseFormat::Rgba)
-            && sampler.swizzle == Swizzle::IDENTITY;
+        texture.is_fusible = texture.has_fusible_texels
+            && matches!(texture.kernel, SampleKernel::UniformLevel(_) | SampleKernel::RowScan);
         Ok(texture)
     }
 

@@ -16,10 +16,10 @@ impl SampleKernel {
             LevelSelection::PerLane { anisotropy, min, mag, .. } => (*anisotropy, *min, *mag),
         };
         let kernel = match (texture.shape, texture.texel_path) {
-            (Shape::D2 | Shape::Rect, TexelPath::Words(class)) => Some(Self::UniformLevel(class)),
-            (Shape::D2 | Shape::Rect, TexelPath::ComparedWords(class)) => {
-                (min == Filter::Nearest).then_some(Self::UniformLevel(class))
-            }
+            (
+                Shape::D2 | Shape::Rect,
+                TexelPath::Words(class) | TexelPath::ComparedWords(class),
+            ) => Some(Self::UniformLevel(class)),
             (Shape::Cube, TexelPath::Words(class)) | (_, TexelPath::ScatteredWords(class)) => {
                 scatters(texture, min).then_some(Self::Scattered(class))
             }

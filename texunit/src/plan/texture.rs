@@ -39,6 +39,8 @@ pub(crate) struct Texture {
     /// Whether lookups can be fused into other kernels ([`crate::sample::TexelConsumer`]): texels are red, green, blue and
     /// perhaps alpha, a byte each, without swizzle.
     pub is_fusible: bool,
+    /// Whether the texels of a face are such texels, of whatever shape.
+    pub has_fusible_texels: bool,
 }
 
 /// Whether alpha must be filtered.
@@ -73,7 +75,7 @@ pub(crate) enum TexelPath {
     Words(TexelClass),
     /// The fast path of compressed two-dimensional textures.
     Blocks(Block),
-    /// Two-dimensional depth textures with compare: fast with a nearest filter, else general.
+    /// Two-dimensional depth textures with compare: fast in the kernel of uniform levels, else general.
     ComparedWords(TexelClass),
     /// Arrays of two-dimensional textures and of cubes, and cubes with depth compare: fast in the kernel of scattered
     /// lanes, else general.

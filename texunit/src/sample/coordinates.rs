@@ -15,15 +15,15 @@ pub(crate) struct Coordinates<'a> {
     pub face: U32s,
     /// The layer of an array, else 0.
     pub layer: U32s,
-    /// s, t on the face of a cube.
-    pub st: Option<[F32s; 2]>,
+    /// Where the direction meets a cube.
+    pub projected: Option<cube::Projected>,
 }
 
 impl<'a> Coordinates<'a> {
     /// Of a texture without faces and layers.
     #[inline(always)]
     pub fn in_plane(given: [&'a F32s; 3]) -> Self {
-        Self { given, face: U32s::ZERO, layer: U32s::ZERO, st: None }
+        Self { given, face: U32s::ZERO, layer: U32s::ZERO, projected: None }
     }
 
     #[inline(always)]
@@ -45,7 +45,7 @@ impl<'a> Coordinates<'a> {
                     st: projected.st.map(|coord| coord[lane]),
                 });
                 at.face = projected.face;
-                at.st = Some(projected.st);
+                at.projected = Some(projected);
                 if let Some(layer) = layer {
                     at.layer = wrap::layer(layer, texture.layers());
                 }
@@ -60,8 +60,8 @@ impl<'a> Coordinates<'a> {
     /// The coordinates to filter along.
     #[inline(always)]
     pub fn filtered(&self) -> [&F32s; 3] {
-        match &self.st {
-            Some([s, t]) => [s, t, self.given[2]],
+        match &self.projected {
+            Some(cube::Projected { st: [s, t], .. }) => [s, t, self.given[2]],
             None => self.given,
         }
     }

@@ -13,54 +13,67 @@ pub struct Projected {
     pub face: U32s,
     /// Coordinates on the face, 0 to 1; NaN for the zero direction and infinite ones.
     pub st: [F32s; 2],
+    /// `sc/|ma|` and `tc/|ma|`.
+    pub ratio: [F32s; 2],
+    /// `|ma|`.
+    pub major: F32s,
 }
 
 /// Projects 64 directions. Of equal magnitudes the earlier axis is taken.
 #[inline(always)]
 pub fn project(direction: [&F32s; 3]) -> Projected {
-    let mut face = U32s::ZERO;
-    let mut st = [F32s::ZERO; 2];
+    const ZERO: F32s = F32s::ZERO;
+    let (mut face, mut major) = (U32s::ZERO, ZERO);
+    let ([mut s, mut t], [mut across, mut up]) = ([ZERO; 2], [ZERO; 2]);
     for lane in 0..LANES {
-        face[lane] = select(direction[0][lane], direction[1][lane], direction[2][lane]);
-        let [sc, tc, ma] =
-            to_face_axes(face[lane], direction[0][lane], direction[1][lane], direction[2][lane]);
-        st[0][lane] = 0.5 * (sc / ma + 1.0);
-        st[1][lane] = 0.5 * (tc / ma + 1.0);
+        let [x, y, z] = [direction[0][lane], direction[1][lane], direction[2][lane]];
+        let of = select(x, y, z);
+        let [sc, tc, ma] = to_face_axes(of, x, y, z);
+        let (u, v) = (sc / ma, tc / ma);
+        face[lane] = of;
+        major[lane] = ma;
+        across[lane] = u;
+        up[lane] = v;
+        s[lane] = 0.5 * (u + 1.0);
+        t[lane] = 0.5 * (v + 1.0);
     }
-    Projected { face, st }
+    Projected { face, st: [s, t], ratio: [across, up], major }
 }
 
-/// Reprojects points beyond an edge of their face to the face that their direction meets.
+/// Reprojects points beyond an edge of their face to the face that their direction meets: face, s and t.
 #[inline(always)]
-pub fn reproject(on: &Projected) -> Projected {
-    let mut out = Projected { face: on.face, st: on.st };
+pub fn reproject(face: &U32s, st: [&F32s; 2]) -> (U32s, [F32s; 2]) {
+    let (mut faces, mut out) = (*face, [*st[0], *st[1]]);
     for lane in 0..LANES {
-        let (sc, tc) = (2.0 * on.st[0][lane] - 1.0, 2.0 * on.st[1][lane] - 1.0);
-        let [x, y, z] = from_face_axes(on.face[lane], sc, tc, 1.0);
+        let (sc, tc) = (2.0 * st[0][lane] - 1.0, 2.0 * st[1][lane] - 1.0);
+        let [x, y, z] = from_face_axes(face[lane], sc, tc, 1.0);
         let new_face = select(x, y, z);
         let [u, v, ma] = to_face_axes(new_face, x, y, z);
         // False for NaN.
         let beyond = (sc.abs() > 1.0) | (tc.abs() > 1.0);
-        out.face[lane] = if beyond { new_face } else { on.face[lane] };
-        out.st[0][lane] = if beyond { 0.5 * (u / ma + 1.0) } else { on.st[0][lane] };
-        out.st[1][lane] = if beyond { 0.5 * (v / ma + 1.0) } else { on.st[1][lane] };
+        faces[lane] = if beyond { new_face } else { face[lane] };
+        out[0][lane] = if beyond { 0.5 * (u / ma + 1.0) } else { st[0][lane] };
+        out[1][lane] = if beyond { 0.5 * (v / ma + 1.0) } else { st[1][lane] };
     }
-    out
+    (faces, out)
 }
 
-/// The derivatives of the face coordinates, given those of the direction.
+/// The derivatives of the face coordinates along x and y, given those of the direction.
 #[inline(always)]
-pub fn derivatives(face: &U32s, direction: [&F32s; 3], change: [&F32s; 3]) -> [F32s; 2] {
-    let mut out = [F32s::ZERO; 2];
+pub fn derivatives(on: &Projected, dx: [&F32s; 3], dy: [&F32s; 3]) -> [[F32s; 2]; 2] {
+    const ZERO: F32s = F32s::ZERO;
+    let [mut dsdx, mut dtdx, mut dsdy, mut dtdy] = [ZERO; 4];
+    let Projected { face, ratio: [across, up], major, .. } = on;
     for lane in 0..LANES {
-        let [sc, tc, ma] =
-            to_face_axes(face[lane], direction[0][lane], direction[1][lane], direction[2][lane]);
-        let [dsc, dtc, dma] =
-            to_face_axes(face[lane], change[0][lane], change[1][lane], change[2][lane]);
-        out[0][lane] = 0.5 * ((dsc - sc / ma * dma) / ma);
-        out[1][lane] = 0.5 * ((dtc - tc / ma * dma) / ma);
+        let (face, u, v, ma) = (face[lane], across[lane], up[lane], major[lane]);
+        let [dsc, dtc, dma] = to_face_axes(face, dx[0][lane], dx[1][lane], dx[2][lane]);
+        dsdx[lane] = 0.5 * ((dsc - u * dma) / ma);
+        dtdx[lane] = 0.5 * ((dtc - v * dma) / ma);
+        let [dsc, dtc, dma] = to_face_axes(face, dy[0][lane], dy[1][lane], dy[2][lane]);
+        dsdy[lane] = 0.5 * ((dsc - u * dma) / ma);
+        dtdy[lane] = 0.5 * ((dtc - v * dma) / ma);
     }
-    out
+    [[dsdx, dtdx], [dsdy, dtdy]]
 }
 
 #[inline(always)]

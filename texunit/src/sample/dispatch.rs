@@ -82,7 +82,7 @@ impl SamplePlan {
                         sample.run_uniform::<RowScans>(isa, class, addresses, scratch);
                     }
                     (SampleKernel::Scattered(class), _) if offset == [0; 3] => {
-                        sample.run_scattered(isa, class);
+                        sample.run_scattered(isa, class, quads);
                     }
                     (SampleKernel::RowScan, Lod::Implicit { .. } | Lod::Gradient { .. }) => {
                         sample.with_footprints::<RowScans>().run_on(isa);
@@ -264,9 +264,9 @@ impl<'a, F: FootprintSet> SampleCall<'a, NoRecorder, F> {
 
     /// Runs the kernel of [`super::scattered`], on the baseline the general one. Texels are of this class.
     #[inline]
-    pub fn run_scattered(mut self, isa: Isa, class: TexelClass) {
+    pub fn run_scattered(mut self, isa: Isa, class: TexelClass, quads: &mut QuadScratch) {
         let sample = &mut self;
-        if isa.run_above_baseline(ScatteredCall { sample, class }).is_err() {
+        if isa.run_above_baseline(ScatteredCall { sample, class, quads }).is_err() {
             self.run_on(isa);
         }
     }

@@ -142,13 +142,13 @@ pub(crate) fn sample_fused<S: Simd, T: TexelConsumer>(
     quads: &mut QuadScratch,
     consumer: T,
 ) -> Result<T::Output, T> {
-    let Some(UniformLevels { filter, levels, scan }) = levels else { return Err(consumer) };
+    let Some(UniformLevels { filter, face, levels, scan }) = levels else { return Err(consumer) };
     if let Some(across) = scan {
         return S::outlined(ScanMeans { texture, levels, coords, weight, across, quads, consumer });
     }
     match (filter, texture.alpha) {
         (Filter::Nearest, _) if levels[0] == levels[1] => {
-            let view = uniform_levels::plane_view(texture, filter, levels[0]);
+            let view = uniform_levels::face_view(texture, filter, face, levels[0]);
             let Some(mut words) = fast::texels::<S>(&view, coords) else { return Err(consumer) };
             // In texels without alpha the fourth byte is not defined.
             if texture.format.channels() < 4 {
@@ -162,10 +162,11 @@ pub(crate) fn sample_fused<S: Simd, T: TexelConsumer>(
         (Filter::Nearest, _) => Err(consumer),
         // Outlined, so that the code size of one does not add to the other.
         (Filter::Linear, Alpha::Stored) => {
+            let levels = (face, levels);
             S::outlined(LookupMeans { texture, levels, coords, weight, addresses, quads, consumer })
         }
         (Filter::Linear, Alpha::One) => {
-            let consumer = OpaqueConsumer(consumer);
+            let (levels, consumer) = ((face, levels), OpaqueConsumer(consumer));
             let means = LookupMeans { texture, levels, coords, weight, addresses, quads, consumer };
             S::outlined(means).map_err(|OpaqueConsumer(consumer)| consumer)
         }
@@ -175,7 +176,8 @@ pub(crate) fn sample_fused<S: Simd, T: TexelConsumer>(
 /// A linear filter on one level, or on two.
 struct LookupMeans<'a, T> {
     texture: &'a Texture,
-    levels: [u32; 2],
+    /// The face, and the levels.
+    levels: (u32, [u32; 2]),
     coords: [&'a F32s; 3],
     weight: &'a F32s,
     addresses: Addresses,
@@ -188,13 +190,14 @@ impl<T: TexelConsumer> Kernel for LookupMeans<'_, T> {
 
     #[inline(always)]
     fn run<S: Simd>(self) -> Self::Output {
-        let Self { texture, levels, coords, weight, addresses, quads, consumer } = self;
+        let Self { texture, levels: (face, levels), coords, weight, addresses, quads, consumer } =
+            self;
         let is_mixed = levels[0] != levels[1];
         let addresses = if quads.is_inside { addresses } else { Addresses::Compute };
         quads.is_inside = true;
         let used = &mut quads.levels[..1 + usize::from(is_mixed)];
         for (number, quad) in levels.into_iter().zip(used) {
-            let view = uniform_levels::plane_view(texture, Filter::Linear, number);
+            let view = uniform_levels::face_view(texture, Filter::Linear, face, number);
             match fast::load_quad::<S>(&view, coords, addresses, quad) {
                 QuadLoad::Inside => {}
                 QuadLoad::AcrossEdge => quads.is_inside = false,

@@ -79,10 +79,9 @@ fn sample_probes<S: Simd, F: FootprintSet>(
                 probe_coordinate(at.filtered()[axis], probes, axis, probe, to);
             }
             if context.texture.shape.is_cube() {
-                let [s, t, _] = *to;
-                let projected = cube::reproject(&cube::Projected { face: at.face, st: [s, t] });
-                [to[0], to[1]] = projected.st;
-                face_taps = taps.on_faces(&projected.face);
+                let (faces, st) = cube::reproject(&at.face, [&to[0], &to[1]]);
+                [to[0], to[1]] = st;
+                face_taps = taps.on_faces(&faces);
                 read = &face_taps;
             }
             coords = [&to[0], &to[1], &to[2]];

@@ -207,11 +207,8 @@ pub fn base_lambda<'a, S: Simd, F: FootprintSet>(
                 }
             };
             let face_derivatives;
-            if texture.shape.is_cube() {
-                face_derivatives = [
-                    cube::derivatives(&at.face, at.given, d.dx),
-                    cube::derivatives(&at.face, at.given, d.dy),
-                ];
+            if let Some(projected) = &at.projected {
+                face_derivatives = cube::derivatives(projected, d.dx, d.dy);
                 let [[dsdx, dtdx], [dsdy, dtdy]] = &face_derivatives;
                 d = Derivatives { dx: [dsdx, dtdx, dtdx], dy: [dsdy, dtdy, dtdy] };
             }

@@ -34,7 +34,7 @@ pub(crate) fn prefetch<S: Simd>(texture: &Texture, points: [&F32s; 2], hint: Lev
     }
     let (filter, first, last) = match (&texture.level_selection, hint) {
         (LevelSelection::Fixed { filter, level, .. }, _) => (*filter, *level, *level),
-        (_, LevelHint::Uniform(UniformLevels { filter, levels: [first, last], scan: _ })) => {
+        (_, LevelHint::Uniform(UniformLevels { filter, levels: [first, last], .. })) => {
             (filter, first, last)
         }
         (LevelSelection::PerLane { min, range, .. }, LevelHint::FirstLane(coords, lod)) => {

@@ -10,7 +10,7 @@ use super::fast::Addresses;
 use super::interpolate::mix;
 use super::recorder::NoRecorder;
 use super::scratch::{LevelScratch, QuadScratch, SelectedLevels};
-use super::uniform_levels::{UniformLevels, plane_view, select};
+use super::uniform_levels::{UniformLevels, face_view, select};
 use super::{expand, fast, fused};
 use crate::lanes::{F32s, Kernel, Simd};
 use crate::plan::TexelClass;
@@ -45,47 +45,66 @@ impl<F> Kernel for UniformCall<'_, '_, F> {
         if addresses == Addresses::Compute {
             *uniform = select::<S>(texture, sample.coords, sample.lod, weight);
         }
-        let Some(UniformLevels { filter, levels, scan: _ }) = *uniform else {
-            return Outcome::NotUniform;
-        };
-        if texture.is_fusible && filter == Filter::Linear {
-            let consumer = fused::WriteLanes(&mut *sample.out);
-            let selected = SelectedLevels { levels: *uniform, weight, addresses };
-            let result =
-                fused::sample_fused::<S, _>(texture, *sample.coords, selected, quads, consumer);
-            return if result.is_ok() { Outcome::Sampled } else { Outcome::NotUniform };
-        }
-        // Initialized only where there is a second level.
-        let mut second = None;
-        let is_mixed = levels[0] != levels[1];
-        for (index, number) in levels.into_iter().take(1 + usize::from(is_mixed)).enumerate() {
-            let view = plane_view(texture, filter, number);
-            let out = match index {
-                0 => &mut *sample.out,
-                _ => second.get_or_insert([F32s::ZERO; 4]),
-            };
-            let is_done = match filter {
-                Filter::Nearest => fast::nearest::<S>(&view, class, *sample.coords, out),
-                Filter::Linear => fast::linear::<S>(&view, class, *sample.coords, out),
-            };
-            if !is_done {
-                return Outcome::NotUniform;
-            }
-            // Compared before the filter, so this path has one texel per lane.
-            if let Some(op) = texture.compare {
-                let reference = unit_range(sample.reference.unwrap_or(sample.coords[2]));
-                compare(op, &reference, &mut out[0]);
-            }
-        }
-        if let Some(second) = &second {
-            let channels = texture.format.channels();
-            for (out, second) in sample.out.iter_mut().zip(second).take(channels) {
-                let first = *out;
-                mix(&first, second, weight, out);
-            }
-        }
-        expand::expand(texture.format, texture.depth_mode, sample.out);
-        expand::swizzle(texture.format, texture.swizzle, sample.out);
-        Outcome::Sampled
+        let known = SelectedLevels { levels: *uniform, weight, addresses };
+        sample_uniform::<S, F>(sample, *sample.coords, class, known, quads)
     }
+}
+
+/// Samples where all lanes read the same level, or the same two, of one face, at these coordinates.
+#[inline(always)]
+pub(super) fn sample_uniform<S: Simd, F>(
+    sample: &mut SampleCall<'_, NoRecorder, F>,
+    coords: [&F32s; 3],
+    class: TexelClass,
+    selected: SelectedLevels<'_>,
+    quads: &mut QuadScratch,
+) -> Outcome {
+    let texture = sample.texture;
+    let Some(UniformLevels { filter, face, levels, scan: _ }) = selected.levels else {
+        return Outcome::NotUniform;
+    };
+    if texture.has_fusible_texels && filter == Filter::Linear {
+        let consumer = fused::WriteLanes(&mut *sample.out);
+        let result = fused::sample_fused::<S, _>(texture, coords, selected, quads, consumer);
+        return if result.is_ok() { Outcome::Sampled } else { Outcome::NotUniform };
+    }
+    let reference = match texture.compare {
+        Some(_) => unit_range(sample.reference.unwrap_or(sample.coords[2])),
+        None => F32s::ZERO,
+    };
+    // Initialized only where there is a second level.
+    let mut second = None;
+    let is_mixed = levels[0] != levels[1];
+    for (index, number) in levels.into_iter().take(1 + usize::from(is_mixed)).enumerate() {
+        let view = face_view(texture, filter, face, number);
+        let out = match index {
+            0 => &mut *sample.out,
+            _ => second.get_or_insert([F32s::ZERO; 4]),
+        };
+        let is_done = match (filter, texture.compare) {
+            (Filter::Nearest, None) => fast::nearest::<S>(&view, class, coords, out),
+            (Filter::Linear, None) => fast::linear::<S>(&view, class, coords, out),
+            (Filter::Nearest, Some(op)) => {
+                let is_done = fast::nearest::<S>(&view, class, coords, out);
+                compare(op, &reference, &mut out[0]);
+                is_done
+            }
+            (Filter::Linear, Some(op)) => {
+                fast::linear_compared::<S>(&view, class, coords, (op, &reference), &mut out[0])
+            }
+        };
+        if !is_done {
+            return Outcome::NotUniform;
+        }
+    }
+    if let Some(second) = &second {
+        let channels = texture.format.channels();
+        for (out, second) in sample.out.iter_mut().zip(second).take(channels) {
+            let first = *out;
+            mix(&first, second, selected.weight, out);
+        }
+    }
+    expand::expand(texture.format, texture.depth_mode, sample.out);
+    expand::swizzle(texture.format, texture.swizzle, sample.out);
+    Outcome::Sampled
 }

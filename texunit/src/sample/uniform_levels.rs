@@ -16,6 +16,8 @@ use crate::sampler::Filter;
 #[derive(Clone, Copy, Debug)]
 pub struct UniformLevels {
     pub(crate) filter: Filter,
+    /// Of a cube, the face.
+    pub(crate) face: u32,
     /// The two levels that are mixed; twice the same where there is one.
     pub(crate) levels: [u32; 2],
     /// Set where all footprints are round, and scanned.
@@ -33,7 +35,12 @@ pub fn select<S: Simd>(
 ) -> Option<UniformLevels> {
     let (min, range, anisotropy) = match &texture.level_selection {
         LevelSelection::Fixed { filter, level, .. } => {
-            return Some(UniformLevels { filter: *filter, levels: [*level; 2], scan: None });
+            return Some(UniformLevels {
+                filter: *filter,
+                face: 0,
+                levels: [*level; 2],
+                scan: None,
+            });
         }
         LevelSelection::PerLane { min, range, anisotropy, .. } => (*min, range, *anisotropy),
     };
@@ -60,7 +67,7 @@ pub fn select<S: Simd>(
             }
             scan = Some(if of.along_t { Across::Rows } else { Across::Columns });
         }
-        return Some(UniformLevels { filter: min, levels, scan });
+        return Some(UniformLevels { filter: min, face: 0, levels, scan });
     }
     match anisotropy {
         Anisotropy::Scan(_) => None,
@@ -72,7 +79,7 @@ pub fn select<S: Simd>(
             let each;
             (each, *weight) = range.levels(&range.lambda(&base, bias));
             let levels = level_taps::common_levels::<S>(&each, weight)?;
-            Some(UniformLevels { filter: min, levels, scan: None })
+            Some(UniformLevels { filter: min, face: 0, levels, scan: None })
         }
     }
 }
@@ -99,12 +106,18 @@ fn common_derivatives<S: Simd>(texture: &Texture, lod: &Lod<'_>) -> Option<[[f32
 /// A level of a two-dimensional texture.
 #[inline(always)]
 pub fn plane_view(texture: &Texture, filter: Filter, number: u32) -> LevelView<'_> {
+    face_view(texture, filter, 0, number)
+}
+
+/// A level of a face of a cube; face 0 is that of a two-dimensional texture.
+#[inline(always)]
+pub fn face_view(texture: &Texture, filter: Filter, face: u32, number: u32) -> LevelView<'_> {
     LevelView {
         texture,
         filter,
-        face: 0,
+        face: face as usize,
         number: number as usize,
-        level: &texture.levels[0][number as usize],
+        level: &texture.levels[face as usize][number as usize],
         layer: &U32s::ZERO,
         reference: &F32s::ZERO,
     }

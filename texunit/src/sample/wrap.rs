@@ -70,6 +70,12 @@ impl Axis {
         clamp(s * self.scale, 0.5, self.size as f32 - 0.5)
     }
 
+    /// `u` with `Wrap::Clamp`: clamped to the level.
+    #[inline(always)]
+    pub fn clamped(&self, s: f32) -> f32 {
+        clamp(s * self.scale, 0.0, self.size as f32)
+    }
+
     /// `u`, the wrapped coordinate in texels: within [0, size], half a texel more for the border.
     #[inline(always)]
     pub fn texel_coordinate<S: Simd>(self, s: &F32s) -> F32s {
@@ -84,7 +90,7 @@ impl Axis {
             }
             Wrap::Clamp => {
                 for lane in 0..LANES {
-                    u[lane] = clamp(s[lane] * scale, 0.0, n);
+                    u[lane] = self.clamped(s[lane]);
                 }
             }
             Wrap::ClampToEdge => {

@@ -7,8 +7,10 @@ use super::quad_position::quad_position;
 use crate::lanes::math::index;
 use crate::lanes::{F32s, LANES, Simd, U32s};
 use crate::plan::{Alpha, TexelClass};
+use crate::sample::compare::compare;
+use crate::sample::interpolate::mean;
 use crate::sample::level_view::LevelView;
-use crate::sampler::Filter;
+use crate::sampler::{Compare, Filter};
 
 /// The nearest texel; `false` where the fast path does not apply.
 #[inline(always)]
@@ -62,6 +64,31 @@ fn texel_offsets<S: Simd>(view: &LevelView<'_>, at: [&F32s; 3]) -> Option<U32s> 
 pub fn texels<S: Simd>(view: &LevelView<'_>, at: [&F32s; 3]) -> Option<U32s> {
     let offsets = texel_offsets::<S>(view, at)?;
     Some(S::gather_inline(&view.level.texels, &offsets))
+}
+
+/// The share of 2×2 depths that pass a comparison; `false` where the fast path does not apply.
+#[inline(always)]
+pub fn linear_compared<S: Simd>(
+    view: &LevelView<'_>,
+    class: TexelClass,
+    at: [&F32s; 3],
+    (op, reference): (Compare, &F32s),
+    out: &mut F32s,
+) -> bool {
+    let mut found = TexelQuad::default();
+    let is_one_word = view.level.format.words() == 1;
+    if !is_one_word
+        || load_quad::<S>(view, at, Addresses::Compute, &mut found) == QuadLoad::NotApplicable
+    {
+        return false;
+    }
+    let mut corners = [[F32s::ZERO; 4]; 4];
+    for (corner, words) in corners.iter_mut().zip(&found.words) {
+        channels_of_texel::<S>(class, 1, 0, words, corner);
+        compare(op, reference, &mut corner[0]);
+    }
+    *out = mean(view.level.format, &corners, 0, found.weights.each_ref());
+    true
 }
 
 /// The weighted mean of 2×2 texels; `false` where the fast path does not apply.

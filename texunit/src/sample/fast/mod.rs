@@ -1,6 +1,6 @@
 //! The fast path of most textures: two-dimensional, of bytes, sRGB bytes, halves, floats, depths or
-//! blocks, where neither the border nor another face is read. There is no depth compare here; [`super::uniform`]
-//! compares the texels of a nearest filter.
+//! blocks, where neither the border nor another face is read. [`super::uniform`]
+//! compares the depths of a nearest filter.
 //!
 //! Same bits as the general filters in [`super::filter`] (a test holds this), in fewer passes: byte
 //! offsets in one loop, the two texels of a row in one gather, channels from words in registers.
@@ -15,6 +15,6 @@ mod quad_position;
 mod tests;
 
 pub use channels::{channels_of_quad, channels_of_texel};
-pub use filter::{linear, nearest, texels};
+pub use filter::{linear, linear_compared, nearest, texels};
 pub use offsets::word_offsets;
 pub use quad::{Addresses, QuadLoad, TexelQuad, load_quad};

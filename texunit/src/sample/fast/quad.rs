@@ -101,7 +101,7 @@ impl Kernel for LoadQuad<'_> {
 }
 
 /// Byte offsets of the lower left texels, and the weights of the right and of the upper texels. `false` if a quad
-/// crosses an edge of the level, or the wrap modes are not both `Repeat` or both `ClampToEdge`.
+/// crosses an edge of the level, or the wrap modes are not both `Repeat`, `ClampToEdge` or `Clamp`.
 ///
 /// One loop: several loops would spill their intermediate values where an instruction set has few registers.
 #[inline(always)]
@@ -120,6 +120,11 @@ fn inside_offsets<S: Simd>(
         }
         (Wrap::ClampToEdge, Wrap::ClampToEdge) => {
             let wrapped = |axis: usize, x| axes[axis].clamped_to_edge(x);
+            inside_offsets_by::<S>(view.level, [s, t], wrapped, offsets, weights)
+        }
+        // That of seamless cubes, too.
+        (Wrap::Clamp, Wrap::Clamp) => {
+            let wrapped = |axis: usize, x| axes[axis].clamped(x);
             inside_offsets_by::<S>(view.level, [s, t], wrapped, offsets, weights)
         }
         (_, _) => false,

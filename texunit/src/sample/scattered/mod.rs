@@ -1,6 +1,9 @@
 //! The kernel of lanes that read from faces, layers and levels of their own: cube maps.
 //!
-//! A batch is sampled at once, and not once for each face and level: the size of its level and the place of its texels
+//! A batch on one face whose lanes read the same levels is sampled as one of a two-dimensional texture
+//! ([`super::uniform`]), if no footprint crosses an edge of the face.
+//!
+//! Another batch is sampled at once, and not once for each face and level: the size of its level and the place of its texels
 //! are numbers of each lane, and gathers take each lane's bytes from a slice of its own ([`Sources`]). A footprint
 //! across the edge of a face reads the texels beyond it from the face that touches it ([`edges`]), and all lanes of the
 //! batch then take the four texels one by one.
@@ -17,12 +20,16 @@ mod tests;
 use super::call::SampleCall;
 use super::compare::unit_range;
 use super::coordinates::Coordinates;
+use super::fast::Addresses;
 use super::footprint::IsotropicOnly;
 use super::interpolate::mix;
 use super::recorder::NoRecorder;
+use super::scratch::{QuadScratch, SelectedLevels};
+use super::uniform::{self, Outcome};
+use super::uniform_levels::UniformLevels;
 use super::{expand, level_taps};
-use crate::image::FACES;
-use crate::lanes::{F32s, Kernel, Simd, Sources, U32s};
+use crate::image::{FACES, Shape};
+use crate::lanes::{F32s, Kernel, LANES, Simd, Sources, U32s};
 use crate::plan::{Anisotropy, LevelSelection, TexelClass, Texture};
 use crate::sampler::Filter;
 use lane_level::LaneLevel;
@@ -31,6 +38,7 @@ use lane_level::LaneLevel;
 pub(super) struct ScatteredCall<'s, 'a, F> {
     pub sample: &'s mut SampleCall<'a, NoRecorder, F>,
     pub class: TexelClass,
+    pub quads: &'s mut QuadScratch,
 }
 
 impl<F> Kernel for ScatteredCall<'_, '_, F> {
@@ -38,15 +46,21 @@ impl<F> Kernel for ScatteredCall<'_, '_, F> {
 
     #[inline(always)]
     fn run<S: Simd>(self) {
-        let Self { sample, class } = self;
+        let Self { sample, class, quads } = self;
         let texture = sample.texture;
+        let at = Coordinates::new(texture, *sample.coords, sample.layer, &mut NoRecorder);
+        let [s, t, _] = at.filtered();
+        let Levels { filter, levels, weight } = levels::<S, F>(texture, &at, sample);
+        if let Some(levels) = on_one_face::<S>(texture, &at, (filter, &levels), &weight) {
+            let one_face = OneFace { sample, class, levels, at: [s, t], weight: &weight, quads };
+            if S::outlined(one_face) == Outcome::Sampled {
+                return;
+            }
+        }
         let reference = match texture.compare {
             Some(_) => unit_range(sample.reference.unwrap_or(sample.coords[2])),
             None => F32s::ZERO,
         };
-        let at = Coordinates::new(texture, *sample.coords, sample.layer, &mut NoRecorder);
-        let [s, t, _] = at.filtered();
-        let Levels { filter, levels, weight } = levels::<S, F>(texture, &at, sample);
         let is_mixed = S::any(weight.as_u32());
         let sources = sources::<S>(texture, [&levels[0], &levels[usize::from(is_mixed)]]);
         // Initialized only where there is a second level.
@@ -79,6 +93,49 @@ impl<F> Kernel for ScatteredCall<'_, '_, F> {
         }
         expand::expand(texture.format, texture.depth_mode, sample.out);
         expand::swizzle(texture.format, texture.swizzle, sample.out);
+    }
+}
+
+/// The levels that all lanes read of a cube's face, if all read the same.
+#[inline(always)]
+fn on_one_face<S: Simd>(
+    texture: &Texture,
+    at: &Coordinates<'_>,
+    (filter, levels): (Filter, &[U32s; 2]),
+    weight: &F32s,
+) -> Option<UniformLevels> {
+    let face = at.face[0];
+    let mut different = U32s::ZERO;
+    for lane in 0..LANES {
+        different[lane] = at.face[lane] ^ face;
+    }
+    if texture.shape != Shape::Cube || S::any(&different) {
+        return None;
+    }
+    let levels = level_taps::common_levels::<S>(levels, weight)?;
+    Some(UniformLevels { filter, face, levels, scan: None })
+}
+
+/// The lookup in a batch on one face.
+struct OneFace<'s, 'a, 'c, F> {
+    sample: &'s mut SampleCall<'a, NoRecorder, F>,
+    class: TexelClass,
+    levels: UniformLevels,
+    /// s and t.
+    at: [&'c F32s; 2],
+    weight: &'c F32s,
+    quads: &'s mut QuadScratch,
+}
+
+impl<F> Kernel for OneFace<'_, '_, '_, F> {
+    type Output = Outcome;
+
+    #[inline(always)]
+    fn run<S: Simd>(self) -> Outcome {
+        let Self { sample, class, levels, at: [s, t], weight, quads } = self;
+        let (levels, addresses) = (Some(levels), Addresses::Compute);
+        let selected = SelectedLevels { levels, weight, addresses };
+        uniform::sample_uniform::<S, F>(sample, [s, t, t], class, selected, quads)
     }
 }
 
