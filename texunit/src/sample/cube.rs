@@ -76,40 +76,50 @@ pub fn derivatives(on: &Projected, dx: [&F32s; 3], dy: [&F32s; 3]) -> [[F32s; 2]
     [[dsdx, dtdx], [dsdy, dtdy]]
 }
 
+/// The bit that negates a number.
+const SIGN: u32 = 1 << 31;
+
 #[inline(always)]
 fn select(x: f32, y: f32, z: f32) -> u32 {
     let (ax, ay, az) = (x.abs(), y.abs(), z.abs());
-    let on_x = if x < 0.0 { 1 } else { 0 };
-    let on_y = if y < 0.0 { 3 } else { 2 };
-    let on_z = if z < 0.0 { 5 } else { 4 };
-    let not_x = if ay >= az { on_y } else { on_z };
-    if (ax >= ay) & (ax >= az) { on_x } else { not_x }
+    let on_x = (ax >= ay) & (ax >= az);
+    let on_y = ay >= az;
+    let not_x = if on_y { y } else { z };
+    let major = if on_x { x } else { not_x };
+    let not_x = if on_y { 2 } else { 4 };
+    let positive = if on_x { 0 } else { not_x };
+    positive | if major < 0.0 { 1 } else { 0 }
 }
 
 /// `(sc, tc, |ma|)` of table 3.19: linear in the direction, so that its derivative is itself.
+///
+/// The sign of the face negates ma, and sc on the X and Z faces, and tc on the Y faces; sc on the X faces and tc on
+/// the X and Z faces are negated besides.
 #[inline(always)]
 fn to_face_axes(face: u32, x: f32, y: f32, z: f32) -> [f32; 3] {
-    let negative = face & 1 == 1;
-    let axis = face >> 1;
-    let (on_x, on_y) = (axis == 0, axis == 1);
-    // The sign of the face negates ma, and sc on the X and Z faces, and tc on the Y faces.
-    let sign = |v: f32| if negative { -v } else { v };
-    let sc = if on_x {
-        sign(-z)
-    } else if on_y {
-        x
-    } else {
-        sign(x)
-    };
-    let tc = if on_y { sign(z) } else { -y };
+    let (on_x, on_y) = (face < 2, face & 2 != 0);
+    let sign = face << 31;
+    let sc = if on_x { z } else { x };
+    let sc_sign = if on_x { sign ^ SIGN } else { sign };
+    let tc = if on_y { z } else { y };
     let ma = if on_x {
-        sign(x)
+        x
     } else if on_y {
-        sign(y)
+        y
     } else {
-        sign(z)
+        z
     };
-    [sc, tc, ma]
+    [
+        flip(sc, if on_y { 0 } else { sc_sign }),
+        flip(tc, if on_y { sign } else { SIGN }),
+        flip(ma, sign),
+    ]
+}
+
+/// The number, negated where the bit is set.
+#[inline(always)]
+fn flip(v: f32, sign: u32) -> f32 {
+    f32::from_bits(v.to_bits() ^ sign)
 }
 
 /// Texels of a cube, found from indices that may lie just beyond a face.
