@@ -9,8 +9,9 @@ use super::level_view::LevelView;
 use super::recorder::Recorder;
 use super::wrap::{Indices, LinearTexels};
 use super::{fast, fetch, seamless};
+use crate::format::Block;
 use crate::lanes::{F32s, Kernel, LANES, Simd, U32s};
-use crate::plan::TexelPath;
+use crate::plan::{TexelClass, TexelPath};
 use crate::sampler::{Filter, Seamless};
 use crate::trace::SampleStep;
 
@@ -22,18 +23,20 @@ pub fn sample_level<S: Simd>(
     out: &mut [F32s; 4],
     recorder: &mut impl Recorder,
 ) {
-    let done = match (view.texture.texel_path, view.filter) {
-        (TexelPath::Words(_), Filter::Nearest | Filter::Linear)
-        | (TexelPath::Blocks(_), Filter::Linear) => {
-            S::outlined(FastPath { view, at, out: &mut *out })
+    let texels = match (view.texture.texel_path, view.filter) {
+        (TexelPath::Words(class), Filter::Nearest | Filter::Linear) => {
+            Some(FastTexels::Words(class))
         }
+        (TexelPath::Blocks(block), Filter::Linear) => Some(FastTexels::Blocks(block)),
         // The general fetch of one texel is as fast.
-        (TexelPath::Blocks(_), Filter::Nearest) => false,
+        (TexelPath::Blocks(_), Filter::Nearest) => None,
         (
             TexelPath::General | TexelPath::ComparedWords(_) | TexelPath::ScatteredWords(_),
             Filter::Nearest | Filter::Linear,
-        ) => false,
+        ) => None,
     };
+    let done =
+        texels.is_some_and(|texels| S::outlined(FastPath { view, texels, at, out: &mut *out }));
     match view.filter {
         _ if done => {}
         Filter::Nearest => nearest::<S>(view, at, out, recorder),
@@ -41,29 +44,34 @@ pub fn sample_level<S: Simd>(
     }
 }
 
-/// The fast path; `false` where it does not apply.
-struct FastPath<'a> {
-    view: &'a LevelView<'a>,
-    at: [&'a F32s; 3],
-    out: &'a mut [F32s; 4],
+/// Texels that have a fast path.
+#[derive(Clone, Copy)]
+pub enum FastTexels {
+    Words(TexelClass),
+    /// With a linear filter.
+    Blocks(Block),
+}
+
+/// The fast path, without depth compare; `false` where it does not apply. One copy for all kernels.
+pub struct FastPath<'a> {
+    pub view: &'a LevelView<'a>,
+    pub texels: FastTexels,
+    pub at: [&'a F32s; 3],
+    pub out: &'a mut [F32s; 4],
 }
 
 impl Kernel for FastPath<'_> {
     type Output = bool;
     #[inline(always)]
     fn run<S: Simd>(self) -> bool {
-        let Self { view, at, out } = self;
-        match (view.texture.texel_path, view.filter) {
-            (TexelPath::Words(class), Filter::Nearest) => fast::nearest::<S>(view, class, at, out),
-            (TexelPath::Words(class), Filter::Linear) => fast::linear::<S>(view, class, at, out),
-            (TexelPath::Blocks(block), Filter::Linear) => {
+        let Self { view, texels, at, out } = self;
+        match (texels, view.filter) {
+            (FastTexels::Words(class), Filter::Nearest) => fast::nearest::<S>(view, class, at, out),
+            (FastTexels::Words(class), Filter::Linear) => fast::linear::<S>(view, class, at, out),
+            (FastTexels::Blocks(block), Filter::Linear) => {
                 fast::blocks::linear::<S>(view, block, at, out)
             }
-            (TexelPath::Blocks(_), Filter::Nearest) => false,
-            (
-                TexelPath::General | TexelPath::ComparedWords(_) | TexelPath::ScatteredWords(_),
-                Filter::Nearest | Filter::Linear,
-            ) => false,
+            (FastTexels::Blocks(_), Filter::Nearest) => false,
         }
     }
 }

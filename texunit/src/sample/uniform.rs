@@ -6,12 +6,13 @@
 
 use super::call::SampleCall;
 use super::compare::{compare, unit_range};
-use super::fast::Addresses;
+use super::fast::{Addresses, LinearCompared};
+use super::filter::{FastPath, FastTexels};
 use super::interpolate::mix;
 use super::recorder::NoRecorder;
 use super::scratch::{LevelScratch, QuadScratch, SelectedLevels};
 use super::uniform_levels::{UniformLevels, face_view, select};
-use super::{expand, fast, fused};
+use super::{expand, fused};
 use crate::lanes::{F32s, Kernel, Simd};
 use crate::plan::TexelClass;
 use crate::sampler::Filter;
@@ -82,19 +83,20 @@ pub(super) fn sample_uniform<S: Simd, F>(
             _ => second.get_or_insert([F32s::ZERO; 4]),
         };
         let is_done = match (filter, texture.compare) {
-            (Filter::Nearest, None) => fast::nearest::<S>(&view, class, coords, out),
-            (Filter::Linear, None) => fast::linear::<S>(&view, class, coords, out),
-            (Filter::Nearest, Some(op)) => {
-                let is_done = fast::nearest::<S>(&view, class, coords, out);
-                compare(op, &reference, &mut out[0]);
-                is_done
-            }
             (Filter::Linear, Some(op)) => {
-                fast::linear_compared::<S>(&view, class, coords, (op, &reference), &mut out[0])
+                let (view, at, reference, out) = (&view, coords, &reference, &mut out[0]);
+                S::outlined(LinearCompared { view, class, at, op, reference, out })
+            }
+            (Filter::Nearest, _) | (Filter::Linear, None) => {
+                let (view, texels, out) = (&view, FastTexels::Words(class), &mut *out);
+                S::outlined(FastPath { view, texels, at: coords, out })
             }
         };
         if !is_done {
             return Outcome::NotUniform;
+        }
+        if let (Filter::Nearest, Some(op)) = (filter, texture.compare) {
+            compare(op, &reference, &mut out[0]);
         }
     }
     if let Some(second) = &second {

@@ -62,6 +62,19 @@ pub fn channels_of_texel<S: Simd>(
     }
 }
 
+/// The depths of 64 texels of one word, of a class that depths have.
+#[inline(always)]
+pub fn depths_of_texel(class: TexelClass, words: &U32s, out: &mut F32s) {
+    match class {
+        TexelClass::Depth { shift, largest } => {
+            map_words(words, out, |word| depth(word, shift, largest));
+        }
+        TexelClass::Floats | TexelClass::Bytes | TexelClass::Srgb | TexelClass::Halves => {
+            *out = *words.as_f32();
+        }
+    }
+}
+
 /// The means of the channels that lie in word number `word` of 2×2 texels, in the order (0, 0),
 /// (1, 0), (0, 1), (1, 1).
 #[inline(always)]

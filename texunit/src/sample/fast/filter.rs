@@ -1,11 +1,11 @@
 //! The nearest and the linear filter of the fast path.
 
-use super::channels::{channels_of_quad, channels_of_texel};
+use super::channels::{channels_of_quad, channels_of_texel, depths_of_texel};
 use super::offsets::word_offsets;
 use super::quad::{Addresses, QuadLoad, TexelQuad, gather_words, load_quad};
 use super::quad_position::quad_position;
 use crate::lanes::math::index;
-use crate::lanes::{F32s, LANES, Simd, U32s};
+use crate::lanes::{F32s, Kernel, LANES, Simd, U32s};
 use crate::plan::{Alpha, TexelClass};
 use crate::sample::compare::compare;
 use crate::sample::interpolate::mean;
@@ -67,28 +67,36 @@ pub fn texels<S: Simd>(view: &LevelView<'_>, at: [&F32s; 3]) -> Option<U32s> {
 }
 
 /// The share of 2×2 depths that pass a comparison; `false` where the fast path does not apply.
-#[inline(always)]
-pub fn linear_compared<S: Simd>(
-    view: &LevelView<'_>,
-    class: TexelClass,
-    at: [&F32s; 3],
-    (op, reference): (Compare, &F32s),
-    out: &mut F32s,
-) -> bool {
-    let mut found = TexelQuad::default();
-    let is_one_word = view.level.format.words() == 1;
-    if !is_one_word
-        || load_quad::<S>(view, at, Addresses::Compute, &mut found) == QuadLoad::NotApplicable
-    {
-        return false;
+pub struct LinearCompared<'a> {
+    pub view: &'a LevelView<'a>,
+    pub class: TexelClass,
+    pub at: [&'a F32s; 3],
+    pub op: Compare,
+    pub reference: &'a F32s,
+    pub out: &'a mut F32s,
+}
+
+impl Kernel for LinearCompared<'_> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn run<S: Simd>(self) -> bool {
+        let Self { view, class, at, op, reference, out } = self;
+        let mut found = TexelQuad::default();
+        let is_one_word = view.level.format.words() == 1;
+        if !is_one_word
+            || load_quad::<S>(view, at, Addresses::Compute, &mut found) == QuadLoad::NotApplicable
+        {
+            return false;
+        }
+        let mut corners = [[F32s::ZERO; 4]; 4];
+        for (corner, words) in corners.iter_mut().zip(&found.words) {
+            depths_of_texel(class, words, &mut corner[0]);
+            compare(op, reference, &mut corner[0]);
+        }
+        *out = mean(view.level.format, &corners, 0, found.weights.each_ref());
+        true
     }
-    let mut corners = [[F32s::ZERO; 4]; 4];
-    for (corner, words) in corners.iter_mut().zip(&found.words) {
-        channels_of_texel::<S>(class, 1, 0, words, corner);
-        compare(op, reference, &mut corner[0]);
-    }
-    *out = mean(view.level.format, &corners, 0, found.weights.each_ref());
-    true
 }
 
 /// The weighted mean of 2×2 texels; `false` where the fast path does not apply.

@@ -15,6 +15,6 @@ mod quad_position;
 mod tests;
 
 pub use channels::{channels_of_quad, channels_of_texel};
-pub use filter::{linear, linear_compared, nearest, texels};
+pub use filter::{LinearCompared, linear, nearest, texels};
 pub use offsets::word_offsets;
 pub use quad::{Addresses, QuadLoad, TexelQuad, load_quad};

@@ -74,55 +74,44 @@ impl ScatteredLevel<'_> {
         let (format, alpha) = (texture.format, texture.alpha);
         let (channels, bytes) = (format.channels(), format.bytes() as u32);
         let weights = quads.weights.each_ref();
-        let mut words = [U32s::ZERO; 4];
-        if bytes < 3 {
-            let above = sum(&offsets, &row);
-            let lower = S::gather_from(sources, &numbers, &offsets);
-            let upper = S::gather_from(sources, &numbers, &above);
-            for lane in 0..LANES {
-                words[0][lane] = lower[lane];
-                words[1][lane] = lower[lane] >> (8 * bytes);
-                words[2][lane] = upper[lane];
-                words[3][lane] = upper[lane] >> (8 * bytes);
-            }
-        } else {
-            S::gather_quads_from(sources, &numbers, &offsets, &row, &mut words);
-            if bytes == 3 {
-                let [a, b, c, d] = words.each_mut();
-                split_threes([a, b]);
-                split_threes([c, d]);
-            }
-        }
-        if format.words() == 1 {
-            let words = words.each_ref();
-            channels_of_quad::<S>(*class, (channels, alpha), 0, words, weights, out);
-            return;
-        }
-        // So far the first words of the texels of a column: those of the next column follow.
-        let mut word = 0;
-        let mut right = [U32s::ZERO; 4];
-        while word < format.words() {
-            let left = word_offsets(&offsets, word);
-            if word > 0 {
-                S::gather_quads_from(sources, &numbers, &left, &row, &mut words);
-            }
-            let next = sum(&left, &U32s::splat(bytes));
-            if word + 1 == format.words() {
-                // Eight bytes from the last word on may be beyond the end.
-                let above = sum(&next, &row);
-                right[0] = S::gather_from(sources, &numbers, &next);
-                right[2] = S::gather_from(sources, &numbers, &above);
-            } else {
-                S::gather_quads_from(sources, &numbers, &next, &row, &mut right);
-            }
-            for half in 0..2 {
-                if word + half < format.words() {
-                    let words = [&words[half], &right[half], &words[2 + half], &right[2 + half]];
-                    let number = word + half;
-                    channels_of_quad::<S>(*class, (channels, alpha), number, words, weights, out);
+        // The first and second word of the left texel of the lower row, then of the upper row; the same of the right
+        // ones. Texels of one word have both in `left`, as neighbours.
+        let (mut left, mut right) = ([U32s::ZERO; 4], [U32s::ZERO; 4]);
+        let count = format.words();
+        for word in 0..count {
+            let at = word_offsets(&offsets, word);
+            if bytes < 3 {
+                let above = sum(&at, &row);
+                let lower = S::gather_from(sources, &numbers, &at);
+                let upper = S::gather_from(sources, &numbers, &above);
+                for lane in 0..LANES {
+                    left[0][lane] = lower[lane];
+                    left[1][lane] = lower[lane] >> (8 * bytes);
+                    left[2][lane] = upper[lane];
+                    left[3][lane] = upper[lane] >> (8 * bytes);
+                }
+            } else if word % 2 == 0 {
+                S::gather_quads_from(sources, &numbers, &at, &row, &mut left);
+                let next = sum(&at, &U32s::splat(bytes));
+                if word + 1 < count {
+                    S::gather_quads_from(sources, &numbers, &next, &row, &mut right);
+                } else if count > 1 {
+                    // Eight bytes from the last word on may be beyond the end.
+                    right[0] = S::gather_from(sources, &numbers, &next);
+                    right[2] = S::gather_from(sources, &numbers, &sum(&next, &row));
+                }
+                if bytes == 3 {
+                    let [a, b, c, d] = left.each_mut();
+                    split_threes([a, b]);
+                    split_threes([c, d]);
                 }
             }
-            word += 2;
+            let half = word % 2;
+            let words = match count {
+                1 => [&left[0], &left[1], &left[2], &left[3]],
+                _ => [&left[half], &right[half], &left[2 + half], &right[2 + half]],
+            };
+            channels_of_quad::<S>(*class, (channels, alpha), word, words, weights, out);
         }
     }
 }
