@@ -15,7 +15,7 @@ pub struct FrameDescription {
     pub steps: Vec<Step>,
 }
 
-/// A two-dimensional texture that repeats.
+/// A two-dimensional texture that repeats, or a cube map whose faces are clamped to their edges.
 #[derive(Clone, Debug)]
 pub struct Texture {
     /// Its texels.
@@ -31,6 +31,8 @@ pub struct Texture {
 pub enum Texels {
     /// RGBA8, level by level.
     Given(Vec<Level>),
+    /// RGBA8 of a cube map, face by face in the order of GL's enums, level by level.
+    Cube(Vec<Vec<Level>>),
     /// 24 bits of depth that [`Step::ShadowMap`] draws, compared with `GL_LEQUAL`.
     ShadowMap,
 }
@@ -85,6 +87,8 @@ pub enum Output {
 pub enum Shading {
     /// The vertices' colour, times the textures of this many units.
     Modulate(usize),
+    /// The vertices' colour, times the cube map of unit 0 at the object coordinates (`GL_OBJECT_LINEAR`).
+    CubeMapped,
     /// Lit vertices, in fog.
     Lit(&'static Lighting),
     /// A shader.
@@ -140,6 +144,8 @@ pub struct Fragment<'a> {
     pub texture_matrix: Matrix,
     /// `texture2D` of a unit at coordinates whose derivatives are those of `st`.
     pub texture: &'a dyn Fn(usize, [f64; 2]) -> [f64; 4],
+    /// `textureCube` of level 0 of unit 0.
+    pub cube: &'a dyn Fn([f64; 3]) -> [f64; 4],
     /// `shadow2D` of unit 0.
     pub shadow: &'a dyn Fn([f64; 3]) -> f64,
 }
@@ -198,6 +204,11 @@ impl Texture {
     /// Texels with these filters.
     pub fn new(levels: Vec<Level>, filters: Filters) -> Self {
         Self { texels: Texels::Given(levels), filters, anisotropy: 1.0 }
+    }
+
+    /// The levels of six faces, with these filters.
+    pub fn cube(faces: Vec<Vec<Level>>, filters: Filters) -> Self {
+        Self { texels: Texels::Cube(faces), filters, anisotropy: 1.0 }
     }
 
     /// Anisotropic up to this ratio.

@@ -16,7 +16,7 @@ use crate::oracle::mipmap::{Storage, Volume};
 use crate::oracle::sample::{self, Sampler};
 use crate::oracle::texture::Level;
 use crate::oracle::wrap::Wrap;
-use crate::oracle::{matrix, vertex};
+use crate::oracle::{cube, matrix, vertex};
 use crate::reference::map::Homography;
 use crate::reference::{Reconstruction, area};
 
@@ -61,23 +61,36 @@ struct Image {
     levels: Vec<Level>,
     sampler: Sampler,
     anisotropic: bool,
+    /// The levels of each face of a cube map.
+    faces: Vec<Vec<Level>>,
     /// Depths of a shadow map, as many rows as columns.
     shadow: Vec<f64>,
 }
 
 impl Image {
     fn new(texture: &Texture) -> Self {
-        let levels = match &texture.texels {
-            Texels::Given(levels) => levels.clone(),
-            Texels::ShadowMap => Vec::new(),
+        let (levels, faces, wrap) = match &texture.texels {
+            Texels::Given(levels) => (levels.clone(), Vec::new(), Wrap::Repeat),
+            Texels::Cube(faces) => (Vec::new(), faces.clone(), Wrap::ClampToEdge),
+            Texels::ShadowMap => (Vec::new(), Vec::new(), Wrap::Repeat),
         };
+        let last = faces.first().unwrap_or(&levels).len().saturating_sub(1);
         let sampler = Sampler {
-            at: Addressing { wrap: [Wrap::Repeat; 2], border: [0.0; 4] },
+            at: Addressing { wrap: [wrap; 2], border: [0.0; 4] },
             filters: texture.filters,
             lod: LodState::default(),
-            range: LevelRange { base: 0, last: levels.len().saturating_sub(1) },
+            range: LevelRange { base: 0, last },
         };
-        Self { levels, sampler, anisotropic: texture.anisotropy > 1.0, shadow: Vec::new() }
+        let anisotropic = texture.anisotropy > 1.0;
+        Self { levels, sampler, anisotropic, faces, shadow: Vec::new() }
+    }
+
+    /// The cube map in a direction with these derivatives.
+    fn cube(&self, direction: [f64; 3], [dx, dy]: [[f64; 3]; 2]) -> [f64; 4] {
+        let (face, st) = cube::select(direction, TRUE);
+        let by = |d: [f64; 3]| cube::derivative(direction, d, TRUE);
+        let derivatives = Derivatives { dx: by(dx), dy: by(dy) };
+        sample::sample(&self.faces[face as usize], &self.sampler, st, &derivatives, TRUE)
     }
 
     fn derive_levels(&mut self) {
@@ -127,7 +140,9 @@ impl Corner {
         let half = side as f64 / 2.0;
         let ndc = [0, 1, 2].map(|c| clip[c] / clip[3]);
         let color = match draw.shading {
-            Shading::Modulate(_) | Shading::Program(_) => of.color.map(f64::from),
+            Shading::Modulate(_) | Shading::CubeMapped | Shading::Program(_) => {
+                of.color.map(f64::from)
+            }
             Shading::Lit(lighting) => vertex::light(&eye, lighting.lights, &lighting.surface, TRUE),
         };
         let mut varyings = [0.0; VARYINGS];
@@ -232,6 +247,8 @@ struct Point {
     varyings: [f64; VARYINGS],
     /// By window x, and by window y, of (s, t).
     derivatives: Derivatives,
+    /// By window x, and by window y, of the object coordinates.
+    object_derivatives: [[f64; 3]; 2],
     /// From the window to (s, t).
     map: Homography,
 }
@@ -280,11 +297,13 @@ impl<'a> Plane<'a> {
         let w = 1.0 / value(below);
         let above = |n: usize| self.linear(|corner| corner.varyings[n] * corner.inverse_w);
         let varyings: [f64; VARYINGS] = std::array::from_fn(|n| value(above(n)) * w);
-        let by = |axis: usize| [0, 1].map(|n| (above(n)[axis] - varyings[n] * below[axis]) * w);
+        let change = |n: usize, axis: usize| (above(n)[axis] - varyings[n] * below[axis]) * w;
+        let by = |axis: usize| [0, 1].map(|n| change(n, axis));
         Point {
             depth: value(self.linear(|corner| corner.window[2])),
             varyings,
             derivatives: Derivatives { dx: by(0), dy: by(1) },
+            object_derivatives: [0, 1].map(|axis| [5, 6, 7].map(|n| change(n, axis))),
             map: Homography([above(0), above(1), below]),
         }
     }
@@ -310,6 +329,10 @@ fn shade(draw: &Draw, textures: &[Image], point: &Point, square: [f64; 4]) -> [f
             let texel = texture(unit, st);
             std::array::from_fn(|c| color[c] * texel[c])
         }),
+        Shading::CubeMapped => {
+            let texel = textures[0].cube([v[5], v[6], v[7]], point.object_derivatives);
+            std::array::from_fn(|c| color[c] * texel[c])
+        }
         Shading::Lit(lighting) => fogged(lighting, color, v[8]),
         Shading::Program(program) => (program.formula)(&Fragment {
             st,
@@ -318,6 +341,7 @@ fn shade(draw: &Draw, textures: &[Image], point: &Point, square: [f64; 4]) -> [f
             color,
             texture_matrix: draw.texture_matrix,
             texture: &texture,
+            cube: &|direction| textures[0].cube(direction, [[0.0; 3]; 2]),
             shadow: &|str| textures[0].compare(str),
         }),
     }

@@ -43,8 +43,9 @@ impl<'a> Replayer<'a> {
         for (unit, texture) in (GL_TEXTURE0..).zip(&recipe.textures) {
             let name = gl.gen_texture();
             gl.active_texture(unit);
-            gl.bind_texture(GL_TEXTURE_2D, name);
-            define(gl, texture, side);
+            let target = target(texture);
+            gl.bind_texture(target, name);
+            define(gl, texture, target, side);
             names.push(name);
         }
         gl.active_texture(GL_TEXTURE0);
@@ -100,7 +101,7 @@ impl<'a> Ready<'a> {
             Step::Clear(color) => Self::Clear(*color),
             Step::Draw(draw) => {
                 let program = match draw.shading {
-                    Shading::Modulate(_) | Shading::Lit(_) => 0,
+                    Shading::Modulate(_) | Shading::CubeMapped | Shading::Lit(_) => 0,
                     Shading::Program(program) => compile(gl, program)?,
                 };
                 Self::Draw(draw, gl.mesh(&draw.mesh), program)
@@ -116,8 +117,16 @@ impl<'a> Ready<'a> {
     }
 }
 
-/// Specifies texels and parameters of the texture that is bound to `GL_TEXTURE_2D`.
-fn define(gl: &Gl, texture: &Texture, side: usize) {
+/// What a texture is bound to.
+fn target(texture: &Texture) -> u32 {
+    match &texture.texels {
+        Texels::Given(_) | Texels::ShadowMap => GL_TEXTURE_2D,
+        Texels::Cube(_) => GL_TEXTURE_CUBE_MAP,
+    }
+}
+
+/// Specifies texels and parameters of the texture that is bound to the target.
+fn define(gl: &Gl, texture: &Texture, target: u32, side: usize) {
     let min = match (texture.filters.min, texture.filters.mipmap) {
         (Filter::Nearest, Mipmap::None) => GL_NEAREST,
         (Filter::Linear, Mipmap::None) => GL_LINEAR,
@@ -130,17 +139,26 @@ fn define(gl: &Gl, texture: &Texture, side: usize) {
         Filter::Nearest => GL_NEAREST,
         Filter::Linear => GL_LINEAR,
     };
-    let set = |name, value| gl.tex_parameter_i(GL_TEXTURE_2D, name, value as i32);
+    let set = |name, value| gl.tex_parameter_i(target, name, value as i32);
     set(GL_TEXTURE_MIN_FILTER, min);
     set(GL_TEXTURE_MAG_FILTER, mag);
     if texture.anisotropy > 1.0 {
         let limit = texture.anisotropy as f32;
-        gl.tex_parameter_f(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, limit);
+        gl.tex_parameter_f(target, GL_TEXTURE_MAX_ANISOTROPY_EXT, limit);
     }
     match &texture.texels {
         Texels::Given(levels) => {
             for (number, level) in levels.iter().enumerate() {
-                gl.tex_image(number, level);
+                gl.tex_image(target, number, level);
+            }
+        }
+        Texels::Cube(faces) => {
+            set(GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+            set(GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+            for (face, levels) in (GL_TEXTURE_CUBE_MAP_POSITIVE_X..).zip(faces) {
+                for (number, level) in levels.iter().enumerate() {
+                    gl.tex_image(face, number, level);
+                }
             }
         }
         Texels::ShadowMap => {
@@ -188,13 +206,26 @@ fn play(gl: &Gl, draw: &Draw, mesh: MeshName, program: u32) {
     gl.use_program(program);
     let units = match draw.shading {
         Shading::Modulate(units) => units as u32,
-        Shading::Lit(_) | Shading::Program(_) => 0,
+        Shading::CubeMapped | Shading::Lit(_) | Shading::Program(_) => 0,
     };
     for unit in 0..2 {
         gl.active_texture(GL_TEXTURE0 + unit);
         switch(unit < units, GL_TEXTURE_2D);
     }
     gl.active_texture(GL_TEXTURE0);
+    let is_cube = matches!(draw.shading, Shading::CubeMapped);
+    switch(is_cube, GL_TEXTURE_CUBE_MAP);
+    for (axis, (coordinate, generator)) in
+        [(GL_S, GL_TEXTURE_GEN_S), (GL_T, GL_TEXTURE_GEN_T), (GL_R, GL_TEXTURE_GEN_R)]
+            .into_iter()
+            .enumerate()
+    {
+        switch(is_cube, generator);
+        gl.tex_gen_i(coordinate, GL_TEXTURE_GEN_MODE, GL_OBJECT_LINEAR as i32);
+        let mut plane = [0.0; 4];
+        plane[axis] = 1.0;
+        gl.object_plane(coordinate, plane);
+    }
     let lit = matches!(draw.shading, Shading::Lit(_));
     switch(lit, GL_LIGHTING);
     switch(lit, GL_FOG);

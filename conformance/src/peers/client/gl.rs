@@ -64,6 +64,8 @@ of_numbers! {
     matrix_mode = MatrixMode(mode: u32);
     /// `glReadBuffer`
     read_buffer = ReadBuffer(buffer: u32);
+    /// `glTexGeni`
+    tex_gen_i = TexGeni(coordinate: u32, name: u32, value: i32);
     /// `glTexParameterf`
     tex_parameter_f = TexParameterf(target: u32, name: u32, value: f32);
     /// `glTexParameteri`
@@ -152,14 +154,20 @@ impl Gl {
         name
     }
 
-    /// `glTexImage2D` of a level of the texture that is bound to `GL_TEXTURE_2D`, as RGBA8.
-    pub fn tex_image(&self, number: usize, level: &Level) {
+    /// `glTexGenfv` with `GL_OBJECT_PLANE`.
+    pub fn object_plane(&self, coordinate: u32, plane: [f32; 4]) {
+        // SAFETY: a plane has four numbers.
+        unsafe { self.raw.TexGenfv(coordinate, GL_OBJECT_PLANE, plane.as_ptr()) }
+    }
+
+    /// `glTexImage2D` of a level of a texture that is bound, or of a face of a cube map, as RGBA8.
+    pub fn tex_image(&self, target: u32, number: usize, level: &Level) {
         let (width, height) = (level.width as i32, level.height as i32);
         let texels = checked(level).cast();
         // SAFETY: the rows are RGBA bytes without gaps, as many as the size says.
         unsafe {
             self.raw.TexImage2D(
-                GL_TEXTURE_2D,
+                target,
                 number as i32,
                 GL_RGBA8 as i32,
                 width,

@@ -1,5 +1,6 @@
 //! The scenes: rows of a table, each with the frame for any size.
 
+mod cube;
 mod definition;
 mod geometry;
 mod mesh;
@@ -13,9 +14,16 @@ pub use definition::{Scene, Workload};
 
 /// All scenes, the simplest first.
 pub fn scenes() -> impl Iterator<Item = &'static Scene> + Clone {
-    [sampling::SCENES, shaders::SCENES, geometry::SCENES, shadow::SCENES, transfer::SCENES]
-        .into_iter()
-        .flatten()
+    [
+        sampling::SCENES,
+        shaders::SCENES,
+        geometry::SCENES,
+        cube::SCENES,
+        shadow::SCENES,
+        transfer::SCENES,
+    ]
+    .into_iter()
+    .flatten()
 }
 
 #[cfg(test)]
