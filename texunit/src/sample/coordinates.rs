@@ -11,19 +11,18 @@ use crate::trace::SampleStep;
 pub(crate) struct Coordinates<'a> {
     /// s, t, r of the lookup; of a cube, the direction.
     pub given: [&'a F32s; 3],
-    /// The face of a cube, else 0.
-    pub face: U32s,
     /// The layer of an array, else 0.
     pub layer: U32s,
-    /// Where the direction meets a cube.
-    pub projected: Option<cube::Projected>,
+    /// Where the direction meets a cube, if it is one; else the face is 0.
+    pub projected: cube::Projected,
+    pub is_cube: bool,
 }
 
 impl<'a> Coordinates<'a> {
     /// Of a texture without faces and layers.
     #[inline(always)]
     pub fn in_plane(given: [&'a F32s; 3]) -> Self {
-        Self { given, face: U32s::ZERO, layer: U32s::ZERO, projected: None }
+        Self { given, layer: U32s::ZERO, projected: cube::Projected::ZERO, is_cube: false }
     }
 
     #[inline(always)]
@@ -34,35 +33,45 @@ impl<'a> Coordinates<'a> {
         recorder: &mut impl Recorder,
     ) -> Self {
         let mut at = Self::in_plane(given);
+        at.locate(texture, layer, recorder);
+        at
+    }
+
+    /// Sets face and layer.
+    #[inline(always)]
+    pub fn locate(
+        &mut self,
+        texture: &Texture,
+        layer: Option<&F32s>,
+        recorder: &mut impl Recorder,
+    ) {
+        let given = self.given;
         match texture.shape {
             Shape::D1 | Shape::D2 | Shape::Rect | Shape::D3 => {}
-            Shape::D1Array => at.layer = wrap::layer(given[1], texture.layers()),
-            Shape::D2Array => at.layer = wrap::layer(given[2], texture.layers()),
+            Shape::D1Array => self.layer = wrap::layer(given[1], texture.layers()),
+            Shape::D2Array => self.layer = wrap::layer(given[2], texture.layers()),
             Shape::Cube | Shape::CubeArray => {
-                let projected = cube::project(given);
+                self.is_cube = true;
+                let projected = &mut self.projected;
+                cube::project(given, projected);
                 recorder.record(|lane| SampleStep::Face {
                     face: projected.face[lane],
                     st: projected.st.map(|coord| coord[lane]),
                 });
-                at.face = projected.face;
-                at.projected = Some(projected);
                 if let Some(layer) = layer {
-                    at.layer = wrap::layer(layer, texture.layers());
+                    self.layer = wrap::layer(layer, texture.layers());
                 }
             }
         }
         if texture.is_array() {
-            recorder.record(|lane| SampleStep::Layer(at.layer[lane]));
+            recorder.record(|lane| SampleStep::Layer(self.layer[lane]));
         }
-        at
     }
 
     /// The coordinates to filter along.
     #[inline(always)]
     pub fn filtered(&self) -> [&F32s; 3] {
-        match &self.projected {
-            Some(cube::Projected { st: [s, t], .. }) => [s, t, self.given[2]],
-            None => self.given,
-        }
+        let cube::Projected { st: [s, t], .. } = &self.projected;
+        if self.is_cube { [s, t, self.given[2]] } else { self.given }
     }
 }

@@ -19,12 +19,16 @@ pub struct Projected {
     pub major: F32s,
 }
 
+impl Projected {
+    /// Nothing yet.
+    pub const ZERO: Self =
+        Self { face: U32s::ZERO, st: [F32s::ZERO; 2], ratio: [F32s::ZERO; 2], major: F32s::ZERO };
+}
+
 /// Projects 64 directions. Of equal magnitudes the earlier axis is taken.
 #[inline(always)]
-pub fn project(direction: [&F32s; 3]) -> Projected {
-    const ZERO: F32s = F32s::ZERO;
-    let (mut face, mut major) = (U32s::ZERO, ZERO);
-    let ([mut s, mut t], [mut across, mut up]) = ([ZERO; 2], [ZERO; 2]);
+pub fn project(direction: [&F32s; 3], to: &mut Projected) {
+    let Projected { face, st: [s, t], ratio: [across, up], major } = to;
     for lane in 0..LANES {
         let [x, y, z] = [direction[0][lane], direction[1][lane], direction[2][lane]];
         let of = select(x, y, z);
@@ -37,7 +41,6 @@ pub fn project(direction: [&F32s; 3]) -> Projected {
         s[lane] = 0.5 * (u + 1.0);
         t[lane] = 0.5 * (v + 1.0);
     }
-    Projected { face, st: [s, t], ratio: [across, up], major }
 }
 
 /// Reprojects points beyond an edge of their face to the face that their direction meets: face, s and t.
@@ -60,9 +63,8 @@ pub fn reproject(face: &U32s, st: [&F32s; 2]) -> (U32s, [F32s; 2]) {
 
 /// The derivatives of the face coordinates along x and y, given those of the direction.
 #[inline(always)]
-pub fn derivatives(on: &Projected, dx: [&F32s; 3], dy: [&F32s; 3]) -> [[F32s; 2]; 2] {
-    const ZERO: F32s = F32s::ZERO;
-    let [mut dsdx, mut dtdx, mut dsdy, mut dtdy] = [ZERO; 4];
+pub fn derivatives(on: &Projected, dx: [&F32s; 3], dy: [&F32s; 3], to: &mut [[F32s; 2]; 2]) {
+    let [[dsdx, dtdx], [dsdy, dtdy]] = to;
     let Projected { face, ratio: [across, up], major, .. } = on;
     for lane in 0..LANES {
         let (face, u, v, ma) = (face[lane], across[lane], up[lane], major[lane]);
@@ -73,7 +75,6 @@ pub fn derivatives(on: &Projected, dx: [&F32s; 3], dy: [&F32s; 3]) -> [[F32s; 2]
         dsdy[lane] = 0.5 * ((dsc - u * dma) / ma);
         dtdy[lane] = 0.5 * ((dtc - v * dma) / ma);
     }
-    [[dsdx, dtdx], [dsdy, dtdy]]
 }
 
 /// The bit that negates a number.

@@ -45,7 +45,8 @@ impl Kernel for Gather<'_> {
         for (face, levels) in texture.levels.iter().enumerate() {
             let mut on_face = U32s::ZERO;
             for lane in 0..LANES {
-                on_face[lane] = if coordinates.face[lane] == face as u32 { !0 } else { 0 };
+                on_face[lane] =
+                    if coordinates.projected.face[lane] == face as u32 { !0 } else { 0 };
             }
             let Some(level) = levels.first().filter(|_| S::any(&on_face)) else { continue };
             let (filter, number, layer, reference) =

@@ -79,7 +79,7 @@ fn sample_probes<S: Simd, F: FootprintSet>(
                 probe_coordinate(at.filtered()[axis], probes, axis, probe, to);
             }
             if context.texture.shape.is_cube() {
-                let (faces, st) = cube::reproject(&at.face, [&to[0], &to[1]]);
+                let (faces, st) = cube::reproject(&at.projected.face, [&to[0], &to[1]]);
                 [to[0], to[1]] = st;
                 face_taps = taps.on_faces(&faces);
                 read = &face_taps;

@@ -169,7 +169,7 @@ pub fn taps<S: Simd, F: FootprintSet>(
     let (min, mag) = (key(*min, 0, 0), key(*mag, 0, 0));
     for lane in 0..LANES {
         let minified = lambda[lane] > range.magnified_to;
-        let face = at.face[lane] << FACE_SHIFT;
+        let face = at.projected.face[lane] << FACE_SHIFT;
         let first = min | face | levels[0][lane];
         let second = min | face | levels[1][lane];
         let second = if weight[lane] > 0.0 { second } else { first };
@@ -206,9 +206,10 @@ pub fn base_lambda<'a, S: Simd, F: FootprintSet>(
                     Derivatives { dx: dx.each_ref(), dy: dy.each_ref() }
                 }
             };
-            let face_derivatives;
-            if let Some(projected) = &at.projected {
-                face_derivatives = cube::derivatives(projected, d.dx, d.dy);
+            let mut face_derivatives;
+            if at.is_cube {
+                face_derivatives = [[F32s::ZERO; 2]; 2];
+                cube::derivatives(&at.projected, d.dx, d.dy, &mut face_derivatives);
                 let [[dsdx, dtdx], [dsdy, dtdy]] = &face_derivatives;
                 d = Derivatives { dx: [dsdx, dtdx, dtdx], dy: [dsdy, dtdy, dtdy] };
             }
@@ -251,7 +252,7 @@ fn fixed_taps<S: Simd>(texture: &Texture, at: &Coordinates) -> LevelTaps {
     }
     let mut keys = U32s::ZERO;
     for lane in 0..LANES {
-        keys[lane] = every | at.face[lane] << FACE_SHIFT;
+        keys[lane] = every | at.projected.face[lane] << FACE_SHIFT;
     }
     per_lane_taps::<S>([keys, keys], F32s::ZERO)
 }

@@ -57,7 +57,7 @@ const CODES: [u32; FACES] = {
 
 /// The texels at `(i, j) + step` of each lane's face and level, of which each index is -1 to the size.
 #[inline(always)]
-pub fn across_edge(level: &LaneLevel, i: &I32s, j: &I32s, step: [i32; 2]) -> EdgeTexels {
+pub fn across_edge(level: &LaneLevel<'_>, i: &I32s, j: &I32s, step: [i32; 2]) -> EdgeTexels {
     let mut out =
         EdgeTexels { face: U32s::ZERO, x: U32s::ZERO, y: U32s::ZERO, missing: U32s::ZERO };
     for lane in 0..LANES {

@@ -8,13 +8,13 @@ use crate::sample::wrap::{mirrored_repeat, repeated};
 use crate::sampler::Wrap;
 
 /// A level of each lane, of an image without border whose levels are square or of two axes.
-pub struct LaneLevel {
+pub struct LaneLevel<'a> {
     /// The face of each lane.
-    pub face: U32s,
+    pub face: &'a U32s,
     /// Which [`Sources`](crate::lanes::Sources) the level's first face is.
     first_source: U32s,
     /// The layer of each lane; of an array of cubes, which cube.
-    layer: U32s,
+    layer: &'a U32s,
     /// Width and height.
     pub size: [U32s; 2],
     /// Bytes of a texel.
@@ -22,13 +22,13 @@ pub struct LaneLevel {
     shape: Shape,
 }
 
-impl LaneLevel {
+impl<'a> LaneLevel<'a> {
     #[inline(always)]
-    pub fn new(texture: &Texture, level: &U32s, face: &U32s, layer: &U32s) -> Self {
+    pub fn new(texture: &Texture, level: &U32s, face: &'a U32s, layer: &'a U32s) -> Self {
         let mut out = Self {
-            face: *face,
+            face,
             first_source: U32s::ZERO,
-            layer: *layer,
+            layer,
             size: [U32s::ZERO; 2],
             bytes: texture.format.bytes() as u32,
             shape: texture.shape,

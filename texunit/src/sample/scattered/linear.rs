@@ -69,8 +69,8 @@ impl ScatteredLevel<'_> {
     fn mean_inside<S: Simd>(&self, quads: &Quads, out: &mut [F32s; 4]) {
         let Self { texture, class, sources, level, .. } = self;
         let [i, j] = &quads.first;
-        let offsets = level.offsets(&level.face, [i.as_u32(), j.as_u32()]);
-        let (numbers, row) = (level.sources(&level.face), level.row());
+        let offsets = level.offsets(level.face, [i.as_u32(), j.as_u32()]);
+        let (numbers, row) = (level.sources(level.face), level.row());
         let (format, alpha) = (texture.format, texture.alpha);
         let (channels, bytes) = (format.channels(), format.bytes() as u32);
         let weights = quads.weights.each_ref();
@@ -145,8 +145,8 @@ impl Kernel for MeanAcrossEdges<'_> {
             } else {
                 let x = wrapped(level, texture.wrap[0], 0, i, step[0]);
                 let y = wrapped(level, texture.wrap[1], 1, j, step[1]);
-                numbers = level.sources(&level.face);
-                offsets = level.offsets(&level.face, [&x, &y]);
+                numbers = level.sources(level.face);
+                offsets = level.offsets(level.face, [&x, &y]);
             }
             for word in 0..format.words() {
                 let words = S::gather_from(sources, &numbers, &word_offsets(&offsets, word));
@@ -164,7 +164,7 @@ impl Kernel for MeanAcrossEdges<'_> {
 
 /// The lower (0) or upper (1) of two texels, whose lower is `i`: across the edge, where there is no other face.
 #[inline(always)]
-fn wrapped(level: &LaneLevel, wrap: Wrap, axis: usize, i: &I32s, step: usize) -> U32s {
+fn wrapped(level: &LaneLevel<'_>, wrap: Wrap, axis: usize, i: &I32s, step: usize) -> U32s {
     let repeats = wrap == Wrap::Repeat;
     let mut out = U32s::ZERO;
     for lane in 0..LANES {

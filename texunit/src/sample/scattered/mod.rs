@@ -48,10 +48,14 @@ impl<F> Kernel for ScatteredCall<'_, '_, F> {
     fn run<S: Simd>(self) {
         let Self { sample, class, quads } = self;
         let texture = sample.texture;
-        let at = Coordinates::new(texture, *sample.coords, sample.layer, &mut NoRecorder);
+        let mut at = Coordinates::in_plane(*sample.coords);
+        at.locate(texture, sample.layer, &mut NoRecorder);
         let [s, t, _] = at.filtered();
-        let Levels { filter, levels, weight } = levels::<S, F>(texture, &at, sample);
-        if let Some(levels) = on_one_face::<S>(texture, &at, (filter, &levels), &weight) {
+        let (mut levels, mut weight) = ([U32s::ZERO; 2], F32s::ZERO);
+        let (filter, common) =
+            select_levels::<S, F>(texture, &at, sample, &mut levels, &mut weight);
+        if let (Some(levels), Some(face)) = (common, common_face::<S>(texture, &at)) {
+            let levels = UniformLevels { filter, face, levels, scan: None };
             let one_face = OneFace { sample, class, levels, at: [s, t], weight: &weight, quads };
             if S::outlined(one_face) == Outcome::Sampled {
                 return;
@@ -62,7 +66,9 @@ impl<F> Kernel for ScatteredCall<'_, '_, F> {
             None => F32s::ZERO,
         };
         let is_mixed = S::any(weight.as_u32());
-        let sources = sources::<S>(texture, [&levels[0], &levels[usize::from(is_mixed)]]);
+        let mut sources = Sources::empty();
+        let read = [&levels[0], &levels[usize::from(is_mixed)]];
+        set_sources::<S>(texture, read, &mut sources);
         // Initialized only where there is a second level.
         let mut second = None;
         for (index, level) in levels.iter().enumerate().take(1 + usize::from(is_mixed)) {
@@ -70,11 +76,12 @@ impl<F> Kernel for ScatteredCall<'_, '_, F> {
                 0 => &mut *sample.out,
                 _ => second.get_or_insert([F32s::ZERO; 4]),
             };
+            let level = LaneLevel::new(texture, level, &at.projected.face, &at.layer);
             let lanes = ScatteredLevel {
                 texture,
                 class,
                 sources: &sources,
-                level: LaneLevel::new(texture, level, &at.face, &at.layer),
+                level: &level,
                 at: [s, t],
                 reference: &reference,
             };
@@ -96,24 +103,15 @@ impl<F> Kernel for ScatteredCall<'_, '_, F> {
     }
 }
 
-/// The levels that all lanes read of a cube's face, if all read the same.
+/// The face that all lanes read, if it is one of a cube.
 #[inline(always)]
-fn on_one_face<S: Simd>(
-    texture: &Texture,
-    at: &Coordinates<'_>,
-    (filter, levels): (Filter, &[U32s; 2]),
-    weight: &F32s,
-) -> Option<UniformLevels> {
-    let face = at.face[0];
+fn common_face<S: Simd>(texture: &Texture, at: &Coordinates<'_>) -> Option<u32> {
+    let faces = &at.projected.face;
     let mut different = U32s::ZERO;
     for lane in 0..LANES {
-        different[lane] = at.face[lane] ^ face;
+        different[lane] = faces[lane] ^ faces[0];
     }
-    if texture.shape != Shape::Cube || S::any(&different) {
-        return None;
-    }
-    let levels = level_taps::common_levels::<S>(levels, weight)?;
-    Some(UniformLevels { filter, face, levels, scan: None })
+    (texture.shape == Shape::Cube && !S::any(&different)).then_some(faces[0])
 }
 
 /// The lookup in a batch on one face.
@@ -144,34 +142,30 @@ struct ScatteredLevel<'a> {
     texture: &'a Texture,
     class: TexelClass,
     sources: &'a Sources<'a>,
-    level: LaneLevel,
+    level: &'a LaneLevel<'a>,
     /// s and t.
     at: [&'a F32s; 2],
     /// The reference of a depth compare.
     reference: &'a F32s,
 }
 
-/// The levels of each lane.
-struct Levels {
-    filter: Filter,
-    levels: [U32s; 2],
-    /// Of the second level.
-    weight: F32s,
-}
-
+/// The filter, and the levels that all lanes read, if all read the same; sets the levels of each lane, and the weight of
+/// the second.
+///
 /// Magnification and minification have the same filter, so up to λ = 0 the level is 0 in any case.
 #[inline(always)]
-fn levels<S: Simd, F>(
+fn select_levels<S: Simd, F>(
     texture: &Texture,
     at: &Coordinates<'_>,
     sample: &SampleCall<'_, NoRecorder, F>,
-) -> Levels {
+    levels: &mut [U32s; 2],
+    weight: &mut F32s,
+) -> (Filter, Option<[u32; 2]>) {
     match &texture.level_selection {
-        LevelSelection::Fixed { filter, level, .. } => Levels {
-            filter: *filter,
-            levels: [U32s::splat(*level), U32s::splat(*level)],
-            weight: F32s::ZERO,
-        },
+        LevelSelection::Fixed { filter, level, .. } => {
+            *levels = [U32s::splat(*level), U32s::splat(*level)];
+            (*filter, Some([*level; 2]))
+        }
         LevelSelection::PerLane { min, range, .. } => {
             let (off, recorder) = (Anisotropy::Off, &mut NoRecorder);
             let (base, _, bias) = level_taps::base_lambda::<S, IsotropicOnly>(
@@ -181,21 +175,19 @@ fn levels<S: Simd, F>(
                 off,
                 recorder,
             );
-            let (levels, weight) = range.levels(&range.lambda(&base, bias));
-            Levels { filter: *min, levels, weight }
+            (*levels, *weight) = range.levels(&range.lambda(&base, bias));
+            (*min, level_taps::common_levels::<S>(levels, weight))
         }
     }
 }
 
-/// The faces of the levels that lanes read.
+/// Sets the faces of the levels that lanes read.
 #[inline(always)]
-fn sources<'a, S: Simd>(texture: &'a Texture, levels: [&U32s; 2]) -> Sources<'a> {
-    let mut sources = Sources::empty();
+fn set_sources<'a, S: Simd>(texture: &'a Texture, levels: [&U32s; 2], sources: &mut Sources<'a>) {
     let (first, last) = (S::smallest(levels[0]) as usize, S::largest(levels[1]) as usize);
     for (face, levels) in texture.levels.iter().enumerate() {
         for (number, level) in levels.iter().enumerate().take(last + 1).skip(first) {
             sources.set(number * FACES + face, &level.texels);
         }
     }
-    sources
 }

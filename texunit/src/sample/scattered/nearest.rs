@@ -26,8 +26,8 @@ impl Kernel for Nearest<'_> {
             x[lane] = index(u[lane], (level.size[0][lane] - 1) as i32 as f32);
             y[lane] = index(v[lane], (level.size[1][lane] - 1) as i32 as f32);
         }
-        let offsets = level.offsets(&level.face, [&x, &y]);
-        let numbers = level.sources(&level.face);
+        let offsets = level.offsets(level.face, [&x, &y]);
+        let numbers = level.sources(level.face);
         let format = texture.format;
         for word in 0..format.words() {
             let words = S::gather_from(sources, &numbers, &word_offsets(&offsets, word));

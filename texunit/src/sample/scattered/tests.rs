@@ -255,7 +255,8 @@ fn the_table_of_neighbours_has_the_texels_of_the_formula() {
         let texture = plan.texture().unwrap();
         for face in 0..FACES as u32 {
             let zero = U32s::ZERO;
-            let level = LaneLevel::new(texture, &zero, &U32s::splat(face), &zero);
+            let faces = U32s::splat(face);
+            let level = LaneLevel::new(texture, &zero, &faces, &zero);
             let indices = [-1, 0, size as i32 / 2, size as i32 - 1];
             let i = I32s::from_fn(|lane| indices[lane % 4]);
             let j = I32s::from_fn(|lane| indices[lane / 4 % 4]);
