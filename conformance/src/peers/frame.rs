@@ -15,7 +15,7 @@ pub struct FrameDescription {
     pub steps: Vec<Step>,
 }
 
-/// A two-dimensional texture that repeats, or a cube map whose faces are clamped to their edges.
+/// A two-dimensional texture that repeats, or a seamless cube map.
 #[derive(Clone, Debug)]
 pub struct Texture {
     /// Its texels.
@@ -31,7 +31,7 @@ pub struct Texture {
 pub enum Texels {
     /// RGBA8, level by level.
     Given(Vec<Level>),
-    /// RGBA8 of a cube map, face by face in the order of GL's enums, level by level.
+    /// RGBA8 of a cube map, face by face in the order of GL's enums, level by level; filters are linear.
     Cube(Vec<Vec<Level>>),
     /// 24 bits of depth that [`Step::ShadowMap`] draws, compared with `GL_LEQUAL`.
     ShadowMap,

@@ -11,12 +11,12 @@ use super::frame::{
 };
 use crate::mutation::Variant;
 use crate::oracle::filter::Addressing;
-use crate::oracle::lod::{Derivatives, LevelRange, LodState};
+use crate::oracle::lod::{Derivatives, LevelRange, Levels, LodState};
 use crate::oracle::mipmap::{Storage, Volume};
 use crate::oracle::sample::{self, Sampler};
 use crate::oracle::texture::Level;
 use crate::oracle::wrap::Wrap;
-use crate::oracle::{cube, matrix, vertex};
+use crate::oracle::{cube, lod, matrix, seamless, vertex};
 use crate::reference::map::Homography;
 use crate::reference::{Reconstruction, area};
 
@@ -61,20 +61,23 @@ struct Image {
     levels: Vec<Level>,
     sampler: Sampler,
     anisotropic: bool,
-    /// The levels of each face of a cube map.
-    faces: Vec<Vec<Level>>,
+    /// The levels of a cube map: six faces each.
+    cubes: Vec<Vec<Level>>,
     /// Depths of a shadow map, as many rows as columns.
     shadow: Vec<f64>,
 }
 
 impl Image {
     fn new(texture: &Texture) -> Self {
-        let (levels, faces, wrap) = match &texture.texels {
+        let (levels, cubes, wrap): (_, Vec<Vec<Level>>, _) = match &texture.texels {
             Texels::Given(levels) => (levels.clone(), Vec::new(), Wrap::Repeat),
-            Texels::Cube(faces) => (Vec::new(), faces.clone(), Wrap::ClampToEdge),
+            Texels::Cube(faces) => {
+                let cube = |number: usize| faces.iter().map(|face| face[number].clone()).collect();
+                (Vec::new(), (0..faces[0].len()).map(cube).collect(), Wrap::ClampToEdge)
+            }
             Texels::ShadowMap => (Vec::new(), Vec::new(), Wrap::Repeat),
         };
-        let last = faces.first().unwrap_or(&levels).len().saturating_sub(1);
+        let last = levels.len().max(cubes.len()).saturating_sub(1);
         let sampler = Sampler {
             at: Addressing { wrap: [wrap; 2], border: [0.0; 4] },
             filters: texture.filters,
@@ -82,15 +85,22 @@ impl Image {
             range: LevelRange { base: 0, last },
         };
         let anisotropic = texture.anisotropy > 1.0;
-        Self { levels, sampler, anisotropic, faces, shadow: Vec::new() }
+        Self { levels, sampler, anisotropic, cubes, shadow: Vec::new() }
     }
 
-    /// The cube map in a direction with these derivatives.
+    /// The cube map in a direction with these derivatives, filtered across the edges of faces.
     fn cube(&self, direction: [f64; 3], [dx, dy]: [[f64; 3]; 2]) -> [f64; 4] {
-        let (face, st) = cube::select(direction, TRUE);
         let by = |d: [f64; 3]| cube::derivative(direction, d, TRUE);
         let derivatives = Derivatives { dx: by(dx), dy: by(dy) };
-        sample::sample(&self.faces[face as usize], &self.sampler, st, &derivatives, TRUE)
+        let lambda = sample::lambda(&self.cubes[0], &self.sampler, &derivatives, TRUE);
+        let read = |level: usize| seamless::linear(&self.cubes[level], direction, TRUE);
+        match lod::levels(lambda, self.sampler.filters, self.sampler.range, TRUE) {
+            Levels::One(level, _) => read(level),
+            Levels::Two([a, b], weight, _) => {
+                let (a, b) = (read(a), read(b));
+                std::array::from_fn(|c| (1.0 - weight) * a[c] + weight * b[c])
+            }
+        }
     }
 
     fn derive_levels(&mut self) {

@@ -153,6 +153,7 @@ fn define(gl: &Gl, texture: &Texture, target: u32, side: usize) {
             }
         }
         Texels::Cube(faces) => {
+            gl.enable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
             set(GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
             set(GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
             for (face, levels) in (GL_TEXTURE_CUBE_MAP_POSITIVE_X..).zip(faces) {

@@ -1,7 +1,7 @@
 //! Plans of buffer textures, whose texels are fetched and never filtered (`ARB_texture_buffer_object`).
 
 use super::SamplePlan;
-use super::texture::{Alpha, LevelSelection, SampleKernel, TexelPath, Texture};
+use super::texture::{Alpha, LevelSelection, SampleKernel, TexelPath, Texture, WhyGeneral};
 use crate::image::{Level, Shape};
 use crate::sampler::{DepthMode, Filter, Seamless, Swizzle, Wrap};
 use std::sync::Arc;
@@ -30,7 +30,7 @@ impl SamplePlan {
             alpha: Alpha::Stored,
             is_fusible: false,
             has_fusible_texels: false,
-            kernel: SampleKernel::Probes,
+            kernel: SampleKernel::General(WhyGeneral::Fetch),
             level_selection,
         }))
     }

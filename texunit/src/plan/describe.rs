@@ -1,8 +1,24 @@
 //! The decisions of a plan as one line of text.
 
 use super::lod_range::LodRange;
-use super::texture::{Alpha, Anisotropy, LevelSelection, Texture};
+use super::texture::{Alpha, Anisotropy, LevelSelection, SampleKernel, Texture, WhyGeneral};
 use crate::sampler::Seamless;
+
+impl WhyGeneral {
+    /// The rest of a sentence.
+    fn describe(self) -> &'static str {
+        match self {
+            Self::Probes => "anisotropic footprints of this shape or wrap mode take several probes",
+            Self::Filters => "min and mag have different filters",
+            Self::Shape => "the image has one axis, or three",
+            Self::Blocks => "texels are compressed",
+            Self::Format => "texels are not all bytes, halves, floats or depths of 24 bits",
+            Self::Border => "faces or layers have border texels",
+            Self::Wrap => "faces or layers have a wrap mode that reads the border or mirrors once",
+            Self::Fetch => "texels are fetched by their numbers",
+        }
+    }
+}
 
 impl Texture {
     pub(super) fn describe(&self) -> String {
@@ -42,6 +58,15 @@ impl Texture {
                     }
                 };
             }
+        }
+        line += match self.kernel {
+            SampleKernel::UniformLevel(_) => "; kernel of uniform levels",
+            SampleKernel::Scattered(_) => "; kernel of scattered lanes",
+            SampleKernel::RowScan => "; kernel of row scans",
+            SampleKernel::General(_) => "; general kernel: because ",
+        };
+        if let SampleKernel::General(why) = self.kernel {
+            line += why.describe();
         }
         if self.alpha == Alpha::One && format.channels() == 4 {
             line += "; left out: alpha (it is 1 everywhere)";

@@ -2,7 +2,9 @@
 
 use super::selection::wrap_of;
 use super::texel_class::TexelClass;
-use super::texture::{Alpha, Anisotropy, LevelSelection, SampleKernel, TexelPath, Texture};
+use super::texture::{
+    Alpha, Anisotropy, LevelSelection, SampleKernel, TexelPath, Texture, WhyGeneral,
+};
 use crate::format::{BaseFormat, Block, Encoding, Format, shared_exponent, small_float};
 use crate::image::{FACES, Image, Incomplete, Level, Shape};
 use crate::lanes::math::clamp;
@@ -62,7 +64,7 @@ impl Texture {
             has_fusible_texels: texel_path == TexelPath::Words(TexelClass::Bytes)
                 && matches!(format.base(), BaseFormat::Rgb | BaseFormat::Rgba)
                 && sampler.swizzle == Swizzle::IDENTITY,
-            kernel: SampleKernel::Probes,
+            kernel: SampleKernel::General(WhyGeneral::Format),
             level_selection,
         };
         texture.kernel = SampleKernel::new(&texture);

@@ -2,7 +2,7 @@
 
 use super::lod_range::LodRange;
 use super::texel_class::TexelClass;
-use super::texture::{Anisotropy, LevelSelection, SampleKernel, TexelPath, Texture};
+use super::texture::{Anisotropy, LevelSelection, SampleKernel, TexelPath, Texture, WhyGeneral};
 use crate::format::Format;
 use crate::image::Shape;
 use crate::lanes::F32s;
@@ -15,35 +15,34 @@ impl SampleKernel {
             LevelSelection::Fixed { filter, .. } => (Anisotropy::Off, *filter, *filter),
             LevelSelection::PerLane { anisotropy, min, mag, .. } => (*anisotropy, *min, *mag),
         };
+        match anisotropy {
+            Anisotropy::Off => {}
+            Anisotropy::Probes(_) => return Self::General(WhyGeneral::Probes),
+            Anisotropy::Scan(_) => return Self::RowScan,
+        }
         let kernel = match (texture.shape, texture.texel_path) {
+            _ if min != mag => Err(WhyGeneral::Filters),
             (
                 Shape::D2 | Shape::Rect,
                 TexelPath::Words(class) | TexelPath::ComparedWords(class),
-            ) => Some(Self::UniformLevel(class)),
+            ) => Ok(Self::UniformLevel(class)),
             (Shape::Cube, TexelPath::Words(class)) | (_, TexelPath::ScatteredWords(class)) => {
-                scatters(texture, min).then_some(Self::Scattered(class))
+                scatters(texture, min).map(|()| Self::Scattered(class))
             }
-            (_, TexelPath::General | TexelPath::Blocks(_))
+            (Shape::D1 | Shape::D3 | Shape::D1Array, _) => Err(WhyGeneral::Shape),
+            (_, TexelPath::Blocks(_)) => Err(WhyGeneral::Blocks),
+            (_, TexelPath::General)
             | (
-                Shape::D1
-                | Shape::D3
-                | Shape::Cube
-                | Shape::D1Array
-                | Shape::D2Array
-                | Shape::CubeArray,
+                Shape::Cube | Shape::D2Array | Shape::CubeArray,
                 TexelPath::Words(_) | TexelPath::ComparedWords(_),
-            ) => None,
+            ) => Err(WhyGeneral::Format),
         };
-        match (anisotropy, kernel) {
-            (Anisotropy::Off, Some(kernel)) if min == mag => kernel,
-            (Anisotropy::Off | Anisotropy::Probes(_), _) => Self::Probes,
-            (Anisotropy::Scan(_), _) => Self::RowScan,
-        }
+        kernel.unwrap_or_else(Self::General)
     }
 }
 
 /// Whether the kernel of scattered lanes has the wrap modes of a texture of two axes, which is without border.
-fn scatters(texture: &Texture, filter: Filter) -> bool {
+fn scatters(texture: &Texture, filter: Filter) -> Result<(), WhyGeneral> {
     let [s, t, _] = texture.wrap;
     let is_known = |wrap: Wrap| match (wrap, filter) {
         (Wrap::Repeat | Wrap::MirroredRepeat | Wrap::ClampToEdge, _)
@@ -57,8 +56,10 @@ fn scatters(texture: &Texture, filter: Filter) -> bool {
             _,
         ) => false,
     };
-    let has_border = texture.levels.iter().flatten().any(|level| level.border != [0; 3]);
-    is_known(s) && is_known(t) && !has_border
+    if texture.levels.iter().flatten().any(|level| level.border != [0; 3]) {
+        return Err(WhyGeneral::Border);
+    }
+    if is_known(s) && is_known(t) { Ok(()) } else { Err(WhyGeneral::Wrap) }
 }
 
 impl TexelPath {

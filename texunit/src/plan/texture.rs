@@ -60,10 +60,31 @@ pub(crate) enum SampleKernel {
     /// Cubes and arrays of a fast texel class, with one filter for magnification and minification, without border.
     Scattered(TexelClass),
     /// The general kernel, with probes for anisotropic footprints.
-    Probes,
+    General(WhyGeneral),
     /// The general kernel, with a row scan for anisotropic footprints. Batches of bytes whose footprints are all round, and
     /// alike, are scanned by the kernel of uniform levels.
     RowScan,
+}
+
+/// Why the general kernel samples.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum WhyGeneral {
+    /// Anisotropic footprints have several probes.
+    Probes,
+    /// Magnification and minification have different filters.
+    Filters,
+    /// No other kernel has one or three axes.
+    Shape,
+    /// No other kernel has compressed texels.
+    Blocks,
+    /// No other kernel has the texel format.
+    Format,
+    /// No other kernel has border texels of faces and layers.
+    Border,
+    /// No other kernel has the wrap modes of faces and layers.
+    Wrap,
+    /// Texels are fetched by their numbers.
+    Fetch,
 }
 
 /// How texels are read. All paths give the same bits.

@@ -92,7 +92,7 @@ impl SamplePlan {
                     | (
                         SampleKernel::UniformLevel(_)
                         | SampleKernel::Scattered(_)
-                        | SampleKernel::Probes,
+                        | SampleKernel::General(_),
                         _,
                     ) => {
                         sample.run_on(isa);

@@ -15,7 +15,7 @@ use std::f64::consts::TAU;
 /// The scenes.
 #[rustfmt::skip]
 pub const SCENES: &[Scene] = &[
-    Scene { name: "cube-capsules", what: "24 capsules, a trilinear cube map by texture generation",
+    Scene { name: "cube-capsules", what: "12 capsules, a trilinear cube map by texture generation",
         load: Workload::Texture, recipe: |_| capsules() },
     Scene { name: "cube-mirror", what: "a ball that mirrors a bilinear cube map", load: Workload::Texture,
         recipe: |_| mirror() },
@@ -45,7 +45,7 @@ fn faces(side: usize) -> Vec<Vec<Level>> {
 
 /// A capsule along z, of this radius, whose middle is a cylinder of length 2 `half`.
 fn capsule(radius: f64, half: f64) -> Mesh {
-    grid(32, 24, |[s, t]| {
+    grid(28, 16, |[s, t]| {
         let (sin, cos) = (TAU * s).sin_cos();
         // From pole to pole.
         let (up, out) = (TAU / 2.0 * (t - 0.5)).sin_cos();
@@ -64,16 +64,16 @@ fn placed(angle: f64, [x, y, z]: [f64; 3]) -> Matrix {
 
 fn capsules() -> FrameDescription {
     let draw = |k: usize| {
-        let [i, j] = [k % 6, k / 6].map(|n| n as f64);
-        let size = 0.5 + 0.06 * i + 0.05 * j;
-        let at = [(i - 2.5) * 1.35, (j - 1.5) * 1.9, -6.0 - 0.3 * i];
-        let draw = Draw::new(capsule(0.5 * size, size), Shading::CubeMapped)
+        let [i, j] = [k % 4, k / 4].map(|n| n as f64);
+        let size = 1.0 + 0.08 * i + 0.06 * j;
+        let at = [(i - 1.5) * 2.0, (j - 1.0) * 2.6, -6.0 - 0.3 * i];
+        let draw = Draw::new(capsule(0.7 * size, 0.8 * size), Shading::CubeMapped)
             .model_view(placed(0.9 + 0.41 * k as f64, at))
             .projection(perspective(0.65, 1.0, 20.0))
             .output(Output::DepthTest);
         Step::Draw(draw)
     };
-    let steps = std::iter::once(Step::Clear([0.3, 0.5, 0.7, 1.0])).chain((0..24).map(draw));
+    let steps = std::iter::once(Step::Clear([0.3, 0.5, 0.7, 1.0])).chain((0..12).map(draw));
     FrameDescription {
         textures: vec![Texture::cube(faces(128), TRILINEAR)],
         steps: steps.collect(),
