@@ -4,6 +4,7 @@ use super::ScatteredLevel;
 use super::edges::across_edge;
 use super::lane_level::LaneLevel;
 use crate::lanes::{F32s, I32s, Kernel, LANES, Simd, U32s};
+use crate::plan::{TexelClass, Texture};
 use crate::sample::compare::compare;
 use crate::sample::fast::{channels_of_quad, channels_of_texel, word_offsets};
 use crate::sample::fetch::split_threes;
@@ -71,8 +72,8 @@ impl ScatteredLevel<'_> {
         let [i, j] = &quads.first;
         let offsets = level.offsets(level.face, [i.as_u32(), j.as_u32()]);
         let (numbers, row) = (level.sources(level.face), level.row());
-        let (format, alpha) = (texture.format, texture.alpha);
-        let (channels, bytes) = (format.channels(), format.bytes() as u32);
+        let format = texture.format;
+        let bytes = format.bytes() as u32;
         let weights = quads.weights.each_ref();
         // The first and second word of the left texel of the lower row, then of the upper row; the same of the right
         // ones. Texels of one word have both in `left`, as neighbours.
@@ -111,8 +112,29 @@ impl ScatteredLevel<'_> {
                 1 => [&left[0], &left[1], &left[2], &left[3]],
                 _ => [&left[half], &right[half], &left[2 + half], &right[2 + half]],
             };
-            channels_of_quad::<S>(*class, (channels, alpha), word, words, weights, out);
+            S::outlined(QuadMeans { texture, class: *class, word, words, weights, out: &mut *out });
         }
+    }
+}
+
+/// The means of the channels of a word. Outlined: one copy for quads inside of faces and across edges.
+struct QuadMeans<'a> {
+    texture: &'a Texture,
+    class: TexelClass,
+    word: usize,
+    words: [&'a U32s; 4],
+    weights: [&'a F32s; 2],
+    out: &'a mut [F32s; 4],
+}
+
+impl Kernel for QuadMeans<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<S: Simd>(self) {
+        let Self { texture, class, word, words, weights, out } = self;
+        let channels = (texture.format.channels(), texture.alpha);
+        channels_of_quad::<S>(class, channels, word, words, weights, out);
     }
 }
 
@@ -131,34 +153,56 @@ impl Kernel for MeanAcrossEdges<'_> {
         let Self { lanes, quads, out } = self;
         let ScatteredLevel { texture, class, sources, level, reference, .. } = lanes;
         let format = texture.format;
-        let mut corners = [[F32s::ZERO; 4]; 4];
+        let weights = quads.weights.each_ref();
+        let (mut numbers, mut offsets) = ([U32s::ZERO; 4], [U32s::ZERO; 4]);
         let mut missing = [U32s::ZERO; 4];
+        let mut is_whole = true;
         for corner in 0..4 {
             let [i, j] = &quads.first;
             let step = [corner & 1, corner >> 1];
-            let (numbers, offsets);
             if texture.seamless == Seamless::On {
                 let found = across_edge(level, i, j, step.map(|step| step as i32));
+                is_whole &= !S::any(&found.missing);
                 missing[corner] = found.missing;
-                numbers = level.sources(&found.face);
-                offsets = level.offsets(&found.face, [&found.x, &found.y]);
+                numbers[corner] = level.sources(&found.face);
+                offsets[corner] = level.offsets(&found.face, [&found.x, &found.y]);
             } else {
                 let x = wrapped(level, texture.wrap[0], 0, i, step[0]);
                 let y = wrapped(level, texture.wrap[1], 1, j, step[1]);
-                numbers = level.sources(level.face);
-                offsets = level.offsets(level.face, [&x, &y]);
+                numbers[corner] = level.sources(level.face);
+                offsets[corner] = level.offsets(level.face, [&x, &y]);
             }
+        }
+        if is_whole && texture.compare.is_none() {
+            let mut words = [U32s::ZERO; 4];
             for word in 0..format.words() {
-                let words = S::gather_from(sources, &numbers, &word_offsets(&offsets, word));
-                let texels = &mut corners[corner];
+                for (corner, words) in words.iter_mut().enumerate() {
+                    *words = S::gather_from(
+                        sources,
+                        &numbers[corner],
+                        &word_offsets(&offsets[corner], word),
+                    );
+                }
+                let (texture, class, words, out) = (*texture, *class, words.each_ref(), &mut *out);
+                S::outlined(QuadMeans { texture, class, word, words, weights, out });
+            }
+            return;
+        }
+        let mut corners = [[F32s::ZERO; 4]; 4];
+        for (corner, texels) in corners.iter_mut().enumerate() {
+            for word in 0..format.words() {
+                let words = S::gather_from(
+                    sources,
+                    &numbers[corner],
+                    &word_offsets(&offsets[corner], word),
+                );
                 channels_of_texel::<S>(*class, format.channels(), word, &words, texels);
             }
             if let Some(op) = texture.compare {
-                compare(op, reference, &mut corners[corner][0]);
+                compare(op, reference, &mut texels[0]);
             }
         }
-        let [alpha, beta] = &quads.weights;
-        seamless::mean_of_corners(format, &mut corners, &missing, [alpha, beta], out);
+        seamless::mean_of_corners(format, &mut corners, &missing, weights, out);
     }
 }
 
