@@ -176,11 +176,25 @@ mod tests {
         Fours,
         /// Of pairs that are one behind the other.
         Quads,
+        /// From several slices, which are the same.
+        WordsFrom,
+        QuadsFrom,
     }
 
     /// What each reads of a lane, in bytes.
-    const SIZES: [(GatherOp, usize); 4] =
-        [(GatherOp::Words, 4), (GatherOp::Pairs, 8), (GatherOp::Fours, 16), (GatherOp::Quads, 16)];
+    const SIZES: [(GatherOp, usize); 6] = [
+        (GatherOp::Words, 4),
+        (GatherOp::Pairs, 8),
+        (GatherOp::Fours, 16),
+        (GatherOp::Quads, 16),
+        (GatherOp::WordsFrom, 4),
+        (GatherOp::QuadsFrom, 16),
+    ];
+
+    /// Which slice a lane reads.
+    fn numbers() -> U32s {
+        U32s::from_fn(|lane| [0, 7, Sources::ROOM as u32 - 1][lane % 3])
+    }
 
     struct Gather<'a>(GatherOp, &'a [u8], &'a U32s);
     impl Kernel for Gather<'_> {
@@ -202,6 +216,16 @@ mod tests {
                     S::gather_quads(bytes, offsets, 8, &mut out);
                     out.to_vec()
                 }
+                GatherOp::WordsFrom | GatherOp::QuadsFrom => {
+                    let (mut sources, numbers) = (Sources::empty(), numbers());
+                    numbers.0.iter().for_each(|&number| sources.set(number as usize, bytes));
+                    if matches!(op, GatherOp::WordsFrom) {
+                        return vec![S::gather_from(&sources, &numbers, offsets)];
+                    }
+                    let (mut out, apart) = ([U32s::ZERO; 4], U32s::splat(8));
+                    S::gather_quads_from(&sources, &numbers, offsets, &apart, &mut out);
+                    out.to_vec()
+                }
             }
         }
     }
@@ -212,11 +236,13 @@ mod tests {
         let offsets = U32s::from_fn(|lane| (lane as u32 * 131) % 1009);
         let word = |at: usize| u32::from_le_bytes(bytes[at..at + 4].try_into().unwrap());
         // The byte offsets of the words in each returned batch.
-        let ops: [(GatherOp, &[usize]); 4] = [
+        let ops: [(GatherOp, &[usize]); 6] = [
             (GatherOp::Words, &[0, 0]),
             (GatherOp::Pairs, &[0, 4, 0, 4]),
             (GatherOp::Fours, &[0, 4, 8, 12]),
             (GatherOp::Quads, &[0, 4, 8, 12]),
+            (GatherOp::WordsFrom, &[0]),
+            (GatherOp::QuadsFrom, &[0, 4, 8, 12]),
         ];
         for isa in Isa::available() {
             for (op, word_offsets) in ops {
@@ -242,6 +268,8 @@ mod tests {
                 (GatherOp::Pairs, 56),
                 (GatherOp::Fours, 48),
                 (GatherOp::Quads, 48),
+                (GatherOp::WordsFrom, 60),
+                (GatherOp::QuadsFrom, 48),
             ];
             for (op, last) in ops {
                 let mut offsets = U32s::ZERO;
@@ -252,6 +280,66 @@ mod tests {
                     let run = std::panic::catch_unwind(|| isa.run(Gather(op, &bytes, &offsets)));
                     assert!(run.is_err(), "{} {op:?} took offset {bad}", isa.name());
                 }
+            }
+        }
+    }
+
+    /// A gather whose lanes have these numbers of slices and distances.
+    struct From<'a>(&'a Sources<'a>, &'a U32s, &'a U32s);
+    impl Kernel for From<'_> {
+        type Output = [U32s; 5];
+        #[inline(always)]
+        fn run<S: Simd>(self) -> Self::Output {
+            let Self(sources, numbers, apart) = self;
+            let word = S::gather_from(sources, numbers, &U32s::ZERO);
+            let mut out = [U32s::ZERO; 4];
+            S::gather_quads_from(sources, numbers, &U32s::ZERO, apart, &mut out);
+            let [a, b, c, d] = out;
+            [word, a, b, c, d]
+        }
+    }
+
+    #[test]
+    fn each_lane_gathers_from_its_own_slice_at_its_own_distance() {
+        let slices: Vec<Vec<u8>> =
+            (0..5).map(|n: u8| (0..40 + n).map(|i| i + 50 * n).collect()).collect();
+        let mut sources = Sources::empty();
+        for (number, slice) in slices.iter().enumerate() {
+            sources.set(number, slice);
+        }
+        sources.set(Sources::ROOM, &slices[0]);
+        let numbers = U32s::from_fn(|lane| lane as u32 % 5);
+        let apart = U32s::from_fn(|lane| lane as u32 % 33);
+        for isa in Isa::available() {
+            let got = isa.run(From(&sources, &numbers, &apart));
+            for lane in 0..LANES {
+                let (slice, up) = (&slices[lane % 5], lane % 33);
+                for (words, at) in got.iter().zip([0, 0, 4, up, up + 4]) {
+                    let want = u32::from_le_bytes(slice[at..at + 4].try_into().unwrap());
+                    assert_eq!(words[lane], want, "{} lane {lane} at {at}", isa.name());
+                }
+            }
+        }
+    }
+
+    #[test]
+    #[cfg_attr(target_family = "wasm", ignore = "a panic ends the program there")]
+    fn a_gather_from_no_slice_or_too_far_up_panics() {
+        let bytes = [0; 40];
+        let mut sources = Sources::empty();
+        sources.set(3, &bytes);
+        for isa in Isa::available() {
+            let run = |number: u32, up: u32| {
+                let (mut numbers, mut apart) = (U32s::splat(3), U32s::splat(32));
+                (numbers[40], apart[41]) = (number, up);
+                std::panic::catch_unwind(|| isa.run(From(&sources, &numbers, &apart)))
+            };
+            assert!(run(3, 32).is_ok());
+            let room = Sources::ROOM as u32;
+            for (number, up) in
+                [(2, 32), (room, 32), (room + 3, 32), (u32::MAX, 32), (3, 33), (3, u32::MAX)]
+            {
+                assert!(run(number, up).is_err(), "{} took slice {number}, {up}", isa.name());
             }
         }
     }

@@ -13,31 +13,18 @@ pub(crate) struct Coordinates<'a> {
     pub given: [&'a F32s; 3],
     /// The layer of an array, else 0.
     pub layer: U32s,
-    /// Where the direction meets a cube, if it is one; else the face is 0.
-    pub projected: cube::Projected,
-    pub is_cube: bool,
+    /// Where the direction meets a cube.
+    pub projected: Option<cube::Projected>,
 }
 
 impl<'a> Coordinates<'a> {
-    /// Of a texture without faces and layers.
+    /// Of a texture without faces and layers; [`Self::locate`] sets those of others.
     #[inline(always)]
     pub fn in_plane(given: [&'a F32s; 3]) -> Self {
-        Self { given, layer: U32s::ZERO, projected: cube::Projected::ZERO, is_cube: false }
+        Self { given, layer: U32s::ZERO, projected: None }
     }
 
-    #[inline(always)]
-    pub fn new(
-        texture: &Texture,
-        given: [&'a F32s; 3],
-        layer: Option<&F32s>,
-        recorder: &mut impl Recorder,
-    ) -> Self {
-        let mut at = Self::in_plane(given);
-        at.locate(texture, layer, recorder);
-        at
-    }
-
-    /// Sets face and layer.
+    /// Sets face and layer. (In place: what a function returned would be copied.)
     #[inline(always)]
     pub fn locate(
         &mut self,
@@ -51,8 +38,7 @@ impl<'a> Coordinates<'a> {
             Shape::D1Array => self.layer = wrap::layer(given[1], texture.layers()),
             Shape::D2Array => self.layer = wrap::layer(given[2], texture.layers()),
             Shape::Cube | Shape::CubeArray => {
-                self.is_cube = true;
-                let projected = &mut self.projected;
+                let projected = self.projected.insert(cube::Projected::ZERO);
                 cube::project(given, projected);
                 recorder.record(|lane| SampleStep::Face {
                     face: projected.face[lane],
@@ -68,10 +54,21 @@ impl<'a> Coordinates<'a> {
         }
     }
 
+    /// The face of a cube, else 0.
+    #[inline(always)]
+    pub fn face(&self) -> &U32s {
+        match &self.projected {
+            Some(projected) => &projected.face,
+            None => &U32s::ZERO,
+        }
+    }
+
     /// The coordinates to filter along.
     #[inline(always)]
     pub fn filtered(&self) -> [&F32s; 3] {
-        let cube::Projected { st: [s, t], .. } = &self.projected;
-        if self.is_cube { [s, t, self.given[2]] } else { self.given }
+        match &self.projected {
+            Some(cube::Projected { st: [s, t], .. }) => [s, t, self.given[2]],
+            None => self.given,
+        }
     }
 }

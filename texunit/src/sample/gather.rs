@@ -39,14 +39,14 @@ impl Kernel for Gather<'_> {
             Some(_) => unit_range(reference.unwrap_or(coords[2])),
             None => F32s::ZERO,
         };
-        let coordinates = Coordinates::new(texture, coords, layer, &mut NoRecorder);
+        let mut coordinates = Coordinates::in_plane(coords);
+        coordinates.locate(texture, layer, &mut NoRecorder);
         let [s, t, _] = coordinates.filtered();
         let mut missing = [U32s::ZERO; 4];
         for (face, levels) in texture.levels.iter().enumerate() {
             let mut on_face = U32s::ZERO;
             for lane in 0..LANES {
-                on_face[lane] =
-                    if coordinates.projected.face[lane] == face as u32 { !0 } else { 0 };
+                on_face[lane] = if coordinates.face()[lane] == face as u32 { !0 } else { 0 };
             }
             let Some(level) = levels.first().filter(|_| S::any(&on_face)) else { continue };
             let (filter, number, layer, reference) =

@@ -29,7 +29,8 @@ impl<R: Recorder, F: FootprintSet> Kernel for SampleCall<'_, R, F> {
             Some(_) => unit_range(reference.unwrap_or(coords[2])),
             None => F32s::ZERO,
         };
-        let at = Coordinates::new(texture, *coords, layer, recorder);
+        let mut at = Coordinates::in_plane(*coords);
+        at.locate(texture, layer, recorder);
         let (taps, footprint) = level_taps::taps::<S, F>(texture, &at, *lod, recorder);
         let (probes, scan) = match &footprint {
             Footprint::Probes(probes) if F::PROBES => (Some(probes), None),
@@ -79,7 +80,7 @@ fn sample_probes<S: Simd, F: FootprintSet>(
                 probe_coordinate(at.filtered()[axis], probes, axis, probe, to);
             }
             if context.texture.shape.is_cube() {
-                let (faces, st) = cube::reproject(&at.projected.face, [&to[0], &to[1]]);
+                let (faces, st) = cube::reproject(at.face(), [&to[0], &to[1]]);
                 [to[0], to[1]] = st;
                 face_taps = taps.on_faces(&faces);
                 read = &face_taps;

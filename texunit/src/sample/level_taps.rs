@@ -167,9 +167,10 @@ pub fn taps<S: Simd, F: FootprintSet>(
     let mut keys = [U32s::ZERO; 2];
     let mut weights = F32s::ZERO;
     let (min, mag) = (key(*min, 0, 0), key(*mag, 0, 0));
+    let faces = at.face();
     for lane in 0..LANES {
         let minified = lambda[lane] > range.magnified_to;
-        let face = at.projected.face[lane] << FACE_SHIFT;
+        let face = faces[lane] << FACE_SHIFT;
         let first = min | face | levels[0][lane];
         let second = min | face | levels[1][lane];
         let second = if weight[lane] > 0.0 { second } else { first };
@@ -207,9 +208,9 @@ pub fn base_lambda<'a, S: Simd, F: FootprintSet>(
                 }
             };
             let mut face_derivatives;
-            if at.is_cube {
+            if let Some(projected) = &at.projected {
                 face_derivatives = [[F32s::ZERO; 2]; 2];
-                cube::derivatives(&at.projected, d.dx, d.dy, &mut face_derivatives);
+                cube::derivatives(projected, d.dx, d.dy, &mut face_derivatives);
                 let [[dsdx, dtdx], [dsdy, dtdy]] = &face_derivatives;
                 d = Derivatives { dx: [dsdx, dtdx, dtdx], dy: [dsdy, dtdy, dtdy] };
             }
@@ -250,9 +251,9 @@ fn fixed_taps<S: Simd>(texture: &Texture, at: &Coordinates) -> LevelTaps {
     if !texture.shape.is_cube() {
         return LevelTaps::Uniform(every);
     }
-    let mut keys = U32s::ZERO;
+    let (faces, mut keys) = (at.face(), U32s::ZERO);
     for lane in 0..LANES {
-        keys[lane] = every | at.projected.face[lane] << FACE_SHIFT;
+        keys[lane] = every | faces[lane] << FACE_SHIFT;
     }
     per_lane_taps::<S>([keys, keys], F32s::ZERO)
 }

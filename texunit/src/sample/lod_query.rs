@@ -25,7 +25,8 @@ impl Kernel for Query<'_> {
     #[inline(always)]
     fn run<S: Simd>(self) {
         let Self { texture, coords, lod, out } = self;
-        let at = Coordinates::new(texture, coords, None, &mut NoRecorder);
+        let mut at = Coordinates::in_plane(coords);
+        at.locate(texture, None, &mut NoRecorder);
         let (range, anisotropy) = match &texture.level_selection {
             LevelSelection::PerLane { range, anisotropy, .. } => (*range, *anisotropy),
             // Only the bias has an effect.

@@ -1,6 +1,6 @@
 //! The fast path of most textures: two-dimensional, of bytes, sRGB bytes, halves, floats, depths or
-//! blocks, where neither the border nor another face is read. [`super::uniform`]
-//! compares the depths of a nearest filter.
+//! blocks, where neither the border nor another face is read. Depths are
+//! compared by [`LinearCompared`] before a linear filter, by [`super::uniform`] after a nearest one.
 //!
 //! Same bits as the general filters in [`super::filter`] (a test holds this), in fewer passes: byte
 //! offsets in one loop, the two texels of a row in one gather, channels from words in registers.

@@ -7,11 +7,11 @@ use crate::plan::Texture;
 use crate::sample::wrap::{mirrored_repeat, repeated};
 use crate::sampler::Wrap;
 
-/// A level of each lane, of an image without border whose levels are square or of two axes.
+/// A level of each lane, of an image of two axes without border.
 pub struct LaneLevel<'a> {
     /// The face of each lane.
     pub face: &'a U32s,
-    /// Which [`Sources`](crate::lanes::Sources) the level's first face is.
+    /// The number of the level's first face in [`Sources`](crate::lanes::Sources).
     first_source: U32s,
     /// The layer of each lane; of an array of cubes, which cube.
     layer: &'a U32s,
@@ -78,7 +78,7 @@ impl<'a> LaneLevel<'a> {
                     u[lane] = clamp(s[lane] * length[lane], 0.5, length[lane] - 0.5);
                 }
             }
-            // The plan has the general kernel for the others.
+            // Of seamless cubes, and of nearest filters. Textures with the modes after it have the general kernel.
             Wrap::Clamp
             | Wrap::ClampToBorder
             | Wrap::MirrorClamp
@@ -92,7 +92,7 @@ impl<'a> LaneLevel<'a> {
         u
     }
 
-    /// Which source each lane reads on these faces.
+    /// The number of each lane's source, on these faces.
     #[inline(always)]
     pub fn sources(&self, face: &U32s) -> U32s {
         let mut out = self.first_source;

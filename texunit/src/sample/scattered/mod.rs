@@ -1,4 +1,4 @@
-//! The kernel of lanes that read from faces, layers and levels of their own: cube maps.
+//! The kernel of lanes that read from faces, layers and levels of their own: cube maps, arrays of planes and of cubes.
 //!
 //! A batch on one face whose lanes read the same levels is sampled as one of a two-dimensional texture
 //! ([`super::uniform`]), if no footprint crosses an edge of the face.
@@ -76,7 +76,7 @@ impl<F> Kernel for ScatteredCall<'_, '_, F> {
                 0 => &mut *sample.out,
                 _ => second.get_or_insert([F32s::ZERO; 4]),
             };
-            let level = LaneLevel::new(texture, level, &at.projected.face, &at.layer);
+            let level = LaneLevel::new(texture, level, at.face(), &at.layer);
             let lanes = ScatteredLevel {
                 texture,
                 class,
@@ -106,7 +106,7 @@ impl<F> Kernel for ScatteredCall<'_, '_, F> {
 /// The face that all lanes read, if it is one of a cube.
 #[inline(always)]
 fn common_face<S: Simd>(texture: &Texture, at: &Coordinates<'_>) -> Option<u32> {
-    let faces = &at.projected.face;
+    let faces = at.face();
     let mut different = U32s::ZERO;
     for lane in 0..LANES {
         different[lane] = faces[lane] ^ faces[0];

@@ -68,13 +68,14 @@ fn sampler(noise: &mut Noise, format: Format) -> Sampler {
     Sampler {
         wrap: [noise.pick(&wraps), noise.pick(&wraps), Wrap::Repeat],
         min: filter,
-        mag: if noise.bits() % 16 == 0 { Filter::Linear } else { filter },
+        mag: if noise.bits().is_multiple_of(16) { Filter::Linear } else { filter },
         mipmap: noise.pick(&[Mipmap::None, Mipmap::Nearest, Mipmap::Linear, Mipmap::Linear]),
         seamless: noise.pick(&[Seamless::Off, Seamless::On]),
         lod_bias: noise.pick(&[0.0, 0.0, -0.4, 3.0]),
         max_lod: noise.pick(&[1000.0, 1000.0, 1.5]),
         max_anisotropy: noise.pick(&[1.0, 1.0, 1.0, 4.0]),
-        compare: (format.is_depth() && noise.bits() % 2 == 0).then(|| noise.pick(&compares)),
+        compare: (format.is_depth() && noise.bits().is_multiple_of(2))
+            .then(|| noise.pick(&compares)),
         ..Sampler::default()
     }
 }
@@ -118,7 +119,7 @@ fn points(noise: &mut Noise, kind: u32, texels: u32) -> [F32s; 3] {
                 let near = 1.0 - noise.pick(&[0.0, 0.0, 0.5, 1.0, 2.0]) / texels as f32;
                 let mut point = [noise.signed(), noise.signed(), noise.signed()];
                 for (c, part) in point.iter_mut().enumerate() {
-                    if c != axis || noise.bits() % 4 == 0 {
+                    if c != axis || noise.bits().is_multiple_of(4) {
                         *part = noise.pick(&[near, -near, 1.0, -1.0]);
                     }
                 }
