@@ -46,6 +46,7 @@ fn a_plain_draw_leaves_out_depth_blending_lod_and_the_other_units() {
         "depth        left out: no depth test",
         "left out: blending",
         "no LOD: both filters are alike",
+        "kernel of uniform levels",
         "left out: texture units 1, 2, 3, 4, 5, 6, 7",
         "left out: the alpha test",
     ] {

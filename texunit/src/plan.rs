@@ -65,6 +65,14 @@ impl SamplePlan {
         }
     }
 
+    /// Which kernel samples, and why the general one.
+    pub fn describe_kernel(&self) -> String {
+        match &self.0 {
+            Ok(texture) => texture.kernel.describe(),
+            Err(_) => "no kernel".to_owned(),
+        }
+    }
+
     /// Whether a lookup may use [`Addresses::Reuse`](crate::sample::Addresses::Reuse) after a lookup of `other` with the
     /// same points, offset and level of detail: both read the same levels at the same byte offsets.
     pub fn shares_addresses_with(&self, other: &Self) -> bool {

@@ -47,7 +47,8 @@ impl DrawPlan {
                 &format!("texture {slot}"),
                 match texture {
                     _ if !used => "left out: not sampled".into(),
-                    Some(plan) => plan.describe(),
+                    Some(plan) if plan.incomplete().is_some() => plan.describe(),
+                    Some(plan) => format!("{}; {}", plan.describe(), plan.describe_kernel()),
                     None => "no texture: samples as (0, 0, 0, 1)".into(),
                 },
             );

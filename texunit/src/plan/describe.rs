@@ -20,6 +20,18 @@ impl WhyGeneral {
     }
 }
 
+impl SampleKernel {
+    /// The kernel's name, and why it is the general one.
+    pub(super) fn describe(self) -> String {
+        match self {
+            Self::UniformLevel(_) => "kernel of uniform levels".to_owned(),
+            Self::Scattered(_) => "kernel of scattered lanes".to_owned(),
+            Self::RowScan => "kernel of row scans".to_owned(),
+            Self::General(why) => format!("general kernel: because {}", why.describe()),
+        }
+    }
+}
+
 impl Texture {
     pub(super) fn describe(&self) -> String {
         let Self { shape, format, size, wrap, .. } = self;
@@ -58,15 +70,6 @@ impl Texture {
                     }
                 };
             }
-        }
-        line += match self.kernel {
-            SampleKernel::UniformLevel(_) => "; kernel of uniform levels",
-            SampleKernel::Scattered(_) => "; kernel of scattered lanes",
-            SampleKernel::RowScan => "; kernel of row scans",
-            SampleKernel::General(_) => "; general kernel: because ",
-        };
-        if let SampleKernel::General(why) = self.kernel {
-            line += why.describe();
         }
         if self.alpha == Alpha::One && format.channels() == 4 {
             line += "; left out: alpha (it is 1 everywhere)";

@@ -16,5 +16,5 @@ mod tests;
 
 pub use channels::{channels_of_quad, channels_of_texel};
 pub use filter::{LinearCompared, linear, nearest, texels};
-pub use offsets::word_offsets;
+pub use offsets::{add_offsets, word_offsets};
 pub use quad::{Addresses, QuadLoad, TexelQuad, load_quad};

@@ -6,7 +6,7 @@ use super::lane_level::LaneLevel;
 use crate::lanes::{F32s, I32s, Kernel, LANES, Simd, U32s};
 use crate::plan::{TexelClass, Texture};
 use crate::sample::compare::compare;
-use crate::sample::fast::{channels_of_quad, channels_of_texel, word_offsets};
+use crate::sample::fast::{add_offsets, channels_of_quad, channels_of_texel, word_offsets};
 use crate::sample::fetch::split_threes;
 use crate::sample::seamless;
 use crate::sampler::{Seamless, Wrap};
@@ -82,7 +82,7 @@ impl ScatteredLevel<'_> {
         for word in 0..count {
             let at = word_offsets(&offsets, word);
             if bytes < 3 {
-                let above = sum(&at, &row);
+                let above = add_offsets(&at, &row);
                 let lower = S::gather_from(sources, &numbers, &at);
                 let upper = S::gather_from(sources, &numbers, &above);
                 for lane in 0..LANES {
@@ -93,13 +93,13 @@ impl ScatteredLevel<'_> {
                 }
             } else if word % 2 == 0 {
                 S::gather_quads_from(sources, &numbers, &at, &row, &mut left);
-                let next = sum(&at, &U32s::splat(bytes));
+                let next = add_offsets(&at, &U32s::splat(bytes));
                 if word + 1 < count {
                     S::gather_quads_from(sources, &numbers, &next, &row, &mut right);
                 } else if count > 1 {
                     // Eight bytes from the last word on may be beyond the end.
                     right[0] = S::gather_from(sources, &numbers, &next);
-                    right[2] = S::gather_from(sources, &numbers, &sum(&next, &row));
+                    right[2] = S::gather_from(sources, &numbers, &add_offsets(&next, &row));
                 }
                 if bytes == 3 {
                     let [a, b, c, d] = left.each_mut();
@@ -218,15 +218,6 @@ fn wrapped(level: &LaneLevel<'_>, wrap: Wrap, axis: usize, i: &I32s, step: usize
         let above = if repeats { 0 } else { last };
         let low = if at < 0 { below } else { at };
         out[lane] = if low > last { above } else { low } as u32;
-    }
-    out
-}
-
-#[inline(always)]
-fn sum(a: &U32s, b: &U32s) -> U32s {
-    let mut out = U32s::ZERO;
-    for lane in 0..LANES {
-        out[lane] = a[lane].wrapping_add(b[lane]);
     }
     out
 }
