@@ -14,7 +14,9 @@ use Stage::{Fragment, Vertex};
 /// Whether a shader is accepted.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Expected {
+    /// It is.
     Accepted,
+    /// It is not.
     Refused,
 }
 
