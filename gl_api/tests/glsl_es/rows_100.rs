@@ -70,7 +70,7 @@ pub const ROWS_100: &[Row] = &[
     ),
     ("8", Fragment, Refused, "varying float a;\nvoid main() { float b = dFdx(a); }"),
     ("8", Fragment, Refused, "void main() { mat2 a = transpose(mat2(1.0)); }"),
-    ("4.1.9", Fragment, Refused, "void main() { float[2] a; }"),
+    ("4.1.9", Fragment, Accepted, "void main() { float[2] a; }"),
     ("4.2.2", Fragment, Accepted, "int f(int a) { int a = 1; return a; }\nvoid main() {}"),
     ("4.2.2", Fragment, Refused, "int f(int a, int a) { return a; }\nvoid main() {}"),
     (

@@ -245,7 +245,11 @@ impl Parser<'_> {
             && self.version < Version::V120
         {
             let message = "the size of an array stands after the name";
-            let problem = Diagnostic::error(array.span, message);
+            let problem = match self.version.is_es() {
+                // Compilers of GLSL ES accept it.
+                true => Diagnostic::deviation(self.log.strictness, array.span, message),
+                false => Diagnostic::error(array.span, message),
+            };
             let rule = format!("{} section 4.1.9", self.version.title());
             let later = if self.version.is_es() { "300 es" } else { "120" };
             let help = format!("write `#version {later}` for sizes after the type");
