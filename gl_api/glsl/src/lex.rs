@@ -166,6 +166,37 @@ pub fn tokens(text: &str) -> Lexed {
     Lexed { tokens, unclosed, continued, terminator }
 }
 
+/// Splits a text into tokens after each line that ends in a backslash is joined with the next one. The spans are those
+/// of the text as it is.
+pub fn spliced_tokens(text: &str) -> Lexed {
+    let bytes = text.as_bytes();
+    let mut joined = String::with_capacity(text.len());
+    // The offsets in the joined text from which on so many bytes were left out before.
+    let mut left_out: Vec<(u32, u32)> = vec![(0, 0)];
+    let mut from = 0;
+    for (at, _) in text.match_indices('\\') {
+        let end = line_end(&bytes[at + 1..]);
+        if end > 0 {
+            joined.push_str(&text[from..at]);
+            from = at + 1 + end;
+            left_out.push((joined.len() as u32, (from - joined.len()) as u32));
+        }
+    }
+    joined.push_str(&text[from..]);
+    let original = |offset: u32| {
+        let index = left_out.partition_point(|&(first, _)| first <= offset);
+        offset + left_out[index - 1].1
+    };
+    let of = |span: Span| Span { start: original(span.start), end: original(span.end) };
+    let mut lexed = tokens(&joined);
+    for token in &mut lexed.tokens {
+        token.span = of(token.span);
+    }
+    lexed.unclosed = lexed.unclosed.map(of);
+    lexed.terminator = lexed.terminator.map(of);
+    lexed
+}
+
 /// The end of a number: digits, letters, points, and signs after an exponent letter, as in C.
 fn number_end(bytes: &[u8], mut at: usize) -> usize {
     let hexadecimal = bytes[at] == b'0' && matches!(bytes.get(at + 1), Some(b'x' | b'X'));

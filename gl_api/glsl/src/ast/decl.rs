@@ -2,6 +2,7 @@
 
 use super::{Expr, Name, Stmt};
 use crate::text::source::Span;
+use crate::types::Precision;
 use std::sync::Arc;
 
 /// A type as written.
@@ -30,7 +31,7 @@ pub struct StructDecl {
     /// Its name, if it has one.
     pub name: Option<Name>,
     /// Its members.
-    pub fields: Vec<(TypeName, Name, Vec<ArraySize>)>,
+    pub fields: Vec<(QualifiedType, Name, Vec<ArraySize>)>,
 }
 
 /// `[]` or `[size]`.
@@ -40,28 +41,6 @@ pub struct ArraySize {
     pub span: Span,
     /// The size.
     pub size: Option<Box<Expr>>,
-}
-
-/// `lowp`, `mediump` and `highp`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Precision {
-    /// `lowp`.
-    Low,
-    /// `mediump`.
-    Medium,
-    /// `highp`.
-    High,
-}
-
-impl Precision {
-    /// The keyword.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Low => "lowp",
-            Self::Medium => "mediump",
-            Self::High => "highp",
-        }
-    }
 }
 
 /// A qualifier in a declaration.

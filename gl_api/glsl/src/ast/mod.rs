@@ -6,6 +6,7 @@ mod operator;
 mod stmt;
 
 use crate::text::source::Span;
+pub use crate::types::Precision;
 pub use decl::*;
 pub use expr::{Expr, ExprKind};
 pub use operator::{BINARY, BinaryOp, IncDec, IncDecResult, UnaryOp};

@@ -122,7 +122,9 @@ impl Checker<'_> {
     fn structure(&mut self, declared: &ast::StructDecl, span: Span) -> Type {
         let mut fields: Vec<(Arc<str>, Type)> = Vec::new();
         let mut names: BTreeSet<String> = BTreeSet::new();
-        for (ty, name, array) in &declared.fields {
+        let mut precisions = Vec::new();
+        for (qualified, name, array) in &declared.fields {
+            let ty = &qualified.ty;
             if matches!(ty.base, TypeBase::Struct(_)) && self.version != Version::V110 {
                 let message = "a structure cannot be declared inside another";
                 self.error(ty.span, "4.1.8", message);
@@ -147,13 +149,14 @@ impl Checker<'_> {
                 | Type::Array(..) => {}
             }
             fields.push((name.text.clone(), field));
+            precisions.push(self.precision_of(qualified));
         }
         if fields.is_empty() {
             self.error(span, "4.1.8", "a structure needs a member");
             return Type::Error;
         }
         let name = declared.name.as_ref().map_or(Arc::from(""), |name| name.text.clone());
-        let structure = Struct::new(name.clone(), fields);
+        let structure = Struct::new(name.clone(), fields).with_precisions(precisions);
         if structure.scalars > MAX_SCALARS || structure.depth > MAX_STRUCT_DEPTH {
             let message = format!(
                 "the structure has more than {MAX_SCALARS} components or {MAX_STRUCT_DEPTH} levels"

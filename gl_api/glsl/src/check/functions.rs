@@ -4,14 +4,24 @@ use super::redeclare::settle_arrays;
 use super::scope::Symbol;
 use super::{Body, Checker};
 use crate::ast::{self, Qualifier};
-use crate::builtins::function;
+use crate::builtins::function::{self, FunctionRow};
 use crate::hir::{Direction, Function, Storage, VarRef, Variable};
 use crate::language::Version;
 use crate::text::diagnostics::Diagnostic;
 use crate::types::Type;
 
 impl Checker<'_> {
+    /// GLSL ES has no structures that are defined in the head of a function.
+    fn no_structure(&mut self, ty: &ast::QualifiedType) {
+        if self.version.is_es() && matches!(ty.ty.base, ast::TypeBase::Struct(_)) {
+            let message = "a structure is not defined in the head of a function";
+            let problem = Diagnostic::error(ty.ty.span, message).rule(self.rule("6.1"));
+            self.log.push(problem.help("define it before the function, and name it here"));
+        }
+    }
+
     pub(super) fn function(&mut self, declared: &ast::Function) {
+        self.no_structure(&declared.ty);
         self.precision_of(&declared.ty);
         let result = self.type_of(&declared.ty.ty, &[]);
         for (qualifier, span) in &declared.ty.qualifiers {
@@ -84,6 +94,7 @@ impl Checker<'_> {
                 }
             }
         }
+        self.no_structure(&parameter.ty);
         self.precision_of(&parameter.ty);
         let ty = self.type_of(&parameter.ty.ty, &parameter.array);
         let span = parameter.name.as_ref().map_or(parameter.ty.ty.span, |name| name.span);
@@ -133,6 +144,12 @@ impl Checker<'_> {
             self.error(name.span, "6.1", message);
             return None;
         }
+        if self.version == Version::Es100 && self.is_builtin(&name.text, &new) {
+            let message = format!("`{}` is built in with these parameters", name.text);
+            let problem = Diagnostic::error(name.span, message).rule("GLSL ES 1.00 chapter 8");
+            self.log.push(problem.help("give it another name, or other types of parameters"));
+            return None;
+        }
         let signature = new.signature();
         let known = self.signatures.get(&signature).copied();
         let same =
@@ -168,6 +185,14 @@ impl Checker<'_> {
         Some(index)
     }
 
+    /// Whether a built-in function has these parameters.
+    fn is_builtin(&self, name: &str, new: &Function) -> bool {
+        let new: Vec<&Type> = new.parameters().collect();
+        function::find(name, self.stage, self.language)
+            .flat_map(FunctionRow::signatures)
+            .any(|(parameters, _)| parameters.iter().eq(new.iter().copied()))
+    }
+
     fn function_body(&mut self, index: usize, body: &[ast::Stmt], declared: &ast::Function) {
         let function = &self.unit.functions[index];
         let (locals, result) = (function.locals.clone(), function.result.clone());
@@ -182,7 +207,15 @@ impl Checker<'_> {
                 self.scopes.add(name.text.clone(), Symbol::Variable(var));
             }
         }
+        // In GLSL ES 1.00 the body has a scope inside of that of the parameters (section 4.2.2).
+        let nested = self.version == Version::Es100;
+        if nested {
+            self.scopes.open();
+        }
         let statements = self.statements(body);
+        if nested {
+            self.scopes.close();
+        }
         self.scopes.close();
         self.precisions.close(precisions);
         let Some(mut body) = self.body.take() else { return };

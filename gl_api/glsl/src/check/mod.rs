@@ -152,6 +152,7 @@ impl Checker<'_> {
         }
         if !self.log.has_errors() {
             self.both_color_outputs();
+            self.outputs_without_location();
         }
         self.unit
     }
@@ -173,6 +174,19 @@ impl Checker<'_> {
             let message = format!("`{first}` and `{second}` are both written");
             let span = Span::default();
             self.log.push(Diagnostic::error(span, message).rule("GLSL 1.30 section 7.2"));
+        }
+    }
+
+    /// Of several outputs of a fragment shader, each has a location (GLSL ES 3.00 section 4.3.8.2).
+    fn outputs_without_location(&mut self) {
+        let is_output = |v: &&Variable| v.storage == Storage::FragmentOutput;
+        let outputs: Vec<&Variable> = self.unit.globals.iter().filter(is_output).collect();
+        let missing = outputs.iter().find(|v| v.interface_qualifiers.location.is_none());
+        if let (Version::Es300, [_, _, ..], Some(output)) = (self.version, &outputs[..], missing) {
+            let message =
+                format!("there are several outputs, and `{}` has no location", output.name);
+            let problem = Diagnostic::error(output.span, message).rule(self.rule("4.3.8.2"));
+            self.log.push(problem.help("write `layout(location = 0)` and so on before each"));
         }
     }
 

@@ -51,7 +51,10 @@ impl Checker<'_> {
             let message = format!("`{}` is in the redeclared `gl_PerVertex`", name.text);
             let problem = Diagnostic::error(name.span, message).rule(self.rule("7.1"));
             self.log.push(problem.help("declare it in that block alone"));
-        } else if !builtin.is_redeclarable() || is_depth && !depths {
+        } else if !builtin.is_redeclarable()
+            || is_depth && !depths
+            || builtin == Builtin::FragCoord && self.version.is_es()
+        {
             let message = format!("`{}` is part of the language", name.text);
             let problem = Diagnostic::error(name.span, message).rule(self.rule("3.7"));
             self.log.push(problem.help("leave the declaration out"));

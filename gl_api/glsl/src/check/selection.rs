@@ -3,8 +3,9 @@
 use super::Checker;
 use super::expr::word;
 use crate::ast;
+use crate::builtins::variable::Builtin;
 use crate::hir::{Expr, ExprKind, Storage};
-use crate::language::{Availability, Version};
+use crate::language::{Availability, Extension, Version};
 use crate::limits::{MAX_CLIP_DISTANCES, MAX_IMPLICIT_SIZE, MAX_SCALARS};
 use crate::text::diagnostics::Diagnostic;
 use crate::text::source::Span;
@@ -97,7 +98,16 @@ impl Checker<'_> {
                 None => MAX_IMPLICIT_SIZE,
             },
         };
-        let limit = len.unwrap_or(implicit);
+        let limit = match builtin {
+            // EXT_draw_buffers: without it a shader of GLSL ES 1.00 has one colour.
+            Some(Storage::Builtin(Builtin::FragData))
+                if self.version == Version::Es100
+                    && !self.language.enabled(Extension::EsDrawBuffers) =>
+            {
+                1
+            }
+            _ => len.unwrap_or(implicit),
+        };
         if value >= limit {
             let message =
                 format!("index {} is out of range: {} has {limit} elements", value as i32, base.ty);

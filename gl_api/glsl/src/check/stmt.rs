@@ -193,6 +193,7 @@ impl Checker<'_> {
     }
 
     fn local_declaration(&mut self, declaration: &ast::Declaration, all: &mut Vec<Stmt>) {
+        self.check_order(&declaration.ty.qualifiers);
         let mut storage = Storage::Plain;
         for &(qualifier, span) in &declaration.ty.qualifiers {
             match qualifier {

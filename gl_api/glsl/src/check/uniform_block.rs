@@ -115,6 +115,10 @@ impl Checker<'_> {
             self.log.push(Diagnostic::warning(name.span, message));
         }
         let layout = self.layout_of(qualifiers);
+        let precise = |(word, _): &&(Qualifier, Span)| matches!(word, Qualifier::Precision(_));
+        if let Some(&(_, span)) = qualifiers.iter().find(precise) {
+            self.against(span, BLOCKS, "a block has no precision: its members have one each");
+        }
         self.new_block_name(name, "uniform");
         let var = VarRef::Global(self.unit.globals.len() as u32);
         let whole = ast::Declarator { name: name.clone(), array: Vec::new(), init: None };
@@ -123,13 +127,13 @@ impl Checker<'_> {
         variable.name = format!("block {}", name.text).into();
         self.unit.globals.push(variable);
         let mut fields: Vec<(Arc<str>, Type)> = Vec::new();
-        let mut orders = Vec::new();
+        let (mut orders, mut precisions) = (Vec::new(), Vec::new());
         for declaration in members {
             if self.log.is_full() {
                 break;
             }
             let order = self.order_of(&declaration.ty.qualifiers, layout.order);
-            self.precision_of(&declaration.ty);
+            let precision = self.precision_of(&declaration.ty);
             if declaration.names.is_empty() {
                 self.against(declaration.ty.ty.span, BLOCKS, "a member needs a name");
             }
@@ -145,13 +149,14 @@ impl Checker<'_> {
                     self.against(member.name.span, BLOCKS, message);
                 }
                 fields.push((member.name.text.clone(), ty));
+                precisions.push(precision);
                 orders.push(order);
             }
         }
         if fields.is_empty() {
             self.against(name.span, BLOCKS, "a uniform block needs a member");
         }
-        let structure = Struct::new(name.text.clone(), fields);
+        let structure = Struct::new(name.text.clone(), fields).with_precisions(precisions);
         if structure.scalars > MAX_SCALARS {
             let message = format!("the block has more than {MAX_SCALARS} components");
             self.against(name.span, BLOCKS, message);

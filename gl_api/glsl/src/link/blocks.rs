@@ -149,6 +149,7 @@ fn declared<'a>(stages: &[&StageUnits<'a>], log: &mut Log) -> Vec<(&'a Variable,
     let mut known: Vec<(&Variable, &Block)> = Vec::new();
     let mut names: BTreeMap<&str, usize> = BTreeMap::new();
     let all = || stages.iter().flat_map(|stage| stage.declared());
+    let is_es = stages.iter().flat_map(|stage| &stage.units).all(|unit| unit.version.is_es());
     for variable in all() {
         let Some(block) = &variable.block else { continue };
         let first = *names.entry(&*variable.name).or_insert(known.len());
@@ -156,7 +157,13 @@ fn declared<'a>(stages: &[&StageUnits<'a>], log: &mut Log) -> Vec<(&'a Variable,
             known.push((variable, block));
             continue;
         };
-        if other.ty != variable.ty || *same != &**block {
+        if other.ty == variable.ty && is_es && other.ty.differs_in_precision(&variable.ty) {
+            let message = format!(
+                "members of the uniform block `{}` have other precisions in another shader",
+                block.name
+            );
+            log.push(Diagnostic::link_error(message).rule("GLSL ES 3.00 section 4.3.7"));
+        } else if other.ty != variable.ty || *same != &**block {
             let message = format!(
                 "the uniform block `{}` has other members or another layout in another shader",
                 block.name
@@ -177,7 +184,13 @@ fn declared<'a>(stages: &[&StageUnits<'a>], log: &mut Log) -> Vec<(&'a Variable,
         }
     }
     let uniform = |v: &&Variable| v.storage == Storage::Uniform && v.block.is_none();
+    // Uniforms and blocks share a name space (GLSL ES 3.00 section 4.2.5).
     for variable in all().filter(uniform) {
+        if is_es && known.iter().any(|(_, block)| block.name == variable.name) {
+            let message =
+                format!("`{}` is a uniform in one shader and a block in another", variable.name);
+            log.push(Diagnostic::link_error(message).rule("GLSL ES 3.00 section 4.2.5"));
+        }
         if let Some(block) = owners.remove(&*variable.name) {
             let message = format!(
                 "`{}` is in the uniform block `{block}`, and a uniform of its own in another shader",

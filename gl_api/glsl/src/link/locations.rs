@@ -5,6 +5,7 @@ use super::stage::{BindingMap, StageUnits};
 use crate::builtins::variable::Builtin;
 use crate::hir::{Storage, Variable};
 use crate::interface::ATTRIB_VERTEX;
+use crate::language::Version;
 use crate::limits::{MAX_DRAW_BUFFERS, MAX_DUAL_SOURCE_DRAW_BUFFERS, MAX_VERTEX_ATTRIBS};
 use crate::lower::Binding;
 use crate::program::{Attribute, Bindings, FragmentColor, FragmentOutput};
@@ -30,6 +31,7 @@ pub fn attributes(
     let position = conventional.iter().any(|attribute| attribute.location == ATTRIB_VERTEX);
     let mut taken = [false; MAX_VERTEX_ATTRIBS as usize];
     taken[0] = position;
+    let is_es_300 = vertex.units.iter().any(|unit| unit.version == Version::Es300);
     let mut found: Vec<Option<u8>> = Vec::new();
     for variable in &used {
         // `layout(location = n)` overrides `glBindAttribLocation`.
@@ -50,6 +52,15 @@ pub fn attributes(
         if let Some(first) = bound {
             let end = usize::from(first) + columns(variable);
             match taken.get_mut(usize::from(first)..end) {
+                // GLSL ES 3.00 section 4.3.8.1.
+                Some(range) if is_es_300 && explicit.is_some() && range.contains(&true) => {
+                    let message = format!(
+                        "the location of attribute `{}` is that of another one",
+                        variable.name
+                    );
+                    let problem = Diagnostic::link_error(message);
+                    log.push(problem.rule("GLSL ES 3.00 section 4.3.8.1"));
+                }
                 Some(range) => range.fill(true),
                 None => {
                     let message = format!(

@@ -5,6 +5,7 @@ mod blocks;
 mod geometry;
 mod globals;
 mod locations;
+mod packing;
 mod per_vertex;
 mod stage;
 mod std140;

@@ -6,8 +6,8 @@ use super::uniform_locations::UniformLocations;
 use crate::ast::Precision;
 use crate::builtins::variable::Builtin;
 use crate::hir::{Storage, Variable};
-use crate::language::Version;
-use crate::limits::MAX_UNIFORM_WORDS;
+use crate::language::{Version, stage_name};
+use crate::limits::{MAX_UNIFORM_COMPONENTS, MAX_UNIFORM_WORDS};
 use crate::lower::{self, Words};
 use crate::program::{BuiltinUniform, Uniform};
 use crate::text::diagnostics::{Diagnostic, Log};
@@ -78,6 +78,13 @@ pub fn uniforms(
             log.push(Diagnostic::link_error(message).rule("GLSL ES 3.00 section 4.3.5"));
             continue;
         }
+        if is_es && counts && pair[0].ty.differs_in_precision(&pair[1].ty) {
+            let name = &variable.name;
+            let message =
+                format!("members of uniform `{name}` have other precisions in another shader");
+            log.push(Diagnostic::link_error(message).rule("GLSL ES 3.00 section 4.3.5"));
+            continue;
+        }
         let Some(&index) = names.get(&*variable.name) else { continue };
         let (known, value) = &mut all[index];
         let bound = [&**known, variable].map(|of| of.interface_qualifiers.bound());
@@ -97,6 +104,9 @@ pub fn uniforms(
             let message = format!("uniform `{}` has two initial values", variable.name);
             log.push(Diagnostic::link_error(message).rule("GLSL 1.30 section 4.3.5"));
         }
+    }
+    if is_es {
+        check_components(stages, used_elements, log);
     }
     let mut locations = UniformLocations::of(&every, log);
     let mut uniforms = Uniforms { list: Vec::new(), words: BTreeMap::new(), explicit: Vec::new() };
@@ -131,6 +141,27 @@ pub fn uniforms(
     locations.check_end(log);
     uniforms.explicit = locations.into_ranges();
     uniforms
+}
+
+/// Reports a stage that uses more components than there are. Desktop GL takes more, as other drivers do.
+fn check_components(stages: &[&StageUnits<'_>], used_elements: &UsedElements<'_>, log: &mut Log) {
+    for stage in stages {
+        let mut leaves = Vec::new();
+        for variable in stage.with(|storage| storage == Storage::Uniform) {
+            if variable.block.is_none() {
+                add_leaves("", &variable.ty, used_elements.get(variable), 0, &mut leaves);
+            }
+        }
+        let numbers = leaves.iter().filter(|leaf| !leaf.ty.has_sampler());
+        let count = numbers.fold(0usize, |sum, leaf| sum.saturating_add(leaf.scalars));
+        if count > MAX_UNIFORM_COMPONENTS as usize {
+            let message = format!(
+                "the {} shader uses {count} components of uniforms; a stage has {MAX_UNIFORM_COMPONENTS}",
+                stage_name(stage.stage)
+            );
+            log.push(Diagnostic::link_error(message).rule("OpenGL ES 3.0 section 2.12.6"));
+        }
+    }
 }
 
 fn initial(variable: &Variable, work: &mut Work) -> Vec<u32> {

@@ -1,5 +1,6 @@
 //! Varyings: from a stage to the next one (GLSL 1.30 sections 4.3.6 and 4.3.7).
 
+use super::packing;
 use super::stage::{BindingMap, StageUnits};
 use crate::hir::{InterfaceBlock, Storage, Variable};
 use crate::interface::VARYING_USER;
@@ -33,6 +34,7 @@ pub fn varyings(
         }
     }
     let (mut next, mut scalars) = (VARYING_USER, 0u32);
+    let mut passed: Vec<&Type> = Vec::new();
     let (Some(writer), Some(reader)) = (writer, reader) else {
         // A fixed-function vertex stage writes no user varying: it is undefined, here zero.
         for input in reader.iter().flat_map(|reader| reader.with(is_input)) {
@@ -64,7 +66,9 @@ pub fn varyings(
             log.push(Diagnostic::link_error(message).rule("GLSL 1.30 section 4.3.6"));
             continue;
         };
-        if !written && reader.units.iter().all(|unit| unit.version <= Version::V120) {
+        // In GLSL ES it is undefined, without an error.
+        let must_write = |version| matches!(version, Version::V110 | Version::V120);
+        if !written && reader.units.iter().all(|unit| must_write(unit.version)) {
             let message =
                 format!("the {to} shader reads `{name}`, which the {from} shader never writes");
             log.push(Diagnostic::link_error(message).rule("GLSL 1.20 section 4.3.6"));
@@ -75,9 +79,17 @@ pub fn varyings(
             log.push(Diagnostic::link_error(message));
             return next;
         }
+        passed.push(&output.ty);
         in_writer.insert(output.name.clone(), Binding::Varying(Some(next)));
         in_reader.insert(input.name.clone(), Binding::Varying(Some(next)));
         next += varying_slots(&output.ty.flat());
+    }
+    let is_es = reader.units.iter().any(|unit| unit.version.is_es());
+    let rows = u32::from(MAX_VARYING_FLOATS / 4);
+    if is_es && !packing::fit(&passed, rows) {
+        let message = format!("the varyings do not fit into {rows} vectors of four components");
+        let rule = "GLSL ES 1.00 appendix A, section 7";
+        log.push(Diagnostic::link_error(message).rule(rule));
     }
     next
 }
@@ -145,7 +157,7 @@ fn check_alike(
     }
     let (a, b, rule) = if output.ty != *input_ty {
         (output.ty.to_string(), input_ty.to_string(), "GLSL 1.30 section 4.3.6")
-    } else if let Some((a, b)) = mismatch(output, input) {
+    } else if let Some((a, b)) = mismatch(output, input, reader) {
         (a.to_owned(), b.to_owned(), "GLSL 1.30 section 4.3.7")
     } else if output.interface_qualifiers.invariant != input.interface_qualifiers.invariant
         && !writer.units.iter().any(|unit| unit.all_invariant || unit.version == Version::Es300)
@@ -186,7 +198,11 @@ fn different_blocks(
 }
 
 /// The qualifiers in which two declarations of a varying differ.
-fn mismatch(output: &Variable, input: &Variable) -> Option<(&'static str, &'static str)> {
+fn mismatch(
+    output: &Variable,
+    input: &Variable,
+    reader: &StageUnits<'_>,
+) -> Option<(&'static str, &'static str)> {
     if let (Storage::Output(a), Storage::Input(b)) = (output.storage, input.storage)
         && a != b
     {
@@ -194,7 +210,9 @@ fn mismatch(output: &Variable, input: &Variable) -> Option<(&'static str, &'stat
     }
     let words = |one: bool, word, without| if one { word } else { without };
     let (a, b) = (output.interface_qualifiers, input.interface_qualifiers);
-    if a.centroid != b.centroid {
+    // GLSL ES 3.00 section 4.3.9: the words of interpolation match; `centroid` is that of the fragment stage.
+    let is_es = reader.units.iter().any(|unit| unit.version == Version::Es300);
+    if a.centroid != b.centroid && !is_es {
         let of = |centroid| words(centroid, "centroid", "not centroid");
         return Some((of(a.centroid), of(b.centroid)));
     }

@@ -66,6 +66,10 @@ impl Parser<'_> {
                 // The specification forbids it, but Mesa accepts it in uniform blocks, and programs
                 // rely on that.
                 let problem = match of {
+                    BlockOf::Uniforms if self.version.is_es() => {
+                        let message = "a structure is not defined inside of a uniform block";
+                        Diagnostic::error(ty.ty.span, message).rule("GLSL ES 3.00 section 4.3.7")
+                    }
                     BlockOf::Uniforms => {
                         let message = "a structure is not defined inside of a uniform block";
                         Diagnostic::deviation(self.log.strictness, ty.ty.span, message)
@@ -77,6 +81,9 @@ impl Parser<'_> {
                     }
                 };
                 self.log.push(problem.help("define it before the block, and name it here"));
+            }
+            if self.is(",") {
+                return self.fail("expected the name of a member, found `,`");
             }
             members.push(self.declarators(ty)?);
             self.expect(";")?;

@@ -155,7 +155,9 @@ impl Parser<'_> {
                 "origin_upper_left" if conventions => Some(Qualifier::OriginUpperLeft),
                 "pixel_center_integer" if conventions => Some(Qualifier::PixelCenterInteger),
                 "location" if locations => self.layout_number()?.map(Qualifier::Location),
-                "index" if locations => self.layout_number()?.map(Qualifier::Index),
+                "index" if locations && !self.version.is_es() => {
+                    self.layout_number()?.map(Qualifier::Index)
+                }
                 "binding" if keywords::is_relaxed(self.language) => {
                     self.layout_number()?.map(Qualifier::Binding)
                 }
@@ -243,19 +245,15 @@ impl Parser<'_> {
             && self.version < Version::V120
         {
             let message = "the size of an array stands after the name";
-            let problem = match self.version {
+            let problem = match self.version.is_es() {
                 // Compilers of GLSL ES accept it.
-                Version::Es100 => Diagnostic::deviation(self.log.strictness, array.span, message),
-                Version::V110
-                | Version::V120
-                | Version::V130
-                | Version::V140
-                | Version::V150
-                | Version::V330
-                | Version::Es300 => Diagnostic::error(array.span, message),
+                true => Diagnostic::deviation(self.log.strictness, array.span, message),
+                false => Diagnostic::error(array.span, message),
             };
             let rule = format!("{} section 4.1.9", self.version.title());
-            self.log.push(problem.rule(rule).help("write `#version 120` for sizes after the type"));
+            let later = if self.version.is_es() { "300 es" } else { "120" };
+            let help = format!("write `#version {later}` for sizes after the type");
+            self.log.push(problem.rule(rule).help(help));
         }
         Ok(TypeName { span, base, array })
     }
@@ -310,7 +308,7 @@ impl Parser<'_> {
             loop {
                 let name = self.name()?;
                 let array = self.array_sizes()?;
-                fields.push((ty.ty.clone(), name, array));
+                fields.push((ty.clone(), name, array));
                 if !self.eat(",") {
                     break;
                 }
@@ -327,6 +325,8 @@ impl Parser<'_> {
         if self.is(";") {
             return Ok(Declaration { ty, names });
         }
+        // The grammar allows an empty declarator before the others: `float, a;` (chapter 9).
+        self.eat(",");
         loop {
             let name = self.declared_name(&ty)?;
             let array = self.array_sizes()?;

@@ -179,7 +179,10 @@ pub fn classify(word: &str, language: Language) -> WordClass {
     if keyword {
         return WordClass::Keyword;
     }
-    let later = language.version >= Version::V130 && RESERVED_130.contains(&word);
+    // GLSL ES 3.00 reserves all but one of the words of GLSL 1.30 (section 3.8).
+    let later = language.version >= Version::V130
+        && RESERVED_130.contains(&word)
+        && (word, language.version) != ("row_major", Version::Es300);
     let early = |row: &(&str, Version, Version)| {
         row.0 == word && (row.1..=row.2).contains(&language.version)
     };

@@ -3,7 +3,7 @@
 use super::condition;
 use super::macros::{Macro, Macros};
 use super::{Conditional, GroupState, Preprocessor};
-use crate::language::{Behaviour, Extension, Language, Profile, Version};
+use crate::language::{Behaviour, Language, Profile, Version};
 use crate::lex::{Token, TokenKind};
 use crate::limits::MAX_CONDITIONALS;
 use crate::text::diagnostics::Diagnostic;
@@ -27,13 +27,6 @@ const NAMES: [&str; 13] = [
     "line",
 ];
 
-/// Whether a missing extension is an error.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Required {
-    No,
-    Yes,
-}
-
 /// The value of a decimal number.
 fn number(token: &Token) -> Option<i64> {
     let TokenKind::Number(number) = &token.kind else { return None };
@@ -49,12 +42,11 @@ impl Preprocessor<'_> {
             "if" | "ifdef" | "ifndef" => self.if_directive(name, span, rest),
             "elif" => self.elif_directive(span, rest),
             "else" => self.else_directive(span, rest),
-            "endif" => {
-                self.expect_line_end(rest);
-                if self.conditionals.pop().is_none() {
-                    self.error(span, "`#endif` without `#if`");
-                }
-            }
+            "endif" => match self.conditionals.pop() {
+                Some(_) if !self.is_active() => {}
+                Some(_) => self.expect_line_end(rest),
+                None => self.error(span, "`#endif` without `#if`"),
+            },
             _ if !self.is_active() => {}
             "define" => self.define(span, rest),
             "undef" => self.undef(span, rest),
@@ -64,13 +56,7 @@ impl Preprocessor<'_> {
                 let message = format!("#error {}", text.unwrap_or_default());
                 self.error(span, message.trim_end());
             }
-            "pragma" => {
-                let words = ["STDGL", "invariant", "(", "all", ")"];
-                let is = |(token, word): (&Token, &str)| {
-                    token.is(word) || token.word().is_some_and(|found| **found == *word)
-                };
-                self.all_invariant |= rest.len() == words.len() && rest.iter().zip(words).all(is);
-            }
+            "pragma" => self.pragma(span, rest),
             "version" => self.version(span, rest),
             "extension" => self.extension(span, rest),
             "line" => self.line(span, rest),
@@ -168,7 +154,11 @@ impl Preprocessor<'_> {
     }
 
     fn else_directive(&mut self, span: Span, rest: &[Token]) {
-        self.expect_line_end(rest);
+        // In a group that is skipped, the lines of inner conditionals are not read further.
+        let (_, outer) = self.conditionals.split_last().unzip();
+        if outer.is_none_or(|outer| outer.iter().all(|one| one.state == GroupState::Taken)) {
+            self.expect_line_end(rest);
+        }
         let Some(last) = self.conditionals.last_mut() else {
             self.error(span, "`#else` without `#if`");
             return;
@@ -305,85 +295,6 @@ impl Preprocessor<'_> {
             Some(_) => {}
         }
         profile
-    }
-
-    /// Enables all extensions of the version.
-    fn set_all(&mut self, behaviour: Behaviour) {
-        for (known, _) in Extension::ALL {
-            // What a version has removed is asked for by name.
-            if known.is_in(self.language.version) && known != Extension::Compatibility {
-                self.language.set(known, behaviour);
-            }
-        }
-    }
-
-    fn extension(&mut self, span: Span, rest: &[Token]) {
-        let [name, colon, behaviour, ..] = rest else {
-            self.error(span, "`#extension name : behaviour` is expected");
-            return;
-        };
-        let (Some(extension), true, Some(behaviour_name)) =
-            (name.word(), colon.is(":"), behaviour.word())
-        else {
-            self.error(span, "`#extension name : behaviour` is expected");
-            return;
-        };
-        if let Some(more) = rest.get(3) {
-            let message = format!("unexpected {} after the behaviour", more.describe());
-            self.error(more.span, message);
-        }
-        let (name_span, behaviour_span) = (name.span, behaviour.span);
-        let (required, behaviour) = match &**behaviour_name {
-            "require" => (Required::Yes, Behaviour::Enable),
-            "enable" => (Required::No, Behaviour::Enable),
-            "warn" => (Required::No, Behaviour::Warn),
-            "disable" => (Required::No, Behaviour::Disable),
-            other => {
-                let names = ["require", "enable", "warn", "disable"];
-                let message = format!("`{other}` is no behaviour of an extension");
-                let mut problem = Diagnostic::error(behaviour_span, message)
-                    .rule("GLSL 1.30 section 3.3: it is `require`, `enable`, `warn` or `disable`");
-                if let Some(near) = closest(other, names.into_iter()) {
-                    let text = format!("did you mean `{near}`?");
-                    problem = problem.fix(text, behaviour_span, near.to_owned());
-                }
-                self.log.push(problem);
-                return;
-            }
-        };
-        if self.program_begun {
-            let message = "`#extension` stands behind a part of the program";
-            let problem = Diagnostic::deviation(self.log.strictness, span, message);
-            self.log.push(problem.help("put it before anything but directives and comments"));
-        }
-        let version = self.language.version;
-        if &**extension == "all" {
-            if behaviour == Behaviour::Enable {
-                let message = "`all` can only be warned about or disabled";
-                let rule = "GLSL 1.30 section 3.3, `#extension`";
-                self.log.push(Diagnostic::error(span, message).rule(rule));
-                return;
-            }
-            self.set_all(behaviour);
-            return;
-        }
-        let named = Extension::named(extension);
-        match named.filter(|known| self.context.has_extension(*known, version)) {
-            Some(known) => self.language.set(known, behaviour),
-            None => {
-                let message = format!("extension `{extension}` is not supported");
-                let mut problem = match required {
-                    Required::Yes => Diagnostic::error(name_span, message),
-                    Required::No => Diagnostic::warning(name_span, message),
-                };
-                let names = Extension::ALL.iter().filter(|row| row.0.is_in(version));
-                if let Some(near) = closest(extension, names.map(|row| row.1)) {
-                    let text = format!("did you mean `{near}`?");
-                    problem = problem.fix(text, name_span, near.to_owned());
-                }
-                self.log.push(problem);
-            }
-        }
     }
 
     fn line(&mut self, span: Span, rest: &[Token]) {

@@ -7,7 +7,7 @@ use crate::limits::{MAX_EXPANDED_TOKENS, MAX_MACRO_DEPTH};
 use crate::text::diagnostics::{Diagnostic, Log, Severity};
 use crate::text::source::{Source, Span};
 use crate::work::Work;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 /// A token during the expansion, or the end of a macro's expansion.
@@ -36,6 +36,8 @@ struct Expansion<'a> {
     version: Version,
     /// The macros that are being expanded.
     active: BTreeSet<Arc<str>>,
+    /// By the begin of a macro call: its closing parenthesis.
+    ends: BTreeMap<u32, u32>,
     spent: &'a mut Spent,
     log: &'a mut Log,
 }
@@ -58,8 +60,8 @@ pub fn expand(
     spent: &mut Spent,
     log: &mut Log,
 ) -> Result<Vec<Token>, Box<Diagnostic>> {
-    let active = BTreeSet::new();
-    let mut expansion = Expansion { macros, context, source, version, active, spent, log };
+    let (active, ends) = (BTreeSet::new(), BTreeMap::new());
+    let mut expansion = Expansion { macros, context, source, version, active, ends, spent, log };
     let items = tokens.into_iter().map(ExpansionItem::Token).collect();
     let result = expansion.run(items, None, 0)?;
     let plain = |item| match item {
@@ -164,11 +166,13 @@ impl Expansion<'_> {
         Ok(output)
     }
 
-    /// The value of `__LINE__` and the like.
+    /// The value of `__LINE__` and the like; in the body of a macro with arguments, that of the line where the call
+    /// ends, as in C.
     fn predefined(&self, name: &str, at: Span) -> Option<i64> {
+        let place = || self.source.line_of(*self.ends.get(&at.start).unwrap_or(&at.start));
         match name {
-            "__LINE__" => Some(self.source.line_of(at.start).1),
-            "__FILE__" => Some(self.source.line_of(at.start).0),
+            "__LINE__" => Some(place().1),
+            "__FILE__" => Some(place().0),
             "__VERSION__" => Some(i64::from(self.version.number())),
             _ => None,
         }
@@ -235,6 +239,8 @@ impl Expansion<'_> {
             } else if token.is(")") {
                 depth -= 1;
                 if depth == 0 {
+                    let end = self.ends.entry(name.span.start).or_default();
+                    *end = token.span.start.max(*end);
                     return Ok(arguments);
                 }
             } else if token.is(",") && depth == 1 {

@@ -61,11 +61,15 @@ impl Macro {
         Ok(Self { parameters: Some(parameters), body: body(&more[close + 1..], version)? })
     }
 
-    /// Whether a second definition is the same.
+    /// Whether a second definition is the same: blanks stand between the same tokens, of any length.
     fn same(&self, other: &Self) -> bool {
+        let blanks = |body: &[Token]| -> Vec<bool> {
+            body.windows(2).map(|pair| pair[0].span.end < pair[1].span.start).collect()
+        };
         self.parameters == other.parameters
             && self.body.len() == other.body.len()
             && self.body.iter().zip(&other.body).all(|(a, b)| a.kind == b.kind)
+            && blanks(&self.body) == blanks(&other.body)
     }
 }
 

@@ -2,12 +2,13 @@
 //! tokens of the program out.
 
 mod condition;
+mod controls;
 mod directives;
 mod expansion;
 mod macros;
 
 use crate::language::{ContextLanguage, Language, Version};
-use crate::lex::{Token, TokenKind, tokens};
+use crate::lex::{Token, TokenKind, spliced_tokens, tokens};
 use crate::limits;
 use crate::text::diagnostics::{Diagnostic, Log};
 use crate::text::source::{Source, Span};
@@ -64,7 +65,11 @@ struct Preprocessor<'a> {
 
 /// Preprocesses a source. `#line` is applied to the source, for the positions in later messages.
 pub fn preprocess(source: &mut Source, context: ContextLanguage, log: &mut Log) -> Preprocessed {
-    let lexed = tokens(source.text());
+    let mut lexed = tokens(source.text());
+    // A comment may end in a backslash too.
+    if source.text().contains('\\') && begins_es_300(&lexed.tokens) {
+        lexed = spliced_tokens(source.text());
+    }
     if let Some(span) = lexed.unclosed {
         log.push(Diagnostic::error(span, "comment is not closed by `*/`"));
     }
@@ -106,6 +111,20 @@ pub fn preprocess(source: &mut Source, context: ContextLanguage, log: &mut Log) 
         tokens.drain(..tokens.len() - 1);
     }
     Preprocessed { tokens, language, all_invariant }
+}
+
+/// Whether a shader begins with `#version 300 es`: there lines are joined before they become tokens (GLSL ES 3.00
+/// section 3.1).
+fn begins_es_300(tokens: &[Token]) -> bool {
+    let mut first = tokens.iter().filter(|token| token.kind != TokenKind::Newline);
+    let words = ["version", "300", "es"];
+    first.next().is_some_and(|hash| hash.is("#"))
+        && first.zip(words).take(3).all(|(token, word)| match &token.kind {
+            TokenKind::Word(found) | TokenKind::Number(found) => **found == *word,
+            TokenKind::Punct(_) | TokenKind::Stray(_) | TokenKind::Newline | TokenKind::End => {
+                false
+            }
+        })
 }
 
 impl Preprocessor<'_> {

@@ -1,4 +1,4 @@
-//! Types as GL reports them, of uniforms and attributes.
+//! Types as GL reports them, of uniforms and attributes; precisions and matrix orders.
 
 use super::Sampler;
 use rasterizer::ir::Ty;
@@ -34,6 +34,28 @@ pub enum MatrixOrder {
     Columns,
     /// Row-major.
     Rows,
+}
+
+/// `lowp`, `mediump` and `highp`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Precision {
+    /// `lowp`.
+    Low,
+    /// `mediump`.
+    Medium,
+    /// `highp`.
+    High,
+}
+
+impl Precision {
+    /// The keyword.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Low => "lowp",
+            Self::Medium => "mediump",
+            Self::High => "highp",
+        }
+    }
 }
 
 impl Scalar {

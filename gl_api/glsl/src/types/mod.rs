@@ -4,7 +4,7 @@ mod data;
 mod names;
 mod sampler;
 
-pub use data::{DataType, MatrixOrder, Scalar};
+pub use data::{DataType, MatrixOrder, Precision, Scalar};
 use rasterizer::ir::Ty;
 pub use sampler::{Comparison, ComparisonResult, Dim, Sampler};
 use std::sync::Arc;
@@ -29,16 +29,25 @@ pub enum Type {
 }
 
 /// A structure.
-#[derive(Debug, PartialEq, Eq)]
+#[derive(Debug, Eq)]
 pub struct Struct {
     /// Its name; empty when it has none.
     pub name: Arc<str>,
     /// Its members.
     pub fields: Vec<(Arc<str>, Type)>,
+    /// The precision of each member, of its own or by default; shorter where no precision is known.
+    pub precisions: Vec<Option<Precision>>,
     /// How many scalars it has.
     pub scalars: u32,
     /// The depth of nested structures in it.
     pub depth: u32,
+}
+
+/// Precisions are no part of a type (GLSL ES 3.00 section 4.5.2).
+impl PartialEq for Struct {
+    fn eq(&self, other: &Self) -> bool {
+        self.name == other.name && self.fields == other.fields
+    }
 }
 
 impl Struct {
@@ -51,7 +60,12 @@ impl Struct {
                 depth = depth.max(inner.depth + 1);
             }
         }
-        Self { name, fields, scalars, depth }
+        Self { name, fields, precisions: Vec::new(), scalars, depth }
+    }
+
+    /// The same with the precisions of the members.
+    pub fn with_precisions(self, precisions: Vec<Option<Precision>>) -> Self {
+        Self { precisions, ..self }
     }
 }
 
@@ -195,6 +209,19 @@ impl Type {
                 | Self::Sampler(_)
                 | Self::Error => false,
             }
+    }
+
+    /// Whether members of structures have other precisions than in `other`, an equal type.
+    pub fn differs_in_precision(&self, other: &Self) -> bool {
+        let (Self::Struct(a), Self::Struct(b)) = (self.base(), other.base()) else { return false };
+        let known = |pair: (&Option<Precision>, &Option<Precision>)| match pair {
+            (Some(a), Some(b)) => a != b,
+            (None, _) | (_, None) => false,
+        };
+        let members = a.fields.iter().zip(&b.fields);
+        !Arc::ptr_eq(a, b)
+            && (a.precisions.iter().zip(&b.precisions).any(known)
+                || members.into_iter().any(|((_, a), (_, b))| a.differs_in_precision(b)))
     }
 
     /// Whether it has a sampler in it.

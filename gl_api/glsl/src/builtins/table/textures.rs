@@ -262,7 +262,16 @@ fn overloaded_rows(sampler_row: &SamplerRow, sampler: Sampler, rows: &mut Vec<Fu
                 let name = format!("texture{}{suffix}", infix(projection, lod));
                 let parameters = sampler_row.parameters(sampler, size, lod, offset);
                 let lookup = Lookup::Sample(projection, lod, offset);
-                let row = row(name, result, parameters, sampler_row.overloaded, lookup);
+                // GLSL ES 3.00 section 8.8 has no `textureOffset` of sampler2DArrayShadow.
+                let availability = match (sampler.dim, sampler.comparison, lookup) {
+                    (
+                        Dim::D2Array,
+                        Comparison::Yes,
+                        Lookup::Sample(_, LodSource::Implicit, TexelOffset::Constant),
+                    ) => sampler_row.overloaded.and_es(EsVersions::None),
+                    _ => sampler_row.overloaded,
+                };
+                let row = row(name, result, parameters, availability, lookup);
                 rows.push(FunctionRow { stages: stages(lod), ..row });
             }
         }

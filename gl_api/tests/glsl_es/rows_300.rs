@@ -1,29 +1,11 @@
-//! GLSL ES 1.00 and 3.00 in contexts of OpenGL ES: which shaders are accepted, by section of the specification.
+//! Shaders of GLSL ES 3.00.
 
-use gl_api::glsl::{ContextLanguage, Options, Stage, compile};
-use std::fmt::Write as _;
+use super::Expected::{Accepted, Refused};
+use super::Row;
+use gl_api::glsl::Stage::{Fragment, Vertex};
 
-use Stage::{Fragment, Vertex};
-
-/// Whether a shader is accepted.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Expected {
-    Accepted,
-    Refused,
-}
-
-use Expected::{Accepted, Refused};
-
-/// The section, the stage, what is expected, and the shader behind its first lines.
-type Row = (&'static str, Stage, Expected, &'static str);
-
-/// The first lines of a shader of GLSL ES 3.00.
-const HEADER_300: &str = "#version 300 es\nprecision mediump float;\n";
-/// Those of one of GLSL ES 1.00.
-const HEADER_100: &str = "precision mediump float;\n";
-
-/// GLSL ES 3.00.
-const ROWS_300: &[Row] = &[
+/// By section.
+pub const ROWS_300: &[Row] = &[
     // 3.3 Version, 3.4 preprocessor
     ("3.4", Fragment, Accepted, "#if __VERSION__ == 300 && GL_ES == 1\nvoid main() {}\n#endif"),
     ("3.4", Fragment, Refused, "#if FOO\n#endif\nvoid main() {}"),
@@ -169,6 +151,7 @@ const ROWS_300: &[Row] = &[
     // 4.7 Order
     ("4.7", Vertex, Refused, "out flat int a;\nvoid main() {}"),
     ("4.7", Vertex, Refused, "out highp invariant vec4 a;\nvoid main() {}"),
+    ("4.7", Vertex, Refused, "void main() { lowp const int a = 1; }"),
     ("4.7", Vertex, Accepted, "invariant centroid out highp vec4 a;\nvoid main() {}"),
     // 5 Operators
     ("5.1", Fragment, Accepted, "void main() { int a = (7 % 3) ^ (1 << 2) & ~1; a %= 2; }"),
@@ -301,178 +284,53 @@ const ROWS_300: &[Row] = &[
     ("8.9", Fragment, Accepted, "in float a;\nvoid main() { float b = dFdx(a) + fwidth(a); }"),
     ("8.9", Vertex, Refused, "void main() { float b = dFdx(1.0); }"),
     ("8", Fragment, Refused, "void main() { float a = noise1(1.0); }"),
-];
-
-/// GLSL ES 1.00.
-const ROWS_100: &[Row] = &[
-    ("3.4", Fragment, Accepted, "#if __VERSION__ == 100 && defined(GL_ES)\nvoid main() {}\n#endif"),
-    ("3.4", Fragment, Refused, "#if FOO\n#endif\nvoid main() {}"),
+    // 3.1: lines are joined before comments are removed
+    ("3.1", Vertex, Accepted, "#def\\\nine A 1\nconst int a = A;\nvoid main() {}"),
+    ("3.1", Vertex, Accepted, "void main() { int ab\\\nc = 1; abc = 2; }"),
+    ("3.1", Vertex, Accepted, "// a comment \\\n that goes on\nvoid main() {}"),
+    ("3.1", Vertex, Refused, "void main() { // a comment \\\n }"),
+    // 3.4: the size 0 of an array is an error, so these check values
     (
         "3.4",
-        Fragment,
-        Accepted,
-        "#ifdef GL_FRAGMENT_PRECISION_HIGH\nprecision highp float;\n#endif\nvoid main() {}",
-    ),
-    ("3.6", Fragment, Refused, "void main() { int flat; }"),
-    ("3.6", Fragment, Refused, "void main() { int switch; }"),
-    ("3.6", Fragment, Refused, "void main() { int default; }"),
-    ("3.6", Fragment, Refused, "void main() { int sampler3D; }"),
-    ("3.6", Fragment, Refused, "void main() { int sampler2DShadow; }"),
-    ("3.6", Fragment, Refused, "void main() { int sampler2DRect; }"),
-    ("3.6", Fragment, Refused, "void main() { int half; }"),
-    ("3.6", Fragment, Refused, "void main() { int superp; }"),
-    ("3.6", Fragment, Accepted, "void main() { int smooth = 1; int layout = 2; int uint = 3; }"),
-    ("4.1.8", Fragment, Refused, "struct S { struct T { int a; } t; };\nvoid main() {}"),
-    ("4.1.9", Fragment, Refused, "void main() { float a[2] = float[2](1.0, 2.0); }"),
-    ("4.1.9", Fragment, Refused, "void main() { float a[2]; float b[2]; a = b; }"),
-    ("4.1.9", Fragment, Refused, "void main() { float a[2]; float b[2]; bool c = a == b; }"),
-    ("4.3", Fragment, Refused, "uniform float a;\nfloat b = a;\nvoid main() {}"),
-    ("4.3.3", Vertex, Refused, "attribute int a;\nvoid main() {}"),
-    ("4.3.3", Fragment, Refused, "attribute vec4 a;\nvoid main() {}"),
-    ("4.3.5", Vertex, Refused, "varying int a;\nvoid main() {}"),
-    ("4.3.5", Vertex, Accepted, "varying float a[2];\nvoid main() {}"),
-    ("4.5.3", Vertex, Accepted, "uniform float a;\nvoid main() {}"),
-    ("5.1", Fragment, Refused, "void main() { int a = 7 % 3; }"),
-    ("5.1", Fragment, Refused, "void main() { int a = 1 & 3; }"),
-    ("5.1", Fragment, Refused, "void main() { int a = 1 << 3; }"),
-    ("5.1", Fragment, Refused, "void main() { int a = ~3; }"),
-    ("5.4.2", Fragment, Refused, "void main() { mat3 a = mat3(mat2(1.0)); }"),
-    ("5.8", Fragment, Refused, "void main() { float a = 1; }"),
-    ("6.1", Fragment, Refused, "void f() { f(); }\nvoid main() { f(); }"),
-    ("6.1", Fragment, Refused, "float[2] f() { float a[2]; return a; }\nvoid main() {}"),
-    ("7.1", Fragment, Accepted, "void main() { gl_FragData[0] = vec4(gl_PointCoord, 0.0, 1.0); }"),
-    ("7.2", Fragment, Refused, "void main() { gl_FragDepth = 1.0; }"),
-    ("7.2", Fragment, Accepted, "void main() { gl_FragColor = vec4(gl_FragCoord.z); }"),
-    (
-        "8.7",
-        Fragment,
-        Refused,
-        "uniform sampler2D s;\nvoid main() { gl_FragColor = texture2DLod(s, vec2(0.0), 1.0); }",
-    ),
-    (
-        "8.7",
         Vertex,
         Accepted,
-        "uniform sampler2D s;\nvoid main() { gl_Position = texture2DLod(s, vec2(0.0), 1.0); }",
+        "#define A(x) __LINE__ + x\n#line 7\nint b[A(1\n) == 9 ? 1 : 0];\nvoid main() {}",
     ),
+    ("3.4", Vertex, Refused, "#define A (b - 1)\n#define A (b- 1)\nvoid main() {}"),
+    ("3.4", Vertex, Accepted, "#define A (b - 1)\n#define A (b  /* c */ -\t1)\nvoid main() {}"),
+    ("3.4", Vertex, Accepted, "#if 0\n#if b c\n#else d\n#endif e\n#endif\nvoid main() {}"),
+    ("3.4", Vertex, Refused, "#if 0\n#else d\n#endif\nvoid main() {}"),
+    ("3.4", Vertex, Refused, "void main() {}\n#extension all : disable"),
+    ("3.4", Vertex, Refused, "#pragma debug(1.5)\nvoid main() {}"),
+    ("3.4", Vertex, Refused, "#pragma optimize\nvoid main() {}"),
+    ("3.4", Vertex, Refused, "#pragma \u{a4}\nvoid main() {}"),
     (
-        "8.7",
+        "3.4",
         Vertex,
-        Refused,
-        "uniform sampler2D s;\nvoid main() { gl_Position = texture2D(s, vec2(0.0), 1.0); }",
+        Accepted,
+        "#pragma debug(on)\n#pragma optimize(off)\n#pragma a(2)\nvoid main() {}",
     ),
+    // 3.8
+    ("3.8", Vertex, Accepted, "void main() { int row_major = 1; }"),
+    // 4.3
+    ("4.3.8.2", Fragment, Refused, "out vec4 a;\nlayout(location = 1) out vec4 b;\nvoid main() {}"),
+    ("4.3.8.2", Fragment, Refused, "layout(location = 0, index = 0) out vec4 a;\nvoid main() {}"),
+    ("4.3.7", Fragment, Refused, "uniform B { struct S { vec4 a; } s; };\nvoid main() {}"),
+    ("4.3.7", Fragment, Refused, "mediump uniform B { vec4 a; };\nvoid main() {}"),
+    ("4.3.7", Fragment, Refused, "uniform B { float, a; };\nvoid main() {}"),
+    // 4.5
+    ("4.5.3", Fragment, Refused, "struct S { lowp bool a; };\nvoid main() {}"),
+    // 6.1
+    ("6.1", Fragment, Refused, "void f(struct S { float a; } s) {}\nvoid main() {}"),
+    ("6.1", Fragment, Refused, "struct S { float a; } f();\nvoid main() {}"),
+    // 7.2
+    ("7.2", Fragment, Refused, "in vec4 gl_FragCoord;\nvoid main() {}"),
     (
-        "8.7",
+        "8.8",
         Fragment,
         Refused,
-        "uniform sampler2D s;\nvoid main() { gl_FragColor = texture(s, vec2(0.0)); }",
+        "uniform lowp sampler2DArrayShadow s;\nvoid main() { float a = textureOffset(s, vec4(0.0), ivec2(1)); }",
     ),
-    ("8", Fragment, Refused, "varying float a;\nvoid main() { float b = dFdx(a); }"),
-    ("8", Fragment, Refused, "void main() { mat2 a = transpose(mat2(1.0)); }"),
+    // 9: empty declarators
+    ("9", Fragment, Accepted, "struct S { float a; }, s;\nvoid main() { float; float, b = s.a; }"),
 ];
-
-/// GLSL ES 1.00 with an extension.
-const EXTENDED_100: &[(&str, Row)] = &[
-    (
-        "GL_OES_standard_derivatives",
-        (
-            "",
-            Fragment,
-            Accepted,
-            "varying float a;\nvoid main() { gl_FragColor = vec4(dFdx(a), fwidth(a), 0.0, 1.0); }",
-        ),
-    ),
-    (
-        "GL_EXT_frag_depth",
-        (
-            "",
-            Fragment,
-            Accepted,
-            "void main() { gl_FragDepthEXT = 0.5; gl_FragColor = vec4(1.0); }",
-        ),
-    ),
-    (
-        "GL_EXT_shader_texture_lod",
-        (
-            "",
-            Fragment,
-            Accepted,
-            "uniform sampler2D s; uniform samplerCube c;\nvoid main() { gl_FragColor = texture2DLodEXT(s, vec2(0.0), 1.0) + textureCubeGradEXT(c, vec3(1.0), vec3(0.0), vec3(0.0)) + texture2DProjLodEXT(s, vec3(1.0), 0.0); }",
-        ),
-    ),
-    (
-        "GL_EXT_draw_buffers",
-        ("", Fragment, Accepted, "void main() { gl_FragData[3] = vec4(1.0); }"),
-    ),
-    (
-        "GL_APPLE_clip_distance",
-        (
-            "",
-            Vertex,
-            Accepted,
-            "void main() { gl_Position = vec4(0.0); gl_ClipDistance[1] = 1.0; }",
-        ),
-    ),
-];
-
-fn check(header: &str, rows: &[Row], wrong: &mut String) {
-    let options = Options { context: ContextLanguage::Es30, ..Options::default() };
-    for (section, stage, expected, body) in rows {
-        let compiled = compile(*stage, &format!("{header}{body}\n"), &options);
-        if compiled.shader.is_some() != (*expected == Accepted) {
-            let what = if *expected == Accepted { "refused" } else { "accepted" };
-            let _ = writeln!(wrong, "{section}: {what}: {body}\n{}", compiled.log);
-        }
-    }
-}
-
-#[test]
-fn shaders_are_accepted_as_the_specification_says() {
-    let mut wrong = String::new();
-    check(HEADER_300, ROWS_300, &mut wrong);
-    check(HEADER_100, ROWS_100, &mut wrong);
-    check("#version 100\n#line 1\nprecision mediump float;\n", ROWS_100, &mut wrong);
-    for (extension, row) in EXTENDED_100 {
-        let header = format!("#extension {extension} : require\n{HEADER_100}");
-        check(&header, &[*row], &mut wrong);
-        let refused = if *extension == "GL_EXT_draw_buffers" { Accepted } else { Refused };
-        check(HEADER_100, &[(extension, row.1, refused, row.3)], &mut wrong);
-    }
-    assert!(wrong.is_empty(), "{wrong}");
-}
-
-/// Defaults of precision: none of floats in the fragment stage (section 4.5.4), and only within their scope.
-#[test]
-fn floats_of_the_fragment_stage_need_a_precision() {
-    let mut wrong = String::new();
-    for header in ["", "#version 300 es\n"] {
-        let rows: &[Row] = &[
-            ("4.5.4", Fragment, Refused, "uniform float a;\nvoid main() {}"),
-            ("4.5.4", Fragment, Refused, "void main() { vec2 a; }"),
-            ("4.5.4", Fragment, Refused, "float f() { return 1.0; }\nvoid main() {}"),
-            ("4.5.4", Fragment, Refused, "void main() { { precision lowp float; } float a; }"),
-            ("4.5.4", Fragment, Accepted, "uniform lowp float a;\nvoid main() { int i = 1; }"),
-            ("4.5.4", Vertex, Accepted, "uniform float a;\nvoid main() { gl_Position = vec4(a); }"),
-        ];
-        check(header, rows, &mut wrong);
-    }
-    assert!(wrong.is_empty(), "{wrong}");
-}
-
-/// `#version 300 es` stands first; other versions are OpenGL's.
-#[test]
-fn versions_of_opengl_es() {
-    let mut wrong = String::new();
-    let rows: &[Row] = &[
-        ("3.3", Vertex, Accepted, "#version 100\nvoid main() {}"),
-        ("3.3", Vertex, Accepted, "#version 300 es\nvoid main() {}"),
-        ("3.3", Vertex, Refused, "#version 300\nvoid main() {}"),
-        ("3.3", Vertex, Refused, "#version 100 es\nvoid main() {}"),
-        ("3.3", Vertex, Refused, "#version 310 es\nvoid main() {}"),
-        ("3.3", Vertex, Refused, "#version 330\nvoid main() {}"),
-        ("3.3", Vertex, Refused, "precision highp float;\n#version 300 es\nvoid main() {}"),
-        ("3.3", Vertex, Refused, "#version 300 es core\nvoid main() {}"),
-    ];
-    check("", rows, &mut wrong);
-    assert!(wrong.is_empty(), "{wrong}");
-}
