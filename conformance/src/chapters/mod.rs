@@ -18,6 +18,7 @@ mod cube;
 mod cube_array;
 mod depth_test;
 mod env;
+mod etc;
 mod filter;
 mod format;
 mod fragment;
@@ -28,12 +29,14 @@ mod level;
 mod lod;
 mod lookup;
 mod mipmap;
+mod packing;
 mod pixel;
 mod projection;
 mod pyramid;
 mod seamless;
 mod shadow;
 mod shadow_array;
+mod small_floats;
 mod srgb;
 mod target;
 mod texel_mode;
@@ -56,6 +59,13 @@ pub const CHAPTERS: &[Chapter] = &[
             format::INTEGERS,
             integer::SAMPLED,
             compressed::COMPRESSED,
+            etc::RGB,
+            etc::PUNCHTHROUGH,
+            etc::RGBA,
+            etc::EAC,
+            small_floats::SHARED,
+            small_floats::UPLOADED,
+            small_floats::RENDERED,
             srgb::DECODE,
             texel_mode::DEPTH_MODE,
             texel_mode::SWIZZLE,
@@ -117,6 +127,7 @@ pub const CHAPTERS: &[Chapter] = &[
     ),
     ("The lectures", &[lecture::LECTURES]),
     ("Built-in functions", &builtin::ULP),
+    ("Numbers in words", &packing::ALL),
     ("Where built-in functions end", &[builtin::EXTREMES]),
 ];
 
