@@ -4,7 +4,7 @@
 use clap::{Parser, Subcommand};
 use conformance::chapters::checks;
 use conformance::check::{Check, Effort, Harness, Outcome, Subject, Verdict};
-use conformance::mutation::Variant;
+use conformance::mutation::{MUTATIONS, MutationRow, Variant};
 use conformance::peers::process::Task;
 use conformance::peers::{self, PeersError};
 use conformance::report::page::PageError;
@@ -160,7 +160,8 @@ impl Args {
     }
 
     fn self_test(&self) -> Result<bool, Failure> {
-        let trials = self_test::run(Subject::Driver);
+        let rows = self.selected(MUTATIONS.iter(), |row: &MutationRow| [row.check, row.what])?;
+        let trials = self_test::run(Subject::Driver, &rows);
         self.print(|| report::trials_table(&trials), &trials)?;
         Ok(trials.iter().all(|trial| trial.noticed))
     }

@@ -40,8 +40,11 @@ pub fn decode(numbers: Numbers, block: &[u8], [x, y]: [usize; 2], variant: Varia
     let number = 4 * x + y;
     let index = (indices >> (45 - 3 * number) & 7) as usize;
     let multiplier = i32::from(block[1] >> 4);
-    let table =
-        if variant.has(Mutation::EacTableOff) { (block[1] + 1) & 15 } else { block[1] & 15 };
+    let table = if variant.has(Mutation::EacTableOff) {
+        block[1].wrapping_add(1) & 15
+    } else {
+        block[1] & 15
+    };
     let modifier = MODIFIERS[usize::from(table)][index];
     // A multiplier of 0 stands for an eighth in the formulas of 11 bits.
     let eighths = if multiplier == 0 && !variant.has(Mutation::EacMultiplierOfZero) {
