@@ -126,7 +126,8 @@ impl Args {
         let selected: Vec<&T> =
             all.clone().filter(|item| texts(item).iter().any(|t| t.contains(text))).collect();
         if selected.is_empty() {
-            let names: Vec<&str> = all.map(|item| texts(item)[0]).collect();
+            let mut names: Vec<&str> = all.map(|item| texts(item)[0]).collect();
+            names.dedup();
             return Err(Failure::NoMatch(text.to_owned(), names.join(", ")));
         }
         Ok(selected)

@@ -22,8 +22,10 @@ mod etc;
 mod filter;
 mod format;
 mod fragment;
+mod geometry;
 mod integer;
 mod interpolation;
+mod layers;
 mod lecture;
 mod level;
 mod lod;
@@ -32,8 +34,10 @@ mod mipmap;
 mod packing;
 mod pixel;
 mod projection;
+mod provoking;
 mod pyramid;
 mod seamless;
+mod second_color;
 mod shadow;
 mod shadow_array;
 mod small_floats;
@@ -79,6 +83,7 @@ pub const CHAPTERS: &[Chapter] = &[
             coverage::SHARED_EDGES,
             interpolation::PERSPECTIVE,
             interpolation::DEPTH,
+            provoking::FLAT,
         ],
     ),
     (
@@ -113,6 +118,17 @@ pub const CHAPTERS: &[Chapter] = &[
     ),
     ("Vertices", &[vertex::TEXGEN, vertex::LIGHTING]),
     (
+        "Geometry shaders",
+        &[
+            geometry::ORDER,
+            geometry::STRIP,
+            geometry::ADJACENCY,
+            geometry::FEEDBACK,
+            layers::DRAW,
+            layers::CLEAR,
+        ],
+    ),
+    (
         "Fragments",
         &[
             env::ENVIRONMENT,
@@ -122,6 +138,7 @@ pub const CHAPTERS: &[Chapter] = &[
             fragment::STENCIL,
             depth_test::TEST,
             blend::BLEND,
+            second_color::BLEND,
             fragment::LOGIC,
         ],
     ),

@@ -185,6 +185,21 @@ pub enum Mutation {
     OverflowIsInfinite,
     SharedTruncates,
     ExponentNotRaised,
+    SecondColorIsFirst,
+    SecondAlphaIsColor,
+    AlphaFactorsIgnored,
+    LastAdjacencyIgnored,
+    OddTriangleUnturned,
+    GeometryOrderReversed,
+    FirstStripOnly,
+    ProvokingConventionSwapped,
+    PrimitivesOfAllInstances,
+    StripsJoined,
+    PartOfPrimitiveWritten,
+    LayersReversed,
+    LayerIgnored,
+    ScissorIgnored,
+    FanProvokedByCentre,
 }
 
 /// Whether the oracles are correct or have one mistake.

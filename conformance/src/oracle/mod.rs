@@ -3,6 +3,7 @@
 //! Each takes a [`Variant`](crate::mutation::Variant), which may have a mistake that the formula
 //! then makes. Sections are those of the OpenGL 2.1 specification (December 2006).
 
+pub mod adjacency;
 pub mod anisotropy;
 pub mod blend;
 pub mod block;
@@ -24,11 +25,13 @@ pub mod lod;
 pub mod matrix;
 pub mod mipmap;
 pub mod packing;
+pub mod painter;
 pub mod pixel;
 pub mod projection;
 pub mod pyramid;
 pub mod sample;
 pub mod seamless;
+pub mod second_color;
 pub mod srgb;
 pub mod target;
 pub mod texture;

@@ -40,7 +40,7 @@ pub use points::GlTexGen;
 pub use program::{Precision, Program};
 pub use pyramid::{GREY, IntegerRow};
 pub use session::{Dialect, Session, Vertex};
-pub use stages::{Capture, Captured, Stages};
+pub use stages::{Capture, Captured, Stages, mode_enum};
 
 pub use texels::TexelRow;
 pub use texture::{DepthTexture, Storage};

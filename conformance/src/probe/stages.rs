@@ -3,6 +3,7 @@
 use super::error::ProbeError;
 use super::session::Session;
 use super::shader::compile;
+use crate::oracle::painter::Mode;
 use gl_api::constants::*;
 use gl_api::entry::*;
 
@@ -146,4 +147,24 @@ fn new_buffer(target: u32) {
     let mut buffer = 0u32;
     glGenBuffers(1, &mut buffer);
     glBindBuffer(target, buffer);
+}
+
+/// GL's name of a mode.
+pub fn mode_enum(mode: Mode) -> u32 {
+    match mode {
+        Mode::Points => GL_POINTS,
+        Mode::Lines => GL_LINES,
+        Mode::LineStrip => GL_LINE_STRIP,
+        Mode::LineLoop => GL_LINE_LOOP,
+        Mode::Triangles => GL_TRIANGLES,
+        Mode::TriangleStrip => GL_TRIANGLE_STRIP,
+        Mode::TriangleFan => GL_TRIANGLE_FAN,
+        Mode::LinesAdjacency => GL_LINES_ADJACENCY,
+        Mode::LineStripAdjacency => GL_LINE_STRIP_ADJACENCY,
+        Mode::TrianglesAdjacency => GL_TRIANGLES_ADJACENCY,
+        Mode::TriangleStripAdjacency => GL_TRIANGLE_STRIP_ADJACENCY,
+        Mode::Quads => GL_QUADS,
+        Mode::QuadStrip => GL_QUAD_STRIP,
+        Mode::Polygon => GL_POLYGON,
+    }
 }
