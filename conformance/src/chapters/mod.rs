@@ -16,35 +16,44 @@ mod compressed;
 mod coverage;
 mod cube;
 mod cube_array;
+mod depth_clamp;
 mod depth_test;
 mod env;
+mod es_levels;
 mod etc;
 mod filter;
 mod format;
 mod fragment;
 mod geometry;
 mod integer;
+mod integer_lookup;
 mod interpolation;
 mod layers;
 mod lecture;
 mod level;
 mod lod;
 mod lookup;
+mod lookup_offset;
 mod mipmap;
 mod packing;
 mod pixel;
 mod projection;
 mod provoking;
 mod pyramid;
+mod sampler_object;
+mod samples;
 mod seamless;
 mod second_color;
 mod shadow;
 mod shadow_array;
 mod small_floats;
 mod srgb;
+mod swizzle_paths;
 mod target;
 mod texel_mode;
+mod uniform_block;
 mod vertex;
+mod vertex_arrays;
 mod wrap;
 
 use crate::check::Check;
@@ -62,6 +71,7 @@ pub const CHAPTERS: &[Chapter] = &[
             format::QUERIED,
             format::INTEGERS,
             integer::SAMPLED,
+            integer_lookup::PACKED,
             compressed::COMPRESSED,
             etc::RGB,
             etc::PUNCHTHROUGH,
@@ -73,6 +83,7 @@ pub const CHAPTERS: &[Chapter] = &[
             srgb::DECODE,
             texel_mode::DEPTH_MODE,
             texel_mode::SWIZZLE,
+            swizzle_paths::PATHS,
         ],
     ),
     ("Mipmaps", &[mipmap::GENERATED, mipmap::FLOATS, mipmap::GLU]),
@@ -83,7 +94,11 @@ pub const CHAPTERS: &[Chapter] = &[
             coverage::SHARED_EDGES,
             interpolation::PERSPECTIVE,
             interpolation::DEPTH,
+            depth_clamp::CLAMP,
             provoking::FLAT,
+            samples::POSITION,
+            samples::MASK,
+            samples::RESOLVE,
         ],
     ),
     (
@@ -98,11 +113,16 @@ pub const CHAPTERS: &[Chapter] = &[
             lod::BIAS_CLAMP,
             lookup::LOD,
             lookup::GRAD,
+            lookup_offset::LOD,
+            lookup_offset::GRAD,
             pyramid::LAMBDA,
             pyramid::CUBE_GRAD,
             level::LEVEL,
+            es_levels::LEVELS,
             wrap::NEAREST,
             wrap::LINEAR,
+            integer_lookup::WRAP,
+            sampler_object::PRECEDENCE,
             target::FILTERED,
             target::OFFSET,
             target::PROJECTED,
@@ -116,7 +136,18 @@ pub const CHAPTERS: &[Chapter] = &[
             shadow_array::COMPARE,
         ],
     ),
-    ("Vertices", &[vertex::TEXGEN, vertex::LIGHTING]),
+    (
+        "Vertices",
+        &[
+            vertex_arrays::DIVISOR,
+            vertex_arrays::BASE,
+            vertex_arrays::RESTART,
+            vertex_arrays::PACKED,
+            uniform_block::STD140,
+            vertex::TEXGEN,
+            vertex::LIGHTING,
+        ],
+    ),
     (
         "Geometry shaders",
         &[

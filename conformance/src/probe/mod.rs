@@ -43,4 +43,4 @@ pub use session::{Dialect, Session, Vertex};
 pub use stages::{Capture, Captured, Stages, mode_enum};
 
 pub use texels::TexelRow;
-pub use texture::{DepthTexture, Storage};
+pub use texture::{DepthTexture, Storage, filter_enum, wrap_enum};

@@ -44,8 +44,10 @@ impl Dialect {
     /// The first lines of a shader.
     pub(super) fn head(self) -> &'static str {
         match self {
-            Self::Compatibility => "#version 330 compatibility\n",
-            Self::Core => "#version 330 core\n",
+            Self::Compatibility => {
+                "#version 330 compatibility\n#extension GL_ARB_texture_gather : enable\n"
+            }
+            Self::Core => "#version 330 core\n#extension GL_ARB_texture_gather : enable\n",
             Self::Es => {
                 "#version 300 es\nprecision highp float;\nprecision highp int;\n\
                  precision highp sampler2D;\nprecision highp isampler2D;\n\

@@ -103,6 +103,20 @@ impl Session {
         self.read_floats([width, 1])
     }
 
+    /// As [`Session::copied_by_fragments`], of unsigned integers.
+    ///
+    /// # Errors
+    /// When a call sets the error flag or the shader is rejected.
+    pub fn copied_words(&self, internal: u32, width: usize) -> Result<Vec<[f64; 4]>, ProbeError> {
+        let fragment = "uniform highp usampler2D image; out uvec4 color;
+             void main() { color = texelFetch(image, ivec2(gl_FragCoord.x, 0), 0); }";
+        self.stages(&Stages { vertex: WHOLE, geometry: "", fragment })?;
+        self.frame(internal, [width, 1], 0)?;
+        glDrawArrays(GL_TRIANGLES, 0, 3);
+        let words = self.read_words([width, 1])?;
+        Ok(words.into_iter().map(|word| word.map(f64::from)).collect())
+    }
+
     fn upload_words(
         &self,
         cases: &[[[u32; 4]; 2]],
