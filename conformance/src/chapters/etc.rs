@@ -26,7 +26,7 @@ pub const RGB: Check = Check {
 /// Colours with one bit of alpha.
 pub const PUNCHTHROUGH: Check = Check {
     name: "etc2-punchthrough",
-    citation: "OpenGL ES 3.0, C.1.7 and C.1.8: RGB8A1",
+    citation: "OpenGL ES 3.0, C.1.9 and C.1.10: RGB8A1",
     what: "each texel of blocks of the differential, T, H and planar modes, opaque or not",
     unit: Unit::Ulp,
     tolerance: 1.0,
@@ -48,7 +48,7 @@ pub const RGBA: Check = Check {
 /// Channels of 11 bits.
 pub const EAC: Check = Check {
     name: "eac-11-bits",
-    citation: "OpenGL ES 3.0, C.1.5 and C.1.6: R11 and RG11 EAC, unsigned and signed",
+    citation: "OpenGL ES 3.0, C.1.5 to C.1.8: R11 and RG11 EAC, unsigned and signed",
     what: "each texel of blocks with every table and multiplier, 0 among them",
     unit: Unit::Ulp,
     tolerance: 1.0,
@@ -59,6 +59,8 @@ pub const EAC: Check = Check {
 /// What a block consists of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Coding {
+    /// Colours of the individual and the differential mode: ETC1 leaves open what the others are.
+    Etc1,
     Colors(Alpha),
     AlphaThenColors,
     Channels(Numbers, usize),
@@ -72,7 +74,7 @@ enum Curve {
 }
 
 const FORMATS: [(u32, Coding, Curve); 11] = [
-    (GL_ETC1_RGB8_OES, Coding::Colors(Alpha::None), Curve::Linear),
+    (GL_ETC1_RGB8_OES, Coding::Etc1, Curve::Linear),
     (GL_COMPRESSED_RGB8_ETC2, Coding::Colors(Alpha::None), Curve::Linear),
     (GL_COMPRESSED_SRGB8_ETC2, Coding::Colors(Alpha::None), Curve::Srgb),
     (
@@ -96,8 +98,19 @@ const FORMATS: [(u32, Coding, Curve); 11] = [
 impl Coding {
     fn bytes(self) -> usize {
         match self {
-            Self::Colors(_) | Self::Channels(_, 1) => 8,
+            Self::Etc1 | Self::Colors(_) | Self::Channels(_, 1) => 8,
             Self::AlphaThenColors | Self::Channels(..) => 16,
+        }
+    }
+
+    /// The modes that its blocks of colours have, and where in the block they begin.
+    fn modes(self) -> (&'static [Mode], Alpha, usize) {
+        match self {
+            Self::Etc1 => (&Mode::ALL[..2], Alpha::None, 0),
+            Self::Colors(Alpha::None) => (&Mode::ALL, Alpha::None, 0),
+            Self::Colors(Alpha::Punchthrough) => (&Mode::ALL[1..], Alpha::Punchthrough, 0),
+            Self::AlphaThenColors => (&Mode::ALL, Alpha::None, 8),
+            Self::Channels(..) => (&[], Alpha::None, 0),
         }
     }
 
@@ -106,6 +119,7 @@ impl Coding {
             Block::new(block).decode(alpha, at, variant).map(|c| f64::from(c) / 255.0)
         };
         match self {
+            Self::Etc1 => colors(Alpha::None, block),
             Self::Colors(alpha) => colors(alpha, block),
             Self::AlphaThenColors => {
                 let [r, g, b, _] = colors(Alpha::None, &block[8..]);
@@ -174,10 +188,10 @@ fn blocks(rng: &mut Rng, coding: Coding, count: usize) -> Vec<u8> {
     let mut bytes = Vec::with_capacity(count * coding.bytes());
     for number in 0..count {
         match coding {
-            Coding::Colors(alpha) => bytes.extend(colors(rng, alpha, number)),
+            Coding::Etc1 | Coding::Colors(_) => bytes.extend(colors(rng, coding, number)),
             Coding::AlphaThenColors => {
                 bytes.extend(numbers(rng, number));
-                bytes.extend(colors(rng, Alpha::None, number));
+                bytes.extend(colors(rng, coding, number));
             }
             Coding::Channels(_, channels) => {
                 for _ in 0..channels {
@@ -189,11 +203,8 @@ fn blocks(rng: &mut Rng, coding: Coding, count: usize) -> Vec<u8> {
     bytes
 }
 
-fn colors(rng: &mut Rng, alpha: Alpha, number: usize) -> [u8; 8] {
-    let modes = match alpha {
-        Alpha::None => &Mode::ALL[..],
-        Alpha::Punchthrough => &Mode::ALL[1..],
-    };
+fn colors(rng: &mut Rng, coding: Coding, number: usize) -> [u8; 8] {
+    let (modes, alpha, _) = coding.modes();
     let wanted = modes[number % modes.len()];
     loop {
         let mut block = [0; 8].map(|_: u8| rng.byte());
@@ -224,30 +235,18 @@ fn count(tally: &mut Tally, internal: u32, coding: Coding, bytes: &[u8]) {
     let name = enum_name(internal);
     let blocks = || bytes.chunks_exact(coding.bytes());
     let part = blocks().len() / 10;
-    let offset = if coding == Coding::AlphaThenColors { 8 } else { 0 };
+    let (modes, alpha, first) = coding.modes();
+    for mode in modes {
+        let of = |block: &&[u8]| Block::new(&block[first..]).mode(alpha, Variant::CORRECT) == *mode;
+        tally.reach(format!("{name}, {mode:?}"), blocks().filter(of).count(), part);
+    }
     match coding {
-        Coding::Colors(_) | Coding::AlphaThenColors => {
-            let alpha = if let Coding::Colors(alpha) = coding { alpha } else { Alpha::None };
-            for mode in Mode::ALL {
-                let of = |b: &&[u8]| Block::new(&b[offset..]).mode(alpha, Variant::CORRECT) == mode;
-                let none = alpha == Alpha::Punchthrough && mode == Mode::Individual;
-                let least = if none { 0 } else { part };
-                tally.reach(format!("{name}, {mode:?}"), blocks().filter(of).count(), least);
-            }
+        Coding::Etc1 | Coding::Colors(_) => {}
+        Coding::AlphaThenColors | Coding::Channels(..) => {
+            let zero = blocks().filter(|block| block[1] >> 4 == 0).count();
+            tally.reach(format!("{name}, multiplier 0"), zero, part);
+            let least = blocks().filter(|block| block[0] == 0x80).count();
+            tally.reach(format!("{name}, base -128"), least, part);
         }
-        Coding::Channels(..) => {}
-    }
-    if alpha_or_numbers(coding) {
-        let zero = blocks().filter(|block| block[1] >> 4 == 0).count();
-        tally.reach(format!("{name}, multiplier 0"), zero, part);
-        let least = blocks().filter(|block| block[0] == 0x80).count();
-        tally.reach(format!("{name}, base -128"), least, part);
-    }
-}
-
-fn alpha_or_numbers(coding: Coding) -> bool {
-    match coding {
-        Coding::Colors(_) => false,
-        Coding::AlphaThenColors | Coding::Channels(..) => true,
     }
 }

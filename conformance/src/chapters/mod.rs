@@ -6,7 +6,8 @@
 //! To add a check: write the formula as an [`oracle`](crate::oracle), with a unit test from values computed by hand;
 //! write a file here that makes cases and calls [`Harness::compare`](crate::check::Harness::compare); add it to
 //! [`CHAPTERS`]; and add the mistakes that it must detect to [`MUTATIONS`](crate::mutation::MUTATIONS), each of which
-//! a test builds in.
+//! a test builds in. Where cases are filtered, or only some of them reach a mode or a branch, the check counts those that
+//! do and says how many must ([`Tally::reach`](crate::check::Tally::reach)).
 
 mod anisotropy;
 mod blend;

@@ -24,6 +24,13 @@ pub const PRECEDENCE: Check = Check {
     run,
 };
 
+/// Whether the sampler object is bound when the texture is sampled.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Binding {
+    Bound,
+    UnboundAgain,
+}
+
 fn run(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
     let mut rng = Rng::named("sampler-object");
     let rounds = harness.cases(32).max(8);
@@ -36,18 +43,18 @@ fn run(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
             size: of_texture.size,
             ..random(&mut rng, [Filter::Linear, Filter::Nearest][round % 2])
         };
-        let bound = round % 4 < 3;
+        let binding = if round % 4 < 3 { Binding::Bound } else { Binding::UnboundAgain };
         let cases: Vec<[f32; 4]> = (0..harness.cases(512)).map(|_| case(&mut rng)).collect();
         outside += cases.iter().filter(|c| c[0].abs() > 1.0 || c[1].abs() > 1.0).count();
         let expect = |case: &[f32; 4], variant: Variant| {
-            let used = bound != variant.has(Mutation::SamplerObjectIgnored);
+            let used = binding == Binding::Bound && !variant.has(Mutation::SamplerObjectIgnored);
             let texture = if used { &sampler } else { &of_texture };
             texture.sample([case[0].into(), case[1].into(), 0.0], [0; 3], variant)
         };
-        let scene = (of_texture.wrap, sampler.wrap, sampler.filter, bound);
+        let scene = (of_texture.wrap, sampler.wrap, sampler.filter, binding);
         harness.compare(tally, &scene, &cases, expect, |session| {
             session.target_texture(&of_texture)?;
-            bind(session, &sampler, bound)?;
+            bind(session, &sampler, binding)?;
             let inputs: Vec<_> = cases.iter().map(|&c| [c, [0.0; 4], [0.0; 4]]).collect();
             let body = "uniform sampler2D image; vec4 value() { return texture(image, a.xy); }";
             session.field(body, 4, &inputs)
@@ -80,7 +87,7 @@ fn case(rng: &mut Rng) -> [f32; 4] {
     [coordinate(), coordinate(), 0.0, 1.0]
 }
 
-fn bind(session: &Session, sampler: &Texture, bound: bool) -> Result<(), ProbeError> {
+fn bind(session: &Session, sampler: &Texture, binding: Binding) -> Result<(), ProbeError> {
     let mut name = 0u32;
     glGenSamplers(1, &mut name);
     let filter = filter_enum(sampler.filter);
@@ -95,8 +102,9 @@ fn bind(session: &Session, sampler: &Texture, bound: bool) -> Result<(), ProbeEr
     let color = sampler.border_color.map(|c| c as f32);
     glSamplerParameterfv(name, GL_TEXTURE_BORDER_COLOR, &color);
     glBindSampler(0, name);
-    if !bound {
-        glBindSampler(0, 0);
+    match binding {
+        Binding::Bound => {}
+        Binding::UnboundAgain => glBindSampler(0, 0),
     }
     session.check("binding a sampler object")
 }

@@ -2,6 +2,7 @@
 
 use crate::check::{Check, Harness, Tally, Unit};
 use crate::mutation::{Mutation, Variant};
+use crate::oracle::format::Sign;
 use crate::oracle::vertex_array::{Index, element, index, lines};
 use crate::probe::{Capture, Captured, Dialect, ProbeError, Session, Stages};
 use crate::rng::Rng;
@@ -243,11 +244,11 @@ pub const PACKED: Check = Check {
 };
 
 /// Component `i` of a word: three of ten bits from the lowest, and one of two.
-fn component(word: u32, i: usize, signed: bool, variant: Variant) -> (f64, f64) {
+fn component(word: u32, i: usize, sign: Sign, variant: Variant) -> (f64, f64) {
     let i = if variant.has(Mutation::PackedReversed) { 3 - i } else { i };
     let (shift, bits) = [(0, 10), (10, 10), (20, 10), (30, 2)][i];
     let field = word >> shift & ((1 << bits) - 1);
-    let value = if signed && field >> (bits - 1) == 1 {
+    let value = if sign == Sign::Signed && field >> (bits - 1) == 1 {
         f64::from(field) - f64::from(1u32 << bits)
     } else {
         f64::from(field)
@@ -258,7 +259,12 @@ fn component(word: u32, i: usize, signed: bool, variant: Variant) -> (f64, f64) 
 fn packed(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
     let mut rng = Rng::named("packed-attribute");
     for dialect in [Dialect::Core, Dialect::Es] {
-        for (signed, normalized) in [(false, false), (false, true), (true, false), (true, true)] {
+        for (sign, normalized) in [
+            (Sign::Unsigned, false),
+            (Sign::Unsigned, true),
+            (Sign::Signed, false),
+            (Sign::Signed, true),
+        ] {
             let cases: Vec<u32> = (0..harness.cases(1024))
                 .map(|i| {
                     let random = rng.integer(0, u32::MAX.into()) as u32;
@@ -270,21 +276,25 @@ fn packed(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
                 .collect();
             let expect = |&word: &u32, variant: Variant| {
                 std::array::from_fn(|i| {
-                    let (c, bits) = component(word, i, signed, variant);
+                    let (c, bits) = component(word, i, sign, variant);
                     let of_textures =
                         (dialect == Dialect::Es) != variant.has(Mutation::SignedWithoutHalf);
-                    match (normalized, signed) {
+                    match (normalized, sign) {
                         (false, _) => c,
-                        (true, false) => c / (bits.exp2() - 1.0),
-                        (true, true) if of_textures => (c / ((bits - 1.0).exp2() - 1.0)).max(-1.0),
-                        (true, true) => (2.0 * c + 1.0) / (bits.exp2() - 1.0),
+                        (true, Sign::Unsigned) => c / (bits.exp2() - 1.0),
+                        (true, Sign::Signed) if of_textures => {
+                            (c / ((bits - 1.0).exp2() - 1.0)).max(-1.0)
+                        }
+                        (true, Sign::Signed) => (2.0 * c + 1.0) / (bits.exp2() - 1.0),
                     }
                 })
             };
-            let scene = (dialect, signed, normalized);
+            let scene = (dialect, sign, normalized);
             harness.compare_with(dialect, tally, &scene, &cases, expect, |session| {
-                let ty =
-                    if signed { GL_INT_2_10_10_10_REV } else { GL_UNSIGNED_INT_2_10_10_10_REV };
+                let ty = match sign {
+                    Sign::Signed => GL_INT_2_10_10_10_REV,
+                    Sign::Unsigned => GL_UNSIGNED_INT_2_10_10_10_REV,
+                };
                 session.frame(GL_RGBA32F, [64, cases.len().div_ceil(64)], 0)?;
                 let program = session.stages(&ATTRIBUTE)?;
                 session.word_array(1, 1, &cases)?;

@@ -14,7 +14,7 @@ pub enum Numbers {
     Signed11,
 }
 
-/// Table C.12: modifiers, by the codeword of the table and the index of the texel.
+/// Modifiers, by the codeword of the table and the index of the texel.
 const MODIFIERS: [[i32; 8]; 16] = [
     [-3, -6, -9, -15, 2, 5, 8, 14],
     [-3, -7, -10, -13, 2, 6, 9, 12],

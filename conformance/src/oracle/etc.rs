@@ -30,6 +30,15 @@ pub enum Alpha {
     Punchthrough,
 }
 
+/// What bit 33 of a block of RGB8A1 says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Opacity {
+    /// All texels are opaque.
+    Opaque,
+    /// Those with index 2 are not, and index 0 has no modifier.
+    Mixed,
+}
+
 /// A block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Block(u64);
@@ -84,13 +93,14 @@ impl Block {
         let opaque = alpha == Alpha::None
             || self.bits(33, 33) == 1
             || variant.has(Mutation::EtcOpaqueBitIgnored);
+        let opacity = if opaque { Opacity::Opaque } else { Opacity::Mixed };
         let mode = self.mode(alpha, variant);
-        if !opaque && code == 2 && mode != Mode::Planar {
+        if opacity == Opacity::Mixed && code == 2 && mode != Mode::Planar {
             return [0; 4];
         }
         let color = match mode {
             Mode::Individual | Mode::Differential => {
-                self.subblock(mode, code, [x, y], opaque, variant)
+                self.subblock(mode, code, [x, y], opacity, variant)
             }
             Mode::T => self.t(code, variant),
             Mode::H => self.h(code, variant),
@@ -106,7 +116,7 @@ impl Block {
         mode: Mode,
         code: i32,
         [x, y]: [usize; 2],
-        opaque: bool,
+        opacity: Opacity,
         variant: Variant,
     ) -> [i32; 3] {
         let flipped = (self.bits(32, 32) == 1) != variant.has(Mutation::EtcFlipIgnored);
@@ -119,9 +129,9 @@ impl Block {
         });
         let table = if second { self.bits(36, 34) } else { self.bits(39, 37) } as usize;
         let [small, large] = MODIFIERS[table];
-        let modifier = match (code, opaque) {
-            (0, true) => small,
-            (0, false) => 0,
+        let modifier = match (code, opacity) {
+            (0, Opacity::Opaque) => small,
+            (0, Opacity::Mixed) => 0,
             (1, _) => large,
             (2, _) => -small,
             (_, _) => -large,
@@ -195,13 +205,13 @@ fn extend(code: i32, width: u32) -> i32 {
     code << (8 - width) | code >> (2 * width - 8)
 }
 
-/// Table C.8: the distances of the T and H modes.
+/// The distances of the T and H modes.
 fn distance(index: i32, variant: Variant) -> i32 {
     let index = if variant.has(Mutation::EtcDistanceOff) { (index + 1) % 8 } else { index };
     [3, 6, 11, 16, 23, 32, 41, 64][index as usize]
 }
 
-/// Table C.5: the smaller and the larger modifier of each codeword.
+/// The smaller and the larger modifier of each codeword.
 const MODIFIERS: [[i32; 2]; 8] =
     [[2, 8], [5, 17], [9, 29], [13, 42], [18, 60], [24, 80], [33, 106], [47, 183]];
 
