@@ -3,7 +3,6 @@
 
 #[path = "../bodies/blocks.rs"]
 mod blocks;
-#[allow(dead_code, reason = "contexts of OpenGL are for other targets")]
 #[path = "../bodies/context.rs"]
 mod context;
 

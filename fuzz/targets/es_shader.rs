@@ -1,7 +1,6 @@
 //! Any bytes as the choices of a grammar of GLSL ES: the shader is refused with a reason, or a draw with it ends.
 #![no_main]
 
-#[allow(dead_code, reason = "contexts of OpenGL are for other targets")]
 #[path = "../bodies/context.rs"]
 mod context;
 #[path = "../bodies/es_shader.rs"]

@@ -2,7 +2,6 @@
 
 #[path = "../../fuzz/bodies/blocks.rs"]
 mod blocks;
-#[allow(dead_code, reason = "contexts of OpenGL are for other targets")]
 #[path = "../../fuzz/bodies/context.rs"]
 mod context;
 #[path = "../../fuzz/bodies/es_shader.rs"]

@@ -2,8 +2,8 @@
 
 use crate::check::{Check, Harness, Tally, Unit};
 use crate::mutation::{Mutation, Variant};
-use crate::oracle::lod::{Filter, Filters, LevelRange, Levels, LodState, Mipmap, lambda, levels};
-use crate::probe::{Dialect, ProbeError};
+use crate::oracle::lod::{Filters, LevelRange, Levels, LodState, lambda, levels};
+use crate::probe::{Dialect, ProbeError, filter_enum, min_filter_enum};
 use crate::rng::Rng;
 use gl_api::constants::*;
 use gl_api::entry::*;
@@ -112,23 +112,11 @@ fn specify(state: &State) {
         let texels = vec![level as f32; side * side];
         glTexSubImage2D(target, level, 0, 0, side, side, GL_RED, GL_FLOAT, &texels);
     }
-    let min = match (state.filters.min, state.filters.mipmap) {
-        (Filter::Nearest, Mipmap::None) => GL_NEAREST,
-        (Filter::Linear, Mipmap::None) => GL_LINEAR,
-        (Filter::Nearest, Mipmap::Nearest) => GL_NEAREST_MIPMAP_NEAREST,
-        (Filter::Linear, Mipmap::Nearest) => GL_LINEAR_MIPMAP_NEAREST,
-        (Filter::Nearest, Mipmap::Linear) => GL_NEAREST_MIPMAP_LINEAR,
-        (Filter::Linear, Mipmap::Linear) => GL_LINEAR_MIPMAP_LINEAR,
-    };
-    let mag = match state.filters.mag {
-        Filter::Nearest => GL_NEAREST,
-        Filter::Linear => GL_LINEAR,
-    };
     for (parameter, value) in [
         (GL_TEXTURE_BASE_LEVEL, state.base as u32),
         (GL_TEXTURE_MAX_LEVEL, state.max as u32),
-        (GL_TEXTURE_MIN_FILTER, min),
-        (GL_TEXTURE_MAG_FILTER, mag),
+        (GL_TEXTURE_MIN_FILTER, min_filter_enum(state.filters)),
+        (GL_TEXTURE_MAG_FILTER, filter_enum(state.filters.mag)),
     ] {
         glTexParameteri(target, parameter, value);
     }

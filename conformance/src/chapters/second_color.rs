@@ -4,7 +4,7 @@ use crate::check::{Check, Harness, Tally, Unit};
 use crate::mutation::Variant;
 use crate::oracle::blend::Equation;
 use crate::oracle::second_color::{Colors, Factor, State, blend};
-use crate::probe::{Dialect, ProbeError, Session, Stages};
+use crate::probe::{Dialect, ProbeError, Session, Stages, equation_enum};
 use crate::rng::Rng;
 use gl_api::constants::*;
 use gl_api::entry::*;
@@ -91,16 +91,6 @@ fn observe(session: &Session, state: &State, cases: &[Case]) -> Result<Vec<[f64;
         glBlendFuncSeparate(sr, dr, sa, da);
     }
     session.read_floats([WIDTH, 1])
-}
-
-fn equation_enum(equation: Equation) -> u32 {
-    match equation {
-        Equation::Add => GL_FUNC_ADD,
-        Equation::Subtract => GL_FUNC_SUBTRACT,
-        Equation::ReverseSubtract => GL_FUNC_REVERSE_SUBTRACT,
-        Equation::Min => GL_MIN,
-        Equation::Max => GL_MAX,
-    }
 }
 
 fn factor_enum(factor: Factor) -> u32 {

@@ -62,12 +62,7 @@ impl Harness {
         expect: impl Fn(&C, Variant) -> [f64; 4],
         observe: impl FnOnce(&Session) -> Result<Vec<[f64; 4]>, ProbeError>,
     ) -> Result<(), ProbeError> {
-        let unit = tally.unit();
-        let error = |_: &C, expected: [f64; 4], measured: [f64; 4]| {
-            let errors = expected.iter().zip(measured).map(|(&e, m)| unit.error(e, m));
-            errors.fold(0.0, f64::max)
-        };
-        self.compare_by(tally, scene, cases, expect, error, observe)
+        self.compare_with(Dialect::Compatibility, tally, scene, cases, expect, observe)
     }
 
     /// As [`Harness::compare`], with the check's own error function, in its unit.

@@ -29,7 +29,7 @@ mod texels;
 mod texture;
 mod words;
 
-pub use blend::{BlendState, BlendedCell};
+pub use blend::{BlendState, BlendedCell, equation_enum};
 pub use error::ProbeError;
 pub use extreme::{DepthBuffer, MatrixStep};
 pub use fixed::FixedCell;
@@ -43,4 +43,4 @@ pub use session::{Dialect, Session, Vertex};
 pub use stages::{Capture, Captured, Stages, mode_enum};
 
 pub use texels::TexelRow;
-pub use texture::{DepthTexture, Storage, filter_enum, wrap_enum};
+pub use texture::{DepthTexture, Storage, filter_enum, min_filter_enum, wrap_enum};

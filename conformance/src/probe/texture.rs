@@ -190,7 +190,8 @@ pub fn filter_enum(filter: Filter) -> u32 {
     }
 }
 
-fn min_filter_enum(filters: Filters) -> u32 {
+/// GL's name of a minification filter.
+pub fn min_filter_enum(filters: Filters) -> u32 {
     match (filters.min, filters.mipmap) {
         (filter, Mipmap::None) => filter_enum(filter),
         (Filter::Nearest, Mipmap::Nearest) => GL_NEAREST_MIPMAP_NEAREST,
