@@ -2,7 +2,7 @@
 
 use crate::check::{Check, Harness, Tally, Unit};
 use crate::mutation::Variant;
-use crate::oracle::samples::{POSITIONS, SAMPLES, masked, resolved, shown};
+use crate::oracle::samples::{POSITIONS, SAMPLES, masked, resolved, sample_position, shown};
 use crate::probe::{Dialect, ProbeError, Session, Stages};
 use crate::rng::Rng;
 use gl_api::constants::*;
@@ -107,7 +107,7 @@ fn fetched(session: &Session, cases: &[Case]) -> Result<Vec<[f64; 4]>, ProbeErro
 fn position(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
     let numbers: Vec<usize> = (0..SAMPLES).collect();
     let place = |&sample: &usize, variant: Variant| {
-        let [x, y] = crate::oracle::samples::place([0, 0], sample, variant);
+        let [x, y] = sample_position([0, 0], sample, variant);
         [x, y, 0.0, 0.0]
     };
     harness.compare_with(Dialect::Core, tally, &"positions", &numbers, place, |session| {

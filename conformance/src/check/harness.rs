@@ -102,7 +102,7 @@ impl Harness {
         self.compare_in(dialect, tally, scene, cases, expect, error, observe)
     }
 
-    #[expect(clippy::too_many_arguments, reason = "the three above give it what they were given")]
+    #[expect(clippy::too_many_arguments, reason = "the others pass on what they get")]
     fn compare_in<C: Debug>(
         &self,
         dialect: Dialect,

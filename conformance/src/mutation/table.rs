@@ -335,7 +335,7 @@ pub const MUTATIONS: &[MutationRow] = {
         row(SampleMaskReversed, "sample-mask", "the lowest bit is the last sample"),
         row(SampleMaskIgnored, "sample-mask", "the mask is left out"),
         row(ResolveOfOneSample, "sample-resolve", "one sample instead of the mean"),
-        row(DepthClampIgnored, "depth-clamp", "what lies beyond the planes is clipped"),
+        row(DepthClampIgnored, "depth-clamp", "depths beyond the planes are clipped"),
         row(DepthClampedToOne, "depth-clamp", "depths are clamped to 0 and 1, not to the range"),
         row(DepthRangeIgnored, "depth-clamp", "glDepthRange is left out"),
         row(OffsetIgnored, "lookup-lod-offset", "the offset is left out"),

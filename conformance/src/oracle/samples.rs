@@ -10,7 +10,7 @@ pub const SAMPLES: usize = 4;
 pub const POSITIONS: [[f64; 2]; SAMPLES] = [[6.0, 2.0], [14.0, 6.0], [2.0, 10.0], [10.0, 14.0]];
 
 /// The place of a sample of a pixel.
-pub fn place([x, y]: [usize; 2], sample: usize, variant: Variant) -> [f64; 2] {
+pub fn sample_position([x, y]: [usize; 2], sample: usize, variant: Variant) -> [f64; 2] {
     let [dx, dy] = if variant.has(Mutation::SamplesAtCentre) {
         [8.0, 8.0]
     } else if variant.has(Mutation::SamplesUpsideDown) {
@@ -28,7 +28,7 @@ pub fn shown(
     sample: usize,
     variant: Variant,
 ) -> Option<usize> {
-    let at = place(pixel, sample, variant);
+    let at = sample_position(pixel, sample, variant);
     let mut shown = 0;
     for (number, corners) in (1..).zip(triangles) {
         if inside(*corners, at)? {
