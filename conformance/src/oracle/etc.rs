@@ -243,7 +243,7 @@ mod tests {
     fn the_sums_choose_the_mode() {
         // Red 31 + 1, green 31 + 1, blue 31 + 1 with the others in range.
         for (high, mode) in [(63, Mode::T), (55, Mode::H), (47, Mode::Planar)] {
-            let word = 0b1_1111_001_u64 << (high - 7) | 1 << 33;
+            let word = (31_u64 << 3 | 1) << (high - 7) | 1 << 33;
             assert_eq!(block(word).mode(Alpha::None, TRUE), mode);
         }
     }
@@ -251,7 +251,7 @@ mod tests {
     #[test]
     fn planes_by_hand() {
         // Blue is 31 + 1, so that BO2 is 3 and BO3 is 2; all other fields are 0.
-        let word = 0b1_1111_001_u64 << 40 | 1 << 33;
+        let word = (31_u64 << 3 | 1) << 40 | 1 << 33;
         let plane = block(word);
         assert_eq!(plane.mode(Alpha::None, TRUE), Mode::Planar);
         let origin = 26 << 2 | 1;
