@@ -4,7 +4,7 @@
 use clap::{Parser, Subcommand};
 use conformance::chapters::checks;
 use conformance::check::{Check, Effort, Harness, Outcome, Subject, Verdict};
-use conformance::mutation::Variant;
+use conformance::mutation::{MUTATIONS, MutationRow, Variant};
 use conformance::peers::process::Task;
 use conformance::peers::{self, PeersError};
 use conformance::report::page::PageError;
@@ -126,7 +126,8 @@ impl Args {
         let selected: Vec<&T> =
             all.clone().filter(|item| texts(item).iter().any(|t| t.contains(text))).collect();
         if selected.is_empty() {
-            let names: Vec<&str> = all.map(|item| texts(item)[0]).collect();
+            let mut names: Vec<&str> = all.map(|item| texts(item)[0]).collect();
+            names.dedup();
             return Err(Failure::NoMatch(text.to_owned(), names.join(", ")));
         }
         Ok(selected)
@@ -160,7 +161,8 @@ impl Args {
     }
 
     fn self_test(&self) -> Result<bool, Failure> {
-        let trials = self_test::run(Subject::Driver);
+        let rows = self.selected(MUTATIONS.iter(), |row: &MutationRow| [row.check, row.what])?;
+        let trials = self_test::run(Subject::Driver, &rows);
         self.print(|| report::trials_table(&trials), &trials)?;
         Ok(trials.iter().all(|trial| trial.noticed))
     }

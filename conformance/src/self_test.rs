@@ -3,7 +3,7 @@
 
 use crate::chapters::checks;
 use crate::check::{Effort, Harness, Subject, Verdict};
-use crate::mutation::{MUTATIONS, MutationRow, Variant};
+use crate::mutation::{MutationRow, Variant};
 use serde::Serialize;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -22,13 +22,13 @@ pub struct Trial {
     pub tolerance: f64,
 }
 
-/// Runs the check of every mistake against `subject`, on as many threads as there are processors. Each thread has
+/// Runs the check of each of these mistakes against `subject`, on as many threads as there are processors. Each thread has
 /// GL contexts of its own.
-pub fn run(subject: Subject) -> Vec<Trial> {
+pub fn run(subject: Subject, rows: &[&MutationRow]) -> Vec<Trial> {
     let next = AtomicUsize::new(0);
     let some = || {
         let numbers = std::iter::repeat_with(|| next.fetch_add(1, Ordering::Relaxed));
-        let rows = numbers.map_while(|number| Some((number, MUTATIONS.get(number)?)));
+        let rows = numbers.map_while(|number| Some((number, rows.get(number)?)));
         rows.map(|(number, row)| (number, trial(row, subject))).collect::<Vec<_>>()
     };
     let threads = std::thread::available_parallelism().map_or(1, usize::from);

@@ -20,7 +20,7 @@ fn the_true_formulas_agree_with_themselves() {
 
 #[test]
 fn every_mistake_is_noticed() {
-    let trials = self_test::run(Subject::Oracle);
+    let trials = self_test::run(Subject::Oracle, &MUTATIONS.iter().collect::<Vec<_>>());
     let missed: Vec<_> = trials.iter().filter(|trial| !trial.noticed).collect();
     assert!(missed.is_empty(), "{missed:#?}");
 }

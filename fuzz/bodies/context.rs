@@ -5,12 +5,7 @@ use rasterizer::driver::{Device, DeviceDesc, Explain};
 use std::sync::Arc;
 use texunit::lanes::Isa;
 
-/// A small context with a short time limit for shaders.
-pub fn context() -> Context {
-    context_of(Api::Compatibility)
-}
-
-/// As [`context`], of a profile.
+/// A small context of a profile, with a short time limit for shaders.
 pub fn context_of(api: Api) -> Context {
     let desc = DeviceDesc { isa: Isa::best(), threads: 2, budget: 20_000, explain: Explain::Off };
     let device = Some(Arc::new(Device::new(desc).expect("threads start")));

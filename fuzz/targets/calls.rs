@@ -9,12 +9,12 @@ mod context;
 mod random;
 
 use calls::make_calls;
-use context::{context, still_works};
+use context::{context_of, still_works};
 use libfuzzer_sys::fuzz_target;
 use random::Random;
 
 fuzz_target!(|bytes: &[u8]| {
-    let mut c = context();
+    let mut c = context_of(gl_api::Api::Compatibility);
     make_calls(&mut c, &mut Random::new(0, bytes), 100);
     still_works(&mut c);
 });

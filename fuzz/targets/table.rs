@@ -5,12 +5,12 @@
 #[path = "../bodies/context.rs"]
 mod context;
 
-use context::{context, still_works};
+use context::{context_of, still_works};
 use gl_api::exercise::{Random, exercises};
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|bytes: &[u8]| {
-    let (mut c, mut random) = (context(), Random::new(0, bytes));
+    let (mut c, mut random) = (context_of(gl_api::Api::Compatibility), Random::new(0, bytes));
     let all = exercises();
     for _ in 0..bytes.len().min(400) {
         let exercise = &all[random.below(all.len())];

@@ -133,6 +133,37 @@ fn shaders_of_1_00_draw_from_client_memory() {
     assert_eq!(pixel(&mut c), [143, 112, 0, 255]);
 }
 
+/// All signed fractions are `max(c / (2^(b-1) - 1), -1)` (OpenGL ES 3.0 equation 2.2): 0 is 0, both least numbers are -1.
+#[test]
+fn signed_fractions_in_arrays_have_a_zero() {
+    let mut c = es();
+    let vertex = "#version 300 es\n\
+        layout(location = 0) in vec3 given; out vec3 value;\n\
+        void main() { value = given; gl_Position = vec4(0.0, 0.0, 0.0, 1.0); gl_PointSize = 8.0; }";
+    let fragment = "#version 300 es\n\
+        precision highp float; in vec3 value; out vec4 color;\n\
+        void main() { color = vec4(equal(value, vec3(-1.0, 0.0, 1.0)), true); }";
+    use_program(&mut c, vertex, fragment);
+    c.enable_vertex_attrib_array(0);
+    let packed = (0x1ff_u32 << 20 | 0x200).to_le_bytes();
+    let words = [i32::MIN, 0, i32::MAX].map(i32::to_le_bytes);
+    let cases: [(GLenum, i32, &[u8]); 5] = [
+        (GL_BYTE, 3, &[0x80, 0, 0x7f]),
+        (GL_BYTE, 3, &[0x81, 0, 0x7f]),
+        (GL_SHORT, 3, &[0, 0x80, 0, 0, 0xff, 0x7f]),
+        (GL_INT, 3, words.as_flattened()),
+        (GL_INT_2_10_10_10_REV, 4, &packed),
+    ];
+    for (ty, size, bytes) in cases {
+        c.vertex_attrib_pointer(0, size, ty, true, 0, bytes.arg());
+        c.draw_arrays(GL_POINTS, 0, 1);
+        assert_eq!(pixel(&mut c), [255; 4], "{}", enum_name(ty));
+        let mut normalized = [0];
+        c.get_vertex_attribiv(0, GL_VERTEX_ATTRIB_ARRAY_NORMALIZED, &mut normalized);
+        assert_eq!(normalized, [1]);
+    }
+}
+
 /// What is packed and unpacked again is what was rounded to 16 bits (GLSL ES 3.00 section 8.4).
 #[test]
 fn shaders_of_3_00_pack_half_floats_and_fractions() {

@@ -11,10 +11,14 @@ mod random;
 mod shading;
 
 use calls::make_calls;
-use context::{context, context_of, still_works};
+use context::{context_of, still_works};
 use gl_api::*;
 use random::Random;
 use std::time::{Duration, Instant};
+
+fn context() -> Context {
+    context_of(Api::Compatibility)
+}
 
 #[test]
 fn random_calls_never_panic_and_leave_a_context_that_works() {

@@ -6,7 +6,8 @@
 //! To add a check: write the formula as an [`oracle`](crate::oracle), with a unit test from values computed by hand;
 //! write a file here that makes cases and calls [`Harness::compare`](crate::check::Harness::compare); add it to
 //! [`CHAPTERS`]; and add the mistakes that it must detect to [`MUTATIONS`](crate::mutation::MUTATIONS), each of which
-//! a test builds in.
+//! a test builds in. Where cases are filtered, or only some of them reach a mode or a branch, the check counts those that
+//! do and says how many must ([`Tally::reach`](crate::check::Tally::reach)).
 
 mod anisotropy;
 mod blend;
@@ -16,28 +17,44 @@ mod compressed;
 mod coverage;
 mod cube;
 mod cube_array;
+mod depth_clamp;
 mod depth_test;
 mod env;
+mod es_levels;
+mod etc;
 mod filter;
 mod format;
 mod fragment;
+mod geometry;
 mod integer;
+mod integer_lookup;
 mod interpolation;
+mod layers;
 mod lecture;
 mod level;
 mod lod;
 mod lookup;
+mod lookup_offset;
 mod mipmap;
+mod packing;
 mod pixel;
 mod projection;
+mod provoking;
 mod pyramid;
+mod sampler_object;
+mod samples;
 mod seamless;
+mod second_color;
 mod shadow;
 mod shadow_array;
+mod small_floats;
 mod srgb;
+mod swizzle_paths;
 mod target;
 mod texel_mode;
+mod uniform_block;
 mod vertex;
+mod vertex_arrays;
 mod wrap;
 
 use crate::check::Check;
@@ -55,10 +72,19 @@ pub const CHAPTERS: &[Chapter] = &[
             format::QUERIED,
             format::INTEGERS,
             integer::SAMPLED,
+            integer_lookup::PACKED,
             compressed::COMPRESSED,
+            etc::RGB,
+            etc::PUNCHTHROUGH,
+            etc::RGBA,
+            etc::EAC,
+            small_floats::SHARED,
+            small_floats::UPLOADED,
+            small_floats::RENDERED,
             srgb::DECODE,
             texel_mode::DEPTH_MODE,
             texel_mode::SWIZZLE,
+            swizzle_paths::PATHS,
         ],
     ),
     ("Mipmaps", &[mipmap::GENERATED, mipmap::FLOATS, mipmap::GLU]),
@@ -69,6 +95,11 @@ pub const CHAPTERS: &[Chapter] = &[
             coverage::SHARED_EDGES,
             interpolation::PERSPECTIVE,
             interpolation::DEPTH,
+            depth_clamp::CLAMP,
+            provoking::FLAT,
+            samples::POSITION,
+            samples::MASK,
+            samples::RESOLVE,
         ],
     ),
     (
@@ -83,11 +114,16 @@ pub const CHAPTERS: &[Chapter] = &[
             lod::BIAS_CLAMP,
             lookup::LOD,
             lookup::GRAD,
+            lookup_offset::LOD,
+            lookup_offset::GRAD,
             pyramid::LAMBDA,
             pyramid::CUBE_GRAD,
             level::LEVEL,
+            es_levels::LEVELS,
             wrap::NEAREST,
             wrap::LINEAR,
+            integer_lookup::WRAP,
+            sampler_object::PRECEDENCE,
             target::FILTERED,
             target::OFFSET,
             target::PROJECTED,
@@ -101,7 +137,29 @@ pub const CHAPTERS: &[Chapter] = &[
             shadow_array::COMPARE,
         ],
     ),
-    ("Vertices", &[vertex::TEXGEN, vertex::LIGHTING]),
+    (
+        "Vertices",
+        &[
+            vertex_arrays::DIVISOR,
+            vertex_arrays::BASE,
+            vertex_arrays::RESTART,
+            vertex_arrays::PACKED,
+            uniform_block::STD140,
+            vertex::TEXGEN,
+            vertex::LIGHTING,
+        ],
+    ),
+    (
+        "Geometry shaders",
+        &[
+            geometry::ORDER,
+            geometry::STRIP,
+            geometry::ADJACENCY,
+            geometry::FEEDBACK,
+            layers::DRAW,
+            layers::CLEAR,
+        ],
+    ),
     (
         "Fragments",
         &[
@@ -112,11 +170,13 @@ pub const CHAPTERS: &[Chapter] = &[
             fragment::STENCIL,
             depth_test::TEST,
             blend::BLEND,
+            second_color::BLEND,
             fragment::LOGIC,
         ],
     ),
     ("The lectures", &[lecture::LECTURES]),
     ("Built-in functions", &builtin::ULP),
+    ("Numbers in words", &packing::ALL),
     ("Where built-in functions end", &[builtin::EXTREMES]),
 ];
 

@@ -2,7 +2,7 @@
 
 use super::harness::Harness;
 use super::outcome::{Outcome, Verdict};
-use super::tally::Tally;
+use super::tally::{Reach, Tally};
 use super::unit::Unit;
 use crate::probe::ProbeError;
 use std::time::Instant;
@@ -32,9 +32,14 @@ impl Check {
         let start = Instant::now();
         let mut tally = Tally::new(self.unit);
         let result = (self.run)(harness, &mut tally);
+        let reached = tally.reached().to_vec();
         let verdict = match result {
             Err(error) => Verdict::Broken(error.to_string()),
             Ok(()) if tally.cases() == 0 => Verdict::Broken("no cases".to_owned()),
+            Ok(()) if let Some(reach) = reached.iter().find(|reach| reach.cases < reach.least) => {
+                let Reach { what, cases, least } = reach;
+                Verdict::Broken(format!("{what}: {cases} cases, of which {least} are needed"))
+            }
             Ok(()) if tally.largest() <= self.tolerance => Verdict::Pass,
             Ok(()) => Verdict::Fail,
         };
@@ -45,6 +50,7 @@ impl Check {
             citation: self.citation,
             what: self.what,
             cases,
+            reached,
             largest_error,
             unit: self.unit,
             tolerance: self.tolerance,

@@ -2,7 +2,7 @@
 
 use super::tally::{ComparedCases, Tally};
 use crate::mutation::Variant;
-use crate::probe::{ProbeError, Session};
+use crate::probe::{Dialect, ProbeError, Session};
 use std::fmt::Debug;
 
 /// What is measured.
@@ -62,12 +62,7 @@ impl Harness {
         expect: impl Fn(&C, Variant) -> [f64; 4],
         observe: impl FnOnce(&Session) -> Result<Vec<[f64; 4]>, ProbeError>,
     ) -> Result<(), ProbeError> {
-        let unit = tally.unit();
-        let error = |_: &C, expected: [f64; 4], measured: [f64; 4]| {
-            let errors = expected.iter().zip(measured).map(|(&e, m)| unit.error(e, m));
-            errors.fold(0.0, f64::max)
-        };
-        self.compare_by(tally, scene, cases, expect, error, observe)
+        self.compare_with(Dialect::Compatibility, tally, scene, cases, expect, observe)
     }
 
     /// As [`Harness::compare`], with the check's own error function, in its unit.
@@ -83,10 +78,48 @@ impl Harness {
         error: impl Fn(&C, [f64; 4], [f64; 4]) -> f64,
         observe: impl FnOnce(&Session) -> Result<Vec<[f64; 4]>, ProbeError>,
     ) -> Result<(), ProbeError> {
+        self.compare_in(Dialect::Compatibility, tally, scene, cases, expect, error, observe)
+    }
+
+    /// As [`Harness::compare`], in a context of OpenGL 3.3 core or OpenGL ES 3.0.
+    ///
+    /// # Errors
+    /// When the driver reports a GL error or rejects a shader.
+    pub fn compare_with<C: Debug>(
+        &self,
+        dialect: Dialect,
+        tally: &mut Tally,
+        scene: &dyn Debug,
+        cases: &[C],
+        expect: impl Fn(&C, Variant) -> [f64; 4],
+        observe: impl FnOnce(&Session) -> Result<Vec<[f64; 4]>, ProbeError>,
+    ) -> Result<(), ProbeError> {
+        let unit = tally.unit();
+        let error = |_: &C, expected: [f64; 4], measured: [f64; 4]| {
+            let errors = expected.iter().zip(measured).map(|(&e, m)| unit.error(e, m));
+            errors.fold(0.0, f64::max)
+        };
+        self.compare_in(dialect, tally, scene, cases, expect, error, observe)
+    }
+
+    #[expect(clippy::too_many_arguments, reason = "the others pass on what they get")]
+    fn compare_in<C: Debug>(
+        &self,
+        dialect: Dialect,
+        tally: &mut Tally,
+        scene: &dyn Debug,
+        cases: &[C],
+        expect: impl Fn(&C, Variant) -> [f64; 4],
+        error: impl Fn(&C, [f64; 4], [f64; 4]) -> f64,
+        observe: impl FnOnce(&Session) -> Result<Vec<[f64; 4]>, ProbeError>,
+    ) -> Result<(), ProbeError> {
         let measured = match self.subject {
-            Subject::Driver => observe(&Session::open()?)?,
+            Subject::Driver => observe(&Session::open_in(dialect)?)?,
             Subject::Oracle => cases.iter().map(|case| expect(case, Variant::CORRECT)).collect(),
         };
+        if measured.len() != cases.len() {
+            return Err(ProbeError::Missing { cases: cases.len(), measured: measured.len() });
+        }
         let before = tally.largest();
         let mut compared = ComparedCases::default();
         for (case, measured) in cases.iter().zip(measured) {

@@ -9,5 +9,5 @@ mod unit;
 pub use definition::Check;
 pub use harness::{Effort, Harness, Subject};
 pub use outcome::{Outcome, Verdict};
-pub use tally::{ComparedCases, Tally};
+pub use tally::{ComparedCases, Reach, Tally};
 pub use unit::Unit;

@@ -1,6 +1,6 @@
 //! The result of a check.
 
-use super::tally::ComparedCases;
+use super::tally::{ComparedCases, Reach};
 use super::unit::Unit;
 use serde::Serialize;
 
@@ -27,6 +27,8 @@ pub struct Outcome {
     pub what: &'static str,
     /// How many cases were compared.
     pub cases: u64,
+    /// How many of them reach what the check is about.
+    pub reached: Vec<Reach>,
     /// The largest error.
     pub largest_error: f64,
     /// The unit of errors.

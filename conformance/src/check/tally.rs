@@ -1,6 +1,7 @@
 //! The errors of the cases of a check.
 
 use super::unit::Unit;
+use serde::Serialize;
 
 /// Expected and measured values of the comparison that contains the worst case; the report shows them as pictures.
 #[derive(Clone, Debug, Default)]
@@ -11,6 +12,17 @@ pub struct ComparedCases {
     pub errors: Vec<f64>,
 }
 
+/// How many cases reach what a check is about: a mode, a branch, a pixel that is drawn.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Reach {
+    /// What is reached.
+    pub what: String,
+    /// By how many cases.
+    pub cases: usize,
+    /// How many must reach it for the check to mean anything.
+    pub least: usize,
+}
+
 /// Counts cases and keeps the one with the largest error.
 #[derive(Clone, Debug)]
 pub struct Tally {
@@ -19,6 +31,7 @@ pub struct Tally {
     largest: f64,
     worst: String,
     compared: ComparedCases,
+    reached: Vec<Reach>,
 }
 
 impl Tally {
@@ -30,7 +43,18 @@ impl Tally {
             largest: 0.0,
             worst: String::new(),
             compared: ComparedCases::default(),
+            reached: Vec::new(),
         }
+    }
+
+    /// Says how many cases reach something, of which at least `least` must.
+    pub fn reach(&mut self, what: impl Into<String>, cases: usize, least: usize) {
+        self.reached.push(Reach { what: what.into(), cases, least });
+    }
+
+    /// What was reached, and by how many cases.
+    pub(super) fn reached(&self) -> &[Reach] {
+        &self.reached
     }
 
     /// The unit of errors.
@@ -83,5 +107,13 @@ mod tests {
         tally.add(1.0, || "one off".to_owned());
         assert_eq!((tally.cases(), tally.largest()), (3, 2.0));
         assert_eq!(tally.into_worst().0, "two off");
+    }
+
+    #[test]
+    fn what_is_reached_is_kept() {
+        let mut tally = Tally::new(Unit::Bytes);
+        tally.reach("a mode", 3, 4);
+        let Reach { what, cases, least } = &tally.reached()[0];
+        assert_eq!((what.as_str(), *cases, *least), ("a mode", 3, 4));
     }
 }

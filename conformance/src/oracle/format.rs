@@ -119,7 +119,7 @@ pub fn stored(base: Base, encoding: Encoding, rgba: [f64; 4], variant: Variant) 
         Encoding::Single => c.map(|c| f64::from(c as f32)),
         Encoding::PackedFloat => {
             let bits = [6, 6, 5, 5];
-            std::array::from_fn(|i| small_float(c[i].max(0.0), bits[i], 5, variant))
+            std::array::from_fn(|i| packed_float(c[i], bits[i], variant))
         }
         Encoding::SharedExponent => shared_exponent(c, variant),
         Encoding::Integer(bits, sign) => {
@@ -165,7 +165,7 @@ fn unorm(c: f64, bits: u32, variant: Variant) -> f64 {
 
 /// The nearest float with so many bits of mantissa and exponent, ties to even, denormals too.
 /// Larger values than the largest float become infinite.
-fn small_float(x: f64, mantissa: i32, exponent: u32, variant: Variant) -> f64 {
+pub fn small_float(x: f64, mantissa: i32, exponent: u32, variant: Variant) -> f64 {
     if x == 0.0 || !x.is_finite() {
         return x;
     }
@@ -185,20 +185,38 @@ fn small_float(x: f64, mantissa: i32, exponent: u32, variant: Variant) -> f64 {
     if rounded.abs() >= 2f64.powi(bias + 1) { f64::INFINITY.copysign(x) } else { rounded }
 }
 
+/// An unsigned float of 11 or 10 bits (GL 3.3, sections 2.1.3 and 2.1.4): the closest *finite* one of a finite number,
+/// 0 of a negative one, infinity and NaN of themselves.
+pub fn packed_float(x: f64, mantissa: i32, variant: Variant) -> f64 {
+    let largest = (2.0 - 2f64.powi(-mantissa)) * 32768.0;
+    if x.is_nan() {
+        return if variant.has(Mutation::NanIsZero) { 0.0 } else { x };
+    }
+    if x < 0.0 && variant.has(Mutation::NegativeIsAbsolute) {
+        return small_float(-x, mantissa, 5, variant).min(largest);
+    }
+    let rounded = small_float(x.max(0.0), mantissa, 5, variant);
+    let overflows = x.is_finite() && !variant.has(Mutation::OverflowIsInfinite);
+    if overflows { rounded.min(largest) } else { rounded }
+}
+
 /// EXT_texture_shared_exponent, section 3.8.x: N = 9, B = 15, the exponent is that of the largest
 /// component, one more where its mantissa rounds up to 2^N.
-fn shared_exponent([r, g, b, _]: [f64; 4], variant: Variant) -> [f64; 4] {
+pub fn shared_exponent([r, g, b, _]: [f64; 4], variant: Variant) -> [f64; 4] {
     const LARGEST: f64 = 511.0 / 512.0 * 65536.0;
     let c = [r, g, b].map(|c| if c.is_nan() { 0.0 } else { c.clamp(0.0, LARGEST) });
+    let half = if variant.has(Mutation::SharedTruncates) { 0.0 } else { 0.5 };
     let max = if variant.has(Mutation::ExponentOfRed) { c[0] } else { c[0].max(c[1]).max(c[2]) };
     let preliminary = if max > 0.0 { (max.log2().floor()).max(-16.0) + 1.0 + 15.0 } else { 0.0 };
     let unit = |e: f64| (e - 15.0 - 9.0).exp2();
-    let e = if (max / unit(preliminary) + 0.5).floor() >= 512.0 {
+    let e = if (max / unit(preliminary) + half).floor() >= 512.0
+        && !variant.has(Mutation::ExponentNotRaised)
+    {
         preliminary + 1.0
     } else {
         preliminary
     };
-    let [r, g, b] = c.map(|c| (c / unit(e) + 0.5).floor().min(511.0) * unit(e));
+    let [r, g, b] = c.map(|c| (c / unit(e) + half).floor().min(511.0) * unit(e));
     [r, g, b, 0.0]
 }
 
@@ -221,6 +239,25 @@ mod tests {
         for (x, expected) in table {
             assert_eq!(small_float(x, 10, 5, TRUE), expected, "{x}");
         }
+    }
+
+    #[test]
+    fn packed_floats_by_hand() {
+        let table = [
+            (1.0 + 2f64.powi(-7), 1.0),
+            (1.0 + 3.0 * 2f64.powi(-7), 1.0 + 2f64.powi(-5)),
+            (1e9, 65024.0),
+            (f64::INFINITY, f64::INFINITY),
+            (-3.0, 0.0),
+            (f64::NEG_INFINITY, 0.0),
+            (2f64.powi(-20), 2f64.powi(-20)),
+            (2f64.powi(-21), 0.0),
+        ];
+        for (x, expected) in table {
+            assert_eq!(packed_float(x, 6, TRUE), expected, "{x}");
+        }
+        assert!(packed_float(f64::NAN, 6, TRUE).is_nan());
+        assert_eq!(packed_float(65535.0, 5, TRUE), 64512.0);
     }
 
     #[test]

@@ -3,6 +3,7 @@
 //! Each takes a [`Variant`](crate::mutation::Variant), which may have a mistake that the formula
 //! then makes. Sections are those of the OpenGL 2.1 specification (December 2006).
 
+pub mod adjacency;
 pub mod anisotropy;
 pub mod blend;
 pub mod block;
@@ -11,7 +12,9 @@ pub mod combine;
 pub mod compare;
 pub mod coverage;
 pub mod cube;
+pub mod eac;
 pub mod env;
+pub mod etc;
 pub mod filter;
 pub mod format;
 pub mod format_table;
@@ -21,13 +24,20 @@ pub mod lecture;
 pub mod lod;
 pub mod matrix;
 pub mod mipmap;
+pub mod packing;
+pub mod painter;
 pub mod pixel;
 pub mod projection;
 pub mod pyramid;
 pub mod sample;
+pub mod samples;
 pub mod seamless;
+pub mod second_color;
 pub mod srgb;
+pub mod std140;
+pub mod swizzle;
 pub mod target;
 pub mod texture;
 pub mod vertex;
+pub mod vertex_array;
 pub mod wrap;

@@ -73,7 +73,8 @@ fn quads(colors: impl Iterator<Item = [f32; 4]>) {
     glEnd();
 }
 
-fn equation_enum(equation: Equation) -> u32 {
+/// GL's name of an equation.
+pub fn equation_enum(equation: Equation) -> u32 {
     match equation {
         Equation::Add => GL_FUNC_ADD,
         Equation::Subtract => GL_FUNC_SUBTRACT,

@@ -24,4 +24,12 @@ pub enum ProbeError {
         /// The info log.
         log: String,
     },
+    /// Not every case has a result.
+    #[error("{cases} cases have {measured} results")]
+    Missing {
+        /// The cases.
+        cases: usize,
+        /// Their results.
+        measured: usize,
+    },
 }

@@ -7,6 +7,7 @@ use super::program::{Precision, Program};
 use gl_api::constants::*;
 use gl_api::context::{Context, ContextDesc, Message, Severity};
 use gl_api::entry::*;
+use gl_api::{Api, Version};
 use std::time::Instant;
 
 /// A vertex: clip coordinates, and the three vectors that the shaders call `a`, `b` and `c`.
@@ -18,9 +19,48 @@ pub struct Vertex {
     pub inputs: [[f32; 4]; 3],
 }
 
+/// The API of a context, and the language of its shaders.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Dialect {
+    /// OpenGL 3.3 with what later versions removed.
+    Compatibility,
+    /// OpenGL 3.3 core, GLSL 3.30.
+    Core,
+    /// OpenGL ES 3.0, GLSL ES 3.00.
+    Es,
+}
+
+impl Dialect {
+    fn desc(self) -> ContextDesc {
+        let side = FIELD as u32;
+        let (api, version) = match self {
+            Self::Compatibility => (Api::Compatibility, ContextDesc::default().version),
+            Self::Core => (Api::Core, Version::new(3, 3)),
+            Self::Es => (Api::Es2, Version::new(3, 0)),
+        };
+        ContextDesc { api, version, width: side, height: side, ..ContextDesc::default() }
+    }
+
+    /// The first lines of a shader.
+    pub(super) fn head(self) -> &'static str {
+        match self {
+            Self::Compatibility => {
+                "#version 330 compatibility\n#extension GL_ARB_texture_gather : enable\n"
+            }
+            Self::Core => "#version 330 core\n#extension GL_ARB_texture_gather : enable\n",
+            Self::Es => {
+                "#version 300 es\nprecision highp float;\nprecision highp int;\n\
+                 precision highp sampler2D;\nprecision highp isampler2D;\n\
+                 precision highp usampler2D;\nprecision highp sampler2DArray;\n"
+            }
+        }
+    }
+}
+
 /// A context that is current on this thread until the session is dropped.
 #[derive(Debug)]
 pub struct Session {
+    pub(super) dialect: Dialect,
     _current: Current,
 }
 
@@ -30,10 +70,17 @@ impl Session {
     /// # Errors
     /// When the context cannot be made, or has an error already.
     pub fn open() -> Result<Self, ProbeError> {
-        let side = FIELD as u32;
-        let desc = ContextDesc { width: side, height: side, ..ContextDesc::default() };
-        let context = Context::new(desc).map_err(|error| ProbeError::Context(error.to_string()))?;
-        let session = Self { _current: context.make_current() };
+        Self::open_in(Dialect::Compatibility)
+    }
+
+    /// As [`Session::open`], of this API.
+    ///
+    /// # Errors
+    /// When the context cannot be made, or has an error already.
+    pub fn open_in(dialect: Dialect) -> Result<Self, ProbeError> {
+        let context =
+            Context::new(dialect.desc()).map_err(|error| ProbeError::Context(error.to_string()))?;
+        let session = Self { dialect, _current: context.make_current() };
         glViewport(0, 0, SIZE, SIZE);
         glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
         glPixelStorei(GL_PACK_ALIGNMENT, 1);
@@ -45,7 +92,7 @@ impl Session {
     ///
     /// # Errors
     /// When it is set.
-    pub(super) fn check(&self, after: &'static str) -> Result<(), ProbeError> {
+    pub fn check(&self, after: &'static str) -> Result<(), ProbeError> {
         match glGetError() {
             GL_NO_ERROR => Ok(()),
             code => Err(ProbeError::Gl { after, code, message: last_error() }),

@@ -118,6 +118,19 @@ impl Session {
         self.check("using a fragment shader")
     }
 
+    /// Links a program whose shaders are attached.
+    pub(super) fn link_program(&self, name: u32) -> Result<(), ProbeError> {
+        glLinkProgram(name);
+        let mut linked = 0;
+        glGetProgramiv(name, GL_LINK_STATUS, &mut linked);
+        if linked == 0 {
+            let mut log = String::new();
+            glGetProgramInfoLog(name, 1 << 16, NULL, &mut log);
+            return Err(ProbeError::Shader { stage: "program", log });
+        }
+        self.check("linking")
+    }
+
     fn link(&self, head: &str, body: &str, precision: Precision) -> Result<Program, ProbeError> {
         let main = match precision {
             Precision::Bytes => BYTES,
@@ -127,20 +140,17 @@ impl Session {
         compile(name, GL_VERTEX_SHADER, "vertex shader", VERTEX)?;
         let fragment = format!("{head}{body}{main}");
         compile(name, GL_FRAGMENT_SHADER, "fragment shader", &fragment)?;
-        glLinkProgram(name);
-        let mut linked = 0;
-        glGetProgramiv(name, GL_LINK_STATUS, &mut linked);
-        if linked == 0 {
-            let mut log = String::new();
-            glGetProgramInfoLog(name, 1 << 16, NULL, &mut log);
-            return Err(ProbeError::Shader { stage: "program", log });
-        }
-        self.check("linking")?;
+        self.link_program(name)?;
         Ok(Program { name, precision })
     }
 }
 
-fn compile(program: u32, kind: u32, stage: &'static str, source: &str) -> Result<(), ProbeError> {
+pub(super) fn compile(
+    program: u32,
+    kind: u32,
+    stage: &'static str,
+    source: &str,
+) -> Result<(), ProbeError> {
     let shader = glCreateShader(kind);
     glShaderSource(shader, 1, source, NULL);
     glCompileShader(shader);

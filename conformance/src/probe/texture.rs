@@ -168,7 +168,8 @@ fn set_sampler(target: u32, sampler: &Sampler) {
     glTexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, sampler.lod.unit_bias);
 }
 
-pub(super) fn wrap_enum(wrap: Wrap) -> u32 {
+/// GL's name of a wrap mode.
+pub fn wrap_enum(wrap: Wrap) -> u32 {
     match wrap {
         Wrap::Repeat => GL_REPEAT,
         Wrap::Clamp => GL_CLAMP,
@@ -181,14 +182,16 @@ pub(super) fn wrap_enum(wrap: Wrap) -> u32 {
     }
 }
 
-pub(super) fn filter_enum(filter: Filter) -> u32 {
+/// GL's name of a filter.
+pub fn filter_enum(filter: Filter) -> u32 {
     match filter {
         Filter::Nearest => GL_NEAREST,
         Filter::Linear => GL_LINEAR,
     }
 }
 
-fn min_filter_enum(filters: Filters) -> u32 {
+/// GL's name of a minification filter.
+pub fn min_filter_enum(filters: Filters) -> u32 {
     match (filters.min, filters.mipmap) {
         (filter, Mipmap::None) => filter_enum(filter),
         (Filter::Nearest, Mipmap::Nearest) => GL_NEAREST_MIPMAP_NEAREST,

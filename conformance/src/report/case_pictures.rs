@@ -57,6 +57,7 @@ mod tests {
         let errors = (0..256).map(|case| f64::from(case) / 128.0).collect();
         let compared = ComparedCases { values: vec![[[0.5, 0.0, 0.0, 0.0]; 2]; 256], errors };
         let outcome = Outcome {
+            reached: Vec::new(),
             name: "test",
             citation: "",
             what: "",

@@ -4,7 +4,7 @@ use super::case_pictures;
 use super::page::{PageError, escaped, page, write, write_picture};
 use super::tables::quantity;
 use crate::chapters::CHAPTERS;
-use crate::check::{Outcome, Verdict};
+use crate::check::{Outcome, Reach, Verdict};
 use crate::plot::{Caption, Line, log_log};
 use crate::sweep::SweepOutcome;
 use crate::tradeoff::functions::FunctionRow;
@@ -75,10 +75,19 @@ fn check_row(outcome: &Outcome, pictures: &[Picture]) -> String {
         Verdict::Broken(reason) => reason,
         Verdict::Pass | Verdict::Fail => &outcome.worst,
     };
+    let of_reached = outcome.reached.iter().map(|Reach { what, cases, least }| {
+        format!("<br><small>{}: {cases}, at least {least}</small>", escaped(what))
+    });
+    let reached: String = of_reached.collect();
+    let reached = if reached.is_empty() {
+        reached
+    } else {
+        format!("<details><summary><small>what cases reach</small></summary>{reached}</details>")
+    };
     let thumbs: String = pictures.iter().map(|picture| thumb(&picture.name)).collect();
     format!(
         "<tr><td><b>{}</b><br><small>{}</small><td>{}<br><small>tolerance: {}</small><div>{thumbs}</div>\
-         <details><summary><small>worst case</small></summary><small>{}</small></details>\
+         <details><summary><small>worst case</small></summary><small>{}</small></details>{reached}\
          <td class=n>{}<td class=n>{}<td class=n>{}<td class={class}>{word}<td class=n>{:.2} s",
         escaped(outcome.name),
         escaped(outcome.citation),

@@ -161,6 +161,7 @@ mod tests {
 
     fn outcome(verdict: Verdict) -> Outcome {
         Outcome {
+            reached: Vec::new(),
             name: "bilinear",
             citation: "GL 2.1, 3.8.8",
             what: "weights",

@@ -122,8 +122,13 @@ pub(crate) fn property(context: &Context, index: GLuint, pname: GLenum) -> Resul
         Property::Stride => array.stride as f64,
         Property::Type => ANY_TYPE.encode(array.ty).into(),
         Property::Normalized => {
-            let formats = [VertexFormat::Normalized, VertexFormat::NormalizedBgra];
-            u8::from(formats.contains(&array.format)).into()
+            let normalized = match array.format {
+                VertexFormat::Normalized
+                | VertexFormat::NormalizedBgra
+                | VertexFormat::NormalizedSymmetric => true,
+                VertexFormat::Plain | VertexFormat::Integer => false,
+            };
+            u8::from(normalized).into()
         }
         Property::Integer => u8::from(array.format == VertexFormat::Integer).into(),
         Property::Divisor => array.divisor.into(),

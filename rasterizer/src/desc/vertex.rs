@@ -64,6 +64,9 @@ pub enum VertexFormat {
     Normalized,
     /// The same; the components lie in the order blue, green, red, alpha.
     NormalizedBgra,
+    /// Integers are divided by their largest value; signed ones are `max(c / (2^(b-1) - 1), -1)` (OpenGL ES 3.0,
+    /// equation 2.2).
+    NormalizedSymmetric,
     /// The bits of the integers, sign-extended to 32 (GL 3.0, section 2.7), for
     /// [`crate::ir::Op::FloatBits`]; floats keep their bits.
     Integer,

@@ -54,12 +54,12 @@ pub fn component(
     elements: Elements<'_>,
     out: &mut F32s,
 ) {
-    use VertexFormat::{Integer, Normalized, NormalizedBgra, Plain};
+    use VertexFormat::{Integer, Normalized, NormalizedBgra, NormalizedSymmetric, Plain};
     match source {
         VertexSource::Constant(value) => *out = F32s::splat(value[usize::from(component)]),
         VertexSource::Array { components, format, .. } if component >= *components => {
             let one = match format {
-                Plain | Normalized | NormalizedBgra => 1.0,
+                Plain | Normalized | NormalizedBgra | NormalizedSymmetric => 1.0,
                 Integer => bits(1),
             };
             *out = F32s::splat(if component == 3 { one } else { 0.0 });
@@ -69,7 +69,7 @@ pub fn component(
             let elements = elements.counted_from(*first, &mut memory);
             let component = match format {
                 NormalizedBgra => [2, 1, 0, 3][usize::from(component)],
-                Plain | Normalized | Integer => component,
+                Plain | Normalized | NormalizedSymmetric | Integer => component,
             };
             let start = offset.saturating_add(usize::from(component) * ty.size());
             let words = Words { bytes: buffer.bytes(), start, stride: *stride, elements };
@@ -115,21 +115,36 @@ pub fn component(
                 (VertexType::I8, Normalized | NormalizedBgra) => {
                     words.each(out, |b| signed(i8::from_le_bytes(b).into(), 255.0));
                 }
-                (VertexType::U8, Normalized | NormalizedBgra) => {
+                (VertexType::U8, Normalized | NormalizedBgra | NormalizedSymmetric) => {
                     words.each(out, |[b]| f32::from(b) / 255.0);
                 }
                 (VertexType::I16, Normalized | NormalizedBgra) => {
                     words.each(out, |b| signed(i16::from_le_bytes(b).into(), 65535.0));
                 }
-                (VertexType::U16, Normalized | NormalizedBgra) => {
+                (VertexType::U16, Normalized | NormalizedBgra | NormalizedSymmetric) => {
                     words.each(out, |b| f32::from(u16::from_le_bytes(b)) / 65535.0);
                 }
                 (VertexType::I32, Normalized | NormalizedBgra) => {
                     words.each(out, |b| signed(i32::from_le_bytes(b).into(), 4_294_967_295.0));
                 }
-                (VertexType::U32, Normalized | NormalizedBgra) => {
+                (VertexType::U32, Normalized | NormalizedBgra | NormalizedSymmetric) => {
                     let largest = f64::from(u32::MAX);
                     words.each(out, |b| (f64::from(u32::from_le_bytes(b)) / largest) as f32);
+                }
+                (VertexType::I8, NormalizedSymmetric) => {
+                    words.each(out, |b| symmetric(i8::from_le_bytes(b).into(), 127.0));
+                }
+                (VertexType::I16, NormalizedSymmetric) => {
+                    words.each(out, |b| symmetric(i16::from_le_bytes(b).into(), 32767.0));
+                }
+                (VertexType::I32, NormalizedSymmetric) => {
+                    words.each(out, |b| symmetric(i32::from_le_bytes(b).into(), 2_147_483_647.0));
+                }
+                (VertexType::I1010102, NormalizedSymmetric) => {
+                    let field = Field::new(component);
+                    let largest = f64::from((1 << (field.bits - 1)) - 1);
+                    let signed = |b| field.signed(u32::from_le_bytes(b));
+                    words.each(out, |b| symmetric(signed(b).into(), largest));
                 }
                 (VertexType::I1010102, _) => {
                     let field = Field::new(component);
@@ -157,6 +172,11 @@ fn signed(c: f64, largest: f64) -> f32 {
     ((2.0 * c + 1.0) / largest) as f32
 }
 
+/// `max(c / (2^(b-1) - 1), -1)`.
+fn symmetric(c: f64, largest: f64) -> f32 {
+    (c / largest).max(-1.0) as f32
+}
+
 /// A component of four in a word.
 #[derive(Clone, Copy)]
 struct Field {
@@ -182,9 +202,9 @@ impl Field {
     fn convert(self, c: f64, format: VertexFormat, fraction: impl Fn(f64, f64) -> f32) -> f32 {
         match format {
             VertexFormat::Plain => c as f32,
-            VertexFormat::Normalized | VertexFormat::NormalizedBgra => {
-                fraction(c, f64::from((1 << self.bits) - 1))
-            }
+            VertexFormat::Normalized
+            | VertexFormat::NormalizedBgra
+            | VertexFormat::NormalizedSymmetric => fraction(c, f64::from((1 << self.bits) - 1)),
             VertexFormat::Integer => bits(c as i32),
         }
     }
@@ -275,7 +295,12 @@ mod tests {
             (VertexType::U8, VertexFormat::Normalized, &[51], 0.2),
             (VertexType::I8, VertexFormat::Normalized, &[127], 1.0),
             (VertexType::I8, VertexFormat::Normalized, &[128], -1.0),
+            (VertexType::I8, VertexFormat::NormalizedSymmetric, &[128], -1.0),
+            (VertexType::I8, VertexFormat::NormalizedSymmetric, &[0], 0.0),
             (VertexType::I16, VertexFormat::Plain, &[0, 128], -32768.0),
+            (VertexType::I16, VertexFormat::NormalizedSymmetric, &[0xFF, 0x7F], 1.0),
+            (VertexType::I32, VertexFormat::NormalizedSymmetric, &[0, 0, 0, 128], -1.0),
+            (VertexType::U16, VertexFormat::NormalizedSymmetric, &[255, 255], 1.0),
             (VertexType::U16, VertexFormat::Normalized, &[255, 255], 1.0),
             (VertexType::U32, VertexFormat::Normalized, &[255; 4], 1.0),
             (VertexType::I32, VertexFormat::Plain, &[254, 255, 255, 255], -2.0),
@@ -287,6 +312,8 @@ mod tests {
             (VertexType::Fixed, VertexFormat::Normalized, &[0, 0, 3, 0], 3.0),
             (VertexType::I1010102, VertexFormat::Plain, &[0, 2, 0, 0x40], -512.0),
             (VertexType::I1010102, VertexFormat::Normalized, &[0xFF, 1, 0, 0x40], 1.0),
+            (VertexType::I1010102, VertexFormat::NormalizedSymmetric, &[0, 2, 0, 0], -1.0),
+            (VertexType::I1010102, VertexFormat::NormalizedSymmetric, &[0xFF, 1, 0, 0], 1.0),
             (VertexType::U1010102, VertexFormat::Plain, &[0xFF, 3, 0, 0x40], 1023.0),
             (VertexType::U1010102, VertexFormat::NormalizedBgra, &[0, 0, 0xF0, 0x7F], 1.0),
             // Too short for its type: zero bytes.

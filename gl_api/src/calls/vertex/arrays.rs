@@ -286,7 +286,12 @@ pub(crate) fn vertex_attrib_pointer(
     stride: GLsizei,
     pointer: Data<'_>,
 ) -> Result<()> {
-    let format = if normalized { VertexFormat::Normalized } else { VertexFormat::Plain };
+    // OpenGL ES 3.0 has one equation for all signed fractions (2.2), OpenGL 3.3 one of its own for attributes.
+    let format = match (normalized, context.profile.is_es()) {
+        (true, true) => VertexFormat::NormalizedSymmetric,
+        (true, false) => VertexFormat::Normalized,
+        (false, _) => VertexFormat::Plain,
+    };
     let rules = Rules::new(1..=4, ANY_TYPE, format).or_bgra();
     set(context, generic(index)?, &rules, size, ty, stride, pointer)
 }
