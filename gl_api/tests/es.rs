@@ -32,7 +32,7 @@ const FOREIGN: &[(&str, Call, GLenum, &str)] = &[
     ("a target", |c| c.bind_texture(GL_TEXTURE_1D, 0), GL_INVALID_ENUM, "OpenGL ES"),
     (
         "a wrap mode",
-        |c| c.tex_parameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER as i32),
+        |c| c.tex_parameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP as i32),
         GL_INVALID_ENUM,
         "OpenGL ES",
     ),
@@ -294,6 +294,12 @@ fn framebuffers_are_complete_with_formats_that_opengl_es_draws_to() {
         (GL_RGB9_E5, GL_RGB, GL_FLOAT, false),
         (GL_SRGB8, GL_RGB, GL_UNSIGNED_BYTE, false),
         (GL_LUMINANCE, GL_LUMINANCE, GL_UNSIGNED_BYTE, false),
+        // What extensions store of unsized colours (OES_texture_float, OES_texture_half_float with
+        // EXT_color_buffer_half_float, EXT_texture_type_2_10_10_10_REV).
+        (GL_RGBA, GL_RGBA, GL_FLOAT, false),
+        (GL_RGBA, GL_RGBA, GL_HALF_FLOAT, true),
+        (GL_RGBA, GL_RGBA, GL_UNSIGNED_INT_2_10_10_10_REV, false),
+        (GL_RGB, GL_RGB, GL_UNSIGNED_INT_2_10_10_10_REV, false),
     ];
     for (internal, format, ty, is_complete) in cases {
         let mut c = es();

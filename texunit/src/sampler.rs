@@ -90,6 +90,16 @@ pub enum Compare {
     Always,
 }
 
+/// Which filters an image of depths is complete with.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum DepthFilter {
+    /// Every filter.
+    #[default]
+    Any,
+    /// Those that take no mean, as OpenGL ES has it of depths that are not compared (3.0, section 3.8.13).
+    Nearest,
+}
+
 /// How a depth texel becomes a colour (`GL_DEPTH_TEXTURE_MODE`).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum DepthMode {
@@ -215,6 +225,8 @@ pub struct Sampler {
     pub compare: Option<Compare>,
     /// How depth becomes a colour.
     pub depth_mode: DepthMode,
+    /// Whether an image of depths is filtered.
+    pub depth_filter: DepthFilter,
     /// The most probes along a stretched footprint, 1 to [`MAX_ANISOTROPY`]; at 1, off.
     pub max_anisotropy: f32,
     /// At the edges of cube faces.
@@ -241,6 +253,7 @@ impl Default for Sampler {
             border: Border::Float([0.0; 4]),
             compare: None,
             depth_mode: DepthMode::Luminance,
+            depth_filter: DepthFilter::Any,
             max_anisotropy: 1.0,
             seamless: Seamless::Off,
             srgb: SrgbRead::Decode,

@@ -19,6 +19,7 @@ pub const EXTENSIONS_OF_ES: &[&str] = &[
     "GL_EXT_read_format_bgra",
     "GL_EXT_sRGB_write_control",
     "GL_EXT_shader_texture_lod",
+    "GL_EXT_texture_border_clamp",
     "GL_EXT_texture_compression_dxt1",
     "GL_EXT_texture_compression_rgtc",
     "GL_EXT_texture_compression_s3tc",
@@ -46,4 +47,5 @@ pub const EXTENSIONS_OF_ES: &[&str] = &[
     "GL_OES_texture_half_float_linear",
     "GL_OES_texture_npot",
     "GL_OES_vertex_array_object",
+    "GL_OES_vertex_half_float",
 ];

@@ -5,6 +5,7 @@ use super::availability::{COMMANDS_OF_ES, VALUES_OUTSIDE_ES, has_name};
 use super::constants::*;
 use super::core_profile::{Argument, enum_of, replacement};
 use super::error::{ErrorCode, GlError};
+use super::limits::MAX_COLOR_ATTACHMENTS;
 use super::types::GLenum;
 
 const SECTION: &str = "OpenGL ES 3.0";
@@ -62,6 +63,21 @@ fn check_argument(argument: &Argument) -> Result<(), GlError> {
             return Err(GlError::new(ErrorCode::InvalidValue, SECTION, rule));
         }
         (_, _) => {}
+    }
+    // The names of attachments are known, there are fewer (section 4.4.2).
+    let is_attachment = |symbol: i64| {
+        symbol >= GL_COLOR_ATTACHMENT0.into() && symbol <= GL_COLOR_ATTACHMENT31.into()
+    };
+    if name == "attachment" && is_attachment(value) {
+        let most = i64::from(GL_COLOR_ATTACHMENT0) + MAX_COLOR_ATTACHMENTS as i64 - 1;
+        if value > most {
+            let rule = format!(
+                "attachment = {} must be GL_COLOR_ATTACHMENT0 to {}",
+                enum_name(value as GLenum),
+                MAX_COLOR_ATTACHMENTS - 1
+            );
+            return Err(GlError::new(ErrorCode::InvalidOperation, SECTION, rule));
+        }
     }
     let Some((symbol, code)) = enum_of(argument) else { return Ok(()) };
     // The values of these modes are too small to be told apart from others.

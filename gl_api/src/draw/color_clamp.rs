@@ -21,6 +21,12 @@ pub(crate) fn of_fragments(context: &Context) -> Clamp {
     context.state.clamp.fragment.now(drawn_formats(context))
 }
 
+/// Whether colours of the state are clamped where they are asked for: OpenGL ES answers what was set (3.0, sections
+/// 4.1.7 and 4.2.3).
+pub(crate) fn of_queries(context: &Context) -> Clamp {
+    if context.profile.is_es() { Clamp::Off } else { of_fragments(context) }
+}
+
 /// Whether colours that are read from a buffer of this format are clamped. Integers, depths and
 /// stencils are no colours.
 pub(crate) fn of_reading(context: &Context, format: Format) -> Clamp {

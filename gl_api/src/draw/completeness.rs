@@ -6,10 +6,10 @@ use crate::base::error::{ErrorCode, GlError, Result};
 use crate::base::types::*;
 use crate::context::Context;
 use crate::context::window::{Presence, base_level_attachment};
+use crate::draw::es_completeness;
 use crate::objects::color_buffers::attachment_index;
 use crate::objects::framebuffers::{Attached, AttachedLayers, Framebuffer, Planes, Source};
 use crate::objects::target::TextureTarget;
-use crate::pixel::es_texels;
 use crate::pixel::formats::format_name;
 use crate::pixel::texel::is_renderable;
 use rasterizer::driver::{Attachment, LevelInfo, PassDesc};
@@ -173,21 +173,6 @@ pub(crate) enum Aspect {
     Stencil,
 }
 
-/// Why OpenGL ES draws nothing to an image as a colour, if so: its table of formats is shorter.
-fn unsuitable_in_es(context: &Context, attached: &Attached) -> Option<String> {
-    let internal = match attached.source {
-        Source::Texture { name, target, level, .. } => {
-            let texture = context.objects.shared.textures.get(name)?;
-            let texture = Some(texture).filter(|t| t.image.is_same_image(&attached.image))?;
-            *texture.requested.get(usize::from(target.face))?.get(level)?
-        }
-        Source::Renderbuffer(_) => return None,
-    };
-    (!es_texels::is_drawn_to(internal)).then(|| {
-        format!("OpenGL ES draws nothing to images of {} (3.0, table 3.13)", enum_name(internal))
-    })
-}
-
 /// Why an image cannot be at a point, if so.
 fn unsuitable(attached: &Attached, aspect: Aspect, found: &AttachedImage) -> Option<String> {
     let format = found.format;
@@ -254,11 +239,9 @@ pub(crate) fn completeness(context: &Context, name: GLuint) -> std::result::Resu
                         ),
                     );
                 }
-                let in_es = || match aspect {
-                    Aspect::Color if context.profile.is_es() => unsuitable_in_es(context, attached),
-                    Aspect::Color | Aspect::Depth | Aspect::Stencil => None,
-                };
-                unsuitable(attached, aspect, &found).or_else(in_es)
+                let in_es = || es_completeness::unsuitable(context, attached, aspect);
+                unsuitable(attached, aspect, &found)
+                    .or_else(|| if context.profile.is_es() { in_es() } else { None })
             }
             Err(reason) => Some(reason),
         };

@@ -30,6 +30,8 @@ pub(crate) mod color_clamp;
 pub(crate) mod completeness;
 pub(crate) mod draw_reuse;
 pub(crate) mod emitted_state;
+pub(crate) mod es_capture;
+pub(crate) mod es_completeness;
 pub(crate) mod feedback;
 pub(crate) mod fixed_function;
 #[cfg(test)]

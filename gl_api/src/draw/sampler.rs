@@ -3,7 +3,7 @@
 use crate::context::Context;
 use crate::objects::target::TextureTarget;
 use crate::state::enable::Flag;
-use texunit::sampler::{Border, Sampler, Seamless};
+use texunit::sampler::{Border, DepthFilter, Sampler, Seamless};
 
 /// The sampler state of a unit and target: that of the bound sampler object or else the texture's,
 /// with the unit's bias.
@@ -31,6 +31,9 @@ pub(crate) fn sampler(context: &Context, unit: u8, target: TextureTarget) -> Sam
         let fractions =
             sampler.border.floats().map(|c| crate::base::convert::unit(c.into()) as f32);
         sampler.border = Border::Float(fractions);
+    }
+    if context.profile.is_es() && sampler.compare.is_none() && texture.is_of_sized_depth() {
+        sampler.depth_filter = DepthFilter::Nearest;
     }
     sampler.lod_bias = crate::base::convert::lod_bias(sampler.lod_bias + state.lod_bias);
     sampler

@@ -2,6 +2,7 @@
 
 use crate::base::constants::*;
 use crate::base::error::Table;
+use crate::base::types::*;
 use crate::objects::framebuffers::Planes;
 use crate::pixel::formats;
 use crate::pixel::formats::{InternalFormat, Renderable};
@@ -22,8 +23,9 @@ pub(crate) struct Renderbuffer {
 }
 
 impl Renderbuffer {
-    pub(crate) fn new() -> Self {
-        let format = formats::find(GL_RGBA).expect("a row of the table");
+    /// One without storage, that says it has an internal format.
+    pub(crate) fn new(internal: GLenum) -> Self {
+        let format = formats::find(internal).expect("a row of the table");
         Self { format, image: Image::new(Texels::new(Shape::D2)) }
     }
 

@@ -6,8 +6,8 @@ use crate::base::types::*;
 use crate::objects::sampler::SamplerState;
 pub(crate) use crate::objects::target::TextureTarget;
 use crate::objects::texture_buffer::DataStore;
-use crate::pixel::formats::ComponentType;
 use crate::pixel::formats::{self, format_name};
+use crate::pixel::formats::{ComponentType, FormatClass};
 use crate::pixel::stencil_texels::stencil_texels;
 use rasterizer::driver::{Device, Image};
 use std::sync::Arc;
@@ -208,6 +208,13 @@ impl Texture {
                 .is_some_and(|row| row.components == ComponentType::Unorm)
     }
 
+    /// Whether the base level was asked for as a sized format of depth.
+    pub fn is_of_sized_depth(&self) -> bool {
+        let level = (self.sampler().base_level as usize).min(limits::MAX_TEXTURE_LEVELS - 1);
+        let internal = self.requested.first().and_then(|levels| formats::find(levels[level]));
+        internal.is_some_and(|row| row.class == FormatClass::Sized && row.stored.is_depth())
+    }
+
     /// Why it cannot be sampled, if so.
     pub fn incomplete_reason(&self, sampler: &Sampler) -> Option<String> {
         if let Some(planned) = &self.plan
@@ -233,6 +240,7 @@ impl Texture {
             Incomplete::NoBase { .. }
             | Incomplete::Empty { .. }
             | Incomplete::NoLevels { .. }
+            | Incomplete::FilteredDepths { .. }
             | Incomplete::Missing { .. }
             | Incomplete::WrongSize { .. }
             | Incomplete::MixedBorders { .. }

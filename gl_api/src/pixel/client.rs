@@ -13,6 +13,7 @@ use crate::base::error::{Result, invalid_enum, invalid_operation};
 use crate::base::types::*;
 use crate::pixel::client::format::ClientFormat::{ColorIndex, DepthStencil, Rgb, Stencil};
 use crate::pixel::client::format::Numbers::{Fixed, Integer};
+use crate::pixel::es_texels::plain_type;
 
 /// A valid combination of `format` and `type`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,6 +57,24 @@ impl Pixel {
             }
             _ => Ok(pixel),
         }
+    }
+
+    /// The same in OpenGL ES, where a known format does not go with a known type by `GL_INVALID_OPERATION` (3.0,
+    /// section 3.7.1.2).
+    ///
+    /// # Errors
+    /// `GL_INVALID_ENUM` for unknown ones.
+    pub fn new_in_es(format: GLenum, ty: GLenum) -> Result<Self> {
+        let ty = plain_type(ty);
+        // EXT_texture_type_2_10_10_10_REV has the type with GL_RGB, whose texels have no place for the fourth field.
+        let packed = format == GL_RGB && ty == GL_UNSIGNED_INT_2_10_10_10_REV;
+        let pixel = Self::new(if packed { GL_RGBA } else { format }, ty);
+        if pixel.is_err() && FORMAT.get(format).is_some() && TYPE.get(ty).is_some() {
+            let [format, ty] = [format, ty].map(enum_name);
+            let rule = format!("format = {format} does not go with type = {ty}");
+            return invalid_operation("OpenGL ES 3.0, table 3.2", rule);
+        }
+        pixel
     }
 
     fn decoded(format: GLenum, ty: GLenum) -> Result<Self> {

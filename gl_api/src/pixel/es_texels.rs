@@ -105,7 +105,7 @@ const UNSIZED: &[(GLenum, GLenum, Format)] = &[
     (GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, D24S8),
 ];
 
-/// `type` without the name that `OES_texture_half_float` has for half floats.
+/// `type` without the name that `OES_texture_half_float` and `OES_vertex_half_float` have for half floats.
 pub(crate) fn plain_type(ty: GLenum) -> GLenum {
     if ty == GL_HALF_FLOAT_OES { GL_HALF_FLOAT } else { ty }
 }
@@ -191,8 +191,13 @@ pub(crate) fn check_replaced(internal: GLenum, format: GLenum, ty: GLenum) -> Re
     stored(internal, format, ty).map(|_| ())
 }
 
-/// Whether images that were asked for so are drawn to (OpenGL ES 3.0, section 4.4.4).
-pub(crate) fn is_drawn_to(internal: GLenum) -> bool {
+/// Whether images that were asked for so are drawn to (OpenGL ES 3.0, section 4.4.4): what the types of extensions make of
+/// unsized colours is not (`OES_texture_float`, `EXT_texture_type_2_10_10_10_REV`).
+pub(crate) fn is_drawn_to(internal: GLenum, stored: Format) -> bool {
+    let by_type = [Rgba32F, Rgb32F, Rgb10A2, Rgb10].contains(&stored);
+    if by_type && [GL_RGBA, GL_RGB].contains(&internal) {
+        return false;
+    }
     internal == GL_BGRA || formats::find(internal).is_some_and(|format| format.is_drawn_to_in_es())
 }
 

@@ -110,7 +110,9 @@ pub(crate) fn property(context: &Context, index: GLuint, pname: GLenum) -> Resul
     let location = usize::from(generic(index)?);
     let property = PROPERTY.decode("pname", pname)?;
     let array = &context.state.arrays.by_location[location];
-    if property == Property::Current && location == 0 {
+    // Only where glVertex is, the first attribute is no attribute as others.
+    let is_position = location == 0 && context.profile.is_compatibility();
+    if property == Property::Current && is_position {
         return invalid_operation(
             "GL 2.1, section 6.1.14",
             "index = 0 has no current value: it is the position",

@@ -57,6 +57,15 @@ impl CapturedPrimitive {
         }
     }
 
+    /// The mode of the same name.
+    pub(crate) fn topology(self) -> Topology {
+        match self {
+            Self::Points => Topology::Points,
+            Self::Lines => Topology::Lines,
+            Self::Triangles => Topology::Triangles,
+        }
+    }
+
     /// The number of vertices of a primitive.
     pub(crate) fn corners(self) -> usize {
         match self {

@@ -300,7 +300,7 @@ const CASES: &[Case] = &[
         nothing,
         |c| c.renderbuffer_storage_multisample(GL_RENDERBUFFER, 5, GL_R8UI, 1, 1),
         GL_INVALID_OPERATION,
-        "samples = 5 of integers must not be above 4",
+        "samples = 5 of GL_R8UI must not be above 4",
     ),
     (
         nothing,

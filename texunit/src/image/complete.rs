@@ -2,7 +2,7 @@
 
 use super::{Image, Level, Shape};
 use crate::format::Format;
-use crate::sampler::{Filter, Mipmap, Sampler};
+use crate::sampler::{DepthFilter, Filter, Mipmap, Sampler};
 use std::sync::Arc;
 use thiserror::Error;
 
@@ -118,6 +118,18 @@ pub enum Incomplete {
     FilteredIntegers {
         /// The base level's format.
         format: Format,
+        /// GL's name of the magnification filter.
+        mag: &'static str,
+        /// GL's name of the minification filter.
+        min: &'static str,
+    },
+    /// Depths that are not compared, and a filter that takes their mean.
+    #[error(
+        "its texels are depths, which are not filtered unless they are compared: set \
+         GL_TEXTURE_COMPARE_MODE to GL_COMPARE_REF_TO_TEXTURE, or GL_TEXTURE_MAG_FILTER (is {mag}) to \
+         GL_NEAREST and GL_TEXTURE_MIN_FILTER (is {min}) to GL_NEAREST or GL_NEAREST_MIPMAP_NEAREST"
+    )]
+    FilteredDepths {
         /// GL's name of the magnification filter.
         mag: &'static str,
         /// GL's name of the minification filter.
@@ -258,6 +270,9 @@ impl Image {
         if first.format.is_integer() && means {
             let (format, mag, min) = (first.format, mag_name(sampler), filter);
             return Err(Incomplete::FilteredIntegers { format, mag, min });
+        }
+        if first.format.is_depth() && means && sampler.depth_filter == DepthFilter::Nearest {
+            return Err(Incomplete::FilteredDepths { mag: mag_name(sampler), min: filter });
         }
         if sampler.mipmap == Mipmap::None {
             return Ok(Levels { base, last: base });

@@ -9,6 +9,7 @@ use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation, invalid_value};
 use crate::base::types::*;
 use crate::calls::framebuffer::blit::rows::RowConversion;
+use crate::calls::framebuffer::es_blit;
 use crate::calls::framebuffer::read::{Pixels, resolved_pixels, same_kind, sample_pixels};
 use crate::context::Context;
 use crate::draw::completeness::{
@@ -126,6 +127,9 @@ impl BlitRequest {
         checked_complete(context, context.state.bindings.read_framebuffer)?;
         let pass = draw_pass(context)?;
         check_samples(context, axes)?;
+        if context.profile.is_es() {
+            es_blit::check_samples(context, axes.map(|axis| axis.src == axis.dst))?;
+        }
         let mut copies = Vec::new();
         for (bit, aspect) in ASPECTS {
             if mask & bit == 0 {
@@ -141,6 +145,9 @@ impl BlitRequest {
                 to.iter().filter_map(|to| format.zip(crate::context::window::format_of(to)))
             {
                 check_formats(aspect, from, to, filter)?;
+            }
+            if context.profile.is_es() {
+                es_blit::check_images(context, &from, &to)?;
             }
             copies.push(AspectCopy { aspect, from, to });
         }

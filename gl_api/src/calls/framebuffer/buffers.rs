@@ -160,13 +160,9 @@ fn check_es_order(framebuffer: GLuint, bufs: &[GLenum]) -> Result<()> {
     }
     for (index, &buf) in bufs.iter().enumerate() {
         let own = if framebuffer == 0 { GL_BACK } else { GL_COLOR_ATTACHMENT0 + index as GLenum };
-        let is_color = buf.wrapping_sub(GL_COLOR_ATTACHMENT0) < 32;
-        let name = enum_name(buf);
-        if buf != GL_NONE && buf != GL_BACK && !is_color {
-            return invalid_enum(SECTION, format!("bufs[{index}] = {name} names no colour buffer"));
-        }
+        check_es_name(SECTION, &format!("bufs[{index}]"), buf)?;
         if buf != GL_NONE && buf != own {
-            let own = enum_name(own);
+            let [name, own] = [buf, own].map(enum_name);
             let rule = format!("bufs[{index}] = {name} must be {own} or GL_NONE");
             return invalid_operation(SECTION, rule);
         }
@@ -174,8 +170,27 @@ fn check_es_order(framebuffer: GLuint, bufs: &[GLenum]) -> Result<()> {
     Ok(())
 }
 
+/// OpenGL ES names no buffers but `GL_BACK` and the colour attachments, whose numbers may be too large (3.0, section
+/// 4.3.1).
+fn check_es_name(section: &'static str, argument: &str, buffer: GLenum) -> Result<()> {
+    let is_color = buffer.wrapping_sub(GL_COLOR_ATTACHMENT0) < 32;
+    if buffer == GL_NONE || buffer == GL_BACK || is_color && attachment_index(buffer).is_some() {
+        return Ok(());
+    }
+    let name = enum_name(buffer);
+    if is_color {
+        let most = limits::MAX_COLOR_ATTACHMENTS - 1;
+        let rule = format!("{argument} = {name} must be GL_COLOR_ATTACHMENT0 to {most}");
+        return invalid_operation(section, rule);
+    }
+    invalid_enum(section, format!("{argument} = {name} names no colour buffer of OpenGL ES"))
+}
+
 pub(crate) fn read_buffer(context: &mut Context, src: GLenum) -> Result<()> {
     let framebuffer = context.state.bindings.read_framebuffer;
+    if context.profile.is_es() {
+        check_es_name("OpenGL ES 3.0, section 4.3.1", "src", src)?;
+    }
     checked(READ, framebuffer, "src", src)?;
     selection_mut(context, framebuffer).read = src;
     Ok(())

@@ -89,8 +89,8 @@ fn record(context: &mut Context, pass: PassDesc, clears: Vec<ClearValue>) {
 }
 
 pub(crate) fn clear(context: &mut Context, mask: GLbitfield) -> Result<()> {
-    let known =
-        GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT | GL_ACCUM_BUFFER_BIT;
+    let accumulation = if context.profile.is_es() { 0 } else { GL_ACCUM_BUFFER_BIT };
+    let known = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT | accumulation;
     if mask & !known != 0 {
         return invalid_value(
             "GL 2.1, section 4.2.3",

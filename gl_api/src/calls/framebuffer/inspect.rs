@@ -72,10 +72,10 @@ fn at(object: &Framebuffer, point: AttachmentPoint) -> Result<Option<&Attached>>
 }
 
 /// The component type of a format, as far as a point shows it.
-fn component_type(format: Format, point: AttachmentPoint) -> GLenum {
+fn component_type(context: &Context, format: Format, point: AttachmentPoint) -> GLenum {
     if point == AttachmentPoint::Stencil {
-        // Which the stencil of a depth format is, too.
-        return GL_INDEX;
+        // Which the stencil of a depth format is, too. OpenGL ES has no indices (3.0, section 6.1.13).
+        return if context.profile.is_es() { GL_UNSIGNED_INT } else { GL_INDEX };
     }
     match format.info().encoding {
         Encoding::Float | Encoding::SharedExponent => GL_FLOAT,
@@ -89,10 +89,15 @@ fn component_type(format: Format, point: AttachmentPoint) -> GLenum {
 }
 
 /// What every kind of attachment answers.
-fn of_format(format: Format, point: AttachmentPoint, property: Property) -> Option<GLint> {
+fn of_format(
+    context: &Context,
+    format: Format,
+    point: AttachmentPoint,
+    property: Property,
+) -> Option<GLint> {
     match property {
         Property::Bits(component) => Some(component_bits(format, component)),
-        Property::ComponentType => Some(component_type(format, point) as GLint),
+        Property::ComponentType => Some(component_type(context, format, point) as GLint),
         Property::ColorEncoding if format.is_srgb() => Some(GL_SRGB as GLint),
         Property::ColorEncoding => Some(GL_LINEAR as GLint),
         Property::ObjectType
@@ -104,7 +109,12 @@ fn of_format(format: Format, point: AttachmentPoint, property: Property) -> Opti
     }
 }
 
-fn of_attached(attached: &Attached, point: AttachmentPoint, property: Property) -> Option<GLint> {
+fn of_attached(
+    context: &Context,
+    attached: &Attached,
+    point: AttachmentPoint,
+    property: Property,
+) -> Option<GLint> {
     match (property, attached.source) {
         (Property::ObjectType, Source::Texture { .. }) => Some(GL_TEXTURE as GLint),
         (Property::ObjectType, Source::Renderbuffer(_)) => Some(GL_RENDERBUFFER as GLint),
@@ -148,7 +158,7 @@ fn of_attached(attached: &Attached, point: AttachmentPoint, property: Property) 
             Some(format.map_or(0, |format| component_bits(format, component)))
         }
         (Property::ComponentType | Property::ColorEncoding, _) => match attached_format(attached) {
-            Some(format) => of_format(format, point, property),
+            Some(format) => of_format(context, format, point, property),
             // There is no image yet.
             None if property == Property::ComponentType => Some(GL_NONE as GLint),
             None => Some(GL_LINEAR as GLint),
@@ -160,7 +170,17 @@ fn of_attached(attached: &Attached, point: AttachmentPoint, property: Property) 
 fn of_window(context: &Context, attachment: GLenum, property: Property) -> Result<Option<GLint>> {
     let window = &context.window;
     let planes = window.planes;
+    let is_es = context.profile.is_es();
     let (there, format, point) = match attachment {
+        // OpenGL ES 3.0, section 6.1.13, has one name of the colours.
+        GL_FRONT | GL_LEFT | GL_FRONT_LEFT | GL_BACK_LEFT | GL_FRONT_RIGHT | GL_BACK_RIGHT
+        | GL_RIGHT
+            if is_es =>
+        {
+            let attachment = enum_name(attachment);
+            let rule = format!("attachment = {attachment} must be GL_BACK, GL_DEPTH or GL_STENCIL");
+            return invalid_enum("OpenGL ES 3.0, section 6.1.13", rule);
+        }
         GL_FRONT | GL_BACK | GL_LEFT | GL_FRONT_LEFT | GL_BACK_LEFT => {
             (true, Some(window.format), AttachmentPoint::Color(0))
         }
@@ -181,8 +201,9 @@ fn of_window(context: &Context, attachment: GLenum, property: Property) -> Resul
     Ok(match (property, format) {
         (Property::ObjectType, _) if there => Some(GL_FRAMEBUFFER_DEFAULT as GLint),
         (Property::ObjectType, _) => Some(GL_NONE as GLint),
+        (Property::ObjectName, _) if is_es => None,
         (Property::ObjectName, _) => Some(0),
-        (_, Some(format)) => of_format(format, point, property),
+        (_, Some(format)) => of_format(context, format, point, property),
         (_, None) => None,
     })
 }
@@ -207,7 +228,7 @@ pub(crate) fn get_framebuffer_attachment_parameteriv(
                 );
             }
             match at(object, point)? {
-                Some(attached) => of_attached(attached, point, property),
+                Some(attached) => of_attached(context, attached, point, property),
                 None => match property {
                     Property::ObjectType => Some(GL_NONE as GLint),
                     Property::ObjectName => Some(0),

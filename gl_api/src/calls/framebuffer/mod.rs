@@ -5,6 +5,7 @@ pub(crate) mod attach;
 pub(crate) mod blit;
 pub(crate) mod buffers;
 pub(crate) mod clear;
+pub(crate) mod es_blit;
 pub(crate) mod inspect;
 pub(crate) mod invalidate;
 pub(crate) mod names;

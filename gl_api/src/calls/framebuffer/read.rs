@@ -311,7 +311,7 @@ pub(crate) fn request(
     let width = not_negative(SECTION, "width", width.into())?;
     let height = not_negative(SECTION, "height", height.into())?;
     let is_es = context.profile.is_es();
-    let pixel = Pixel::new(format, if is_es { es_texels::plain_type(ty) } else { ty })?;
+    let pixel = if is_es { Pixel::new_in_es(format, ty) } else { Pixel::new(format, ty) }?;
     let request = ReadPixelsRequest::new(context, Region::new(x, y, width, height), pixel)?;
     if is_es {
         check_es(request.buffer.format, (format, es_texels::plain_type(ty)))?;

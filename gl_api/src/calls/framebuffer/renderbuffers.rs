@@ -61,7 +61,9 @@ pub(crate) fn bind_renderbuffer(
             "glGenRenderbuffers",
         )?;
     }
-    context.objects.shared.renderbuffers.create(renderbuffer, Renderbuffer::new);
+    // OpenGL ES 3.0, table 6.15, has another initial format.
+    let initial = if context.profile.is_es() { GL_RGBA4 } else { GL_RGBA };
+    context.objects.shared.renderbuffers.create(renderbuffer, || Renderbuffer::new(initial));
     context.state.bindings.renderbuffer = context.objects.shared.renderbuffers.hold(renderbuffer);
     Ok(())
 }
@@ -140,11 +142,13 @@ impl StorageRequest {
             return invalid_operation("OpenGL ES 3.0, section 4.4.2.1", rule);
         }
         if not_negative(SECTION, "samples", samples.into())? > usize::from(limits::MAX_SAMPLES) {
-            if format.stored.is_integer() {
+            // OpenGL ES names no other error of formats than of integers (3.0, section 4.4.2.1).
+            if format.stored.is_integer() || context.profile.is_es() {
                 return invalid_operation(
                     "ARB_texture_multisample, section 4.4.2",
                     format!(
-                        "samples = {samples} of integers must not be above {}",
+                        "samples = {samples} of {} must not be above {}",
+                        enum_name(internal),
                         limits::MAX_SAMPLES
                     ),
                 );

@@ -11,8 +11,9 @@ use crate::context::Context;
 use crate::context::window::Region;
 use crate::draw::completeness::Aspect;
 use crate::objects::target::{Dimensions, ImageTarget};
+use crate::pixel::component_bits::{Component, component_bits};
 use crate::pixel::es_texels;
-use crate::pixel::formats::{COMPRESSED, UNCOMPRESSED, format_name};
+use crate::pixel::formats::{self, COMPRESSED, FormatClass, UNCOMPRESSED, format_name};
 use crate::pixel::storage_error::storage_error;
 use crate::pixel::{blocks, convert};
 use texunit::format::{BaseFormat, Encoding, Format};
@@ -72,14 +73,45 @@ fn check_es(from: Format, to: Format) -> Result<()> {
         BaseFormat::LuminanceAlpha => [true, false, false, true],
         BaseFormat::Depth => [false; 4],
     };
-    let is_float = |format: Format| format.info().encoding == Encoding::Float;
+    let kinds: [fn(Format) -> bool; 3] = [
+        |format| format.info().encoding == Encoding::Float,
+        |format| format.info().encoding == Encoding::Uint,
+        |format| format.info().encoding == Encoding::Snorm,
+    ];
+    let kinds_differ = kinds.iter().any(|is| is(from) != is(to));
     let made_up = has(from).into_iter().zip(has(to)).any(|(from, to)| to && !from);
-    if to.is_depth() || made_up || is_float(from) != is_float(to) || to.block().is_some() {
+    if to.is_depth() || made_up || kinds_differ || to.block().is_some() || to == Format::Rgb9E5 {
         let [from, to] = [from, to].map(format_name);
         return invalid_operation(SECTION, format!("{from} is not copied to texels of {to}"));
     }
     Ok(())
 }
+
+/// Checks that OpenGL ES makes an image of an internal format from a buffer: both are sRGB or none is, components that
+/// both have are of one size, and an unsized format names no buffer of ten bits (3.0, section 3.8.5).
+fn check_es_image(internal: GLenum, from: Format, to: Format) -> Result<()> {
+    const SECTION: &str = "OpenGL ES 3.0, section 3.8.5";
+    let sized = formats::find(internal).is_some_and(|row| row.class == FormatClass::Sized);
+    let sizes_differ = COLORS.into_iter().any(|component| {
+        let [from, to] = [from, to].map(|format| component_bits(format, component));
+        from > 0 && to > 0 && from != to
+    });
+    let rule = if from.is_srgb() != to.is_srgb() {
+        "sRGB is copied from sRGB alone"
+    } else if sized && sizes_differ {
+        "components keep their sizes"
+    } else if !sized && from == Format::Rgb10A2 {
+        "there is no unsized format of ten bits: name GL_RGB10_A2"
+    } else {
+        return Ok(());
+    };
+    let [from, internal] = [format_name(from), enum_name(internal)];
+    invalid_operation(SECTION, format!("internalformat = {internal}, but {from} is read: {rule}"))
+}
+
+/// The components of colours.
+const COLORS: [Component; 4] =
+    [Component::Red, Component::Green, Component::Blue, Component::Alpha];
 
 /// A checked `glCopyTexImage`.
 struct CopyTexImageRequest {
@@ -127,6 +159,9 @@ fn copy_tex_image(
         ImageRequest::Texture(level) => {
             let [width, height, _] = level.desc.given.map(|side| side as usize);
             let source = CopySource::new(context, Region::new(x, y, width, height), format)?;
+            if context.profile.is_es() {
+                check_es_image(internal, source.buffer.format, format)?;
+            }
             CopyTexImageRequest { level, source }.apply(context)
         }
         ImageRequest::Proxy(proxy) => proxy.apply(context),

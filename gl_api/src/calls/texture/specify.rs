@@ -107,7 +107,7 @@ fn tex_image(
     let image = dimensions.image(target)?;
     let internal = internal as GLenum;
     let (format, pixel) = if context.profile.is_es() {
-        let pixel = Pixel::new(pixels.format, es_texels::plain_type(pixels.ty))?;
+        let pixel = Pixel::new_in_es(pixels.format, pixels.ty)?;
         (es_texels::stored(internal, pixels.format, pixels.ty)?, pixel)
     } else {
         (checked_internal(internal)?, Pixel::new(pixels.format, pixels.ty)?)

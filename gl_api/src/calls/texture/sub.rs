@@ -199,7 +199,7 @@ fn tex_sub_image(
 ) -> Result<()> {
     let target = dimensions.bound(target)?;
     let is_es = context.profile.is_es();
-    let pixel = Pixel::new(format, if is_es { es_texels::plain_type(ty) } else { ty })?;
+    let pixel = if is_es { Pixel::new_in_es(format, ty) } else { Pixel::new(format, ty) }?;
     let area = BoxRequest::new(context, target, level, offset, size)?;
     kinds_match(pixel, area.format)?;
     if is_es {

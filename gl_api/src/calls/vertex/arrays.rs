@@ -15,6 +15,7 @@ use crate::context::Context;
 use crate::draw::array_names::refuse_client_memory;
 use crate::interface::*;
 use crate::objects::arrays::{ALL_TYPES, ANY_TYPE, PACKED, Source, generic};
+use crate::pixel::es_texels::plain_type;
 use rasterizer::driver::{Buffer, VertexFormat, VertexType};
 
 const SECTION: &str = "GL 2.1, section 2.8";
@@ -286,6 +287,7 @@ pub(crate) fn vertex_attrib_pointer(
     stride: GLsizei,
     pointer: Data<'_>,
 ) -> Result<()> {
+    let ty = if context.profile.is_es() { plain_type(ty) } else { ty };
     // OpenGL ES 3.0 has one equation for all signed fractions (2.2), OpenGL 3.3 one of its own for attributes.
     let format = match (normalized, context.profile.is_es()) {
         (true, true) => VertexFormat::NormalizedSymmetric,

@@ -15,6 +15,7 @@ use crate::context::recorder::elements::Elements;
 use crate::draw::array_names::{array_of, extent};
 use crate::draw::assembly_words::has_vertex_program;
 use crate::draw::batching::{remember_last_draw, try_append};
+use crate::draw::es_capture;
 use crate::draw::record::{constants_needed, draw};
 use crate::draw::vertex_range::{
     VertexRange, needs_vertex_range, scattered_vertices, vertex_source,
@@ -248,6 +249,8 @@ pub(crate) fn draw_range(
     let first = not_negative(SECTION, "first", first.into())?;
     let count = not_negative(SECTION, "count", count.into())?;
     let instances = instances.checked()?;
+    let vertices = (count, u64::from(instances.count));
+    es_capture::check_draw(context, topology, vertices)?;
     take_client_writes(context);
     if count > 0 && instances.count > 0 && has_positions(context, topology) {
         let last = (first + count - 1) as u32;
@@ -291,6 +294,7 @@ pub(crate) fn draw_indexed(
     let count = not_negative(SECTION, "count", request.count.into())?;
     let instances = instances.checked()?;
     let ty = INDEX_TYPE.decode("type", request.ty)?;
+    es_capture::check_indices(context)?;
     take_client_writes(context);
     let needed = if instances.count == 0 { 0 } else { count.saturating_mul(ty.size()) };
     let (buffer, offset) = index_buffer(context, request.indices, count, needed)?;

@@ -251,10 +251,10 @@ macro_rules! entry_points_textures {
         sampler_parameterfv: glSamplerParameterfv
             (sampler: GLuint, pname: GLenum, params: &'a [GLfloat]), not_compiled;
         /// Sets a parameter of a sampler object.
-        sampler_parameter_i_iv: glSamplerParameterIiv
+        sampler_parameter_i_iv: glSamplerParameterIiv | glSamplerParameterIivEXT
             (sampler: GLuint, pname: GLenum, params: &'a [GLint]), not_compiled;
         /// Sets a parameter of a sampler object.
-        sampler_parameter_i_uiv: glSamplerParameterIuiv
+        sampler_parameter_i_uiv: glSamplerParameterIuiv | glSamplerParameterIuivEXT
             (sampler: GLuint, pname: GLenum, params: &'a [GLuint]), not_compiled;
         /// Reads a parameter of a sampler object.
         get_sampler_parameteriv: glGetSamplerParameteriv
@@ -263,10 +263,10 @@ macro_rules! entry_points_textures {
         get_sampler_parameterfv: glGetSamplerParameterfv
             (sampler: GLuint, pname: GLenum, params: &'a mut [GLfloat]);
         /// Reads a parameter of a sampler object.
-        get_sampler_parameter_i_iv: glGetSamplerParameterIiv
+        get_sampler_parameter_i_iv: glGetSamplerParameterIiv | glGetSamplerParameterIivEXT
             (sampler: GLuint, pname: GLenum, params: &'a mut [GLint]);
         /// Reads a parameter of a sampler object.
-        get_sampler_parameter_i_uiv: glGetSamplerParameterIuiv
+        get_sampler_parameter_i_uiv: glGetSamplerParameterIuiv | glGetSamplerParameterIuivEXT
             (sampler: GLuint, pname: GLenum, params: &'a mut [GLuint]);
     }
     Refused in buffer {

@@ -22,6 +22,8 @@ pub(super) const TEXTURE_COMPRESSION_3DC: &[Extension] =
     &[of("GL_ATI_texture_compression_3dc", COMPATIBILITY)];
 pub(super) const TEXTURE_COMPRESSION_LATC: &[Extension] =
     &[of("GL_EXT_texture_compression_latc", COMPATIBILITY)];
+pub(super) const TEXTURE_COMPRESSION_RGTC: &[Extension] =
+    &[of("GL_EXT_texture_compression_rgtc", ES)];
 pub(super) const TEXTURE_COMPRESSION_S3TC: &[Extension] =
     &[of("GL_EXT_texture_compression_s3tc", &[Api::Compatibility, Api::Core, Api::Es2])];
 pub(super) const TEXTURE_FLOAT: &[Extension] = &[of("GL_ARB_texture_float", COMPATIBILITY)];

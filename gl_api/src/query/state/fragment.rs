@@ -8,7 +8,7 @@ use crate::base::types::*;
 use crate::calls::fragment::clamp::WHEN;
 use crate::calls::framebuffer::buffers::drawn_format;
 use crate::context::Context;
-use crate::draw::color_clamp::of_fragments;
+use crate::draw::color_clamp::{of_fragments, of_queries};
 use crate::pixel::component_bits::{Component, component_bits};
 use crate::state::draw_buffers::LOGIC_OP;
 use crate::state::stencil::{ACTIVE_FACE, Face, STENCIL_OP, Side};
@@ -77,7 +77,7 @@ pub(super) const ROWS: &[Row] = rows! {
     // The same name as GL_BLEND_EQUATION_RGB.
     GL_BLEND_EQUATION: Word(|c| formula(c, GL_BLEND_EQUATION));
     GL_BLEND_EQUATION_ALPHA: Word(|c| formula(c, GL_BLEND_EQUATION_ALPHA));
-    GL_BLEND_COLOR: Fractions(|c| doubles(&of_fragments(c).color(c.state.fragment.blend_color)));
+    GL_BLEND_COLOR: Fractions(|c| doubles(&of_queries(c).color(c.state.fragment.blend_color)));
     GL_FRAMEBUFFER_SRGB: Enabled;
     GL_DITHER: Enabled;
     GL_INDEX_LOGIC_OP: Enabled;

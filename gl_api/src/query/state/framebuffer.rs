@@ -11,7 +11,7 @@ use crate::calls::framebuffer::buffers::{drawn_format, selection};
 use crate::calls::framebuffer::read::preferred;
 use crate::context::Context;
 use crate::context::window::format_of;
-use crate::draw::color_clamp::of_fragments;
+use crate::draw::color_clamp::of_queries;
 use crate::draw::completeness::{Aspect, drawn_formats, read_attachment, samples};
 use crate::objects::color_buffers::Selection;
 use crate::pixel::component_bits::{Component, component_bits};
@@ -67,7 +67,7 @@ pub(super) const ROWS: &[Row] = rows! {
     GL_COLOR_WRITEMASK: Flags(|c| c.state.fragment.buffers[0].mask);
     GL_DEPTH_WRITEMASK: Flag(|c| c.state.fragment.depth_write == DepthWrite::On);
     GL_COLOR_CLEAR_VALUE:
-        Fractions(|c| doubles(&of_fragments(c).color(c.state.clear.color.floats())));
+        Fractions(|c| doubles(&of_queries(c).color(c.state.clear.color.floats())));
     GL_INDEX_CLEAR_VALUE: Float(|c| c.state.clear.index);
     GL_DEPTH_CLEAR_VALUE: Fractions(|c| vec![c.state.clear.depth]);
     GL_STENCIL_CLEAR_VALUE: Integer(|c| c.state.clear.stencil);
