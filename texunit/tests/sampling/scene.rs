@@ -5,7 +5,7 @@ use texunit::format::Format;
 use texunit::image::{Image, Level, Shape};
 use texunit::lanes::{F32s, LANES, lane_x, lane_y};
 use texunit::sampler::{
-    Compare, DepthMode, Filter, Mipmap, Sampler, Seamless, SrgbRead, Swizzle, Wrap,
+    Compare, DepthFilter, DepthMode, Filter, Mipmap, Sampler, Seamless, SrgbRead, Swizzle, Wrap,
 };
 
 /// A small generator (splitmix64), so that a case is its seed.
@@ -149,6 +149,7 @@ pub fn samplers() -> impl Strategy<Value = Sampler> {
                 border: border.into(),
                 compare,
                 depth_mode,
+                depth_filter: DepthFilter::Any,
                 max_anisotropy,
                 seamless,
                 srgb: SrgbRead::Decode,
