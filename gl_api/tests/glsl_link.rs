@@ -410,7 +410,7 @@ fn uniforms_have_the_locations_that_they_declare() {
     let mut found: Vec<(&str, u32)> =
         program.uniforms.iter().map(|uniform| (&*uniform.name, uniform.location)).collect();
     found.sort_unstable();
-    // Each element of each member has a location; `free` and `other` take what is left.
+    // Each element of each member has a location; uniforms without an explicit one get unused locations.
     let wanted = [
         ("c", 1),
         ("free", 9),

@@ -170,7 +170,7 @@ pub enum CaptureRequest {
     },
     /// Components that keep what the buffer has: `gl_SkipComponents1` to `4` (`ARB_transform_feedback3`).
     Gap(u8),
-    /// What follows goes to the next buffer: `gl_NextBuffer`.
+    /// The names after it are captured into the next buffer: `gl_NextBuffer`.
     NextBuffer,
 }
 
@@ -207,7 +207,7 @@ pub enum CapturedItem {
     Varying(DataType),
     /// Components of the buffer that are left as they are.
     Gap,
-    /// The step to the next buffer.
+    /// `gl_NextBuffer`: the names after it are captured into the next buffer.
     NextBuffer,
 }
 

@@ -35,7 +35,8 @@ fn interface(context: &Context) -> Option<&GeometryInterface> {
 /// Whether the buffers have room for the whole primitives of so many vertices more.
 pub(crate) fn has_room(context: &Context, active: &Active, vertices: u64) -> bool {
     let primitives = vertices / active.kind.corners() as u64;
-    Layout::of(context).is_none_or(|layout| primitives <= layout.room(context, active) as u64)
+    Layout::of(context)
+        .is_none_or(|layout| primitives <= layout.free_primitives(context, active) as u64)
 }
 
 /// Counts the primitives of a draw, and captures them if transform feedback is active. The second topology is that of
@@ -190,13 +191,13 @@ impl Layout {
         Ok(())
     }
 
-    /// How many more primitives all buffers have room for.
-    fn room(&self, context: &Context, active: &Active) -> usize {
+    /// How many more primitives fit into all buffers.
+    fn free_primitives(&self, context: &Context, active: &Active) -> usize {
         let ranges = &context.transform_feedback.buffers;
         let each_buffer = ranges.iter().zip(&self.buffers).zip(active.written);
         // Nothing is written to a buffer of no scalars, nor need it be bound.
         let used = each_buffer.filter(|((_, scalars), _)| !scalars.is_empty());
-        let rooms = used.map(|((range, scalars), written)| {
+        let free = used.map(|((range, scalars), written)| {
             let buffer = context.objects.shared.buffers.bound(&range.buffer);
             let bytes = buffer.map_or(0, |object| object.buffer().bytes().len());
             let available =
@@ -204,13 +205,13 @@ impl Layout {
             let each = active.kind.corners() * scalars.len() * 4;
             available.saturating_sub(written) / each.max(1)
         });
-        rooms.min().unwrap_or(usize::MAX)
+        free.min().unwrap_or(usize::MAX)
     }
 
     /// Writes as many whole primitives as all buffers have room for: how many.
     fn write(&self, context: &mut Context, vertices: &Vertices, active: &mut Active) -> u64 {
         let corners = active.kind.corners();
-        let fit = self.room(context, active).min(vertices.len() / corners);
+        let fit = self.free_primitives(context, active).min(vertices.len() / corners);
         let ranges = &context.transform_feedback.buffers;
         for ((range, scalars), written) in ranges.iter().zip(&self.buffers).zip(&mut active.written)
         {

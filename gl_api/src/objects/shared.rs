@@ -39,7 +39,7 @@ pub(crate) struct SharedObjects {
     pub samplers: NameTable<SamplerState>,
     pub buffers: NameTable<BufferObject>,
     /// Buffers that have been mapped persistently.
-    pub persistent: Vec<GLuint>,
+    persistent: Vec<GLuint>,
     pub renderbuffers: NameTable<Renderbuffer>,
     /// Shaders and programs share one space of names.
     pub programs: NameTable<ShaderOrProgram>,
@@ -53,10 +53,7 @@ pub(crate) struct SharedObjects {
 
 impl SharedObjects {
     /// Takes over what clients have written to persistent mappings; whether there are any.
-    pub fn take_client_writes(&mut self, recorder: &mut impl WaitingDraws) -> bool {
-        if self.persistent.is_empty() {
-            return false;
-        }
+    fn take_client_writes(&mut self, recorder: &mut impl WaitingDraws) -> bool {
         let buffers = &mut self.buffers;
         self.persistent.retain(|name| match buffers.get_mut(*name) {
             Some(object) if object.map.as_ref().is_some_and(Map::is_persistent) => {
@@ -88,6 +85,8 @@ struct Group {
     objects: Arc<Mutex<SharedObjects>>,
     /// Whether a second context has ever joined.
     joined: AtomicBool,
+    /// Whether a buffer may be mapped persistently. It changes under the lock of the objects, and is read without.
+    has_persistent: AtomicBool,
 }
 
 impl ShareGroup {
@@ -121,6 +120,25 @@ impl GroupAccess {
     /// Whether no other context has ever joined the group: nobody else changes its objects.
     pub fn is_exclusive(&self) -> bool {
         !self.group.0.joined.load(Ordering::Acquire)
+    }
+
+    /// Notes that a buffer has been mapped persistently.
+    pub fn mapped_persistently(&mut self, name: GLuint) {
+        if !self.persistent.contains(&name) {
+            self.persistent.push(name);
+        }
+        self.group.0.has_persistent.store(true, Ordering::Release);
+    }
+
+    /// Takes over what clients have written to persistent mappings; whether there are any. Draws ask, so without the lock
+    /// where no buffer is mapped so.
+    pub fn take_client_writes(&mut self, recorder: &mut impl WaitingDraws) -> bool {
+        if !self.group.0.has_persistent.load(Ordering::Acquire) {
+            return false;
+        }
+        let is_any = SharedObjects::take_client_writes(self, recorder);
+        self.group.0.has_persistent.store(is_any, Ordering::Release);
+        is_any
     }
 
     /// Whether a call has the objects.

@@ -10,6 +10,7 @@ pub mod formats;
 pub(crate) mod layout;
 pub(crate) mod map;
 pub(crate) mod memory;
+pub(crate) mod one_texel;
 pub(crate) mod packed;
 pub(crate) mod scratch;
 pub(crate) mod stencil_texels;

@@ -33,7 +33,10 @@ pub fn captured(
                 let captured = find(vertex, (variable, *element), &mut next, in_vertex);
                 captured.map(|captured| Captured { name: wanted.to_string(), ..captured })
             }
-            CaptureRequest::Gap(_) | CaptureRequest::NextBuffer => Ok(without_output(wanted)),
+            CaptureRequest::Gap(components) => {
+                Ok(without_output(wanted, CapturedItem::Gap, *components))
+            }
+            CaptureRequest::NextBuffer => Ok(without_output(wanted, CapturedItem::NextBuffer, 0)),
         };
         let is_varying = matches!(wanted, CaptureRequest::Varying { .. });
         let twice = is_varying && all.iter().any(|other| other.name == wanted.to_string());
@@ -67,16 +70,10 @@ pub fn captured(
     all
 }
 
-/// A name that stands for no output.
-fn without_output(wanted: &CaptureRequest) -> Captured {
-    let (item, size) = match wanted {
-        CaptureRequest::Gap(components) => (CapturedItem::Gap, u32::from(*components)),
-        CaptureRequest::NextBuffer | CaptureRequest::Varying { .. } => {
-            (CapturedItem::NextBuffer, 0)
-        }
-    };
-    let scalars = vec![CapturedScalar::Gap; size as usize];
-    Captured { name: wanted.to_string(), item, size, scalars }
+/// A name that stands for no output, but for so many components that are left as they are.
+fn without_output(wanted: &CaptureRequest, item: CapturedItem, components: u8) -> Captured {
+    let scalars = vec![CapturedScalar::Gap; components.into()];
+    Captured { name: wanted.to_string(), item, size: components.into(), scalars }
 }
 
 /// The variable, or element of an array, that a name stands for.

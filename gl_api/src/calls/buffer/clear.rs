@@ -1,6 +1,6 @@
 //! `glClearBufferData` and `glClearBufferSubData`: one value all over a buffer (`ARB_clear_buffer_object`).
 
-use crate::base::args::{Data, Located};
+use crate::base::args::Data;
 use crate::base::constants::*;
 use crate::base::error::{Result, invalid_enum, invalid_operation, invalid_value};
 use crate::base::types::*;
@@ -9,10 +9,8 @@ use crate::calls::texture::specify::kinds_match;
 use crate::context::Context;
 use crate::objects::buffers::{BUFFER_TARGET, range};
 use crate::pixel::client::Pixel;
-use crate::pixel::layout::{Extent, Layout};
-use crate::pixel::store::PixelStore;
-use crate::pixel::transfer::Transfer;
-use crate::pixel::{convert, formats};
+use crate::pixel::formats;
+use crate::pixel::one_texel::one_texel;
 
 const SECTION: &str = "ARB_clear_buffer_object, section 2.9.X";
 
@@ -68,19 +66,7 @@ fn clear(
     }
     let pixel = Pixel::new(format, ty)?;
     kinds_match(pixel, stored)?;
-    let mut texel = vec![0; bytes];
-    let layout = Layout::new(&PixelStore::default(), pixel, [1; 3], Extent::Flat)?;
-    match data.locate(0, layout.needed) {
-        Located::Null => {}
-        Located::Bytes(from) if from.len() >= layout.needed => {
-            convert::unpack(isa, &layout, from, stored, &Transfer::default(), &mut texel);
-        }
-        Located::Bytes(from) => {
-            let (needed, has) = (layout.needed, from.len());
-            return invalid_operation(SECTION, format!("a pixel has {needed} bytes, data {has}"));
-        }
-        Located::Offset(_) => return invalid_operation(SECTION, "data must be memory or NULL"),
-    }
+    let texel = one_texel(isa, SECTION, stored, pixel, data)?;
     let fill = |to: &mut [u8]| {
         to.chunks_exact_mut(bytes).for_each(|to| to.copy_from_slice(&texel));
     };

@@ -137,10 +137,7 @@ pub(crate) fn map_buffer_range(
     let pointer = MapRequest { object, recorder, range, access }.apply()?;
     if access & GL_MAP_PERSISTENT_BIT != 0 {
         let name = binding_of(context, target).map_or(0, |bound| bound.name());
-        let persistent = &mut context.objects.shared.persistent;
-        if !persistent.contains(&name) {
-            persistent.push(name);
-        }
+        context.objects.shared.mapped_persistently(name);
     }
     Ok(pointer)
 }

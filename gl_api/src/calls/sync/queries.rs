@@ -256,18 +256,14 @@ pub(crate) fn get_query_objectui64v(
 /// Checks the index of a query: a vertex stream of the queries that count primitives, 0 of others
 /// (`ARB_transform_feedback3`).
 fn check_index(target: GLenum, index: GLuint) -> Result<()> {
-    match TARGET.decode("target", target)? {
+    let kind = TARGET.decode("target", target)?;
+    // Every target has this one.
+    if index == 0 {
+        return Ok(());
+    }
+    match kind {
         QueryTarget::PrimitivesGenerated | QueryTarget::TransformFeedbackPrimitivesWritten => {
             checked_stream("index", index)
-        }
-        QueryTarget::AnySamplesPassed
-        | QueryTarget::AnySamplesPassedConservative
-        | QueryTarget::SamplesPassed
-        | QueryTarget::TimeElapsed
-        | QueryTarget::Timestamp
-            if index == 0 =>
-        {
-            Ok(())
         }
         QueryTarget::AnySamplesPassed
         | QueryTarget::AnySamplesPassedConservative

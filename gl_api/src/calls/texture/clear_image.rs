@@ -1,6 +1,6 @@
 //! `glClearTexImage` and `glClearTexSubImage`: texels of one value (`ARB_clear_texture`).
 
-use crate::base::args::{Data, Located};
+use crate::base::args::Data;
 use crate::base::error::{Result, invalid_operation};
 use crate::base::types::*;
 use crate::calls::texture::specify::kinds_match;
@@ -8,10 +8,7 @@ use crate::calls::texture::stored_level::{Owner, StoredLevel, UnitBox};
 use crate::context::Context;
 use crate::objects::target::TextureTarget;
 use crate::pixel::client::Pixel;
-use crate::pixel::convert;
-use crate::pixel::layout::{Extent, Layout};
-use crate::pixel::store::PixelStore;
-use crate::pixel::transfer::Transfer;
+use crate::pixel::one_texel::one_texel;
 
 const SECTION: &str = "ARB_clear_texture, section 3.9.X";
 
@@ -59,38 +56,16 @@ impl ClearRequest {
         let area = unit_box(target, &stored, area)?;
         let pixel = Pixel::new(format, ty)?;
         kinds_match(pixel, stored.format)?;
-        let texel = texel(context, &stored, pixel, data)?;
+        let isa = context.recorder.isa();
+        let texel = one_texel(isa, SECTION, stored.format, pixel, data)?;
         Ok(Self { level: stored, area, texel })
     }
 
     fn apply(self, context: &mut Context) -> Result<()> {
         let Self { level, area, texel } = self;
-        let [width, height, layers] = area.size;
-        let count = width * height * layers * usize::from(level.samples);
-        if count == 0 {
-            return Ok(());
-        }
-        level.write(context, area, &texel.repeat(count))
+        let row = texel.repeat(area.size[0]);
+        level.write(context, area, std::iter::repeat(&*row))
     }
-}
-
-/// One texel of a level's format.
-fn texel(context: &Context, stored: &StoredLevel, pixel: Pixel, data: Data<'_>) -> Result<Vec<u8>> {
-    let mut texel = vec![0; stored.format.bytes()];
-    let layout = Layout::new(&PixelStore::default(), pixel, [1; 3], Extent::Flat)?;
-    match data.locate(0, layout.needed) {
-        Located::Null => {}
-        Located::Bytes(bytes) if bytes.len() >= layout.needed => {
-            let (isa, transfer) = (context.recorder.isa(), Transfer::default());
-            convert::unpack(isa, &layout, bytes, stored.format, &transfer, &mut texel);
-        }
-        Located::Bytes(bytes) => {
-            let (needed, has) = (layout.needed, bytes.len());
-            return invalid_operation(SECTION, format!("a pixel has {needed} bytes, data {has}"));
-        }
-        Located::Offset(_) => return invalid_operation(SECTION, "data must be memory or NULL"),
-    }
-    Ok(texel)
 }
 
 /// The cleared box, if it lies within the level and its border.

@@ -7,6 +7,7 @@ use crate::calls::texture::stored_level::{Owner, StoredLevel, UnitBox};
 use crate::context::Context;
 use crate::objects::target::{TARGET, TextureTarget};
 use crate::pixel::formats::format_name;
+use rasterizer::driver::Image;
 use texunit::format::{BaseFormat, Format};
 
 const SECTION: &str = "ARB_copy_image, section 18.3.2";
@@ -51,9 +52,10 @@ impl ImageArguments {
                 ),
             )
         };
+        // The image, and its base level.
         let (owner, image, is_known) = if target == GL_RENDERBUFFER {
             let renderbuffers = &context.objects.shared.renderbuffers;
-            let image = renderbuffers.get(name).map(|found| found.image.clone());
+            let image = renderbuffers.get(name).map(|found| (found.image.clone(), 0));
             (Owner::Renderbuffer, image, renderbuffers.is_reserved(name))
         } else {
             let wanted = TARGET.get(target).filter(|target| *target != TextureTarget::Buffer);
@@ -63,7 +65,8 @@ impl ImageArguments {
             if found.is_some_and(|texture| texture.target != wanted) {
                 return target_is_wrong();
             }
-            let image = found.map(|texture| texture.image.clone());
+            let image =
+                found.map(|texture| (texture.image.clone(), texture.sampler().base_level as usize));
             (Owner::Texture(name, wanted), image, textures.is_reserved(name))
         };
         if name == 0 || !is_known {
@@ -72,7 +75,8 @@ impl ImageArguments {
                 format!("{prefix}Name = {name} is no object of its target"),
             );
         }
-        let Some(image) = image.filter(|image| image.level(0, self.base(context)).is_some()) else {
+        let has_base = |(image, base): &(Image, usize)| image.level(0, *base).is_some();
+        let Some((image, _)) = image.filter(has_base) else {
             return invalid_operation(
                 SECTION,
                 format!("{prefix}Name = {name} has no image yet: give it storage first"),
@@ -82,19 +86,6 @@ impl ImageArguments {
         match found.and_then(|level| StoredLevel::new(context, owner, &image, level)) {
             Some(stored) => Ok(stored),
             None => invalid_value(SECTION, format!("{prefix}Level = {level} has no image")),
-        }
-    }
-
-    /// The base level of the texture.
-    fn base(&self, context: &Context) -> usize {
-        match self.target {
-            GL_RENDERBUFFER => 0,
-            _ => context
-                .objects
-                .shared
-                .textures
-                .get(self.name)
-                .map_or(0, |texture| texture.sampler().base_level as usize),
         }
     }
 
@@ -232,7 +223,7 @@ impl CopyRequest {
             return Ok(());
         }
         let bytes = from.read(source);
-        to.write(context, destination, &bytes)
+        to.write(context, destination, bytes.chunks_exact(from.row_bytes(source)))
     }
 }
 

@@ -72,11 +72,15 @@ impl StoredLevel {
         (0..samples).map(move |sample| Slice { face, slice: first + sample })
     }
 
+    /// Bytes of a row of a box.
+    pub fn row_bytes(&self, area: UnitBox) -> usize {
+        area.size[0] * self.format.bytes()
+    }
+
     /// The bytes of a box: unit by unit, row by row, sample by sample, layer by layer.
     pub fn read(&self, area: UnitBox) -> Vec<u8> {
         let mut bytes = Vec::new();
-        let run = area.size[0] * self.format.bytes();
-        let rows = self.rows();
+        let (run, rows) = (self.row_bytes(area), self.rows());
         for layer in 0..area.size[2] {
             for slice in self.slices(area.at[2] as usize + layer) {
                 let Some(level) = rows.level(slice.face, self.level) else { continue };
@@ -89,13 +93,21 @@ impl StoredLevel {
         bytes
     }
 
-    /// Overwrites a box with bytes in the order of [`Self::read`].
+    /// Overwrites a box with rows in the order of [`Self::read`]; does nothing if the box is empty.
     ///
     /// # Errors
     /// When there is no memory for the mipmaps that follow.
-    pub fn write(&self, context: &mut Context, area: UnitBox, bytes: &[u8]) -> Result<()> {
-        let run = area.size[0] * self.format.bytes();
-        let mut from = bytes.chunks_exact(run.max(1));
+    pub fn write<'a>(
+        &self,
+        context: &mut Context,
+        area: UnitBox,
+        rows: impl IntoIterator<Item = &'a [u8]>,
+    ) -> Result<()> {
+        if area.size.contains(&0) {
+            return Ok(());
+        }
+        let run = self.row_bytes(area);
+        let mut from = rows.into_iter();
         let mut put = |level: &mut Level, slice: usize| {
             for y in 0..area.size[1] {
                 let start = offset(level, [area.at[0], area.at[1] + y as i32], slice);

@@ -315,7 +315,6 @@ pub(crate) fn vertex_attrib_divisor(
     index: GLuint,
     divisor: GLuint,
 ) -> Result<()> {
-    generic(index)?;
     vertex_attrib_binding(context, index, index)?;
     vertex_binding_divisor(context, index, divisor)
 }
