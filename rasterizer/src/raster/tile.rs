@@ -131,8 +131,8 @@ impl TileRenderer {
         self.flush_blocks(pass, job, tile);
     }
 
-    /// Shades the pending batches that hold fragments in these lanes of a block: fragments of a pixel keep their order.
-    /// A pixel is in one pending batch at most, so that no other batch has to precede them.
+    /// Shades the pending batches that hold fragments of these samples of a block: fragments of a sample keep their order.
+    /// A sample is in one pending batch at most, so that no other batch has to precede them.
     #[inline]
     fn flush_overlapping(
         &mut self,
@@ -140,11 +140,13 @@ impl TileRenderer {
         job: &DrawJob,
         tile: &mut TileJob,
         block: usize,
-        lanes: u64,
+        masks: &SampleMasks,
     ) {
-        if self.pending_quads.has_pending(block, lanes) {
+        if self.pending_quads.has_pending(block, masks) {
             self.flush_quads(pass, job, tile);
         }
+        // Draws with several samples have only pending quads.
+        let lanes = masks.any();
         if self.pending_pixels.has_pending(block, lanes) {
             self.flush_pixels(pass, job, tile);
         }

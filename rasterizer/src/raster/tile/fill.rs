@@ -57,7 +57,8 @@ impl TileRenderer {
             if self.pending_quads.is_full() {
                 self.flush_quads(pass, job, tile);
             }
-            self.flush_overlapping(pass, job, tile, block, lanes);
+            let masks = SampleMasks::one(lanes);
+            self.flush_overlapping(pass, job, tile, block, &masks);
             let of = BlockOf {
                 planes: &self.planes,
                 facing,
@@ -166,9 +167,9 @@ impl TileRenderer {
         }
         // Pending fragments of other shapes are shaded first, as in `flush_overlapping`. Blocks of one shape do not overlap.
         if !self.pending_quads.is_empty()
-            && self
-                .large_triangle
-                .overlaps_pending(|of, lanes| self.pending_quads.has_pending(of, lanes))
+            && self.large_triangle.overlaps_pending(|of, lanes| {
+                self.pending_quads.has_pending(of, &SampleMasks::one(lanes))
+            })
         {
             self.flush_quads(pass, job, tile);
         }
@@ -329,7 +330,7 @@ impl TileRenderer {
         let covered = masks.any();
         let ShapeBlock { at, facing, tests } = shape_block;
         let block = at.number();
-        self.flush_overlapping(pass, job, tile, block, covered);
+        self.flush_overlapping(pass, job, tile, block, masks);
         let packing = if tile.watched.is_some() { Packing::Quads } else { plan.packing };
         let is_due = tests == EarlyTests::Due;
         // Without shading, testing a block costs less than packing its pixels.
