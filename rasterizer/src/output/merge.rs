@@ -52,19 +52,25 @@ pub fn test(
     }
     match (tests.stencil, target.sample(sample)) {
         (Some(plan), [depths, stencils]) => {
-            with_words(isa, stencils, layout, mask, LoadOp::Load, |stencils| match tests.depth {
-                Some(depth) => with_words(isa, depths, layout, mask, LoadOp::Load, |depths| {
-                    let depth = Some((depth, depths));
+            let writes = plan.writes();
+            with_words(isa, stencils, layout, LoadOp::Load, |stencils| {
+                let mut test = |depth: Option<(DepthPlan, &mut U32s)>| {
                     isa.run(StencilDepthTest { plan: &plan, depth, fragments: of, stencils })
-                }),
-                None => {
-                    isa.run(StencilDepthTest { plan: &plan, depth: None, fragments: of, stencils })
-                }
+                };
+                let passed = match tests.depth {
+                    Some(depth) => with_words(isa, depths, layout, LoadOp::Load, |depths| {
+                        let passed = test(Some((depth, depths)));
+                        (passed, depth.changed(passed))
+                    }),
+                    None => test(None),
+                };
+                (passed, if writes { mask } else { 0 })
             })
         }
         (_, [depths, ..]) => match tests.depth {
-            Some(plan) => with_words(isa, depths, layout, mask, LoadOp::Load, |stored| {
-                isa.run(DepthTest { plan, depth: of.depth, stored, mask })
+            Some(plan) => with_words(isa, depths, layout, LoadOp::Load, |stored| {
+                let passed = isa.run(DepthTest { plan, depth: of.depth, stored, mask });
+                (passed, plan.changed(passed))
             }),
             None => mask,
         },
@@ -132,9 +138,10 @@ pub fn write(
             write_planes(isa, plan, planes, &[BlockColors { block, ..colors }]);
         }
         (ColorClass::Bytes, [plane], _) => {
-            with_words(isa, plane, layout, mask, plan.load_op(), |stored| {
+            with_words(isa, plane, layout, plan.load_op(), |stored| {
                 let colors = &[BlockColors { block: 0, ..colors }];
                 isa.run(WriteBytes { plan, colors, blocks: std::slice::from_mut(stored) });
+                ((), mask)
             });
         }
         (_, planes, _) => with_texels(isa, planes, layout, mask, plan.load_op(), |words| {

@@ -12,6 +12,7 @@ use super::large_triangles::LargeTriangle;
 use super::pack_pixels::{Pack, Stop};
 use super::pixel_batch::Pixels;
 use super::plane_group::PlaneGroup;
+use super::sampled_triangle::SampledTriangle;
 use super::shading::Shader;
 use super::shape_cover::Cover;
 use super::shape_lanes::ShapeLanes;
@@ -41,6 +42,7 @@ pub struct TileRenderer {
     windows: Box<Windows>,
     window_blocks: Box<WindowBlocks>,
     large_triangle: LargeTriangle,
+    sampled_triangle: Box<SampledTriangle>,
     /// Of the current block: each plane's value at its first pixel and steps.
     planes: Vec<[f32; 3]>,
     /// The fraction of each lane's pixel that the shape covers.

@@ -94,11 +94,17 @@ impl TileRenderer {
             self.fill_large_triangle(pass, tile, job, shape, (lane, range));
             return;
         }
-        self.outlines.clear();
-        let positions = plan.samples.positions().iter();
-        self.outlines
-            .extend(positions.map(|&by| Cover::new(plan, &chunk.geometry, shape, first, by)));
-        let touched = self.outlines.iter().fold(0, |blocks, cover| blocks | cover.touched(first));
+        let is_sampled = shape.kind == ShapeKind::Triangle && plan.samples.is_each();
+        let touched = if is_sampled {
+            let positions = plan.samples.positions();
+            self.sampled_triangle.compute(pass.isa, &shape.corners, first, range, positions);
+            self.sampled_triangle.touched()
+        } else {
+            self.outlines.clear();
+            let outline = |&by: &[i32; 2]| Cover::new(plan, &chunk.geometry, shape, first, by);
+            self.outlines.extend(plan.samples.positions().iter().map(outline));
+            self.outlines.iter().fold(0, |blocks, cover| blocks | cover.touched(first))
+        };
         if touched == 0 {
             return;
         }
@@ -125,7 +131,12 @@ impl TileRenderer {
                         continue;
                     }
                 }
-                self.covered(pass.isa, plan, shape, at, inside, &mut masks);
+                if is_sampled {
+                    self.sampled_triangle.write_masks(at.number(), &mut masks);
+                    plan.samples.keep(&mut masks, inside);
+                } else {
+                    self.covered(pass.isa, plan, shape, at, inside, &mut masks);
+                }
                 if masks.any() != 0 {
                     if let Some(pixel) = &mut tile.watched
                         && pixel.is_in(at.number(), masks.any())
