@@ -16,16 +16,18 @@
 //! | [`sweep`] | extreme cases: the error over the whole range of a parameter |
 //! | [`mod@reference`] | slow reference samplers: exact area integral, supersampling, ꟻLIP |
 //! | [`tradeoff`] | error and run time of each way to sample a texture |
+//! | [`left_out`] | what scenes ask for without effect: plans, pictures and cost |
 //! | [`filter_pictures`] | pictures by driver and formula, one for each minification filter |
 //! | [`report`] | tables, JSON and pages |
 //! | [`peers`] | the same scenes on DetGL's shared library and on the machine's other GL drivers |
 //!
 //! **Invariant: the oracles are independent.** Nothing here calls `texunit` or `rasterizer`; the
-//! driver is reached through GL's own functions only.
+//! driver is reached through GL's own functions only. But [`left_out`] takes plans from a `rasterizer::driver::Device`.
 
 pub mod chapters;
 pub mod check;
 pub mod filter_pictures;
+pub mod left_out;
 pub mod mutation;
 pub mod oracle;
 pub mod peers;

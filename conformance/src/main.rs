@@ -4,6 +4,7 @@
 use clap::{Parser, Subcommand};
 use conformance::chapters::checks;
 use conformance::check::{Check, Effort, Harness, Outcome, Subject, Verdict};
+use conformance::left_out::{self, Feature};
 use conformance::mutation::{MUTATIONS, MutationRow, Variant};
 use conformance::peers::process::Task;
 use conformance::peers::{self, PeersError};
@@ -49,6 +50,8 @@ enum Command {
     ErrorVsTime,
     /// Sweeps to where arithmetic breaks, with bounds on the error.
     Extremes,
+    /// What scenes ask for without effect: what the plan leaves out, and what it costs.
+    LeftOut,
     /// The same scenes on DetGL's shared library and on the machine's other GL drivers.
     Peers(peers::Options),
     /// One scene on one driver: the process that `peers` measures.
@@ -80,6 +83,7 @@ fn main() -> ExitCode {
         Some(Command::SelfTest) => args.self_test(),
         Some(Command::ErrorVsTime) => args.error_vs_time(),
         Some(Command::Extremes) => args.extremes(),
+        Some(Command::LeftOut) => args.left_out(),
         Some(Command::Peers(options)) => args.peers(options),
         Some(Command::Peer(task)) => task.run().map(|()| true).map_err(Failure::from),
     };
@@ -203,6 +207,30 @@ impl Args {
             self.print_path("extremes.html");
         }
         Ok(swept.iter().all(SweepOutcome::passes))
+    }
+
+    fn left_out(&self) -> Result<bool, Failure> {
+        let selected =
+            self.selected(left_out::features(), |feature: &Feature| [feature.name, feature.what])?;
+        let rounds = match self.effort() {
+            Effort::Quick => 3,
+            Effort::Full => 9,
+            Effort::Thorough => 28,
+        };
+        let bar = indicatif::ProgressBar::new(selected.len() as u64);
+        let mut rows = Vec::with_capacity(selected.len());
+        for feature in selected {
+            bar.set_message(feature.name);
+            rows.push(left_out::measure(feature, rounds)?);
+            bar.inc(1);
+        }
+        bar.finish_and_clear();
+        self.print(|| report::left_out_table(&rows), &rows)?;
+        if !self.json {
+            report::left_out_page(&self.out, &rows)?;
+            self.print_path("left-out.html");
+        }
+        Ok(rows.iter().all(left_out::Row::passes))
     }
 
     fn peers(&self, options: &peers::Options) -> Result<bool, Failure> {

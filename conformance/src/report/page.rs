@@ -46,7 +46,8 @@ pub fn page(title: &str, body: &str) -> String {
         "<!doctype html>\n<html lang=\"en\"><meta charset=\"utf-8\"><title>{title}</title>\
          <style>{STYLE}</style>\n<nav><a href=\"index.html\">formulas</a>\
          <a href=\"error-vs-time.html\">error against run time</a>\
-         <a href=\"extremes.html\">extremes</a></nav>\n<h1>{title}</h1>\n{body}\n</html>\n"
+         <a href=\"extremes.html\">extremes</a>\
+         <a href=\"left-out.html\">left out</a></nav>\n<h1>{title}</h1>\n{body}\n</html>\n"
     )
 }
 

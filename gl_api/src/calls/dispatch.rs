@@ -3,9 +3,11 @@
 use crate::base::begin_end::BeginEnd;
 use crate::base::error::{ErrorCode, GlError, Result};
 use crate::base::refused_result::RefusedResult;
+use crate::context::pending_primitives::PendingPrimitives;
 use crate::context::sharing::CallScope;
 use crate::context::{Context, ContextDesc, ContextError};
 use crate::draw::pending_primitives::draw_pending;
+use crate::state::plain::PlainState;
 use texunit::lanes::FloatEnv;
 
 impl Context {
@@ -31,6 +33,40 @@ impl Context {
         let result = match begin_end {
             BeginEnd::Refused if !context.leave_vertices(name) => Ok(R::refused_result()),
             BeginEnd::Refused | BeginEnd::Allowed => f(context),
+        };
+        call.end();
+        self.answer(name, result)
+    }
+
+    /// As [`Self::call`], of a call that may not stand between `glBegin` and `glEnd` and changes nothing that draws depend
+    /// on but plain state ([`PlainState`]): vertices stay pending, and are drawn with the state from before if it is
+    /// another one when more vertices come.
+    pub(crate) fn call_setter<R: RefusedResult>(
+        &mut self,
+        name: &'static str,
+        f: impl FnOnce(&mut Self) -> Result<R>,
+    ) -> R {
+        let call = ComputingCall::begin(self);
+        let context = &mut *call.scope.context;
+        let result = match context.leave_vertices_to_setter(name) {
+            false => Ok(R::refused_result()),
+            true => f(context),
+        };
+        call.end();
+        self.answer(name, result)
+    }
+
+    /// As [`Self::call`], of a call that may not stand between `glBegin` and `glEnd`, draws nothing and changes nothing.
+    pub(crate) fn call_query<R: RefusedResult>(
+        &mut self,
+        name: &'static str,
+        f: impl FnOnce(&mut Self) -> Result<R>,
+    ) -> R {
+        let call = ComputingCall::begin(self);
+        let context = &mut *call.scope.context;
+        let result = match context.immediate.is_some() {
+            true => Err(between_begin_and_end()),
+            false => f(context),
         };
         call.end();
         self.answer(name, result)
@@ -78,6 +114,33 @@ impl Context {
         }
         self.state_changes.count_call();
         true
+    }
+
+    /// Before a setter of plain state: as [`Self::leave_vertices`], but pending vertices keep the state instead of being
+    /// drawn.
+    #[inline(never)]
+    fn leave_vertices_to_setter(&mut self, name: &'static str) -> bool {
+        if self.immediate.is_some() {
+            self.refuse(name, between_begin_and_end());
+            return false;
+        }
+        match &self.pending {
+            Some(PendingPrimitives::Vertices(_)) if self.pending_state.is_none() => {
+                self.pending_state = Some(PlainState::of(&self.state));
+            }
+            Some(ended @ PendingPrimitives::Bitmaps(_)) if !ended.survives(name) => {
+                draw_pending(self);
+            }
+            Some(_) | None => {}
+        }
+        self.state_changes.count_setter();
+        true
+    }
+
+    /// In a setter of plain state that is about to change other state: as the beginning of any other call.
+    pub(crate) fn leave_plain_state(&mut self) {
+        draw_pending(self);
+        self.state_changes.count_call();
     }
 }
 

@@ -67,6 +67,14 @@ fn switch(context: &mut Context, cap: GLenum, to: Switch) -> Result<()> {
         return Ok(());
     }
     match capability {
+        Capability::Flag(Flag::ColorMaterial)
+        | Capability::Texture(_)
+        | Capability::TexGen(_)
+        | Capability::Map(_)
+        | Capability::DebugOutput => context.leave_plain_state(),
+        Capability::Flag(_) | Capability::Light(_) | Capability::ClipPlane(_) => {}
+    }
+    match capability {
         Capability::Flag(flag) => {
             if flag == Flag::ColorMaterial {
                 keep_tracked(context);

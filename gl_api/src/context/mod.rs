@@ -37,6 +37,7 @@ use crate::objects::shared::ShareGroup;
 use crate::state::State;
 use crate::state::attrib::AttribStacks;
 use crate::state::evaluators::EvaluatorMaps;
+use crate::state::plain::PlainState;
 use crate::state::transform_feedback::{TransformFeedback, TransformFeedbackObjects};
 use crate::state::uniform_buffers::UniformBuffers;
 pub use debug::{Message, Severity};
@@ -174,6 +175,8 @@ pub struct Context {
     pub(crate) immediate: Option<Immediate>,
     /// Primitives after `glEnd`, and bitmaps, that wait to be batched with more.
     pub(crate) pending: Option<PendingPrimitives>,
+    /// The plain state that pending vertices are drawn with, if setters may have changed it since.
+    pub(crate) pending_state: Option<Box<PlainState>>,
     pub(crate) recorder: Recorder,
     /// Display lists, and the one that is being compiled.
     pub(crate) lists: Lists,
@@ -262,6 +265,7 @@ impl Context {
             units_switched: 0,
             immediate: None,
             pending: None,
+            pending_state: None,
             recorder: Recorder::new(device),
             lists: Lists::default(),
             compiling: None,

@@ -76,12 +76,35 @@ mod tests {
         let mut c = Context::new(ContextDesc::default()).expect("a device");
         ten_points(&mut c);
         assert_eq!(draws(&c), [1]);
-        c.matrix_mode(GL_PROJECTION);
+        c.load_identity();
         assert_eq!(draws(&c), [1, 9]);
         c.new_list(1, GL_COMPILE);
         ten_points(&mut c);
         c.end_list();
         c.call_list(1);
         assert_eq!(draws(&c), [1, 9, 10]);
+    }
+
+    #[test]
+    fn setters_end_nothing_unless_the_state_is_another_when_more_vertices_come() {
+        let mut c = Context::new(ContextDesc::default()).expect("a device");
+        for _ in 0..3 {
+            ten_points(&mut c);
+            c.enable(GL_BLEND);
+            c.blend_func(GL_SRC_ALPHA, GL_ONE);
+            c.disable(GL_BLEND);
+            c.blend_func(GL_ONE, GL_ZERO);
+            c.matrix_mode(GL_MODELVIEW);
+            c.bind_texture(GL_TEXTURE_2D, 0);
+            c.use_program(0);
+            assert_eq!(c.get_error(), GL_NO_ERROR);
+            assert!(!c.is_enabled(GL_BLEND));
+        }
+        assert_eq!(draws(&c), [1]);
+        c.depth_func(GL_ALWAYS);
+        ten_points(&mut c);
+        assert_eq!(draws(&c), [1, 29, 1]);
+        c.enable(GL_TEXTURE_2D);
+        assert_eq!(draws(&c), [1, 29, 1, 9]);
     }
 }

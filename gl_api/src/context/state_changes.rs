@@ -2,15 +2,20 @@
 
 /// Counts the calls that may not stand between `glBegin` and `glEnd`, and other calls that change what draws depend
 /// on. Each counts as a change of any state, unless it says otherwise with [`Self::no_change`] or
-/// [`Self::values_only`].
+/// [`Self::values_only`], or is one that sets plain state ([`Self::count_setter`]).
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct StateChanges {
     /// How many calls there were.
     pub calls: u64,
-    /// The number of the last call that may have changed state by which shaders, pipelines and textures are chosen.
+    /// The number of the last call that may have changed state by which shaders, pipelines and textures are chosen,
+    /// other than plain state.
     pub last_state_change: u64,
     /// [`Self::last_state_change`] before the last call.
     previous_state_change: u64,
+    /// The number of the last call that may have changed plain state ([`crate::state::plain::PlainState`]).
+    pub last_plain_change: u64,
+    /// [`Self::last_plain_change`] before the last call.
+    previous_plain_change: u64,
     /// The number of the last call that may have changed what does not affect those choices: values of uniform words,
     /// and where vertices are read from.
     pub last_value_change: u64,
@@ -20,12 +25,21 @@ impl StateChanges {
     /// Counts a call, as one that may change any state.
     pub fn count_call(&mut self) {
         self.calls += 1;
+        self.previous_plain_change = self.last_plain_change;
         self.previous_state_change = std::mem::replace(&mut self.last_state_change, self.calls);
+    }
+
+    /// Counts a call, as one that may change plain state and nothing else.
+    pub fn count_setter(&mut self) {
+        self.calls += 1;
+        self.previous_state_change = self.last_state_change;
+        self.previous_plain_change = std::mem::replace(&mut self.last_plain_change, self.calls);
     }
 
     /// The last call has changed no state that draws depend on.
     pub fn no_change(&mut self) {
         self.last_state_change = self.previous_state_change;
+        self.last_plain_change = self.previous_plain_change;
     }
 
     /// The last call has changed nothing but values: uniform words, and where vertices are read from.

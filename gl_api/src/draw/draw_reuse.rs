@@ -6,6 +6,7 @@ use crate::context::recorder::batching::makes_whole_primitives;
 use crate::context::recorder::elements::Elements;
 use crate::context::recorder::emitted_state::{DrawDecisions, arrays};
 use crate::context::recorder::fixed_function::StageKeys;
+use crate::state::plain::PlainState;
 use rasterizer::driver::{Topology, VertexBinding};
 
 impl DrawDecisions {
@@ -18,10 +19,18 @@ impl DrawDecisions {
     ) -> Self {
         Self {
             call: context.state_changes.calls,
+            plain: PlainState::of(&context.state),
             topology,
             arrays: arrays(vertices).collect(),
             keys,
         }
+    }
+
+    /// Whether nothing but values has changed since.
+    fn hold(&self, context: &Context) -> bool {
+        let changes = &context.state_changes;
+        changes.last_state_change <= self.call
+            && (changes.last_plain_change <= self.call || self.plain.is_of(&context.state))
     }
 }
 
@@ -29,8 +38,7 @@ impl DrawDecisions {
 pub(crate) fn attributes(context: &Context) -> Option<u64> {
     let emitted = &context.recorder.emitted;
     let decided = emitted.decisions.as_ref()?;
-    let may_be_alike =
-        context.state_changes.last_state_change <= decided.call && context.compiling.is_none();
+    let may_be_alike = context.compiling.is_none() && decided.hold(context);
     may_be_alike.then(|| emitted.attributes_read())
 }
 
@@ -42,14 +50,14 @@ pub(crate) fn words(
     elements: &Elements,
 ) -> Option<Vec<u32>> {
     let decided = context.recorder.emitted.decisions.take()?;
-    let is_alike = context.state_changes.last_state_change <= decided.call
-        && topology == decided.topology
+    let is_alike = topology == decided.topology
         // Else there is a warning to give.
         && makes_whole_primitives(topology, elements.counts().0)
         && arrays(vertices).eq(decided.arrays.iter().copied())
         && allows_reuse(context)
         && !context.queries.discards()
-        && !context.recorder.is_full();
+        && !context.recorder.is_full()
+        && decided.hold(context);
     let words = if is_alike { crate::draw::stages::words(context, &decided.keys) } else { None };
     context.recorder.emitted.decisions = Some(decided);
     words

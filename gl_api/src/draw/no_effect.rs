@@ -4,8 +4,11 @@
 use crate::base::clamp::Clamp;
 use crate::context::Context;
 use crate::draw::color_clamp::{draws_fractions, of_fragments};
+use crate::interface::ATTRIB_SECONDARY_COLOR;
 use crate::state::blend::Formula;
-use rasterizer::driver::{Blend, LogicOp};
+use crate::state::fog::{FogMode, FogState};
+use crate::state::light::Light;
+use rasterizer::driver::{Blend, LogicOp, VertexBinding, VertexSource};
 use texunit::sampler::Compare;
 
 /// The blending by a formula, unless it gives the source: `1·s + 0·d`. Buffers of floats and of signed numbers keep it:
@@ -18,6 +21,38 @@ pub(crate) fn blend(context: &Context, formula: Formula) -> Option<Blend> {
 /// The logical operation, unless it gives the source.
 pub(crate) fn logic_op(op: LogicOp) -> Option<LogicOp> {
     (op != LogicOp::Copy).then_some(op)
+}
+
+/// Whether fog leaves every colour: its factor is `exp(0)` at any distance.
+pub(crate) fn fog(fog: &FogState) -> bool {
+    fog.density == 0.0
+        && match fog.mode {
+            FogMode::Exp | FogMode::Exp2 => true,
+            FogMode::Linear => false,
+        }
+}
+
+/// Whether a light adds nothing to any material: all its colours are black.
+pub(crate) fn light(light: &Light) -> bool {
+    let colors = [light.ambient, light.diffuse, light.specular];
+    colors.into_iter().all(|[red, green, blue, _]| is_black([red, green, blue]))
+}
+
+/// Whether the secondary colour of a draw adds nothing: it is black at all vertices. Buffers of floats and of signed
+/// numbers show the sum with zero: it is no negative zero.
+pub(crate) fn color_sum(context: &Context, vertices: &[VertexBinding]) -> bool {
+    let is_black = |binding: &VertexBinding| match binding.source {
+        VertexSource::Constant([red, green, blue, _]) => is_black([red, green, blue]),
+        VertexSource::Array { .. } => false,
+    };
+    let mut bindings = vertices.iter();
+    let secondary = bindings.find(|binding| binding.location == ATTRIB_SECONDARY_COLOR);
+    secondary.is_some_and(is_black) && draws_fractions(context)
+}
+
+/// Whether a colour is black.
+pub(crate) fn is_black(color: [f32; 3]) -> bool {
+    color == [0.0; 3]
 }
 
 /// Whether an alpha test passes for every fragment. Clamped alpha is a number in [0, 1], also where the shader gave

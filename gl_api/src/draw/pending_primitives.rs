@@ -35,6 +35,12 @@ pub(crate) fn append_pending(context: &mut Context, immediate: &mut Immediate) -
     if !same {
         return false;
     }
+    if let Some(state) = &context.pending_state {
+        if !state.is_of(&context.state) {
+            return false;
+        }
+        context.pending_state = None;
+    }
     pending.positions.append(&mut immediate.positions);
     for Column { location, values } in &mut pending.columns {
         if let Some(column) = immediate.column_of(*location) {
@@ -82,10 +88,19 @@ fn draw_pending_vertices(context: &mut Context) {
         }
         None => return,
     };
+    let mut state = context.pending_state.take();
     if !pending.positions.is_empty() {
+        if let Some(state) = &mut state {
+            state.swap(&mut context.state);
+        }
         // The driver may refuse it, as every draw.
         if let Err(error) = pending.draw(context) {
             context.refuse("glEnd", error);
+        }
+        if let Some(state) = &mut state {
+            state.swap(&mut context.state);
+            // What was decided with the state from before does not hold.
+            context.state_changes.count_call();
         }
         pending.positions.clear();
         pending.columns.iter_mut().for_each(|column| column.values.clear());

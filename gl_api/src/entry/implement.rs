@@ -64,11 +64,16 @@ macro_rules! implement {
             pub fn $method<'a>(&mut self $(, $param: $ty)*) $(-> $ret)? {
                 implement!(@core self $gl $aliases ($($param: $ty),*));
                 implement!(@record self $begin_end $module $method $gl [$($param)*] [$($ret)?] $list);
-                self.call(stringify!($gl), $crate::base::begin_end::BeginEnd::$begin_end, |context| {
-                    $module::$method(context $(, $param)*)
-                })
+                implement!(@call $begin_end self $gl |context| $module::$method(context $(, $param)*))
             }
         }
+    };
+    (@begin_end Allowed) => { $crate::base::begin_end::BeginEnd::Allowed };
+    (@begin_end $refused:ident) => { $crate::base::begin_end::BeginEnd::Refused };
+    (@call Setter $context:ident $gl:ident $f:expr) => { $context.call_setter(stringify!($gl), $f) };
+    (@call Query $context:ident $gl:ident $f:expr) => { $context.call_query(stringify!($gl), $f) };
+    (@call $begin_end:ident $context:ident $gl:ident $f:expr) => {
+        $context.call(stringify!($gl), implement!(@begin_end $begin_end), $f)
     };
     // In contexts without all of OpenGL, what they lack is refused.
     (@core $context:ident $gl:ident [$($alias:ident)*] ($($param:ident: $ty:ty),*)) => {
@@ -106,7 +111,7 @@ macro_rules! implement {
                         let run = move |context: &mut $crate::context::Context| {
                             $module::$method(context $(, $crate::record::arguments::RecordedArgument::argument(&$param))*)
                         };
-                        return $context.record(name, $crate::base::begin_end::BeginEnd::$begin_end, Box::new(run));
+                        return $context.record(name, implement!(@begin_end $begin_end), Box::new(run));
                     }
                     Err($crate::record::arguments::NotRecorded::NoMemory) => return $context.has_no_memory_to_record(name),
                     Err($crate::record::arguments::NotRecorded::ReturnsData) => {}
@@ -143,7 +148,7 @@ macro_rules! implement {
                 $crate::entry::description::Parameter { name: stringify!($param), ty: stringify!($ty) }
             ),*],
             result: implement!(@result [$($ret)?]),
-            begin_end: $crate::base::begin_end::BeginEnd::$begin_end,
+            begin_end: implement!(@begin_end $begin_end),
             display_list: implement!(@list [$($ret)?] [$($list)?]),
         }
     };
@@ -184,7 +189,7 @@ macro_rules! implement {
         $crate::entry::exercise::Exercise {
             name: stringify!($gl),
             #[cfg(test)]
-            begin_end: $crate::base::begin_end::BeginEnd::$begin_end,
+            begin_end: implement!(@begin_end $begin_end),
             run: exercise,
         }
     }};

@@ -149,7 +149,7 @@ pub(crate) const CAPABILITY: Table<Capability> = Table {
 };
 
 /// The flags that are enabled.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Enables(u64);
 
 impl Default for Enables {

@@ -7,7 +7,7 @@ use rasterizer::driver::{DepthWrite, LogicOp, Rect};
 use texunit::sampler::Compare;
 
 /// State of per-fragment operations.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct FragmentState {
     pub scissor: Rect,
     pub alpha_func: Compare,

@@ -16,6 +16,7 @@ pub(crate) mod locked_arrays;
 pub(crate) mod material;
 pub(crate) mod matrix;
 pub(crate) mod multisample;
+pub(crate) mod plain;
 pub(crate) mod points;
 pub(crate) mod polygon;
 pub(crate) mod raster;

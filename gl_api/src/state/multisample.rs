@@ -7,7 +7,7 @@ use crate::base::types::*;
 pub(crate) const MAX_SAMPLE_MASK_WORDS: GLuint = 1;
 
 /// What `glSampleCoverage` and `glSampleMaski` set.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Multisample {
     /// The part of the samples that is kept, from 0 to 1.
     pub value: f32,

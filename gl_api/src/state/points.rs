@@ -7,7 +7,7 @@ use rasterizer::driver::{MAX_POINT_SIZE, SpriteOrigin};
 const SECTION: &str = "GL 2.1, section 3.3";
 
 /// Point parameters.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Points {
     pub size: f32,
     /// The derived size is at least this.

@@ -5,7 +5,7 @@ use crate::base::error::Table;
 use rasterizer::driver::PolygonMode;
 
 /// State of polygon rasterization.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Polygons {
     /// Front and back.
     pub mode: [PolygonMode; 2],

@@ -10,7 +10,7 @@ use rasterizer::driver::{Cull, FrontFace, Provoking};
 use rasterizer::ir::Interpolation;
 
 /// State of rasterization.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct RasterState {
     pub cull: Cull,
     pub front_face: FrontFace,

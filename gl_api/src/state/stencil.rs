@@ -45,7 +45,7 @@ pub(crate) enum Side {
 }
 
 /// The stencil state.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Stencil {
     /// By [`Side`].
     pub faces: [Face; 3],

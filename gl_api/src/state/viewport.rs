@@ -3,7 +3,7 @@
 use rasterizer::driver::{ClipControl, ClipDepth, ClipOrigin, DepthClip};
 
 /// The viewport and the depth range.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct ViewportState {
     pub x: i32,
     pub y: i32,

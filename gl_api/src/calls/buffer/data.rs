@@ -106,6 +106,16 @@ pub(crate) fn bind_buffer(context: &mut Context, target: GLenum, buffer: GLuint)
     if context.profile.is_core() {
         context.objects.shared.buffers.check_given("buffer", buffer, "glGenBuffers")?;
     }
+    match target {
+        BufferTarget::Array | BufferTarget::ElementArray | BufferTarget::DrawIndirect => {}
+        BufferTarget::PixelPack
+        | BufferTarget::PixelUnpack
+        | BufferTarget::CopyRead
+        | BufferTarget::CopyWrite
+        | BufferTarget::TransformFeedback
+        | BufferTarget::Uniform
+        | BufferTarget::Texture => context.leave_plain_state(),
+    }
     bind(context, target, buffer);
     Ok(())
 }

@@ -66,7 +66,8 @@ impl RasterPositionStage {
     /// That of the raster position before, if nothing but numbers has changed since.
     fn again(context: &mut Context) -> Option<Self> {
         let Self { at, ready } = context.feedback.raster_position_stage.take()?;
-        if context.state_changes.last_state_change > at || !allows_reuse(context) {
+        let changes = &context.state_changes;
+        if changes.last_state_change.max(changes.last_plain_change) > at || !allows_reuse(context) {
             return None;
         }
         Some(Self { at, ready: ready.again(context)? })

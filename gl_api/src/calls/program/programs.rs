@@ -239,13 +239,14 @@ pub(crate) fn use_program(context: &mut Context, name: GLuint) -> Result<()> {
         );
     }
     not_while_active(context)?;
-    let objects = &mut *context.objects.shared;
-    let now = objects.programs.hold(name);
-    let before = std::mem::replace(&mut context.state.bindings.program, now).name();
-    if before == name {
+    if context.state.bindings.program.name() == name {
         context.state_changes.no_change();
         return Ok(());
     }
+    context.leave_plain_state();
+    let objects = &mut *context.objects.shared;
+    let now = objects.programs.hold(name);
+    let before = std::mem::replace(&mut context.state.bindings.program, now).name();
     objects.sweep_programs();
     if !objects.programs.is_held(before)
         && let Some(ShaderOrProgram::Program(before)) = objects.programs.get_mut(before)

@@ -76,6 +76,7 @@ pub(crate) fn bind_texture(context: &mut Context, target: GLenum, texture: GLuin
         context.state_changes.no_change();
         return Ok(());
     }
+    context.leave_plain_state();
     context.state.units.active_mut().bound[target as usize] = bound;
     Ok(())
 }

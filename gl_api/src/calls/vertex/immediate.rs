@@ -16,10 +16,12 @@ use crate::context::pending_primitives::PendingPrimitives;
 use crate::context::recorder::elements::Elements;
 use crate::draw::assembly_words as assembly;
 use crate::draw::completeness::checked_drawable;
+use crate::draw::no_effect;
 use crate::draw::pending_primitives::{append_pending, draw_pending, keep_pending};
 use crate::draw::record::{constants_needed, draw};
 use crate::interface::{
-    ATTRIB_COLOR, ATTRIB_EDGE_FLAG, ATTRIB_MATERIAL, ATTRIB_TEX_COORD, ATTRIB_VERTEX,
+    ATTRIB_COLOR, ATTRIB_EDGE_FLAG, ATTRIB_MATERIAL, ATTRIB_SECONDARY_COLOR, ATTRIB_TEX_COORD,
+    ATTRIB_VERTEX,
 };
 use crate::state::enable::Flag;
 use rasterizer::driver::{Buffer, Topology, VertexBinding, VertexFormat, VertexSource, VertexType};
@@ -200,6 +202,12 @@ fn is_number(context: &Context, location: usize, value: [f32; 4]) -> bool {
     match u8::try_from(location) {
         Ok(ATTRIB_COLOR) => !is_tracked,
         Ok(ATTRIB_EDGE_FLAG | ATTRIB_MATERIAL..) | Err(_) => false,
+        // Whether there is a sum depends on whether one of its colours is black.
+        Ok(ATTRIB_SECONDARY_COLOR) => {
+            let is_black =
+                |[red, green, blue, _]: [f32; 4]| no_effect::is_black([red, green, blue]);
+            is_black(context.state.current[location]) == is_black(value)
+        }
         // Whether coordinates are divided depends on the last one.
         Ok(ATTRIB_TEX_COORD..) => {
             context.state.current[location][3].to_bits() == value[3].to_bits()

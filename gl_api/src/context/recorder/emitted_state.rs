@@ -4,6 +4,7 @@ use crate::context::recorder::batching::LastDraw;
 use crate::context::recorder::elements::bit;
 use crate::context::recorder::fixed_function::StageKeys;
 use crate::context::recorder::stages::Textures;
+use crate::state::plain::PlainState;
 use rasterizer::driver::{
     Counter, PipelineDesc, RasterState, Rect, Topology, VertexBinding, VertexSource, Viewport,
 };
@@ -43,6 +44,8 @@ impl EmittedState {
 pub(crate) struct DrawDecisions {
     /// [`crate::context::state_changes::StateChanges::calls`] at its call.
     pub call: u64,
+    /// The plain state at its call.
+    pub plain: Box<PlainState>,
     pub topology: Topology,
     /// The attributes that were read from arrays, and how many components of them.
     pub arrays: Vec<(u8, u8)>,

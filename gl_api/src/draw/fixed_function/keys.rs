@@ -5,6 +5,7 @@ use crate::context::Context;
 use crate::context::recorder::fixed_function::UnitSummary;
 use crate::draw::alpha_test::alpha_test;
 use crate::draw::material::material;
+use crate::draw::no_effect;
 use crate::draw::sampler::sampler;
 use crate::draw::warnings;
 use crate::generate::fixed::environment::{Environment, environment_base};
@@ -92,8 +93,9 @@ fn lighting_key(context: &Context, vertices: &[VertexBinding]) -> Option<Lightin
         varying.specular.is_some() || is_colored(material(context, side).specular)
     });
     let lights = std::array::from_fn(|index| {
-        let on = state.lights.enabled >> index & 1 == 1;
-        let mut key = on.then(|| light_key(&state.lights.lights[index]))?;
+        let light = &state.lights.lights[index];
+        let on = state.lights.enabled >> index & 1 == 1 && !no_effect::light(light);
+        let mut key = on.then(|| light_key(light))?;
         key.specular &= has_specular;
         Some(key)
     });
@@ -172,6 +174,7 @@ pub(crate) fn fragment_key(
         model.color_control == ColorControl::Separate
     } else {
         state.enables.has(Flag::ColorSum)
+            && !vertices.is_some_and(|vertices| no_effect::color_sum(context, vertices))
     };
     let source = if vertices.is_some() { state.fog.source } else { FogSource::Coordinate };
     FragmentKey {
@@ -180,7 +183,8 @@ pub(crate) fn fragment_key(
         shade_model: state.raster.shade_model,
         two_sided: lit && model.two_side,
         color_sum,
-        fog: state.enables.has(Flag::Fog).then_some(FogKey { mode: state.fog.mode, source }),
+        fog: (state.enables.has(Flag::Fog) && !no_effect::fog(&state.fog))
+            .then_some(FogKey { mode: state.fog.mode, source }),
         alpha: alpha_test(context),
         antialiasing: Antialiasing::Aliased,
         clamp,

@@ -10,7 +10,7 @@ use crate::query::indexed;
 #[macro_export]
 macro_rules! entry_points_fragments {
     ($apply:ident $($arguments:tt)*) => { $apply! { [$($arguments)*]
-    Refused in fragment {
+    Setter in fragment {
         /// Sets the alpha test.
         alpha_func: glAlphaFunc (func: GLenum, reference: GLclampf);
         /// Sets the depth test.
@@ -35,7 +35,7 @@ macro_rules! entry_points_fragments {
         /// Sets the stencil value that `glClear` writes.
         clear_stencil: glClearStencil (s: GLint);
     }
-    Refused in blend {
+    Setter in blend {
         /// Sets the factors of both blend equations.
         blend_func: glBlendFunc (sfactor: GLenum, dfactor: GLenum);
         /// Sets the factors of the blend equations of colour and alpha.
@@ -68,7 +68,7 @@ macro_rules! entry_points_fragments {
         /// Sets when colours are clamped to [0, 1].
         clamp_color: glClampColor | glClampColorARB (target: GLenum, clamp: GLenum);
     }
-    Refused in masks {
+    Setter in masks {
         /// Sets which colour components are written.
         color_mask: glColorMask (red: bool, green: bool, blue: bool, alpha: bool);
         /// Sets which components of a draw buffer are written.
@@ -94,7 +94,7 @@ macro_rules! entry_points_fragments {
         get_integer64i_v: glGetInteger64i_v
             (target: GLenum, index: GLuint, data: &'a mut [GLint64]);
     }
-    Refused in stencil {
+    Setter in stencil {
         /// Sets the stencil test of both faces.
         stencil_func: glStencilFunc (func: GLenum, reference: GLint, mask: GLuint);
         /// Sets the stencil test of one face, or of both.

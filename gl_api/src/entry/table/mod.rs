@@ -3,7 +3,9 @@
 //! A row names the method and GL's name (and its aliases), the parameters with C's types, and the type of the result.
 //! Rows are grouped: a group says whether its calls are allowed between `glBegin` and `glEnd`
 //! ([`BeginEnd`](super::BeginEnd)), and in which module the function is that carries a call out; it has the method's
-//! name. `not_compiled` after a row says that the call is carried out at once while a display list is compiled, or
+//! name. Instead of `Refused`, a group may say more: its calls are refused there, and each is a `Setter`, which changes
+//! nothing that draws depend on but plain state, or a `Query`, which changes and draws nothing. Then pending vertices
+//! need not be drawn before the call. `not_compiled` after a row says that the call is carried out at once while a display list is compiled, or
 //! records itself (GL 2.1, section 5.4); calls with a result always are, and say nothing.
 //!
 //! Each chapter is a macro that applies another to its rows. [`implement!`](super::implement) makes the methods and

@@ -75,6 +75,8 @@ macro_rules! entry_points_programs {
             (program: GLuint, color_number: GLuint, index: GLuint, name: &'a str), not_compiled;
         /// Links a program; `glGetProgramiv` says whether it worked.
         link_program: glLinkProgram | glLinkProgramARB (program: GLuint), not_compiled;
+    }
+    Setter in programs {
         /// Makes a program the one that draws use; 0 brings the fixed function back.
         use_program: glUseProgram | glUseProgramObjectARB (program: GLuint);
     }

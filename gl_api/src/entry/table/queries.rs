@@ -10,13 +10,13 @@ use crate::query::get;
 #[macro_export]
 macro_rules! entry_points_queries {
     ($apply:ident $($arguments:tt)*) => { $apply! { [$($arguments)*]
-    Refused in extensions {
+    Query in extensions {
         /// Vendor, renderer, version, extensions; empty for other names.
         get_string: glGetString (name: GLenum) -> &'static str;
         /// The name of an extension.
         get_stringi: glGetStringi (name: GLenum, index: GLuint) -> &'static str;
     }
-    Refused in get {
+    Query in get {
         /// The first error since the last call, or `GL_NO_ERROR`.
         get_error: glGetError () -> GLenum;
         /// Reads state as truth values.

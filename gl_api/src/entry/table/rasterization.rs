@@ -11,13 +11,13 @@ use crate::query::enabled;
 #[macro_export]
 macro_rules! entry_points_rasterization {
     ($apply:ident $($arguments:tt)*) => { $apply! { [$($arguments)*]
-    Refused in enable {
+    Setter in enable {
         /// Switches a capability on.
         enable: glEnable (cap: GLenum);
         /// Switches a capability off.
         disable: glDisable (cap: GLenum);
     }
-    Refused in enabled {
+    Query in enabled {
         /// Whether a capability is on.
         is_enabled: glIsEnabled (cap: GLenum) -> bool;
     }
@@ -27,7 +27,7 @@ macro_rules! entry_points_rasterization {
         /// Switches a client array off.
         disable_client_state: glDisableClientState (array: GLenum), not_compiled;
     }
-    Refused in raster {
+    Setter in raster {
         /// Sets which faces `GL_CULL_FACE` leaves out.
         cull_face: glCullFace (mode: GLenum);
         /// Sets which winding is the front.
@@ -43,7 +43,7 @@ macro_rules! entry_points_rasterization {
         /// Accepted; DetGL has one quality.
         hint: glHint (target: GLenum, mode: GLenum);
     }
-    Refused in multisample {
+    Setter in multisample {
         /// Sets which part of the samples of a pixel `GL_SAMPLE_COVERAGE` leaves.
         sample_coverage: glSampleCoverage | glSampleCoverageARB (value: GLclampf, invert: bool);
         /// Sets which samples `GL_SAMPLE_MASK` leaves, bit by sample.
@@ -52,7 +52,7 @@ macro_rules! entry_points_rasterization {
         get_multisamplefv: glGetMultisamplefv
             (pname: GLenum, index: GLuint, val: &'a mut [GLfloat]);
     }
-    Refused in polygon {
+    Setter in polygon {
         /// Sets whether polygons are filled, or drawn by their edges or vertices.
         polygon_mode: glPolygonMode (face: GLenum, mode: GLenum);
         /// Sets what is added to the depth of polygons.
@@ -71,7 +71,7 @@ macro_rules! entry_points_rasterization {
         /// The same from memory.
         edge_flagv: glEdgeFlagv (flag: &'a [GLboolean]);
     }
-    Refused in points {
+    Setter in points {
         /// Sets the size of points in pixels.
         point_size: glPointSize (size: GLfloat);
         /// Sets a limit of the size of points, the threshold of fading, or where t of a sprite is 0.

@@ -16,9 +16,15 @@ macro_rules! entry_points_textures {
         gen_textures: glGenTextures | glGenTexturesEXT (n: GLsizei, textures: &'a mut [GLuint]);
         /// Deletes textures; bound ones are unbound, unknown names ignored.
         delete_textures: glDeleteTextures | glDeleteTexturesEXT (n: GLsizei, textures: &'a [GLuint]), not_compiled;
+    }
+    Setter in textures {
         /// Makes a texture the current one of a target of the active unit. Any name will do: an
         /// unknown one is created.
         bind_texture: glBindTexture | glBindTextureEXT (target: GLenum, texture: GLuint);
+        /// Selects the texture unit that texture calls and matrices work on.
+        active_texture: glActiveTexture | glActiveTextureARB (texture: GLenum);
+    }
+    Refused in textures {
         /// Whether a name is a texture that has been bound.
         is_texture: glIsTexture | glIsTextureEXT (texture: GLuint) -> bool;
         /// Sets what `GL_TEXTURE_PRIORITY` answers; every texture is resident.
@@ -27,8 +33,6 @@ macro_rules! entry_points_textures {
         /// Whether all are resident: they are.
         are_textures_resident: glAreTexturesResident | glAreTexturesResidentEXT
             (n: GLsizei, textures: &'a [GLuint], residences: &'a mut [GLboolean]) -> bool;
-        /// Selects the texture unit that texture calls and matrices work on.
-        active_texture: glActiveTexture | glActiveTextureARB (texture: GLenum);
         /// Selects the texture unit that `glTexCoordPointer` works on.
         client_active_texture: glClientActiveTexture | glClientActiveTextureARB (texture: GLenum), not_compiled;
     }

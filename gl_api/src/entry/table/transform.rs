@@ -7,9 +7,11 @@ use crate::calls::transform::{matrix, viewport};
 #[macro_export]
 macro_rules! entry_points_transform {
     ($apply:ident $($arguments:tt)*) => { $apply! { [$($arguments)*]
-    Refused in matrix {
+    Setter in matrix {
         /// Selects the stack that matrix calls work on.
         matrix_mode: glMatrixMode (mode: GLenum);
+    }
+    Refused in matrix {
         /// Replaces the current matrix by the identity.
         load_identity: glLoadIdentity ();
         /// Replaces the current matrix by 16 numbers, column by column.
@@ -55,13 +57,15 @@ macro_rules! entry_points_transform {
             far: GLdouble
         );
     }
-    Refused in viewport {
+    Setter in viewport {
         /// Sets where in the window normalized device coordinates lie.
         viewport: glViewport (x: GLint, y: GLint, width: GLsizei, height: GLsizei);
         /// Sets the window depth of the near and far planes.
         depth_range: glDepthRange (near: GLclampd, far: GLclampd);
         /// Sets the window depth of the near and far planes.
         depth_rangef: glDepthRangef (near: GLclampf, far: GLclampf);
+    }
+    Refused in viewport {
         /// Sets where y = -w is in the viewport, and the depths between the near and the far plane.
         clip_control: glClipControl | glClipControlEXT (origin: GLenum, depth: GLenum);
     }

@@ -254,8 +254,12 @@ macro_rules! entry_points_vertices {
         gen_buffers: glGenBuffers | glGenBuffersARB (n: GLsizei, buffers: &'a mut [GLuint]);
         /// Deletes buffers; bound ones are unbound.
         delete_buffers: glDeleteBuffers | glDeleteBuffersARB (n: GLsizei, buffers: &'a [GLuint]), not_compiled;
+    }
+    Setter in buffers {
         /// Makes a buffer the current one of a target.
         bind_buffer: glBindBuffer | glBindBufferARB (target: GLenum, buffer: GLuint), not_compiled;
+    }
+    Refused in buffers {
         /// Whether a name is a buffer that has been bound.
         is_buffer: glIsBuffer | glIsBufferARB (buffer: GLuint) -> bool;
         /// Fills a buffer anew with `size` bytes; `NULL` gives zeros.

@@ -1,0 +1,183 @@
+//! Runs features: plans, pictures and times.
+
+use super::feature::{Feature, Rule};
+use super::plan::PlanFound;
+use super::scene::SIDE;
+use crate::probe::ProbeError;
+use cpu_time::ThreadTime;
+use gl_api::constants::*;
+use gl_api::context::{Context, ContextDesc};
+use gl_api::entry::*;
+use rasterizer::driver::{Device, DeviceDesc, Explain};
+use serde::Serialize;
+use std::sync::Arc;
+
+/// What was found of a feature.
+#[derive(Clone, Debug, Serialize)]
+pub struct Row {
+    /// The feature's name.
+    pub name: &'static str,
+    /// What is asked for.
+    pub what: &'static str,
+    /// Median time of a frame without it, in milliseconds.
+    pub plain_ms: f64,
+    /// Median over the rounds of the ratio of the times with and without it.
+    pub ratio: f64,
+    /// Half the distance of the quartiles of the ratios.
+    pub noise: f64,
+    /// How many bytes of the two pictures differ.
+    pub different: usize,
+    /// How far they lie apart at most.
+    pub largest: u8,
+    /// How far they may.
+    pub tolerance: u8,
+    /// What the plan says.
+    pub plan: PlanFound,
+    /// Why the plan may do more.
+    pub allowance: Option<&'static str>,
+}
+
+impl Row {
+    /// Whether pictures are equal and the plan does no more than it may.
+    pub fn passes(&self) -> bool {
+        let is_left_out = self.plan == PlanFound::SameWork || self.allowance.is_some();
+        self.largest <= self.tolerance && is_left_out
+    }
+}
+
+/// One scene in a context of its own.
+struct Stage {
+    context: Option<Context>,
+    frame: fn(),
+}
+
+impl Stage {
+    fn new(setup: fn(), frame: fn(), device: &Arc<Device>) -> Result<Self, ProbeError> {
+        let desc = ContextDesc {
+            width: SIDE as u32,
+            height: SIDE as u32,
+            device: Some(Arc::clone(device)),
+            ..ContextDesc::default()
+        };
+        let context = Context::new(desc).map_err(|error| ProbeError::Context(error.to_string()))?;
+        let mut stage = Self { context: Some(context), frame };
+        stage.run(setup)?;
+        Ok(stage)
+    }
+
+    /// Runs `work` in the context.
+    fn run<R>(&mut self, work: impl FnOnce() -> R) -> Result<R, ProbeError> {
+        let lost = || ProbeError::Context("the context was lost".to_owned());
+        let current = self.context.take().ok_or_else(lost)?.make_current();
+        let result = work();
+        let code = glGetError();
+        self.context = current.release();
+        match code {
+            GL_NO_ERROR => Ok(result),
+            _ => {
+                let messages = self.context.as_mut().map(Context::messages).unwrap_or_default();
+                let message = messages.last().map(ToString::to_string).unwrap_or_default();
+                Err(ProbeError::Gl { after: "a frame of a feature", code, message })
+            }
+        }
+    }
+
+    /// Seconds of the processor for a frame, of which there are `count`. The device has no threads but this one.
+    fn seconds(&mut self, count: u32) -> Result<f64, ProbeError> {
+        let frame = self.frame;
+        self.run(|| {
+            let start = ThreadTime::now();
+            for _ in 0..count {
+                frame();
+                glFinish();
+            }
+            start.elapsed().as_secs_f64() / f64::from(count)
+        })
+    }
+
+    fn picture(&mut self) -> Result<Vec<u8>, ProbeError> {
+        let frame = self.frame;
+        self.run(|| {
+            frame();
+            let mut bytes = vec![0u8; SIDE * SIDE * 4];
+            glReadPixels(0, 0, SIDE, SIDE, GL_RGBA, GL_UNSIGNED_BYTE, &mut bytes);
+            bytes
+        })
+    }
+}
+
+/// A device of one thread.
+fn device(explain: Explain) -> Result<Arc<Device>, ProbeError> {
+    let desc = DeviceDesc::from_env().map(|desc| DeviceDesc { threads: 1, explain, ..desc });
+    let device = desc.and_then(Device::new);
+    device.map(Arc::new).map_err(|error| ProbeError::Context(error.to_string()))
+}
+
+/// The plans of the third frame of a scene: decisions that follow from the frames before have been taken.
+fn plans(setup: fn(), frame: fn()) -> Result<Vec<String>, ProbeError> {
+    let device = device(Explain::Keep)?;
+    let mut stage = Stage::new(setup, frame, &device)?;
+    stage.picture()?;
+    stage.picture()?;
+    device.take_explanations();
+    stage.picture()?;
+    Ok(device.take_explanations())
+}
+
+/// The median of some numbers.
+fn quantile(sorted: &[f64], at: f64) -> f64 {
+    let last = sorted.len().saturating_sub(1);
+    sorted.get((at * last as f64).round() as usize).copied().unwrap_or(f64::NAN)
+}
+
+/// Draws a feature's frames in turns, so many rounds; none only compares plans and pictures.
+///
+/// # Errors
+/// When there is no context, or a call sets the error flag.
+pub fn measure(feature: &Feature, rounds: usize) -> Result<Row, ProbeError> {
+    let plan = PlanFound::of(
+        &plans(feature.plain, feature.plain_frame)?,
+        &plans(feature.asked, feature.asked_frame)?,
+    );
+    let device = device(Explain::Off)?;
+    let mut plain = Stage::new(feature.plain, feature.plain_frame, &device)?;
+    let mut asked = Stage::new(feature.asked, feature.asked_frame, &device)?;
+    let (before, after) = (plain.picture()?, asked.picture()?);
+    let differences = before.iter().zip(&after).map(|(a, b)| a.abs_diff(*b));
+    let different = differences.clone().filter(|difference| *difference > 0).count();
+    let largest = differences.max().unwrap_or(0);
+    let frames = (2e-3 / plain.seconds(2)?.max(1e-5)).ceil().clamp(1.0, 50.0) as u32;
+    let (mut ratios, mut times) = (Vec::new(), Vec::new());
+    for round in 0..rounds {
+        // The first of two is not always the same one.
+        let [without, with] = match round % 2 {
+            0 => {
+                let without = plain.seconds(frames)?;
+                [without, asked.seconds(frames)?]
+            }
+            _ => {
+                let with = asked.seconds(frames)?;
+                [plain.seconds(frames)?, with]
+            }
+        };
+        ratios.push(with / without);
+        times.push(without);
+    }
+    ratios.sort_by(f64::total_cmp);
+    times.sort_by(f64::total_cmp);
+    Ok(Row {
+        name: feature.name,
+        what: feature.what,
+        plain_ms: quantile(&times, 0.5) * 1e3,
+        ratio: quantile(&ratios, 0.5),
+        noise: (quantile(&ratios, 0.75) - quantile(&ratios, 0.25)) / 2.0,
+        different,
+        largest,
+        tolerance: feature.tolerance,
+        plan,
+        allowance: match feature.rule {
+            Rule::SameWork => None,
+            Rule::MoreWork(reason) => Some(reason.words()),
+        },
+    })
+}

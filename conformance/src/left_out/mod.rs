@@ -1,0 +1,15 @@
+//! What a scene asks for without effect, and what it costs: each feature's frame beside the same frame without it.
+//!
+//! A feature is judged twice. Its *plan* (what `DETGL_EXPLAIN` prints) says, without a clock, whether the same work is
+//! done as without the feature; and both frames are timed in turns. Both pictures have to be equal to the bit.
+
+mod feature;
+mod features;
+mod measure;
+mod plan;
+mod scene;
+
+pub use feature::{Feature, Reason, Rule};
+pub use features::features;
+pub use measure::{Row, measure};
+pub use plan::PlanFound;

@@ -1,0 +1,32 @@
+//! What scenes ask for without effect is left out: by plans and pictures, without a clock.
+
+use conformance::left_out::{PlanFound, Row, features, measure};
+
+#[test]
+fn plans_leave_out_what_has_no_effect() {
+    let rows: Vec<Row> =
+        features().map(|feature| measure(feature, 0).expect(feature.name)).collect();
+    assert!(rows.len() >= 60, "only {} features", rows.len());
+    let wrong: Vec<String> = rows
+        .iter()
+        .filter(|row| !row.passes())
+        .map(|row| {
+            format!(
+                "{}: {} bytes differ, by {}; {:?}",
+                row.name, row.different, row.largest, row.plan
+            )
+        })
+        .collect();
+    assert!(wrong.is_empty(), "\n{}", wrong.join("\n"));
+}
+
+/// An allowance for work that is not done any more hides the next mistake.
+#[test]
+fn no_allowance_is_superfluous() {
+    let superfluous: Vec<&str> = features()
+        .map(|feature| measure(feature, 0).expect(feature.name))
+        .filter(|row| row.allowance == Some("not left out") && row.plan == PlanFound::SameWork)
+        .map(|row| row.name)
+        .collect();
+    assert_eq!(superfluous, ["hidden-behind"], "plans of single draws cannot show that one");
+}
