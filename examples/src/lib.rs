@@ -14,6 +14,7 @@
 //! | [`mod@picture`] | picture files, and procedural pictures that replace them |
 //! | [`corridor`] | the room of the lightmap picture, and its baked light |
 //! | [`scene`] | scenes that several programs share |
+//! | `label` | captions and labels in the picture (methods of [`Window`](window::Window)) |
 //! | [`programs`] | the list of programs |
 //! | [`gallery`] | all pictures, and the page that shows them |
 
@@ -22,6 +23,7 @@ extern crate self as examples;
 
 pub mod corridor;
 pub mod gallery;
+mod label;
 pub mod matrix;
 pub mod mesh;
 pub mod picture;

@@ -30,6 +30,8 @@ pub mod explicit_uv;
 pub mod forward_inverse;
 #[path = "../examples/four_filters.rs"]
 pub mod four_filters;
+#[path = "../examples/geometry_or_texture.rs"]
+pub mod geometry_or_texture;
 #[path = "../examples/gloss_map.rs"]
 pub mod gloss_map;
 #[path = "../examples/interpolation.rs"]
@@ -98,12 +100,16 @@ pub mod tiling;
 pub mod transparency;
 #[path = "../examples/triplanar.rs"]
 pub mod triplanar;
+#[path = "../examples/wall_lawn_sky.rs"]
+pub mod wall_lawn_sky;
 
 use crate::window::Program;
 
 /// All of them, in the order of the techniques: mapping, interpolation and sampling, light.
-pub const ALL: [Program; 49] = [
+pub const ALL: [Program; 51] = [
     textured_square::PROGRAM,
+    geometry_or_texture::PROGRAM,
+    wall_lawn_sky::PROGRAM,
     explicit_uv::PROGRAM,
     parametric::PROGRAM,
     demon_triangle::PROGRAM,

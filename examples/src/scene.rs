@@ -3,7 +3,10 @@
 use crate::matrix::{DMat4, DVec3, rotate, translate};
 use crate::mesh::Mesh;
 use crate::shader::initShaders;
+use crate::texture::{copy_window, set_filter};
 use crate::window::Window;
+use gl_api::constants::*;
+use gl_api::entry::*;
 use gl_api::types::GLuint;
 
 /// A ring, a ball in it, and three blocks over a floor.
@@ -83,4 +86,29 @@ void main(){
 /// A program that draws [`room_corner`] in dim light.
 pub fn dim_room_program(window: &mut Window) -> GLuint {
     initShaders(window, ROOM_VERTEX_SHADER, ROOM_FRAGMENT_SHADER)
+}
+
+/// A map of squares, 8 × 4, redder with u and bluer with v, each with the middle of its u and v.
+pub fn numbered_map(window: &Window) -> GLuint {
+    let side = (window.size * 3 / 4).max(8);
+    glViewport(0, 0, side, side);
+    glEnable(GL_SCISSOR_TEST);
+    for at in 0..32 {
+        let (column, row) = (at % 8, at / 8);
+        glScissor(column * side / 8, row * side / 4, side / 8 + 1, side / 4 + 1);
+        let (u, v) = ((f64::from(column) + 0.5) / 8., (f64::from(row) + 0.5) / 4.);
+        let light = 0.85 + 0.15 * f64::from((column + row) % 2);
+        glClearColor((0.4 + 0.6 * u) * light, 0.85 * light, (0.4 + 0.6 * v) * light, 1);
+        glClear(GL_COLOR_BUFFER_BIT);
+    }
+    glDisable(GL_SCISSOR_TEST);
+    for at in 0..32 {
+        let (u, v) = ((f64::from(at % 8) + 0.5) / 8., (f64::from(at / 8) + 0.5) / 4.);
+        window.label(2. * u - 1., 2. * v - 1., [0.1, 0.1, 0.2], &format!("{u:.1}\n{v:.1}"));
+    }
+    let picture = copy_window(side);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, 8);
+    glGenerateMipmap(GL_TEXTURE_2D);
+    set_filter(GL_TEXTURE_2D, GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
+    picture
 }
