@@ -34,6 +34,8 @@ pub mod four_filters;
 pub mod geometry_or_texture;
 #[path = "../examples/gloss_map.rs"]
 pub mod gloss_map;
+#[path = "../examples/gouraud.rs"]
+pub mod gouraud;
 #[path = "../examples/interpolation.rs"]
 pub mod interpolation;
 #[path = "../examples/lecture_mistakes.rs"]
@@ -54,6 +56,8 @@ pub mod mip_pyramid;
 pub mod multipass;
 #[path = "../examples/normal_mapping.rs"]
 pub mod normal_mapping;
+#[path = "../examples/one_edge.rs"]
+pub mod one_edge;
 #[path = "../examples/parametric.rs"]
 pub mod parametric;
 #[path = "../examples/perspective_correct.rs"]
@@ -106,7 +110,7 @@ pub mod wall_lawn_sky;
 use crate::window::Program;
 
 /// All of them, in the order of the techniques: mapping, interpolation and sampling, light.
-pub const ALL: [Program; 51] = [
+pub const ALL: [Program; 53] = [
     textured_square::PROGRAM,
     geometry_or_texture::PROGRAM,
     wall_lawn_sky::PROGRAM,
@@ -130,7 +134,9 @@ pub const ALL: [Program; 51] = [
     solid_marble::PROGRAM,
     procedural::PROGRAM,
     interpolation::PROGRAM,
+    one_edge::PROGRAM,
     perspective_correct::PROGRAM,
+    gouraud::PROGRAM,
     projective_q::PROGRAM,
     forward_inverse::PROGRAM,
     bilinear_formula::PROGRAM,
