@@ -14,6 +14,7 @@ pub const PROGRAM: Program = Program {
     lecture: "TA 6: \"Cylindrical mapping\"; eScience: slide 26",
     source: include_str!("cylindrical_mapping.rs"),
     halves: [4, 2],
+    panels: &[],
     draw,
 };
 

@@ -15,6 +15,7 @@ pub const PROGRAM: Program = Program {
     lecture: "eScience: slides 24 to 27; TA 6: \"Projection Mapping\"",
     source: include_str!("map_shapes.rs"),
     halves: [4, 2],
+    panels: &[],
     draw,
 };
 

@@ -15,6 +15,7 @@ pub const PROGRAM: Program = Program {
     lecture: "TA 6: \"Minification\"",
     source: include_str!("minification.rs"),
     halves: [4, 2],
+    panels: &[],
     draw,
 };
 

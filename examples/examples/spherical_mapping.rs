@@ -14,6 +14,7 @@ pub const PROGRAM: Program = Program {
     lecture: "TA 6: \"Spherical mapping\"; eScience: slide 27",
     source: include_str!("spherical_mapping.rs"),
     halves: [6, 2],
+    panels: &[],
     draw,
 };
 

@@ -13,6 +13,7 @@ pub const PROGRAM: Program = Program {
     lecture: "eScience: slide 28, \"What Else About Mapping?\": texture matrix",
     source: include_str!("texture_matrix.rs"),
     halves: [2, 2],
+    panels: &[],
     draw,
 };
 
