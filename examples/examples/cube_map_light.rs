@@ -13,6 +13,7 @@ pub const PROGRAM: Program = Program {
     lecture: "Texture Mapping: \"Omni-directional Lighting\"",
     source: include_str!("cube_map_light.rs"),
     halves: [2, 2],
+    panels: &[],
     draw,
 };
 

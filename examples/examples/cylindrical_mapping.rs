@@ -15,6 +15,7 @@ pub const PROGRAM: Program = Program {
     lecture: "TA 6: \"Cylindrical mapping\"; eScience: slide 26",
     source: include_str!("cylindrical_mapping.rs"),
     halves: [6, 2],
+    panels: &["as printed: mirrored", "u = 0.5 − θ/2π, caps by (x, z)", "the axis is z"],
     draw,
 };
 
@@ -77,11 +78,5 @@ fn draw(window: &mut Window) {
         use_program(program, &perspective(40., aspect, 0.1, 50.), &place);
         safe_glUniform1i(safe_glGetUniformLocation(program, "uShow"), show);
         mesh.upload().draw(program);
-    }
-    for (panel, caption) in
-        (0..).zip(["as printed: mirrored", "u = 0.5 − θ/2π, caps by (x, z)", "the axis is z"])
-    {
-        window.panel(3, 1, panel);
-        window.caption(caption);
     }
 }

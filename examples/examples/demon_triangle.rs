@@ -12,6 +12,7 @@ pub const PROGRAM: Program = Program {
     lecture: "Texture Mapping: \"Loose Ends of Texture Setup\"",
     source: include_str!("demon_triangle.rs"),
     halves: [2, 2],
+    panels: &[],
     draw,
 };
 

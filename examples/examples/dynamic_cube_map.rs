@@ -13,6 +13,7 @@ pub const PROGRAM: Program = Program {
     lecture: "Texture Mapping: \"Dynamic Cube Map Textures\"",
     source: include_str!("dynamic_cube_map.rs"),
     halves: [2, 2],
+    panels: &[],
     draw,
 };
 

@@ -15,6 +15,7 @@ pub const PROGRAM: Program = Program {
     lecture: "Texture Mapping: \"Mipmap Texture Filtering\"",
     source: include_str!("four_filters.rs"),
     halves: [3, 3],
+    panels: &[],
     draw,
 };
 

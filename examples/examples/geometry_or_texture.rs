@@ -15,6 +15,7 @@ pub const PROGRAM: Program = Program {
     lecture: "eScience: slide 3, carpet; TA 6: \"Textures\", bricks",
     source: include_str!("geometry_or_texture.rs"),
     halves: [6, 4],
+    panels: &["carpet: one face", "carpet: geometry", "carpet: a texture of it", "bricks: one face", "bricks: geometry", "bricks: a texture of it"],
     draw,
 };
 
@@ -65,8 +66,7 @@ fn draw(window: &mut Window) {
         let flat = Mesh::plane().colored(color);
         let texture = photograph(&detail, program, other);
         glClearColor(0.86, 0.88, 0.90, 1);
-        for (mesh, with_texture, what) in
-            [(&flat, 0, "one face"), (&detail, 0, "geometry"), (&flat, 1, "a texture of it")]
+        for (mesh, with_texture) in [(&flat, 0), (&detail, 0), (&flat, 1)]
         {
             let aspect = window.panel(3, 2, panel);
             if panel == 0 {
@@ -79,7 +79,8 @@ fn draw(window: &mut Window) {
             glBindTexture(GL_TEXTURE_2D, texture);
             safe_glUniform1i(textured, with_texture);
             mesh.upload().draw(program);
-            window.caption(&format!("{what}: {} triangles", mesh.indices.len() / 3));
+            let triangles = mesh.indices.len() / 3;
+            window.label(0., 0.9, [0.1, 0.1, 0.2], &format!("{triangles} triangles"));
             panel += 1;
         }
     }

@@ -13,6 +13,7 @@ pub const PROGRAM: Program = Program {
     lecture: "Texture Mapping: \"Multitexturing\"",
     source: include_str!("gloss_map.rs"),
     halves: [4, 2],
+    panels: &[],
     draw,
 };
 

@@ -15,6 +15,7 @@ pub const PROGRAM: Program = Program {
     lecture: "eScience: slide 23, Gouraud shading is wrong",
     source: include_str!("gouraud.rs"),
     halves: [6, 4],
+    panels: &["Gouraud: linear in the window", "linear in space", "difference × 3", "Gouraud: light at the corners", "Phong: light at each pixel", "difference × 3"],
     draw,
 };
 
@@ -75,15 +76,6 @@ void main() {
 }
 ";
 
-const CAPTIONS: [&str; 6] = [
-    "Gouraud: linear in the window",
-    "linear in space",
-    "difference × 3",
-    "Gouraud: light at the corners",
-    "Phong: light at each pixel",
-    "difference × 3",
-];
-
 fn draw(window: &mut Window) {
     glClearColor(0.14, 0.15, 0.18, 1);
     glClear(GL_COLOR_BUFFER_BIT);
@@ -96,13 +88,12 @@ fn draw(window: &mut Window) {
     let corners = |s: f64, t: f64| (dvec3(2. * s - 1., 2. * t - 1., 0.), DVec3::Z);
     let coarse = Mesh::surface(4, 4, corners).moved(flat);
     let meshes = [floor.upload(), coarse.upload()];
-    for (panel, caption) in (0..).zip(CAPTIONS) {
+    for panel in 0..6 {
         let aspect = window.panel(3, 2, panel);
         let eye = look_at(dvec3(0., 1.6, 2.4), dvec3(0., -0.15, 0.));
         use_program(program, &perspective(48., aspect, 0.1, 50.), &eye);
         safe_glUniform1i(safe_glGetUniformLocation(program, "uShow"), panel);
         meshes[panel as usize / 3].draw(program);
-        window.caption(caption);
     }
 }
 

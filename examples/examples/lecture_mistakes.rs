@@ -15,6 +15,7 @@ pub const PROGRAM: Program = Program {
     lecture: "CS380: slides 14, 15, 22, 30 and 31, as printed",
     source: include_str!("lecture_mistakes.rs"),
     halves: [3, 1],
+    panels: &[],
     draw,
 };
 

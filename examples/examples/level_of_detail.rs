@@ -15,6 +15,7 @@ pub const PROGRAM: Program = Program {
     lecture: "Texture Mapping: \"LOD Bias and Clamping\"",
     source: include_str!("level_of_detail.rs"),
     halves: [3, 2],
+    panels: &[],
     draw,
 };
 

@@ -14,6 +14,7 @@ pub const PROGRAM: Program = Program {
     lecture: "TA 6: \"Magnification\"",
     source: include_str!("magnification.rs"),
     halves: [3, 2],
+    panels: &[],
     draw,
 };
 

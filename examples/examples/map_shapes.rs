@@ -15,6 +15,7 @@ pub const PROGRAM: Program = Program {
     lecture: "eScience: slides 24 to 27; TA 6: \"Projection Mapping\"",
     source: include_str!("map_shapes.rs"),
     halves: [4, 2],
+    panels: &["plane", "three planes", "cylinder", "sphere"],
     draw,
 };
 
@@ -80,7 +81,6 @@ fn draw(window: &mut Window) {
             safe_glUniform1i(safe_glGetUniformLocation(program, "uShape"), shape);
             mesh.draw(program);
         }
-        window.caption(["plane", "three planes", "cylinder", "sphere"][shape as usize]);
     }
 }
 

@@ -16,6 +16,7 @@ pub const PROGRAM: Program = Program {
     lecture: "TA 6: \"Minification\"",
     source: include_str!("minification.rs"),
     halves: [4, 3],
+    panels: &["8×8 texels", "5×5: nearest", "bilinear", "pyramid", "8×8 texels", "2×2: nearest", "bilinear", "pyramid", "8×8 texels", "2×2: nearest", "bilinear", "pyramid"],
     draw,
 };
 
@@ -65,11 +66,6 @@ fn draw(window: &mut Window) {
         window.panel(COLUMNS as i32, ROWS.len() as i32, panel);
         glBindTexture(GL_TEXTURE_2D, picture);
         draw_square(0.8);
-        let side = ROWS[panel as usize / COLUMNS].1;
-        let what = ["8×8 texels", "nearest", "bilinear", "pyramid"][panel as usize % COLUMNS];
-        let size =
-            if panel as usize % COLUMNS == 1 { format!("{side}×{side}, ") } else { String::new() };
-        window.label(0., -0.91, [0.9; 3], &format!("{size}{what}"));
     }
 }
 

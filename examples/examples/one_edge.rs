@@ -15,6 +15,7 @@ pub const PROGRAM: Program = Program {
     lecture: "eScience: slides 18 to 22, \"Looking at One Edge\"",
     source: include_str!("one_edge.rs"),
     halves: [4, 4],
+    panels: &["uniform in the image", "uniform along the edge", "s = t: wrong", "s = t z1 / (z2 + t (z1 − z2))"],
     draw,
 };
 
@@ -55,18 +56,14 @@ fn draw(window: &mut Window) {
     let uniform = || (0..=STEPS).map(|step| f64::from(step) / f64::from(STEPS));
     window.panel(2, 2, 0);
     rays(window, &uniform().map(s_of).collect::<Vec<_>>());
-    window.caption("uniform in the image");
     window.panel(2, 2, 1);
     rays(window, &uniform().collect::<Vec<_>>());
-    window.caption("uniform along the edge");
     window.panel(2, 2, 2);
     stripes(&uniform().collect::<Vec<_>>());
     window.label(0., 0.85, INK, "near                far");
-    window.caption("s = t: wrong");
     window.panel(2, 2, 3);
     stripes(&uniform().map(t_of).collect::<Vec<_>>());
     window.label(0., 0.85, INK, "near                far");
-    window.caption("s = t z1 / (z2 + t (z1 - z2))");
 }
 
 const INK: [f32; 3] = [0.10, 0.12, 0.25];

@@ -16,6 +16,7 @@ pub const PROGRAM: Program = Program {
     lecture: "eScience: slides 10 to 15, \"Antialiasing\": prefiltering",
     source: include_str!("prefiltering.rs"),
     halves: [3, 3],
+    panels: &[],
     draw,
 };
 

@@ -13,6 +13,7 @@ pub const PROGRAM: Program = Program {
     lecture: "Texture Mapping: \"Texture Arrays\"",
     source: include_str!("skins.rs"),
     halves: [3, 2],
+    panels: &[],
     draw,
 };
 

@@ -16,6 +16,7 @@ pub const PROGRAM: Program = Program {
     lecture: "TA 6: \"Spherical mapping\"; eScience: slide 27",
     source: include_str!("spherical_mapping.rs"),
     halves: [6, 4],
+    panels: &["u = 0.5 + θ/2π: mirrored", "u = 0.5 − θ/2π", "latitude → x: on its side", "half the radius: the same", "off the centre: not the same", "a box"],
     draw,
 };
 
@@ -63,13 +64,13 @@ fn draw(window: &mut Window) {
     let program = initShaders(window, EYE_VERTEX_SHADER, FRAGMENT_SHADER);
     let half = Mesh::sphere().moved(DMat4::from_scale(DVec3::splat(0.5)));
     let moved = half.clone().moved(translate(0.7, 0., 0.));
-    for (panel, (mesh, show, caption)) in (0..).zip([
-        (Mesh::sphere(), 0, "u = 0.5 + θ/2π: mirrored"),
-        (Mesh::sphere(), 1, "u = 0.5 − θ/2π"),
-        (Mesh::sphere(), 2, "latitude → x: on its side"),
-        (half, 1, "half the radius: the same"),
-        (moved, 1, "off the centre: not the same"),
-        (Mesh::cube(), 1, "a box"),
+    for (panel, (mesh, show)) in (0..).zip([
+        (Mesh::sphere(), 0),
+        (Mesh::sphere(), 1),
+        (Mesh::sphere(), 2),
+        (half, 1),
+        (moved, 1),
+        (Mesh::cube(), 1),
     ]) {
         let aspect = window.panel(3, 2, panel);
         let size = if panel == 5 { 0.72 } else { 1. };
@@ -78,6 +79,5 @@ fn draw(window: &mut Window) {
         use_program(program, &perspective(38., aspect, 0.1, 50.), &place);
         safe_glUniform1i(safe_glGetUniformLocation(program, "uShow"), show);
         mesh.upload().draw(program);
-        window.caption(caption);
     }
 }

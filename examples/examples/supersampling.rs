@@ -15,6 +15,7 @@ pub const PROGRAM: Program = Program {
     lecture: "eScience: slides 10 to 15, \"Antialiasing\": supersampling",
     source: include_str!("supersampling.rs"),
     halves: [3, 3],
+    panels: &[],
     draw,
 };
 

@@ -14,6 +14,7 @@ pub const PROGRAM: Program = Program {
     lecture: "eScience: slides 7 and 28: u = a s + b t + c, the texture matrix",
     source: include_str!("texture_matrix.rs"),
     halves: [3, 3],
+    panels: &["as it is", "scaled", "turned", "moved"],
     draw,
 };
 
@@ -45,10 +46,10 @@ fn draw(window: &mut Window) {
         glBegin(GL_QUADS);
         for (s, t) in [(0, 0), (1, 0), (1, 1), (0, 1)] {
             glTexCoord2f(s, t);
-            glVertex2f(1.5 * f64::from(s) - 0.75, 1.5 * f64::from(t) - 0.60);
+            glVertex2f(1.5 * f64::from(s) - 0.75, 1.5 * f64::from(t) - 0.57);
         }
         glEnd();
-        window.caption(&formula());
+        window.label(0., -0.74, [1., 1., 0.9], &formula());
     }
 }
 

@@ -15,6 +15,7 @@ pub const PROGRAM: Program = Program {
     lecture: "CS380: slides 12 to 15, \"Texture mapping\"",
     source: include_str!("textured_square.rs"),
     halves: [2, 2],
+    panels: &[],
     draw,
 };
 

@@ -14,6 +14,7 @@ pub const PROGRAM: Program = Program {
     lecture: "eScience: slide 28, \"What Else About Mapping?\": tiling",
     source: include_str!("tiling.rs"),
     halves: [2, 2],
+    panels: &[],
     draw,
 };
 

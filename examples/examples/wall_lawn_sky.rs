@@ -14,6 +14,7 @@ pub const PROGRAM: Program = Program {
     lecture: "eScience: slide 4, eight polygons",
     source: include_str!("wall_lawn_sky.rs"),
     halves: [4, 2],
+    panels: &["eight polygons", "eight polygons, textured"],
     draw,
 };
 
@@ -78,7 +79,7 @@ fn draw(window: &mut Window) {
             part.iter().for_each(draw_polygon);
             polygons += part.len();
         }
-        window.caption(&format!("{polygons} polygons{}", ["", ", textured"][panel as usize]));
+        window.label(-0.55, 0.92, [0.05, 0.1, 0.3], &format!("polygons: {polygons}"));
     }
 }
 

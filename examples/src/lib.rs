@@ -14,16 +14,22 @@
 //! | [`mod@picture`] | picture files, and procedural pictures that replace them |
 //! | [`corridor`] | the room of the lightmap picture, and its baked light |
 //! | [`scene`] | scenes that several programs share |
-//! | `label` | captions and labels in the picture (methods of [`Window`](window::Window)) |
+//! | `label` | labels at points of a picture ([`Window::label`](window::Window::label)) |
 //! | [`programs`] | the list of programs |
+//! | [`inputs`] | the inputs of a picture, shown beside its result |
+//! | [`lectures`] | `docs/lectures.md`: which programs and checks have each item of the lectures |
 //! | [`gallery`] | all pictures, and the page that shows them |
 
 // The program files name this crate as they do when they run alone.
 extern crate self as examples;
 
+mod caption;
 pub mod corridor;
+mod font;
 pub mod gallery;
 mod label;
+pub mod inputs;
+pub mod lectures;
 pub mod matrix;
 pub mod mesh;
 pub mod picture;
@@ -36,6 +42,7 @@ pub mod window;
 
 /// The imports of a program file: GL, GLU, and the helpers.
 pub mod lecture {
+    pub use crate::inputs::*;
     pub use crate::matrix::*;
     pub use crate::mesh::*;
     pub use crate::picture::packed_pixel_t;
