@@ -15,7 +15,14 @@ pub const PROGRAM: Program = Program {
     lecture: "eScience: slide 3, carpet; TA 6: \"Textures\", bricks",
     source: include_str!("geometry_or_texture.rs"),
     halves: [6, 4],
-    panels: &["carpet: one face", "carpet: geometry", "carpet: a texture of it", "bricks: one face", "bricks: geometry", "bricks: a texture of it"],
+    panels: &[
+        "carpet: one face",
+        "carpet: geometry",
+        "carpet: a texture of it",
+        "bricks: one face",
+        "bricks: geometry",
+        "bricks: a texture of it",
+    ],
     draw,
 };
 
@@ -66,8 +73,7 @@ fn draw(window: &mut Window) {
         let flat = Mesh::plane().colored(color);
         let texture = photograph(&detail, program, other);
         glClearColor(0.86, 0.88, 0.90, 1);
-        for (mesh, with_texture) in [(&flat, 0), (&detail, 0), (&flat, 1)]
-        {
+        for (mesh, with_texture) in [(&flat, 0), (&detail, 0), (&flat, 1)] {
             let aspect = window.panel(3, 2, panel);
             if panel == 0 {
                 glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);

@@ -15,7 +15,14 @@ pub const PROGRAM: Program = Program {
     lecture: "eScience: slide 23, Gouraud shading is wrong",
     source: include_str!("gouraud.rs"),
     halves: [6, 4],
-    panels: &["Gouraud: linear in the window", "linear in space", "difference × 3", "Gouraud: light at the corners", "Phong: light at each pixel", "difference × 3"],
+    panels: &[
+        "Gouraud: linear in the window",
+        "linear in space",
+        "difference × 3",
+        "Gouraud: light at the corners",
+        "Phong: light at each pixel",
+        "difference × 3",
+    ],
     draw,
 };
 

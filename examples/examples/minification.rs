@@ -16,7 +16,20 @@ pub const PROGRAM: Program = Program {
     lecture: "TA 6: \"Minification\"",
     source: include_str!("minification.rs"),
     halves: [4, 3],
-    panels: &["8×8 texels", "5×5: nearest", "bilinear", "pyramid", "8×8 texels", "2×2: nearest", "bilinear", "pyramid", "8×8 texels", "2×2: nearest", "bilinear", "pyramid"],
+    panels: &[
+        "8×8 texels",
+        "5×5: nearest",
+        "bilinear",
+        "pyramid",
+        "8×8 texels",
+        "2×2: nearest",
+        "bilinear",
+        "pyramid",
+        "8×8 texels",
+        "2×2: nearest",
+        "bilinear",
+        "pyramid",
+    ],
     draw,
 };
 

@@ -15,7 +15,12 @@ pub const PROGRAM: Program = Program {
     lecture: "eScience: slides 18 to 22, \"Looking at One Edge\"",
     source: include_str!("one_edge.rs"),
     halves: [4, 4],
-    panels: &["uniform in the image", "uniform along the edge", "s = t: wrong", "s = t z1 / (z2 + t (z1 − z2))"],
+    panels: &[
+        "uniform in the image",
+        "uniform along the edge",
+        "s = t: wrong",
+        "s = t z1 / (z2 + t (z1 − z2))",
+    ],
     draw,
 };
 
@@ -60,10 +65,10 @@ fn draw(window: &mut Window) {
     rays(window, &uniform().collect::<Vec<_>>());
     window.panel(2, 2, 2);
     stripes(&uniform().collect::<Vec<_>>());
-    window.label(0., 0.85, INK, "near                far");
+    ends(window);
     window.panel(2, 2, 3);
     stripes(&uniform().map(t_of).collect::<Vec<_>>());
-    window.label(0., 0.85, INK, "near                far");
+    ends(window);
 }
 
 const INK: [f32; 3] = [0.10, 0.12, 0.25];
@@ -94,10 +99,14 @@ fn rays(window: &Window, points: &[f64]) {
     }
     if points[1] < 0.1 {
         let text: Vec<_> = points.iter().map(|s| format!("{s:.2}")).collect();
-        let (first, last) = text.split_at(5);
-        let text = format!("s = {}\n{}", first.join(" "), last.join(" "));
-        window.label(0.3, 0.78, RED, &text);
+        let lines: Vec<_> = text.chunks(3).map(|line| line.join(" ")).collect();
+        window.label(-0.4, -0.5, RED, &format!("s =\n{}", lines.join("\n")));
     }
+}
+
+fn ends(window: &Window) {
+    window.label(-0.8, 0.85, INK, "near");
+    window.label(0.8, 0.85, INK, "far");
 }
 
 /// Stripes between places t of the image, dark and light in turn.

@@ -16,7 +16,14 @@ pub const PROGRAM: Program = Program {
     lecture: "TA 6: \"Spherical mapping\"; eScience: slide 27",
     source: include_str!("spherical_mapping.rs"),
     halves: [6, 4],
-    panels: &["u = 0.5 + θ/2π: mirrored", "u = 0.5 − θ/2π", "latitude → x: on its side", "half the radius: the same", "off the centre: not the same", "a box"],
+    panels: &[
+        "u = 0.5 + θ/2π: mirrored",
+        "u = 0.5 − θ/2π",
+        "latitude → x: on its side",
+        "half the radius: the same",
+        "off the centre: not the same",
+        "a box",
+    ],
     draw,
 };
 

@@ -26,6 +26,8 @@ pub mod dynamic_cube_map;
 pub mod environment_map;
 #[path = "../examples/explicit_uv.rs"]
 pub mod explicit_uv;
+#[path = "../examples/forward_coverage.rs"]
+pub mod forward_coverage;
 #[path = "../examples/forward_inverse.rs"]
 pub mod forward_inverse;
 #[path = "../examples/four_filters.rs"]
@@ -52,6 +54,8 @@ pub mod map_shapes;
 pub mod minification;
 #[path = "../examples/mip_pyramid.rs"]
 pub mod mip_pyramid;
+#[path = "../examples/mip_seams.rs"]
+pub mod mip_seams;
 #[path = "../examples/multipass.rs"]
 pub mod multipass;
 #[path = "../examples/normal_mapping.rs"]
@@ -62,6 +66,8 @@ pub mod one_edge;
 pub mod parametric;
 #[path = "../examples/perspective_correct.rs"]
 pub mod perspective_correct;
+#[path = "../examples/pixel_area.rs"]
+pub mod pixel_area;
 #[path = "../examples/planar_mapping.rs"]
 pub mod planar_mapping;
 #[path = "../examples/prefiltering.rs"]
@@ -76,6 +82,8 @@ pub mod projective_q;
 pub mod projector;
 #[path = "../examples/refraction.rs"]
 pub mod refraction;
+#[path = "../examples/ripmap.rs"]
+pub mod ripmap;
 #[path = "../examples/shadow2d_proj.rs"]
 pub mod shadow2d_proj;
 #[path = "../examples/shadow_bias.rs"]
@@ -110,7 +118,7 @@ pub mod wall_lawn_sky;
 use crate::window::Program;
 
 /// All of them, in the order of the techniques: mapping, interpolation and sampling, light.
-pub const ALL: [Program; 53] = [
+pub const ALL: [Program; 57] = [
     textured_square::PROGRAM,
     geometry_or_texture::PROGRAM,
     wall_lawn_sky::PROGRAM,
@@ -139,15 +147,19 @@ pub const ALL: [Program; 53] = [
     gouraud::PROGRAM,
     projective_q::PROGRAM,
     forward_inverse::PROGRAM,
+    forward_coverage::PROGRAM,
     bilinear_formula::PROGRAM,
     magnification::PROGRAM,
     minification::PROGRAM,
     mip_pyramid::PROGRAM,
+    pixel_area::PROGRAM,
     supersampling::PROGRAM,
     prefiltering::PROGRAM,
     four_filters::PROGRAM,
+    mip_seams::PROGRAM,
     level_of_detail::PROGRAM,
     anisotropic::PROGRAM,
+    ripmap::PROGRAM,
     blinn_bump::PROGRAM,
     normal_mapping::PROGRAM,
     bump_displacement::PROGRAM,
