@@ -6,7 +6,6 @@
 #![allow(non_snake_case, non_upper_case_globals, reason = "the lecture's names")]
 
 use examples::lecture::*;
-use examples::picture::noise::hash;
 use std::process::ExitCode;
 
 /// This program, for the gallery.
@@ -110,50 +109,4 @@ fn photograph(mesh: &Mesh, program: GLuint, other: GLuint) -> GLuint {
     set_filter(GL_TEXTURE_2D, GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, 8);
     picture
-}
-
-const WOOL: [f32; 3] = [0.80, 0.30, 0.25];
-const CLAY: [f32; 3] = [0.72, 0.36, 0.26];
-const MORTAR: [f32; 3] = [0.70, 0.68, 0.64];
-
-/// Pyramids of four faces, all of one colour, each leaning its own way.
-fn carpet() -> Mesh {
-    const SIDE: i64 = 72;
-    let mut carpet = Mesh::plane().colored(WOOL);
-    for at in 0..SIDE * SIDE {
-        let (column, row) = (at % SIDE, at / SIDE);
-        let lean = |seed: u32| 1.6 * (hash(column, row, seed) - 0.5);
-        let middle = |at: i64| (2 * at + 1) as f64 / SIDE as f64 - 1.;
-        let step = 1. / SIDE as f64;
-        let foot = dvec3(middle(column), middle(row), 0.);
-        let tip = foot + dvec3(step * lean(1), step * lean(2), step * (1.6 + lean(3)));
-        let corner = |(x, y): (f64, f64)| foot + dvec3(x, y, 0.) * step;
-        let around = [(-1., -1.), (1., -1.), (1., 1.), (-1., 1.)].map(corner);
-        for side in 0..4 {
-            let (a, b) = (around[side], around[(side + 1) % 4]);
-            let normal = (b - a).cross(tip - a).normalize();
-            carpet.append(Mesh::triangle([a, b, tip], normal).colored(WOOL));
-        }
-    }
-    carpet
-}
-
-/// Boxes in courses over a plane of mortar.
-fn bricks() -> Mesh {
-    let mut wall = Mesh::plane().colored(MORTAR);
-    for row in 0..12 {
-        for column in 0..=6 {
-            let tone = 0.75 + 0.4 * hash(column, row, 4) as f32;
-            let (left, right) = (column as f64 / 3. - 1.333 + (row % 2) as f64 / 6., 0.305);
-            let (left, right) = (left.max(-1.), (left + right).min(1.));
-            if right > left {
-                let low = row as f64 / 6. - 1.;
-                let middle = translate((left + right) / 2., low + 0.083, 0.);
-                let size = dvec3((right - left) / 2., 0.07, 0.02 + 0.03 * hash(column, row, 5));
-                let brick = Mesh::cube().moved(middle * DMat4::from_scale(size));
-                wall.append(brick.colored(CLAY.map(|c| c * tone)));
-            }
-        }
-    }
-    wall
 }

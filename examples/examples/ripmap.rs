@@ -8,6 +8,7 @@
 
 use examples::lecture::*;
 use examples::picture::Picture;
+use examples::tables::{load_table, ripmap, sums, texels};
 use std::process::ExitCode;
 
 /// This program, for the gallery.
@@ -91,13 +92,7 @@ fn draw(window: &mut Window) {
         let odd = (x * 2.).floor() + (y * 2.).floor() == 1.;
         if line { [0.95; 3] } else { [0.10 + 0.5 * f64::from(odd), 0.15, 0.40] }
     });
-    let texels: Vec<[f32; 3]> = tiles
-        .clone()
-        .flipped()
-        .pixels
-        .iter()
-        .map(|p| [p.r, p.g, p.b].map(|c| f32::from(c) / 255.))
-        .collect();
+    let texels = texels(&tiles);
     let ripmap = load_table(1, 128, &ripmap(&texels));
     load_table(2, 65, &sums(&texels));
     load_texture(0, tiles, GL_REPEAT);
@@ -117,48 +112,4 @@ fn draw(window: &mut Window) {
     let [x, y] = [window.width / 4, window.height * 3 / 4];
     glViewport(x, y, window.width / 4, window.height / 4);
     show_flat(ripmap);
-}
-
-/// A table of side × side floats a colour, on a unit.
-fn load_table(unit: u32, side: GLsizei, table: &[[f32; 3]]) -> GLuint {
-    let mut texture: GLuint = 0;
-    glGenTextures(1, &mut texture);
-    glActiveTexture(GL_TEXTURE0 + unit);
-    glBindTexture(GL_TEXTURE_2D, texture);
-    set_filter(GL_TEXTURE_2D, GL_LINEAR, GL_LINEAR);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB32F_ARB, side, side, 0, GL_RGB, GL_FLOAT, &table.concat());
-    texture
-}
-
-/// All levels in 128 × 128 texels: one of w × h is at (128 − 2w, 128 − 2h).
-fn ripmap(texels: &[[f32; 3]]) -> Vec<[f32; 3]> {
-    let mut atlas = vec![[0_f32; 3]; 128 * 128];
-    for at in 0..49 {
-        let [across, up] = [1 << (at % 7), 1 << (at / 7)];
-        let [width, height] = [64 / across, 64 / up];
-        for texel in 0..width * height {
-            let [x, y] = [texel % width, texel / width];
-            let mean = &mut atlas[(128 - 2 * height + y) * 128 + 128 - 2 * width + x];
-            for of in 0..across * up {
-                let below = texels[(y * up + of / across) * 64 + x * across + of % across];
-                for (sum, part) in mean.iter_mut().zip(below) {
-                    *sum += part / (across * up) as f32;
-                }
-            }
-        }
-    }
-    atlas
-}
-
-/// The summed-area table: 65 × 65 sums, the first row and column zeros.
-fn sums(texels: &[[f32; 3]]) -> Vec<[f32; 3]> {
-    let mut sums = vec![[0_f32; 3]; 65 * 65];
-    for (at, texel) in texels.iter().enumerate() {
-        let here = (at / 64 + 1) * 65 + at % 64 + 1;
-        for (channel, value) in texel.iter().enumerate() {
-            let before = sums[here - 1][channel] + sums[here - 65][channel];
-            sums[here][channel] = before - sums[here - 66][channel] + value;
-        }
-    }
-    sums
 }

@@ -15,6 +15,8 @@
 //! | [`corridor`] | the room of the lightmap picture, and its baked light |
 //! | [`scene`] | scenes that several programs share |
 //! | `label` | labels at points of a picture ([`Window::label`](window::Window::label)) |
+//! | [`tables`] | ripmaps and summed areas |
+//! | [`wire`] | lines for diagrams |
 //! | [`programs`] | the list of programs |
 //! | [`inputs`] | the inputs of a picture, shown beside its result |
 //! | [`lectures`] | `docs/lectures.md`: which programs and checks have each item of the lectures |
@@ -37,8 +39,10 @@ pub mod programs;
 pub mod scene;
 #[allow(non_snake_case, reason = "the lecture's names")]
 pub mod shader;
+pub mod tables;
 pub mod texture;
 pub mod window;
+pub mod wire;
 
 /// The imports of a program file: GL, GLU, and the helpers.
 pub mod lecture {

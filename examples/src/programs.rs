@@ -10,6 +10,8 @@ pub mod blinn_bump;
 pub mod box_environment;
 #[path = "../examples/bump_displacement.rs"]
 pub mod bump_displacement;
+#[path = "../examples/bump_shadows.rs"]
+pub mod bump_shadows;
 #[path = "../examples/checker_shader.rs"]
 pub mod checker_shader;
 #[path = "../examples/cube_map_light.rs"]
@@ -32,6 +34,8 @@ pub mod forward_coverage;
 pub mod forward_inverse;
 #[path = "../examples/four_filters.rs"]
 pub mod four_filters;
+#[path = "../examples/four_maps.rs"]
+pub mod four_maps;
 #[path = "../examples/geometry_or_texture.rs"]
 pub mod geometry_or_texture;
 #[path = "../examples/gloss_map.rs"]
@@ -94,12 +98,16 @@ pub mod shadow_map;
 pub mod skins;
 #[path = "../examples/solid_marble.rs"]
 pub mod solid_marble;
+#[path = "../examples/spaces.rs"]
+pub mod spaces;
 #[path = "../examples/sphere_map.rs"]
 pub mod sphere_map;
 #[path = "../examples/spherical_mapping.rs"]
 pub mod spherical_mapping;
 #[path = "../examples/supersampling.rs"]
 pub mod supersampling;
+#[path = "../examples/terrain.rs"]
+pub mod terrain;
 #[path = "../examples/texgen.rs"]
 pub mod texgen;
 #[path = "../examples/texture_matrix.rs"]
@@ -112,25 +120,30 @@ pub mod tiling;
 pub mod transparency;
 #[path = "../examples/triplanar.rs"]
 pub mod triplanar;
+#[path = "../examples/view_independence.rs"]
+pub mod view_independence;
 #[path = "../examples/wall_lawn_sky.rs"]
 pub mod wall_lawn_sky;
 
 use crate::window::Program;
 
 /// All of them, in the order of the techniques: mapping, interpolation and sampling, light.
-pub const ALL: [Program; 57] = [
+pub const ALL: [Program; 62] = [
     textured_square::PROGRAM,
     geometry_or_texture::PROGRAM,
     wall_lawn_sky::PROGRAM,
     explicit_uv::PROGRAM,
     parametric::PROGRAM,
+    spaces::PROGRAM,
     demon_triangle::PROGRAM,
     decal_skin::PROGRAM,
     skins::PROGRAM,
     lightmap_decal::PROGRAM,
     gloss_map::PROGRAM,
+    four_maps::PROGRAM,
     planar_mapping::PROGRAM,
     triplanar::PROGRAM,
+    terrain::PROGRAM,
     cylindrical_mapping::PROGRAM,
     spherical_mapping::PROGRAM,
     map_shapes::PROGRAM,
@@ -160,9 +173,11 @@ pub const ALL: [Program; 57] = [
     level_of_detail::PROGRAM,
     anisotropic::PROGRAM,
     ripmap::PROGRAM,
+    view_independence::PROGRAM,
     blinn_bump::PROGRAM,
     normal_mapping::PROGRAM,
     bump_displacement::PROGRAM,
+    bump_shadows::PROGRAM,
     sphere_map::PROGRAM,
     environment_map::PROGRAM,
     box_environment::PROGRAM,

@@ -1,7 +1,8 @@
 //! Scenes that several programs share.
 
-use crate::matrix::{DMat4, DVec3, rotate, translate};
+use crate::matrix::{DMat4, DVec3, dvec3, rotate, translate};
 use crate::mesh::Mesh;
+use crate::picture::noise::hash;
 use crate::shader::initShaders;
 use crate::texture::{copy_window, set_filter};
 use crate::window::Window;
@@ -111,4 +112,53 @@ pub fn numbered_map(window: &Window) -> GLuint {
     glGenerateMipmap(GL_TEXTURE_2D);
     set_filter(GL_TEXTURE_2D, GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
     picture
+}
+
+/// The colour of [`carpet`].
+pub const WOOL: [f32; 3] = [0.80, 0.30, 0.25];
+/// The colour of [`bricks`].
+pub const CLAY: [f32; 3] = [0.72, 0.36, 0.26];
+/// The colour between [`bricks`].
+pub const MORTAR: [f32; 3] = [0.70, 0.68, 0.64];
+
+/// Pyramids of four faces, all of one colour, each leaning its own way.
+pub fn carpet() -> Mesh {
+    const SIDE: i64 = 72;
+    let mut carpet = Mesh::plane().colored(WOOL);
+    for at in 0..SIDE * SIDE {
+        let (column, row) = (at % SIDE, at / SIDE);
+        let lean = |seed: u32| 1.6 * (hash(column, row, seed) - 0.5);
+        let middle = |at: i64| (2 * at + 1) as f64 / SIDE as f64 - 1.;
+        let step = 1. / SIDE as f64;
+        let foot = dvec3(middle(column), middle(row), 0.);
+        let tip = foot + dvec3(step * lean(1), step * lean(2), step * (1.6 + lean(3)));
+        let corner = |(x, y): (f64, f64)| foot + dvec3(x, y, 0.) * step;
+        let around = [(-1., -1.), (1., -1.), (1., 1.), (-1., 1.)].map(corner);
+        for side in 0..4 {
+            let (a, b) = (around[side], around[(side + 1) % 4]);
+            let normal = (b - a).cross(tip - a).normalize();
+            carpet.append(Mesh::triangle([a, b, tip], normal).colored(WOOL));
+        }
+    }
+    carpet
+}
+
+/// Boxes in courses over a plane of mortar.
+pub fn bricks() -> Mesh {
+    let mut wall = Mesh::plane().colored(MORTAR);
+    for row in 0..12 {
+        for column in 0..=6 {
+            let tone = 0.75 + 0.4 * hash(column, row, 4) as f32;
+            let (left, right) = (column as f64 / 3. - 1.333 + (row % 2) as f64 / 6., 0.305);
+            let (left, right) = (left.max(-1.), (left + right).min(1.));
+            if right > left {
+                let low = row as f64 / 6. - 1.;
+                let middle = translate((left + right) / 2., low + 0.083, 0.);
+                let size = dvec3((right - left) / 2., 0.07, 0.02 + 0.03 * hash(column, row, 5));
+                let brick = Mesh::cube().moved(middle * DMat4::from_scale(size));
+                wall.append(brick.colored(CLAY.map(|c| c * tone)));
+            }
+        }
+    }
+    wall
 }
