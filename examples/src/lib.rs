@@ -14,6 +14,11 @@
 //! | [`mod@picture`] | picture files, and procedural pictures that replace them |
 //! | [`corridor`] | the room of the lightmap picture, and its baked light |
 //! | [`scene`] | scenes that several programs share |
+//! | [`teapot`] | Newell's teapot, in bicubic patches |
+//! | [`stretch`] | how a texture is stretched on a surface |
+//! | [`locality`] | the lines of a cache that texels take, by the order of their addresses |
+//! | [`plane_view`] | a plane in perspective, pixel by pixel |
+//! | [`area`] | exact area integration |
 //! | [`programs`] | the list of programs |
 //! | [`inputs`] | the inputs of a picture, shown beside its result |
 //! | [`lectures`] | `docs/lectures.md`: which programs and checks have each item of the lectures |
@@ -22,19 +27,24 @@
 // The program files name this crate as they do when they run alone.
 extern crate self as examples;
 
+pub mod area;
 mod caption;
 pub mod corridor;
 mod font;
 pub mod gallery;
 pub mod inputs;
 pub mod lectures;
+pub mod locality;
 pub mod matrix;
 pub mod mesh;
 pub mod picture;
+pub mod plane_view;
 pub mod programs;
 pub mod scene;
 #[allow(non_snake_case, reason = "the lecture's names")]
 pub mod shader;
+pub mod stretch;
+pub mod teapot;
 pub mod texture;
 pub mod window;
 
