@@ -38,11 +38,12 @@ pub fn show_flat(texture: GLuint) {
 /// [`show_flat`] with the unit square of coordinates `times` over.
 pub fn show_flat_tiled(texture: GLuint, times: f64) {
     let [width, height] = begin(GL_TEXTURE_2D, texture);
-    let half = 0.46 * width.min(height);
+    let half = 0.42 * width.min(height);
+    let up = 0.05 * height;
     glBegin(GL_QUADS);
     for (s, t) in [(0., 0.), (1., 0.), (1., 1.), (0., 1.)] {
         glTexCoord2f(s * times, t * times);
-        glVertex2f((2. * s - 1.) * half, (2. * t - 1.) * half);
+        glVertex2f((2. * s - 1.) * half, up + (2. * t - 1.) * half);
     }
     glEnd();
     glPopAttrib();
@@ -64,12 +65,12 @@ const FACES: [Face; 6] = [
 /// Draws a cube map unfolded in the viewport, as it is seen from inside, with the names of its faces.
 pub fn show_unfolded(window: &mut Window, cube: GLuint) {
     let [width, height] = begin(GL_TEXTURE_CUBE_MAP, cube);
-    let side = 0.95 * (width / 4.).min(height / 3.);
+    let side = (0.95 * width / 4.).min(0.84 * height / 3.);
     let mut viewport: [GLint; 4] = [0; 4];
     glGetIntegerv(GL_VIEWPORT, &mut viewport);
     let [left, bottom, ..] = viewport.map(f64::from);
     for (name, [column, row], [toward, right, up]) in FACES {
-        let (x, y) = ((column - 2.) * side, (row - 1.5) * side);
+        let (x, y) = ((column - 2.) * side, (row - 1.5) * side + 0.06 * height);
         glBegin(GL_QUADS);
         for (s, t) in [(0., 0.), (1., 0.), (1., 1.), (0., 1.)] {
             let at = |c: usize| toward[c] + (2. * s - 1.) * right[c] + (2. * t - 1.) * up[c];

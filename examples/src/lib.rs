@@ -17,6 +17,11 @@
 //! | `label` | labels at points of a picture ([`Window::label`](window::Window::label)) |
 //! | [`tables`] | ripmaps and summed areas |
 //! | [`wire`] | lines for diagrams |
+//! | [`teapot`] | Newell's teapot, in bicubic patches |
+//! | [`stretch`] | how a texture is stretched on a surface |
+//! | [`locality`] | the lines of a cache that texels take, by the order of their addresses |
+//! | [`plane_view`] | a plane in perspective, pixel by pixel |
+//! | [`area`] | exact area integration |
 //! | [`programs`] | the list of programs |
 //! | [`inputs`] | the inputs of a picture, shown beside its result |
 //! | [`lectures`] | `docs/lectures.md`: which programs and checks have each item of the lectures |
@@ -25,6 +30,7 @@
 // The program files name this crate as they do when they run alone.
 extern crate self as examples;
 
+pub mod area;
 mod caption;
 pub mod corridor;
 mod font;
@@ -32,14 +38,18 @@ pub mod gallery;
 pub mod inputs;
 mod label;
 pub mod lectures;
+pub mod locality;
 pub mod matrix;
 pub mod mesh;
 pub mod picture;
+pub mod plane_view;
 pub mod programs;
 pub mod scene;
 #[allow(non_snake_case, reason = "the lecture's names")]
 pub mod shader;
+pub mod stretch;
 pub mod tables;
+pub mod teapot;
 pub mod texture;
 pub mod window;
 pub mod wire;
