@@ -78,7 +78,7 @@ fn draw(window: &mut Window) {
                 glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
             }
             let place =
-                translate(0., if panel < 3 { 0.3 } else { 0.1 }, -3.7) * rotate(tilt, DVec3::X);
+                translate(0., if panel < 3 { 0.3 } else { 0.1 }, -3.9) * rotate(tilt, DVec3::X);
             let place = place * rotate(24., if panel < 3 { DVec3::Z } else { DVec3::Y });
             use_program(program, &perspective(42., aspect, 0.1, 50.), &place);
             glBindTexture(GL_TEXTURE_2D, texture);

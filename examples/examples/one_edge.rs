@@ -92,7 +92,7 @@ fn rays(window: &Window, points: &[f64]) {
     for ([z, y], color, text) in [
         ([-0.1, 0.25], INK, "eye"),
         ([1., 1.15], INK, "image"),
-        ([NEAR[0] + 0.5, NEAR[1] + 0.25], RED, "z1, s = 0"),
+        ([NEAR[0] + 0.9, NEAR[1] + 0.2], RED, "z1, s = 0"),
         ([FAR[0] - 0.4, FAR[1] - 0.25], RED, "z2, s = 1"),
     ] {
         window.label((z + 0.6) / 3.9 - 1., (y + 2.5) / 2.1 - 1., color, text);
