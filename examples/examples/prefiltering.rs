@@ -17,7 +17,7 @@ pub const PROGRAM: Program = Program {
     lecture: "eScience: slides 10 to 15, \"Antialiasing\": prefiltering",
     source: include_str!("prefiltering.rs"),
     halves: [3, 3],
-    panels: &[],
+    panels: &["one point", "mip pyramid", "summed areas", "anisotropic"],
     draw,
 };
 
