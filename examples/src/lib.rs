@@ -14,6 +14,9 @@
 //! | [`mod@picture`] | picture files, and procedural pictures that replace them |
 //! | [`corridor`] | the room of the lightmap picture, and its baked light |
 //! | [`scene`] | scenes that several programs share |
+//! | `label` | labels at points of a picture ([`Window::label`](window::Window::label)) |
+//! | [`tables`] | ripmaps and summed areas |
+//! | [`wire`] | lines for diagrams |
 //! | [`teapot`] | Newell's teapot, in bicubic patches |
 //! | [`stretch`] | how a texture is stretched on a surface |
 //! | [`locality`] | the lines of a cache that texels take, by the order of their addresses |
@@ -33,6 +36,7 @@ pub mod corridor;
 mod font;
 pub mod gallery;
 pub mod inputs;
+mod label;
 pub mod lectures;
 pub mod locality;
 pub mod matrix;
@@ -44,9 +48,11 @@ pub mod scene;
 #[allow(non_snake_case, reason = "the lecture's names")]
 pub mod shader;
 pub mod stretch;
+pub mod tables;
 pub mod teapot;
 pub mod texture;
 pub mod window;
+pub mod wire;
 
 /// The imports of a program file: GL, GLU, and the helpers.
 pub mod lecture {

@@ -38,6 +38,8 @@ pub struct Window {
     pub width: i32,
     /// Pixels down.
     pub height: i32,
+    /// The side of a square window.
+    pub(crate) size: i32,
     desc: ContextDesc,
     image: Option<Picture>,
     notes: String,
@@ -229,6 +231,7 @@ fn run_program(
     let mut window = Window {
         width: width as i32,
         height: height as i32,
+        size: size as i32,
         current: Some(context.make_current()),
         desc,
         image,

@@ -214,6 +214,35 @@ pub const FORMULAS: &[Formula] = &[
         },
     },
     Formula {
+        what: "spherical mapping of a point that is eight times as far: the same (u, v)",
+        lecture: "TA 6, spherical mapping: independent of scale",
+        glsl: "const float PI = 3.14159265358979;
+               vec4 value() {
+                   vec3 p = 8.0 * a.xyz;
+                   float phi = acos(p.y / sqrt(p.x * p.x + p.y * p.y + p.z * p.z));
+                   return vec4(0.5 + atan(p.z, p.x) / (2.0 * PI), 1.0 - phi / PI, 0.0, 0.0);
+               }",
+        case: point,
+        value: |i, variant| {
+            let [x, y, z] = xyz(i[0]);
+            let phi = (y / dot([x, y, z], [x, y, z]).sqrt()).acos();
+            [longitude(x, z, variant), 1.0 - phi / PI, 0.0, 0.0]
+        },
+    },
+    Formula {
+        what: "u = au·s + bu·t + cu, v = av·s + bv·t + cv",
+        lecture: "2nd lecture, slide 7",
+        glsl: "vec4 value() {
+                   mat3 m = mat3(a.x, b.x, 0.0, a.y, b.y, 0.0, a.z, b.z, 1.0);
+                   return vec4((m * vec3(c.xy, 1.0)).xy, 0.0, 0.0);
+               }",
+        case: vectors,
+        value: |[a, b, st], _| {
+            let row = |m: &[f64; 4]| m[0] * st[0] + m[1] * st[1] + m[2];
+            [row(a), row(b), 0.0, 0.0]
+        },
+    },
+    Formula {
         what: "cylindrical mapping: θ = atan2(z, x); u = 1/2 + θ/2π, v = y/h",
         lecture: "TA 6, cylindrical mapping",
         glsl: "const float PI = 3.14159265358979;
