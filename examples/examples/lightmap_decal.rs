@@ -16,7 +16,7 @@ pub const PROGRAM: Program = Program {
     lecture: "Texture Mapping: \"Multiple Textures\" (Quake 2)",
     source: include_str!("lightmap_decal.rs"),
     halves: [3, 1],
-    panels: &["lightmaps only", "decals only", "lightmaps × decals"],
+    panels: &["lightmaps only", "decal only", "combined scene"],
     draw,
 };
 

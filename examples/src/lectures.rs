@@ -55,11 +55,19 @@ const CELLS: usize = 6;
 /// The lectures of a page: a heading `## A: title` each, and the rows of the tables under it.
 pub fn lectures(page: &str) -> Vec<Lecture> {
     let mut lectures: Vec<Lecture> = Vec::new();
+    let mut is_lecture = false;
     for (line, text) in (1..).zip(page.lines()) {
-        if let Some((letter, title)) = text.strip_prefix("## ").and_then(|t| t.split_once(": ")) {
-            let letter = letter.chars().next().unwrap_or('?');
-            lectures.push(Lecture { letter, title: title.to_owned(), items: Vec::new() });
-        } else if let (Some(lecture), Some(item)) = (lectures.last_mut(), item(line, text)) {
+        if let Some(heading) = text.strip_prefix("## ") {
+            let lecture = heading.split_once(": ").filter(|(letter, _)| letter.len() == 1);
+            is_lecture = lecture.is_some();
+            lectures.extend(lecture.map(|(letter, title)| Lecture {
+                letter: letter.chars().next().unwrap_or('?'),
+                title: title.to_owned(),
+                items: Vec::new(),
+            }));
+        } else if let (true, Some(lecture), Some(item)) =
+            (is_lecture, lectures.last_mut(), item(line, text))
+        {
             lecture.items.push(item);
         }
     }
