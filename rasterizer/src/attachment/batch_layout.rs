@@ -27,25 +27,26 @@ pub enum LoadOp {
     DontCare,
 }
 
-/// Lets `change` see the words of a batch's pixels as lanes, and puts those of `mask` back; it changes
-/// no others. (A quad may be in a batch more than once, with other pixels each time.)
+/// Lets `change` see the words of a batch's pixels as lanes. It returns a result and the lanes that it has changed,
+/// which are put back. (A quad may be in a batch more than once, with other pixels each time.)
 pub fn with_words<R>(
     isa: Isa,
     plane: &mut WordPlane,
     layout: &BatchLayout<'_>,
-    mask: u64,
     load_op: LoadOp,
-    change: impl FnOnce(&mut U32s) -> R,
+    change: impl FnOnce(&mut U32s) -> (R, u64),
 ) -> R {
     if let BatchLayout::Block(block) = *layout {
-        return change(plane.block_mut(block));
+        return change(plane.block_mut(block)).0;
     }
     let mut words = match load_op {
         LoadOp::Load => load(isa, plane, layout),
         LoadOp::DontCare => U32s::ZERO,
     };
-    let result = change(&mut words);
-    store(plane, layout, mask, &words);
+    let (result, changed) = change(&mut words);
+    if changed != 0 {
+        store(plane, layout, changed, &words);
+    }
     result
 }
 
@@ -116,11 +117,16 @@ fn gather(blocks: &[U32s], of: &[u8], quads: &[u8]) -> U32s {
 
 fn scatter(blocks: &mut [U32s], of: &[u8], quads: &[u8], mask: u64, words: &U32s) {
     for (at, (&block, &quad)) in of.iter().zip(quads).enumerate() {
+        // One bit of each quarter of the mask.
+        let lanes = mask >> at & 0x0001_0001_0001_0001;
+        if lanes == 0 {
+            continue;
+        }
         let to = &mut blocks[usize::from(block)];
         for e in 0..4 {
             let to = &mut to[e * QUADS + usize::from(quad)];
-            let lane = e * QUADS + at;
-            *to = if mask >> lane & 1 == 1 { words[lane] } else { *to };
+            let is_stored = lanes >> (e * QUADS) & 1 == 1;
+            *to = if is_stored { words[e * QUADS + at] } else { *to };
         }
     }
 }

@@ -5,7 +5,7 @@ use super::encode::{decode_color, encode_color};
 use super::plane::{BLOCKS, WordPlane};
 use super::words::attachment_words;
 use std::ops::Range;
-use texunit::format::Format;
+use texunit::format::{Encoding, Format};
 use texunit::lanes::{F32s, Isa, Kernel, LANES, Simd, U32s};
 
 /// The planes of a tile of one sample, where these rows of blocks are right.
@@ -29,13 +29,57 @@ pub fn resolve_tile(
         return first.to_vec();
     }
     let mut out = vec![vec![U32s::ZERO; BLOCKS]; words];
+    let keeps_equal = mean_keeps_equal(format);
     for block in rows.start * 8..rows.end * 8 {
+        if keeps_equal && isa.run(IsEqual { samples: &samples, block }) {
+            for (out, plane) in out.iter_mut().zip(*first) {
+                out[block] = plane.block(block);
+            }
+            continue;
+        }
         let texels = isa.run(Mean { format, samples: &samples, block });
         for (plane, words) in out.iter_mut().zip(texels) {
             plane[block] = words;
         }
     }
     out.into_iter().map(WordPlane::of).collect()
+}
+
+/// Whether the mean of equal samples is their word, because the rounding of a sum is less than a step of the format:
+/// components of at most 16 bits in [0, 1], not encoded as sRGB.
+fn mean_keeps_equal(format: Format) -> bool {
+    let is_narrow = |channel: usize| format.field(channel).mask() <= 0xFFFF;
+    format.info().encoding == Encoding::Unorm && (0..format.channels()).all(is_narrow)
+}
+
+/// Whether all samples of a block hold equal words.
+struct IsEqual<'a> {
+    samples: &'a [&'a [WordPlane]],
+    block: usize,
+}
+
+impl Kernel for IsEqual<'_> {
+    type Output = bool;
+    #[inline(always)]
+    fn run<S: Simd>(self) -> bool {
+        let Self { samples, block } = self;
+        let Some((first, rest)) = samples.split_first() else { return true };
+        first.iter().enumerate().all(|(word, plane)| {
+            rest.iter().all(|sample| {
+                match (plane.block_or_clear(block), sample[word].block_or_clear(block)) {
+                    (Ok(a), Ok(b)) => {
+                        let mut differ = U32s::ZERO;
+                        for lane in 0..LANES {
+                            differ[lane] = a[lane] ^ b[lane];
+                        }
+                        S::nonzero(&differ) == 0
+                    }
+                    (Err(a), Err(b)) => a == b,
+                    (Ok(_), Err(_)) | (Err(_), Ok(_)) => false,
+                }
+            })
+        })
+    }
 }
 
 /// The mean of the samples of a block.
@@ -72,5 +116,44 @@ impl Kernel for Mean<'_> {
         let mut texels = [U32s::ZERO; 4];
         encode_color::<S>(format, sum.each_ref(), &mut texels);
         texels
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use texunit::lanes::Baseline;
+
+    #[test]
+    fn the_mean_of_equal_samples_is_their_word() {
+        let formats = Format::ALL
+            .iter()
+            .copied()
+            .filter(|&format| super::super::is_attachable(format) && mean_keeps_equal(format));
+        let mut count = 0;
+        for format in formats {
+            count += 1;
+            for base in (0..0x1_0000_u32).step_by(LANES) {
+                // Every value of every component of at most 16 bits, in each of a texel's words.
+                let words = U32s::from_fn(|lane| (base + lane as u32) * 0x1_0001);
+                let used = |word: usize| {
+                    (0..format.channels())
+                        .map(|channel| format.field(channel))
+                        .filter(|field| field.word == word)
+                        .fold(0, |all, field| all | field.mask() << field.shift)
+                };
+                let plane = |word| {
+                    let words = U32s::from_fn(|lane| words[lane] & used(word));
+                    WordPlane::of(vec![words; BLOCKS])
+                };
+                let sample: Vec<WordPlane> = (0..attachment_words(format)).map(plane).collect();
+                let samples = vec![&sample[..]; 4];
+                let texels = Mean { format, samples: &samples, block: 0 }.run::<Baseline>();
+                for (plane, texels) in sample.iter().zip(texels) {
+                    assert_eq!(plane.block(0).0, texels.0, "{format:?}");
+                }
+            }
+        }
+        assert!(count >= 8, "only {count} formats");
     }
 }

@@ -16,6 +16,7 @@ use super::words::{attachment_words, is_attachable, words_of};
 use crate::sizes::TILE;
 use crate::threads::ThreadPool;
 use bytemuck::Pod;
+use changed::RowsOfTile;
 pub use store::{RowSpan, RowWriter};
 use texunit::format::Format;
 use texunit::image::Level;
@@ -40,8 +41,8 @@ pub struct Surface {
     /// The planes of each tile, row by row of tiles: word `w` of sample `s` is plane
     /// `s · words + w`.
     pub tiles: Vec<Vec<WordPlane>>,
-    /// Which tiles differ from the level's texels.
-    changed: Vec<bool>,
+    /// By tile: what the rows of the level hold of it.
+    rows: Vec<RowsOfTile>,
 }
 
 /// Which slices of a level hold the samples of a surface.
@@ -131,8 +132,8 @@ impl Surface {
         let tiles = 0..width.div_ceil(TILE) * height.div_ceil(TILE);
         let load = |tile: u32| load_samples(level, slices, samples, tile);
         let tiles = thread_pool.map(tiles, WORTH_A_THREAD, load);
-        let changed = vec![false; tiles.len()];
-        Self { format, width, height, samples, tiles, changed }
+        let rows = tiles.iter().map(|tile| RowsOfTile::after_storing(format, tile)).collect();
+        Self { format, width, height, samples, tiles, rows }
     }
 
     /// A surface of zeros.
@@ -140,13 +141,13 @@ impl Surface {
         let planes = usize::from(samples) * attachment_words(format);
         let tiles = width.div_ceil(TILE) * height.div_ceil(TILE);
         let tiles = vec![vec![WordPlane::cleared(0); planes]; tiles as usize];
-        let changed = vec![false; tiles.len()];
-        Self { format, width, height, samples, tiles, changed }
+        let rows = vec![RowsOfTile::Uniform([0; 4]); tiles.len()];
+        Self { format, width, height, samples, tiles, rows }
     }
 
     /// Moves a tile's planes out of the surface, to be drawn to.
     pub fn take(&mut self, tile: usize) -> TileTarget {
-        self.changed[tile] = true;
+        self.rows[tile].change();
         let planes = std::mem::take(&mut self.tiles[tile]);
         TileTarget { planes_per_sample: attachment_words(self.format), planes }
     }

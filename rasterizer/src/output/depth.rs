@@ -17,6 +17,16 @@ pub struct DepthPlan {
     pub write: DepthWrite,
 }
 
+impl DepthPlan {
+    /// The words that change, of those that pass.
+    pub fn changed(&self, passed: u64) -> u64 {
+        match self.write {
+            DepthWrite::On => passed,
+            DepthWrite::Off => 0,
+        }
+    }
+}
+
 /// Tests and writes 64 fragments; returns the mask of those that passed.
 pub struct DepthTest<'a> {
     /// What is done.

@@ -4,8 +4,8 @@ use super::color::{BlockColors, ColorClass, ColorPlan, WriteBytes, WriteTexels};
 use super::depth::{DepthPlan, DepthTest};
 use super::stencil::{Reference, StencilPlan, StencilTest, StencilUpdate};
 use crate::attachment::{BatchLayout, LoadOp, TileTarget, WordPlane, with_texels, with_words};
-use crate::desc::DepthWrite;
-use texunit::lanes::{F32s, Isa, U32s};
+use crate::desc::{DepthWrite, StencilOp};
+use texunit::lanes::{F32s, Isa, Kernel, Simd, U32s};
 
 /// The tests of a draw.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -46,52 +46,79 @@ pub fn test(
     sample: usize,
     of: &Fragments<'_>,
 ) -> u64 {
-    let Fragments { layout, depth, reference, back, mask } = *of;
-    let planes = target.sample(sample);
-    match (tests.stencil, planes) {
+    let Fragments { layout, mask, .. } = *of;
+    if mask == 0 {
+        return 0;
+    }
+    match (tests.stencil, target.sample(sample)) {
         (Some(plan), [depths, stencils]) => {
-            with_words(isa, stencils, layout, mask, LoadOp::Load, |stored| {
-                let [front, back] =
-                    [(plan.front, mask & !back), (plan.back, mask & back)].map(|(face, mask)| {
-                        let test = StencilTest { face: &face, reference, stored, mask };
-                        (face, mask, isa.run(test))
-                    });
-                let stencil_passed = front.2 | back.2;
-                let depth_passed =
-                    test_depth(isa, tests.depth, depths, layout, depth, stencil_passed);
-                for (face, mask, passed) in [front, back] {
-                    let outcomes = [
-                        (face.fail, mask & !passed),
-                        (face.depth_fail, passed & !depth_passed),
-                        (face.pass, passed & depth_passed),
-                    ];
-                    for (op, mask) in outcomes {
-                        if mask != 0 {
-                            isa.run(StencilUpdate { op, face: &face, reference, stored, mask });
-                        }
-                    }
-                }
-                depth_passed
+            let writes = plan.writes();
+            with_words(isa, stencils, layout, LoadOp::Load, |stencils| {
+                let mut test = |depth: Option<(DepthPlan, &mut U32s)>| {
+                    isa.run(StencilDepthTest { plan: &plan, depth, fragments: of, stencils })
+                };
+                let passed = match tests.depth {
+                    Some(depth) => with_words(isa, depths, layout, LoadOp::Load, |depths| {
+                        let passed = test(Some((depth, depths)));
+                        (passed, depth.changed(passed))
+                    }),
+                    None => test(None),
+                };
+                (passed, if writes { mask } else { 0 })
             })
         }
-        (_, [depths, ..]) => test_depth(isa, tests.depth, depths, layout, depth, mask),
+        (_, [depths, ..]) => match tests.depth {
+            Some(plan) => with_words(isa, depths, layout, LoadOp::Load, |stored| {
+                let passed = isa.run(DepthTest { plan, depth: of.depth, stored, mask });
+                (passed, plan.changed(passed))
+            }),
+            None => mask,
+        },
         (_, []) => mask,
     }
 }
 
-fn test_depth(
-    isa: Isa,
-    plan: Option<DepthPlan>,
-    plane: &mut WordPlane,
-    layout: &BatchLayout<'_>,
-    depth: &F32s,
-    mask: u64,
-) -> u64 {
-    match plan {
-        Some(plan) if mask != 0 => with_words(isa, plane, layout, mask, LoadOp::Load, |stored| {
-            isa.run(DepthTest { plan, depth, stored, mask })
-        }),
-        Some(_) | None => mask,
+/// The stencil test, the depth test of what passes it, and the operations that follow.
+struct StencilDepthTest<'a> {
+    plan: &'a StencilPlan,
+    /// The depth test and the words that it compares with, if there is one.
+    depth: Option<(DepthPlan, &'a mut U32s)>,
+    fragments: &'a Fragments<'a>,
+    stencils: &'a mut U32s,
+}
+
+impl Kernel for StencilDepthTest<'_> {
+    type Output = u64;
+    #[inline(always)]
+    fn run<S: Simd>(self) -> u64 {
+        let Self { plan, depth, fragments, stencils: stored } = self;
+        let &Fragments { depth: new, reference, back, mask, .. } = fragments;
+        let faces = [(&plan.front, mask & !back), (&plan.back, mask & back)];
+        let mut passed = 0;
+        for (face, mask) in faces {
+            if mask != 0 {
+                passed |= StencilTest { face, reference, stored, mask }.run::<S>();
+            }
+        }
+        let left = match depth {
+            Some((plan, stored)) if passed != 0 => {
+                DepthTest { plan, depth: new, stored, mask: passed }.run::<S>()
+            }
+            Some(_) | None => passed,
+        };
+        for (face, mask) in faces {
+            let outcomes = [
+                (face.fail, mask & !passed),
+                (face.depth_fail, mask & passed & !left),
+                (face.pass, mask & left),
+            ];
+            for (op, mask) in outcomes {
+                if mask != 0 && op != StencilOp::Keep {
+                    StencilUpdate { op, face, reference, stored, mask }.run::<S>();
+                }
+            }
+        }
+        left
     }
 }
 
@@ -111,9 +138,10 @@ pub fn write(
             write_planes(isa, plan, planes, &[BlockColors { block, ..colors }]);
         }
         (ColorClass::Bytes, [plane], _) => {
-            with_words(isa, plane, layout, mask, plan.load_op(), |stored| {
+            with_words(isa, plane, layout, plan.load_op(), |stored| {
                 let colors = &[BlockColors { block: 0, ..colors }];
                 isa.run(WriteBytes { plan, colors, blocks: std::slice::from_mut(stored) });
+                ((), mask)
             });
         }
         (_, planes, _) => with_texels(isa, planes, layout, mask, plan.load_op(), |words| {

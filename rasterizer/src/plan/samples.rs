@@ -164,6 +164,14 @@ impl Samples {
         self.kept >> sample & 1 == 1
     }
 
+    /// Removes what coverage value and mask do not keep, and the lanes that are not `inside`.
+    #[inline]
+    pub fn keep(&self, masks: &mut SampleMasks, inside: u64) {
+        for (sample, mask) in masks.iter_mut().enumerate() {
+            *mask &= if self.keeps(sample) { inside } else { 0 };
+        }
+    }
+
     /// From a pixel's centre to a sample, in pixels; `None` where values are those of the centre.
     pub fn offset(&self, sample: usize) -> Option<[f32; 2]> {
         self.positions.get(sample).map(|position| position.map(|v| v as f32 / SUBPIXEL as f32))

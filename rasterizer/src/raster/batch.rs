@@ -1,9 +1,10 @@
 //! Batches of fragments: the block of one shape, or up to 16 quads, of many blocks or of many shapes.
 
 use super::pixel_batch::Pixels;
-use crate::attachment::BatchLayout;
+use crate::attachment::{BLOCKS, BatchLayout};
 use crate::desc::Facing;
 use crate::plan::{Packing, SampleMasks};
+use crate::sizes::MAX_SAMPLES;
 use texunit::lanes::{F32s, QUADS};
 
 /// Fragments that are shaded together.
@@ -140,8 +141,8 @@ pub struct Packed {
     /// The covered fraction of each lane's pixel, where the draw reads it.
     pub coverage: F32s,
     pub planes: Vec<EachPlane<QUADS>>,
-    /// By block: the lanes that are pending in this batch.
-    pending: [u64; 64],
+    /// By sample and block: the lanes that are pending in this batch.
+    pending: [[u64; BLOCKS]; MAX_SAMPLES],
 }
 
 impl Default for Packed {
@@ -159,7 +160,7 @@ impl Default for Packed {
             front: [0; QUADS],
             coverage: F32s::ZERO,
             planes: Vec::new(),
-            pending: [0; 64],
+            pending: [[0; BLOCKS]; MAX_SAMPLES],
         }
     }
 }
@@ -175,9 +176,12 @@ impl Packed {
         self.len == QUADS
     }
 
-    /// Whether a fragment in these lanes of a block is pending: later fragments of its pixel must follow it.
-    pub fn has_pending(&self, block: usize, lanes: u64) -> bool {
-        self.pending[block] & lanes != 0
+    /// Whether a fragment of any of these samples of a block is pending: later fragments of a sample must follow it.
+    /// Fragments of other samples of the same pixel, as along an edge that triangles share, may be in one batch.
+    #[inline]
+    pub fn has_pending(&self, block: usize, masks: &SampleMasks) -> bool {
+        let mut pairs = masks.iter().zip(&self.pending);
+        pairs.any(|(lanes, pending)| pending[block] & lanes != 0)
     }
 
     /// The pending quads as a batch.
@@ -187,8 +191,10 @@ impl Packed {
 
     /// Removes all quads, and prepares for a draw with these numbers of planes and samples.
     pub fn clear(&mut self, planes: usize, samples: usize) {
-        for &block in &self.blocks[..self.len] {
-            self.pending[usize::from(block)] = 0;
+        for pending in self.pending.iter_mut().take(self.masks.iter().len()) {
+            for &block in &self.blocks[..self.len] {
+                pending[usize::from(block)] = 0;
+            }
         }
         self.len = 0;
         self.masks = SampleMasks::none(samples);
@@ -210,9 +216,10 @@ impl Packed {
         self.x[at] = of.x as f32;
         self.y[at] = of.y as f32;
         self.front[at] = front_word(of.facing);
-        for (mask, &lanes) in self.masks.iter_mut().zip(masks.iter()) {
+        let samples = self.masks.iter_mut().zip(&mut self.pending).zip(masks.iter());
+        for ((mask, pending), &lanes) in samples {
             *mask |= moved_quad(lanes, from, at);
-            self.pending[of.block] |= moved_quad(lanes, from, quad);
+            pending[of.block] |= moved_quad(lanes, from, quad);
         }
         if of.tests == EarlyTests::Done {
             self.tested |= lanes_of(1 << at);

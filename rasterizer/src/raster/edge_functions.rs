@@ -90,30 +90,30 @@ pub fn block(isa: Isa, edges: &[Edge; 3], bx: i32, by: i32) -> Coverage {
 }
 
 /// The edge functions of a triangle for many blocks of a tile: their increments from the first lane of a block to each
-/// lane.
-pub struct TileEdges<'a> {
-    edges: &'a [Edge; 3],
+/// lane, which are those of a moved triangle, too.
+pub struct TileEdges {
     rise: [I32s; 3],
 }
 
-impl<'a> TileEdges<'a> {
-    /// The edges of a triangle.
+impl TileEdges {
+    /// The increments of the edges of a triangle.
     #[inline(always)]
-    pub fn of(edges: &'a [Edge; 3]) -> Self {
+    pub fn of(edges: &[Edge; 3]) -> Self {
         let mut rise = [I32s::ZERO; 3];
         for (rise, edge) in rise.iter_mut().zip(edges) {
             for lane in 0..LANES {
                 rise[lane] = edge.x * COLUMN[lane] + edge.y * ROW[lane];
             }
         }
-        Self { edges, rise }
+        Self { rise }
     }
 
-    /// The lanes of block column `bx`, row `by` where no edge is negative. No edge may leave the whole of it out.
+    /// The lanes of block column `bx`, row `by` where none of the edges, which have these increments, is negative. No
+    /// edge may leave the whole of it out.
     #[inline(always)]
-    pub fn lanes<S: Simd>(&self, [bx, by]: [i32; 2]) -> u64 {
+    pub fn lanes<S: Simd>(&self, edges: &[Edge; 3], [bx, by]: [i32; 2]) -> u64 {
         let mut outside = U32s::ZERO;
-        for (edge, rise) in self.edges.iter().zip(&self.rise) {
+        for (edge, rise) in edges.iter().zip(&self.rise) {
             let first = edge.value
                 + i64::from(edge.x) * i64::from(8 * bx)
                 + i64::from(edge.y) * i64::from(8 * by);

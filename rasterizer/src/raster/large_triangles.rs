@@ -16,7 +16,7 @@ use texunit::lanes::{F32s, Isa, Kernel, LANES, Simd, U32s};
 pub const MIN_BLOCKS: i32 = 3;
 
 /// Blocks along a side of a tile.
-const TILE_BLOCKS: usize = TILE as usize / 8;
+pub const TILE_BLOCKS: usize = TILE as usize / 8;
 const _: () = assert!(
     BLOCKS == LANES && TILE_BLOCKS * TILE_BLOCKS == LANES,
     "lanes are the blocks of a tile"
@@ -188,7 +188,7 @@ impl LargeTriangle {
         let tile_edges = TileEdges::of(edges);
         for block in bits(touched & !full) {
             let at = [block % TILE_BLOCKS, block / TILE_BLOCKS].map(|at| at as i32);
-            self.covered[block] = tile_edges.lanes::<S>(at);
+            self.covered[block] = tile_edges.lanes::<S>(edges, at);
             self.set_bits(packing, block);
         }
     }
@@ -196,7 +196,7 @@ impl LargeTriangle {
 
 /// The blocks that are not outside of any edge, and the blocks that are entirely inside all edges.
 #[inline(always)]
-fn blocks<S: Simd>(edges: &[Edge; 3], rows: Range<usize>) -> [u64; 2] {
+pub fn blocks<S: Simd>(edges: &[Edge; 3], rows: Range<usize>) -> [u64; 2] {
     let (mut outside, mut crossed) = (U32s::ZERO, U32s::ZERO);
     let within = !0 << (TILE_BLOCKS * rows.start)
         & !0 >> (LANES - TILE_BLOCKS * rows.end.clamp(1, TILE_BLOCKS));

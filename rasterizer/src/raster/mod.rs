@@ -21,6 +21,7 @@ mod perspective;
 mod pixel_batch;
 mod plane_group;
 mod plane_weights;
+mod sampled_triangle;
 mod shading;
 mod shape_cover;
 mod shape_lanes;

@@ -12,6 +12,7 @@ use super::large_triangles::LargeTriangle;
 use super::pack_pixels::{Pack, Stop};
 use super::pixel_batch::Pixels;
 use super::plane_group::PlaneGroup;
+use super::sampled_triangle::SampledTriangle;
 use super::shading::Shader;
 use super::shape_cover::Cover;
 use super::shape_lanes::ShapeLanes;
@@ -41,6 +42,7 @@ pub struct TileRenderer {
     windows: Box<Windows>,
     window_blocks: Box<WindowBlocks>,
     large_triangle: LargeTriangle,
+    sampled_triangle: Box<SampledTriangle>,
     /// Of the current block: each plane's value at its first pixel and steps.
     planes: Vec<[f32; 3]>,
     /// The fraction of each lane's pixel that the shape covers.
@@ -131,8 +133,8 @@ impl TileRenderer {
         self.flush_blocks(pass, job, tile);
     }
 
-    /// Shades the pending batches that hold fragments in these lanes of a block: fragments of a pixel keep their order.
-    /// A pixel is in one pending batch at most, so that no other batch has to precede them.
+    /// Shades the pending batches that hold fragments of these samples of a block: fragments of a sample keep their order.
+    /// A sample is in one pending batch at most, so that no other batch has to precede them.
     #[inline]
     fn flush_overlapping(
         &mut self,
@@ -140,11 +142,13 @@ impl TileRenderer {
         job: &DrawJob,
         tile: &mut TileJob,
         block: usize,
-        lanes: u64,
+        masks: &SampleMasks,
     ) {
-        if self.pending_quads.has_pending(block, lanes) {
+        if self.pending_quads.has_pending(block, masks) {
             self.flush_quads(pass, job, tile);
         }
+        // Draws with several samples have only pending quads.
+        let lanes = masks.any();
         if self.pending_pixels.has_pending(block, lanes) {
             self.flush_pixels(pass, job, tile);
         }

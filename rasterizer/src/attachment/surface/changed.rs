@@ -1,29 +1,139 @@
-//! Stores only the tiles that changed, so that reading a few pixels after a small draw is cheap.
+//! Stores only the tiles whose rows in the level differ, so that reading a few pixels after a small draw is cheap, and
+//! so is a large attachment of which each frame draws to a part: a tile that was cleared again, to what its rows hold
+//! since the clear before, is not stored.
 
-use super::{Level, RowSpan, Slices, StoreContext, Surface, WORTH_THREADS};
+use super::{Level, RowSpan, RowWriter, Slices, StoreContext, Surface, WORTH_THREADS, WordPlane};
+use crate::attachment::words::attachment_words;
 use crate::sizes::TILE;
+use texunit::format::Format;
 
-impl Surface {
-    /// Takes all tiles for changed.
-    pub fn change_all(&mut self) {
-        self.changed.fill(true);
+/// What the rows of a level hold of a tile.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum RowsOfTile {
+    /// What the tile holds.
+    Current,
+    /// What it held before it was drawn to.
+    Older,
+    /// These words in every pixel, whatever the tile holds.
+    Uniform([u32; 4]),
+}
+
+/// The words of every pixel and sample of a tile, where all are equal.
+fn uniform_words(format: Format, tile: &[WordPlane]) -> Option<[u32; 4]> {
+    let count = attachment_words(format);
+    let mut words = [0; 4];
+    for (at, plane) in tile.iter().enumerate() {
+        let word = plane.cleared_word()?;
+        match at.checked_sub(count) {
+            None => words[at] = word,
+            Some(_) if words[at % count] == word => {}
+            Some(_) => return None,
+        }
+    }
+    Some(words)
+}
+
+impl RowsOfTile {
+    /// Those of a tile that was just stored, or loaded.
+    pub fn after_storing(format: Format, tile: &[WordPlane]) -> Self {
+        uniform_words(format, tile).map_or(Self::Current, Self::Uniform)
     }
 
-    /// Writes the tiles that have changed since they were last the level's back into its slices.
+    /// Notes that the tile is drawn to.
+    pub fn change(&mut self) {
+        match self {
+            Self::Current => *self = Self::Older,
+            Self::Older | Self::Uniform(_) => {}
+        }
+    }
+
+    /// Whether they differ from what the tile holds.
+    fn differ(self, format: Format, tile: &[WordPlane]) -> bool {
+        match self {
+            Self::Current => false,
+            Self::Older => true,
+            Self::Uniform(words) => uniform_words(format, tile) != Some(words),
+        }
+    }
+}
+
+impl Surface {
+    /// Takes the rows of all tiles for older than these.
+    pub fn change_all(&mut self) {
+        self.rows.fill(RowsOfTile::Older);
+    }
+
+    /// Writes the tiles whose rows differ back into slices of the level.
     pub fn store_changed(&mut self, level: &mut Level, slices: Slices, context: StoreContext<'_>) {
-        let changed: Vec<usize> =
-            (0..self.changed.len()).filter(|&tile| self.changed[tile]).collect();
-        if changed.len() >= WORTH_THREADS.min(self.tiles.len()) {
+        let pairs = self.rows.iter().zip(&self.tiles);
+        let differs: Vec<bool> = pairs.map(|(rows, tile)| rows.differ(self.format, tile)).collect();
+        let count = differs.iter().filter(|differs| **differs).count();
+        if count == 0 {
+            return;
+        }
+        if count == differs.len() {
             self.store(level, slices, context);
         } else {
-            for tile in changed {
-                let across = self.tiles_across();
-                let [x, y] = [tile as u32 % across, tile as u32 / across].map(|at| at * TILE);
-                let span = RowSpan { x, y, width: TILE.min(self.width - x) };
-                self.store_rows(span, TILE.min(self.height - y), level, slices, context);
-            }
+            self.store_tiles(&differs, count, level, slices, context);
         }
-        self.changed.fill(false);
+        for ((rows, tile), _) in
+            self.rows.iter_mut().zip(&self.tiles).zip(differs).filter(|(_, differs)| *differs)
+        {
+            *rows = RowsOfTile::after_storing(self.format, tile);
+        }
+    }
+
+    /// Writes `count` of the tiles into slices of the level.
+    fn store_tiles(
+        &self,
+        stored: &[bool],
+        count: usize,
+        level: &mut Level,
+        slices: Slices,
+        context: StoreContext<'_>,
+    ) {
+        let (row_bytes, size) = (level.row_bytes(), self.format.bytes());
+        for (samples, slice) in self.selections(slices) {
+            let first = level.origin() + slice * level.slice_bytes();
+            let texels = &mut level.texels[first..first + self.height as usize * row_bytes];
+            let rows_of_tiles = stored.chunks(self.tiles_across() as usize);
+            let bands = texels.chunks_mut(TILE as usize * row_bytes).zip(rows_of_tiles);
+            let mut bands: Vec<_> = (0..)
+                .step_by(TILE as usize)
+                .zip(bands)
+                .filter(|(_, (_, stored))| stored.contains(&true))
+                .collect();
+            let least = if count >= WORTH_THREADS { 1 } else { bands.len() };
+            context.thread_pool.for_each_chunk(
+                &mut bands,
+                least,
+                || (),
+                |(), bands| {
+                    for (y, (texels, stored)) in bands {
+                        // Neighbours together.
+                        let mut from = 0;
+                        for run in stored.chunk_by(|a, b| a == b) {
+                            let x = from * TILE;
+                            from += run.len() as u32;
+                            if run[0] {
+                                let width = (from * TILE).min(self.width) - x;
+                                let first = x as usize * size;
+                                let rows = texels.chunks_mut(row_bytes);
+                                let mut rows: Vec<_> = rows.map(|row| &mut row[first..]).collect();
+                                let span = RowSpan { x, y: *y, width };
+                                self.store_band(
+                                    context.isa,
+                                    samples,
+                                    span,
+                                    &mut rows,
+                                    RowWriter::Copy,
+                                );
+                            }
+                        }
+                    }
+                },
+            );
+        }
     }
 }
 
@@ -60,6 +170,10 @@ mod tests {
                 surface.store(&mut all, slices, context);
                 surface.store_changed(&mut level, slices, context);
                 assert!(level.texels == all.texels, "{format:?} of {samples} samples, {slices:?}");
+                // A tile that is cleared to what its rows hold is not stored.
+                let cleared = vec![WordPlane::cleared(0); surface.tiles[1].len()];
+                surface.take(1);
+                surface.tiles[1] = cleared;
                 // Nothing has changed since.
                 let mut other = Level::with_size(format, [150, 130, 5], [0; 3]).expect("small");
                 surface.store_changed(&mut other, slices, context);

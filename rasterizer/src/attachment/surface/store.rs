@@ -44,7 +44,7 @@ impl RowWriter<'_> {
 
 /// Which samples of a pixel are written to a texel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum SampleSelection {
+pub(super) enum SampleSelection {
     /// All samples, resolved.
     All,
     /// This sample.
@@ -69,20 +69,24 @@ impl Surface {
     ) {
         debug_assert_eq!((self.width, self.height), (level.width, level.height));
         let (row_bytes, size) = (level.row_bytes(), self.format.bytes());
-        let slices: Vec<(SampleSelection, usize)> = match slices {
-            Slices::One(slice) => vec![(SampleSelection::All, slice)],
-            Slices::Each(first) => {
-                let samples = 0..self.samples.into();
-                samples.map(|sample| (SampleSelection::One(sample), first + sample)).collect()
-            }
-        };
-        for (samples, slice) in slices {
+        for (samples, slice) in self.selections(slices) {
             let slice = level.origin() + slice * level.slice_bytes();
             let first = slice + span.y as usize * row_bytes;
             let texels = &mut level.texels[first..first + height as usize * row_bytes];
             let rows = texels.chunks_mut(row_bytes.max(1));
             let mut rows: Vec<_> = rows.map(|row| &mut row[span.x as usize * size..]).collect();
             self.store_region(samples, span, &mut rows, RowWriter::Copy, context);
+        }
+    }
+
+    /// Which samples go to which slice of a level.
+    pub(super) fn selections(&self, slices: Slices) -> Vec<(SampleSelection, usize)> {
+        match slices {
+            Slices::One(slice) => vec![(SampleSelection::All, slice)],
+            Slices::Each(first) => {
+                let samples = 0..self.samples.into();
+                samples.map(|sample| (SampleSelection::One(sample), first + sample)).collect()
+            }
         }
     }
 
@@ -130,7 +134,7 @@ impl Surface {
     }
 
     /// Writes rows that lie in one row of tiles.
-    fn store_band(
+    pub(super) fn store_band(
         &self,
         isa: Isa,
         samples: SampleSelection,

@@ -57,7 +57,8 @@ impl TileRenderer {
             if self.pending_quads.is_full() {
                 self.flush_quads(pass, job, tile);
             }
-            self.flush_overlapping(pass, job, tile, block, lanes);
+            let masks = SampleMasks::one(lanes);
+            self.flush_overlapping(pass, job, tile, block, &masks);
             let of = BlockOf {
                 planes: &self.planes,
                 facing,
@@ -93,11 +94,17 @@ impl TileRenderer {
             self.fill_large_triangle(pass, tile, job, shape, (lane, range));
             return;
         }
-        self.outlines.clear();
-        let positions = plan.samples.positions().iter();
-        self.outlines
-            .extend(positions.map(|&by| Cover::new(plan, &chunk.geometry, shape, first, by)));
-        let touched = self.outlines.iter().fold(0, |blocks, cover| blocks | cover.touched(first));
+        let is_sampled = shape.kind == ShapeKind::Triangle && plan.samples.is_each();
+        let touched = if is_sampled {
+            let positions = plan.samples.positions();
+            self.sampled_triangle.compute(pass.isa, &shape.corners, first, range, positions);
+            self.sampled_triangle.touched()
+        } else {
+            self.outlines.clear();
+            let outline = |&by: &[i32; 2]| Cover::new(plan, &chunk.geometry, shape, first, by);
+            self.outlines.extend(plan.samples.positions().iter().map(outline));
+            self.outlines.iter().fold(0, |blocks, cover| blocks | cover.touched(first))
+        };
         if touched == 0 {
             return;
         }
@@ -124,7 +131,12 @@ impl TileRenderer {
                         continue;
                     }
                 }
-                self.covered(pass.isa, plan, shape, at, inside, &mut masks);
+                if is_sampled {
+                    self.sampled_triangle.write_masks(at.number(), &mut masks);
+                    plan.samples.keep(&mut masks, inside);
+                } else {
+                    self.covered(pass.isa, plan, shape, at, inside, &mut masks);
+                }
                 if masks.any() != 0 {
                     if let Some(pixel) = &mut tile.watched
                         && pixel.is_in(at.number(), masks.any())
@@ -166,9 +178,9 @@ impl TileRenderer {
         }
         // Pending fragments of other shapes are shaded first, as in `flush_overlapping`. Blocks of one shape do not overlap.
         if !self.pending_quads.is_empty()
-            && self
-                .large_triangle
-                .overlaps_pending(|of, lanes| self.pending_quads.has_pending(of, lanes))
+            && self.large_triangle.overlaps_pending(|of, lanes| {
+                self.pending_quads.has_pending(of, &SampleMasks::one(lanes))
+            })
         {
             self.flush_quads(pass, job, tile);
         }
@@ -329,7 +341,7 @@ impl TileRenderer {
         let covered = masks.any();
         let ShapeBlock { at, facing, tests } = shape_block;
         let block = at.number();
-        self.flush_overlapping(pass, job, tile, block, covered);
+        self.flush_overlapping(pass, job, tile, block, masks);
         let packing = if tile.watched.is_some() { Packing::Quads } else { plan.packing };
         let is_due = tests == EarlyTests::Due;
         // Without shading, testing a block costs less than packing its pixels.
