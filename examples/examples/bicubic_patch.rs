@@ -60,6 +60,9 @@ fn draw(window: &mut Window) {
 
     glBindTexture(GL_TEXTURE_2D, 0);
     look(window, 0, 5.8);
+    let dot = (window.height as f32 / 512.).max(1.);
+    glLineWidth(dot);
+    glPointSize(5. * dot);
     net(&bent);
     bent.evaluate(12, GL_LINE);
 
@@ -120,7 +123,6 @@ fn net(patch: &Patch) {
             .for_each(|of_row| glVertex3f(of_row[row].x, of_row[row].y, of_row[row].z));
         glEnd();
     }
-    glPointSize(5);
     glBegin(GL_POINTS);
     patch.points.as_flattened().iter().for_each(|p| glVertex3f(p.x, p.y, p.z));
     glEnd();

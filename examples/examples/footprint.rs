@@ -49,6 +49,9 @@ fn draw(window: &mut Window) {
         if odd { [0.30, 0.36, 0.44] } else { [0.52, 0.50, 0.46] }
     });
     load_texture(0, picture, GL_REPEAT);
+    let dot = (window.height as f32 / 256.).max(1.);
+    glLineWidth(dot);
+    glPointSize(4. * dot);
     glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
     let of = PlaneView::new(&view(), [PIXELS, PIXELS]);
     let square = |at: DVec2| [at, at + DVec2::X, at + DVec2::ONE, at + DVec2::Y];
@@ -123,7 +126,6 @@ fn parallelogram(color: [f64; 3], center: DVec2, [x, y]: [DVec2; 2]) {
 
 fn outline(mode: GLenum, [r, g, b]: [f64; 3], points: &[DVec2]) {
     glColor3f(r, g, b);
-    glPointSize(4);
     glBegin(mode);
     points.iter().for_each(|at| glVertex2f(at.x, at.y));
     glEnd();

@@ -4,11 +4,13 @@ use examples::lectures::PAGE;
 use examples::locality::{ORDERS, lines_per_pixel};
 use examples::picture::Picture;
 use examples::plane_view::{lecture_rho, opengl_rho};
-use examples::programs::{fixed_point, gift_wrapping, projective_shortcut};
+use examples::programs::{filter_cost, fixed_point, gift_wrapping, projective_shortcut};
 use examples::stretch::{extremes, stretches};
-use examples::window::{Program, render};
+use examples::window::{Program, explain, render};
 use gl_api::context::ContextDesc;
 use glam::{DVec2, dvec2};
+use rasterizer::trace::{PixelEvent, Step};
+use texunit::trace::SampleStep;
 
 /// Fails with the table if the page does not have it.
 fn is_on_the_page(rows: &[String]) {
@@ -129,4 +131,33 @@ fn orders_of_texels_take_as_many_lines_as_the_page_says() {
         rows.push(format!("| {order:?} | {} |", cells.join(" | ")));
     }
     is_on_the_page(&rows);
+}
+
+/// Texels that the first lookup of a pixel reads.
+fn texels_read(program: &Program, pixel: [usize; 2]) -> usize {
+    let desc = ContextDesc::default();
+    let (_, explanation) = explain(program, SIDE, None, &desc, pixel).expect("a pixel inside");
+    let traces = explanation.events.iter().find_map(|event| match event {
+        PixelEvent::Fragment(fragment) => fragment.steps.iter().find_map(|step| match step {
+            Step::Lookup(lookup) => lookup.trace.as_ref(),
+            Step::Value { .. } | Step::Discard => None,
+        }),
+        PixelEvent::Clear(_) => None,
+    });
+    let steps = &traces.expect("a lookup").steps;
+    steps.iter().filter(|step| matches!(step, SampleStep::Texel { .. })).count()
+}
+
+#[test]
+fn filters_read_as_many_texels_as_their_captions_say_near_and_far() {
+    let program = &filter_cost::PROGRAM;
+    for (at, caption) in program.panels.iter().enumerate() {
+        let (column, row) = (at % 3 * SIDE, at / 3 * SIDE);
+        let number = caption.split(' ').find_map(|word| word.parse().ok());
+        // Both are minified.
+        for below in [60, 72] {
+            let read = texels_read(program, [column + 128, row + below]);
+            assert_eq!(Some(read), number, "{caption}, row {below}");
+        }
+    }
 }

@@ -80,7 +80,7 @@ impl TexelTable {
             (TexelSource::Stored, None) => String::new(),
         };
         let [by_rows, in_tiles] = match source {
-            TexelSource::Stored => self.addresses([i, j, k].map(|c| *c as u32)),
+            TexelSource::Stored => self.addresses([*i, *j, *k]),
             TexelSource::Border | TexelSource::Corner => [String::new(), String::new()],
         };
         self.rows.push(vec![
