@@ -14,6 +14,7 @@ pub const PROGRAM: Program = Program {
     lecture: "Texture Mapping: \"Anisotropic Texture Filtering\"",
     source: include_str!("anisotropic.rs"),
     halves: [4, 2],
+    panels: &["isotropic", "anisotropic"],
     draw,
 };
 

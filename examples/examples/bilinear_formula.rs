@@ -15,6 +15,7 @@ pub const PROGRAM: Program = Program {
     lecture: "Texture Mapping: \"Bilinear interpolation\"",
     source: include_str!("bilinear_formula.rs"),
     halves: [6, 2],
+    panels: &["GL_LINEAR", "the formula, by hand", "difference × 4 million"],
     draw,
 };
 

@@ -15,6 +15,7 @@ pub const PROGRAM: Program = Program {
     lecture: "Texture Mapping: \"Bump mapping\"; eScience: slide 30",
     source: include_str!("blinn_bump.rs"),
     halves: [6, 2],
+    panels: &["height map F", "smooth", "bumped"],
     draw,
 };
 

@@ -14,6 +14,7 @@ pub const PROGRAM: Program = Program {
     lecture: "eScience: slides 31 and 32, \"Environment mapping\"",
     source: include_str!("box_environment.rs"),
     halves: [4, 2],
+    panels: &["six faces, unfolded", "a mirror in the box"],
     draw,
 };
 

@@ -16,6 +16,7 @@ pub const PROGRAM: Program = Program {
     lecture: "Texture Mapping: \"Displacement and Bump Mapping\"",
     source: include_str!("bump_displacement.rs"),
     halves: [6, 2],
+    panels: &["smooth", "bump map", "displacement"],
     draw,
 };
 

@@ -13,6 +13,7 @@ pub const PROGRAM: Program = Program {
     lecture: "Texture Mapping: \"Can define material by program\"",
     source: include_str!("checker_shader.rs"),
     halves: [2, 2],
+    panels: &[],
     draw,
 };
 

@@ -15,6 +15,7 @@ pub const PROGRAM: Program = Program {
     lecture: "Texture Mapping: \"Decal skins\"",
     source: include_str!("decal_skin.rs"),
     halves: [6, 2],
+    panels: &["no texture", "GL_REPLACE: knows no light", "GL_DECAL: as the picture's alpha says"],
     draw,
 };
 

@@ -1,6 +1,8 @@
 //! The demon triangle: a decal with mipmaps, bound under the name 666, in immediate mode.
 //!
 //! *Texture Mapping*, slides "Texture Mapping in OpenGL" and "Loose Ends of Texture Setup".
+//! For its third vertex slide "Vertex Texture Coordinates" has (0.5, 0.5): see `demon_coordinates`. The chain of
+//! levels that gluBuild2DMipmaps makes ends in 4 × 4, 2 × 2, 1 × 1; the slide prints "2x1".
 #![allow(non_snake_case, non_upper_case_globals, reason = "the lecture's names")]
 
 use examples::lecture::*;
@@ -12,6 +14,7 @@ pub const PROGRAM: Program = Program {
     lecture: "Texture Mapping: \"Loose Ends of Texture Setup\"",
     source: include_str!("demon_triangle.rs"),
     halves: [2, 2],
+    panels: &[],
     draw,
 };
 

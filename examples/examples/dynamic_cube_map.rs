@@ -12,7 +12,8 @@ pub const PROGRAM: Program = Program {
     name: "dynamic_cube_map",
     lecture: "Texture Mapping: \"Dynamic Cube Map Textures\"",
     source: include_str!("dynamic_cube_map.rs"),
-    halves: [2, 2],
+    halves: [4, 2],
+    panels: &["the dynamically created cube map", "the rendered scene"],
     draw,
 };
 
@@ -82,8 +83,11 @@ fn draw(window: &mut Window) {
     }
 
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    let projection = perspective(50., window.panel(1, 1, 0), 0.1, 50.);
+    glClearColor(0.10, 0.11, 0.14, 1);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    window.panel(2, 1, 0);
+    show_unfolded(window, map);
+    let projection = perspective(50., window.panel(2, 1, 1), 0.1, 50.);
     let eye = dvec3(0.6, 1.1, 4.6);
     let view = look_at(eye, DVec3::ZERO);
     draw_scene(&projection, &view);

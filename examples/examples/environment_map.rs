@@ -14,6 +14,7 @@ pub const PROGRAM: Program = Program {
     lecture: "CS380: slides 18 to 23, \"Environment cube maps\"",
     source: include_str!("environment_map.rs"),
     halves: [2, 2],
+    panels: &[],
     draw,
 };
 

@@ -14,6 +14,7 @@ pub const PROGRAM: Program = Program {
     lecture: "TA 6: \"Explicit UV\"",
     source: include_str!("explicit_uv.rs"),
     halves: [4, 2],
+    panels: &["the unfolded die", "folded"],
     draw,
 };
 

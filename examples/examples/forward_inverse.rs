@@ -13,6 +13,7 @@ pub const PROGRAM: Program = Program {
     lecture: "eScience: slide 8, \"Transformations: Direct or Inverse\"",
     source: include_str!("forward_inverse.rs"),
     halves: [4, 2],
+    panels: &["forward: each texel", "inverse: each pixel"],
     draw,
 };
 

@@ -2,11 +2,16 @@
 //!
 //! *Texture Mapping*, slide "Mipmap Texture Filtering". Above, without mipmaps: point sampling and linear
 //! filtering; the far tiles are noise. Below, with them: mipmapped point sampling, whose levels show as
-//! bands, and mipmapped linear filtering.
+//! bands, and mipmapped linear filtering. On the right, slide "How do we anti-alias textures?": true area
+//! integration, the exact mean of the texture over the quadrilateral that is a pixel's footprint, and how far
+//! mipmapped linear filtering is from it.
 #![allow(non_snake_case, non_upper_case_globals, reason = "the lecture's names")]
 
+use examples::area::{AreaTexture, pixel_corners};
 use examples::lecture::*;
-use examples::picture::Picture;
+use examples::picture::{Picture, packed_pixel_t};
+use examples::plane_view::PlaneView;
+use glam::dvec2;
 use std::process::ExitCode;
 
 /// This program, for the gallery.
@@ -14,7 +19,15 @@ pub const PROGRAM: Program = Program {
     name: "four_filters",
     lecture: "Texture Mapping: \"Mipmap Texture Filtering\"",
     source: include_str!("four_filters.rs"),
-    halves: [3, 3],
+    halves: [6, 4],
+    panels: &[
+        "point sampling",
+        "linear filtering",
+        "mipmapped point sampling",
+        "mipmapped linear filtering",
+        "true area integration",
+        "mipmapped linear, less the area: × 4 + grey",
+    ],
     draw,
 };
 
@@ -24,23 +37,65 @@ pub fn main() -> ExitCode {
 }
 
 /// Minification and magnification filters, as the slide has them.
-const FILTERS: [(GLenum, GLenum); 4] = [
-    (GL_NEAREST, GL_NEAREST),
-    (GL_LINEAR, GL_LINEAR),
-    (GL_NEAREST_MIPMAP_NEAREST, GL_NEAREST),
-    (GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR),
+const FILTERS: [(i32, GLenum, GLenum); 4] = [
+    (0, GL_NEAREST, GL_NEAREST),
+    (1, GL_LINEAR, GL_LINEAR),
+    (3, GL_NEAREST_MIPMAP_NEAREST, GL_NEAREST),
+    (4, GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR),
 ];
 
+const SKY: [f64; 3] = [0.55, 0.68, 0.85];
+
 fn draw(window: &mut Window) {
-    glClearColor(0.55, 0.68, 0.85, 1);
+    let [red, green, blue] = SKY;
+    glClearColor(red, green, blue, 1);
     glClear(GL_COLOR_BUFFER_BIT);
     load_texture(0, tiles(), GL_REPEAT);
     glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
     glEnable(GL_TEXTURE_2D);
-    for (panel, (minify, magnify)) in (0..).zip(FILTERS) {
+    for (panel, minify, magnify) in FILTERS {
         set_filter(GL_TEXTURE_2D, minify, magnify);
-        draw_floor(window.panel(2, 2, panel));
+        draw_floor(window.panel(3, 2, panel));
     }
+    glDisable(GL_TEXTURE_2D);
+    glBindTexture(GL_TEXTURE_2D, 0);
+    let [width, height] = [window.width / 3, window.height / 2];
+    let mut linear = vec![packed_pixel_t::default(); (width * height) as usize];
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(width, 0, width, height, GL_RGB, GL_UNSIGNED_BYTE, &mut linear);
+    let area = area_integrated(width, height);
+    let less = |a: u8, b: u8| (128 + 4 * (i32::from(a) - i32::from(b))).clamp(0, 255) as u8;
+    let difference: Vec<packed_pixel_t> = linear
+        .iter()
+        .zip(&area)
+        .map(|(a, b)| packed_pixel_t { r: less(a.r, b.r), g: less(a.g, b.g), b: less(a.b, b.b) })
+        .collect();
+    for (panel, pixels) in [(2, &area), (5, &difference)] {
+        window.panel(3, 2, panel);
+        glWindowPos2i(2 * width, height - panel / 5 * height);
+        glDrawPixels(width, height, GL_RGB, GL_UNSIGNED_BYTE, pixels);
+    }
+}
+
+/// The floor, each pixel the exact mean over its footprint; rows from the bottom up.
+fn area_integrated(width: i32, height: i32) -> Vec<packed_pixel_t> {
+    let texture = AreaTexture::new(&tiles().flipped());
+    let size = [width, height].map(f64::from);
+    let view = perspective(60., size[0] / size[1], 0.1, 200.)
+        * rotate(17., DVec3::X)
+        * translate(0., -1., 0.);
+    let plane = PlaneView::new(&view, size);
+    let texel = |at| 64. * (0.25 * plane.point(at) + dvec2(0.5, 0.));
+    let mut pixels = Vec::new();
+    for at in 0..width * height {
+        let corners = pixel_corners(f64::from(at % width), f64::from(at / width));
+        let is_floor =
+            corners.iter().all(|&at| plane.is_below_horizon(at) && plane.point(at).y > -120.);
+        let color = if is_floor { texture.mean(&corners.map(texel)) } else { SKY };
+        let [r, g, b] = color.map(|c| (255. * c + 0.5) as u8);
+        pixels.push(packed_pixel_t { r, g, b });
+    }
+    pixels
 }
 
 /// Red and cream tiles with dark joints.

@@ -1,7 +1,7 @@
 //! (Diffuse × decal) + (specular × gloss) = final result.
 //!
 //! *Texture Mapping*, slides "Combining texture maps" and "Multitexturing". The gloss map says where the
-//! surface is polished: here the planks are, and the joints between them are not.
+//! surface is polished: here the bricks are, and the joints between them are not.
 #![allow(non_snake_case, non_upper_case_globals, reason = "the lecture's names")]
 
 use examples::lecture::*;
@@ -13,6 +13,7 @@ pub const PROGRAM: Program = Program {
     lecture: "Texture Mapping: \"Multitexturing\"",
     source: include_str!("gloss_map.rs"),
     halves: [4, 2],
+    panels: &["diffuse", "decal", "specular", "gloss", "(diffuse × decal) + (specular × gloss)"],
     draw,
 };
 

@@ -15,6 +15,7 @@ pub const PROGRAM: Program = Program {
     lecture: "eScience: slides 16 to 22, \"Perspective-correct interpolation\"",
     source: include_str!("interpolation.rs"),
     halves: [6, 2],
+    panels: &["u, v linear in the window", "u/w, v/w, 1/w by hand", "GL's varyings"],
     draw,
 };
 

@@ -15,6 +15,7 @@ pub const PROGRAM: Program = Program {
     lecture: "CS380: slides 14, 15, 22, 30 and 31, as printed",
     source: include_str!("lecture_mistakes.rs"),
     halves: [3, 1],
+    panels: &["slides 14 and 15", "slide 22", "slides 30 and 31"],
     draw,
 };
 
@@ -144,11 +145,10 @@ fn draw(window: &mut Window) {
     glClearColor(0.08, 0.09, 0.11, 1);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glEnable(GL_DEPTH_TEST);
-    let width = window.width / 3;
     for (panel, (slides, vertex, fragment)) in (0..).zip(PROGRAMS) {
         window.note(&format!("== {slides}, with repairs"));
         let program = initShaders(window, vertex, fragment);
-        glViewport(panel * width, 0, width, window.height);
+        window.panel(3, 1, panel);
         draw_panel(window, panel, program);
     }
 }

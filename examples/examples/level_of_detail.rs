@@ -15,6 +15,7 @@ pub const PROGRAM: Program = Program {
     lecture: "Texture Mapping: \"LOD Bias and Clamping\"",
     source: include_str!("level_of_detail.rs"),
     halves: [3, 2],
+    panels: &["bias -1.5", "bias 0", "bias +1.5", "λ at least 2", "λ at most 1", "base level 3"],
     draw,
 };
 

@@ -16,6 +16,7 @@ pub const PROGRAM: Program = Program {
     lecture: "Texture Mapping: \"Multiple Textures\" (Quake 2)",
     source: include_str!("lightmap_decal.rs"),
     halves: [3, 1],
+    panels: &["lightmaps only", "decal only", "combined scene"],
     draw,
 };
 
@@ -50,7 +51,7 @@ fn draw(window: &mut Window) {
     gluLookAt(-0.35, 1.75, -0.3, 0.1, 1.2, -8, 0, 1, 0);
 
     for (panel, units) in (0..).zip(PANELS) {
-        glViewport(panel * width, 0, width, window.height);
+        window.panel(3, 1, panel);
         for (unit, used) in (GL_TEXTURE0..).zip(units) {
             glActiveTexture(unit);
             if used { glEnable(GL_TEXTURE_2D) } else { glDisable(GL_TEXTURE_2D) }

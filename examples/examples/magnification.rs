@@ -14,6 +14,14 @@ pub const PROGRAM: Program = Program {
     lecture: "TA 6: \"Magnification\"",
     source: include_str!("magnification.rs"),
     halves: [3, 2],
+    panels: &[
+        "3×3 texels",
+        "4×4: nearest",
+        "4×4: bilinear",
+        "3×3 texels",
+        "4×4: nearest",
+        "4×4: bilinear",
+    ],
     draw,
 };
 

@@ -1,8 +1,8 @@
 //! Map shapes: planar, triplanar, cylindrical with caps, spherical.
 //!
 //! *eScience*, slides 24 to 27; *TA 6*, "Projection Mapping". Each shape is projected onto a cylinder, a ball
-//! and a box, from a procedure of (x, y, z): (x, y); one of three planes by the normal; (atan(z, x), y) with
-//! (x, z) on the caps; (atan(z, x), acos(y/r)).
+//! and a box, from a procedure of (x, y, z): (x, y); one of three planes by the normal; 0.5 + θ/2π and z'/h with
+//! (x, z) on the caps; 0.5 + θ/2π and 1 − φ/π.
 #![allow(non_snake_case, non_upper_case_globals, reason = "the lecture's names")]
 
 use examples::lecture::*;
@@ -15,6 +15,7 @@ pub const PROGRAM: Program = Program {
     lecture: "eScience: slides 24 to 27; TA 6: \"Projection Mapping\"",
     source: include_str!("map_shapes.rs"),
     halves: [4, 2],
+    panels: &["plane", "three planes", "cylinder", "sphere"],
     draw,
 };
 
@@ -36,11 +37,12 @@ vec2 plane(vec3 p) { return 0.5 * p.xy + 0.5; }
 
 vec2 cylinder(vec3 p, vec3 n) {
     if (abs(n.y) > 0.7) return 0.5 * p.xz + 0.5; // the caps
-    return vec2(atan(p.z, p.x) / 6.2831853, 0.5 * p.y + 0.5);
+    return vec2(0.5 + atan(p.z, p.x) / 6.2831853, (p.y + 1.0) / 2.0); // from y = -1, h = 2
 }
 
 vec2 sphere(vec3 p) {
-    return vec2(atan(p.z, p.x) / 6.2831853, acos(p.y / length(p)) / 3.1415927);
+    float phi = acos(p.y / length(p));
+    return vec2(0.5 + atan(p.z, p.x) / 6.2831853, 1.0 - phi / 3.1415927);
 }
 
 vec3 look(vec2 at) { return texture2DLod(uTexUnit0, 2.0 * at, 0.0).rgb; }

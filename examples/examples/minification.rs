@@ -1,8 +1,9 @@
 //! Minification, texel by texel: 8 × 8 texels on 5 × 5 pixels, and on 2 × 2.
 //!
-//! *TA 6*, "Minification". From left to right: the texture, nearest, bilinear, mipmapped. In the last row every
-//! bilinear sample falls between white texels, so the grid is gone and the picture goes white; only the
-//! pyramid keeps its mean.
+//! *TA 6*, "Minification". From left to right: the texture, nearest, bilinear, mipmapped. In the second row every
+//! bilinear sample falls between white texels, so the grid is gone and the picture goes white; in the third, of
+//! single texels, nearest is even worse: all dark, where four texels have the mean. Only the pyramid is
+//! right in each.
 #![allow(non_snake_case, non_upper_case_globals, reason = "the lecture's names")]
 
 use examples::lecture::*;
@@ -14,7 +15,21 @@ pub const PROGRAM: Program = Program {
     name: "minification",
     lecture: "TA 6: \"Minification\"",
     source: include_str!("minification.rs"),
-    halves: [4, 2],
+    halves: [4, 3],
+    panels: &[
+        "8×8 texels",
+        "5×5: nearest",
+        "bilinear",
+        "pyramid",
+        "8×8 texels",
+        "2×2: nearest",
+        "bilinear",
+        "pyramid",
+        "8×8 texels",
+        "2×2: nearest",
+        "bilinear",
+        "pyramid",
+    ],
     draw,
 };
 
@@ -27,8 +42,11 @@ pub fn main() -> ExitCode {
 type Row = (usize, i32, fn(usize, usize) -> bool);
 
 /// The textures.
-const ROWS: [Row; 2] =
-    [(8, 5, |x, y| (x / 2 + y / 2) % 2 == 0), (8, 2, |x, y| x % 4 % 3 == 0 || y % 4 % 3 == 0)];
+const ROWS: [Row; 3] = [
+    (8, 5, |x, y| (x / 2 + y / 2) % 2 == 0),
+    (8, 2, |x, y| x % 4 % 3 == 0 || y % 4 % 3 == 0),
+    (8, 2, |x, y| (x + y) % 2 == 0),
+];
 
 const COLUMNS: usize = 4;
 
@@ -60,7 +78,7 @@ fn draw(window: &mut Window) {
     for (panel, picture) in (0..).zip(pictures) {
         window.panel(COLUMNS as i32, ROWS.len() as i32, panel);
         glBindTexture(GL_TEXTURE_2D, picture);
-        draw_square(0.9);
+        draw_square(0.8);
     }
 }
 

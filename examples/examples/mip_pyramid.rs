@@ -14,6 +14,7 @@ pub const PROGRAM: Program = Program {
     lecture: "Texture Mapping: \"Pre-filtered Image Versions\"",
     source: include_str!("mip_pyramid.rs"),
     halves: [4, 3],
+    panels: &[],
     draw,
 };
 

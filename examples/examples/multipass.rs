@@ -14,6 +14,7 @@ pub const PROGRAM: Program = Program {
     lecture: "CS380: slides 33 to 35, \"Multipass\"",
     source: include_str!("multipass.rs"),
     halves: [2, 2],
+    panels: &[],
     draw,
 };
 

@@ -14,6 +14,7 @@ pub const PROGRAM: Program = Program {
     lecture: "CS380: slides 16 and 17, \"Normal mapping\"",
     source: include_str!("normal_mapping.rs"),
     halves: [2, 2],
+    panels: &[],
     draw,
 };
 

@@ -14,6 +14,7 @@ pub const PROGRAM: Program = Program {
     lecture: "Texture Mapping: \"Parametric texture mapping\"",
     source: include_str!("parametric.rs"),
     halves: [4, 2],
+    panels: &["non-parametric: a cookie cutter", "parametric: tied to the surface"],
     draw,
 };
 

@@ -14,6 +14,7 @@ pub const PROGRAM: Program = Program {
     lecture: "eScience: slides 16 to 22, \"Perspective Correction\"",
     source: include_str!("perspective_correct.rs"),
     halves: [4, 2],
+    panels: &["linear in the window", "perspective-correct"],
     draw,
 };
 

@@ -14,6 +14,7 @@ pub const PROGRAM: Program = Program {
     lecture: "TA 6: \"Planar mapping\"",
     source: include_str!("planar_mapping.rs"),
     halves: [4, 2],
+    panels: &[],
     draw,
 };
 

@@ -8,6 +8,7 @@
 
 use examples::lecture::*;
 use examples::picture::Picture;
+use examples::tables::{load_table, sums, texels};
 use std::process::ExitCode;
 
 /// This program, for the gallery.
@@ -16,6 +17,7 @@ pub const PROGRAM: Program = Program {
     lecture: "eScience: slides 10 to 15, \"Antialiasing\": prefiltering",
     source: include_str!("prefiltering.rs"),
     halves: [3, 3],
+    panels: &["one point", "mip pyramid", "summed areas", "anisotropic"],
     draw,
 };
 
@@ -60,11 +62,8 @@ fn draw(window: &mut Window) {
         let dark = ((x * 2.).floor() + (y * 2.).floor()) % 2.;
         if dark == 0. { [0.97; 3] } else { [0.08, 0.10, 0.35] }
     });
-    let sums = load_sums(&checkers);
+    load_table(1, 65, &sums(&texels(&checkers)));
     load_texture(0, checkers, GL_REPEAT);
-    glActiveTexture(GL_TEXTURE1);
-    glBindTexture(GL_TEXTURE_2D, sums);
-    glActiveTexture(GL_TEXTURE0);
     let program = initShaders(window, EYE_VERTEX_SHADER, FRAGMENT_SHADER);
     let floor = rotate(-90., DVec3::X) * DMat4::from_scale(DVec3::splat(40.));
     let floor = Mesh::plane().moved(floor).tiled(40., 40.).upload();
@@ -76,24 +75,4 @@ fn draw(window: &mut Window) {
         safe_glUniform1i(safe_glGetUniformLocation(program, "uShow"), show);
         floor.draw(program);
     }
-}
-
-/// The summed-area table of 64 × 64 texels: 65 × 65 sums, the first row and column zeros.
-fn load_sums(picture: &Picture) -> GLuint {
-    let picture = picture.clone().flipped();
-    let mut sums = vec![[0_f32; 3]; 65 * 65];
-    for (at, texel) in picture.pixels.iter().enumerate() {
-        let here = (at / 64 + 1) * 65 + at % 64 + 1;
-        for (channel, byte) in [texel.r, texel.g, texel.b].into_iter().enumerate() {
-            let before = sums[here - 1][channel] + sums[here - 65][channel];
-            sums[here][channel] = before - sums[here - 66][channel] + f32::from(byte) / 255.;
-        }
-    }
-    let mut table: GLuint = 0;
-    glGenTextures(1, &mut table);
-    glBindTexture(GL_TEXTURE_2D, table);
-    set_filter(GL_TEXTURE_2D, GL_LINEAR, GL_LINEAR);
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB32F_ARB, 65, 65, 0, GL_RGB, GL_FLOAT, &sums.concat());
-    table
 }

@@ -15,6 +15,7 @@ pub const PROGRAM: Program = Program {
     lecture: "eScience: slide 32, \"Pre-shaded environment maps\"",
     source: include_str!("preshaded_environment.rs"),
     halves: [4, 2],
+    panels: &[],
     draw,
 };
 

@@ -15,6 +15,7 @@ pub const PROGRAM: Program = Program {
     lecture: "eScience: slide 29, \"Texture 3D and Procedural Textures\"",
     source: include_str!("procedural.rs"),
     halves: [4, 2],
+    panels: &["wood: rings and noise", "marble: perturbed stripes"],
     draw,
 };
 

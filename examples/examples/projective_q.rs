@@ -14,6 +14,7 @@ pub const PROGRAM: Program = Program {
     lecture: "Texture Mapping: \"Interpolation in OpenGL\"",
     source: include_str!("projective_q.rs"),
     halves: [4, 2],
+    panels: &["(s, t)", "(s/q, t/q)"],
     draw,
 };
 

@@ -14,6 +14,7 @@ pub const PROGRAM: Program = Program {
     lecture: "CS380: slides 25 to 32, \"Projector texture mapping\"",
     source: include_str!("projector.rs"),
     halves: [3, 2],
+    panels: &["divided by w by hand", "texture2DProj"],
     draw,
 };
 

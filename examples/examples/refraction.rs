@@ -14,6 +14,7 @@ pub const PROGRAM: Program = Program {
     lecture: "CS380: slide 24, \"Environment map shader\"",
     source: include_str!("refraction.rs"),
     halves: [4, 2],
+    panels: &["refraction", "three colours, and Fresnel's mirror"],
     draw,
 };
 

@@ -14,6 +14,7 @@ pub const PROGRAM: Program = Program {
     lecture: "CS380: slides 36 to 41, shadow2DProj",
     source: include_str!("shadow2d_proj.rs"),
     halves: [2, 2],
+    panels: &[],
     draw,
 };
 

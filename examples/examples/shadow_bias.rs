@@ -14,6 +14,7 @@ pub const PROGRAM: Program = Program {
     lecture: "CS380: slides 36 to 41, \"Shadow mapping\": bias",
     source: include_str!("shadow_bias.rs"),
     halves: [6, 2],
+    panels: &["no bias", "enough", "too much"],
     draw,
 };
 

@@ -13,6 +13,7 @@ pub const PROGRAM: Program = Program {
     lecture: "CS380: slides 36 to 41, \"Shadow mapping\"",
     source: include_str!("shadow_map.rs"),
     halves: [2, 2],
+    panels: &[],
     draw,
 };
 

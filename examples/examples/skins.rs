@@ -13,6 +13,7 @@ pub const PROGRAM: Program = Program {
     lecture: "Texture Mapping: \"Texture Arrays\"",
     source: include_str!("skins.rs"),
     halves: [3, 2],
+    panels: &["layer 0", "layer 1", "layer 2", "layer 3", "layer 4", "layer 5"],
     draw,
 };
 

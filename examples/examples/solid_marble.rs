@@ -15,6 +15,7 @@ pub const PROGRAM: Program = Program {
     lecture: "Texture Mapping: \"Solid textures\"",
     source: include_str!("solid_marble.rs"),
     halves: [4, 2],
+    panels: &["marble veneer: squeezed, with a seam", "solid marble: a 3D texture"],
     draw,
 };
 

@@ -14,6 +14,7 @@ pub const PROGRAM: Program = Program {
     lecture: "Texture Mapping: \"Environment mapping\", sphere map",
     source: include_str!("sphere_map.rs"),
     halves: [4, 2],
+    panels: &["the sphere map", "a mirror that looks it up"],
     draw,
 };
 

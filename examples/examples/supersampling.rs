@@ -15,6 +15,7 @@ pub const PROGRAM: Program = Program {
     lecture: "eScience: slides 10 to 15, \"Antialiasing\": supersampling",
     source: include_str!("supersampling.rs"),
     halves: [3, 3],
+    panels: &["1 point a pixel", "2 × 2 points", "4 × 4 points", "8 × 8 points"],
     draw,
 };
 

@@ -14,6 +14,7 @@ pub const PROGRAM: Program = Program {
     lecture: "Texture Mapping: \"Source of texture coordinates?\"",
     source: include_str!("texgen.rs"),
     halves: [3, 3],
+    panels: &["GL_OBJECT_LINEAR", "GL_EYE_LINEAR", "GL_SPHERE_MAP", "GL_REFLECTION_MAP"],
     draw,
 };
 

@@ -1,7 +1,8 @@
 //! The texture matrix: coordinates are scaled, turned and moved before they are used.
 //!
-//! *eScience*, slide 28, "What Else About Mapping?". Above: the texture as it is; scaled, which tiles it 3 × 3.
-//! Below: turned by 30 degrees about its middle; moved by a quarter.
+//! *eScience*, slides 7 and 28: u = a_u s + b_u t + c_u, v = a_v s + b_v t + c_v. Above: the texture as it is;
+//! scaled, which tiles it 3 × 3. Below: turned by 30 degrees about its middle; moved by a quarter. The
+//! numbers below each are GL's own, from `GL_TEXTURE_MATRIX`.
 #![allow(non_snake_case, non_upper_case_globals, reason = "the lecture's names")]
 
 use examples::lecture::*;
@@ -10,9 +11,10 @@ use std::process::ExitCode;
 /// This program, for the gallery.
 pub const PROGRAM: Program = Program {
     name: "texture_matrix",
-    lecture: "eScience: slide 28, \"What Else About Mapping?\": texture matrix",
+    lecture: "eScience: slides 7 and 28: u = a s + b t + c, the texture matrix",
     source: include_str!("texture_matrix.rs"),
-    halves: [2, 2],
+    halves: [3, 3],
+    panels: &["as it is", "scaled", "turned", "moved"],
     draw,
 };
 
@@ -44,8 +46,19 @@ fn draw(window: &mut Window) {
         glBegin(GL_QUADS);
         for (s, t) in [(0, 0), (1, 0), (1, 1), (0, 1)] {
             glTexCoord2f(s, t);
-            glVertex2f(1.7 * f64::from(s) - 0.85, 1.7 * f64::from(t) - 0.85);
+            glVertex2f(1.5 * f64::from(s) - 0.75, 1.5 * f64::from(t) - 0.57);
         }
         glEnd();
+        window.label(0., -0.74, [1., 1., 0.9], &formula());
     }
+}
+
+/// The affine part of the texture matrix, which is stored column by column.
+fn formula() -> String {
+    let mut m: [f32; 16] = [0.; 16];
+    glGetFloatv(GL_TEXTURE_MATRIX, &mut m);
+    let row = |name: &str, at: usize| {
+        format!("{name} = {:.2} s {:+.2} t {:+.2}", m[at], m[at + 4], m[at + 12])
+    };
+    format!("{}\n{}", row("u", 0), row("v", 1))
 }

@@ -15,6 +15,7 @@ pub const PROGRAM: Program = Program {
     lecture: "CS380: slides 12 to 15, \"Texture mapping\"",
     source: include_str!("textured_square.rs"),
     halves: [2, 2],
+    panels: &[],
     draw,
 };
 
@@ -87,6 +88,8 @@ fn initGLState(window: &mut Window) {
 fn display(window: &Window, h_program: GLuint) {
     glClear(GL_COLOR_BUFFER_BIT);
     glUseProgram(h_program);
+    // The lecture asks for "texUnit0", which its shader does not have: the location would be -1, with which
+    // `glUniform1i` does nothing. It would draw the same, as uniforms begin with 0.
     let h_texUnit0 = safe_glGetUniformLocation(h_program, "uTexUnit0");
     let h_aVertex = safe_glGetAttribLocation(h_program, "aVertex");
     let h_aTexCoord = safe_glGetAttribLocation(h_program, "aTexCoord");

@@ -14,6 +14,7 @@ pub const PROGRAM: Program = Program {
     lecture: "eScience: slide 28, \"What Else About Mapping?\": tiling",
     source: include_str!("tiling.rs"),
     halves: [2, 2],
+    panels: &["GL_REPEAT", "GL_MIRRORED_REPEAT", "GL_CLAMP_TO_EDGE", "GL_CLAMP_TO_BORDER"],
     draw,
 };
 

@@ -15,6 +15,7 @@ pub const PROGRAM: Program = Program {
     lecture: "eScience: slide 28, \"What Else About Mapping?\": transparency",
     source: include_str!("transparency.rs"),
     halves: [6, 2],
+    panels: &["alpha ignored", "alpha test", "blending"],
     draw,
 };
 

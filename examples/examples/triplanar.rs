@@ -13,6 +13,7 @@ pub const PROGRAM: Program = Program {
     lecture: "TA 6: \"Triplanar mapping\"",
     source: include_str!("triplanar.rs"),
     halves: [4, 2],
+    panels: &["one plane", "three planes"],
     draw,
 };
 

@@ -14,26 +14,49 @@
 //! | [`mod@picture`] | picture files, and procedural pictures that replace them |
 //! | [`corridor`] | the room of the lightmap picture, and its baked light |
 //! | [`scene`] | scenes that several programs share |
+//! | `label` | labels at points of a picture ([`Window::label`](window::Window::label)) |
+//! | [`tables`] | ripmaps and summed areas |
+//! | [`wire`] | lines for diagrams |
+//! | [`teapot`] | Newell's teapot, in bicubic patches |
+//! | [`stretch`] | how a texture is stretched on a surface |
+//! | [`locality`] | the lines of a cache that texels take, by the order of their addresses |
+//! | [`plane_view`] | a plane in perspective, pixel by pixel |
+//! | [`area`] | exact area integration |
 //! | [`programs`] | the list of programs |
+//! | [`inputs`] | the inputs of a picture, shown beside its result |
+//! | [`lectures`] | `docs/lectures.md`: which programs and checks have each item of the lectures |
 //! | [`gallery`] | all pictures, and the page that shows them |
 
 // The program files name this crate as they do when they run alone.
 extern crate self as examples;
 
+pub mod area;
+mod caption;
 pub mod corridor;
+mod font;
 pub mod gallery;
+pub mod inputs;
+mod label;
+pub mod lectures;
+pub mod locality;
 pub mod matrix;
 pub mod mesh;
 pub mod picture;
+pub mod plane_view;
 pub mod programs;
 pub mod scene;
 #[allow(non_snake_case, reason = "the lecture's names")]
 pub mod shader;
+pub mod stretch;
+pub mod tables;
+pub mod teapot;
 pub mod texture;
 pub mod window;
+pub mod wire;
 
 /// The imports of a program file: GL, GLU, and the helpers.
 pub mod lecture {
+    pub use crate::inputs::*;
     pub use crate::matrix::*;
     pub use crate::mesh::*;
     pub use crate::picture::packed_pixel_t;

@@ -128,6 +128,17 @@ impl Mesh {
         mesh
     }
 
+    /// A triangle with one normal; its texture coordinates are its x and y.
+    pub fn triangle(corners: [DVec3; 3], normal: DVec3) -> Self {
+        let vertex = |corner: DVec3| Vertex {
+            position: corner.as_vec3().to_array(),
+            normal: normal.as_vec3().to_array(),
+            tex_coord: corner.truncate().as_vec2().to_array(),
+            color: [1.0; 3],
+        };
+        Self { vertices: corners.map(vertex).to_vec(), indices: vec![0, 1, 2] }
+    }
+
     /// Appends another mesh.
     pub fn append(&mut self, other: Self) {
         let base = self.vertices.len() as GLuint;

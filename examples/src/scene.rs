@@ -1,9 +1,13 @@
 //! Scenes that several programs share.
 
-use crate::matrix::{DMat4, DVec3, rotate, translate};
+use crate::matrix::{DMat4, DVec3, dvec3, rotate, translate};
 use crate::mesh::Mesh;
+use crate::picture::noise::hash;
 use crate::shader::initShaders;
+use crate::texture::{copy_window, set_filter};
 use crate::window::Window;
+use gl_api::constants::*;
+use gl_api::entry::*;
 use gl_api::types::GLuint;
 
 /// A ring, a ball in it, and three blocks over a floor.
@@ -83,4 +87,78 @@ void main(){
 /// A program that draws [`room_corner`] in dim light.
 pub fn dim_room_program(window: &mut Window) -> GLuint {
     initShaders(window, ROOM_VERTEX_SHADER, ROOM_FRAGMENT_SHADER)
+}
+
+/// A map of squares, 8 × 4, redder with u and bluer with v, each with the middle of its u and v.
+pub fn numbered_map(window: &Window) -> GLuint {
+    let side = (window.size * 3 / 4).max(8);
+    glViewport(0, 0, side, side);
+    glEnable(GL_SCISSOR_TEST);
+    for at in 0..32 {
+        let (column, row) = (at % 8, at / 8);
+        glScissor(column * side / 8, row * side / 4, side / 8 + 1, side / 4 + 1);
+        let (u, v) = ((f64::from(column) + 0.5) / 8., (f64::from(row) + 0.5) / 4.);
+        let light = 0.85 + 0.15 * f64::from((column + row) % 2);
+        glClearColor((0.4 + 0.6 * u) * light, 0.85 * light, (0.4 + 0.6 * v) * light, 1);
+        glClear(GL_COLOR_BUFFER_BIT);
+    }
+    glDisable(GL_SCISSOR_TEST);
+    for at in 0..32 {
+        let (u, v) = ((f64::from(at % 8) + 0.5) / 8., (f64::from(at / 8) + 0.5) / 4.);
+        window.label(2. * u - 1., 2. * v - 1., [0.1, 0.1, 0.2], &format!("{u:.1}\n{v:.1}"));
+    }
+    let picture = copy_window(side);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, 8);
+    glGenerateMipmap(GL_TEXTURE_2D);
+    set_filter(GL_TEXTURE_2D, GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
+    picture
+}
+
+/// The colour of [`carpet`].
+pub const WOOL: [f32; 3] = [0.80, 0.30, 0.25];
+/// The colour of [`bricks`].
+pub const CLAY: [f32; 3] = [0.72, 0.36, 0.26];
+/// The colour between [`bricks`].
+pub const MORTAR: [f32; 3] = [0.70, 0.68, 0.64];
+
+/// Pyramids of four faces, all of one colour, each leaning its own way.
+pub fn carpet() -> Mesh {
+    const SIDE: i64 = 72;
+    let mut carpet = Mesh::plane().colored(WOOL);
+    for at in 0..SIDE * SIDE {
+        let (column, row) = (at % SIDE, at / SIDE);
+        let lean = |seed: u32| 1.6 * (hash(column, row, seed) - 0.5);
+        let middle = |at: i64| (2 * at + 1) as f64 / SIDE as f64 - 1.;
+        let step = 1. / SIDE as f64;
+        let foot = dvec3(middle(column), middle(row), 0.);
+        let tip = foot + dvec3(step * lean(1), step * lean(2), step * (1.6 + lean(3)));
+        let corner = |(x, y): (f64, f64)| foot + dvec3(x, y, 0.) * step;
+        let around = [(-1., -1.), (1., -1.), (1., 1.), (-1., 1.)].map(corner);
+        for side in 0..4 {
+            let (a, b) = (around[side], around[(side + 1) % 4]);
+            let normal = (b - a).cross(tip - a).normalize();
+            carpet.append(Mesh::triangle([a, b, tip], normal).colored(WOOL));
+        }
+    }
+    carpet
+}
+
+/// Boxes in courses over a plane of mortar.
+pub fn bricks() -> Mesh {
+    let mut wall = Mesh::plane().colored(MORTAR);
+    for row in 0..12 {
+        for column in 0..=6 {
+            let tone = 0.75 + 0.4 * hash(column, row, 4) as f32;
+            let (left, right) = (column as f64 / 3. - 1.333 + (row % 2) as f64 / 6., 0.305);
+            let (left, right) = (left.max(-1.), (left + right).min(1.));
+            if right > left {
+                let low = row as f64 / 6. - 1.;
+                let middle = translate((left + right) / 2., low + 0.083, 0.);
+                let size = dvec3((right - left) / 2., 0.07, 0.02 + 0.03 * hash(column, row, 5));
+                let brick = Mesh::cube().moved(middle * DMat4::from_scale(size));
+                wall.append(brick.colored(CLAY.map(|c| c * tone)));
+            }
+        }
+    }
+    wall
 }

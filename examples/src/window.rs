@@ -1,5 +1,6 @@
 //! Replaces a window: a context, the picture that it draws, and the files that programs read.
 
+use crate::caption::{self, Area, Caption};
 use crate::picture::{self, Picture, packed_pixel_t};
 use clap::Parser;
 use gl_api::constants::*;
@@ -24,6 +25,8 @@ pub struct Program {
     pub source: &'static str,
     /// Width and height of its window, in halves of the requested size.
     pub halves: [usize; 2],
+    /// Captions of its panels, in the order in which it begins them; none of them has a caption if this is empty.
+    pub panels: &'static [&'static str],
     /// Draws into the window; the context is current.
     pub draw: fn(&mut Window),
 }
@@ -35,12 +38,17 @@ pub struct Window {
     pub width: i32,
     /// Pixels down.
     pub height: i32,
+    /// The side of a square window.
+    pub(crate) size: i32,
     desc: ContextDesc,
     image: Option<Picture>,
     notes: String,
     current: Option<Current>,
     /// The pixel to explain: column and row from the upper left.
     watched: Option<[usize; 2]>,
+    /// The panels that were begun.
+    panels: Vec<Area>,
+    captions: Vec<Caption>,
 }
 
 /// The result of a program.
@@ -52,6 +60,8 @@ pub struct Rendered {
     pub notes: String,
     /// Errors of GL.
     pub errors: Vec<String>,
+    /// How many panels it has.
+    pub panels: usize,
     /// Time from the new context to the picture in memory, without the time of procedural pictures.
     pub time: Duration,
     /// Time of procedural pictures.
@@ -87,10 +97,33 @@ impl Window {
 
     /// Sets the viewport to one of `columns` × `rows` equal panels, counted from the upper left.
     /// Returns its width divided by its height.
-    pub fn panel(&self, columns: i32, rows: i32, at: i32) -> f64 {
+    pub fn panel(&mut self, columns: i32, rows: i32, at: i32) -> f64 {
         let (width, height) = (self.width / columns, self.height / rows);
-        glViewport(at % columns * width, (rows - 1 - at / columns) * height, width, height);
+        let (x, y) = (at % columns * width, (rows - 1 - at / columns) * height);
+        glViewport(x, y, width, height);
+        if !self.panels.contains(&[x, y, width, height]) {
+            self.panels.push([x, y, width, height]);
+        }
         f64::from(width) / f64::from(height)
+    }
+
+    /// Writes a caption when the picture is complete, its lower left corner at a place of the window: (0, 0)
+    /// is its lower left, (1, 1) its upper right.
+    pub fn caption(&mut self, x: f64, y: f64, text: impl Into<String>) {
+        let place = |at: f64, size: i32| (at * f64::from(size)) as i32;
+        let (x, y) = (place(x, self.width), place(y, self.height));
+        let area = [x, y, self.width - x, self.height - y];
+        self.captions.push(Caption { area, text: text.into() });
+    }
+
+    /// Draws the captions of panels and those that were asked for.
+    fn draw_captions(&mut self, panels: &[&str], size: usize) {
+        let of_panel = |(&area, text): (&Area, &&str)| Caption { area, text: (*text).to_owned() };
+        let mut captions: Vec<Caption> = self.panels.iter().zip(panels).map(of_panel).collect();
+        captions.append(&mut self.captions);
+        if !captions.is_empty() {
+            caption::draw(&captions, (size / 256).max(1) as i32);
+        }
     }
 
     /// Continues in a new context, which applies the fix-its of shaders.
@@ -198,20 +231,25 @@ fn run_program(
     let mut window = Window {
         width: width as i32,
         height: height as i32,
+        size: size as i32,
         current: Some(context.make_current()),
         desc,
         image,
         notes: String::new(),
         watched,
+        panels: Vec::new(),
+        captions: Vec::new(),
     };
     (program.draw)(&mut window);
+    window.draw_captions(program.panels, size);
     let picture = window.read();
     let errors = with_current(Context::messages).unwrap_or_default();
     let errors = errors.iter().map(ToString::to_string).collect();
     let painting = picture::painting() - painted;
     let time = start.elapsed() - painting;
     let explanation = with_current(Context::explain_pixel).flatten();
-    Ok((Rendered { picture, notes: window.notes, errors, time, painting }, explanation))
+    let (notes, panels) = (window.notes, window.panels.len());
+    Ok((Rendered { picture, notes, errors, panels, time, painting }, explanation))
 }
 
 #[derive(Debug, Parser)]

@@ -20,6 +20,14 @@ fn a_picture_of_any_size_and_alignment_can_be_given() {
 }
 
 #[test]
+fn every_panel_has_a_caption_or_none_has() {
+    for program in &programs::ALL {
+        let (captions, panels) = (program.panels.len(), draw(program, None).panels);
+        assert!(captions == 0 || captions == panels, "{}: {captions} of {panels}", program.name);
+    }
+}
+
+#[test]
 fn shaders_that_were_repaired_by_hand_compile_without_a_word() {
     for program in programs::ALL.iter().filter(|p| p.name != lecture_mistakes::PROGRAM.name) {
         assert_eq!(draw(program, None).notes, "", "{}", program.name);

@@ -45,7 +45,8 @@ pub fn nearest(level: &Level, at: &Addressing, st: [f64; 2], variant: Variant) -
 }
 
 /// `GL_LINEAR`:
-/// `τ = (1-α)(1-β) τ00 + α(1-β) τ10 + (1-α)β τ01 + αβ τ11`.
+/// `τ = (1-α)(1-β) τ00 + α(1-β) τ10 + (1-α)β τ01 + αβ τ11`, α and β the fractions of u - 1/2 and v - 1/2. (The first
+/// lecture's frac(i - 1/2), of an i that was floored before, would always be 1/2.)
 pub fn linear(level: &Level, at: &Addressing, st: [f64; 2], variant: Variant) -> [f64; 4] {
     if variant.has(Mutation::NearestForLinear) {
         return nearest(level, at, st, variant);

@@ -58,6 +58,12 @@ fn depths(rng: &mut Rng) -> [[f32; 4]; 3] {
     [[t, z1, z2, 0.0], [0.0; 4], [0.0; 4]]
 }
 
+/// s, t, r; w and q.
+fn projected(rng: &mut Rng) -> [[f32; 4]; 3] {
+    let [str, _, _] = vectors(rng);
+    [str, [rng.real(1.0, 64.0), rng.real(0.5, 4.0), 0.0, 0.0], [0.0; 4]]
+}
+
 /// Away from the edges of the checks.
 fn surface(rng: &mut Rng) -> [[f32; 4]; 3] {
     loop {
@@ -134,6 +140,53 @@ pub const FORMULAS: &[Formula] = &[
         },
     },
     Formula {
+        what: "perturbed normal as the product it stands for, P'u × P'v = N + hu(N × T) + hv(S × N)",
+        lecture: "1st lecture, bump mapping: the slide prints T × N for N × T",
+        glsl: "vec4 value() {
+                   vec3 s = b.xyz, t = c.xyz;
+                   vec3 n = cross(s, t);
+                   return vec4(cross(s + b.w * n, t + c.w * n), 0.0);
+               }",
+        case: vectors,
+        value: |i, variant| {
+            let (s, t) = (xyz(i[1]), xyz(i[2]));
+            let n = cross(s, t);
+            let is_as_printed = variant.has(Mutation::CrossReversed);
+            let first = if is_as_printed { cross(t, n) } else { cross(n, t) };
+            let second = cross(s, n);
+            four(std::array::from_fn(|c| n[c] + i[1][3] * first[c] + i[2][3] * second[c]))
+        },
+    },
+    Formula {
+        what: "projective short cut: (s/w) · (w/q) = s/q, one reciprocal of q/w",
+        lecture: "1st lecture, interpolation in OpenGL",
+        glsl: "vec4 value() {
+                   vec3 over_w = a.xyz / b.x;
+                   float w_over_q = 1.0 / (b.y / b.x);
+                   return vec4(over_w * w_over_q, 0.0);
+               }",
+        case: projected,
+        value: |i, variant| {
+            let q = if variant.has(Mutation::Affine) { 1.0 } else { i[1][1] };
+            four(xyz(i[0]).map(|c| c / q))
+        },
+    },
+    Formula {
+        what: "the lecture's ρ: the larger gradient of u and of v",
+        lecture: "1st lecture, mipmap LOD selection (OpenGL's is over x and y)",
+        glsl: "vec4 value() { // a: du/dx, du/dy; b: dv/dx, dv/dy
+                   return vec4(max(length(a.xy), length(b.xy)), 0.0, 0.0, 0.0);
+               }",
+        case: vectors,
+        value: |i, variant| {
+            let [du, dv] = [0, 1].map(|at| [i[at][0], i[at][1]]);
+            let is_opengl = variant.has(Mutation::BumpAxesSwapped);
+            let pair = if is_opengl { [[du[0], dv[0]], [du[1], dv[1]]] } else { [du, dv] };
+            let [first, second] = pair.map(|[x, y]| (x * x + y * y).sqrt());
+            [first.max(second), 0.0, 0.0, 0.0]
+        },
+    },
+    Formula {
         what: "planar mapping (x/w, z/h)",
         lecture: "TA 6, planar mapping",
         glsl: "vec4 value() { return vec4(a.x / 3.0, a.z / 5.0, 0.0, 0.0); }",
@@ -158,6 +211,35 @@ pub const FORMULAS: &[Formula] = &[
             let [x, y, z] = xyz(i[0]);
             let phi = (y / dot([x, y, z], [x, y, z]).sqrt()).acos();
             [longitude(x, z, variant), 1.0 - phi / PI, 0.0, 0.0]
+        },
+    },
+    Formula {
+        what: "spherical mapping of a point that is eight times as far: the same (u, v)",
+        lecture: "TA 6, spherical mapping: independent of scale",
+        glsl: "const float PI = 3.14159265358979;
+               vec4 value() {
+                   vec3 p = 8.0 * a.xyz;
+                   float phi = acos(p.y / sqrt(p.x * p.x + p.y * p.y + p.z * p.z));
+                   return vec4(0.5 + atan(p.z, p.x) / (2.0 * PI), 1.0 - phi / PI, 0.0, 0.0);
+               }",
+        case: point,
+        value: |i, variant| {
+            let [x, y, z] = xyz(i[0]);
+            let phi = (y / dot([x, y, z], [x, y, z]).sqrt()).acos();
+            [longitude(x, z, variant), 1.0 - phi / PI, 0.0, 0.0]
+        },
+    },
+    Formula {
+        what: "u = au·s + bu·t + cu, v = av·s + bv·t + cv",
+        lecture: "2nd lecture, slide 7",
+        glsl: "vec4 value() {
+                   mat3 m = mat3(a.x, b.x, 0.0, a.y, b.y, 0.0, a.z, b.z, 1.0);
+                   return vec4((m * vec3(c.xy, 1.0)).xy, 0.0, 0.0);
+               }",
+        case: vectors,
+        value: |[a, b, st], _| {
+            let row = |m: &[f64; 4]| m[0] * st[0] + m[1] * st[1] + m[2];
+            [row(a), row(b), 0.0, 0.0]
         },
     },
     Formula {

@@ -9,7 +9,7 @@ pub enum Wrap {
     Repeat,
     /// `GL_CLAMP`.
     Clamp,
-    /// `GL_CLAMP_TO_EDGE`.
+    /// `GL_CLAMP_TO_EDGE`: to [1/(2·width), 1 - 1/(2·width)], where the first lecture prints `1/2*width`.
     ClampToEdge,
     /// `GL_CLAMP_TO_BORDER`.
     ClampToBorder,

@@ -1,6 +1,7 @@
 //! `index.html`: the pictures with their programs.
 
 use super::entry::Entry;
+use crate::lectures::{Item, PAGE, lectures};
 
 const HEAD: &str = r#"<!DOCTYPE html>
 <html lang="en">
@@ -34,9 +35,39 @@ pub fn page(entries: &[Entry]) -> String {
         page.push_str(&format!("<a href=\"#{name}\">{title}</a>\n"));
     }
     page.push_str("</nav>\n");
+    by_lecture(&mut page, entries);
     entries.iter().for_each(|entry| section(&mut page, entry));
     page.push_str("</html>\n");
     page
+}
+
+/// The second index: what the lectures contain, in their order, with links to the pictures that were drawn.
+fn by_lecture(page: &mut String, entries: &[Entry]) {
+    page.push_str("<h2>By lecture</h2>\n");
+    for lecture in lectures(PAGE) {
+        let (letter, title) = (lecture.letter, escape(&lecture.title));
+        page.push_str(&format!(
+            "<details><summary>{letter}: {title} ({} items)</summary>\n<ol>\n",
+            lecture.items.len()
+        ));
+        lecture.items.iter().for_each(|item| entry_of_index(page, item, entries));
+        page.push_str("</ol>\n</details>\n");
+    }
+}
+
+fn entry_of_index(page: &mut String, item: &Item, entries: &[Entry]) {
+    let (place, says) = (escape(&item.place), escape(&item.says));
+    page.push_str(&format!("<li>{place}: {says}"));
+    for shown in &item.pictures {
+        let (name, panels) = (&shown.program, escape(&shown.panels.join(", ")));
+        let title = name.replace('_', " ");
+        if entries.iter().any(|entry| entry.program.name == name) {
+            page.push_str(&format!(" · <a href=\"#{name}\">{title}</a> {panels}"));
+        }
+    }
+    let checks = item.checks.iter().map(|check| format!(" · check {}", escape(check)));
+    page.extend(checks);
+    page.push_str("</li>\n");
 }
 
 fn section(page: &mut String, Entry { program, rendered, plans }: &Entry) {

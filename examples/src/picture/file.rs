@@ -1,7 +1,7 @@
 //! Picture files, and the procedural pictures that replace those of the lectures.
 
 use super::image::{Picture, packed_pixel_t};
-use super::{demon, night, sky, wall, window_glass};
+use super::{demon, ground, night, sky, wall, window_glass};
 use image::{ColorType, ImageError, ImageReader};
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -44,6 +44,9 @@ fn draw(name: &str) -> Picture {
         "bricks_height.ppm" => wall::brick_heights(),
         "flagstones.ppm" => wall::flagstones(),
         "planks.ppm" => wall::planks(),
+        "grass.ppm" => ground::grass(),
+        "rock.ppm" => ground::rock(),
+        "clouds.ppm" => ground::clouds(),
         "sphere_map.ppm" => sky::sphere_map(),
         _ => match sky::FACES.iter().position(|face| *face == name) {
             Some(face) => sky::sky_face(face),

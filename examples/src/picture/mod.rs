@@ -5,6 +5,7 @@
 
 pub mod demon;
 mod file;
+pub mod ground;
 mod image;
 pub mod night;
 pub mod noise;

@@ -4,7 +4,7 @@ use crate::context::watched_pixel::DrawNote;
 use crate::explain::page::{Page, number, numbers};
 use crate::explain::{output, shader};
 use rasterizer::ir::Input;
-use rasterizer::trace::{Clear, Cleared, Facing, Fate, Fragment, InputSource, When};
+use rasterizer::trace::{Clear, Cleared, Facing, Fate, Fragment, InputSource, InputValue, When};
 
 /// A clear.
 pub fn clear(page: &mut Page, clear: &Clear) {
@@ -123,4 +123,43 @@ fn inputs(page: &mut Page, fragment: &Fragment, note: &DrawNote) {
         })
         .collect();
     page.table(2, &rows);
+    operations(page, fragment);
+}
+
+/// How much interpolation that was, counted as the lecture counts: Ax + By + C is two multiply-adds.
+fn operations(page: &mut Page, fragment: &Fragment) {
+    let count = |of: fn(&InputSource) -> bool| {
+        fragment.inputs.iter().filter(|input| of(&input.source)).count()
+    };
+    let divided = count(|source| matches!(source, InputSource::Perspective { .. }));
+    let linear = count(|source| matches!(source, InputSource::Linear(of) if !of.is_empty()));
+    let slopes = count(|source| matches!(source, InputSource::Gradient));
+    let is_left_out = |input: &&InputValue| {
+        matches!((&input.source, input.input), (InputSource::Pixel, Input::Gradient { .. }))
+    };
+    let left_out = fragment.inputs.iter().filter(is_left_out).count();
+    let mut of_w = fragment.vertices.iter().map(|vertex| vertex.clip[3]);
+    let first = of_w.next();
+    let has_perspective = divided > 0 && of_w.any(|w| Some(w) != first);
+    let mut parts = Vec::new();
+    match (divided + linear, has_perspective) {
+        (0, _) => {}
+        (planes, true) => parts.push(format!(
+            "{} MADs, {divided} MULs, 1 RCP for {planes} planes and 1/w",
+            2 * (planes + 1)
+        )),
+        (planes, false) => {
+            parts.push(format!("{} MADs for {planes} planes: all w are equal", 2 * planes))
+        }
+    }
+    if slopes > 0 {
+        parts.push(format!("{slopes} slopes for λ"));
+    }
+    if left_out > 0 {
+        parts.push(format!("{left_out} slopes left out"));
+    }
+    if !parts.is_empty() {
+        let section = "slide \"Interpolation Operations\"";
+        page.line(2, &format!("operations: {}", parts.join("; ")), section);
+    }
 }

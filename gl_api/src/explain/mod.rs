@@ -13,6 +13,7 @@
 //! | `explanation` | the page of all events |
 //! | `event` | clears; the primitive of a fragment, and its inputs |
 //! | `texture_access` | a texture access: λ, levels, texels with weights |
+//! | `texel_table` | the texels of a level, and their addresses |
 //! | `shader` | the arithmetic of the fragment stage |
 //! | `output` | tests, blending, what is stored |
 //! | `plan_names` | GL's names in the texture unit's description of a plan |
@@ -24,6 +25,7 @@ pub(crate) mod output;
 pub(crate) mod page;
 pub(crate) mod plan_names;
 pub(crate) mod shader;
+pub(crate) mod texel_table;
 pub(crate) mod texture_access;
 
 use crate::context::Context;

@@ -1,15 +1,14 @@
 //! A texture access: coordinates, λ, levels, texels with their weights.
 
-use crate::base::compare::COMPARE;
-use crate::base::constants::enum_name;
 use crate::context::watched_pixel::DrawNote;
 use crate::explain::page::{Page, number, numbers};
 use crate::explain::plan_names::in_gl_names;
 use crate::explain::shader::{operand, value};
+use crate::explain::texel_table::{FACES, TexelTable};
 use rasterizer::ir::{Access, Ty};
 use rasterizer::trace::Lookup;
 use texunit::sampler::Filter;
-use texunit::trace::{SampleStep, SampleTrace, TexelSource};
+use texunit::trace::{SampleStep, SampleTrace};
 
 /// The accessed texture, and how its value came about.
 pub fn lookup(page: &mut Page, lookup: &Lookup, note: &DrawNote) {
@@ -32,7 +31,11 @@ pub fn lookup(page: &mut Page, lookup: &Lookup, note: &DrawNote) {
         Access::Lod => ("level of detail".to_owned(), "ARB_texture_query_lod"),
     };
     page.line(2, &format!("lookup{}: {what} of {texture}", lookup.number), section);
-    page.line(3, &in_gl_names(&lookup.texture), "");
+    let sampled = in_gl_names(&lookup.texture);
+    page.line(3, &sampled, "");
+    if let Access::Filter { .. } = lookup.access {
+        lecture_operations(page, sampled.split(' ').next().unwrap_or_default());
+    }
     for (letter, coord) in ["s", "t", "r"].iter().zip(&lookup.coords) {
         page.line(3, &format!("{letter} = {}", operand(coord, note)), "");
     }
@@ -46,9 +49,6 @@ pub fn lookup(page: &mut Page, lookup: &Lookup, note: &DrawNote) {
     }
 }
 
-/// The names of the faces of a cube.
-const FACES: [&str; 6] = ["+X", "-X", "+Y", "-Y", "+Z", "-Z"];
-
 fn filter_name(filter: Filter) -> &'static str {
     match filter {
         Filter::Nearest => "GL_NEAREST",
@@ -57,58 +57,51 @@ fn filter_name(filter: Filter) -> &'static str {
 }
 
 fn steps(page: &mut Page, trace: &SampleTrace) {
-    // The weights of the texels to come, and their table so far.
-    let mut weights = Vec::new();
-    let mut texels: Vec<Vec<String>> = Vec::new();
+    let mut texels = TexelTable::default();
     for step in &trace.steps {
         if let SampleStep::Texel { .. } = step {
-            texel(step, &mut weights, &mut texels);
+            texels.texel(step);
             continue;
         }
-        if let SampleStep::Row { weights: of, .. } = step {
+        if let SampleStep::Row { weights, .. } = step {
             // All rows of a level are one table.
-            weights.extend(of);
+            texels.row(*weights);
             continue;
         }
-        if !texels.is_empty() {
-            page.table(5, &std::mem::take(&mut texels));
-        }
-        one(page, step, &mut weights);
+        texels.print(page);
+        one(page, step, &mut texels);
     }
     page.line(3, &format!("= {}", numbers(&trace.result)), "GL 2.1, section 3.8.13, table 3.21");
 }
 
-/// A row of the table of texels.
-fn texel(step: &SampleStep, weights: &mut Vec<f32>, texels: &mut Vec<Vec<String>>) {
-    let SampleStep::Texel { face, at, source, value, compare } = step else { return };
-    if texels.is_empty() {
-        texels.push(["texel", "weight", "stored channels", ""].map(String::from).to_vec());
-    }
-    let weight = if weights.is_empty() { 1.0 } else { weights.remove(0) };
-    let [i, j, k] = at;
-    let note = match (source, compare) {
-        (TexelSource::Border, _) => "the border colour".to_owned(),
-        (TexelSource::Corner, _) => "beyond the cube's corner: the mean of the others".to_owned(),
-        (TexelSource::Stored, Some((op, reference, passes))) => {
-            format!("r = {} {}: {passes}", number(*reference), enum_name(COMPARE.encode(*op)))
-        }
-        (TexelSource::Stored, None) if *face > 0 => format!("face {}", FACES[*face as usize % 6]),
-        (TexelSource::Stored, None) => String::new(),
+/// What the lecture's hardware does for the coordinates of a texture: two multiply-adds a plane, one reciprocal, one
+/// product a coordinate.
+fn lecture_operations(page: &mut Page, target: &str) {
+    let coordinates = match target {
+        "GL_TEXTURE_1D" => ["s"].as_slice(),
+        "GL_TEXTURE_2D" | "GL_TEXTURE_RECTANGLE" => ["s", "t"].as_slice(),
+        "GL_TEXTURE_3D" | "GL_TEXTURE_CUBE_MAP" => ["s", "t", "r"].as_slice(),
+        _ => return,
     };
-    texels.push(vec![format!("({i}, {j}, {k})"), number(weight), numbers(value), note]);
+    let (count, names) = (coordinates.len(), coordinates.join(", "));
+    let text = format!(
+        "the lecture's hardware for ({names}): {} MADs, {count} MULs, 1 RCP (2 MADs more for 1/w or q/w)",
+        2 * count
+    );
+    page.line(3, &text, "slide \"Interpolation Operations\"");
 }
 
-/// The weights of a linear filter's texels, lower before upper along s, then t, then r.
-fn linear_weights([alpha, beta, gamma]: [f32; 3], axes: usize) -> Vec<f32> {
-    let pair = |t: f32| [1.0 - t, t];
-    let mut weights = pair(alpha).to_vec();
-    for t in [beta, gamma].into_iter().take(axes.saturating_sub(1)) {
-        weights = pair(t).iter().flat_map(|w| weights.iter().map(move |v| v * w)).collect();
-    }
-    weights
+/// The lecture's ρ, which is of the other sums of the same four squares.
+fn lecture_rho(page: &mut Page, dx: [f32; 3], dy: [f32; 3], scale: [f32; 3]) {
+    let gradient = |axis: usize| scale[axis] * (dx[axis] * dx[axis] + dy[axis] * dy[axis]).sqrt();
+    let text = format!(
+        "the lecture's ρ = max(|(∂u/∂x, ∂u/∂y)|, |(∂v/∂x, ∂v/∂y)|) = {}, for comparison",
+        number(gradient(0).max(gradient(1)))
+    );
+    page.line(3, &text, "slide \"Mipmap LOD Selection\"");
 }
 
-fn one(page: &mut Page, step: &SampleStep, weights: &mut Vec<f32>) {
+fn one(page: &mut Page, step: &SampleStep, texels: &mut TexelTable) {
     match *step {
         SampleStep::Face { face, st } => page.line(
             3,
@@ -128,6 +121,7 @@ fn one(page: &mut Page, step: &SampleStep, weights: &mut Vec<f32>) {
             page.line(3, &format!("∂(s, t, r)/∂x = {}", numbers(&dx)), section);
             page.line(3, &format!("∂(s, t, r)/∂y = {}", numbers(&dy)), section);
             page.line(3, &format!("in texels: times {}", numbers(&scale)), "");
+            lecture_rho(page, dx, dy, scale);
         }
         SampleStep::Isotropic { rho_squared, lambda } => page.line(
             3,
@@ -194,23 +188,24 @@ fn one(page: &mut Page, step: &SampleStep, weights: &mut Vec<f32>) {
             page.line(3, &text, "EXT_texture_filter_anisotropic");
         }
         SampleStep::Level { level, size: [width, height, depth], .. } => {
+            texels.level([width, height, depth]);
             let depth = if depth > 1 { format!("×{depth}") } else { String::new() };
             page.line(3, &format!("level {level}, {width}×{height}{depth}"), "");
         }
         SampleStep::Rows { rows, length } => {
-            weights.clear();
+            texels.nearest();
             let text =
                 format!("{rows} of its rows or columns, {} in the footprint", number(length));
             page.line(4, &text, "EXT_texture_filter_anisotropic");
         }
         SampleStep::Row { .. } => {}
         SampleStep::Nearest { u } => {
-            weights.clear();
+            texels.nearest();
             let text = format!("(u, v, w) = {}: the texel is its floor", numbers(&u));
             page.line(4, &text, "GL 2.1, section 3.8.8");
         }
         SampleStep::Linear { u, weights: abc, axes } => {
-            *weights = linear_weights(abc, axes);
+            texels.linear(abc, axes);
             let text = format!("(u, v, w) = {}, (α, β, γ) = {}", numbers(&u), numbers(&abc));
             page.line(4, &text, "GL 2.1, section 3.8.8");
         }
