@@ -1,5 +1,6 @@
 //! Primitives that wait for more of their kind are drawn with the state of their `glEnd`: the same calls with and without
-//! a `glFlush` after each primitive, which has nothing wait, give the same picture.
+//! a `glFlush` after each primitive, which has nothing wait, give the same picture. Nor does it matter then which primitives
+//! others hide.
 
 use gl_api::constants::*;
 use gl_api::context::{Context, ContextDesc};
@@ -97,11 +98,13 @@ fn query(random: &mut Random) {
 }
 
 fn triangle(random: &mut Random) {
+    // Some cover the whole picture.
+    let scale = random.of(&[1.0, 1.0, 8.0]);
     glBegin(GL_TRIANGLES);
     for _ in 0..3 {
         glColor4f(random.unit(), random.unit(), random.unit(), random.unit());
         glTexCoord2f(random.unit(), random.unit());
-        let mut at = || 2.0 * random.unit() - 1.0;
+        let mut at = || scale * (2.0 * random.unit() - 1.0);
         glVertex3f(at(), at(), at());
     }
     glEnd();

@@ -6,12 +6,14 @@
 mod buffer_texture;
 mod describe;
 mod lod_range;
+mod lookup_facts;
 mod prepare;
 mod selection;
 mod texel_class;
 mod texture;
 
 pub(crate) use lod_range::LodRange;
+pub use lookup_facts::{AlphaFact, ComponentsFact, LookupFacts};
 pub(crate) use texel_class::TexelClass;
 pub(crate) use texture::{Alpha, Anisotropy, LevelSelection, SampleKernel, TexelPath, Texture};
 
@@ -55,6 +57,14 @@ impl SamplePlan {
     /// Whether [`Self::sample_fused`] may be called: the image is complete, and there is no depth compare.
     pub fn samples_color(&self) -> bool {
         self.0.as_ref().is_ok_and(|texture| texture.compare.is_none())
+    }
+
+    /// What is known of the results of lookups, whatever their coordinates.
+    pub fn lookup_facts(&self) -> LookupFacts {
+        match &self.0 {
+            Ok(texture) => texture.lookup_facts(),
+            Err(_) => LookupFacts::OF_INCOMPLETE,
+        }
     }
 
     /// The decisions in one line of text.

@@ -73,6 +73,11 @@ impl ColorClass {
 }
 
 impl ColorPlan {
+    /// Whether what was there before has no effect.
+    pub fn overwrites(&self) -> bool {
+        self.blend.is_none() && self.logic_op.is_none() && self.all_bits_written
+    }
+
     /// What a component is that no program writes: 0, alpha 1.
     #[inline]
     pub fn unwritten(&self, component: usize) -> &'static F32s {

@@ -14,6 +14,13 @@ impl DrawPlan {
         let mut line = |name: &str, what: String| {
             let _ = writeln!(text, "  {name:<12} {what}");
         };
+        if self.has_no_effect() {
+            line(
+                "draw",
+                "left out: it writes no colour, depth or stencil, and counts nothing".into(),
+            );
+            return text;
+        }
         line("vertex", compiled.vertex.describe());
         line("varyings", self.describe_varyings());
         line(
@@ -32,6 +39,9 @@ impl DrawPlan {
         match self.shading {
             Shading::On => {
                 line("fragment", compiled.fragment.describe());
+                if !compiled.facts.is_empty() {
+                    line("facts", compiled.facts.describe());
+                }
                 for note in &desc.fragment.module().notes {
                     line("", note.clone());
                 }

@@ -337,6 +337,29 @@ impl DrawPlan {
     }
 }
 
+impl DrawPlan {
+    /// Whether its triangles overwrite every pixel that they cover, whatever was there.
+    pub fn overwrites(&self) -> bool {
+        let fragment = &self.pipeline.compiled().fragment;
+        self.timing == TestTiming::Never
+            && self.shading == Shading::On
+            && self.covers_by_outline()
+            && !fragment.discards()
+            && !fragment.has_loops()
+            && self.colors.iter().all(ColorPlan::overwrites)
+    }
+
+    /// Whether the draw leaves nothing behind: no colour, depth or stencil, and no count of samples.
+    pub fn has_no_effect(&self) -> bool {
+        self.shading == Shading::Off && !self.tests.write() && self.counting == Counting::Off
+    }
+
+    /// Whether it leaves nothing behind but colours.
+    pub fn leaves_only_colors(&self) -> bool {
+        self.timing == TestTiming::Never
+    }
+}
+
 /// The attribute components that come from arrays.
 pub fn arrays(bindings: &[VertexBinding]) -> AttributeSet {
     let of = |sources: AttributeSet, binding: &VertexBinding| match binding.source {

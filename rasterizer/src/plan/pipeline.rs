@@ -1,11 +1,13 @@
 //! Pipelines: shaders and fixed state, checked and compiled once, immutable ever after.
 
 use crate::desc::{PipelineDesc, PipelineError, ShaderModule};
-use crate::ir::{Input, Interpolation, Output, Stage};
-use crate::shader::{LevelOfDetail, OptimizedModule, Program};
+use crate::ir::{Input, Interpolation, Module, Output, Stage};
+use crate::shader::{FactSources, Facts, LevelOfDetail, OptimizedModule, Prepared, Program};
 use crate::threads::stack::with_large_stack;
+use parking_lot::Mutex;
 use std::sync::{Arc, OnceLock};
 use texunit::lanes::FloatEnv;
+use texunit::plan::SamplePlan;
 
 /// So many blocks deep, a module is compiled on any stack.
 const SHALLOW: usize = 16;
@@ -19,9 +21,9 @@ pub struct Pipeline(Arc<Compiled>);
 pub(crate) struct Compiled {
     pub desc: PipelineDesc,
     /// The vertex program: without varyings that the fragment program does not read, with what was hoisted from it.
-    pub vertex: Program,
+    pub vertex: Arc<Program>,
     /// The geometry program, if there is one, without varyings that the fragment program does not read.
-    pub geometry: Option<Program>,
+    pub geometry: Option<Arc<Program>>,
     /// The varying slots that the geometry program reads, or else the fragment program: those that vertices bring.
     pub vertex_slots: Vec<u16>,
     /// The fragment program, without outputs that are not used.
@@ -40,6 +42,11 @@ pub(crate) struct Compiled {
     of_sprites: OnceLock<Pipeline>,
     /// See [`Pipeline::of_lines`].
     of_lines: OnceLock<Pipeline>,
+    /// What [`Pipeline::specialized`] compiles; none where the fragment program neither branches on a uniform value nor
+    /// computes with one, or is one that was specialized.
+    specializable: Option<Specializable>,
+    /// What the fragment program was specialized for.
+    pub facts: Facts,
 }
 
 impl Pipeline {
@@ -118,6 +125,27 @@ impl Pipeline {
         of_lines.clone()
     }
 
+    /// The pipeline whose fragment program leaves out what uniform values and textures of a draw make without effect; this
+    /// one where they leave out nothing, or were not seen before.
+    pub(crate) fn specialized(
+        &self,
+        prepare: impl FnOnce() -> Prepared,
+        textures: &[Option<Arc<SamplePlan>>],
+    ) -> Self {
+        let found = self.0.specializable.as_ref().and_then(|specializable| {
+            let facts = self.0.fragment.facts(&specializable.sources, &prepare(), textures);
+            if facts.is_empty() {
+                return None;
+            }
+            specializable.find(facts, |facts| {
+                let Specializable { module, sources, .. } = specializable;
+                let fragment = self.0.fragment.specialized(module, sources, facts)?;
+                Some(Self(Arc::new(self.0.with_fragment(fragment, facts.clone()))))
+            })
+        });
+        found.unwrap_or_else(|| self.clone())
+    }
+
     /// Whether it is the same one, not an equal one.
     pub(crate) fn is_same(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.0, &other.0)
@@ -130,6 +158,65 @@ impl Pipeline {
 
     pub(crate) fn compiled(&self) -> &Compiled {
         &self.0
+    }
+}
+
+/// The most programs that a fragment program is specialized to.
+const MAX_SPECIALIZATIONS: usize = 8;
+
+/// What fragment programs are specialized from.
+#[derive(Debug)]
+struct Specializable {
+    /// The module that was lowered.
+    module: Module,
+    sources: FactSources,
+    known: Mutex<Vec<Specialization>>,
+}
+
+/// The draws with some facts.
+#[derive(Debug)]
+struct Specialization {
+    facts: Facts,
+    /// What was compiled for them; `None` for the general program.
+    pipeline: Option<Pipeline>,
+    state: SpecializationState,
+}
+
+/// Whether a program was compiled for facts: at the second draw that has them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum SpecializationState {
+    SeenOnce,
+    Compiled,
+}
+
+impl Specializable {
+    /// That of a program which was lowered from this module, if any draw may know facts of it.
+    fn new(program: &Program, module: Module) -> Option<Self> {
+        let sources = program.fact_sources(&module);
+        let is_small = !module.nests_deeper_than(SHALLOW);
+        let depends = program.depends_on_uniforms() || !program.texture_slots().is_empty();
+        (is_small && depends).then(|| Self { module, sources, known: Mutex::default() })
+    }
+
+    /// The pipeline for facts, which `compile` makes at the second draw that has them.
+    fn find(
+        &self,
+        facts: Facts,
+        compile: impl FnOnce(&Facts) -> Option<Pipeline>,
+    ) -> Option<Pipeline> {
+        let mut known = self.known.lock();
+        let Some(found) = known.iter_mut().find(|known| known.facts == facts) else {
+            if known.len() < MAX_SPECIALIZATIONS {
+                let state = SpecializationState::SeenOnce;
+                known.push(Specialization { facts, pipeline: None, state });
+            }
+            return None;
+        };
+        if found.state == SpecializationState::SeenOnce {
+            found.state = SpecializationState::Compiled;
+            found.pipeline = compile(&found.facts);
+        }
+        found.pipeline.clone()
     }
 }
 
@@ -157,6 +244,26 @@ fn slots_of_vertices(geometry: &Program) -> Vec<u16> {
 }
 
 impl Compiled {
+    /// The same with a fragment program that reads no other varyings.
+    fn with_fragment(&self, fragment: Program, facts: Facts) -> Self {
+        Self {
+            desc: self.desc.clone(),
+            vertex: Arc::clone(&self.vertex),
+            geometry: self.geometry.clone(),
+            vertex_slots: self.vertex_slots.clone(),
+            fragment,
+            varyings: self.varyings.clone(),
+            slots: self.slots.clone(),
+            written_varyings: self.written_varyings,
+            hoisted: self.hoisted,
+            hoisting: self.hoisting,
+            of_sprites: OnceLock::new(),
+            of_lines: OnceLock::new(),
+            specializable: None,
+            facts,
+        }
+    }
+
     /// Compiles modules that are of their stages.
     fn new(desc: PipelineDesc, hoisting: VaryingHoisting, lod: LevelOfDetail) -> Self {
         let is_deep = |stage: &ShaderModule| stage.module().nests_deeper_than(SHALLOW);
@@ -195,7 +302,8 @@ impl Compiled {
         let hoisted =
             extended_vertex.as_ref().map_or(0, |more| more.outputs.len() - vertex.outputs.len());
         let modes = fragment.module.varyings.clone();
-        let fragment = fragment.finish(lod);
+        let (fragment, finished) = fragment.finish_and_keep(lod);
+        let specializable = Specializable::new(&fragment, finished);
         let mut varyings: Vec<(u16, Interpolation)> = fragment
             .inputs()
             .iter()
@@ -224,7 +332,7 @@ impl Compiled {
         let slots: Vec<u16> = varyings.iter().map(|&(slot, _)| slot).collect();
         let reads_number = desc.fragment.module().primitive_id.is_some();
         let geometry = desc.geometry.as_ref().map(|geometry| {
-            Program::new(geometry.module(), |output| match output {
+            Arc::new(Program::new(geometry.module(), |output| match output {
                 Output::Position(_)
                 | Output::PointSize
                 | Output::ClipDistance(_)
@@ -236,9 +344,9 @@ impl Compiled {
                 | Output::SecondColor(_)
                 | Output::Depth
                 | Output::StencilReference => false,
-            })
+            }))
         });
-        let vertex_slots = geometry.as_ref().map_or_else(|| slots.clone(), slots_of_vertices);
+        let vertex_slots = geometry.as_deref().map_or_else(|| slots.clone(), slots_of_vertices);
         let vertex = Program::new(vertex, |output| match output {
             Output::Position(_) => true,
             // Any topology can end as points, and what is written to clip distances cuts.
@@ -255,7 +363,7 @@ impl Compiled {
         let (of_sprites, of_lines) = (OnceLock::new(), OnceLock::new());
         Self {
             desc,
-            vertex,
+            vertex: Arc::new(vertex),
             geometry,
             vertex_slots,
             fragment,
@@ -266,6 +374,8 @@ impl Compiled {
             hoisting,
             of_sprites,
             of_lines,
+            specializable,
+            facts: Facts::NONE,
         }
     }
 }

@@ -11,6 +11,7 @@ mod budget;
 mod clear;
 mod edge_functions;
 mod fragment_depth;
+mod hidden;
 mod inputs;
 mod interpolate;
 mod job;

@@ -6,6 +6,7 @@ use super::batch::{EarlyTests, Packed};
 use super::block::BlockAt;
 use super::block_group::{BlockGroup, UniformOverShape};
 use super::clear::clear;
+use super::hidden::TileCover;
 use super::interpolate::PlaneSetup;
 use super::job::{Chunk, DrawJob, PassJob, TileCommand, TileJob};
 use super::large_triangles::LargeTriangle;
@@ -60,8 +61,14 @@ pub struct TileRenderer {
 impl TileRenderer {
     /// Runs all commands of a tile.
     pub fn run(&mut self, pass: &PassJob, tile: &mut TileJob) {
+        let cover = TileCover::last(pass, tile);
         let commands = std::mem::take(&mut tile.commands);
-        for command in commands {
+        for (number, command) in commands.into_iter().enumerate() {
+            let visible = match &cover {
+                Some(cover) => cover.visible(pass, number, command),
+                None => Some(command),
+            };
+            let Some(command) = visible else { continue };
             match command {
                 TileCommand::Clear(index) => {
                     self.flush(pass, tile);

@@ -17,6 +17,7 @@
 //! | [`product`] | programs that need no interpreter: products of texels |
 //! | [`attribute_dependencies`] | which attributes an output of the vertex stage depends on |
 //! | [`program`] | the compiled stage, and its per-draw values |
+//! | [`facts`] | uniform values and textures of a draw that a program can be compiled for |
 //! | [`emission`] | the vertices that a geometry program emits |
 //! | [`machine`] | the interpreter: 64 lanes for each instruction, with an execution [`mask`] |
 
@@ -25,6 +26,7 @@ mod attribute_dependencies;
 mod compute;
 mod emission;
 mod exits;
+mod facts;
 mod fuse;
 mod inst;
 mod invocation;
@@ -42,6 +44,7 @@ mod uniformity;
 
 pub(crate) use attribute_dependencies::AttributeSet;
 pub use emission::Emission;
+pub(crate) use facts::{FactSources, Facts};
 pub use invocation::{Invocation, OverBudget};
 pub use machine::{Machine, Tracer};
 pub use product::{ProductCode, TexelProduct};

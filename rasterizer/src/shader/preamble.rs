@@ -61,6 +61,11 @@ impl Preamble {
         Some(word)
     }
 
+    /// The word of a value that was asked for before, if it has one.
+    pub fn word_of(&self, value: Value) -> Option<u32> {
+        self.of_value.get(&value).copied()
+    }
+
     /// The word of a constant.
     pub fn constant(&mut self, bits: u32) -> u32 {
         self.step(Step::Const(bits))

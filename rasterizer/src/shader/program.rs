@@ -6,6 +6,7 @@ use super::inst::{Inst, SampleInst};
 use super::preamble::Preamble;
 use super::product::TexelProduct;
 use super::repeated_lookups::Repeat;
+use super::{FactSources, Facts};
 use super::{allocate, fuse, lower, optimize, repeated_lookups, schedule};
 use crate::ir::{Block, GeometryInterface, Input, Module, Output, Stmt};
 use std::fmt::Write;
@@ -135,13 +136,19 @@ impl OptimizedModule {
     }
 
     /// Lowers it.
-    pub fn finish(mut self, lod: LevelOfDetail) -> Program {
+    pub fn finish(self, lod: LevelOfDetail) -> Program {
+        self.finish_and_keep(lod).0
+    }
+
+    /// Lowers it, and returns the module that was lowered.
+    pub fn finish_and_keep(mut self, lod: LevelOfDetail) -> (Program, Module) {
         optimize::finish(&mut self.module, lod);
         let left = statements(&self.module);
-        Program {
+        let program = Program {
             statements: [self.statements_before, left],
             ..Program::lowered(&self.module, Fusing::On)
-        }
+        };
+        (program, self.module)
     }
 }
 
@@ -202,6 +209,38 @@ impl Program {
     /// The module has been validated.
     pub fn new(module: &Module, keep: impl Fn(Output) -> bool) -> Self {
         OptimizedModule::new(module, keep).finish(LevelOfDetail::OfPolygons)
+    }
+
+    /// The values of the module that this program was lowered from of which a draw knows facts.
+    pub(crate) fn fact_sources(&self, module: &Module) -> FactSources {
+        FactSources::of(module, &self.preamble)
+    }
+
+    /// The program of a module that was finished before, by what is known of a draw; `None` where that leaves nothing
+    /// out.
+    pub(crate) fn specialized(
+        &self,
+        module: &Module,
+        sources: &FactSources,
+        facts: &Facts,
+    ) -> Option<Self> {
+        let mut module = sources.apply(facts, module);
+        optimize::specialize(&mut module, facts);
+        let program = Self {
+            statements: [self.statements[0], statements(&module)],
+            ..Self::lowered(&module, Fusing::On)
+        };
+        (program.code.len() < self.code.len()).then_some(program)
+    }
+
+    /// The facts of a draw with these prepared values and textures.
+    pub(crate) fn facts(
+        &self,
+        sources: &FactSources,
+        prepared: &Prepared,
+        textures: &[Option<Arc<SamplePlan>>],
+    ) -> Facts {
+        sources.facts(&prepared.words, &self.textures, textures)
     }
 
     /// Lowers `module` as it stands.

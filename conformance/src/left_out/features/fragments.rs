@@ -246,6 +246,5 @@ pub(super) const LIST: &[Feature] = &[
         gouraud,
         draw_quad,
         draw_after_masked,
-    )
-    .because(Reason::NotLeftOut),
+    ),
 ];

@@ -49,6 +49,11 @@ impl Pass<'_> {
             Some(decided) => decided.clone(),
             None => self.decide(&pipeline),
         };
+        if plan.has_no_effect() && self.job.watch.is_none() {
+            // It has a warning of its own.
+            report.visibility.add(Visibility::Visible);
+            return;
+        }
         let raster = plan.raster.clone();
         let draw = self.job.draws.len();
         let (counter, budget) = (self.bound.counter.clone(), DrawBudget::new(self.bound.budget));
@@ -65,7 +70,7 @@ impl Pass<'_> {
         let vertices = self.bound.vertices.clone();
         let textures = self.bound.vertex_textures.clone();
         let geometry_textures = self.bound.geometry_textures.clone();
-        let geometry = compiled.geometry.as_ref().zip(geometry).map(|(program, prepared)| {
+        let geometry = compiled.geometry.as_deref().zip(geometry).map(|(program, prepared)| {
             GeometryProgram { program, prepared, textures: &geometry_textures }
         });
         let mut state = DrawState {
@@ -174,6 +179,17 @@ impl Pass<'_> {
     /// Decides how to draw with what is bound.
     fn decide(&mut self, pipeline: &Pipeline) -> DrawDecisions {
         let (isa, depth, bound) = (self.job.isa, self.depth_format(), &mut self.bound);
+        // Uniforms, such as matrices, are mostly not the fragments'.
+        let prepare = |pipeline: &Pipeline| {
+            let fragment = &pipeline.compiled().fragment;
+            fragment.prepare(isa, &bound.uniforms, &bound.fragment_textures)
+        };
+        // An explanation of a pixel names everything that its program computes.
+        let specialized = match self.job.watch {
+            None => pipeline.specialized(|| prepare(pipeline), &bound.fragment_textures),
+            Some(_) => pipeline.clone(),
+        };
+        let pipeline = &specialized;
         let compiled = pipeline.compiled();
         let surface = self.colors.iter().flatten().chain(&self.depth).next();
         let samples = surface.map_or(1, |surface| surface.samples);
@@ -192,11 +208,7 @@ impl Pass<'_> {
             },
             vertices: &bound.vertices,
         };
-        // Uniforms, such as matrices, are mostly not the fragments'.
-        let fragment = &compiled.fragment;
-        let prepared = fragment
-            .depends_on_uniforms()
-            .then(|| fragment.prepare(isa, &bound.uniforms, &bound.fragment_textures));
+        let prepared = compiled.fragment.depends_on_uniforms().then(|| prepare(pipeline));
         let mut recent = self.recent.iter().rev();
         let plan =
             match recent.find(|plan| plan.is_reusable_for(pipeline, &input, prepared.as_ref())) {

@@ -4,6 +4,7 @@
 //! Of the varyings that such maps share, all move or none: they do where that makes no more scalars to interpolate than
 //! there were. A projective shadow's `gl_TextureMatrix[0] * vec4(object, 1)` then costs a fragment nothing.
 
+use super::super::Facts;
 use super::{dead, simplify};
 use crate::ir::{
     Builder, Expr, Input, Interpolation, Module, Op, Output, Stmt, Ty, Value, Var, Variable,
@@ -28,7 +29,7 @@ pub fn hoist_to_vertex(vertex: &Module, fragment: &mut Module) -> Option<Module>
         }
     }
     let vertex = hoisting.vertex?.finish();
-    simplify::run(fragment);
+    simplify::run(fragment, &Facts::NONE);
     dead::run(fragment);
     Some(vertex)
 }

@@ -1,5 +1,6 @@
 //! Constants, and identities that are exact for every operand, NaN and both zeros included.
 
+use super::super::Facts;
 use crate::ir::{Expr, Module, Op, TRUE, Value};
 
 /// What an operation turns out to be.
@@ -19,7 +20,7 @@ const MINUS_ZERO: u32 = 0x8000_0000;
 
 /// Looks at an operation whose operands are simplified already.
 #[inline(never)]
-pub(super) fn fold(module: &Module, op: Op, args: [Value; 3]) -> Folded {
+pub(super) fn fold(module: &Module, facts: &Facts, op: Op, args: [Value; 3]) -> Folded {
     let known = args.map(|value| module.constant(value));
     let arity = op.args().len();
     if let Some(words) = all(&known[..arity]) {
@@ -28,12 +29,15 @@ pub(super) fn fold(module: &Module, op: Op, args: [Value; 3]) -> Folded {
     let [a, b, c] = args;
     match (op, known[0], known[1]) {
         (Op::Mul, Some(ONE), _) => Folded::Value(b),
+        // No infinity, no NaN, and no negative number.
+        (Op::Mul, Some(0), _) if facts.bound(module, b).is_some() => Folded::Const(0),
+        (Op::Mul, _, Some(0)) if facts.bound(module, a).is_some() => Folded::Const(0),
         (Op::Mul | Op::Div, _, Some(ONE)) => Folded::Value(a),
         // x + -0 is x even for -0; x + 0 is not.
         (Op::Add, Some(MINUS_ZERO), _) => Folded::Value(b),
         (Op::Add, _, Some(MINUS_ZERO)) | (Op::Sub, _, Some(0)) => Folded::Value(a),
-        (Op::Add, Some(0), _) if is_never_minus_zero(module, b) => Folded::Value(b),
-        (Op::Add, _, Some(0)) if is_never_minus_zero(module, a) => Folded::Value(a),
+        (Op::Add, Some(0), _) if is_never_minus_zero(module, facts, b) => Folded::Value(b),
+        (Op::Add, _, Some(0)) if is_never_minus_zero(module, facts, a) => Folded::Value(a),
         (Op::Neg | Op::INeg | Op::Not | Op::BitNot, ..) => undo(module, op, op, a),
         (Op::IntToUint, ..) => undo(module, op, Op::UintToInt, a),
         (Op::UintToInt, ..) => undo(module, op, Op::IntToUint, a),
@@ -66,7 +70,10 @@ pub(super) fn fold(module: &Module, op: Op, args: [Value; 3]) -> Folded {
 }
 
 /// Whether it is known that a value is not -0.
-fn is_never_minus_zero(module: &Module, value: Value) -> bool {
+fn is_never_minus_zero(module: &Module, facts: &Facts, value: Value) -> bool {
+    if facts.bound(module, value).is_some() {
+        return true;
+    }
     let is_other = |value| module.constant(value).is_some_and(|bits| bits != MINUS_ZERO);
     match module.expr(value) {
         // A sum is -0 where both are.

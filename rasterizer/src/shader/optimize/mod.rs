@@ -29,7 +29,7 @@ mod unroll;
 
 pub(super) use affine::hoist_to_vertex;
 
-use super::LevelOfDetail;
+use super::{Facts, LevelOfDetail};
 use crate::ir::Module;
 
 /// How often the passes that make work for each other are repeated at most.
@@ -39,7 +39,7 @@ const ROUNDS: usize = 6;
 pub(super) fn optimize(module: &mut Module) {
     scopes::run(module);
     for _ in 0..ROUNDS {
-        simplify::run(module);
+        simplify::run(module, &Facts::NONE);
         dead::run(module);
         let split = arrays::run(module);
         let flattened = flatten::run(module);
@@ -51,10 +51,23 @@ pub(super) fn optimize(module: &mut Module) {
     dead::run(module);
 }
 
+/// Optimizes a finished module again by what is known of a draw.
+pub(super) fn specialize(module: &mut Module, facts: &Facts) {
+    for _ in 0..ROUNDS {
+        simplify::run(module, facts);
+        dead::run(module);
+        if !flatten::run(module) {
+            break;
+        }
+    }
+    stores::run(module);
+    dead::run(module);
+}
+
 /// The final passes.
 pub(super) fn finish(module: &mut Module, lod: LevelOfDetail) {
     if gradients::run(module, lod) {
-        simplify::run(module);
+        simplify::run(module, &Facts::NONE);
         dead::run(module);
     }
 }

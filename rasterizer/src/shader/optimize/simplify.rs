@@ -1,5 +1,6 @@
 //! One walk in program order that simplifies each value with all that is known where it stands.
 
+use super::super::Facts;
 use super::common::Common;
 use super::fold::{Folded, fold};
 use super::forward::Memory;
@@ -10,13 +11,14 @@ use crate::ir::{Block, Expr, Module, Stmt, Ty, Value};
 const UNROLLED: usize = 4096;
 
 /// Runs the pass.
-pub(super) fn run(module: &mut Module) {
+pub(super) fn run(module: &mut Module, facts: &Facts) {
     let body = std::mem::take(&mut module.body);
     let mut walk = Walk {
         replacement: (0..module.values.len() as u32).map(Value).collect(),
         common: Common::default(),
         memory: Memory::new(Vec::new()),
         statement_budget: UNROLLED,
+        facts,
         module,
     };
     for at in 0..walk.module.values.len() {
@@ -43,6 +45,8 @@ struct Walk<'a> {
     common: Common,
     /// How many statements unrolled loops may still add.
     statement_budget: usize,
+    /// What is known of the draw.
+    facts: &'a Facts,
 }
 
 impl Walk<'_> {
@@ -182,7 +186,7 @@ impl Walk<'_> {
                 self.memory.loaded(var, value);
                 return true;
             }
-            Expr::Op { op, args } => match fold(self.module, op, args) {
+            Expr::Op { op, args } => match fold(self.module, self.facts, op, args) {
                 Folded::Const(bits) => Expr::Const { bits, ty: op.result() },
                 Folded::Value(value) => {
                     self.replacement[at] = value;
@@ -198,6 +202,11 @@ impl Walk<'_> {
             Expr::LoadAt { .. } => {
                 self.module.values[at] = expr;
                 return true;
+            }
+            Expr::Component { sample, component }
+                if self.facts.is_opaque_alpha(self.module, sample, component) =>
+            {
+                Expr::Const { bits: 1.0_f32.to_bits(), ty: Ty::F32 }
             }
             Expr::Const { .. }
             | Expr::Input(_)

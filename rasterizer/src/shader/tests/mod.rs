@@ -1,12 +1,13 @@
 //! Whole programs: against a scalar reference, on every instruction set, optimized or not.
 
 mod cases;
+mod facts;
 mod random;
 mod reference;
 mod repeated_lookups;
 mod uniform_loops;
 
-use super::{Fusing, Invocation, Machine, OverBudget, Program};
+use super::{Fusing, Invocation, LevelOfDetail, Machine, OptimizedModule, OverBudget, Program};
 use crate::ir::{Input, Module};
 use reference::Outcome;
 use texunit::lanes::{Isa, LANES, U32s};
@@ -76,11 +77,12 @@ pub(super) fn check(module: &Module, uniforms: &[u32], input: impl Fn(Input, usi
     if want.iter().any(|outcome| matches!(outcome, Outcome::Endless)) {
         return;
     }
-    let programs = [
+    let mut programs = vec![
         Program::lowered(module, Fusing::Off),
         Program::lowered(module, Fusing::On),
         Program::new(module, |_| true),
     ];
+    programs.extend(specialized(module, uniforms));
     for program in programs {
         for isa in Isa::available() {
             let got = run(isa, &program, uniforms, active, 10_000_000, input).unwrap();
@@ -102,6 +104,15 @@ pub(super) fn check(module: &Module, uniforms: &[u32], input: impl Fn(Input, usi
             }
         }
     }
+}
+
+/// The program of a module for draws with these uniform words, if they leave anything out.
+pub(super) fn specialized(module: &Module, uniforms: &[u32]) -> Option<Program> {
+    let optimized = OptimizedModule::new(module, |_| true);
+    let (program, finished) = optimized.finish_and_keep(LevelOfDetail::OfPolygons);
+    let sources = program.fact_sources(&finished);
+    let facts = program.facts(&sources, &program.prepare(Isa::BASELINE, uniforms, &[]), &[]);
+    program.specialized(&finished, &sources, &facts)
 }
 
 /// What each register file makes of a module: by lane, its outputs. The inputs of a register file's lane are those of

@@ -1,0 +1,63 @@
+//! What is known of the results of filtered lookups, whatever their coordinates: shaders leave out by it what they would
+//! compute of them.
+
+use super::{Alpha, Texture};
+use crate::format::{BaseFormat, Block, Encoding};
+use crate::sampler::{Filter, Swizzle};
+
+/// What is known of the results of filtered lookups.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LookupFacts {
+    /// Of every component.
+    pub components: ComponentsFact,
+    /// Of the last one.
+    pub alpha: AlphaFact,
+}
+
+/// What is known of every component.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ComponentsFact {
+    /// They are numbers from 0 to 1, and none is a negative zero.
+    Fractions,
+    /// Nothing.
+    Any,
+}
+
+/// What is known of alpha.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AlphaFact {
+    /// It is 1.
+    One,
+    /// Nothing.
+    Any,
+}
+
+impl LookupFacts {
+    /// Of incomplete textures: (0, 0, 0, 1).
+    pub const OF_INCOMPLETE: Self =
+        Self { components: ComponentsFact::Fractions, alpha: AlphaFact::One };
+}
+
+impl Texture {
+    /// What is known of its lookups.
+    pub fn lookup_facts(&self) -> LookupFacts {
+        // Means of fractions are fractions; border colours are clamped as texels are.
+        let components = match self.format.info().encoding {
+            Encoding::Unorm | Encoding::Srgb | Encoding::SrgbBlock(_) => ComponentsFact::Fractions,
+            Encoding::Block(
+                Block::Dxt1 | Block::Dxt3 | Block::Dxt5 | Block::Rgtc1 | Block::Rgtc2,
+            ) => ComponentsFact::Fractions,
+            Encoding::Block(Block::Rgtc1Snorm | Block::Rgtc2Snorm)
+            | Encoding::Snorm
+            | Encoding::Float
+            | Encoding::SharedExponent
+            | Encoding::Uint
+            | Encoding::Sint => ComponentsFact::Any,
+        };
+        let has_border = [Filter::Nearest, Filter::Linear].map(|by| self.reaches_border(by));
+        let is_one = self.alpha == Alpha::One
+            && self.swizzle == Swizzle::IDENTITY
+            && (self.format.base() == BaseFormat::Rgb || has_border == [false; 2]);
+        LookupFacts { components, alpha: if is_one { AlphaFact::One } else { AlphaFact::Any } }
+    }
+}
