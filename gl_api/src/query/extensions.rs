@@ -178,6 +178,7 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     "GL_ARB_get_program_binary",
     "GL_ARB_occlusion_query2",
     "GL_ARB_sampler_objects",
+    "GL_ARB_separate_shader_objects",
     "GL_ARB_shader_bit_encoding",
     "GL_ARB_shader_stencil_export",
     "GL_ARB_texture_buffer_object_rgb32",

@@ -347,6 +347,7 @@ pub const STATE: &[Row] = rows! {
     }
     "6.33 to 6.35, programs" {
         GL_CURRENT_PROGRAM Number F;
+        GL_PROGRAM_PIPELINE_BINDING Number F;
         GL_VERTEX_PROGRAM_TWO_SIDE Number F;
         GL_VERTEX_PROGRAM_POINT_SIZE Number F;
         GL_VERTEX_PROGRAM_ARB Number F;

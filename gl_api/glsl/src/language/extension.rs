@@ -23,6 +23,8 @@ pub enum Extension {
     ExplicitUniformLocation,
     /// `GL_ARB_fragment_coord_conventions`: `layout(...)` of `gl_FragCoord`.
     FragmentCoordConventions,
+    /// `GL_ARB_separate_shader_objects`: `layout(location = n)` of what passes between stages.
+    SeparateShaderObjects,
     /// `GL_ARB_shader_bit_encoding`: `floatBitsToInt` and the like.
     ShaderBitEncoding,
     /// `GL_ARB_shader_stencil_export`: `gl_FragStencilRefARB`.
@@ -66,7 +68,7 @@ pub enum Extension {
 
 impl Extension {
     /// Every extension and its name.
-    pub const ALL: [(Self, &'static str); 28] = [
+    pub const ALL: [(Self, &'static str); 29] = [
         (Self::ArraysOfArrays, "GL_ARB_arrays_of_arrays"),
         (Self::AmdConservativeDepth, "GL_AMD_conservative_depth"),
         (Self::ConservativeDepth, "GL_ARB_conservative_depth"),
@@ -76,6 +78,7 @@ impl Extension {
         (Self::ExplicitAttribLocation, "GL_ARB_explicit_attrib_location"),
         (Self::ExplicitUniformLocation, "GL_ARB_explicit_uniform_location"),
         (Self::FragmentCoordConventions, "GL_ARB_fragment_coord_conventions"),
+        (Self::SeparateShaderObjects, "GL_ARB_separate_shader_objects"),
         (Self::ShaderBitEncoding, "GL_ARB_shader_bit_encoding"),
         (Self::ShaderStencilExport, "GL_ARB_shader_stencil_export"),
         (Self::ShadingLanguage420Pack, "GL_ARB_shading_language_420pack"),
@@ -126,6 +129,7 @@ impl Extension {
             | Self::ExplicitAttribLocation
             | Self::ExplicitUniformLocation
             | Self::FragmentCoordConventions
+            | Self::SeparateShaderObjects
             | Self::ShaderBitEncoding
             | Self::ShaderStencilExport
             | Self::ShaderTextureLod

@@ -1,6 +1,7 @@
 //! The geometry stage of a program: its layout, and the built-in variables that it reads and writes
 //! (GLSL 1.50 sections 4.3.8 and 7.1).
 
+use super::Matching;
 use super::stage::{BindingMap, StageUnits};
 use crate::builtins::variable::{Builtin, Incoming};
 use crate::hir::Storage;
@@ -15,12 +16,13 @@ const RULE: &str = "GLSL 1.50 section 4.3.8";
 pub fn interface(
     geometry: &StageUnits<'_>,
     vertex: Option<&StageUnits<'_>>,
+    matching: Matching,
     log: &mut Log,
 ) -> Option<GeometryInterface> {
     let mut fail = |message: &str, rule: &str| {
         log.push(Diagnostic::link_error(message).rule(rule));
     };
-    if vertex.is_none() {
+    if vertex.is_none() && matching == Matching::Whole {
         fail("there is a geometry shader and no vertex shader", "GL 3.2 section 2.12");
     }
     let layouts = || geometry.units.iter().map(|unit| unit.geometry);
