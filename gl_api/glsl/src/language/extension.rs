@@ -32,7 +32,7 @@ pub enum Extension {
     /// `GL_ARB_shading_language_420pack`: lists as initializers, `layout(binding = n)`, qualifiers in
     /// any order.
     ShadingLanguage420Pack,
-    /// `GL_ARB_shading_language_packing`: `packHalf2x16` and the like, of versions with unsigned integers.
+    /// `GL_ARB_shading_language_packing`: `packHalf2x16` and the like.
     ShadingLanguagePacking,
     /// `GL_APPLE_clip_distance`: `gl_ClipDistance` of GLSL ES 1.00 and 3.00.
     ClipDistance,
@@ -118,7 +118,6 @@ impl Extension {
             | Self::FragDepth
             | Self::EsShaderTextureLod => version == Version::Es100,
             Self::ClipDistance => version.is_es(),
-            Self::ShadingLanguagePacking => version >= Version::V130 && !version.is_es(),
             Self::Compatibility => version >= Version::V140 && !version.is_es(),
             Self::ArraysOfArrays
             | Self::AmdConservativeDepth
@@ -130,6 +129,7 @@ impl Extension {
             | Self::ExplicitUniformLocation
             | Self::FragmentCoordConventions
             | Self::SeparateShaderObjects
+            | Self::ShadingLanguagePacking
             | Self::ShaderBitEncoding
             | Self::ShaderStencilExport
             | Self::ShaderTextureLod
