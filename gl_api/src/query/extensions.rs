@@ -212,6 +212,7 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     "GL_ARB_texture_mirror_clamp_to_edge",
     // 2014
     "GL_ARB_clip_control",
+    "GL_ARB_cull_distance",
     "GL_ARB_get_texture_sub_image",
     "GL_EXT_polygon_offset_clamp",
     // 2017

@@ -13,6 +13,8 @@ pub enum Extension {
     ConservativeDepth,
     /// `GL_ARB_compatibility`: what GLSL 1.40 has removed, available with or without it.
     Compatibility,
+    /// `GL_ARB_cull_distance`: `gl_CullDistance`.
+    CullDistance,
     /// `GL_ARB_draw_buffers`: `gl_FragData`, which every version has.
     DrawBuffers,
     /// `GL_ARB_draw_instanced`: `gl_InstanceIDARB`.
@@ -68,11 +70,12 @@ pub enum Extension {
 
 impl Extension {
     /// Every extension and its name.
-    pub const ALL: [(Self, &'static str); 29] = [
+    pub const ALL: [(Self, &'static str); 30] = [
         (Self::ArraysOfArrays, "GL_ARB_arrays_of_arrays"),
         (Self::AmdConservativeDepth, "GL_AMD_conservative_depth"),
         (Self::ConservativeDepth, "GL_ARB_conservative_depth"),
         (Self::Compatibility, "GL_ARB_compatibility"),
+        (Self::CullDistance, "GL_ARB_cull_distance"),
         (Self::DrawBuffers, "GL_ARB_draw_buffers"),
         (Self::DrawInstanced, "GL_ARB_draw_instanced"),
         (Self::ExplicitAttribLocation, "GL_ARB_explicit_attrib_location"),
@@ -118,6 +121,7 @@ impl Extension {
             | Self::FragDepth
             | Self::EsShaderTextureLod => version == Version::Es100,
             Self::ClipDistance => version.is_es(),
+            Self::CullDistance => version >= Version::V130 && !version.is_es(),
             Self::Compatibility => version >= Version::V140 && !version.is_es(),
             Self::ArraysOfArrays
             | Self::AmdConservativeDepth

@@ -2,6 +2,7 @@
 //! stages, assigns locations and uniform words, and lowers both stages.
 
 mod blocks;
+mod cull_distances;
 mod geometry;
 mod globals;
 mod locations;
@@ -73,6 +74,7 @@ fn build(
     per_vertex::check(vertex.as_ref(), geometry.as_ref(), matching, log);
     for stage in vertex.iter().chain(&geometry).chain(&fragment) {
         varying_locations::check(stage, log);
+        cull_distances::check(stage, log);
     }
     if log.has_errors() {
         return None;
@@ -106,6 +108,7 @@ fn build(
     };
     let inputs = fragment.as_ref();
     let next = varyings::varyings((outputs, inputs), [in_outputs, &mut in_fragment], matching, log);
+    let next = cull_distances::passed((outputs, inputs), [in_outputs, &mut in_fragment], next, log);
     varyings::invariant_coordinates(vertex.as_ref(), inputs, log);
     let captured = transform_feedback::captured(outputs, &bindings.capture, next, in_outputs, log);
     let varyings = varyings::slots(inputs, &in_fragment);
