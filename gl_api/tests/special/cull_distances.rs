@@ -157,7 +157,7 @@ fn selection_and_raster_positions_are_culled() {
         c.raster_pos_2f(0.0, 0.0);
         let mut valid = [9];
         c.get_booleanv(GL_CURRENT_RASTER_POSITION_VALID, &mut valid);
-        assert_eq!(u32::from(valid[0]), expected as u32);
+        assert_eq!(u32::from(valid[0]), expected);
     }
 }
 
