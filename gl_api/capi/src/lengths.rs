@@ -201,10 +201,12 @@ const fn text_rule(length: Length) -> Rule {
     }
 }
 
-/// `glUniform*v` takes no more elements than an array of uniforms has.
+/// `glUniform*v` and `glProgramUniform*v` take no more elements than an array of uniforms has.
 const fn limited(command: &str, rule: Rule) -> Rule {
     match rule {
-        Rule::Times(argument, factor) if begins(command, "glUniform") => {
+        Rule::Times(argument, factor)
+            if begins(command, "glUniform") || begins(command, "glProgramUniform") =>
+        {
             Rule::TimesAtMost { argument, factor, limit: MAX_UNIFORM_ELEMENTS }
         }
         rule => rule,

@@ -382,7 +382,7 @@ impl<'a> Param<'a> for Strings<'a> {
     }
 }
 
-/// `glTransformFeedbackVaryings` and `glGetUniformIndices` have this type.
+/// `glTransformFeedbackVaryings`, `glGetUniformIndices` and `glCreateShaderProgramv` have this type.
 impl<'a> Param<'a> for Names<'a> {
     type Raw = *const *const c_char;
     type Held = Vec<Cow<'static, str>>;
@@ -397,9 +397,22 @@ impl<'a> Param<'a> for Names<'a> {
         length: usize,
         call: &Arguments<'_>,
     ) -> Vec<Cow<'static, str>> {
-        // Of a name that is no program's the strings are not looked at.
-        let program = call.numbers.first().map_or(0, |&name| name as u32);
-        if raw.is_null() || with_current(|context| context.is_program(program)) != Some(true) {
+        // Of a name that is no program's, or of no stage, the strings are not looked at.
+        let is_looked_at = match *call.numbers {
+            [stage, _, _] => {
+                let stages = [
+                    gl_api::GL_VERTEX_SHADER,
+                    gl_api::GL_GEOMETRY_SHADER,
+                    gl_api::GL_FRAGMENT_SHADER,
+                ];
+                stages.contains(&(stage as u32))
+            }
+            [program, ..] => {
+                with_current(|context| context.is_program(program as u32)) == Some(true)
+            }
+            [] => false,
+        };
+        if raw.is_null() || !is_looked_at {
             return Vec::new();
         }
         // SAFETY: promised by the caller: `length` pointers to texts that zeros end.

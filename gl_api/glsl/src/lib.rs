@@ -43,8 +43,27 @@ pub use limits::{GATHER_OFFSETS, MAX_UNIFORM_LOCATIONS, TEXEL_OFFSETS};
 pub use program::*;
 pub use rasterizer::ir::Stage;
 use rasterizer::stack::with_large_stack;
+use std::sync::Arc;
 pub use text::spelling;
 pub use types::{Comparison, ComparisonResult, DataType, Dim, MatrixOrder, Sampler, Scalar};
+
+/// A program whose stages are some of those of a pipeline.
+#[derive(Clone, Copy, Debug)]
+pub struct Part<'a> {
+    /// The shaders that it was linked from.
+    pub shaders: &'a [Shader],
+    /// What it was linked to.
+    pub program: &'a Program,
+}
+
+/// Links the programs of a pipeline: each keeps its uniforms and blocks, and what passes between them is matched as
+/// ARB_separate_shader_objects says. It takes little of the caller's stack.
+pub fn link_pipeline(parts: &[Part<'_>], bindings: &Bindings) -> LinkedPipeline {
+    let units =
+        |part: &Part<'_>| part.shaders.iter().map(|shader| Arc::clone(&shader.unit)).collect();
+    let parts: Vec<_> = parts.iter().map(|part| (units(part), part.program)).collect();
+    with_large_stack(|| link::link_pipeline(&parts, bindings))
+}
 
 /// Links shaders into a program. It takes little of the caller's stack.
 pub fn link(shaders: &[&Shader], bindings: &Bindings) -> Linked {

@@ -137,6 +137,18 @@ pub struct Bindings {
     pub frag_data: BTreeMap<String, FragmentColor>,
     /// What transform feedback captures.
     pub capture: Capture,
+    /// Whether the stages of the program may be combined with those of others.
+    pub separable: Separable,
+}
+
+/// `GL_PROGRAM_SEPARABLE`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Separable {
+    /// The program is used as a whole.
+    #[default]
+    No,
+    /// Its stages can be those of program pipelines (ARB_separate_shader_objects).
+    Yes,
 }
 
 /// How transform feedback fills buffers (GL 3.0 section 2.15).
@@ -287,6 +299,30 @@ impl Program {
             |range: &Range<u32>| u32::try_from(location).is_ok_and(|at| range.contains(&at));
         self.explicit_locations.iter().any(is_in)
     }
+}
+
+/// Uniform words of a pipeline that are those of one of its programs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct WordsOfPart {
+    /// The index of the program.
+    pub part: usize,
+    /// The first word there.
+    pub from: u32,
+    /// The first word in the pipeline.
+    pub to: u32,
+    /// How many.
+    pub count: u32,
+}
+
+/// The programs of a pipeline, linked.
+#[derive(Clone, Debug)]
+pub struct LinkedPipeline {
+    /// The program of all stages.
+    pub linked: Linked,
+    /// Where its uniforms come from.
+    pub words: Vec<WordsOfPart>,
+    /// For each of its uniform blocks the program that it comes from, and the index there.
+    pub blocks: Vec<(usize, usize)>,
 }
 
 /// The result of a link.

@@ -21,8 +21,10 @@ pub(crate) fn begin_transform_feedback(context: &mut Context, mode: GLenum) -> R
             "transform feedback is active: glEndTransformFeedback is missing",
         );
     }
-    let program = context.state.bindings.program.name();
-    let Some(linked) = context.objects.shared.linked_program(program) else {
+    crate::draw::program_pipeline::prepare(context);
+    crate::draw::program_pipeline::check(context)?;
+    let (program, pipeline) = in_use(context);
+    let Some(linked) = context.executable() else {
         return invalid_operation(SECTION, "no program is in use: call glUseProgram");
     };
     let count = linked.program.captured.len();
@@ -47,8 +49,18 @@ pub(crate) fn begin_transform_feedback(context: &mut Context, mode: GLenum) -> R
         );
     }
     let written = [0; MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS];
-    context.transform_feedback.active = Some(Active { kind, program, written, vertices: 0 });
+    context.transform_feedback.active =
+        Some(Active { kind, program, pipeline, written, vertices: 0 });
     Ok(())
+}
+
+/// The name of the program in use, or else that of the pipeline in use and of its programs.
+fn in_use(context: &Context) -> (GLuint, (GLuint, [GLuint; 3])) {
+    let pipelines = &context.objects.pipelines;
+    match (context.state.bindings.program.name(), pipelines.current()) {
+        (0, Some(pipeline)) => (0, (pipelines.bound, pipeline.names())),
+        (program, _) => (program, (0, [0; 3])),
+    }
 }
 
 pub(crate) fn end_transform_feedback(context: &mut Context) -> Result<()> {
@@ -86,7 +98,17 @@ pub(crate) fn resume_transform_feedback(context: &mut Context) -> Result<()> {
             "transform feedback is not paused: glPauseTransformFeedback is missing",
         );
     };
-    let program = context.state.bindings.program.name();
+    let (program, pipeline) = in_use(context);
+    if program == paused.program && pipeline != paused.pipeline {
+        return invalid_operation(
+            "ARB_separate_shader_objects, section 2.20",
+            format!(
+                "program pipeline {} is in use, but pipeline {} was when transform feedback began, or its programs \
+                 were others: call glBindProgramPipeline",
+                pipeline.0, paused.pipeline.0
+            ),
+        );
+    }
     if program != paused.program {
         return invalid_operation(
             OBJECTS,

@@ -10,6 +10,7 @@ pub(crate) mod mirror;
 pub(crate) mod pending_bitmaps;
 pub(crate) mod pending_primitives;
 pub(crate) mod profile;
+pub(crate) mod program_in_use;
 pub(crate) mod recorder;
 pub(crate) mod reset;
 pub(crate) mod sharing;

@@ -13,8 +13,7 @@ use std::sync::Arc;
 
 /// Whether the program in use has a stage: it comes before assembly programs.
 fn in_use_has(context: &Context, target: Target) -> bool {
-    let linked = context.objects.shared.linked_program(context.state.bindings.program.name());
-    linked.is_some_and(|linked| match stage(target) {
+    context.executable().is_some_and(|linked| match stage(target) {
         Stage::Vertex => linked.vertex.is_some(),
         Stage::Fragment => linked.fragment.is_some(),
         // No assembly program is of this stage.

@@ -28,8 +28,7 @@ pub(crate) fn counts_emitted(context: &Context) -> bool {
 
 /// The interface of the geometry stage of the program in use.
 fn interface(context: &Context) -> Option<&GeometryInterface> {
-    let name = context.state.bindings.program.name();
-    context.objects.shared.linked_program(name).and_then(Linked::geometry_interface)
+    context.executable().and_then(Linked::geometry_interface)
 }
 
 /// Whether the buffers have room for the whole primitives of so many vertices more.
@@ -172,8 +171,7 @@ struct Layout {
 impl Layout {
     /// What the program in use captures.
     fn of(context: &Context) -> Option<Self> {
-        let linked =
-            context.objects.shared.linked_program(context.state.bindings.program.name())?;
+        let linked = context.executable()?;
         Some(Self { buffers: linked.program.captured_by_buffer() })
     }
 

@@ -10,6 +10,7 @@
 //! | `stages` | chooses the vertex and the fragment stage: programs (`assembly_stage`), or `fixed_function` |
 //! | `textures`, `texture_buffer` | what stages sample |
 //! | `state_words`, `assembly_words`, `uniform_blocks` | the uniform words of stages |
+//! | `program_pipeline` | the programs of a pipeline as one |
 //! | `pipeline`, `raster_state`, `color_clamp`, `material` | other state in the driver's terms |
 //! | `emitted_state` | emits to the pass what differs from the draw before |
 //! | `capture`, `feedback`, `vertex_stage` | transform feedback, selection and feedback: primitives beside the pass |
@@ -45,6 +46,7 @@ pub(crate) mod pending_primitives;
 pub(crate) mod pipeline;
 pub(crate) mod pixel_rectangle;
 pub(crate) mod pixel_zoom;
+pub(crate) mod program_pipeline;
 pub(crate) mod raster_state;
 pub(crate) mod record;
 pub(crate) mod stages;

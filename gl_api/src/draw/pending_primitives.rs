@@ -17,7 +17,7 @@ pub(crate) fn can_batch(context: &Context) -> bool {
     let enables = &context.state.enables;
     context.immediate.is_none()
         && context.watched.is_none()
-        && context.state.bindings.program.name() == 0
+        && !context.has_program()
         && !enables.has(Flag::VertexProgram)
         && !enables.has(Flag::FragmentProgram)
         && !context.transform_feedback.is_active()

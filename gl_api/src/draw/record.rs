@@ -27,7 +27,7 @@ use texunit::format::Format;
 /// The attributes whose current values a draw may read, bit by location. While a list is compiled that is all of them,
 /// as it is drawn with whatever program is in use when it is called.
 fn constants_read(context: &Context) -> u64 {
-    let linked = context.objects.shared.linked_program(context.state.bindings.program.name());
+    let linked = context.executable();
     match linked.filter(|linked| linked.vertex.is_some() && context.compiling.is_none()) {
         Some(linked) => linked.attributes | 1 << ATTRIB_EDGE_FLAG,
         None => u64::MAX,
@@ -73,6 +73,7 @@ pub(crate) fn draw(
         emit_vertices(context, vertices, elements);
         return Ok(());
     }
+    crate::draw::program_pipeline::prepare(context);
     add_constants(context, &mut vertices);
     let pass = checked_pass(context)?;
     if context.queries.discards() {
@@ -111,6 +112,7 @@ pub(crate) fn draw_rectangle(
 ) -> Result<()> {
     let topology = Topology::Quads;
     draw_pending(context);
+    crate::draw::program_pipeline::prepare(context);
     let pass = checked_pass(context)?;
     if context.queries.discards() || !is_rasterized(context, topology, &vertices, elements)? {
         return Ok(());
@@ -143,8 +145,7 @@ pub(crate) fn draw_rectangle(
 /// # Errors
 /// When the geometry shader takes other primitives.
 fn drawn_topology(context: &Context, topology: Topology) -> Result<Topology> {
-    let linked = context.objects.shared.linked_program(context.state.bindings.program.name());
-    let Some(interface) = linked.and_then(Linked::geometry_interface) else {
+    let Some(interface) = context.executable().and_then(Linked::geometry_interface) else {
         return Ok(topology);
     };
     if topology.geometry_input() != Some(interface.input) {
@@ -183,7 +184,8 @@ fn input_name(input: GeometryInput) -> &'static str {
 fn checked_pass(context: &mut Context) -> Result<PassDesc> {
     let pass = draw_pass(context)?;
     let program = context.state.bindings.program.name();
-    let linked = context.objects.shared.linked_program(program);
+    crate::draw::program_pipeline::check(context)?;
+    let linked = context.executable();
     let is_shaded = linked.is_some_and(|linked| linked.fragment.is_some());
     if program != 0 && linked.is_none() {
         return invalid_operation(

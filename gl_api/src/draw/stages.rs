@@ -46,9 +46,9 @@ struct Programs {
 
 impl Programs {
     /// The program in use, and assembly programs for the stages that it lacks.
-    fn new(context: &mut Context, name: u32) -> Result<Self> {
+    fn new(context: &mut Context) -> Result<Self> {
         let mut programs = Self { words: context.recorder.empty_words(), ..Self::default() };
-        if let Some(linked) = context.objects.shared.linked_program(name) {
+        if let Some(linked) = context.executable() {
             if let Err(problem) = runnable(linked) {
                 return invalid_operation("GL 2.1, section 2.15.4", problem);
             }
@@ -95,11 +95,11 @@ pub(crate) fn choose(
     vertices: &[VertexBinding],
     antialiasing: Antialiasing,
 ) -> Result<Stages> {
-    let name = context.state.bindings.program.name();
-    crate::draw::uniform_blocks::refresh(context, name)?;
+    crate::draw::program_pipeline::sync(context);
+    crate::draw::uniform_blocks::refresh(context)?;
     crate::draw::fixed_function::keys::update_unit_summary(context);
     let clamp = crate::draw::color_clamp::of_fragments(context);
-    let programs = Programs::new(context, name)?;
+    let programs = Programs::new(context)?;
     let vertex_textures = match &programs.vertex {
         Some(module) => programs.textures(context, Stage::Vertex, module)?,
         None => Arc::clone(&context.recorder.no_textures),
@@ -114,7 +114,7 @@ pub(crate) fn choose(
     let note = context.watched.is_some().then(|| match (&fragment.key, assembly[1]) {
         (Some(key), _) => DrawNote::of_fixed(context, key),
         (None, Some(_)) => DrawNote::of_assembly(context, &samplers, &words),
-        (None, None) => DrawNote::of_program(context, name, &fragment.module, &words),
+        (None, None) => DrawNote::of_program(context, &fragment.module, &words),
     });
     let stages = [&vertex.module, &fragment.module].into_iter().chain(&geometry);
     let needed = stages.map(|stage| stage.module().uniform_words).max().unwrap_or(0);
@@ -144,9 +144,8 @@ fn put_words(context: &Context, words: &mut Vec<u32>, linked: &Linked) {
 /// The words of a draw with the stages of the draw before; `None` where samplers have changed.
 pub(crate) fn words(context: &mut Context, keys: &StageKeys) -> Option<Vec<u32>> {
     let mut words = context.recorder.empty_words();
-    if let Some(linked) =
-        context.objects.shared.linked_program(context.state.bindings.program.name())
-    {
+    crate::draw::program_pipeline::sync(context);
+    if let Some(linked) = context.executable() {
         put_words(context, &mut words, linked);
         let emitted = context.recorder.emitted.words.as_deref()?;
         let is_same =

@@ -10,15 +10,18 @@ use crate::state::uniform_buffers::SECTION;
 use rasterizer::driver::Buffer;
 use rasterizer::ir::TRUE;
 
-/// Brings the words of a program's uniform blocks up to date.
+/// Brings the words of the uniform blocks of the program in use up to date.
 ///
 /// # Errors
 /// `GL_INVALID_OPERATION` if a buffer that it reads is mapped.
-pub(crate) fn refresh(context: &mut Context, name: GLuint) -> Result<()> {
+pub(crate) fn refresh(context: &mut Context) -> Result<()> {
     let objects = &mut *context.objects.shared;
-    let program = match objects.programs.get_mut(name) {
-        Some(ShaderOrProgram::Program(program)) => program.executable.as_mut(),
-        Some(ShaderOrProgram::Shader(_)) | None => None,
+    let program = match context.state.bindings.program.name() {
+        0 => context.objects.pipelines.executable_mut(),
+        name => match objects.programs.get_mut(name) {
+            Some(ShaderOrProgram::Program(program)) => program.executable.as_mut(),
+            Some(ShaderOrProgram::Shader(_)) | None => None,
+        },
     };
     let Some(Linked { program, blocks, words, .. }) = program else { return Ok(()) };
     let none = BufferRange::default();

@@ -11,6 +11,9 @@ use rasterizer::ir::{Stage, TextureDecl};
 /// # Errors
 /// The rule that is broken, and what to do.
 pub(crate) fn runnable(linked: &Linked) -> Result<(), String> {
+    if linked.geometry.is_some() && linked.vertex.is_none() {
+        return Err("there is a geometry stage and no vertex stage: attach a vertex shader".into());
+    }
     let limit = usize::from(MAX_COMBINED_TEXTURE_IMAGE_UNITS);
     // A sampler that is compared in two ways has two slots.
     let slots = &linked.program.samplers;

@@ -149,7 +149,7 @@ pub(crate) fn scattered_vertices(
 
 /// Whether the program in use reads `gl_VertexID`.
 fn reads_vertex_id(context: &Context) -> bool {
-    let linked = context.objects.shared.linked_program(context.state.bindings.program.name());
+    let linked = context.executable();
     let values =
         linked.and_then(|linked| linked.vertex.as_ref()).map(|stage| &stage.module().values);
     values.into_iter().flatten().any(|value| matches!(value, Expr::Input(Input::VertexId)))

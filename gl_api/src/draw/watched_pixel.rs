@@ -12,14 +12,10 @@ use rasterizer::ir::Stage;
 
 impl DrawNote {
     /// The note of a draw by a program.
-    pub fn of_program(
-        context: &Context,
-        name: u32,
-        fragment: &ShaderModule,
-        words: &[u32],
-    ) -> Self {
+    pub fn of_program(context: &Context, fragment: &ShaderModule, words: &[u32]) -> Self {
+        let name = context.program_of(Stage::Fragment);
         let mut note = Self { title: format!("program {name}"), ..Self::default() };
-        let Some(linked) = context.objects.shared.linked_program(name) else { return note };
+        let Some(linked) = context.executable() else { return note };
         note.varyings.clone_from(&linked.program.varyings);
         for slot in 0..fragment.module().textures.len() {
             let sampler =

@@ -51,6 +51,7 @@ pub fn steps(page: &mut Page, fragment: &Fragment, note: &DrawNote) {
                 | Output::Position(_)
                 | Output::PointSize
                 | Output::ClipDistance(_)
+                | Output::CullDistance(_)
                 | Output::Varying(_)
                 | Output::Layer
                 | Output::PrimitiveId

@@ -5,9 +5,10 @@ use crate::generate::fixed::clamp::clamp_vertex_colors;
 use crate::glsl;
 use crate::objects::assemblies::AssemblyExecutable;
 use crate::objects::blocks::BlockState;
-use crate::objects::programs::Linked;
+use crate::objects::programs::{LinkSources, Linked};
 use rasterizer::driver::ShaderModule;
 use rasterizer::ir::{Expr, Input, IrError, Module};
+use std::sync::Arc;
 
 /// The attributes that a vertex stage reads, bit by location.
 fn read_attributes(module: &Module) -> u64 {
@@ -21,7 +22,10 @@ fn read_attributes(module: &Module) -> u64 {
 }
 
 /// The executable of a linked program.
-pub(crate) fn executable(mut program: glsl::Program) -> Result<Linked, IrError> {
+pub(crate) fn executable(
+    mut program: glsl::Program,
+    sources: Arc<LinkSources>,
+) -> Result<Linked, IrError> {
     let module = |module: &Option<Module>| module.clone().map(ShaderModule::new).transpose();
     let unclamped = program.vertex.clone();
     let has_colors = program.vertex.as_mut().is_some_and(clamp_vertex_colors);
@@ -37,7 +41,17 @@ pub(crate) fn executable(mut program: glsl::Program) -> Result<Linked, IrError> 
     }
     let blocks = BlockState::of(&program);
     let attributes = vertex.as_ref().map_or(0, |vertex| read_attributes(vertex.module()));
-    Ok(Linked { program, vertex, unclamped_vertex, geometry, fragment, attributes, words, blocks })
+    Ok(Linked {
+        sources,
+        program,
+        vertex,
+        unclamped_vertex,
+        geometry,
+        fragment,
+        attributes,
+        words,
+        blocks,
+    })
 }
 
 /// The executable of an assembly program.
@@ -46,7 +60,7 @@ pub(crate) fn executable(mut program: glsl::Program) -> Result<Linked, IrError> 
 /// When its module has more values than the IR can name.
 pub(crate) fn assembly_executable(loaded: Loaded) -> Result<AssemblyExecutable, IrError> {
     let Loaded { program, initial, rows, counts, position } = loaded;
-    let mut linked = executable(program)?;
+    let mut linked = executable(program, Arc::default())?;
     linked.words = initial;
     Ok(AssemblyExecutable { linked, rows, counts, position })
 }

@@ -9,6 +9,7 @@ pub(crate) mod color_buffers;
 pub(crate) mod framebuffers;
 pub(crate) mod lists;
 pub(crate) mod name_table;
+pub(crate) mod pipelines;
 pub(crate) mod programs;
 pub(crate) mod queries;
 pub(crate) mod renderbuffers;
@@ -26,6 +27,7 @@ use crate::objects::assemblies::Assembly;
 use crate::objects::bound::Bound;
 use crate::objects::framebuffers::Framebuffer;
 use crate::objects::name_table::NameTable;
+use crate::objects::pipelines::Pipelines;
 use crate::objects::queries::Query;
 use crate::objects::shared::{GroupAccess, ShareGroup};
 use crate::objects::target::TextureTarget;
@@ -46,6 +48,7 @@ pub(crate) struct Objects {
     pub vertex_arrays: NameTable<VertexArray>,
     pub default_vertex_array: VertexArray,
     pub queries: NameTable<Query>,
+    pub pipelines: Pipelines,
 }
 
 impl Objects {
@@ -59,6 +62,7 @@ impl Objects {
             vertex_arrays: NameTable::default(),
             default_vertex_array: VertexArray::default(),
             queries: NameTable::default(),
+            pipelines: Pipelines::default(),
         }
     }
 

@@ -8,6 +8,7 @@ use crate::objects::shaders::ShaderObject;
 use crate::objects::shared::SharedObjects;
 use rasterizer::driver::ShaderModule;
 use rasterizer::ir::GeometryInterface;
+use std::sync::Arc;
 
 /// Shaders and programs share one space of names.
 #[derive(Debug)]
@@ -41,12 +42,23 @@ pub(crate) struct ProgramObject {
     /// `GL_PROGRAM_BINARY_RETRIEVABLE_HINT` of the last link, and what the next one takes.
     pub binary_hint: bool,
     pub next_binary_hint: bool,
+    /// `GL_PROGRAM_SEPARABLE` of the next link.
+    pub separable: glsl::Separable,
     pub doomed: bool,
+}
+
+/// What a program was linked from: pipelines link it with others.
+#[derive(Debug, Default)]
+pub(crate) struct LinkSources {
+    pub shaders: Vec<glsl::Shader>,
+    pub bindings: glsl::Bindings,
 }
 
 /// A linked program, ready to draw with.
 #[derive(Debug)]
 pub(crate) struct Linked {
+    /// What it was linked from; another one after each link.
+    pub sources: Arc<LinkSources>,
     pub program: glsl::Program,
     pub vertex: Option<ShaderModule>,
     /// The vertex stage with its colours as they are, for `glClampColor`; the same one if it writes

@@ -178,6 +178,7 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     "GL_ARB_get_program_binary",
     "GL_ARB_occlusion_query2",
     "GL_ARB_sampler_objects",
+    "GL_ARB_separate_shader_objects",
     "GL_ARB_shader_bit_encoding",
     "GL_ARB_shader_stencil_export",
     "GL_ARB_texture_buffer_object_rgb32",
@@ -211,6 +212,7 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     "GL_ARB_texture_mirror_clamp_to_edge",
     // 2014
     "GL_ARB_clip_control",
+    "GL_ARB_cull_distance",
     "GL_ARB_get_texture_sub_image",
     "GL_EXT_polygon_offset_clamp",
     // 2017

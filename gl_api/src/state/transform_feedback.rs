@@ -80,12 +80,21 @@ impl CapturedPrimitive {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Active {
     pub kind: CapturedPrimitive,
-    /// The program whose outputs are captured.
+    /// The program in use; 0 if it is a pipeline.
     pub program: GLuint,
+    /// The pipeline in use and its programs, by stage; 0 if it is a program.
+    pub pipeline: (GLuint, [GLuint; 3]),
     /// Bytes written to each buffer.
     pub written: [usize; MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS],
     /// Vertices written.
     pub vertices: u32,
+}
+
+impl Active {
+    /// Whether it captures what a program writes.
+    pub(crate) fn is_of(&self, program: GLuint) -> bool {
+        self.program == program || self.pipeline.1.contains(&program)
+    }
 }
 
 /// The bound buffers, and active transform feedback.

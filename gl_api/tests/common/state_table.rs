@@ -347,6 +347,7 @@ pub const STATE: &[Row] = rows! {
     }
     "6.33 to 6.35, programs" {
         GL_CURRENT_PROGRAM Number F;
+        GL_PROGRAM_PIPELINE_BINDING Number F;
         GL_VERTEX_PROGRAM_TWO_SIDE Number F;
         GL_VERTEX_PROGRAM_POINT_SIZE Number F;
         GL_VERTEX_PROGRAM_ARB Number F;
@@ -386,6 +387,8 @@ pub const LEAST: &[Row] = rows! {
     "6.37" {
         GL_MAX_LIGHTS Number &[8.0];
         GL_MAX_CLIP_PLANES Number &[6.0];
+        GL_MAX_CULL_DISTANCES Number &[8.0];
+        GL_MAX_COMBINED_CLIP_AND_CULL_DISTANCES Number &[8.0];
         GL_MAX_MODELVIEW_STACK_DEPTH Number &[32.0];
         GL_MAX_PROJECTION_STACK_DEPTH Number &[2.0];
         GL_MAX_TEXTURE_STACK_DEPTH Number &[2.0];

@@ -2,6 +2,7 @@
 //! calls refuse.
 
 mod attributes;
+mod pipelines;
 mod uniforms;
 
 use gl_api::*;

@@ -28,6 +28,7 @@ const CANNOT_FAIL: &[(&str, &[&str])] = &[
             "glIsList",
             "glIsProgram",
             "glIsProgramARB",
+            "glIsProgramPipeline",
             "glIsQuery",
             "glIsRenderbuffer",
             "glIsSampler",

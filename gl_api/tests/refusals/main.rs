@@ -15,6 +15,7 @@ mod fragments;
 mod framebuffers;
 mod get_texture_sub_image;
 mod packed;
+mod pipelines;
 mod programs;
 mod queries;
 mod reading;
@@ -72,6 +73,7 @@ fn each_refusal_sets_its_flag_says_why_and_changes_nothing_and_each_call_has_one
         framebuffers::run,
         special_functions::run,
         packed::run,
+        pipelines::run,
         get_texture_sub_image::run,
         stored_texels::run,
         programs::run,

@@ -12,6 +12,7 @@ mod accumulation;
 mod bad_input;
 mod clip_control;
 mod conditional;
+mod cull_distances;
 mod depth_clamp;
 mod evaluators;
 mod feedback;

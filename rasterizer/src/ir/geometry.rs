@@ -68,6 +68,7 @@ impl Output {
             Self::Position(_)
             | Self::PointSize
             | Self::ClipDistance(_)
+            | Self::CullDistance(_)
             | Self::Varying(_)
             | Self::Color { .. }
             | Self::SecondColor(_)

@@ -69,6 +69,8 @@ pub enum Output {
     PointSize,
     /// Distance to a user clip plane; negative is cut away.
     ClipDistance(u8),
+    /// Distance of a vertex; where one is negative at all vertices of a primitive, that is not drawn.
+    CullDistance(u8),
     /// A scalar for the fragment stage.
     Varying(u16),
     /// Component 0 to 3 of a colour for a render target.

@@ -94,7 +94,7 @@ impl Module {
         for &output in outputs {
             let in_range = match output {
                 Output::Position(component) => component < 4,
-                Output::ClipDistance(plane) => plane < 8,
+                Output::ClipDistance(plane) | Output::CullDistance(plane) => plane < 8,
                 Output::PointSize
                 | Output::Varying(_)
                 | Output::Layer
@@ -119,7 +119,9 @@ impl Module {
             let (stage, in_range) = match output {
                 Output::Position(component) => (Stage::Vertex, component < 4),
                 Output::PointSize | Output::Varying(_) => (Stage::Vertex, true),
-                Output::ClipDistance(plane) => (Stage::Vertex, plane < 8),
+                Output::ClipDistance(plane) | Output::CullDistance(plane) => {
+                    (Stage::Vertex, plane < 8)
+                }
                 Output::Color { component, .. } | Output::SecondColor(component) => {
                     (Stage::Fragment, component < 4)
                 }
@@ -142,6 +144,7 @@ impl Module {
                 Output::Position(_)
                 | Output::PointSize
                 | Output::ClipDistance(_)
+                | Output::CullDistance(_)
                 | Output::Varying(_)
                 | Output::SecondColor(_)
                 | Output::Depth => variable.ty == Ty::F32,
@@ -247,7 +250,8 @@ impl Body<'_> {
                     Output::Position(component) => component < 4,
                     Output::ClipDistance(plane) => plane < 8,
                     Output::PointSize | Output::Varying(_) => true,
-                    Output::Color { .. }
+                    Output::CullDistance(_)
+                    | Output::Color { .. }
                     | Output::SecondColor(_)
                     | Output::Depth
                     | Output::StencilReference

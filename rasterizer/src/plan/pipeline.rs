@@ -289,6 +289,7 @@ impl Compiled {
             Output::Position(_)
             | Output::PointSize
             | Output::ClipDistance(_)
+            | Output::CullDistance(_)
             | Output::Varying(_)
             | Output::Layer
             | Output::PrimitiveId
@@ -336,6 +337,7 @@ impl Compiled {
                 Output::Position(_)
                 | Output::PointSize
                 | Output::ClipDistance(_)
+                | Output::CullDistance(_)
                 | Output::Layer => true,
                 Output::Varying(slot) => slots.contains(&slot),
                 Output::PrimitiveId => reads_number,
@@ -350,7 +352,7 @@ impl Compiled {
         let vertex = Program::new(vertex, |output| match output {
             Output::Position(_) => true,
             // Any topology can end as points, and what is written to clip distances cuts.
-            Output::PointSize | Output::ClipDistance(_) => true,
+            Output::PointSize | Output::ClipDistance(_) | Output::CullDistance(_) => true,
             Output::Varying(slot) => vertex_slots.contains(&slot),
             Output::Color { .. }
             | Output::SecondColor(_)

@@ -106,6 +106,9 @@ impl Setup<'_> {
         if let Some((_, side)) = SIDES.into_iter().find(|(bit, _)| every & bit != 0) {
             return InvisibleReason::Outside(side);
         }
+        if every & Outcode::REJECT != 0 {
+            return InvisibleReason::Cut;
+        }
         let whole: Vec<_>;
         let corners = if any & Outcode::CUT == 0 {
             whole = vertices.iter().map(|&v| geometry.snapped[v as usize]).collect();

@@ -4,7 +4,7 @@
 use super::assemble::Primitives;
 use super::geometry::{Geometry, VARYINGS};
 use super::vertex_list::VertexList;
-use super::viewport::{ViewportTransform, WindowVertices, cut};
+use super::viewport::{ViewportTransform, WindowVertices, cut, note_culled};
 use crate::desc::{PointSize, Provoking, Viewport};
 use crate::ir::{Input, Output};
 use crate::shader::{Emission, Invocation, Machine, OverBudget, Prepared, Program};
@@ -167,6 +167,7 @@ impl GeometryStage<'_> {
             }
             Output::PointSize
             | Output::ClipDistance(_)
+            | Output::CullDistance(_)
             | Output::Color { .. }
             | Output::SecondColor(_)
             | Output::Depth
@@ -191,6 +192,7 @@ impl GeometryStage<'_> {
                     PointSize::Vertex => targets.point_size = Some(word),
                 },
                 Output::ClipDistance(_) => targets.distances.push(word),
+                Output::CullDistance(number) => targets.culls.push((word, number)),
                 Output::Varying(slot) => {
                     let at = self.varyings.iter().position(|&other| other == slot);
                     targets.varyings.extend(at.map(|at| (word, VARYINGS + at)));
@@ -284,6 +286,10 @@ impl GeometryStage<'_> {
             }
             let mut window = WindowVertices { snapped: [[0; LANES]; 2], outcodes: [0; LANES] };
             self.isa.run(ViewportTransform { clip, viewport: &self.viewport, out: &mut window });
+            for &(word, number) in &targets.culls {
+                let distances = emission.values(vertex, word).as_f32();
+                note_culled(&mut window.outcodes, number, distances);
+            }
             places().for_each(|(lane, at)| {
                 geometry.snapped[at] = [window.snapped[0][lane], window.snapped[1][lane]];
                 geometry.outcodes[at] = window.outcodes[lane];
@@ -316,6 +322,8 @@ struct Targets {
     varyings: Vec<(usize, usize)>,
     point_size: Option<usize>,
     distances: Vec<usize>,
+    /// Words and numbers of cull distances.
+    culls: Vec<(usize, u8)>,
     layer: Option<usize>,
     primitive_id: Option<usize>,
 }

@@ -2,7 +2,7 @@
 
 use super::fetch::{self, Elements};
 use super::geometry::{Geometry, VARYINGS};
-use super::viewport::{ViewportTransform, WindowVertices, cut};
+use super::viewport::{ViewportTransform, WindowVertices, cut, note_culled};
 use crate::desc::{PointSize, VertexBinding, VertexSource, Viewport};
 use crate::ir::{Input, Output};
 use crate::shader::{Invocation, Machine, OverBudget, Prepared, Program};
@@ -209,6 +209,8 @@ enum OutputTarget {
     Value(usize),
     /// A clip distance, by its index among the distances.
     Distance(usize),
+    /// A cull distance, by its number.
+    Cull(u8),
     Nowhere,
 }
 
@@ -278,6 +280,7 @@ impl VertexStage<'_> {
                 Some(at) => OutputTarget::Value(VARYINGS + at),
                 None => OutputTarget::Nowhere,
             },
+            Output::CullDistance(number) => OutputTarget::Cull(number),
             Output::ClipDistance(_) => {
                 plane.next().map_or(OutputTarget::Nowhere, OutputTarget::Distance)
             }
@@ -333,6 +336,7 @@ impl VertexStage<'_> {
         })?;
         let stride = self.stride();
         let mut clip = [&F32s::ZERO; 4];
+        let mut culled: Option<[u32; LANES]> = None;
         for (index, &target) in targets.iter().enumerate() {
             let lanes = machine.output(index).as_f32();
             match target {
@@ -347,6 +351,9 @@ impl VertexStage<'_> {
                     let planes = distances.len() / ids.len();
                     scatter(distances, at, planes, lanes);
                 }
+                OutputTarget::Cull(number) => {
+                    note_culled(culled.get_or_insert([0; LANES]), number, lanes);
+                }
                 OutputTarget::Nowhere => {}
             }
         }
@@ -359,6 +366,9 @@ impl VertexStage<'_> {
             *to = [window.snapped[0][lane], window.snapped[1][lane]];
         }
         outcodes.copy_from_slice(&window.outcodes[..ids.len()]);
+        if let Some(culled) = culled {
+            outcodes.iter_mut().zip(culled).for_each(|(outcode, culled)| *outcode |= culled);
+        }
         if !distances.is_empty() {
             let planes = distances.len() / ids.len();
             for (outcode, own) in outcodes.iter_mut().zip(distances.chunks_exact(planes)) {

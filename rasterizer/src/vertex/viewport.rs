@@ -5,7 +5,7 @@ use crate::sizes::{GUARD_BAND, SUBPIXEL};
 use texunit::lanes::{F32s, Kernel, LANES, Simd};
 
 /// The sides of the clip volume that a vertex is outside of, a bit each; from bit 16 on, the user clip planes that it
-/// is beyond.
+/// is beyond; from bit 24 on, its negative cull distances.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Outcode(pub u32);
 
@@ -31,8 +31,16 @@ impl Outcode {
     /// Beyond a user clip plane.
     pub const USER: u32 = 512;
     /// If every vertex is outside of one of these, the primitive is rejected.
-    pub const REJECT: u32 =
-        Self::LEFT | Self::RIGHT | Self::BOTTOM | Self::TOP | Self::NEAR | Self::FAR | Self::BEHIND;
+    pub const REJECT: u32 = Self::LEFT
+        | Self::RIGHT
+        | Self::BOTTOM
+        | Self::TOP
+        | Self::NEAR
+        | Self::FAR
+        | Self::BEHIND
+        | 0xFF << Self::FIRST_CULL;
+    /// The bit of the first cull distance.
+    pub const FIRST_CULL: u32 = 24;
     /// If any vertex is outside of one of these, the primitive is clipped.
     pub const CUT: u32 = Self::NEAR | Self::FAR | Self::BEHIND | Self::GUARD | Self::USER;
 
@@ -115,6 +123,13 @@ pub fn snap(window: f64) -> i32 {
     let integer = rounded.to_bits() as i32;
     // Rounded to nearest: subtract one where the rounding was upward.
     integer - i32::from(rounded - TO_INTEGER > v)
+}
+
+/// Notes which of 64 vertices have a negative distance, the one of this number.
+pub(super) fn note_culled(outcodes: &mut [u32; LANES], number: u8, distances: &F32s) {
+    for (outcode, distance) in outcodes.iter_mut().zip(&distances.0) {
+        *outcode |= u32::from(*distance < 0.0) << (Outcode::FIRST_CULL + u32::from(number));
+    }
 }
 
 /// Clip tests against the user clip planes. A NaN distance drops the primitive.

@@ -19,6 +19,8 @@ pub enum Builtin {
     ClipVertex,
     /// `gl_ClipDistance`.
     ClipDistance,
+    /// `gl_CullDistance`.
+    CullDistance,
     /// `gl_InstanceID`.
     InstanceId,
     /// `gl_VertexID`.
@@ -58,10 +60,11 @@ pub enum Builtin {
 }
 
 /// The members of the block `gl_PerVertex` (GLSL 1.50 section 7.1).
-pub const PER_VERTEX: [&str; 10] = [
+pub const PER_VERTEX: [&str; 11] = [
     "gl_Position",
     "gl_PointSize",
     "gl_ClipDistance",
+    "gl_CullDistance",
     "gl_ClipVertex",
     "gl_FrontColor",
     "gl_BackColor",
@@ -80,6 +83,8 @@ pub enum Incoming {
     PointSize,
     /// `gl_ClipDistance`.
     ClipDistance,
+    /// `gl_CullDistance`.
+    CullDistance,
     /// `gl_ClipVertex`.
     ClipVertex,
     /// A built-in varying, by slot.
@@ -102,7 +107,11 @@ impl Builtin {
     /// (GLSL 1.30 sections 7.1 and 7.6, ARB_fragment_coord_conventions).
     pub fn is_redeclarable(self) -> bool {
         match self {
-            Self::Varying(_) | Self::ClipDistance | Self::FragCoord | Self::FragDepth => true,
+            Self::Varying(_)
+            | Self::ClipDistance
+            | Self::CullDistance
+            | Self::FragCoord
+            | Self::FragDepth => true,
             Self::Position
             | Self::PointSize
             | Self::ClipVertex
@@ -131,6 +140,7 @@ impl Builtin {
             | Self::PointSize
             | Self::ClipVertex
             | Self::ClipDistance
+            | Self::CullDistance
             | Self::Varying(_)
             | Self::FragCoord
             | Self::PointCoord => Invariance::Allowed,

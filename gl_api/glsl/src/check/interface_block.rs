@@ -8,7 +8,7 @@ use super::Checker;
 use super::scope::Symbol;
 use crate::ast::{self, Qualifier};
 use crate::hir::{Expr, ExprKind, InterfaceBlock, VarRef};
-use crate::language::stage_name;
+use crate::language::{Extension, stage_name};
 use crate::text::diagnostics::Diagnostic;
 use crate::text::source::Span;
 use crate::text::spelling::closest;
@@ -69,7 +69,14 @@ impl Checker<'_> {
             self.log.push(problem.help("declare the members as variables of their own"));
             return;
         }
-        for (_, span) in &qualifiers[..qualifiers.len() - 1] {
+        let mut location = None;
+        for (qualifier, span) in &qualifiers[..qualifiers.len() - 1] {
+            if let Qualifier::Location(first) = qualifier
+                && self.language.enabled(Extension::SeparateShaderObjects)
+            {
+                location = Some(*first);
+                continue;
+            }
             let message = "before a block of inputs or outputs stands `in` or `out` alone";
             let problem = Diagnostic::error(*span, message).rule(self.rule(SECTION));
             self.log.push(problem.help("write it before the members"));
@@ -102,10 +109,33 @@ impl Checker<'_> {
         if variables.is_empty() {
             self.error(name.span, SECTION, "a block needs a member");
         }
+        let per_vertex = (self.stage, way) == (Stage::Geometry, Qualifier::In);
+        if let Some(first) = location {
+            if block.is_array && !per_vertex {
+                let message = "an array of blocks has no location";
+                let problem = Diagnostic::error(name.span, message);
+                self.log.push(problem.rule("ARB_separate_shader_objects"));
+            }
+            self.locate_members(&variables, first, per_vertex);
+        }
         let Some(instance) = instance else { return };
         self.check_new(&instance.name);
         let members = InstanceMembers::Variables(variables);
         self.add_instance(&instance.name, &block.name, block.is_array, members);
+    }
+
+    /// Gives the members of a block consecutive locations from `next` on. Where `per_vertex`, they are arrays with an
+    /// element for each vertex.
+    fn locate_members(&mut self, members: &[(Arc<str>, VarRef)], mut next: u32, per_vertex: bool) {
+        for (_, member) in members {
+            let variable = self.variable_mut(*member);
+            let first = *variable.interface_qualifiers.location.get_or_insert(next);
+            let passed = match &variable.ty {
+                Type::Array(element, _) if per_vertex => element,
+                ty => ty,
+            };
+            next = first.saturating_add(passed.locations());
+        }
     }
 
     /// The members of one declaration.

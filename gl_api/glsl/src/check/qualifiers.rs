@@ -209,7 +209,8 @@ impl Checker<'_> {
     }
 
     /// Only `in` of the vertex stage and `out` of the fragment stage have locations
-    /// (ARB_explicit_attrib_location), not `attribute` and `varying`; by an extension uniforms, too.
+    /// (ARB_explicit_attrib_location), not `attribute` and `varying`; by extensions uniforms, and what passes between
+    /// stages, too.
     fn check_location(
         &mut self,
         storage: Storage,
@@ -229,14 +230,22 @@ impl Checker<'_> {
             }
             return;
         }
-        let has_one = matches!(storage, Storage::Attribute | Storage::FragmentOutput);
+        let passes = matches!(storage, Storage::Output(_) | Storage::Input(_));
+        let has_one = matches!(storage, Storage::Attribute | Storage::FragmentOutput)
+            || passes && self.language.enabled(Extension::SeparateShaderObjects);
         if has_one && !matches!(word, Some(Qualifier::Attribute | Qualifier::Varying)) {
             return;
         }
         let message = "only an `in` of the vertex stage and an `out` of the fragment stage have a \
                        location";
         let problem = Diagnostic::error(span, message).rule("ARB_explicit_attrib_location");
-        let help = if has_one { "write `in` or `out`" } else { "leave the location out" };
+        let help = if has_one {
+            "write `in` or `out`"
+        } else if passes {
+            "write `#extension GL_ARB_separate_shader_objects : enable` first, or leave the location out"
+        } else {
+            "leave the location out"
+        };
         self.log.push(problem.help(help));
     }
 
@@ -317,7 +326,8 @@ impl Checker<'_> {
         if !is_in && self.language.enabled(Extension::GpuShader4) {
             return;
         }
-        if self.language.enabled(Extension::ExplicitAttribLocation) {
+        let located = [Extension::ExplicitAttribLocation, Extension::SeparateShaderObjects];
+        if located.into_iter().any(|extension| self.language.enabled(extension)) {
             return;
         }
         let layouts = self.language.enabled(Extension::FragmentCoordConventions);

@@ -6,7 +6,7 @@ use super::scope::Symbol;
 use crate::ast;
 use crate::builtins::variable::{Builtin, PER_VERTEX};
 use crate::hir::{InterfaceQualifiers, Storage, VarRef, Variable};
-use crate::language::{Availability, stage_name};
+use crate::language::{Availability, Extension, stage_name};
 use crate::limits::MAX_CLIP_DISTANCES;
 use crate::text::diagnostics::Diagnostic;
 use crate::types::Type;
@@ -43,6 +43,9 @@ impl Checker<'_> {
         let depths = self.language.has(Availability::CONSERVATIVE_DEPTH);
         let used = variable.references > 0;
         let (before, redeclared) = (variable.interface_qualifiers, variable.redeclared);
+        // ARB_separate_shader_objects, section 7.7.
+        let is_located_output = self.language.enabled(Extension::SeparateShaderObjects)
+            && matches!(builtin, Builtin::Position | Builtin::PointSize | Builtin::ClipVertex);
         let in_block = self.unit.per_vertex.outputs.is_some() && PER_VERTEX.contains(&&*name.text);
         if *ty == Type::Error {
             return true;
@@ -51,7 +54,7 @@ impl Checker<'_> {
             let message = format!("`{}` is in the redeclared `gl_PerVertex`", name.text);
             let problem = Diagnostic::error(name.span, message).rule(self.rule("7.1"));
             self.log.push(problem.help("declare it in that block alone"));
-        } else if !builtin.is_redeclarable()
+        } else if !(builtin.is_redeclarable() || is_located_output)
             || is_depth && !depths
             || builtin == Builtin::FragCoord && self.version.is_es()
         {

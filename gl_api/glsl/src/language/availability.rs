@@ -89,8 +89,10 @@ impl Availability {
     /// The layouts of `gl_FragCoord`.
     pub const FRAGMENT_COORD_CONVENTIONS: Self = Self::V150.or(Extension::FragmentCoordConventions);
     /// `layout(location = n)`.
-    pub const EXPLICIT_LOCATIONS: Self =
-        Self::V330.or(Extension::ExplicitAttribLocation).and_es(EsVersions::From300);
+    pub const EXPLICIT_LOCATIONS: Self = Self::V330
+        .or(Extension::ExplicitAttribLocation)
+        .or(Extension::SeparateShaderObjects)
+        .and_es(EsVersions::From300);
     /// The layouts of `gl_FragDepth`.
     pub const CONSERVATIVE_DEPTH: Self =
         Self::extension(Extension::AmdConservativeDepth).or(Extension::ConservativeDepth);

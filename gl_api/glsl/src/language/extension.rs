@@ -13,6 +13,8 @@ pub enum Extension {
     ConservativeDepth,
     /// `GL_ARB_compatibility`: what GLSL 1.40 has removed, available with or without it.
     Compatibility,
+    /// `GL_ARB_cull_distance`: `gl_CullDistance`.
+    CullDistance,
     /// `GL_ARB_draw_buffers`: `gl_FragData`, which every version has.
     DrawBuffers,
     /// `GL_ARB_draw_instanced`: `gl_InstanceIDARB`.
@@ -23,6 +25,8 @@ pub enum Extension {
     ExplicitUniformLocation,
     /// `GL_ARB_fragment_coord_conventions`: `layout(...)` of `gl_FragCoord`.
     FragmentCoordConventions,
+    /// `GL_ARB_separate_shader_objects`: `layout(location = n)` of what passes between stages.
+    SeparateShaderObjects,
     /// `GL_ARB_shader_bit_encoding`: `floatBitsToInt` and the like.
     ShaderBitEncoding,
     /// `GL_ARB_shader_stencil_export`: `gl_FragStencilRefARB`.
@@ -30,7 +34,7 @@ pub enum Extension {
     /// `GL_ARB_shading_language_420pack`: lists as initializers, `layout(binding = n)`, qualifiers in
     /// any order.
     ShadingLanguage420Pack,
-    /// `GL_ARB_shading_language_packing`: `packHalf2x16` and the like, of versions with unsigned integers.
+    /// `GL_ARB_shading_language_packing`: `packHalf2x16` and the like.
     ShadingLanguagePacking,
     /// `GL_APPLE_clip_distance`: `gl_ClipDistance` of GLSL ES 1.00 and 3.00.
     ClipDistance,
@@ -66,16 +70,18 @@ pub enum Extension {
 
 impl Extension {
     /// Every extension and its name.
-    pub const ALL: [(Self, &'static str); 28] = [
+    pub const ALL: [(Self, &'static str); 30] = [
         (Self::ArraysOfArrays, "GL_ARB_arrays_of_arrays"),
         (Self::AmdConservativeDepth, "GL_AMD_conservative_depth"),
         (Self::ConservativeDepth, "GL_ARB_conservative_depth"),
         (Self::Compatibility, "GL_ARB_compatibility"),
+        (Self::CullDistance, "GL_ARB_cull_distance"),
         (Self::DrawBuffers, "GL_ARB_draw_buffers"),
         (Self::DrawInstanced, "GL_ARB_draw_instanced"),
         (Self::ExplicitAttribLocation, "GL_ARB_explicit_attrib_location"),
         (Self::ExplicitUniformLocation, "GL_ARB_explicit_uniform_location"),
         (Self::FragmentCoordConventions, "GL_ARB_fragment_coord_conventions"),
+        (Self::SeparateShaderObjects, "GL_ARB_separate_shader_objects"),
         (Self::ShaderBitEncoding, "GL_ARB_shader_bit_encoding"),
         (Self::ShaderStencilExport, "GL_ARB_shader_stencil_export"),
         (Self::ShadingLanguage420Pack, "GL_ARB_shading_language_420pack"),
@@ -115,7 +121,7 @@ impl Extension {
             | Self::FragDepth
             | Self::EsShaderTextureLod => version == Version::Es100,
             Self::ClipDistance => version.is_es(),
-            Self::ShadingLanguagePacking => version >= Version::V130 && !version.is_es(),
+            Self::CullDistance => version >= Version::V130 && !version.is_es(),
             Self::Compatibility => version >= Version::V140 && !version.is_es(),
             Self::ArraysOfArrays
             | Self::AmdConservativeDepth
@@ -126,6 +132,8 @@ impl Extension {
             | Self::ExplicitAttribLocation
             | Self::ExplicitUniformLocation
             | Self::FragmentCoordConventions
+            | Self::SeparateShaderObjects
+            | Self::ShadingLanguagePacking
             | Self::ShaderBitEncoding
             | Self::ShaderStencilExport
             | Self::ShaderTextureLod

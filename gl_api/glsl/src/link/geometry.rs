@@ -1,6 +1,7 @@
 //! The geometry stage of a program: its layout, and the built-in variables that it reads and writes
 //! (GLSL 1.50 sections 4.3.8 and 7.1).
 
+use super::Matching;
 use super::stage::{BindingMap, StageUnits};
 use crate::builtins::variable::{Builtin, Incoming};
 use crate::hir::Storage;
@@ -15,12 +16,13 @@ const RULE: &str = "GLSL 1.50 section 4.3.8";
 pub fn interface(
     geometry: &StageUnits<'_>,
     vertex: Option<&StageUnits<'_>>,
+    matching: Matching,
     log: &mut Log,
 ) -> Option<GeometryInterface> {
     let mut fail = |message: &str, rule: &str| {
         log.push(Diagnostic::link_error(message).rule(rule));
     };
-    if vertex.is_none() {
+    if vertex.is_none() && matching == Matching::Whole {
         fail("there is a geometry shader and no vertex shader", "GL 3.2 section 2.12");
     }
     let layouts = || geometry.units.iter().map(|unit| unit.geometry);
@@ -62,18 +64,23 @@ pub fn interface(
     })
 }
 
-/// Gives `gl_ClipVertex` slots from `next` on if the geometry stage reads it, and lets its vertices
+/// Gives `gl_ClipVertex` and `gl_CullDistance` slots from `next` on if the geometry stage reads them, and lets its vertices
 /// hold what the fragment stage reads of `gl_ClipDistance`.
 pub fn built_in(
     geometry: &StageUnits<'_>,
     fragment: Option<&StageUnits<'_>>,
-    next: u16,
+    mut next: u16,
     [in_vertex, in_geometry]: [&mut BindingMap; 2],
 ) {
     let is = |builtin: Builtin| move |storage| storage == Storage::Builtin(builtin);
     if !geometry.with(is(Builtin::Incoming(Incoming::ClipVertex))).is_empty() {
         in_vertex.insert("gl_ClipVertex".into(), Binding::Varying(Some(next)));
         in_geometry.insert("gl_in.gl_ClipVertex".into(), Binding::Varying(Some(next)));
+        next += 4;
+    }
+    if !geometry.with(is(Builtin::Incoming(Incoming::CullDistance))).is_empty() {
+        in_vertex.insert("gl_CullDistance".into(), Binding::Varying(Some(next)));
+        in_geometry.insert("gl_in.gl_CullDistance".into(), Binding::Varying(Some(next)));
     }
     let distances = is(Builtin::ClipDistance);
     if fragment.is_some_and(|fragment| !fragment.with(distances).is_empty()) {

@@ -2,47 +2,80 @@
 //! stages, assigns locations and uniform words, and lowers both stages.
 
 mod blocks;
+mod cull_distances;
 mod geometry;
 mod globals;
 mod locations;
 mod packing;
 mod per_vertex;
+mod pipeline;
 mod stage;
 mod std140;
 mod transform_feedback;
 mod uniform_locations;
 mod uniforms;
+mod varying_locations;
 mod varyings;
 
 use crate::hir::Unit;
 use crate::interface::MAX_TEXTURE_IMAGE_UNITS;
 use crate::language::{Version, stage_name};
 use crate::lower::{Binding, StageToLower, Words, lower_stage};
-use crate::program::{Bindings, Captured, Linked, Program, SamplerSlot};
+use crate::program::{Bindings, Captured, Linked, Program, SamplerSlot, Separable};
 use crate::text::diagnostics::{Diagnostic, Log};
+pub use pipeline::link_pipeline;
 use rasterizer::ir::Module;
 use rasterizer::ir::Stage;
 use stage::{BindingMap, StageUnits, stage_units};
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
+/// How strictly the stages must fit together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Matching {
+    /// They are a whole program.
+    Whole,
+    /// They are a separable program: others may come before and after (ARB_separate_shader_objects, section 2.14.2).
+    Part,
+    /// They are those of a pipeline: what does not match between programs is undefined, here zero.
+    Pipeline,
+}
+
 /// Links shaders into a program; without shaders, both stages are fixed function.
 pub fn link(shaders: &[&Arc<Unit>], bindings: &Bindings) -> Linked {
+    let matching = match bindings.separable {
+        Separable::No => Matching::Whole,
+        Separable::Yes => Matching::Part,
+    };
+    linked(shaders, bindings, matching)
+}
+
+fn linked(shaders: &[&Arc<Unit>], bindings: &Bindings, matching: Matching) -> Linked {
     let mut log = Log::default();
-    let program = build(shaders, bindings, &mut log);
+    let program = build(shaders, bindings, matching, &mut log);
     let program = program.filter(|_| !log.has_errors());
     Linked { program, log: log.render(None) }
 }
 
-fn build(shaders: &[&Arc<Unit>], bindings: &Bindings, log: &mut Log) -> Option<Program> {
+fn build(
+    shaders: &[&Arc<Unit>],
+    bindings: &Bindings,
+    matching: Matching,
+    log: &mut Log,
+) -> Option<Program> {
     check_versions(shaders, log);
     let units = globals::unify_globals(shaders.iter().map(|shader| Arc::clone(shader)));
     let vertex = stage_units(&units, Stage::Vertex, log);
     let geometry = stage_units(&units, Stage::Geometry, log);
     let fragment = stage_units(&units, Stage::Fragment, log);
-    let interface =
-        geometry.as_ref().and_then(|geometry| geometry::interface(geometry, vertex.as_ref(), log));
-    per_vertex::check(vertex.as_ref(), geometry.as_ref(), log);
+    let interface = geometry
+        .as_ref()
+        .and_then(|geometry| geometry::interface(geometry, vertex.as_ref(), matching, log));
+    per_vertex::check(vertex.as_ref(), geometry.as_ref(), matching, log);
+    for stage in vertex.iter().chain(&geometry).chain(&fragment) {
+        varying_locations::check(stage, log);
+        cull_distances::check(stage, log);
+    }
     if log.has_errors() {
         return None;
     }
@@ -63,9 +96,9 @@ fn build(shaders: &[&Arc<Unit>], bindings: &Bindings, log: &mut Log) -> Option<P
         Some(vertex) => locations::attributes(vertex, bindings, &mut in_vertex, log),
         None => Vec::new(),
     };
-    if let (Some(vertex), Some(geometry)) = (&vertex, &geometry) {
-        let stages = (Some(vertex), Some(geometry));
-        let next = varyings::varyings(stages, &mut in_vertex, &mut in_geometry, log);
+    if let Some(geometry) = &geometry {
+        let stages = (vertex.as_ref(), Some(geometry));
+        let next = varyings::varyings(stages, [&mut in_vertex, &mut in_geometry], matching, log);
         geometry::built_in(geometry, fragment.as_ref(), next, [&mut in_vertex, &mut in_geometry]);
     }
     // The last stage before the fragments.
@@ -74,11 +107,12 @@ fn build(shaders: &[&Arc<Unit>], bindings: &Bindings, log: &mut Log) -> Option<P
         None => (vertex.as_ref(), &mut in_vertex),
     };
     let inputs = fragment.as_ref();
-    let next = varyings::varyings((outputs, inputs), in_outputs, &mut in_fragment, log);
+    let next = varyings::varyings((outputs, inputs), [in_outputs, &mut in_fragment], matching, log);
+    let next = cull_distances::passed((outputs, inputs), [in_outputs, &mut in_fragment], next, log);
     varyings::invariant_coordinates(vertex.as_ref(), inputs, log);
     let captured = transform_feedback::captured(outputs, &bindings.capture, next, in_outputs, log);
     let varyings = varyings::slots(inputs, &in_fragment);
-    let color_interpolation = varyings::colors(outputs, inputs, log);
+    let color_interpolation = varyings::colors(outputs, inputs, matching, log);
     let targets = match &fragment {
         Some(fragment) => locations::targets(fragment, bindings, &mut in_fragment, log),
         None => Vec::new(),

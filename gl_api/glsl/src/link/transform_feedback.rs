@@ -98,7 +98,11 @@ fn find(
         Storage::Output(_) => None,
         Storage::Builtin(Builtin::Varying(first)) => Some(first),
         Storage::Builtin(
-            Builtin::Position | Builtin::PointSize | Builtin::ClipVertex | Builtin::ClipDistance,
+            Builtin::Position
+            | Builtin::PointSize
+            | Builtin::ClipVertex
+            | Builtin::ClipDistance
+            | Builtin::CullDistance,
         ) => None,
         Storage::Builtin(
             Builtin::InstanceId

@@ -1,7 +1,7 @@
 //! Varyings: from a stage to the next one (GLSL 1.30 sections 4.3.6 and 4.3.7).
 
-use super::packing;
 use super::stage::{BindingMap, StageUnits};
+use super::{Matching, packing};
 use crate::hir::{InterfaceBlock, Storage, Variable};
 use crate::interface::VARYING_USER;
 use crate::language::{Version, stage_name};
@@ -16,22 +16,13 @@ use std::collections::{BTreeMap, BTreeSet};
 /// Matches the outputs of a stage with the inputs of the next one; gives the first free slot.
 pub fn varyings(
     (writer, reader): (Option<&StageUnits<'_>>, Option<&StageUnits<'_>>),
-    in_writer: &mut BindingMap,
-    in_reader: &mut BindingMap,
+    [in_writer, in_reader]: [&mut BindingMap; 2],
+    matching: Matching,
     log: &mut Log,
 ) -> u16 {
-    // By name: the declaration of the writing stage, and whether the stage writes it.
-    let mut outputs: Vec<(&Variable, bool)> = Vec::new();
-    let mut named: BTreeMap<&str, usize> = BTreeMap::new();
-    for variable in writer.iter().flat_map(|stage| stage.declared()) {
-        if matches!(variable.storage, Storage::Output(_)) {
-            in_writer.insert(variable.name.clone(), Binding::Varying(None));
-            let at = *named.entry(&variable.name).or_insert(outputs.len());
-            if at == outputs.len() {
-                outputs.push((variable, false));
-            }
-            outputs[at].1 |= variable.written;
-        }
+    let outputs = Outputs::of(writer);
+    for (variable, _) in &outputs.all {
+        in_writer.insert(variable.name.clone(), Binding::Varying(None));
     }
     let (mut next, mut scalars) = (VARYING_USER, 0u32);
     let mut passed: Vec<&Type> = Vec::new();
@@ -45,10 +36,11 @@ pub fn varyings(
     let [from, to] = [writer, reader].map(|stage| stage_name(stage.stage));
     let mut inputs: BTreeSet<&str> = BTreeSet::new();
     for input in reader.declared().filter(|variable| is_input(variable.storage)) {
-        if let Some(&at) = named.get(input.passed_name())
+        if matching != Matching::Pipeline
+            && let Some((output, _)) = outputs.matching(input)
             && inputs.insert(&input.name)
         {
-            check_alike(outputs[at].0, input, (writer, reader), log);
+            check_alike(output, input, (writer, reader), log);
         }
     }
     let limit = match writer.units.iter().all(|unit| unit.version < Version::V150) {
@@ -56,10 +48,19 @@ pub fn varyings(
         false => MAX_STAGE_COMPONENTS,
     };
     for input in reader.with(is_input) {
-        let name = input.passed_name();
-        let Some((output, written)) = named.get(name).map(|&at| outputs[at]) else {
-            let name = input.public_name();
-            let near = closest(name, outputs.iter().map(|(output, _)| output.public_name()));
+        let found = match matching {
+            Matching::Whole | Matching::Part => outputs.matching(input),
+            Matching::Pipeline => match outputs.of_other_program(input, reader) {
+                Some(found) => Some(found),
+                None => {
+                    in_reader.insert(input.name.clone(), Binding::Varying(None));
+                    continue;
+                }
+            },
+        };
+        let name = input.public_name();
+        let Some((output, written)) = found else {
+            let near = closest(name, outputs.all.iter().map(|(output, _)| output.public_name()));
             let near = near.map_or_else(String::new, |near| format!("; did you mean `{near}`?"));
             let message =
                 format!("the {to} shader reads `{name}`, which no {from} shader writes{near}");
@@ -68,7 +69,10 @@ pub fn varyings(
         };
         // In GLSL ES it is undefined, without an error.
         let must_write = |version| matches!(version, Version::V110 | Version::V120);
-        if !written && reader.units.iter().all(|unit| must_write(unit.version)) {
+        if !written
+            && matching != Matching::Pipeline
+            && reader.units.iter().all(|unit| must_write(unit.version))
+        {
             let message =
                 format!("the {to} shader reads `{name}`, which the {from} shader never writes");
             log.push(Diagnostic::link_error(message).rule("GLSL 1.20 section 4.3.6"));
@@ -80,9 +84,16 @@ pub fn varyings(
             return next;
         }
         passed.push(&output.ty);
-        in_writer.insert(output.name.clone(), Binding::Varying(Some(next)));
-        in_reader.insert(input.name.clone(), Binding::Varying(Some(next)));
-        next += varying_slots(&output.ty.flat());
+        // Inputs of other programs may share an output.
+        let first = match in_writer.get(&output.name) {
+            Some(Binding::Varying(Some(first))) => *first,
+            _ => next,
+        };
+        in_writer.insert(output.name.clone(), Binding::Varying(Some(first)));
+        in_reader.insert(input.name.clone(), Binding::Varying(Some(first)));
+        if first == next {
+            next += varying_slots(&output.ty.flat());
+        }
     }
     let is_es = reader.units.iter().any(|unit| unit.version.is_es());
     let rows = u32::from(MAX_VARYING_FLOATS / 4);
@@ -92,6 +103,85 @@ pub fn varyings(
         log.push(Diagnostic::link_error(message).rule(rule));
     }
     next
+}
+
+/// The outputs of a stage.
+struct Outputs<'a> {
+    /// The first declaration of each, in order, and whether the stage writes it.
+    all: Vec<(&'a Variable, bool)>,
+    /// Their indices.
+    named: BTreeMap<&'a str, usize>,
+}
+
+impl<'a> Outputs<'a> {
+    fn of(writer: Option<&StageUnits<'a>>) -> Self {
+        let mut outputs = Self { all: Vec::new(), named: BTreeMap::new() };
+        for variable in writer.iter().flat_map(|stage| stage.declared()) {
+            if matches!(variable.storage, Storage::Output(_)) {
+                let at = *outputs.named.entry(&variable.name).or_insert(outputs.all.len());
+                if at == outputs.all.len() {
+                    outputs.all.push((variable, false));
+                }
+                outputs.all[at].1 |= variable.written;
+            }
+        }
+        outputs
+    }
+
+    /// The output of an input of the same program: by location, if it has one, or else by name.
+    fn matching(&self, input: &Variable) -> Option<(&'a Variable, bool)> {
+        match input.interface_qualifiers.location {
+            Some(location) => self.located(location),
+            None => self.named.get(input.passed_name()).map(|&at| self.all[at]),
+        }
+    }
+
+    fn located(&self, location: u32) -> Option<(&'a Variable, bool)> {
+        let is_there = |(output, _): &&(&Variable, bool)| {
+            output.interface_qualifiers.location == Some(location)
+        };
+        self.all.iter().find(is_there).copied()
+    }
+
+    /// The output of an input that may be of another program: one of the same location, of which a vector may be
+    /// longer; or of the same name; or else the one at the same place among those without location, as values that
+    /// match nothing are undefined (ARB_separate_shader_objects, section 2.14.PPO).
+    fn of_other_program(
+        &self,
+        input: &Variable,
+        reader: &StageUnits<'_>,
+    ) -> Option<(&'a Variable, bool)> {
+        let ty = match &input.ty {
+            // The geometry stage has an element for each vertex.
+            Type::Array(element, _) if reader.stage == Stage::Geometry => element,
+            ty => ty,
+        };
+        if let Some(location) = input.interface_qualifiers.location {
+            return self.located(location).filter(|(output, _)| begins_with(&output.ty, ty));
+        }
+        let free = |variable: &Variable| variable.interface_qualifiers.location.is_none();
+        let fits = |(output, _): &(&Variable, bool)| free(output) && output.ty == *ty;
+        let named = self.named.get(input.passed_name()).map(|&at| self.all[at]);
+        if let Some(named) = named {
+            return Some(named).filter(fits);
+        }
+        let mut names: Vec<&str> = Vec::new();
+        for other in reader.declared().filter(|v| is_input(v.storage) && free(v)) {
+            if !names.contains(&&*other.name) {
+                names.push(&other.name);
+            }
+        }
+        let place = names.iter().position(|name| **name == *input.name)?;
+        self.all.iter().filter(|(output, _)| free(output)).nth(place).copied().filter(fits)
+    }
+}
+
+/// Whether an output of one type has an input of another in its first components.
+fn begins_with(output: &Type, input: &Type) -> bool {
+    match (output, input) {
+        (Type::Vector(a, length), Type::Vector(b, needed)) => a == b && needed <= length,
+        (output, input) => output == input,
+    }
 }
 
 /// What the fragment stage reads is invariant only if what it is made of is (GLSL ES 1.00 section 4.6.4).
@@ -148,7 +238,8 @@ fn check_alike(
         Type::Array(element, _) if geometry => element,
         ty => ty,
     };
-    if let (Some(written), Some(read)) = (&output.member_of, &input.member_of)
+    if input.interface_qualifiers.location.is_none()
+        && let (Some(written), Some(read)) = (&output.member_of, &input.member_of)
         && let Some(difference) = different_blocks(written, read, reader.stage)
     {
         let message = format!("the block `{}` {difference}", written.name);
@@ -239,6 +330,7 @@ const COLORS: [[&str; 3]; 2] = [
 pub fn colors(
     vertex: Option<&StageUnits<'_>>,
     fragment: Option<&StageUnits<'_>>,
+    matching: Matching,
     log: &mut Log,
 ) -> [Option<Interpolation>; 2] {
     COLORS.map(|names| {
@@ -258,7 +350,9 @@ pub fn colors(
             .into_iter()
             .filter_map(|(name, declared)| declared.map(|declared| (name, declared)));
         let (first, interpolation) = declared.next()?;
-        if let Some((other, different)) = declared.find(|(_, other)| *other != interpolation) {
+        if matching != Matching::Pipeline
+            && let Some((other, different)) = declared.find(|(_, other)| *other != interpolation)
+        {
             let text = |declared: Option<Interpolation>| declared.map_or("not qualified", word);
             let message = format!(
                 "`{first}` is {} and `{other}` is {}",

@@ -108,6 +108,12 @@ impl Lowerer<'_> {
                 }
                 return Ok(self.clip_distances(variable, types, copies));
             }
+            Builtin::CullDistance if stage == Stage::Fragment => {
+                // The linker gives them slots where a stage before writes them.
+                let zero = |lowerer: &mut Self, _| lowerer.emit.float(0.0);
+                return Ok(self.inputs(variable, types, zero));
+            }
+            Builtin::CullDistance => |at| vec![Output::CullDistance(at as u8)],
             Builtin::Position => |at| vec![Output::Position(at as u8)],
             Builtin::PointSize => |_| vec![Output::PointSize],
             Builtin::FragDepth => |_| vec![Output::Depth],

@@ -79,10 +79,13 @@ impl Lowerer<'_> {
                 (Incoming::Position, _) => Output::Position(component as u8),
                 (Incoming::PointSize, _) => Output::PointSize,
                 (Incoming::ClipDistance, _) => Output::Varying(VARYING_CLIP_DISTANCE + component),
-                (Incoming::Varying(first), _) | (Incoming::ClipVertex, Some(first)) => {
+                (Incoming::Varying(first), _)
+                | (Incoming::ClipVertex | Incoming::CullDistance, Some(first)) => {
                     Output::Varying(first + component)
                 }
-                (Incoming::ClipVertex, None) => return lowerer.emit.float(0.0),
+                (Incoming::ClipVertex | Incoming::CullDistance, None) => {
+                    return lowerer.emit.float(0.0);
+                }
             };
             lowerer.emit.input(Input::OfVertex { vertex: (at / each) as u8, output })
         };

@@ -104,6 +104,7 @@ impl Lowerer<'_> {
             | Output::Position(_)
             | Output::PointSize
             | Output::ClipDistance(_)
+            | Output::CullDistance(_)
             | Output::Varying(_)
             | Output::Depth => Ty::F32,
         };

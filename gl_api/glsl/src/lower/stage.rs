@@ -9,7 +9,8 @@ use crate::hir::{Function, Storage, Unit, Variable};
 use crate::types::{ComparisonResult, Dim};
 use crate::work::Work;
 use rasterizer::ir::{
-    GeometryInterface, Input, MAX_GEOMETRY_COMPONENTS, Module, Op, Output, Stage, Texture, Ty,
+    GeometryInterface, Input, Interpolation, MAX_GEOMETRY_COMPONENTS, Module, Op, Output, Stage,
+    Texture, Ty,
 };
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -324,6 +325,11 @@ impl Lowerer<'_> {
                     self.output(&storage, &types, at, output, copies);
                 }
                 Ok(storage)
+            }
+            (Storage::Builtin(Builtin::CullDistance), Some(Binding::Varying(Some(slot))))
+                if self.emit.builder.module().stage == Stage::Fragment =>
+            {
+                Ok(self.varying_input(variable, &types, slot, Interpolation::Smooth))
             }
             (Storage::Builtin(builtin), binding) => {
                 let storage = self.builtin_global(variable, &types, builtin, copies)?;

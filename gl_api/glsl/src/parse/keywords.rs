@@ -20,6 +20,7 @@ const LAYOUT: Availability = Availability::V140
     .or(Extension::AmdConservativeDepth)
     .or(Extension::ConservativeDepth)
     .or(Extension::ExplicitAttribLocation)
+    .or(Extension::SeparateShaderObjects)
     .and_es(EsVersions::From300);
 
 /// The layout qualifiers of uniform blocks.

@@ -14,6 +14,17 @@ pub enum DataType {
     Sampler(Sampler),
 }
 
+impl DataType {
+    /// How many uniform words it takes.
+    pub fn words(self) -> u32 {
+        match self {
+            Self::Vector(_, size) => size.into(),
+            Self::Matrix(columns, rows) => u32::from(columns) * u32::from(rows),
+            Self::Sampler(_) => 1,
+        }
+    }
+}
+
 /// The scalar type of a vector.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Scalar {

@@ -96,6 +96,20 @@ impl Type {
         }
     }
 
+    /// How many locations it takes as an input or output between stages (ARB_separate_shader_objects, section
+    /// 4.3.8.1).
+    pub fn locations(&self) -> u32 {
+        match self {
+            Self::Array(element, len) => element.locations().saturating_mul(len.unwrap_or(1)),
+            Self::Struct(structure) => {
+                let fields = structure.fields.iter();
+                fields.fold(0, |sum, (_, field)| sum.saturating_add(field.locations()))
+            }
+            Self::Matrix(columns, _) => (*columns).into(),
+            Self::Vector(..) | Self::Sampler(_) | Self::Void | Self::Error => 1,
+        }
+    }
+
     /// The IR types of its scalars, in order; a sampler is its unit, an `i32`.
     pub fn flat(&self) -> Vec<Ty> {
         let mut all = Vec::with_capacity(self.scalars() as usize);

@@ -9,6 +9,7 @@ use crate::base::error::{
 use crate::base::types::*;
 use crate::calls::program::programs::program;
 use crate::context::Context;
+use crate::glsl::Separable;
 
 const SECTION: &str = "ARB_get_program_binary";
 
@@ -45,21 +46,38 @@ pub(crate) fn program_binary(
     invalid_enum(SECTION, rule)
 }
 
-/// `GL_PROGRAM_BINARY_RETRIEVABLE_HINT`, which the next link takes over; it has no effect.
+/// What the next link takes over: `GL_PROGRAM_SEPARABLE` (`ARB_separate_shader_objects`), and
+/// `GL_PROGRAM_BINARY_RETRIEVABLE_HINT`, which has no effect.
 pub(crate) fn program_parameteri(
     context: &mut Context,
     name: GLuint,
     pname: GLenum,
     value: GLint,
 ) -> Result<()> {
-    const PARAMETER: Table<()> =
-        Table { section: SECTION, rows: &[(GL_PROGRAM_BINARY_RETRIEVABLE_HINT, ())] };
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    enum Parameter {
+        BinaryHint,
+        Separable,
+    }
+    const PARAMETER: Table<Parameter> = Table {
+        section: SECTION,
+        rows: &[
+            (GL_PROGRAM_BINARY_RETRIEVABLE_HINT, Parameter::BinaryHint),
+            (GL_PROGRAM_SEPARABLE, Parameter::Separable),
+        ],
+    };
     let program = program(context, name)?;
-    PARAMETER.decode("pname", pname)?;
-    program.next_binary_hint = match value {
+    let parameter = PARAMETER.decode("pname", pname)?;
+    let value = match value {
         0 => false,
         1 => true,
         _ => return invalid_value(SECTION, format!("value = {value} must be GL_FALSE or GL_TRUE")),
     };
+    match parameter {
+        Parameter::BinaryHint => program.next_binary_hint = value,
+        Parameter::Separable => {
+            program.separable = if value { Separable::Yes } else { Separable::No };
+        }
+    }
     Ok(())
 }

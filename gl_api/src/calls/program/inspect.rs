@@ -12,7 +12,7 @@ use crate::calls::program::similar_names::NamedResource;
 use crate::calls::program::uniform::{at_location, element_words};
 use crate::calls::program::varyings::BUFFER_MODE;
 use crate::context::Context;
-use crate::glsl::{DataType, FragmentOutput, Member, Scalar};
+use crate::glsl::{DataType, FragmentOutput, Member, Scalar, Separable};
 use crate::interface::MAX_VERTEX_ATTRIBS;
 use crate::objects::programs::{Linked, ProgramObject};
 use crate::objects::shaders::{c_length, put_text};
@@ -27,6 +27,7 @@ enum Property {
     Validated,
     BinaryHint,
     BinaryLength,
+    Separable,
     LogLength,
     AttachedShaders,
     ActiveAttributes,
@@ -71,6 +72,7 @@ pub(crate) fn get_programiv(
             (GL_ACTIVE_UNIFORM_BLOCK_MAX_NAME_LENGTH, Property::ActiveBlockMaxLength),
             (GL_PROGRAM_BINARY_RETRIEVABLE_HINT, Property::BinaryHint),
             (GL_PROGRAM_BINARY_LENGTH, Property::BinaryLength),
+            (GL_PROGRAM_SEPARABLE, Property::Separable),
             (GL_TRANSFORM_FEEDBACK_BUFFER_MODE, Property::BufferMode),
             (GL_TRANSFORM_FEEDBACK_VARYINGS, Property::Captured),
             (GL_TRANSFORM_FEEDBACK_VARYING_MAX_LENGTH, Property::CapturedMaxLength),
@@ -91,6 +93,7 @@ pub(crate) fn get_programiv(
         Property::Validated => object.validated.into(),
         Property::BinaryHint => object.binary_hint.into(),
         Property::BinaryLength => 0,
+        Property::Separable => (object.separable == Separable::Yes).into(),
         Property::LogLength => c_length(&object.log),
         Property::AttachedShaders => object.attached.len() as GLint,
         Property::ActiveAttributes => attributes.len() as GLint,

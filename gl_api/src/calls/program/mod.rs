@@ -10,6 +10,7 @@ pub(crate) mod es2_compiler;
 pub(crate) mod generic_attributes;
 pub(crate) mod inspect;
 pub(crate) mod integer_attributes;
+pub(crate) mod pipelines;
 pub(crate) mod programs;
 pub(crate) mod shader_objects_arb;
 pub(crate) mod shaders;

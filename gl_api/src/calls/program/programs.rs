@@ -11,7 +11,9 @@ use crate::glsl;
 use crate::glsl::FragmentColor;
 use crate::interface::MAX_VERTEX_ATTRIBS;
 use crate::objects::name_table::Sweep;
-use crate::objects::programs::{LinkStatus, ProgramObject, ShaderOrProgram};
+use crate::objects::programs::{LinkSources, LinkStatus, ProgramObject, ShaderOrProgram};
+use crate::objects::shared::SharedObjects;
+use std::sync::Arc;
 
 const SECTION: &str = "GL 2.1, section 2.15.2";
 
@@ -172,10 +174,12 @@ fn bind_fragment_color(
 
 pub(crate) fn link_program(context: &mut Context, name: GLuint) -> Result<()> {
     let state = &context.transform_feedback;
-    if state.active.or(state.paused).is_some_and(|active| active.program == name) {
+    if state.active.or(state.paused).is_some_and(|active| active.is_of(name)) {
         not_while_begun(context)?;
     }
-    let attached = program(context, name)?.attached.clone();
+    let object = program(context, name)?;
+    let is_separable = object.separable == glsl::Separable::Yes;
+    let attached = object.attached.clone();
     let mut log = String::new();
     let (mut shaders, mut stages) = (Vec::new(), Vec::new());
     for &attached in &attached {
@@ -192,22 +196,29 @@ pub(crate) fn link_program(context: &mut Context, name: GLuint) -> Result<()> {
     if context.profile.is_es() {
         for (stage, name) in [(glsl::Stage::Vertex, "vertex"), (glsl::Stage::Fragment, "fragment")]
         {
-            if log.is_empty() && !stages.contains(&stage) {
+            if log.is_empty() && !is_separable && !stages.contains(&stage) {
                 log = format!(
                     "error: there is no {name} shader, and OpenGL ES has no fixed function (3.0, section 2.12.3)\n"
                 );
             }
         }
     }
+    if log.is_empty() && attached.is_empty() && !context.profile.is_compatibility() {
+        log = "error: no shader is attached, and there is no fixed function (GL 3.3, section 2.11.2)\n".into();
+    }
     let mut linked = None;
     if log.is_empty() {
         let bindings = match context.objects.shared.programs.get(name) {
-            Some(ShaderOrProgram::Program(program)) => program.bindings.clone(),
+            Some(ShaderOrProgram::Program(program)) => {
+                glsl::Bindings { separable: program.separable, ..program.bindings.clone() }
+            }
             Some(ShaderOrProgram::Shader(_)) | None => glsl::Bindings::default(),
         };
         let result = glsl::link(&shaders, &bindings);
         log = result.log;
-        match result.program.map(executable).transpose() {
+        let shaders = shaders.into_iter().cloned().collect();
+        let sources = Arc::new(LinkSources { shaders, bindings });
+        match result.program.map(|program| executable(program, sources)).transpose() {
             Ok(program) => linked = program,
             Err(error) => log.push_str(&format!("error: internal: {error}\n")),
         }
@@ -247,12 +258,17 @@ pub(crate) fn use_program(context: &mut Context, name: GLuint) -> Result<()> {
     let objects = &mut *context.objects.shared;
     let now = objects.programs.hold(name);
     let before = std::mem::replace(&mut context.state.bindings.program, now).name();
-    objects.sweep_programs();
-    if !objects.programs.is_held(before)
-        && let Some(ShaderOrProgram::Program(before)) = objects.programs.get_mut(before)
-        && before.link == LinkStatus::Failed
-    {
-        before.executable = None;
-    }
+    no_longer_in_use(objects, before);
     Ok(())
+}
+
+/// Frees what is left of a program that one thing less uses.
+pub(crate) fn no_longer_in_use(objects: &mut SharedObjects, name: GLuint) {
+    objects.sweep_programs();
+    if !objects.programs.is_held(name)
+        && let Some(ShaderOrProgram::Program(program)) = objects.programs.get_mut(name)
+        && program.link == LinkStatus::Failed
+    {
+        program.executable = None;
+    }
 }

@@ -4,6 +4,7 @@ use crate::base::constants::enum_name;
 use crate::base::error::{Result, invalid_operation, invalid_value, not_negative};
 use crate::base::types::*;
 use crate::calls::program::data_type::gl_type;
+use crate::calls::program::programs::program;
 use crate::context::Context;
 use crate::glsl::{DataType, Scalar, Uniform};
 use crate::interface::MAX_COMBINED_TEXTURE_IMAGE_UNITS;
@@ -24,13 +25,37 @@ struct Values<'a> {
     word: &'a dyn Fn(usize) -> u32,
 }
 
+/// The program whose uniforms a call sets.
+#[derive(Clone, Copy)]
+enum Receiver {
+    /// The one in use, or else the active one of the bound pipeline.
+    Active,
+    /// That of a name.
+    Named(GLuint),
+}
+
+impl Receiver {
+    /// Its name.
+    fn name(self, context: &mut Context) -> Result<GLuint> {
+        match self {
+            Self::Active => Ok(match context.state.bindings.program.name() {
+                0 => context.objects.pipelines.current().map_or(0, |bound| bound.active.name()),
+                name => name,
+            }),
+            Self::Named(name) => {
+                if program(context, name)?.linked().is_none() {
+                    let rule = format!("program = {name} is not linked: see glGetProgramInfoLog");
+                    return invalid_operation(SECTION, rule);
+                }
+                Ok(name)
+            }
+        }
+    }
+}
+
 /// Words of an element of a type.
 pub(crate) fn element_words(ty: DataType) -> usize {
-    match ty {
-        DataType::Vector(_, size) => size.into(),
-        DataType::Matrix(columns, rows) => usize::from(columns) * usize::from(rows),
-        DataType::Sampler(_) => 1,
-    }
+    ty.words() as usize
 }
 
 /// The uniform at a location, and which element of it.
@@ -45,7 +70,7 @@ pub(crate) fn at_location(uniforms: &[Uniform], location: GLint) -> Option<(&Uni
 /// Writes `count` elements from a location on. `check` sees the uniform and how many elements it takes; `word`
 /// makes a word of the uniform from one of the call.
 fn store(
-    context: &mut Context,
+    (context, receiver): (&mut Context, Receiver),
     location: GLint,
     count: GLsizei,
     given: usize,
@@ -53,7 +78,7 @@ fn store(
     word: impl Fn(&Uniform, usize) -> u32,
 ) -> Result<()> {
     let count = not_negative(SECTION, "count", count.into())?;
-    let name = context.state.bindings.program.name();
+    let name = receiver.name(context)?;
     let program = match context.objects.shared.programs.get_mut(name) {
         Some(ShaderOrProgram::Program(program)) => program.executable.as_mut(),
         Some(ShaderOrProgram::Shader(_)) | None => None,
@@ -108,7 +133,12 @@ fn store(
     Ok(())
 }
 
-fn set(context: &mut Context, location: GLint, count: GLsizei, values: Values<'_>) -> Result<()> {
+fn set(
+    to: (&mut Context, Receiver),
+    location: GLint,
+    count: GLsizei,
+    values: Values<'_>,
+) -> Result<()> {
     let Values { scalar, size, len, word } = values;
     let check = |uniform: &Uniform, taken: usize| match uniform.ty {
         DataType::Vector(Scalar::Bool, expected) if expected == size => Ok(()),
@@ -145,7 +175,7 @@ fn set(context: &mut Context, location: GLint, count: GLsizei, values: Values<'_
             DataType::Vector(..) | DataType::Matrix(..) | DataType::Sampler(_) => word,
         }
     };
-    store(context, location, count, len, check, convert)
+    store(to, location, count, len, check, convert)
 }
 
 fn mismatch(uniform: &Uniform, given: GLenum) -> Result<()> {
@@ -154,7 +184,7 @@ fn mismatch(uniform: &Uniform, given: GLenum) -> Result<()> {
 }
 
 fn set_matrix(
-    context: &mut Context,
+    to: (&mut Context, Receiver),
     location: GLint,
     count: GLsizei,
     transpose: bool,
@@ -171,13 +201,13 @@ fn set_matrix(
         let source = if transpose { at % rows * columns + at / rows } else { at };
         value[element * columns * rows + source].to_bits()
     };
-    store(context, location, count, value.len(), check, word)
+    store(to, location, count, value.len(), check, word)
 }
 
-/// `glUniform{size}{letter}` and its vector form.
+/// `glUniform{size}{letter}` and its vector form, and those of `glProgramUniform`.
 macro_rules! uniforms {
     ($($scalar:ident $ty:ty as $to_word:path {
-        $($name:ident $vector:ident $size:literal ($($x:ident),*);)*
+        $($name:ident $vector:ident $of_program:ident $vector_of_program:ident $size:literal ($($x:ident),*);)*
     })*) => {
         $($(
             pub(crate) fn $name(context: &mut Context, location: GLint $(, $x: $ty)*) -> Result<()> {
@@ -192,7 +222,30 @@ macro_rules! uniforms {
             ) -> Result<()> {
                 let word = |index: usize| $to_word(value[index]);
                 let (scalar, len) = (Scalar::$scalar, value.len());
-                set(context, location, count, Values { scalar, size: $size, len, word: &word })
+                let values = Values { scalar, size: $size, len, word: &word };
+                set((context, Receiver::Active), location, count, values)
+            }
+
+            pub(crate) fn $of_program(
+                context: &mut Context,
+                program: GLuint,
+                location: GLint
+                $(, $x: $ty)*
+            ) -> Result<()> {
+                $vector_of_program(context, program, location, 1, &[$($x),*])
+            }
+
+            pub(crate) fn $vector_of_program(
+                context: &mut Context,
+                program: GLuint,
+                location: GLint,
+                count: GLsizei,
+                value: &[$ty],
+            ) -> Result<()> {
+                let word = |index: usize| $to_word(value[index]);
+                let (scalar, len) = (Scalar::$scalar, value.len());
+                let values = Values { scalar, size: $size, len, word: &word };
+                set((context, Receiver::Named(program)), location, count, values)
             }
         )*)*
     };
@@ -200,28 +253,28 @@ macro_rules! uniforms {
 
 uniforms! {
     Float GLfloat as f32::to_bits {
-    uniform_1f uniform_1fv 1 (x);
-    uniform_2f uniform_2fv 2 (x, y);
-    uniform_3f uniform_3fv 3 (x, y, z);
-    uniform_4f uniform_4fv 4 (x, y, z, w);
+    uniform_1f uniform_1fv program_uniform_1f program_uniform_1fv 1 (x);
+    uniform_2f uniform_2fv program_uniform_2f program_uniform_2fv 2 (x, y);
+    uniform_3f uniform_3fv program_uniform_3f program_uniform_3fv 3 (x, y, z);
+    uniform_4f uniform_4fv program_uniform_4f program_uniform_4fv 4 (x, y, z, w);
     }
     Int GLint as i32::cast_unsigned {
-    uniform_1i uniform_1iv 1 (x);
-    uniform_2i uniform_2iv 2 (x, y);
-    uniform_3i uniform_3iv 3 (x, y, z);
-    uniform_4i uniform_4iv 4 (x, y, z, w);
+    uniform_1i uniform_1iv program_uniform_1i program_uniform_1iv 1 (x);
+    uniform_2i uniform_2iv program_uniform_2i program_uniform_2iv 2 (x, y);
+    uniform_3i uniform_3iv program_uniform_3i program_uniform_3iv 3 (x, y, z);
+    uniform_4i uniform_4iv program_uniform_4i program_uniform_4iv 4 (x, y, z, w);
     }
     Uint GLuint as u32::from {
-    uniform_1ui uniform_1uiv 1 (x);
-    uniform_2ui uniform_2uiv 2 (x, y);
-    uniform_3ui uniform_3uiv 3 (x, y, z);
-    uniform_4ui uniform_4uiv 4 (x, y, z, w);
+    uniform_1ui uniform_1uiv program_uniform_1ui program_uniform_1uiv 1 (x);
+    uniform_2ui uniform_2uiv program_uniform_2ui program_uniform_2uiv 2 (x, y);
+    uniform_3ui uniform_3uiv program_uniform_3ui program_uniform_3uiv 3 (x, y, z);
+    uniform_4ui uniform_4uiv program_uniform_4ui program_uniform_4uiv 4 (x, y, z, w);
     }
 }
 
-/// `glUniformMatrix{columns}x{rows}fv`.
+/// `glUniformMatrix{columns}x{rows}fv`, and those of `glProgramUniform`.
 macro_rules! matrices {
-    ($($name:ident $columns:literal $rows:literal;)*) => {
+    ($($name:ident $of_program:ident $columns:literal $rows:literal;)*) => {
         $(pub(crate) fn $name(
             context: &mut Context,
             location: GLint,
@@ -229,19 +282,32 @@ macro_rules! matrices {
             transpose: bool,
             value: &[GLfloat],
         ) -> Result<()> {
-            set_matrix(context, location, count, transpose, [$columns, $rows], value)
+            let to = (context, Receiver::Active);
+            set_matrix(to, location, count, transpose, [$columns, $rows], value)
+        }
+
+        pub(crate) fn $of_program(
+            context: &mut Context,
+            program: GLuint,
+            location: GLint,
+            count: GLsizei,
+            transpose: bool,
+            value: &[GLfloat],
+        ) -> Result<()> {
+            let to = (context, Receiver::Named(program));
+            set_matrix(to, location, count, transpose, [$columns, $rows], value)
         })*
     };
 }
 
 matrices! {
-    uniform_matrix_2fv 2 2;
-    uniform_matrix_3fv 3 3;
-    uniform_matrix_4fv 4 4;
-    uniform_matrix_2x3fv 2 3;
-    uniform_matrix_3x2fv 3 2;
-    uniform_matrix_2x4fv 2 4;
-    uniform_matrix_4x2fv 4 2;
-    uniform_matrix_3x4fv 3 4;
-    uniform_matrix_4x3fv 4 3;
+    uniform_matrix_2fv program_uniform_matrix_2fv 2 2;
+    uniform_matrix_3fv program_uniform_matrix_3fv 3 3;
+    uniform_matrix_4fv program_uniform_matrix_4fv 4 4;
+    uniform_matrix_2x3fv program_uniform_matrix_2x3fv 2 3;
+    uniform_matrix_3x2fv program_uniform_matrix_3x2fv 3 2;
+    uniform_matrix_2x4fv program_uniform_matrix_2x4fv 2 4;
+    uniform_matrix_4x2fv program_uniform_matrix_4x2fv 4 2;
+    uniform_matrix_3x4fv program_uniform_matrix_3x4fv 3 4;
+    uniform_matrix_4x3fv program_uniform_matrix_4x3fv 4 3;
 }

@@ -105,8 +105,9 @@ fn bindings(context: &mut Context, vertex_range: VertexRange<'_>) -> Result<Vec<
 
 /// Whether there are positions to draw; without, nothing is drawn.
 pub(crate) fn has_positions(context: &mut Context, topology: Topology) -> bool {
+    crate::draw::program_pipeline::prepare(context);
     let arrays = &context.state.arrays.by_location;
-    let program = context.state.bindings.program.name() != 0;
+    let program = context.has_program();
     if program && !arrays.iter().any(|array| array.enabled) {
         warnings::arrays::none(context, topology);
         return true;

@@ -39,6 +39,8 @@ pub(crate) fn begin(context: &mut Context, mode: GLenum) -> Result<()> {
         return invalid_operation(SECTION, "glBegin was called before: glEnd is missing");
     }
     let topology = topology(mode)?;
+    crate::draw::program_pipeline::prepare(context);
+    crate::draw::program_pipeline::check(context)?;
     assembly::check(context)?;
     context.immediate = Some(Immediate::new(topology));
     Ok(())

@@ -36,7 +36,7 @@ impl Outputs {
     fn has(self, output: Output) -> bool {
         let four = |first: u16, slot: u16| (first..first + 4).contains(&slot);
         match output {
-            Output::Position(_) | Output::ClipDistance(_) => true,
+            Output::Position(_) | Output::ClipDistance(_) | Output::CullDistance(_) => true,
             Output::Varying(slot) => match self {
                 Self::All => true,
                 Self::Units(units) => (0..MAX_TEXTURE_UNITS)
@@ -170,9 +170,11 @@ impl Shaded<'_> {
         self.vertices.output_index(wanted).map(|place| self.vertices.value(self.at, place))
     }
 
-    /// The distances from the user clip planes.
+    /// The clip and cull distances.
     pub fn clip_distances(self) -> impl Iterator<Item = f32> {
-        let clips = |of: &(Output, usize)| matches!(of.0, Output::ClipDistance(_)).then_some(of.1);
+        let clips = |of: &(Output, usize)| {
+            matches!(of.0, Output::ClipDistance(_) | Output::CullDistance(_)).then_some(of.1)
+        };
         let places = self.vertices.stage.others.iter().filter_map(clips);
         places.map(move |place| self.vertices.value(self.at, place))
     }

@@ -15,6 +15,8 @@ pub(crate) struct Vertex {
     pub clip: [f64; 4],
     /// The distances from the user clip planes; 1 for those that are off.
     pub distances: [f64; USER_PLANES],
+    /// Its negative cull distances, bit by number.
+    pub culled: u8,
     /// Colour of the front, of the back, texture coordinates of unit 0.
     pub values: [[f64; 4]; 3],
     /// Whether the edge that begins here is one of the polygon's.
@@ -75,10 +77,16 @@ impl Vertex {
             clip: four(self.clip, to.clip),
             distances: std::array::from_fn(|i| mix(self.distances[i], to.distances[i])),
             values: std::array::from_fn(|i| four(self.values[i], to.values[i])),
+            culled: 0,
             edge: self.edge,
             depth_planes: self.depth_planes,
         }
     }
+}
+
+/// Whether a cull distance is negative at all vertices of a primitive (ARB_cull_distance).
+pub(crate) fn is_culled(vertices: &[Vertex]) -> bool {
+    vertices.iter().fold(!0, |all, vertex| all & vertex.culled) != 0
 }
 
 /// Whether a point is inside of all planes; one with a coordinate that is NaN is not.
@@ -137,7 +145,8 @@ mod tests {
     fn at(x: f64, y: f64) -> Vertex {
         let values = [[x, y, 0.0, 1.0]; 3];
         let depth_planes = DepthPlanes::NegativeOneToOne;
-        Vertex { clip: [x, y, 0.0, 1.0], distances: [1.0; 8], values, edge: true, depth_planes }
+        let (clip, distances) = ([x, y, 0.0, 1.0], [1.0; 8]);
+        Vertex { clip, distances, culled: 0, values, edge: true, depth_planes }
     }
 
     #[test]

@@ -92,12 +92,18 @@ fn clip_vertices(
     let position = shaded.position();
     let planes =
         [0, 1, 2, 3, 4, 5, 6, 7].map(|plane| shaded.output_index(Output::ClipDistance(plane)));
+    let culls =
+        [0, 1, 2, 3, 4, 5, 6, 7].map(|number| shaded.output_index(Output::CullDistance(number)));
     let vertex = |(at, id): (usize, &VertexInstance)| {
         let front = shaded.four(at, colors[0], color);
         let back = shaded.four(at, colors[1], front);
         let values = [front, back, shaded.four(at, coords, coord)];
         let distance = |place: Option<usize>| place.map_or(1.0, |place| shaded.value(at, place));
+        let is_culled =
+            |place: Option<usize>| place.is_some_and(|place| shaded.value(at, place) < 0.0);
+        let culled = (0..).zip(culls).map(|(number, place)| u8::from(is_culled(place)) << number);
         Vertex {
+            culled: culled.fold(0, |all, bit| all | bit),
             clip: shaded.four(at, position, [0.0; 4]).map(f64::from),
             distances: planes.map(distance).map(f64::from),
             values: values.map(|value| value.map(f64::from)),
@@ -237,13 +243,16 @@ fn corner(context: &Context, vertex: &Vertex, facing: Facing) -> Corner {
 }
 
 fn point(context: &mut Context, vertex: &Vertex) {
-    if clip::is_inside(vertex) {
+    if clip::is_inside(vertex) && !clip::is_culled(&[*vertex]) {
         let corner = corner(context, vertex, Facing::Front);
         context.feedback.primitive(PrimitiveToken::Point, &[corner]);
     }
 }
 
 fn emit_line(context: &mut Context, ends: [Vertex; 2], provoking: &Vertex, kind: PrimitiveToken) {
+    if clip::is_culled(&ends) {
+        return;
+    }
     let ends = shade_flat(context, &ends, provoking);
     if let Some(ends) = clip::line([ends[0], ends[1]]) {
         let corners = ends.map(|end| corner(context, &end, Facing::Front));
@@ -271,6 +280,9 @@ fn is_two_sided(context: &Context) -> bool {
 }
 
 fn polygon(context: &mut Context, vertices: &[Vertex], provoking: &Vertex) {
+    if clip::is_culled(vertices) {
+        return;
+    }
     let clipped = clip::polygon(shade_flat(context, vertices, provoking));
     if clipped.len() < 3 {
         return;

@@ -1,14 +1,13 @@
 //! Warnings of vertex arrays that are missing or too short.
 
 use crate::base::constants::*;
-use crate::base::types::GLuint;
 use crate::context::Context;
 use crate::context::recorder::elements::Elements;
 use crate::context::warnings::DrawWarning;
 use crate::draw::array_names::extent;
 use crate::state::enable::CLIENT_ARRAY;
 use rasterizer::driver::{IndexType, Topology, VertexBinding, VertexSource};
-use rasterizer::ir::{Expr, Input};
+use rasterizer::ir::{Expr, Input, Stage};
 
 /// Warns of arrays that a draw reads past their end. `glDrawArrays` refuses a draw where array 0 is too short; others,
 /// and all that indices reach, read as zeros. Indices are searched only while messages are wanted.
@@ -56,21 +55,21 @@ fn last_vertex(context: &Context, elements: &Elements) -> Option<u32> {
 
 /// Warns of a draw whose vertices are all alike: the program has attributes, and no array is enabled.
 pub(crate) fn none(context: &mut Context, topology: Topology) {
-    let name = context.state.bindings.program.name();
-    let linked = context.objects.shared.linked_program(name);
+    let name = context.program_of(Stage::Vertex);
+    let linked = context.executable();
     // A point may be drawn with constants.
     if topology != Topology::Points
         && linked.is_some_and(|linked| !linked.program.attributes.is_empty())
         && context.is_first_warning(DrawWarning::NoArray, name)
     {
-        all_alike(context, name);
+        all_alike(context);
     }
 }
 
 #[cold]
 #[inline(never)]
-fn all_alike(context: &mut Context, name: GLuint) {
-    let Some(linked) = context.objects.shared.linked_program(name) else { return };
+fn all_alike(context: &mut Context) {
+    let Some(linked) = context.executable() else { return };
     let (Some(vertex), Some(attribute)) = (&linked.vertex, linked.program.attributes.first())
     else {
         return;

@@ -65,9 +65,9 @@ fn is_without_near(projection: &DMat4) -> bool {
 
 /// Whether the matrix reaches the vertices: those of the fixed function, or of a program that reads state.
 fn reads_projection(context: &Context) -> bool {
-    let program = context.state.bindings.program.name();
-    let linked = context.objects.shared.linked_program(program);
-    linked.is_none_or(|linked| linked.vertex.is_none() || !linked.program.state.is_empty())
+    context
+        .executable()
+        .is_none_or(|linked| linked.vertex.is_none() || !linked.program.state.is_empty())
 }
 
 #[cold]

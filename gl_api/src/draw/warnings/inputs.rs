@@ -12,6 +12,7 @@ use crate::objects::target::TextureTarget;
 use crate::state::enable::CLIENT_ARRAY;
 use glam::DMat4;
 use rasterizer::driver::{Topology, VertexBinding, VertexSource};
+use rasterizer::ir::Stage;
 
 /// What generic attributes and texture coordinates are at first (GL 2.1, section 2.7).
 const INITIAL: [f32; 4] = [0.0, 0.0, 0.0, 1.0];
@@ -41,13 +42,12 @@ pub(crate) fn unset_attributes(
     topology: Topology,
     vertices: &[VertexBinding],
 ) -> u64 {
-    let name = context.state.bindings.program.name();
     // Without any array, `arrays::none` warns.
     let is_array = |binding: &VertexBinding| matches!(binding.source, VertexSource::Array { .. });
-    if name == 0 || topology == Topology::Points || !vertices.iter().any(is_array) {
+    if !context.has_program() || topology == Topology::Points || !vertices.iter().any(is_array) {
         return 0;
     }
-    let Some(linked) = context.objects.shared.linked_program(name) else { return 0 };
+    let Some(linked) = context.executable() else { return 0 };
     let locations = linked.program.attributes.iter().map(|attribute| attribute.location);
     let is_unset = |location: &u8| {
         (*location < MAX_VERTEX_ATTRIBS
@@ -65,7 +65,7 @@ pub(crate) fn without_arrays(context: &mut Context, unset: u64) {
     if read == 0 {
         return;
     }
-    let name = context.state.bindings.program.name();
+    let name = context.program_of(Stage::Vertex);
     let location = read.trailing_zeros();
     if context.is_first_warning(DrawWarning::MissingArray, name << 6 | location) {
         without_array(context, name, location as u8);
@@ -86,7 +86,7 @@ fn not_linked(context: &mut Context, name: GLuint) {
 #[cold]
 #[inline(never)]
 fn without_array(context: &mut Context, name: GLuint, location: u8) {
-    let linked = context.objects.shared.linked_program(name);
+    let linked = context.executable();
     let mut attributes = linked.iter().flat_map(|linked| &linked.program.attributes);
     let Some(attribute) = attributes.find(|attribute| attribute.location == location) else {
         return;

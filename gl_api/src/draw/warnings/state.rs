@@ -13,7 +13,7 @@ use crate::interface::Side;
 use crate::state::enable::Flag;
 use crate::state::stencil::Face;
 use rasterizer::driver::{DepthWrite, PassDesc, PipelineDesc, Topology, VertexBinding};
-use rasterizer::ir::Output;
+use rasterizer::ir::{Output, Stage};
 use texunit::sampler::Compare;
 
 /// Checks the state of a draw.
@@ -210,7 +210,7 @@ fn colors(context: &mut Context, pass: &PassDesc, desc: &PipelineDesc) {
 #[cold]
 #[inline(never)]
 fn without_color(context: &mut Context) {
-    let program = context.state.bindings.program.name();
+    let program = context.program_of(Stage::Fragment);
     if context.is_first_warning(DrawWarning::NoColorOfShader, program) {
         context.debug.warn(format!(
             "draw: the fragment stage of program {program} writes no colour, so that of what is drawn \

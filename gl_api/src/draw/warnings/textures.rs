@@ -163,8 +163,7 @@ fn uncompared(context: &mut Context, name: GLuint, target: TextureTarget, word: 
 
 /// The uniform of the program in use that has this word, quoted, after a space.
 fn uniform_name(context: &Context, word: u32) -> String {
-    let program = context.objects.shared.linked_program(context.state.bindings.program.name());
-    program.map_or_else(String::new, |linked| linked.quoted_name(word))
+    context.executable().map_or_else(String::new, |linked| linked.quoted_name(word))
 }
 
 /// Warns of a texture that a draw samples and may draw to (GL 3.1, section 4.4.3).
@@ -223,7 +222,7 @@ fn maybe_loop(
 /// Warns of textures that are bound while no unit is enabled and no program is in use, unless the client switched the
 /// unit itself. It is checked again only when the units have changed.
 pub(crate) fn nothing_enabled(context: &mut Context) {
-    if context.state.bindings.program.name() != 0 || has_fragment_program(context) {
+    if context.has_program() || has_fragment_program(context) {
         return;
     }
     let units = &context.state.units.units;

@@ -74,6 +74,11 @@ fn the_whole_table_with_random_arguments_never_panics_and_leaves_a_context_that_
                 c.end_list();
             }
             let exercise = &all[random.below(all.len())];
+            // Counts from random bytes are of billions of vertices, which take all memory where arrays are of instances
+            // and have no end: other tests make these calls.
+            if exercise.name.ends_with("Indirect") {
+                continue;
+            }
             let before = Instant::now();
             (exercise.run)(&mut c, &mut random);
             let took = before.elapsed();

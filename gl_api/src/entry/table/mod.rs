@@ -29,6 +29,7 @@ mod queries;
 mod rasterization;
 mod rectangles;
 mod robustness;
+mod separate_programs;
 mod special;
 mod textures;
 mod transform;
@@ -52,6 +53,7 @@ pub use queries::*;
 pub use rasterization::*;
 pub use rectangles::*;
 pub use robustness::*;
+pub use separate_programs::*;
 pub use special::*;
 pub use textures::*;
 pub use transform::*;
@@ -84,6 +86,7 @@ macro_rules! entry_points {
         $crate::entry_points_rasterization!($apply $($arguments)*);
         $crate::entry_points_rectangles!($apply $($arguments)*);
         $crate::entry_points_robustness!($apply $($arguments)*);
+        $crate::entry_points_separate_programs!($apply $($arguments)*);
         $crate::entry_points_special!($apply $($arguments)*);
         $crate::entry_points_textures!($apply $($arguments)*);
         $crate::entry_points_transform!($apply $($arguments)*);
@@ -115,6 +118,7 @@ pub(super) const CHAPTERS: &[&[EntryPoint]] = &[
     rasterization::ROWS,
     rectangles::ROWS,
     robustness::ROWS,
+    separate_programs::ROWS,
     special::ROWS,
     textures::ROWS,
     transform::ROWS,
@@ -143,6 +147,7 @@ pub(super) fn exercises() -> Vec<Exercise> {
         rasterization::exercises,
         rectangles::exercises,
         robustness::exercises,
+        separate_programs::exercises,
         special::exercises,
         textures::exercises,
         transform::exercises,

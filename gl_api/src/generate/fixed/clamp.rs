@@ -15,6 +15,7 @@ pub(crate) fn clamp_vertex_colors(module: &mut Module) -> bool {
         Output::Position(_)
         | Output::PointSize
         | Output::ClipDistance(_)
+        | Output::CullDistance(_)
         | Output::Color { .. }
         | Output::SecondColor(_)
         | Output::Depth

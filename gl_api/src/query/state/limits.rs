@@ -8,6 +8,7 @@ use crate::base::limits;
 use crate::base::types::*;
 use crate::base::version;
 use crate::context::Context;
+use crate::glsl::limits::MAX_CULL_DISTANCES;
 use crate::glsl::{GATHER_OFFSETS, MAX_UNIFORM_LOCATIONS, TEXEL_OFFSETS};
 use crate::interface::*;
 use crate::pixel::etc;
@@ -33,6 +34,8 @@ pub(super) const ROWS: &[Row] = rows! {
 
     GL_MAX_LIGHTS: Integer(|_| saturated(MAX_LIGHTS));
     GL_MAX_CLIP_PLANES: Integer(|_| saturated(MAX_CLIP_PLANES));
+    GL_MAX_CULL_DISTANCES: Integer(|_| saturated(MAX_CULL_DISTANCES));
+    GL_MAX_COMBINED_CLIP_AND_CULL_DISTANCES: Integer(|_| saturated(MAX_CULL_DISTANCES));
     GL_MAX_MODELVIEW_STACK_DEPTH: Integer(|_| saturated(MAX_MODELVIEW_STACK_DEPTH));
     GL_MAX_PROJECTION_STACK_DEPTH: Integer(|_| saturated(MAX_STACK_DEPTH));
     GL_MAX_TEXTURE_STACK_DEPTH: Integer(|_| saturated(MAX_STACK_DEPTH));

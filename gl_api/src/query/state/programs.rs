@@ -7,6 +7,7 @@ use crate::base::constants::*;
 
 pub(super) const ROWS: &[Row] = rows! {
     GL_CURRENT_PROGRAM: Word(|c| c.state.bindings.program.name());
+    GL_PROGRAM_PIPELINE_BINDING: Word(|c| c.objects.pipelines.bound);
     GL_VERTEX_PROGRAM_ARB: Enabled;
     GL_VERTEX_PROGRAM_POINT_SIZE: Enabled;
     GL_VERTEX_PROGRAM_TWO_SIDE: Enabled;

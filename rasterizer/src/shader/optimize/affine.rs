@@ -41,6 +41,7 @@ fn first_free(fragment: &Module, vertex: &Module) -> u16 {
         Output::Position(_)
         | Output::PointSize
         | Output::ClipDistance(_)
+        | Output::CullDistance(_)
         | Output::Color { .. }
         | Output::SecondColor(_)
         | Output::Depth

@@ -2,9 +2,9 @@
 
 use crate::builtins::variable::Access::{ReadOnly, ReadWrite};
 use crate::builtins::variable::Builtin::{
-    self, ClipDistance, ClipVertex, FragColor, FragCoord, FragData, FragDepth, FragStencilRef,
-    FrontFacing, InstanceId, Layer, PointCoord, PointSize, Position, PrimitiveId, PrimitiveIdIn,
-    State, Varying, VertexId,
+    self, ClipDistance, ClipVertex, CullDistance, FragColor, FragCoord, FragData, FragDepth,
+    FragStencilRef, FrontFacing, InstanceId, Layer, PointCoord, PointSize, Position, PrimitiveId,
+    PrimitiveIdIn, State, Varying, VertexId,
 };
 use crate::builtins::variable::StateArray::{self, EnvColor, TextureMatrix};
 use crate::builtins::variable::VariableType::{
@@ -28,10 +28,10 @@ use crate::interface::{
 use crate::language::Stages::{self, Any, Fragment, Geometry, Vertex, Vertices};
 use crate::language::{Availability, EsVersions, Extension};
 use crate::limits::{
-    MAX_CLIP_DISTANCES, MAX_CLIP_PLANES, MAX_COMBINED_TEXTURE_IMAGE_UNITS, MAX_DRAW_BUFFERS,
-    MAX_GEOMETRY_OUTPUT_VERTICES, MAX_GEOMETRY_TOTAL_OUTPUT_COMPONENTS, MAX_LIGHTS,
-    MAX_STAGE_COMPONENTS, MAX_TEXTURE_IMAGE_UNITS, MAX_TEXTURE_UNITS, MAX_UNIFORM_COMPONENTS,
-    MAX_VARYING_FLOATS, MAX_VERTEX_ATTRIBS, TEXEL_OFFSETS,
+    MAX_CLIP_DISTANCES, MAX_CLIP_PLANES, MAX_COMBINED_TEXTURE_IMAGE_UNITS, MAX_CULL_DISTANCES,
+    MAX_DRAW_BUFFERS, MAX_GEOMETRY_OUTPUT_VERTICES, MAX_GEOMETRY_TOTAL_OUTPUT_COMPONENTS,
+    MAX_LIGHTS, MAX_STAGE_COMPONENTS, MAX_TEXTURE_IMAGE_UNITS, MAX_TEXTURE_UNITS,
+    MAX_UNIFORM_COMPONENTS, MAX_VARYING_FLOATS, MAX_VERTEX_ATTRIBS, TEXEL_OFFSETS,
 };
 
 const DESKTOP_AND_ES: Availability = Availability::DESKTOP_AND_ES;
@@ -53,6 +53,7 @@ const INSTANCE_ID: Availability = Availability::V140
 const VERTEX_ID: Availability =
     Availability::V130.or(Extension::GpuShader4).and_es(EsVersions::From300);
 const FRAG_DEPTH_EXT: Availability = Availability::extension(Extension::FragDepth);
+const CULL_DISTANCE: Availability = Availability::extension(Extension::CullDistance);
 const CLIP_DISTANCE: Availability = V130.or(Extension::ClipDistance);
 const STENCIL_EXPORT: Availability = Availability::extension(Extension::ShaderStencilExport);
 
@@ -154,7 +155,7 @@ const fn old(name: &'static str, ty: VariableType, member: Incoming) -> Variable
 }
 
 /// Every variable, of all stages.
-pub static VARIABLES: [VariableRow; 122] = [
+pub static VARIABLES: [VariableRow; 127] = [
     row("gl_Position", Vec(4), Vertices, DESKTOP_AND_ES, ReadWrite, Position),
     row("gl_PointSize", Vec(1), Vertices, DESKTOP_AND_ES, ReadWrite, PointSize),
     row("gl_ClipVertex", Vec(4), Vertices, COMPATIBILITY, ReadWrite, ClipVertex),
@@ -163,6 +164,8 @@ pub static VARIABLES: [VariableRow; 122] = [
     row("gl_InstanceID", Int, Vertex, INSTANCE_ID, ReadOnly, InstanceId),
     row("gl_ClipDistance", UnsizedFloats, Vertices, CLIP_DISTANCE, ReadWrite, ClipDistance),
     row("gl_ClipDistance", UnsizedFloats, Fragment, CLIP_DISTANCE, ReadOnly, ClipDistance),
+    row("gl_CullDistance", UnsizedFloats, Vertices, CULL_DISTANCE, ReadWrite, CullDistance),
+    row("gl_CullDistance", UnsizedFloats, Fragment, CULL_DISTANCE, ReadOnly, CullDistance),
     // Conventional attributes
     attribute("gl_Vertex", 4, ATTRIB_VERTEX),
     attribute("gl_Normal", 3, ATTRIB_NORMAL),
@@ -216,6 +219,12 @@ pub static VARIABLES: [VariableRow; 122] = [
     incoming("gl_in.gl_Position", OfVertices(&Vec(4)), V150, Incoming::Position),
     incoming("gl_in.gl_PointSize", OfVertices(&Vec(1)), V150, Incoming::PointSize),
     incoming("gl_in.gl_ClipDistance", OfVertices(&UnsizedFloats), V150, Incoming::ClipDistance),
+    incoming(
+        "gl_in.gl_CullDistance",
+        OfVertices(&UnsizedFloats),
+        CULL_DISTANCE,
+        Incoming::CullDistance,
+    ),
     old("gl_in.gl_ClipVertex", OfVertices(&Vec(4)), Incoming::ClipVertex),
     old("gl_in.gl_FrontColor", OfVertices(&Vec(4)), Incoming::Varying(VARYING_COLOR)),
     old("gl_in.gl_BackColor", OfVertices(&Vec(4)), Incoming::Varying(VARYING_BACK_COLOR)),
@@ -330,6 +339,8 @@ pub static VARIABLES: [VariableRow; 122] = [
     limit("gl_MaxDrawBuffers", MAX_DRAW_BUFFERS as i32, DESKTOP_AND_ES),
     limit("gl_MaxVaryingComponents", MAX_VARYING_FLOATS as i32, V130),
     limit("gl_MaxClipDistances", MAX_CLIP_DISTANCES as i32, CLIP_DISTANCE),
+    limit("gl_MaxCullDistances", MAX_CULL_DISTANCES as i32, CULL_DISTANCE),
+    limit("gl_MaxCombinedClipAndCullDistances", MAX_CULL_DISTANCES as i32, CULL_DISTANCE),
     limit("gl_MaxVertexOutputComponents", MAX_STAGE_COMPONENTS as i32, V150),
     limit("gl_MaxGeometryInputComponents", MAX_STAGE_COMPONENTS as i32, V150),
     limit("gl_MaxGeometryOutputComponents", MAX_STAGE_COMPONENTS as i32, V150),
