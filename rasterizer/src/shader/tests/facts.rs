@@ -33,13 +33,14 @@ fn branch() -> Module {
     b.finish()
 }
 
-/// `out = s · uniform 0 + uniform 1`.
+/// `out = sin(s · uniform 0) + uniform 1`.
 fn product() -> Module {
     let (mut b, out) = fragment();
     let s = b.input(Input::Varying(0));
     let [factor, offset] = [0, 1].map(|word| b.uniform(word, Ty::F32));
     let product = b.op(Op::Mul, &[s, factor]);
-    let sum = b.op(Op::Add, &[product, offset]);
+    let sine = b.op(Op::Sin, &[product]);
+    let sum = b.op(Op::Add, &[sine, offset]);
     b.store(out, sum);
     b.finish()
 }
