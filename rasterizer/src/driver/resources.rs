@@ -1,12 +1,13 @@
 //! What passes of a device use: its description, pools of reusable objects, explanations of plans.
 
 use super::report::DeviceError;
-use crate::raster::{FIRST_WAVE, FREE_OPERATIONS, ShapeLists, TileRenderer};
+use crate::raster::{Chunk, FIRST_WAVE, FREE_OPERATIONS, ShapeLists, TileRenderer};
 use crate::shader::Machine;
 use crate::threads::ObjectPool;
 use crate::vertex::Geometry;
 use parking_lot::Mutex;
 use std::collections::BTreeSet;
+use std::sync::Arc;
 use texunit::lanes::Isa;
 
 /// What a device is made from.
@@ -103,6 +104,14 @@ impl Resources {
             tile_renderers: ObjectPool::default(),
             explained: Mutex::default(),
             explanations: Mutex::default(),
+        }
+    }
+
+    /// Keeps the memory of a chunk for others.
+    pub fn give_back(&self, chunk: Chunk) {
+        self.lists.give(chunk.lists);
+        if let Some(geometry) = Arc::into_inner(chunk.geometry) {
+            self.geometries.give(geometry);
         }
     }
 

@@ -10,7 +10,6 @@ use crate::raster::{
     Chunk, ClearJob, FIRST_WAVE, Formats, TileCommand, TileJob, WAVE, WatchedPixel,
 };
 use crate::sizes::TILE;
-use std::sync::Arc;
 
 /// Pixels that a short program shades before another thread would wake.
 const SMALL_WORK_PIXELS: u64 = 1 << 14;
@@ -71,6 +70,11 @@ impl Pass<'_> {
     pub(super) fn bin_chunks(&mut self, chunks: Vec<(Chunk, Vec<TileBin>)>) -> bool {
         let (before, tiles) = (self.shapes, self.tiles_per_layer());
         for (chunk, runs) in chunks {
+            // A draw of any number of vertices that are not seen takes no memory.
+            if chunk.lists.shapes.is_empty() {
+                self.resources.give_back(chunk);
+                continue;
+            }
             let index = self.job.chunks.len() as u32;
             for TileBin { layer, tile: [x, y], first, end } in runs {
                 let bin = &mut self.bins[layer as usize * tiles + (y * self.across + x) as usize];
@@ -214,10 +218,7 @@ impl Pass<'_> {
         }
         // The draws stay: one of them may still be adding chunks.
         for chunk in self.job.chunks.drain(..) {
-            self.resources.lists.give(chunk.lists);
-            if let Some(geometry) = Arc::into_inner(chunk.geometry) {
-                self.resources.geometries.give(geometry);
-            }
+            self.resources.give_back(chunk);
         }
         self.job.clears.clear();
         self.shapes = 0;
