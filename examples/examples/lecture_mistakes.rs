@@ -1,4 +1,4 @@
-//! The lecture's mistakes: its shaders exactly as printed.
+//! The lecture's mistakes: its shaders exactly as printed (`examples/src/printed_shaders.rs`).
 //!
 //! *CS380, Texture Mapping*, slides 14, 15, 22, 30 and 31. As they stand they do not compile: a
 //! `mat4 * vec2`, a `sampler2D` handed to `textureCube`, names mixed up. First they go through a
@@ -7,6 +7,7 @@
 #![allow(non_snake_case, non_upper_case_globals, reason = "the lecture's names")]
 
 use examples::lecture::*;
+use examples::printed_shaders::*;
 use std::process::ExitCode;
 
 /// This program, for the gallery.
@@ -23,109 +24,6 @@ pub const PROGRAM: Program = Program {
 pub fn main() -> ExitCode {
     examples::window::main(&PROGRAM)
 }
-
-const SQUARE_VERTEX_SHADER: &str = "\
-#version 130
-uniform float uVertexScale;
-uniform mat4 uProjMatrix;
-uniform mat4 uModelViewMatrix;
-in vec2 aVertex;
-in vec2 aTexCoord;
-in vec3 aColor;
-out vec3 vColor;
-out vec2 vTexCoord;
-
-void main()
-{
-    gl_Position = vec4(uProjMatrix * uModelViewMatrix * aVertex);
-    vColor = aColor;
-    vTexCoord = aTexCoord;
-}
-";
-
-const SQUARE_FRAGMENT_SHADER: &str = "\
-#version 130
-
-uniform sampler2D uTexUnit0;
-in vec2 vTexCoord;
-out vec4 fragColor;
-
-void main() {
-    vec4 texColor0 = texture2D(uTexUnit0, vTexCoord);
-    fragColor = texColor0;
-}
-";
-
-const ENVIRONMENT_FRAGMENT_SHADER: &str = "\
-#version 130
-uniform sampler2D uTexUnit0;
-in vec3 nNormal;
-in vec4 vPosition;
-out vec4 fragColor;
-
-vec3 reflect(vec3 w, vec3 n){
-    return n*(dot(w,n)*2.0) - w; // bounce vector
-}
-
-void main() {
-    vec3 normal = normalize(vNormal);
-    vec3 reflected = reflect(normalize(vec3(-vPosition)), normal);
-    vec4 texColor0 = textureCube(uTexUnit0, reflected);
-    fragColor = vec4(texColor0.r, texColor0.g, texColor0.b, 1.0);
-}
-";
-
-const PROJECTOR_VERTEX_SHADER: &str = "\
-#version 130
-
-uniform mat4 uModelViewMatrix;
-uniform mat4 uProjMatrix;
-
-uniform mat4 uSProjMatrix;
-uniform mat4 uSModelViewMatrix;
-
-in vec4 aVertex;
-out vec4 aTexCoord;
-
-void main(){
-    vTexCoord = uSProjMatrix * uSModelViewMatrix * aVertex;
-    gl_Position = uProjMatrix * uModelViewMatrix * aVertex;
-}
-";
-
-const PROJECTOR_FRAGMENT_SHADER: &str = "\
-#version 130
-
-uniform sampler2D vTexUnit0;
-
-in vec4 aTexCoord;
-out vec4 fragColor;
-
-void main(){
-    vec2 tex2;
-    tex2.x = vTexCoord.x/vTexCoord.w;
-    tex2.y = vTexCoord.y/vTexCoord.w;
-    vec4 texColor0 = texture2D(vTexUnit0, tex2);
-    fragColor = texColor0;
-}
-";
-
-/// Not the lecture's, which prints none for the environment map.
-const ENVIRONMENT_VERTEX_SHADER: &str = "\
-#version 130
-uniform mat4 uProjMatrix;
-uniform mat4 uModelViewMatrix;
-in vec4 aVertex;
-in vec3 aNormal;
-out vec3 vNormal;
-out vec4 vPosition;
-
-void main() {
-    vNormal = vec3(uModelViewMatrix * vec4(aNormal, 0.0));
-    vPosition = uModelViewMatrix * aVertex;
-    gl_Position = uProjMatrix * vPosition;
-}
-";
 
 /// The programs: slides, vertex shader, fragment shader.
 const PROGRAMS: [(&str, &str, &str); 3] = [

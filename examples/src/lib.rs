@@ -22,6 +22,7 @@
 //! | [`locality`] | the lines of a cache that texels take, by the order of their addresses |
 //! | [`plane_view`] | a plane in perspective, pixel by pixel |
 //! | [`area`] | exact area integration |
+//! | [`printed_shaders`] | the shaders of CS380's slides, as printed |
 //! | [`programs`] | the list of programs |
 //! | [`inputs`] | the inputs of a picture, shown beside its result |
 //! | [`lectures`] | `docs/lectures.md`: which programs and checks have each item of the lectures |
@@ -43,6 +44,7 @@ pub mod matrix;
 pub mod mesh;
 pub mod picture;
 pub mod plane_view;
+pub mod printed_shaders;
 pub mod programs;
 pub mod scene;
 #[allow(non_snake_case, reason = "the lecture's names")]
