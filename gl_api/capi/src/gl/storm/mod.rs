@@ -68,8 +68,10 @@ fn try_case(case: &Case, slots: &[Slot; SLOTS], random: &Random, counts: Counts,
     NAME.set(case.name);
     for round in 0..rounds {
         // A list copies what a uniform takes at most: which one it is for is not known yet.
-        let is_uniform = counts != Counts::Honest && case.name.starts_with("glUniform");
-        let in_list = round % 4 == 3 && !is_uniform;
+        let of_uniform = ["glUniform", "glProgramUniform"];
+        let is_uniform = of_uniform.iter().any(|name| case.name.starts_with(name));
+        let is_cut = counts != Counts::Honest && is_uniform;
+        let in_list = round % 4 == 3 && !is_cut;
         if in_list {
             with_current(|c| c.new_list(1, GL_COMPILE));
         }
