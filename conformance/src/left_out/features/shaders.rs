@@ -36,7 +36,7 @@ pub(super) const LIST: &[Feature] = shaders! {
         "    if (flag) discard;\n    gl_FragColor = texel * color;";
     "discard-never" "a discard that never happens, by the range of what it compares"
         "    if (u > 1.5) discard;\n    gl_FragColor = texel * color;";
-    "varying-unread" "a varying that the vertex shader writes and nobody reads"
+    "varying-unread" "a varying that the vertex shader writes and the fragment shader does not read"
         "    gl_FragColor = texel * color;";
     "varying-zero" "a varying times a uniform that is 0"
         "    gl_FragColor = texel * color + unread * u;" because Reason::NotLeftOut;
