@@ -54,3 +54,56 @@ fn all_bits_arrive() {
     c.vertex_attrib_i_1ui(99, 1);
     assert_eq!(c.get_error(), GL_INVALID_VALUE);
 }
+
+/// Alpha of integers without it is 1 in every frame: shaders that are compiled again for opaque textures leave it.
+#[test]
+fn alpha_of_integers_is_the_integer_one() {
+    const VERTEX: &str = "#version 130\nvoid main() { gl_Position = gl_Vertex; }";
+    const FRAGMENT: &str = "#version 130
+uniform usampler2D image; uniform float one;
+void main() {
+    uvec4 texel = texture(image, vec2(0.5));
+    bool right = texel.a == 1u && texel.a + 1u == 2u && texel.r == 7u;
+    gl_FragColor = vec4(right ? one : 0.0, 0.0, 0.0, 1.0);
+}";
+    let mut c = Context::new(ContextDesc { width: 4, height: 4, ..ContextDesc::default() })
+        .expect("a device");
+    let program = c.create_program();
+    for (ty, source) in [(GL_VERTEX_SHADER, VERTEX), (GL_FRAGMENT_SHADER, FRAGMENT)] {
+        let shader = c.create_shader(ty);
+        c.shader_source(shader, 1, Strings(vec![source]), &[]);
+        c.compile_shader(shader);
+        c.attach_shader(program, shader);
+    }
+    c.link_program(program);
+    c.use_program(program);
+    let one = c.get_uniform_location(program, "one");
+    c.uniform_1f(one, 1.0);
+    c.bind_texture(GL_TEXTURE_2D, 1);
+    c.pixel_storei(GL_UNPACK_ALIGNMENT, 1);
+    c.tex_image_2d(
+        GL_TEXTURE_2D,
+        0,
+        GL_RGB8UI as GLint,
+        1,
+        1,
+        0,
+        GL_RGB_INTEGER,
+        GL_UNSIGNED_BYTE,
+        Data::Bytes(&[7, 8, 9]),
+    );
+    c.tex_parameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST as GLint);
+    c.tex_parameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST as GLint);
+    for frame in 0..4 {
+        c.clear(GL_COLOR_BUFFER_BIT);
+        c.begin(GL_QUADS);
+        for (x, y) in [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)] {
+            c.vertex_2f(x, y);
+        }
+        c.end();
+        let mut out = [0_u8; 4];
+        c.read_pixels(1, 1, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, DataOut::Bytes(&mut out));
+        assert_eq!(c.get_error(), GL_NO_ERROR, "{:?}", c.messages());
+        assert_eq!(out, [255, 0, 0, 255], "frame {frame}");
+    }
+}

@@ -47,6 +47,39 @@ const CASES: &[(GLenum, &[[f32; 2]], bool)] = &[
     (GL_POINTS, &[[1.0, 0.0]], true),
 ];
 
+/// Edges and corners that a polygon is drawn as are no primitives of their own.
+#[test]
+fn polygons_that_are_drawn_as_lines_or_points_are_culled_as_polygons() {
+    let vertex = format!(
+        "{HEAD}out float gl_CullDistance[1];
+         void main() {{ gl_Position = gl_Vertex; gl_CullDistance[0] = gl_MultiTexCoord0.x; }}"
+    );
+    let mut c = context();
+    use_program(&mut c, &vertex, FRAGMENT);
+    let mut lit = |mode: GLenum, distances: [f32; 3]| {
+        c.clear(GL_COLOR_BUFFER_BIT);
+        c.polygon_mode(GL_FRONT_AND_BACK, mode);
+        c.begin(GL_TRIANGLES);
+        for ([x, y], distance) in
+            [[-0.75, -0.75], [0.75, -0.75], [0.0, 0.75]].into_iter().zip(distances)
+        {
+            c.tex_coord_1f(distance);
+            c.vertex_2f(x, y);
+        }
+        c.end();
+        let mut pixels = vec![0; 8 * 8 * 4];
+        c.read_pixels(0, 0, 8, 8, GL_RGBA, GL_UNSIGNED_BYTE, DataOut::Bytes(&mut pixels));
+        assert_eq!(c.get_error(), GL_NO_ERROR);
+        pixels.chunks(4).filter(|pixel| **pixel == RED).count()
+    };
+    for mode in [GL_FILL, GL_LINE, GL_POINT] {
+        let whole = lit(mode, [1.0; 3]);
+        assert!(whole > 0);
+        assert_eq!(lit(mode, [-1.0, -1.0, 1.0]), whole);
+        assert_eq!(lit(mode, [-1.0; 3]), 0);
+    }
+}
+
 #[test]
 fn primitives_are_drawn_whole_or_not_at_all() {
     let vertex = format!(

@@ -352,7 +352,15 @@ impl Image {
             state.resolve(&ThreadPool::CALLER_ONLY);
         }
         let at = state.subresource(face, level);
-        state.attached = Some(Attached { at, surface, isa, drawn: true });
+        // Another context may have given the level another format or size meanwhile.
+        let is_of = |info: LevelInfo| {
+            let LevelInfo { format, size: [width, height, _], samples, .. } = info;
+            (format, width, height, samples)
+                == (surface.format, surface.width, surface.height, surface.samples)
+        };
+        if state.info(at).is_some_and(is_of) {
+            state.attached = Some(Attached { at, surface, isa, drawn: true });
+        }
     }
 }
 
@@ -396,4 +404,22 @@ pub struct PassDesc {
     /// How many layers there are: [`Attachment::face`] is the number of the first, which the others follow. Draws go to
     /// the first, but where a geometry program says another; clears go to all.
     pub layers: u16,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// As where another context specifies a level while a pass draws to it.
+    #[test]
+    fn a_surface_of_a_level_that_was_replaced_is_dropped() {
+        let image = Image::blank(Format::Rgba8, 8, 8, 1).expect("small");
+        let surface = image.attach(0, 0, &ThreadPool::CALLER_ONLY).expect("it exists");
+        let mut texels = Texels::new(Shape::D2);
+        texels.set_level(0, 0, Level::new(Format::Rgb8, 8, 8).expect("small")).expect("it fits");
+        image.replace(texels, 1, MultisampleStorage::Resolved);
+        image.detach(0, 0, surface, Isa::BASELINE);
+        let format = image.texels().level(0, 0).map(|level| level.format);
+        assert_eq!(format, Some(Format::Rgb8));
+    }
 }

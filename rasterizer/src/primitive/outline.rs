@@ -119,7 +119,7 @@ impl Setup<'_> {
         let ends = [line.vertices[0], line.vertices[1]];
         let [a, b] = ends.map(|v| geometry.outcode(v).0);
         let (any, every) = (a | b, a & b);
-        if every & Outcode::REJECT != 0 || any & Outcode::INVALID != 0 {
+        if every & Outcode::OUTSIDE != 0 || any & Outcode::INVALID != 0 {
             return;
         }
         let mut corners = ends.map(|v| geometry.snapped[v as usize]);
@@ -258,7 +258,7 @@ impl Setup<'_> {
         bias: f32,
         out: &mut Vec<Shape>,
     ) {
-        let dropped = Outcode::REJECT | Outcode::INVALID | Outcode::GUARD | Outcode::USER;
+        let dropped = Outcode::OUTSIDE | Outcode::INVALID | Outcode::GUARD | Outcode::USER;
         if geometry.outcode(vertex).0 & dropped != 0 {
             return;
         }

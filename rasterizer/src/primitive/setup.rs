@@ -161,12 +161,17 @@ pub fn setup(
             }
             Primitive::Line(v, provoking) => {
                 let [a, b] = v.map(local);
+                if geometry.outcode(a).0 & geometry.outcode(b).0 & Outcode::CULLED != 0 {
+                    continue;
+                }
                 let line =
                     Line { vertices: [a, b, b], provoking, facing: Facing::Front, bias: 0.0 };
                 setup.line(geometry, &line, &mut scratch, out);
             }
             Primitive::Point(v) => {
-                setup.point(geometry, local(v), Facing::Front, 0.0, out);
+                if geometry.outcode(local(v)).0 & Outcode::CULLED == 0 {
+                    setup.point(geometry, local(v), Facing::Front, 0.0, out);
+                }
             }
         }
     }

@@ -156,7 +156,9 @@ impl Facts {
     fn is_filtered_of(&self, module: &Module, sample: Value, slots: u64) -> bool {
         match module.expr(sample) {
             Expr::Sample(sample) => {
-                let is_filtered = matches!(sample.access, Access::Filter { .. });
+                // Facts are of numbers; components of integers are bits.
+                let is_filtered = matches!(sample.access, Access::Filter { .. })
+                    && module.component_ty(sample) == Ty::F32;
                 let slot = sample.texture.0;
                 is_filtered && slot < u64::BITS && slots >> slot & 1 == 1
             }

@@ -30,15 +30,14 @@ impl Outcode {
     pub const INVALID: u32 = 256;
     /// Beyond a user clip plane.
     pub const USER: u32 = 512;
+    /// If every vertex is outside of one of these, nothing of a primitive, or of an edge of it, is seen.
+    pub const OUTSIDE: u32 =
+        Self::LEFT | Self::RIGHT | Self::BOTTOM | Self::TOP | Self::NEAR | Self::FAR | Self::BEHIND;
+    /// The cull distances: if one is negative at every vertex, the primitive is rejected. Edges and corners that a polygon
+    /// is drawn as are no primitives (`ARB_cull_distance`).
+    pub const CULLED: u32 = 0xFF << Self::FIRST_CULL;
     /// If every vertex is outside of one of these, the primitive is rejected.
-    pub const REJECT: u32 = Self::LEFT
-        | Self::RIGHT
-        | Self::BOTTOM
-        | Self::TOP
-        | Self::NEAR
-        | Self::FAR
-        | Self::BEHIND
-        | 0xFF << Self::FIRST_CULL;
+    pub const REJECT: u32 = Self::OUTSIDE | Self::CULLED;
     /// The bit of the first cull distance.
     pub const FIRST_CULL: u32 = 24;
     /// If any vertex is outside of one of these, the primitive is clipped.

@@ -23,7 +23,7 @@ pub enum ComponentsFact {
     Any,
 }
 
-/// What is known of alpha.
+/// What is known of alpha. Alpha of integers is none of these numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AlphaFact {
     /// It is 1.
@@ -55,7 +55,18 @@ impl Texture {
             | Encoding::Sint => ComponentsFact::Any,
         };
         let has_border = [Filter::Nearest, Filter::Linear].map(|by| self.reaches_border(by));
+        let is_integer = match self.format.info().encoding {
+            Encoding::Uint | Encoding::Sint => true,
+            Encoding::Unorm
+            | Encoding::Srgb
+            | Encoding::SrgbBlock(_)
+            | Encoding::Block(_)
+            | Encoding::Snorm
+            | Encoding::Float
+            | Encoding::SharedExponent => false,
+        };
         let is_one = self.alpha == Alpha::One
+            && !is_integer
             && self.swizzle == Swizzle::IDENTITY
             && (self.format.base() == BaseFormat::Rgb || has_border == [false; 2]);
         LookupFacts { components, alpha: if is_one { AlphaFact::One } else { AlphaFact::Any } }
