@@ -127,8 +127,16 @@ fn thousands_of_objects_leave_the_process_as_large_as_the_first_ones_did() {
         // The first ones fill caches, and give the allocator the most memory that is in use at once.
         make(*count);
         let before = resident_bytes().expect("as above");
-        make(*count);
-        let after = resident_bytes().expect("as above");
-        assert!(after <= before + (1 << 20), "{count} {kind}: {before} bytes, then {after}");
+        // What the allocator keeps varies from round to round by a megabyte; a leak grows with every one.
+        let mut rounds = (0..3).map(|_| {
+            make(*count);
+            resident_bytes().expect("as above")
+        });
+        let mut after = Vec::new();
+        let is_as_before = rounds.any(|bytes| {
+            after.push(bytes);
+            bytes <= before + (1 << 20)
+        });
+        assert!(is_as_before, "{count} {kind}: {before} bytes, then {after:?}");
     }
 }
