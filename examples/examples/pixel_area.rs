@@ -36,7 +36,6 @@ in vec2 vTexCoord;
 out vec4 fragColor;
 
 const vec2 middle = vec2(0.5);
-
 void main() {
     vec2 right = uSides.xy, up = uSides.zw, at = middle + 0.5 * right + 0.5 * up;
     vec4 color = textureGrad(uTexUnit0, at, right, up);
