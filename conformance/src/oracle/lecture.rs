@@ -80,6 +80,13 @@ fn longitude(x: f64, z: f64, variant: Variant) -> f64 {
     0.5 + theta / (2.0 * PI)
 }
 
+/// (u, v) of a point on a sphere about the origin, of any radius.
+fn spherical(inputs: &Inputs, variant: Variant) -> [f64; 4] {
+    let [x, y, z] = xyz(inputs[0]);
+    let phi = (y / dot([x, y, z], [x, y, z]).sqrt()).acos();
+    [longitude(x, z, variant), 1.0 - phi / PI, 0.0, 0.0]
+}
+
 /// Every formula.
 pub const FORMULAS: &[Formula] = &[
     Formula {
@@ -207,11 +214,7 @@ pub const FORMULAS: &[Formula] = &[
                    return vec4(0.5 + theta / (2.0 * PI), 1.0 - phi / PI, 0.0, 0.0);
                }",
         case: point,
-        value: |i, variant| {
-            let [x, y, z] = xyz(i[0]);
-            let phi = (y / dot([x, y, z], [x, y, z]).sqrt()).acos();
-            [longitude(x, z, variant), 1.0 - phi / PI, 0.0, 0.0]
-        },
+        value: spherical,
     },
     Formula {
         what: "spherical mapping of a point that is eight times as far: the same (u, v)",
@@ -223,11 +226,7 @@ pub const FORMULAS: &[Formula] = &[
                    return vec4(0.5 + atan(p.z, p.x) / (2.0 * PI), 1.0 - phi / PI, 0.0, 0.0);
                }",
         case: point,
-        value: |i, variant| {
-            let [x, y, z] = xyz(i[0]);
-            let phi = (y / dot([x, y, z], [x, y, z]).sqrt()).acos();
-            [longitude(x, z, variant), 1.0 - phi / PI, 0.0, 0.0]
-        },
+        value: spherical,
     },
     Formula {
         what: "u = au·s + bu·t + cu, v = av·s + bv·t + cv",

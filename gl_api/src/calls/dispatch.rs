@@ -28,14 +28,11 @@ impl Context {
         begin_end: BeginEnd,
         f: impl FnOnce(&mut Self) -> Result<R>,
     ) -> R {
-        let call = ComputingCall::begin(self);
-        let context = &mut *call.scope.context;
-        let result = match begin_end {
-            BeginEnd::Refused if !context.leave_vertices(name) => Ok(R::refused_result()),
-            BeginEnd::Refused | BeginEnd::Allowed => f(context),
+        let before = match begin_end {
+            BeginEnd::Refused => Self::leave_vertices,
+            BeginEnd::Allowed => |_: &mut Self, _| true,
         };
-        call.end();
-        self.answer(name, result)
+        self.call_after(name, before, f)
     }
 
     /// As [`Self::call`], of a call that may not stand between `glBegin` and `glEnd` and changes nothing that draws depend
@@ -46,14 +43,7 @@ impl Context {
         name: &'static str,
         f: impl FnOnce(&mut Self) -> Result<R>,
     ) -> R {
-        let call = ComputingCall::begin(self);
-        let context = &mut *call.scope.context;
-        let result = match context.leave_vertices_to_setter(name) {
-            false => Ok(R::refused_result()),
-            true => f(context),
-        };
-        call.end();
-        self.answer(name, result)
+        self.call_after(name, Self::leave_vertices_to_setter, f)
     }
 
     /// As [`Self::call`], of a call that may not stand between `glBegin` and `glEnd`, draws nothing and changes nothing.
@@ -62,11 +52,22 @@ impl Context {
         name: &'static str,
         f: impl FnOnce(&mut Self) -> Result<R>,
     ) -> R {
+        self.call_after(name, Self::is_outside_primitive, f)
+    }
+
+    /// Runs an entry point, if it may follow after `before`.
+    #[inline(always)]
+    fn call_after<R: RefusedResult>(
+        &mut self,
+        name: &'static str,
+        before: fn(&mut Self, &'static str) -> bool,
+        f: impl FnOnce(&mut Self) -> Result<R>,
+    ) -> R {
         let call = ComputingCall::begin(self);
         let context = &mut *call.scope.context;
-        let result = match context.immediate.is_some() {
-            true => Err(between_begin_and_end()),
-            false => f(context),
+        let result = match before(context, name) {
+            true => f(context),
+            false => Ok(R::refused_result()),
         };
         call.end();
         self.answer(name, result)
@@ -101,12 +102,21 @@ impl Context {
         result
     }
 
+    /// Whether the call is not between `glBegin` and `glEnd`, where it is refused.
+    #[inline(never)]
+    fn is_outside_primitive(&mut self, name: &'static str) -> bool {
+        let is_outside = self.immediate.is_none();
+        if !is_outside {
+            self.refuse(name, between_begin_and_end());
+        }
+        is_outside
+    }
+
     /// Before a call that may not stand between `glBegin` and `glEnd`: what ended is drawn with the
     /// state of now. Whether the call may follow.
     #[inline(never)]
     fn leave_vertices(&mut self, name: &'static str) -> bool {
-        if self.immediate.is_some() {
-            self.refuse(name, between_begin_and_end());
+        if !self.is_outside_primitive(name) {
             return false;
         }
         if self.pending.as_ref().is_some_and(|ended| !ended.survives(name)) {
@@ -120,8 +130,7 @@ impl Context {
     /// drawn.
     #[inline(never)]
     fn leave_vertices_to_setter(&mut self, name: &'static str) -> bool {
-        if self.immediate.is_some() {
-            self.refuse(name, between_begin_and_end());
+        if !self.is_outside_primitive(name) {
             return false;
         }
         match &self.pending {

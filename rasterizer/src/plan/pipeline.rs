@@ -125,25 +125,24 @@ impl Pipeline {
         of_lines.clone()
     }
 
-    /// The pipeline whose fragment program leaves out what uniform values and textures of a draw make without effect; this
-    /// one where they leave out nothing, or were not seen before.
+    /// The pipeline whose fragment program leaves out what uniform values and textures of a draw make without effect;
+    /// `None` where they leave out nothing, or were not seen before. `prepared` is of this one's fragment program, if that
+    /// depends on uniform words.
     pub(crate) fn specialized(
         &self,
-        prepare: impl FnOnce() -> Prepared,
+        prepared: Option<&Prepared>,
         textures: &[Option<Arc<SamplePlan>>],
-    ) -> Self {
-        let found = self.0.specializable.as_ref().and_then(|specializable| {
-            let facts = self.0.fragment.facts(&specializable.sources, &prepare(), textures);
-            if facts.is_empty() {
-                return None;
-            }
-            specializable.find(facts, |facts| {
-                let Specializable { module, sources, .. } = specializable;
-                let fragment = self.0.fragment.specialized(module, sources, facts)?;
-                Some(Self(Arc::new(self.0.with_fragment(fragment, facts.clone()))))
-            })
-        });
-        found.unwrap_or_else(|| self.clone())
+    ) -> Option<Self> {
+        let specializable = self.0.specializable.as_ref()?;
+        let Specializable { module, sources, .. } = specializable;
+        let facts = self.0.fragment.facts(sources, prepared, textures);
+        if facts.is_empty() {
+            return None;
+        }
+        specializable.find(facts, |facts| {
+            let fragment = self.0.fragment.specialized(module, sources, facts)?;
+            Some(Self(Arc::new(self.0.with_fragment(fragment, facts.clone()))))
+        })
     }
 
     /// Whether it is the same one, not an equal one.

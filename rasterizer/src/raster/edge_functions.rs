@@ -20,6 +20,22 @@ pub struct Edge {
     pub y: i32,
 }
 
+impl Edge {
+    /// The value at the first pixel of block column `bx`, row `by` of the tile.
+    #[inline(always)]
+    fn first(&self, [bx, by]: [i32; 2]) -> i64 {
+        self.value + i64::from(self.x) * i64::from(8 * bx) + i64::from(self.y) * i64::from(8 * by)
+    }
+
+    /// The same, and the least and the largest value in the block.
+    #[inline(always)]
+    pub fn over_block(&self, block: [i32; 2]) -> (i64, [i64; 2]) {
+        let first = self.first(block);
+        let (dx, dy) = (7 * i64::from(self.x), 7 * i64::from(self.y));
+        (first, [first + dx.min(0) + dy.min(0), first + dx.max(0) + dy.max(0)])
+    }
+}
+
 /// The coverage of a block by a triangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Coverage {
@@ -67,14 +83,11 @@ pub fn block(isa: Isa, edges: &[Edge; 3], bx: i32, by: i32) -> Coverage {
     let mut crossing = [(0, 0, 0); 3];
     let mut partial = false;
     for (edge, out) in edges.iter().zip(&mut crossing) {
-        let first = edge.value
-            + i64::from(edge.x) * i64::from(8 * bx)
-            + i64::from(edge.y) * i64::from(8 * by);
-        let (dx, dy) = (7 * i64::from(edge.x), 7 * i64::from(edge.y));
-        if first + dx.max(0) + dy.max(0) < 0 {
+        let (first, [least, most]) = edge.over_block([bx, by]);
+        if most < 0 {
             return Coverage::None;
         }
-        if first + dx.min(0) + dy.min(0) < 0 {
+        if least < 0 {
             partial = true;
             // It changes sign within the block, so it is no larger than its steps.
             *out = (first as i32, edge.x, edge.y);
@@ -108,17 +121,14 @@ impl TileEdges {
         Self { rise }
     }
 
-    /// The lanes of block column `bx`, row `by` where none of the edges, which have these increments, is negative. No
+    /// The lanes of a block, given by its column and row, where none of the edges, which have these increments, is negative. No
     /// edge may leave the whole of it out.
     #[inline(always)]
-    pub fn lanes<S: Simd>(&self, edges: &[Edge; 3], [bx, by]: [i32; 2]) -> u64 {
+    pub fn lanes<S: Simd>(&self, edges: &[Edge; 3], block: [i32; 2]) -> u64 {
         let mut outside = U32s::ZERO;
         for (edge, rise) in edges.iter().zip(&self.rise) {
-            let first = edge.value
-                + i64::from(edge.x) * i64::from(8 * bx)
-                + i64::from(edge.y) * i64::from(8 * by);
             // The edge function changes by less than this within a block, so it is negative nowhere.
-            let first = first.min(MOST_RISE) as i32;
+            let first = edge.first(block).min(MOST_RISE) as i32;
             for lane in 0..LANES {
                 outside[lane] |= first.wrapping_add(rise[lane]) as u32 & 1 << 31;
             }

@@ -105,10 +105,9 @@ fn sorted_one_by_one(edges: &[Edge; 3], [first, last]: [[i32; 2]; 2]) -> [u64; 2
         for bx in first[0]..=last[0] {
             let (mut is_touched, mut is_full) = (true, true);
             for edge in edges {
-                let (x, y) = (i64::from(edge.x), i64::from(edge.y));
-                let corner = edge.value + x * i64::from(8 * bx) + y * i64::from(8 * by);
-                is_touched &= corner + 7 * (x.max(0) + y.max(0)) >= 0;
-                is_full &= corner + 7 * (x.min(0) + y.min(0)) >= 0;
+                let (_, [least, most]) = edge.over_block([bx, by]);
+                is_touched &= most >= 0;
+                is_full &= least >= 0;
             }
             let block = bx as usize + TILE_BLOCKS * by as usize;
             touched |= u64::from(is_touched) << block;

@@ -29,7 +29,7 @@ struct Source {
 pub(crate) struct FactSources(Vec<Source>);
 
 /// What is known of a draw.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Facts {
     /// By source: its word, if it is 0 or 1.
     words: Vec<Option<u32>>,
@@ -102,7 +102,7 @@ impl FactSources {
             };
             (bits == 0 || bits == one).then_some(bits)
         };
-        let mut facts = Facts { words: self.0.iter().map(known).collect(), ..Facts::default() };
+        let mut facts = Facts { words: self.0.iter().map(known).collect(), ..Facts::NONE };
         for &slot in slots.iter().filter(|slot| **slot < u64::BITS) {
             let plan = textures.get(slot as usize).and_then(Option::as_ref);
             let LookupFacts { components, alpha } =
@@ -154,16 +154,12 @@ impl Facts {
 
     /// Whether a sample is a filtered lookup in one of some slots, bit by slot.
     fn is_filtered_of(&self, module: &Module, sample: Value, slots: u64) -> bool {
-        match module.expr(sample) {
-            Expr::Sample(sample) => {
-                // Facts are of numbers; components of integers are bits.
-                let is_filtered = matches!(sample.access, Access::Filter { .. })
-                    && module.component_ty(sample) == Ty::F32;
-                let slot = sample.texture.0;
-                is_filtered && slot < u64::BITS && slots >> slot & 1 == 1
-            }
-            _ => false,
-        }
+        let Expr::Sample(sample) = module.expr(sample) else { return false };
+        // Facts are of numbers; components of integers are bits.
+        let is_filtered = matches!(sample.access, Access::Filter { .. })
+            && module.component_ty(sample) == Ty::F32;
+        let slot = sample.texture.0;
+        is_filtered && slot < u64::BITS && slots >> slot & 1 == 1
     }
 
     /// A bound of a value that is known to be a number from +0 to it: no infinity, no NaN, no negative zero.

@@ -233,14 +233,15 @@ impl Program {
         (program.code.len() < self.code.len()).then_some(program)
     }
 
-    /// The facts of a draw with these prepared values and textures.
+    /// The facts of a draw with these prepared values, where the program depends on uniform words, and textures.
     pub(crate) fn facts(
         &self,
         sources: &FactSources,
-        prepared: &Prepared,
+        prepared: Option<&Prepared>,
         textures: &[Option<Arc<SamplePlan>>],
     ) -> Facts {
-        sources.facts(&prepared.words, &self.textures, textures)
+        let words = prepared.map_or(&[][..], |prepared| &prepared.words);
+        sources.facts(words, &self.textures, textures)
     }
 
     /// Lowers `module` as it stands.

@@ -2,9 +2,8 @@
 //! so is a large attachment of which each frame draws to a part: a tile that was cleared again, to what its rows hold
 //! since the clear before, is not stored.
 
-use super::{Level, RowSpan, RowWriter, Slices, StoreContext, Surface, WORTH_THREADS, WordPlane};
+use super::{Level, Slices, StoreContext, Surface, WordPlane};
 use crate::attachment::words::attachment_words;
-use crate::sizes::TILE;
 use texunit::format::Format;
 
 /// What the rows of a level hold of a tile.
@@ -67,72 +66,15 @@ impl Surface {
     pub fn store_changed(&mut self, level: &mut Level, slices: Slices, context: StoreContext<'_>) {
         let pairs = self.rows.iter().zip(&self.tiles);
         let differs: Vec<bool> = pairs.map(|(rows, tile)| rows.differ(self.format, tile)).collect();
-        let count = differs.iter().filter(|differs| **differs).count();
-        if count == 0 {
+        // Rows that are not written may have no memory yet.
+        if !differs.contains(&true) {
             return;
         }
-        if count == differs.len() {
-            self.store(level, slices, context);
-        } else {
-            self.store_tiles(&differs, count, level, slices, context);
-        }
-        for ((rows, tile), _) in
-            self.rows.iter_mut().zip(&self.tiles).zip(differs).filter(|(_, differs)| *differs)
-        {
-            *rows = RowsOfTile::after_storing(self.format, tile);
-        }
-    }
-
-    /// Writes `count` of the tiles into slices of the level.
-    fn store_tiles(
-        &self,
-        stored: &[bool],
-        count: usize,
-        level: &mut Level,
-        slices: Slices,
-        context: StoreContext<'_>,
-    ) {
-        let (row_bytes, size) = (level.row_bytes(), self.format.bytes());
-        for (samples, slice) in self.selections(slices) {
-            let first = level.origin() + slice * level.slice_bytes();
-            let texels = &mut level.texels[first..first + self.height as usize * row_bytes];
-            let rows_of_tiles = stored.chunks(self.tiles_across() as usize);
-            let bands = texels.chunks_mut(TILE as usize * row_bytes).zip(rows_of_tiles);
-            let mut bands: Vec<_> = (0..)
-                .step_by(TILE as usize)
-                .zip(bands)
-                .filter(|(_, (_, stored))| stored.contains(&true))
-                .collect();
-            let least = if count >= WORTH_THREADS { 1 } else { bands.len() };
-            context.thread_pool.for_each_chunk(
-                &mut bands,
-                least,
-                || (),
-                |(), bands| {
-                    for (y, (texels, stored)) in bands {
-                        // Neighbours together.
-                        let mut from = 0;
-                        for run in stored.chunk_by(|a, b| a == b) {
-                            let x = from * TILE;
-                            from += run.len() as u32;
-                            if run[0] {
-                                let width = (from * TILE).min(self.width) - x;
-                                let first = x as usize * size;
-                                let rows = texels.chunks_mut(row_bytes);
-                                let mut rows: Vec<_> = rows.map(|row| &mut row[first..]).collect();
-                                let span = RowSpan { x, y: *y, width };
-                                self.store_band(
-                                    context.isa,
-                                    samples,
-                                    span,
-                                    &mut rows,
-                                    RowWriter::Copy,
-                                );
-                            }
-                        }
-                    }
-                },
-            );
+        self.store_tiles(&differs, level, slices, context);
+        for ((rows, tile), differs) in self.rows.iter_mut().zip(&self.tiles).zip(differs) {
+            if differs {
+                *rows = RowsOfTile::after_storing(self.format, tile);
+            }
         }
     }
 }

@@ -44,7 +44,7 @@ impl RowWriter<'_> {
 
 /// Which samples of a pixel are written to a texel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum SampleSelection {
+enum SampleSelection {
     /// All samples, resolved.
     All,
     /// This sample.
@@ -54,33 +54,74 @@ pub(super) enum SampleSelection {
 impl Surface {
     /// Writes the tiles back into slices of the level they came from.
     pub fn store(&self, level: &mut Level, slices: Slices, context: StoreContext<'_>) {
-        let all = RowSpan { x: 0, y: 0, width: self.width };
-        self.store_rows(all, self.height, level, slices, context);
+        self.store_tiles(&vec![true; self.tiles.len()], level, slices, context);
     }
 
-    /// Writes `height` rows of a region into slices of the level that the tiles came from.
-    pub(super) fn store_rows(
+    /// Writes those tiles for which `stored` is true into slices of the level that they came from.
+    pub(super) fn store_tiles(
         &self,
-        span: RowSpan,
-        height: u32,
+        stored: &[bool],
         level: &mut Level,
         slices: Slices,
         context: StoreContext<'_>,
     ) {
         debug_assert_eq!((self.width, self.height), (level.width, level.height));
-        let (row_bytes, size) = (level.row_bytes(), self.format.bytes());
+        if !is_attachable(self.format) {
+            return;
+        }
+        let StoreContext { isa, thread_pool } = context;
+        let row_bytes = level.row_bytes().max(1);
+        let count = stored.iter().filter(|stored| **stored).count();
         for (samples, slice) in self.selections(slices) {
-            let slice = level.origin() + slice * level.slice_bytes();
-            let first = slice + span.y as usize * row_bytes;
-            let texels = &mut level.texels[first..first + height as usize * row_bytes];
-            let rows = texels.chunks_mut(row_bytes.max(1));
-            let mut rows: Vec<_> = rows.map(|row| &mut row[span.x as usize * size..]).collect();
-            self.store_region(samples, span, &mut rows, RowWriter::Copy, context);
+            let first = level.origin() + slice * level.slice_bytes();
+            let texels = &mut level.texels[first..first + self.height as usize * row_bytes];
+            // A band is what lies in one row of tiles.
+            let texels = texels.chunks_mut(TILE as usize * row_bytes);
+            let rows_of_tiles = texels.zip(stored.chunks(self.tiles_across().max(1) as usize));
+            let mut bands: Vec<_> = (0..)
+                .step_by(TILE as usize)
+                .zip(rows_of_tiles)
+                .filter(|(_, (_, stored))| stored.contains(&true))
+                .collect();
+            let least = if count >= WORTH_THREADS { 1 } else { bands.len() };
+            thread_pool.for_each_chunk(
+                &mut bands,
+                least,
+                || (),
+                |(), bands| {
+                    for (y, (texels, stored)) in bands {
+                        let mut rows: Vec<_> = texels.chunks_mut(row_bytes).collect();
+                        self.store_runs(isa, samples, *y, stored, &mut rows);
+                    }
+                },
+            );
+        }
+    }
+
+    /// Writes tiles of the row of tiles that begins at row `y`, neighbours together, into whole rows of a level.
+    fn store_runs(
+        &self,
+        isa: Isa,
+        samples: SampleSelection,
+        y: u32,
+        stored: &[bool],
+        rows: &mut [&mut [u8]],
+    ) {
+        let mut end = 0;
+        for run in stored.chunk_by(|a, b| a == b) {
+            let x = end;
+            end = (x + run.len() as u32 * TILE).min(self.width);
+            if run[0] {
+                let first = x as usize * self.format.bytes();
+                let mut rows: Vec<_> = rows.iter_mut().map(|row| &mut row[first..]).collect();
+                let span = RowSpan { x, y, width: end - x };
+                self.store_band(isa, samples, span, &mut rows, RowWriter::Copy);
+            }
         }
     }
 
     /// Which samples go to which slice of a level.
-    pub(super) fn selections(&self, slices: Slices) -> Vec<(SampleSelection, usize)> {
+    fn selections(&self, slices: Slices) -> Vec<(SampleSelection, usize)> {
         match slices {
             Slices::One(slice) => vec![(SampleSelection::All, slice)],
             Slices::Each(first) => {
@@ -134,7 +175,7 @@ impl Surface {
     }
 
     /// Writes rows that lie in one row of tiles.
-    pub(super) fn store_band(
+    fn store_band(
         &self,
         isa: Isa,
         samples: SampleSelection,

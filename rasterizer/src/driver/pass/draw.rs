@@ -182,14 +182,19 @@ impl Pass<'_> {
         // Uniforms, such as matrices, are mostly not the fragments'.
         let prepare = |pipeline: &Pipeline| {
             let fragment = &pipeline.compiled().fragment;
-            fragment.prepare(isa, &bound.uniforms, &bound.fragment_textures)
+            let prepare = || fragment.prepare(isa, &bound.uniforms, &bound.fragment_textures);
+            fragment.depends_on_uniforms().then(prepare)
         };
+        let mut prepared = prepare(pipeline);
         // An explanation of a pixel names everything that its program computes.
         let specialized = match self.job.watch {
-            None => pipeline.specialized(|| prepare(pipeline), &bound.fragment_textures),
-            Some(_) => pipeline.clone(),
+            None => pipeline.specialized(prepared.as_ref(), &bound.fragment_textures),
+            Some(_) => None,
         };
-        let pipeline = &specialized;
+        if let Some(specialized) = &specialized {
+            prepared = prepare(specialized);
+        }
+        let pipeline = specialized.as_ref().unwrap_or(pipeline);
         let compiled = pipeline.compiled();
         let surface = self.colors.iter().flatten().chain(&self.depth).next();
         let samples = surface.map_or(1, |surface| surface.samples);
@@ -208,7 +213,6 @@ impl Pass<'_> {
             },
             vertices: &bound.vertices,
         };
-        let prepared = compiled.fragment.depends_on_uniforms().then(|| prepare(pipeline));
         let mut recent = self.recent.iter().rev();
         let plan =
             match recent.find(|plan| plan.is_reusable_for(pipeline, &input, prepared.as_ref())) {

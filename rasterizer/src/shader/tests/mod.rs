@@ -111,7 +111,7 @@ pub(super) fn specialized(module: &Module, uniforms: &[u32]) -> Option<Program> 
     let optimized = OptimizedModule::new(module, |_| true);
     let (program, finished) = optimized.finish_and_keep(LevelOfDetail::OfPolygons);
     let sources = program.fact_sources(&finished);
-    let facts = program.facts(&sources, &program.prepare(Isa::BASELINE, uniforms, &[]), &[]);
+    let facts = program.facts(&sources, Some(&program.prepare(Isa::BASELINE, uniforms, &[])), &[]);
     program.specialized(&finished, &sources, &facts)
 }
 
