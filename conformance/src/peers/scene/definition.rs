@@ -28,6 +28,8 @@ pub enum Workload {
     SmallTriangles,
     /// Arithmetic of shaders.
     Shader,
+    /// Programs over a whole picture, with many lookups and transcendental functions.
+    Filter,
     /// Memory transfer.
     Transfer,
 }
@@ -39,6 +41,7 @@ impl Workload {
             Self::Texture => Some(2.0),
             Self::Anisotropy | Self::SmallTriangles => Some(5.0),
             Self::Shader => Some(1.0),
+            Self::Filter => Some(1.7),
             Self::Transfer => None,
         }
     }

@@ -2,6 +2,7 @@
 
 mod cube;
 mod definition;
+mod filters;
 mod geometry;
 mod mesh;
 mod sampling;
@@ -17,6 +18,7 @@ pub fn scenes() -> impl Iterator<Item = &'static Scene> + Clone {
     [
         sampling::SCENES,
         shaders::SCENES,
+        filters::SCENES,
         geometry::SCENES,
         cube::SCENES,
         shadow::SCENES,
