@@ -32,6 +32,7 @@ pub(crate) fn begin_pass(context: &mut Context, pass: PassDesc) {
     } else if recorder.pass.as_ref().is_some_and(|open| same_pass(open, &pass)) {
         return;
     }
+    submit_readers_of_tiles(context, &pass);
     let recorder = &mut context.recorder;
     recorder.end_pass();
     for attachment in pass.colors.iter().chain([&pass.depth]).flatten() {
@@ -44,6 +45,17 @@ pub(crate) fn begin_pass(context: &mut Context, pass: PassDesc) {
         recorder.push(Command::SetBudget(budget));
     }
     recorder.pass = Some(pass);
+}
+
+/// Submits what was recorded and drops the texture's plan, if either reads the tiles of the depth attachment of a new pass:
+/// the pass would have to copy them.
+fn submit_readers_of_tiles(context: &mut Context, pass: &PassDesc) {
+    if let Some(Attachment { image, .. }) =
+        pass.depth.as_ref().filter(|of| of.image.has_readers_of_tiles())
+    {
+        submit(context);
+        context.objects.images_changed(|changed| changed.is_same_image(image));
+    }
 }
 
 /// Submits what was recorded, if it writes to an image that is about to be read or changed.

@@ -9,10 +9,10 @@ use crate::objects::texture_buffer::DataStore;
 use crate::pixel::formats::{self, format_name};
 use crate::pixel::formats::{ComponentType, FormatClass};
 use crate::pixel::stencil_texels::stencil_texels;
-use rasterizer::driver::{Device, Image};
+use rasterizer::driver::{Device, Image, LevelInfo};
 use std::sync::Arc;
 use texunit::format::{Encoding, Format};
-use texunit::image::{Image as Texels, Incomplete};
+use texunit::image::{Image as Texels, Incomplete, Level};
 use texunit::plan::SamplePlan;
 use texunit::sampler::{Filter, Mipmap, Sampler, Wrap};
 
@@ -174,11 +174,14 @@ impl Texture {
         if !std::mem::take(&mut self.is_new) {
             return 0;
         }
-        let texels = self.image.texels();
         let faces = 0..self.target.shape().faces();
         let levels = |face| (0..limits::MAX_TEXTURE_LEVELS).map(move |level| (face, level));
-        let all = faces.flat_map(levels).filter_map(|(face, level)| texels.level(face, level));
-        all.map(|level| level.texels.len()).sum()
+        let all = faces.flat_map(levels).filter_map(|(face, level)| self.image.level(face, level));
+        all.map(|LevelInfo { format, size, .. }| {
+            let [width, height, depth] = size;
+            Level::required_bytes(format, width, height, depth).unwrap_or(0)
+        })
+        .sum()
     }
 
     /// The sample plan with this state. The device's threads update its texels first.
@@ -186,7 +189,15 @@ impl Texture {
         if let Some(planned) = self.plan.as_mut().filter(|planned| planned.sampler == *sampler) {
             return planned.again();
         }
-        let texels = device.texels(&self.image);
+        let reads_one_level = sampler.mipmap == Mipmap::None && sampler.max_anisotropy <= 1.0;
+        let texels = match (sampler.compare, self.depth_stencil) {
+            (Some(_), DepthStencilMode::Depth) if reads_one_level => {
+                device.compared_texels(&self.image)
+            }
+            (Some(_) | None, DepthStencilMode::Depth | DepthStencilMode::Stencil) => {
+                device.texels(&self.image)
+            }
+        };
         let plan = match self.depth_stencil {
             DepthStencilMode::Depth => SamplePlan::new(&texels, sampler),
             DepthStencilMode::Stencil => SamplePlan::new(&stencil_texels(&texels), sampler),
@@ -229,7 +240,7 @@ impl Texture {
         if self.target.is_multisample() && self.image.level(0, 0).is_none() {
             return Some("it has no image: give it one with glTexImage2DMultisample or 3D".into());
         }
-        let reason = self.image.texels().completeness(sampler).err()?;
+        let reason = self.image.completeness(sampler).err()?;
         Some(match reason {
             Incomplete::MixedFormats { got, expected, .. } => {
                 format!("{reason}: {} is not {}", format_name(got), format_name(expected))

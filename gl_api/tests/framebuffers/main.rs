@@ -9,6 +9,7 @@ mod barrier;
 mod blends;
 mod blits;
 mod clamps;
+mod depth_tiles;
 mod integers;
 mod rectangles;
 mod sample_textures;

@@ -1,6 +1,7 @@
 //! How depth is stored in an attachment (GL 2.1, section 2.14.9).
 
 use texunit::format::Format;
+use texunit::lanes::{F32s, LANES, U32s};
 
 /// The word of depth 1 in 16 bits.
 pub const LARGEST_16: f64 = 65535.0;
@@ -16,6 +17,23 @@ const TO_INTEGER: f64 = 4_503_599_627_370_496.0;
 #[inline(always)]
 pub fn depth_word(depth: f32, largest: f64) -> u32 {
     (f64::from(depth) * largest + TO_INTEGER).to_bits() as u32
+}
+
+/// [`DepthFormat::word`] over lanes.
+#[inline(always)]
+pub fn depth_words(format: DepthFormat, depth: &F32s, out: &mut U32s) {
+    match format {
+        DepthFormat::D16 => quantize(depth, LARGEST_16, out),
+        DepthFormat::D24 => quantize(depth, LARGEST_24, out),
+        DepthFormat::D32F => *out = *depth.as_u32(),
+    }
+}
+
+#[inline(always)]
+fn quantize(depth: &F32s, largest: f64, out: &mut U32s) {
+    for lane in 0..LANES {
+        out[lane] = depth_word(depth[lane], largest);
+    }
 }
 
 /// How depth is stored.

@@ -2,6 +2,7 @@
 
 mod batch_layout;
 mod depth_format;
+mod depth_plane;
 mod encode;
 mod plane;
 mod resolve;
@@ -9,7 +10,8 @@ mod surface;
 mod words;
 
 pub use batch_layout::{BatchLayout, LoadOp, with_texels, with_words};
-pub use depth_format::{DepthFormat, LARGEST_16, LARGEST_24, depth_word};
+pub use depth_format::{DepthFormat, depth_words};
+pub use depth_plane::{BlockDepth, DepthPlane, clamp_depth, value_at};
 pub use encode::{decode_color, encode_color, texel_color, texel_words};
 pub use plane::{BLOCKS, WordPlane};
 pub use surface::{RowSpan, RowWriter, Slices, StoreContext, Surface, TileTarget};

@@ -2,7 +2,7 @@
 //! their mean; depth, stencil and integers are those of the first sample.
 
 use super::encode::{decode_color, encode_color};
-use super::plane::{BLOCKS, WordPlane};
+use super::plane::{BLOCKS, BlockTexels, WordPlane};
 use super::words::attachment_words;
 use std::ops::Range;
 use texunit::format::{Encoding, Format};
@@ -65,18 +65,19 @@ impl Kernel for IsEqual<'_> {
         let Self { samples, block } = self;
         let Some((first, rest)) = samples.split_first() else { return true };
         first.iter().enumerate().all(|(word, plane)| {
-            rest.iter().all(|sample| {
-                match (plane.block_or_clear(block), sample[word].block_or_clear(block)) {
-                    (Ok(a), Ok(b)) => {
-                        let mut differ = U32s::ZERO;
-                        for lane in 0..LANES {
-                            differ[lane] = a[lane] ^ b[lane];
-                        }
-                        S::nonzero(&differ) == 0
+            rest.iter().all(|sample| match (plane.texels(block), sample[word].texels(block)) {
+                (BlockTexels::Words(a), BlockTexels::Words(b)) => {
+                    let mut differ = U32s::ZERO;
+                    for lane in 0..LANES {
+                        differ[lane] = a[lane] ^ b[lane];
                     }
-                    (Err(a), Err(b)) => a == b,
-                    (Ok(_), Err(_)) | (Err(_), Ok(_)) => false,
+                    S::nonzero(&differ) == 0
                 }
+                (BlockTexels::Uniform(a), BlockTexels::Uniform(b)) => a == b,
+                (
+                    BlockTexels::Words(_) | BlockTexels::Uniform(_) | BlockTexels::Depth(_),
+                    BlockTexels::Words(_) | BlockTexels::Uniform(_) | BlockTexels::Depth(_),
+                ) => false,
             })
         })
     }

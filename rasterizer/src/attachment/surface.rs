@@ -10,13 +10,15 @@
 
 mod changed;
 mod store;
+mod texel_source;
 
-use super::plane::{BLOCKS, WordPlane};
+use super::plane::{BLOCKS, BlockTexels, WordPlane};
 use super::words::{attachment_words, is_attachable, words_of};
 use crate::sizes::TILE;
 use crate::threads::ThreadPool;
 use bytemuck::Pod;
 use changed::RowsOfTile;
+use std::sync::Arc;
 pub use store::{RowSpan, RowWriter};
 use texunit::format::Format;
 use texunit::image::Level;
@@ -40,7 +42,7 @@ pub struct Surface {
     pub samples: u8,
     /// The planes of each tile, row by row of tiles: word `w` of sample `s` is plane
     /// `s · words + w`.
-    pub tiles: Vec<Vec<WordPlane>>,
+    tiles: Arc<Vec<Vec<WordPlane>>>,
     /// By tile: what the rows of the level hold of it.
     rows: Vec<RowsOfTile>,
 }
@@ -133,7 +135,7 @@ impl Surface {
         let load = |tile: u32| load_samples(level, slices, samples, tile);
         let tiles = thread_pool.map(tiles, WORTH_A_THREAD, load);
         let rows = tiles.iter().map(|tile| RowsOfTile::after_storing(format, tile)).collect();
-        Self { format, width, height, samples, tiles, rows }
+        Self { format, width, height, samples, tiles: Arc::new(tiles), rows }
     }
 
     /// A surface of zeros.
@@ -142,14 +144,19 @@ impl Surface {
         let tiles = width.div_ceil(TILE) * height.div_ceil(TILE);
         let tiles = vec![vec![WordPlane::cleared(0); planes]; tiles as usize];
         let rows = vec![RowsOfTile::Uniform([0; 4]); tiles.len()];
-        Self { format, width, height, samples, tiles, rows }
+        Self { format, width, height, samples, tiles: Arc::new(tiles), rows }
     }
 
     /// Moves a tile's planes out of the surface, to be drawn to.
     pub fn take(&mut self, tile: usize) -> TileTarget {
         self.rows[tile].change();
-        let planes = std::mem::take(&mut self.tiles[tile]);
+        let planes = std::mem::take(&mut Arc::make_mut(&mut self.tiles)[tile]);
         TileTarget { planes_per_sample: attachment_words(self.format), planes }
+    }
+
+    /// Puts back the planes of a tile that [`Surface::take`] moved out.
+    pub fn put_back(&mut self, tile: usize, planes: Vec<WordPlane>) {
+        Arc::make_mut(&mut self.tiles)[tile] = planes;
     }
 }
 

@@ -81,6 +81,13 @@ impl Device {
         image.texels_with(&self.thread_pool())
     }
 
+    /// [`Device::texels`] for lookups that compare depths and read one level: those of a large image that was drawn to are
+    /// not stored in rows first, but gathered from the tiles of the attachment. While they are kept, a pass that draws to
+    /// the image copies its tiles.
+    pub fn compared_texels(&self, image: &Image) -> Texels {
+        image.compared_texels_with(self.resources.desc.isa, &self.thread_pool())
+    }
+
     /// What an attachment names, as everything submitted leaves it, with one sample a pixel, which
     /// several are resolved to: a level, if it exists, and which slice of it.
     pub fn resolved(&self, attachment: &Attachment) -> Option<(Arc<Level>, usize)> {

@@ -15,8 +15,9 @@ use crate::threads::ThreadPool;
 use parking_lot::Mutex;
 use std::sync::Arc;
 use texunit::format::Format;
-use texunit::image::{Image as Texels, ImageError, Level, Shape};
+use texunit::image::{Image as Texels, ImageError, Incomplete, Level, Levels, Shape};
 use texunit::lanes::{FloatEnv, Isa};
+use texunit::sampler::Sampler;
 
 /// An image of the driver. Cloning gives another handle to the same image.
 #[derive(Clone, Debug)]
@@ -158,6 +159,20 @@ impl State {
         }
     }
 
+    /// Texels that are gathered from the tiles of the attachment; `None` where the rows are up to date, or such lookups
+    /// do not pay.
+    fn texels_of_tiles(&self, isa: Isa) -> Option<Texels> {
+        let attached = self.attached.as_ref().filter(|attached| attached.drawn)?;
+        let base = Subresource { face: 0, slice: 0, level: 0 };
+        let has_more = self.texels.level(0, 1).is_some();
+        if self.texels.shape() != Shape::D2 || attached.at != base || has_more {
+            return None;
+        }
+        let mut texels = Texels::new(Shape::D2);
+        texels.set_level(0, 0, attached.surface.level_of_tiles(isa)?).ok()?;
+        Some(texels)
+    }
+
     /// The surface of what an attachment names: a copy of it, or made from its rows.
     fn surface(&mut self, at: Subresource) -> Option<Surface> {
         if let Some(attached) = self.attached.as_ref().filter(|attached| attached.at == at) {
@@ -217,6 +232,34 @@ impl Image {
         let mut state = self.0.lock();
         state.resolve(thread_pool);
         state.texels.clone()
+    }
+
+    /// [`Image::texels`] for lookups that compare depths: of an image of one level that was drawn to, they may be gathered
+    /// from the tiles of the attachment.
+    pub(super) fn compared_texels_with(&self, isa: Isa, thread_pool: &ThreadPool) -> Texels {
+        if let Some(texels) = self.0.lock().texels_of_tiles(isa) {
+            return texels;
+        }
+        self.texels_with(thread_pool)
+    }
+
+    /// Whether it can be sampled with a sampler, and from which levels.
+    ///
+    /// # Errors
+    /// Why it cannot.
+    pub fn completeness(&self, sampler: &Sampler) -> Result<Levels, Incomplete> {
+        let mut state = self.0.lock();
+        if state.blank.is_some() {
+            state.resolve(&ThreadPool::CALLER_ONLY);
+        }
+        state.texels.completeness(sampler)
+    }
+
+    /// Whether texels of [`super::Device::compared_texels`] read the tiles, which a pass that draws to the image would
+    /// copy.
+    pub fn has_readers_of_tiles(&self) -> bool {
+        let state = self.0.lock();
+        state.attached.as_ref().is_some_and(|attached| attached.surface.has_readers())
     }
 
     /// What is known of a level without looking at its texels, if it exists.

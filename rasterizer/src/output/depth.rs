@@ -1,7 +1,7 @@
 //! The depth test (GL 2.1, section 4.1.6), on the words that the attachment holds.
 
 use super::mask::expand_mask;
-use crate::attachment::{DepthFormat, LARGEST_16, LARGEST_24, depth_word};
+use crate::attachment::{DepthFormat, depth_words};
 use crate::desc::DepthWrite;
 use texunit::lanes::{F32s, Kernel, LANES, Simd, U32s};
 use texunit::sampler::Compare;
@@ -45,11 +45,7 @@ impl Kernel for DepthTest<'_> {
     fn run<S: Simd>(self) -> u64 {
         let Self { plan, depth, stored, mask } = self;
         let mut new = U32s::ZERO;
-        match plan.format {
-            DepthFormat::D16 => quantize(depth, LARGEST_16, &mut new),
-            DepthFormat::D24 => quantize(depth, LARGEST_24, &mut new),
-            DepthFormat::D32F => new = *depth.as_u32(),
-        }
+        depth_words(plan.format, depth, &mut new);
         let covered = expand_mask(mask);
         let mut pass = U32s::ZERO;
         match plan.test {
@@ -79,13 +75,5 @@ impl Kernel for DepthTest<'_> {
 fn compare(pass: &mut U32s, new: &U32s, stored: &U32s, holds: impl Fn(u32, u32) -> bool) {
     for lane in 0..LANES {
         pass[lane] = if holds(new[lane], stored[lane]) { !0 } else { 0 };
-    }
-}
-
-/// [`DepthFormat::word`] over lanes.
-#[inline(always)]
-fn quantize(depth: &F32s, largest: f64, out: &mut U32s) {
-    for lane in 0..LANES {
-        out[lane] = depth_word(depth[lane], largest);
     }
 }

@@ -3,41 +3,11 @@
 use super::batch::{Batch, BatchPixels};
 use super::inputs::InterpolationSource;
 use super::large_triangles::bits;
-use super::perspective::{evaluate_plane, value_at};
-use crate::attachment::BLOCKS;
+use super::perspective::evaluate_plane;
+use crate::attachment::{BLOCKS, BlockDepth, clamp_depth};
 use crate::output::{DepthPlan, DepthTest};
 use crate::plan::moved;
-use texunit::lanes::{F32s, Kernel, LANES, Simd, U32s, lane_x, lane_y};
-
-/// Window depth lies within bounds, [0, 1] or closer ones, also after planes and offsets (GL 2.1,
-/// section 2.11.1; `ARB_depth_clamp`).
-#[inline(always)]
-pub fn clamp_depth(depth: &mut F32s, [low, high]: [f32; 2]) {
-    for lane in 0..LANES {
-        depth[lane] = texunit::lanes::math::clamp(depth[lane], low, high);
-    }
-}
-
-/// The depth of a block of one shape.
-pub struct BlockDepth {
-    /// At the first pixel, per pixel across, per pixel up.
-    pub plane: [f32; 3],
-    /// The least and the largest depth.
-    pub depths: [f32; 2],
-}
-
-impl Kernel for BlockDepth {
-    type Output = F32s;
-    #[inline(always)]
-    fn run<S: Simd>(self) -> F32s {
-        let mut out = F32s::ZERO;
-        for lane in 0..LANES {
-            out[lane] = value_at(self.plane, [lane_x(lane) as f32, lane_y(lane) as f32]);
-        }
-        clamp_depth(&mut out, self.depths);
-        out
-    }
-}
+use texunit::lanes::{F32s, Kernel, Simd, U32s};
 
 /// The depth test of blocks of one shape, one after the other: leaves the lanes that pass.
 pub struct TestBlocks<'a> {

@@ -2,11 +2,9 @@
 
 use super::batch::{Batch, BatchPixels, BlockOf, Packed, QUAD_X, QUAD_Y, front_word};
 use super::block_group::BlockGroup;
-use super::fragment_depth::clamp_depth;
-use super::perspective::{
-    X, Y, along, divided, evaluate, evaluate_moved, invert, value_at, with_slopes,
-};
+use super::perspective::{X, Y, along, divided, evaluate, evaluate_moved, invert, with_slopes};
 use super::pixel_batch::Pixels;
+use crate::attachment::{clamp_depth, value_at};
 use crate::desc::Facing;
 use crate::ir::Axis;
 use crate::plan::{DrawPlan, FilledInput, FragmentInput, SampleMasks};

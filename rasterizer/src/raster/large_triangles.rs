@@ -5,7 +5,8 @@ use super::batch::is_dense;
 use super::edge_functions::{Edge, TileEdges, edges};
 use super::fragment_depth::TestBlocks;
 use super::plane_group::PlaneGroup;
-use crate::attachment::{BLOCKS, WordPlane};
+use crate::attachment::{BLOCKS, DepthPlane, WordPlane};
+use crate::desc::DepthWrite;
 use crate::output::DepthPlan;
 use crate::plan::Packing;
 use crate::sizes::TILE;
@@ -106,9 +107,23 @@ impl LargeTriangle {
         stored: &mut WordPlane,
         blocks: u64,
     ) {
-        let TilePlane { corners, steps } = &self.planes[of];
-        let (words, lanes) = (stored.blocks_mut(blocks), &mut self.covered);
-        isa.run(TestBlocks { plan, depths, corners, steps: *steps, words, blocks, lanes });
+        let &TilePlane { ref corners, steps } = &self.planes[of];
+        let mut left = blocks;
+        let covers_tile = blocks == !0 && self.covered.iter().all(|lanes| *lanes == !0);
+        if covers_tile
+            && plan.write == DepthWrite::On
+            && let Some(word) = stored.fill_word()
+        {
+            // Blocks that were only cleared store the plane instead of its words.
+            let plane = DepthPlane { isa, format: plan.format, corners: *corners, steps, depths };
+            if plane.passes_everywhere(plan.test, word) {
+                left = !stored.fill_with(plane);
+            }
+        }
+        if left != 0 {
+            let (words, lanes) = (stored.blocks_mut(left), &mut self.covered);
+            isa.run(TestBlocks { plan, depths, corners, steps, words, blocks: left, lanes });
+        }
     }
 
     /// Writes the steps of the planes, equal in all blocks, to `out`; the first values there are kept.
@@ -225,7 +240,9 @@ pub fn blocks<S: Simd>(edges: &[Edge; 3], rows: Range<usize>) -> [u64; 2] {
 mod tests {
     use super::super::edge_functions::{block, edges};
     use super::*;
+    use crate::attachment::DepthFormat;
     use proptest::prelude::*;
+    use texunit::sampler::Compare;
 
     struct CoverOf<'a>(&'a [Edge; 3], Packing);
 
@@ -258,6 +275,74 @@ mod tests {
                     prop_assert_eq!(is_in(triangle.dense), is_dense(packing, want), "{} block {}", isa.name(), at);
                 }
             }
+        }
+    }
+
+    proptest! {
+        /// A tile that is filled by a plane of depths has the words of one that is tested block by block, block by block and
+        /// row by row.
+        #[test]
+        fn a_tile_filled_by_a_plane_has_the_words_of_tested_blocks(
+            corner in prop_oneof![-0.5..1.5f32, Just(f32::NAN), Just(f32::INFINITY)],
+            steps in prop::array::uniform2(prop_oneof![-0.02..0.02f32, Just(0.0), -1e38..1e38f32]),
+            stored in prop_oneof![0.0..=1.0f32, Just(1.0)],
+            drawn in prop_oneof![Just(0u64), any::<u64>()],
+            format in prop::sample::select(vec![DepthFormat::D16, DepthFormat::D24, DepthFormat::D32F]),
+            test in prop::sample::select(vec![
+                Compare::Never, Compare::Less, Compare::Equal, Compare::LessEqual,
+                Compare::Greater, Compare::NotEqual, Compare::GreaterEqual, Compare::Always,
+            ]),
+        ) {
+            let [a, b] = steps;
+            let corners = F32s::from_fn(|block| {
+                let [x, y] = [block % TILE_BLOCKS * 8, block / TILE_BLOCKS * 8].map(|at| at as f32);
+                (corner + x * a) + y * b
+            });
+            let plan = DepthPlan { format, test, write: DepthWrite::On };
+            let word = format.word(stored);
+            for isa in Isa::available() {
+                let run = |stored: &mut WordPlane| {
+                    let mut triangle = LargeTriangle {
+                        touched: !0,
+                        dense: !0,
+                        covered: [!0; BLOCKS],
+                        planes: vec![TilePlane { corners, steps }],
+                    };
+                    triangle.test(isa, plan, (0, [0.0, 1.0]), stored, !0);
+                    triangle.covered
+                };
+                let mut filled = WordPlane::cleared(word);
+                let mut tested = WordPlane::of(vec![U32s::splat(word); BLOCKS]);
+                for block in bits(drawn) {
+                    let words = U32s::from_fn(|lane| format.word((lane * block % 97) as f32 / 97.0));
+                    *filled.block_mut(block) = words;
+                    *tested.block_mut(block) = words;
+                }
+                prop_assert_eq!(run(&mut filled), run(&mut tested));
+                for block in 0..BLOCKS {
+                    let want = tested.block(block);
+                    prop_assert_eq!(filled.block(block), want);
+                    prop_assert_eq!(*filled.clone().block_mut(block), want);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_triangle_before_a_clear_fills_the_tile_without_words() {
+        let plan =
+            DepthPlan { format: DepthFormat::D24, test: Compare::Less, write: DepthWrite::On };
+        let (corners, steps) = (F32s::splat(0.5), [0.001, -0.002]);
+        for (cleared, is_filled) in [(1.0, true), (0.5, false)] {
+            let mut triangle = LargeTriangle {
+                touched: !0,
+                dense: !0,
+                covered: [!0; BLOCKS],
+                planes: vec![TilePlane { corners, steps }],
+            };
+            let mut stored = WordPlane::cleared(DepthFormat::D24.word(cleared));
+            triangle.test(Isa::best(), plan, (0, [0.0, 1.0]), &mut stored, !0);
+            assert_eq!(stored.materialized_blocks().is_empty(), is_filled);
         }
     }
 }

@@ -2,6 +2,7 @@
 //! derivatives of the quotients.
 
 use super::inputs::InterpolationSource;
+use crate::attachment::value_at;
 use crate::ir::Axis;
 use texunit::lanes::{F32s, Kernel, LANES, QUADS, Simd, U32s};
 
@@ -170,12 +171,6 @@ fn evaluate_pixel(
     for (quad, out) in out.iter_mut().enumerate() {
         *out = value_at(plane(pixel, quad), source.position_in_block(pixel, quad));
     }
-}
-
-/// A plane at a position in its block.
-#[inline(always)]
-pub fn value_at([corner, a, b]: [f32; 3], [dx, dy]: [f32; 2]) -> f32 {
-    (corner + dx * a) + dy * b
 }
 
 /// The derivative of the quotient of two planes, given the steps of both:

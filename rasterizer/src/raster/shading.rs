@@ -4,12 +4,12 @@
 use super::batch::{Batch, BlockOf};
 use super::block_group::BlockGroup;
 use super::budget::TileBudget;
-use super::fragment_depth::{BatchDepth, BlockDepth, clamp_depth};
+use super::fragment_depth::BatchDepth;
 use super::inputs::{Interpolate, InterpolateGroup};
 use super::job::{DrawJob, PassJob, TileJob};
 use super::texel_product::{Multiply, Products, Words};
 use super::watched::{Shaded, Tested};
-use crate::attachment::{BatchLayout, TileTarget};
+use crate::attachment::{BatchLayout, BlockDepth, TileTarget, clamp_depth};
 use crate::desc::{AlphaToOne, Facing};
 use crate::output::{
     BlockColors, ColorClass, ColorPlan, Fragments, Reference, test, write, write_blocks,

@@ -6,9 +6,8 @@ pub use fragment::{Shaded, Tested};
 
 use super::batch::BlockOf;
 use super::clear::ClearJob;
-use super::fragment_depth::BlockDepth;
 use super::job::{Chunk, PassJob, TileJob};
-use crate::attachment::{BatchLayout, DepthFormat, TileTarget, WordPlane, texel_color};
+use crate::attachment::{BatchLayout, BlockDepth, DepthFormat, TileTarget, WordPlane, texel_color};
 use crate::plan::{DrawPlan, PlaneSource, SampleMasks, Shading, moved};
 use crate::primitive::{Clipping, Shape, ShapeKind};
 use crate::sizes::TILE;

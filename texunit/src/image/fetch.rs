@@ -48,8 +48,8 @@ impl Level {
         let (mut words, count) = ([U32s::ZERO; 4], self.format.words());
         for pair in words[..count].chunks_mut(2) {
             match pair {
-                [low, high] => [*low, *high] = S::gather_pairs(&self.texels, &offsets),
-                rest => rest.fill(S::gather(&self.texels, &offsets)),
+                [low, high] => [*low, *high] = self.texels.gather_pairs::<S>(&offsets),
+                rest => rest.fill(self.texels.gather::<S>(&offsets)),
             }
             for lane in 0..LANES {
                 offsets[lane] = offsets[lane].wrapping_add(8);

@@ -1,8 +1,9 @@
 //! One face of one level: its size, its border, and its texels.
 
 use super::limits::{MAX_LAYERS, MAX_LEVEL_BYTES, MAX_SIZE, PADDING};
-use super::{ImageError, Memory};
+use super::{ImageError, Memory, TexelSource};
 use crate::format::{Format, block, convert};
+use std::sync::Arc;
 
 /// One face of one level. Rows run from t = 0 up and slices from r = 0 up, tightly packed.
 ///
@@ -71,6 +72,22 @@ impl Level {
         })? + PADDING;
         let texels = Memory::zeroed(bytes).ok_or(ImageError::OutOfMemory { bytes })?;
         Ok(Self { format, width, height, depth, border, texels })
+    }
+
+    /// A two-dimensional level without border of four bytes a texel, whose texels are stored elsewhere.
+    ///
+    /// # Errors
+    /// When it is too large.
+    pub fn stored_elsewhere(
+        format: Format,
+        [width, height]: [u32; 2],
+        source: Arc<dyn TexelSource>,
+    ) -> Result<Self, ImageError> {
+        let too_large = ImageError::TooLarge { width, height, depth: 1 };
+        Self::required_bytes(format, width, height, 1).ok_or(too_large)?;
+        debug_assert_eq!((format.bytes(), format.block()), (4, None));
+        let texels = Memory::elsewhere(source);
+        Ok(Self { format, width, height, depth: 1, border: [0; 3], texels })
     }
 
     /// A two-dimensional level of these texels, rows from t = 0 up, tightly packed. Bytes beyond

@@ -74,7 +74,7 @@ pub fn side_by_side<S: Simd>(i: &I32s, size: u32) -> bool {
 pub fn neighbours<S: Simd>(level: &Level, offsets: &U32s) -> [U32s; 2] {
     let bytes = level.format.bytes();
     if bytes == 4 {
-        return S::gather_pairs(&level.texels, offsets);
+        return level.texels.gather_pairs::<S>(offsets);
     }
     if bytes == 3 {
         let mut pair = S::gather_pairs(&level.texels, offsets);

@@ -64,14 +64,14 @@ impl Surface {
 
     /// Writes the tiles whose rows differ back into slices of the level.
     pub fn store_changed(&mut self, level: &mut Level, slices: Slices, context: StoreContext<'_>) {
-        let pairs = self.rows.iter().zip(&self.tiles);
+        let pairs = self.rows.iter().zip(&*self.tiles);
         let differs: Vec<bool> = pairs.map(|(rows, tile)| rows.differ(self.format, tile)).collect();
         // Rows that are not written may have no memory yet.
         if !differs.contains(&true) {
             return;
         }
         self.store_tiles(&differs, level, slices, context);
-        for ((rows, tile), differs) in self.rows.iter_mut().zip(&self.tiles).zip(differs) {
+        for ((rows, tile), differs) in self.rows.iter_mut().zip(&*self.tiles).zip(differs) {
             if differs {
                 *rows = RowsOfTile::after_storing(self.format, tile);
             }
@@ -104,7 +104,7 @@ mod tests {
                         let block = |block| U32s::from_fn(|lane| word(block, lane) & 0xFF);
                         *plane = WordPlane::of((0..64).map(block).collect());
                     }
-                    surface.tiles[tile] = target.planes;
+                    surface.put_back(tile, target.planes);
                 }
                 let context =
                     StoreContext { isa: Isa::best(), thread_pool: &ThreadPool::CALLER_ONLY };
@@ -115,7 +115,7 @@ mod tests {
                 // A tile that is cleared to what its rows hold is not stored.
                 let cleared = vec![WordPlane::cleared(0); surface.tiles[1].len()];
                 surface.take(1);
-                surface.tiles[1] = cleared;
+                surface.put_back(1, cleared);
                 // Nothing has changed since.
                 let mut other = Level::with_size(format, [150, 130, 5], [0; 3]).expect("small");
                 surface.store_changed(&mut other, slices, context);

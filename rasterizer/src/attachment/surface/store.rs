@@ -1,7 +1,7 @@
 //! Texels from tiles to rows: those of a level, or of a client that reads a region of a picture.
 
 use super::{
-    Level, Slices, StoreContext, Surface, WORTH_THREADS, WordPlane, attachment_words,
+    BlockTexels, Level, Slices, StoreContext, Surface, WORTH_THREADS, WordPlane, attachment_words,
     is_attachable, row_of,
 };
 use crate::attachment::resolve::resolve_tile;
@@ -244,9 +244,11 @@ impl RowStart {
     /// The words of a column of eight from here on.
     #[inline(always)]
     fn words(self, plane: &WordPlane, column: usize) -> [u32; 8] {
-        match plane.block_or_clear(self.y / 8 * 8 + self.column + column) {
-            Ok(words) => row_of(words, self.y % 8),
-            Err(word) => [word; 8],
+        let block = self.y / 8 * 8 + self.column + column;
+        match plane.texels(block) {
+            BlockTexels::Words(words) => row_of(words, self.y % 8),
+            BlockTexels::Uniform(word) => [word; 8],
+            BlockTexels::Depth(depths) => depths.row(block, self.y % 8),
         }
     }
 }

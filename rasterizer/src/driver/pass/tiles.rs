@@ -207,7 +207,7 @@ impl Pass<'_> {
             for (surface, target) in surfaces.zip(tile.colors.into_iter().chain([tile.depth])) {
                 if let (Some(surface), Some(target)) = (surface, target) {
                     let at = (ty * surface.tiles_across() + tx) as usize;
-                    surface.tiles[at] = target.planes;
+                    surface.put_back(at, target.planes);
                 }
             }
         }

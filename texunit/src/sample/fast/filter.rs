@@ -30,7 +30,7 @@ pub fn nearest<S: Simd>(
                 second = pair[1];
                 pair[0]
             }
-            0 => S::gather(texels, &word_offsets(&offsets, word)),
+            0 => texels.gather::<S>(&word_offsets(&offsets, word)),
             _ => second,
         };
         channels_of_texel::<S>(class, format.channels(), word, &words, out);

@@ -78,7 +78,7 @@ impl Kernel for LoadQuad<'_> {
         };
         if is_inside {
             let row = level.row_bytes() as u32;
-            S::gather_quads(&level.texels, &out.offsets, row, &mut out.words);
+            level.texels.gather_quads::<S>(&out.offsets, row, &mut out.words);
             if bytes == 3 {
                 let [a, b, c, d] = out.words.each_mut();
                 split_threes([a, b]);
@@ -163,9 +163,9 @@ fn inside_offsets_by<S: Simd>(
 pub fn gather_words<S: Simd>(view: &LevelView<'_>, corners: &[U32s; 4], word: usize) -> [U32s; 4] {
     let texels = &view.level.texels;
     [
-        S::gather(texels, &word_offsets(&corners[0], word)),
-        S::gather(texels, &word_offsets(&corners[1], word)),
-        S::gather(texels, &word_offsets(&corners[2], word)),
-        S::gather(texels, &word_offsets(&corners[3], word)),
+        texels.gather::<S>(&word_offsets(&corners[0], word)),
+        texels.gather::<S>(&word_offsets(&corners[1], word)),
+        texels.gather::<S>(&word_offsets(&corners[2], word)),
+        texels.gather::<S>(&word_offsets(&corners[3], word)),
     ]
 }
