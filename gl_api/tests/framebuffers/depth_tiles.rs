@@ -119,7 +119,7 @@ fn lookups_in_tiles_have_the_results_of_lookups_in_rows() {
                         glDisable(GL_SCISSOR_TEST);
                     }
                 }
-                let mut from = |texture: GLuint| -> Vec<Vec<u8>> {
+                let from = |texture: GLuint| -> Vec<Vec<u8>> {
                     glBindTexture(GL_TEXTURE_2D, texture);
                     let modes = [
                         (GL_LINEAR, GL_CLAMP_TO_EDGE),

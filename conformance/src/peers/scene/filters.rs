@@ -236,11 +236,11 @@ void main() {
         for k in -8..=8 {
             let x = f64::from(k);
             let color = texel(f, [x, 0.0]);
-            let (s, c) = ((cell[0] + x) * 2.094395102 + cell[1] * 1.047197551_f64).sin_cos();
+            let (s, c) = ((cell[0] + x) * TAU / 3.0 + cell[1] * TAU / 6.0).sin_cos();
             let signal = dot(color, [0.299, 0.587, 0.114])
                 + c * dot(color, [0.596, -0.274, -0.322])
                 + s * dot(color, [0.211, -0.523, 0.312]);
-            let w = 0.5 + 0.5 * (x * 0.349065850).cos();
+            let w = 0.5 + 0.5 * (x * TAU / 18.0).cos();
             let luma = if (-1..=1).contains(&k) { 1.0 / 3.0 } else { 0.0 };
             let by = [luma, w * c / 4.25, w * s / 4.25];
             yiq = each(|c| yiq[c] + signal * by[c]);
