@@ -94,7 +94,7 @@ fn put_state(context: &Context, words: &mut [u32], binding: StateBinding) {
             put(words, word, inverse.transpose().to_cols_array());
         }
         StateVar::DepthRange => {
-            let [near, far] = state.viewport.depth;
+            let [near, far] = state.viewport.first.depth;
             put(words, word, [near, far, far - near]);
         }
         StateVar::TextureEnvColor(unit) => {

@@ -105,6 +105,8 @@ pub const STATE: &[Row] = rows! {
         GL_TRANSPOSE_TEXTURE_MATRIX Number IDENTITY;
         GL_VIEWPORT Number &[0.0, 0.0, 16.0, 8.0];
         GL_DEPTH_RANGE Fraction &[0.0, 1.0];
+        GL_LAYER_PROVOKING_VERTEX Number enums![GL_PROVOKING_VERTEX];
+        GL_VIEWPORT_INDEX_PROVOKING_VERTEX Number enums![GL_PROVOKING_VERTEX];
         GL_CLIP_ORIGIN Number enums![GL_LOWER_LEFT];
         GL_CLIP_DEPTH_MODE Number enums![GL_NEGATIVE_ONE_TO_ONE];
         GL_MODELVIEW_STACK_DEPTH Number T;
@@ -402,6 +404,9 @@ pub const LEAST: &[Row] = rows! {
         GL_MAX_LIST_NESTING Number &[64.0];
         GL_MAX_EVAL_ORDER Number &[8.0];
         GL_MAX_VIEWPORT_DIMS Number &[16.0, 8.0];
+        GL_MAX_VIEWPORTS Number &[16.0];
+        GL_VIEWPORT_SUBPIXEL_BITS Number F;
+        GL_VIEWPORT_BOUNDS_RANGE Number &[-16384.0, 16383.0];
     }
     "6.38" {
         GL_MAX_ATTRIB_STACK_DEPTH Number &[16.0];

@@ -27,6 +27,7 @@ mod selection;
 mod state;
 mod stencil_texturing;
 mod stored_texels;
+mod viewports;
 mod windows;
 
 use gl_api::*;

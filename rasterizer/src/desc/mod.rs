@@ -29,4 +29,6 @@ pub use raster::{
 };
 pub use vertex::{VertexBinding, VertexFormat, VertexSource, VertexType};
 pub(crate) use viewport::DepthTransform;
-pub use viewport::{ClipControl, ClipDepth, ClipOrigin, DepthClip, Rect, Viewport};
+pub use viewport::{
+    ClipControl, ClipDepth, ClipOrigin, DepthClip, MAX_VIEWPORTS, Rect, ScissoredViewport, Viewport,
+};

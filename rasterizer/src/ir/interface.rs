@@ -84,11 +84,12 @@ pub enum Output {
     SecondColor(u8),
     /// `gl_FragDepth`.
     Depth,
-    /// Of a geometry program: the layer of the attachments, taken from the provoking vertex (`i32`).
+    /// Of the last program before the fragments': the layer of the attachments, taken from the provoking vertex (`i32`).
     Layer,
     /// Of a geometry program: the number of the primitive for the fragment stage (`i32`).
     PrimitiveId,
-    /// Of a geometry program: the viewport (`i32`). There is one; its number is not read.
+    /// Of the last program before the fragments': the number of the viewport, taken from the provoking vertex (`i32`).
+    /// One that does not exist is 0.
     ViewportIndex,
     /// `gl_FragStencilRefARB`: replaces the reference of the stencil test of both faces; its lowest 8 bits count.
     StencilReference,

@@ -127,9 +127,8 @@ impl Module {
                 }
                 Output::Depth | Output::StencilReference => (Stage::Fragment, true),
                 // Those of a geometry module are in its interface.
-                Output::Layer | Output::PrimitiveId | Output::ViewportIndex => {
-                    (Stage::Geometry, false)
-                }
+                Output::Layer | Output::ViewportIndex => (Stage::Vertex, true),
+                Output::PrimitiveId => (Stage::Geometry, false),
             };
             rule!(stage == self.stage, "output {output:?} in a {:?} module", self.stage);
             rule!(in_range, "output {output:?} has no such component");
@@ -140,7 +139,9 @@ impl Module {
             // Colours may be integers, for attachments of integers.
             let fits = match output {
                 Output::Color { .. } => variable.ty != Ty::Bool,
-                Output::StencilReference => variable.ty == Ty::I32,
+                Output::StencilReference | Output::Layer | Output::ViewportIndex => {
+                    variable.ty == Ty::I32
+                }
                 Output::Position(_)
                 | Output::PointSize
                 | Output::ClipDistance(_)
@@ -148,7 +149,7 @@ impl Module {
                 | Output::Varying(_)
                 | Output::SecondColor(_)
                 | Output::Depth => variable.ty == Ty::F32,
-                Output::Layer | Output::PrimitiveId | Output::ViewportIndex => false,
+                Output::PrimitiveId => false,
             };
             rule!(
                 variable.len == 1 && fits,

@@ -145,6 +145,15 @@ impl Pipeline {
         })
     }
 
+    /// Whether its programs give the number of the viewport that a primitive goes to.
+    pub fn chooses_viewports(&self) -> bool {
+        let geometry = self.0.geometry.as_ref().map(|program| program.geometry());
+        match geometry {
+            Some(own) => own.is_some_and(|own| own.outputs.contains(&Output::ViewportIndex)),
+            None => self.0.vertex.output(Output::ViewportIndex).is_some(),
+        }
+    }
+
     /// Whether it is the same one, not an equal one.
     pub(crate) fn is_same(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.0, &other.0)
@@ -337,11 +346,11 @@ impl Compiled {
                 | Output::PointSize
                 | Output::ClipDistance(_)
                 | Output::CullDistance(_)
-                | Output::Layer => true,
+                | Output::Layer
+                | Output::ViewportIndex => true,
                 Output::Varying(slot) => slots.contains(&slot),
                 Output::PrimitiveId => reads_number,
-                Output::ViewportIndex
-                | Output::Color { .. }
+                Output::Color { .. }
                 | Output::SecondColor(_)
                 | Output::Depth
                 | Output::StencilReference => false,
@@ -353,13 +362,12 @@ impl Compiled {
             // Any topology can end as points, and what is written to clip distances cuts.
             Output::PointSize | Output::ClipDistance(_) | Output::CullDistance(_) => true,
             Output::Varying(slot) => vertex_slots.contains(&slot),
+            Output::Layer | Output::ViewportIndex => geometry.is_none(),
             Output::Color { .. }
             | Output::SecondColor(_)
             | Output::Depth
             | Output::StencilReference
-            | Output::Layer
-            | Output::PrimitiveId
-            | Output::ViewportIndex => false,
+            | Output::PrimitiveId => false,
         });
         let (of_sprites, of_lines) = (OnceLock::new(), OnceLock::new());
         Self {

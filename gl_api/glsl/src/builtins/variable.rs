@@ -39,8 +39,10 @@ pub enum Builtin {
     PrimitiveId,
     /// `gl_PrimitiveIDIn`.
     PrimitiveIdIn,
-    /// `gl_Layer`.
+    /// `gl_Layer`: written by the stage before the fragments', which may read it.
     Layer,
+    /// `gl_ViewportIndex`: the same.
+    ViewportIndex,
     /// A member of `gl_in`.
     Incoming(Incoming),
     /// `gl_FragColor`.
@@ -73,6 +75,10 @@ pub const PER_VERTEX: [&str; 11] = [
     "gl_TexCoord",
     "gl_FogFragCoord",
 ];
+
+/// Outputs of the vertex stage that its redeclaration of the block may have and need not
+/// (AMD_vertex_shader_layer, AMD_vertex_shader_viewport_index).
+pub const ALSO_PER_VERTEX: [&str; 2] = ["gl_Layer", "gl_ViewportIndex"];
 
 /// What the geometry stage reads of each vertex.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -122,6 +128,7 @@ impl Builtin {
             | Self::PrimitiveId
             | Self::PrimitiveIdIn
             | Self::Layer
+            | Self::ViewportIndex
             | Self::Incoming(_)
             | Self::FrontFacing
             | Self::FragColor
@@ -154,6 +161,7 @@ impl Builtin {
             | Self::PrimitiveId
             | Self::PrimitiveIdIn
             | Self::Layer
+            | Self::ViewportIndex
             | Self::Incoming(_)
             | Self::State(_)
             | Self::States(_)

@@ -114,6 +114,7 @@ fn find(
             | Builtin::PrimitiveId
             | Builtin::PrimitiveIdIn
             | Builtin::Layer
+            | Builtin::ViewportIndex
             | Builtin::Incoming(_)
             | Builtin::FragColor
             | Builtin::FragData

@@ -71,7 +71,13 @@ impl Lowerer<'_> {
             Builtin::Incoming(_) => {
                 return Err(LowerError(format!("`{}` was not linked", variable.name)));
             }
+            Builtin::Layer | Builtin::ViewportIndex if stage == Stage::Fragment => {
+                // The linker gives them slots where the stage before writes them.
+                let zero = |lowerer: &mut Self, _| lowerer.emit.constant(0, Ty::I32);
+                return Ok(self.inputs(variable, types, zero));
+            }
             Builtin::Layer => |_| vec![Output::Layer],
+            Builtin::ViewportIndex => |_| vec![Output::ViewportIndex],
             Builtin::PrimitiveId if stage == Stage::Geometry => |_| vec![Output::PrimitiveId],
             Builtin::PrimitiveId => {
                 let first = VARYING_PRIMITIVE_ID;

@@ -179,7 +179,7 @@ pub(crate) fn raster(context: &mut Context, position: [f64; 4]) -> Result<()> {
 pub(crate) fn window(context: &mut Context, position: [f64; 4]) -> Result<()> {
     context.state_changes.no_change();
     let [x, y, z, w] = position;
-    let [near, far] = context.state.viewport.depth;
+    let [near, far] = context.state.viewport.first.depth;
     let depth = near + unit(z) * (far - near);
     let clamp = crate::draw::color_clamp::of_vertices(context);
     let current = |location: u8| context.state.current[usize::from(location)];

@@ -4,7 +4,7 @@ use crate::builtins::variable::Access::{ReadOnly, ReadWrite};
 use crate::builtins::variable::Builtin::{
     self, ClipDistance, ClipVertex, CullDistance, FragColor, FragCoord, FragData, FragDepth,
     FragStencilRef, FrontFacing, InstanceId, Layer, PointCoord, PointSize, Position, PrimitiveId,
-    PrimitiveIdIn, State, Varying, VertexId,
+    PrimitiveIdIn, State, Varying, VertexId, ViewportIndex,
 };
 use crate::builtins::variable::StateArray::{self, EnvColor, TextureMatrix};
 use crate::builtins::variable::VariableType::{
@@ -31,7 +31,7 @@ use crate::limits::{
     MAX_CLIP_DISTANCES, MAX_CLIP_PLANES, MAX_COMBINED_TEXTURE_IMAGE_UNITS, MAX_CULL_DISTANCES,
     MAX_DRAW_BUFFERS, MAX_GEOMETRY_OUTPUT_VERTICES, MAX_GEOMETRY_TOTAL_OUTPUT_COMPONENTS,
     MAX_LIGHTS, MAX_STAGE_COMPONENTS, MAX_TEXTURE_IMAGE_UNITS, MAX_TEXTURE_UNITS,
-    MAX_UNIFORM_COMPONENTS, MAX_VARYING_FLOATS, MAX_VERTEX_ATTRIBS, TEXEL_OFFSETS,
+    MAX_UNIFORM_COMPONENTS, MAX_VARYING_FLOATS, MAX_VERTEX_ATTRIBS, MAX_VIEWPORTS, TEXEL_OFFSETS,
 };
 
 const DESKTOP_AND_ES: Availability = Availability::DESKTOP_AND_ES;
@@ -55,6 +55,11 @@ const VERTEX_ID: Availability =
 const FRAG_DEPTH_EXT: Availability = Availability::extension(Extension::FragDepth);
 const CULL_DISTANCE: Availability = Availability::extension(Extension::CullDistance);
 const CLIP_DISTANCE: Availability = V130.or(Extension::ClipDistance);
+const VIEWPORT_ARRAY: Availability = Availability::extension(Extension::ViewportArray);
+const VERTEX_LAYER: Availability = Availability::extension(Extension::AmdVertexShaderLayer);
+const VERTEX_VIEWPORT: Availability =
+    Availability::extension(Extension::AmdVertexShaderViewportIndex);
+const FRAGMENT_LAYER: Availability = Availability::extension(Extension::FragmentLayerViewport);
 const STENCIL_EXPORT: Availability = Availability::extension(Extension::ShaderStencilExport);
 
 /// A `vec4` for each texture unit.
@@ -155,7 +160,7 @@ const fn old(name: &'static str, ty: VariableType, member: Incoming) -> Variable
 }
 
 /// Every variable, of all stages.
-pub static VARIABLES: [VariableRow; 127] = [
+pub static VARIABLES: [VariableRow; 133] = [
     row("gl_Position", Vec(4), Vertices, DESKTOP_AND_ES, ReadWrite, Position),
     row("gl_PointSize", Vec(1), Vertices, DESKTOP_AND_ES, ReadWrite, PointSize),
     row("gl_ClipVertex", Vec(4), Vertices, COMPATIBILITY, ReadWrite, ClipVertex),
@@ -216,6 +221,11 @@ pub static VARIABLES: [VariableRow; 127] = [
     row("gl_PrimitiveIDIn", Int, Geometry, V150, ReadOnly, PrimitiveIdIn),
     row("gl_PrimitiveID", Int, Geometry, V150, ReadWrite, PrimitiveId),
     row("gl_Layer", Int, Geometry, V150, ReadWrite, Layer),
+    row("gl_Layer", Int, Vertex, VERTEX_LAYER, ReadWrite, Layer),
+    row("gl_Layer", Int, Fragment, FRAGMENT_LAYER, ReadOnly, Layer),
+    row("gl_ViewportIndex", Int, Geometry, VIEWPORT_ARRAY, ReadWrite, ViewportIndex),
+    row("gl_ViewportIndex", Int, Vertex, VERTEX_VIEWPORT, ReadWrite, ViewportIndex),
+    row("gl_ViewportIndex", Int, Fragment, FRAGMENT_LAYER, ReadOnly, ViewportIndex),
     incoming("gl_in.gl_Position", OfVertices(&Vec(4)), V150, Incoming::Position),
     incoming("gl_in.gl_PointSize", OfVertices(&Vec(1)), V150, Incoming::PointSize),
     incoming("gl_in.gl_ClipDistance", OfVertices(&UnsizedFloats), V150, Incoming::ClipDistance),
@@ -321,6 +331,7 @@ pub static VARIABLES: [VariableRow; 127] = [
     ),
     row("gl_DepthRange", Struct(&DEPTH_RANGE), Any, DESKTOP_AND_ES, ReadOnly, State(DepthRange)),
     // Implementation limits
+    limit("gl_MaxViewports", MAX_VIEWPORTS as i32, VIEWPORT_ARRAY),
     limit("gl_MaxLights", MAX_LIGHTS as i32, COMPATIBILITY),
     limit("gl_MaxClipPlanes", MAX_CLIP_PLANES as i32, COMPATIBILITY),
     limit("gl_MaxTextureUnits", MAX_TEXTURE_UNITS as i32, COMPATIBILITY),
