@@ -2,7 +2,7 @@
 
 use crate::base::inverse::{inverse, inverse_3, rescale_factor};
 use crate::context::Context;
-use crate::draw::completeness::draw_pass;
+use crate::draw::completeness::{draw_pass, samples};
 use crate::draw::material::material;
 use crate::interface::*;
 use crate::state::light::Light;
@@ -115,6 +115,10 @@ fn put_state(context: &Context, words: &mut [u32], binding: StateBinding) {
         StateVar::FramebufferHeight => {
             let height = draw_pass(context).map_or(0, |pass| pass.height);
             put(words, word, [height.into()]);
+        }
+        StateVar::SampleCount => {
+            let samples = samples(context, state.bindings.draw_framebuffer);
+            words[word as usize] = u32::from(samples.max(1));
         }
         StateVar::ClipPlane(plane) => {
             if let Some(plane) = state.clip.planes.get(usize::from(plane)) {

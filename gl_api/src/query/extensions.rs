@@ -161,6 +161,7 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     "GL_ARB_sync",
     "GL_ARB_texture_cube_map_array",
     "GL_ARB_texture_gather",
+    "GL_ARB_sample_shading",
     "GL_ARB_texture_multisample",
     "GL_ARB_texture_query_lod",
     "GL_ARB_uniform_buffer_object",

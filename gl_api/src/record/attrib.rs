@@ -42,6 +42,7 @@ const FLAGS: &[(GLbitfield, &[Flag])] = &[
             Flag::SampleAlphaToOne,
             Flag::SampleCoverage,
             Flag::SampleMask,
+            Flag::SampleShading,
         ],
     ),
     (GL_POINT_BIT, &[Flag::PointSmooth, Flag::PointSprite]),

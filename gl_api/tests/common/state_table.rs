@@ -192,6 +192,8 @@ pub const STATE: &[Row] = rows! {
         GL_SAMPLE_COVERAGE_VALUE Number T;
         GL_SAMPLE_COVERAGE_INVERT Number F;
         GL_SAMPLE_MASK Number F;
+        GL_SAMPLE_SHADING Number F;
+        GL_MIN_SAMPLE_SHADING_VALUE Number F;
     }
     "6.17 to 6.20, textures" {
         GL_TEXTURE_1D Number F;

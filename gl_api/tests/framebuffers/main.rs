@@ -11,6 +11,7 @@ mod blits;
 mod clamps;
 mod integers;
 mod rectangles;
+mod sample_shading;
 mod sample_textures;
 mod samples;
 mod second_colors;

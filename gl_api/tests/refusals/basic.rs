@@ -214,7 +214,7 @@ const CASES: &[Case] = &[
     (|c| c.enable(GL_TEXTURE_2D_ARRAY), GL_INVALID_ENUM, "shaders alone, which need no glEnable"),
     (|c| c.enable(GL_CLIP_DISTANCE0 + 9), GL_INVALID_ENUM, "such as GL_ALPHA_TEST, GL_AUTO_NORMAL"),
     (|c| c.enable(GL_TEXTURE_GEN_MODE), GL_INVALID_ENUM, "near in name: GL_TEXTURE_GEN_S"),
-    (|c| c.enable(GL_LINEAR), GL_INVALID_ENUM, "cap = GL_LINEAR must be one of 68 values"),
+    (|c| c.enable(GL_LINEAR), GL_INVALID_ENUM, "cap = GL_LINEAR must be one of 69 values"),
     (|c| c.enable_client_state(GL_TEXTURE_2D), GL_INVALID_ENUM, "GL_VERTEX_ARRAY"),
     (|c| c.cull_face(GL_CW), GL_INVALID_ENUM, "mode = GL_CW must be GL_FRONT, GL_BACK or"),
     (|c| c.front_face(GL_FRONT), GL_INVALID_ENUM, "GL_CCW or GL_CW"),

@@ -20,9 +20,9 @@ pub use crate::desc::{
     DepthWrite, FrontFace, IndexType, Indices, LineState, LineStipple, LogicOp, MAX_LINE_WIDTH,
     MAX_POINT_SIZE, MAX_VIEWPORTS, MaskBlock, MultisampleState, OutputState, PipelineDesc,
     PipelineError, PixelMask, PointSize, PointState, PolygonMode, PolygonOffset, PolygonState,
-    Provoking, RasterState, Rect, SampleCoverage, SampleRule, ScissoredViewport, ShaderModule,
-    SpriteOrigin, SrgbWrite, StencilFace, StencilOp, StencilState, Stipple, Topology, Version,
-    VertexBinding, VertexFormat, VertexSource, VertexType, Viewport,
+    Provoking, RasterState, Rect, SampleCoverage, SampleRule, SampleShading, ScissoredViewport,
+    ShaderModule, SpriteOrigin, SrgbWrite, StencilFace, StencilOp, StencilState, Stipple, Topology,
+    Version, VertexBinding, VertexFormat, VertexSource, VertexType, Viewport,
 };
 pub use crate::plan::{Pipeline, possible_samples, same_textures, sample_positions};
 pub use crate::primitive::{InvisibleReason, InvisibleReasons, PrimitiveKind, ViewVolumeSide};

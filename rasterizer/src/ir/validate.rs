@@ -103,7 +103,8 @@ impl Module {
                 Output::Color { .. }
                 | Output::SecondColor(_)
                 | Output::Depth
-                | Output::StencilReference => {
+                | Output::StencilReference
+                | Output::SampleMask => {
                     return Err(IrError(format!("output {output:?} in a Geometry module")));
                 }
             };
@@ -125,7 +126,9 @@ impl Module {
                 Output::Color { component, .. } | Output::SecondColor(component) => {
                     (Stage::Fragment, component < 4)
                 }
-                Output::Depth | Output::StencilReference => (Stage::Fragment, true),
+                Output::Depth | Output::StencilReference | Output::SampleMask => {
+                    (Stage::Fragment, true)
+                }
                 // Those of a geometry module are in its interface.
                 Output::Layer | Output::ViewportIndex => (Stage::Vertex, true),
                 Output::PrimitiveId => (Stage::Geometry, false),
@@ -139,9 +142,10 @@ impl Module {
             // Colours may be integers, for attachments of integers.
             let fits = match output {
                 Output::Color { .. } => variable.ty != Ty::Bool,
-                Output::StencilReference | Output::Layer | Output::ViewportIndex => {
-                    variable.ty == Ty::I32
-                }
+                Output::StencilReference
+                | Output::SampleMask
+                | Output::Layer
+                | Output::ViewportIndex => variable.ty == Ty::I32,
                 Output::Position(_)
                 | Output::PointSize
                 | Output::ClipDistance(_)
@@ -256,6 +260,7 @@ impl Body<'_> {
                     | Output::SecondColor(_)
                     | Output::Depth
                     | Output::StencilReference
+                    | Output::SampleMask
                     | Output::Layer
                     | Output::PrimitiveId
                     | Output::ViewportIndex => false,
@@ -269,9 +274,11 @@ impl Body<'_> {
                 (Stage::Fragment, usize::from(slot) < self.module.varyings.len())
             }
             Input::FragCoord(component) => (Stage::Fragment, component < 4),
-            Input::FrontFacing | Input::Coverage | Input::LineDirection(_) => {
-                (Stage::Fragment, true)
-            }
+            Input::FrontFacing
+            | Input::Coverage
+            | Input::SampleId
+            | Input::SamplePosition(_)
+            | Input::LineDirection(_) => (Stage::Fragment, true),
             Input::PointCoord(component) => (Stage::Fragment, component < 2),
         };
         rule!(stage == self.module.stage, "%{at}: {input:?} in a {:?} module", self.module.stage);

@@ -64,6 +64,8 @@ impl Pipeline {
             | Input::FrontFacing
             | Input::PointCoord(_)
             | Input::Coverage
+            | Input::SampleId
+            | Input::SamplePosition(_)
             | Input::LineDirection(_) => None,
         })
     }
@@ -294,6 +296,7 @@ impl Compiled {
             }
             Output::Depth => desc.depth.is_some(),
             Output::StencilReference => desc.output.stencil.is_some(),
+            Output::SampleMask => true,
             Output::Position(_)
             | Output::PointSize
             | Output::ClipDistance(_)
@@ -330,6 +333,8 @@ impl Compiled {
                 | Input::FrontFacing
                 | Input::PointCoord(_)
                 | Input::Coverage
+                | Input::SampleId
+                | Input::SamplePosition(_)
                 | Input::LineDirection(_) => None,
             })
             .collect();
@@ -353,7 +358,8 @@ impl Compiled {
                 Output::Color { .. }
                 | Output::SecondColor(_)
                 | Output::Depth
-                | Output::StencilReference => false,
+                | Output::StencilReference
+                | Output::SampleMask => false,
             }))
         });
         let vertex_slots = geometry.as_deref().map_or_else(|| slots.clone(), slots_of_vertices);
@@ -367,6 +373,7 @@ impl Compiled {
             | Output::SecondColor(_)
             | Output::Depth
             | Output::StencilReference
+            | Output::SampleMask
             | Output::PrimitiveId => false,
         });
         let (of_sprites, of_lines) = (OnceLock::new(), OnceLock::new());

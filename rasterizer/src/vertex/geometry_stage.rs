@@ -183,6 +183,7 @@ impl GeometryStage<'_> {
             | Output::SecondColor(_)
             | Output::Depth
             | Output::StencilReference
+            | Output::SampleMask
             | Output::Layer
             | Output::PrimitiveId
             | Output::ViewportIndex => InputSource::Zero,
@@ -214,7 +215,8 @@ impl GeometryStage<'_> {
                 Output::Color { .. }
                 | Output::SecondColor(_)
                 | Output::Depth
-                | Output::StencilReference => {}
+                | Output::StencilReference
+                | Output::SampleMask => {}
             }
         }
         targets

@@ -254,6 +254,8 @@ impl VertexStage<'_> {
             | Input::FrontFacing
             | Input::PointCoord(_)
             | Input::Coverage
+            | Input::SampleId
+            | Input::SamplePosition(_)
             | Input::LineDirection(_) => InputSource::Missing(0.0),
         }
     }
@@ -292,6 +294,7 @@ impl VertexStage<'_> {
             | Output::SecondColor(_)
             | Output::Depth
             | Output::StencilReference
+            | Output::SampleMask
             | Output::Layer
             | Output::PrimitiveId
             | Output::ViewportIndex => OutputTarget::Nowhere,

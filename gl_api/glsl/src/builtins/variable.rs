@@ -53,6 +53,14 @@ pub enum Builtin {
     FragDepth,
     /// `gl_FragStencilRefARB`.
     FragStencilRef,
+    /// `gl_SampleID`.
+    SampleId,
+    /// `gl_SamplePosition`.
+    SamplePosition,
+    /// `gl_SampleMask`.
+    SampleMask,
+    /// `gl_NumSamples`.
+    SampleCount,
     /// State of the context.
     State(StateVar),
     /// State of each texture unit, light or plane.
@@ -117,6 +125,7 @@ impl Builtin {
             | Self::ClipDistance
             | Self::CullDistance
             | Self::FragCoord
+            | Self::SampleMask
             | Self::FragDepth => true,
             Self::Position
             | Self::PointSize
@@ -134,6 +143,9 @@ impl Builtin {
             | Self::FragColor
             | Self::FragData
             | Self::FragStencilRef
+            | Self::SampleId
+            | Self::SamplePosition
+            | Self::SampleCount
             | Self::State(_)
             | Self::States(_)
             | Self::Limit(_) => false,
@@ -151,9 +163,11 @@ impl Builtin {
             | Self::Varying(_)
             | Self::FragCoord
             | Self::PointCoord => Invariance::Allowed,
-            Self::FragColor | Self::FragData | Self::FragDepth | Self::FragStencilRef => {
-                Invariance::AllowedLater
-            }
+            Self::FragColor
+            | Self::FragData
+            | Self::FragDepth
+            | Self::FragStencilRef
+            | Self::SampleMask => Invariance::AllowedLater,
             Self::InstanceId
             | Self::VertexId
             | Self::Attribute(_)
@@ -163,6 +177,9 @@ impl Builtin {
             | Self::Layer
             | Self::ViewportIndex
             | Self::Incoming(_)
+            | Self::SampleId
+            | Self::SamplePosition
+            | Self::SampleCount
             | Self::State(_)
             | Self::States(_)
             | Self::Limit(_) => Invariance::Forbidden,
@@ -233,6 +250,8 @@ pub struct Structure {
 pub enum VariableType {
     /// `int`.
     Int,
+    /// So many `int`.
+    Ints(u8),
     /// `bool`.
     Bool,
     /// `float`, or a vector of this many floats.
@@ -262,6 +281,7 @@ impl VariableType {
         };
         match self {
             Self::Int => INT,
+            Self::Ints(len) => array(INT, len),
             Self::Bool => BOOL,
             Self::Vec(size) => vec(size),
             Self::Mat(side) => Type::Matrix(side, side),

@@ -31,6 +31,8 @@ pub enum Extension {
     FragmentLayerViewport,
     /// `GL_ARB_fragment_coord_conventions`: `layout(...)` of `gl_FragCoord`.
     FragmentCoordConventions,
+    /// `GL_ARB_sample_shading`: `gl_SampleID`, `gl_SamplePosition`, `gl_NumSamples`, `gl_SampleMask`.
+    SampleShading,
     /// `GL_ARB_separate_shader_objects`: `layout(location = n)` of what passes between stages.
     SeparateShaderObjects,
     /// `GL_ARB_shader_bit_encoding`: `floatBitsToInt` and the like.
@@ -78,7 +80,7 @@ pub enum Extension {
 
 impl Extension {
     /// Every extension and its name.
-    pub const ALL: [(Self, &'static str); 34] = [
+    pub const ALL: [(Self, &'static str); 35] = [
         (Self::ArraysOfArrays, "GL_ARB_arrays_of_arrays"),
         (Self::AmdVertexShaderLayer, "GL_AMD_vertex_shader_layer"),
         (Self::AmdVertexShaderViewportIndex, "GL_AMD_vertex_shader_viewport_index"),
@@ -92,6 +94,7 @@ impl Extension {
         (Self::ExplicitUniformLocation, "GL_ARB_explicit_uniform_location"),
         (Self::FragmentLayerViewport, "GL_ARB_fragment_layer_viewport"),
         (Self::FragmentCoordConventions, "GL_ARB_fragment_coord_conventions"),
+        (Self::SampleShading, "GL_ARB_sample_shading"),
         (Self::SeparateShaderObjects, "GL_ARB_separate_shader_objects"),
         (Self::ShaderBitEncoding, "GL_ARB_shader_bit_encoding"),
         (Self::ShaderStencilExport, "GL_ARB_shader_stencil_export"),
@@ -148,6 +151,7 @@ impl Extension {
             | Self::ExplicitAttribLocation
             | Self::ExplicitUniformLocation
             | Self::FragmentCoordConventions
+            | Self::SampleShading
             | Self::SeparateShaderObjects
             | Self::ShadingLanguagePacking
             | Self::ShaderBitEncoding

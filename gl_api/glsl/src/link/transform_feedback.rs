@@ -120,6 +120,10 @@ fn find(
             | Builtin::FragData
             | Builtin::FragDepth
             | Builtin::FragStencilRef
+            | Builtin::SampleId
+            | Builtin::SamplePosition
+            | Builtin::SampleMask
+            | Builtin::SampleCount
             | Builtin::State(_)
             | Builtin::States(_)
             | Builtin::Limit(_),

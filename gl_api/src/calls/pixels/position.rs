@@ -114,6 +114,8 @@ pub(crate) fn shade(context: &mut Context, position: [f32; 4]) -> Result<Vertice
             | Input::PointCoord(_)
             | Input::Gradient { .. }
             | Input::Coverage
+            | Input::SampleId
+            | Input::SamplePosition(_)
             | Input::LineDirection(_) => 0.0,
         };
         *out = U32s::splat(number.to_bits());

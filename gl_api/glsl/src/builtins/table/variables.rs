@@ -4,11 +4,13 @@ use crate::builtins::variable::Access::{ReadOnly, ReadWrite};
 use crate::builtins::variable::Builtin::{
     self, ClipDistance, ClipVertex, CullDistance, FragColor, FragCoord, FragData, FragDepth,
     FragStencilRef, FrontFacing, InstanceId, Layer, PointCoord, PointSize, Position, PrimitiveId,
-    PrimitiveIdIn, State, Varying, VertexId, ViewportIndex,
+    PrimitiveIdIn, SampleCount, SampleId, SampleMask, SamplePosition, State, Varying, VertexId,
+    ViewportIndex,
 };
 use crate::builtins::variable::StateArray::{self, EnvColor, TextureMatrix};
 use crate::builtins::variable::VariableType::{
-    self, Bool, Int, Mat, Mat4Array, OfVertices, Struct, StructArray, UnsizedFloats, Vec, Vec4Array,
+    self, Bool, Int, Ints, Mat, Mat4Array, OfVertices, Struct, StructArray, UnsizedFloats, Vec,
+    Vec4Array,
 };
 use crate::builtins::variable::{Access, Incoming, Structure, VariableRow};
 use crate::interface::MatrixForm::{Inverse, InverseTranspose, Plain, Transpose};
@@ -30,8 +32,9 @@ use crate::language::{Availability, EsVersions, Extension};
 use crate::limits::{
     MAX_CLIP_DISTANCES, MAX_CLIP_PLANES, MAX_COMBINED_TEXTURE_IMAGE_UNITS, MAX_CULL_DISTANCES,
     MAX_DRAW_BUFFERS, MAX_GEOMETRY_OUTPUT_VERTICES, MAX_GEOMETRY_TOTAL_OUTPUT_COMPONENTS,
-    MAX_LIGHTS, MAX_STAGE_COMPONENTS, MAX_TEXTURE_IMAGE_UNITS, MAX_TEXTURE_UNITS,
-    MAX_UNIFORM_COMPONENTS, MAX_VARYING_FLOATS, MAX_VERTEX_ATTRIBS, MAX_VIEWPORTS, TEXEL_OFFSETS,
+    MAX_LIGHTS, MAX_SAMPLE_MASK_WORDS, MAX_STAGE_COMPONENTS, MAX_TEXTURE_IMAGE_UNITS,
+    MAX_TEXTURE_UNITS, MAX_UNIFORM_COMPONENTS, MAX_VARYING_FLOATS, MAX_VERTEX_ATTRIBS,
+    MAX_VIEWPORTS, TEXEL_OFFSETS,
 };
 
 const DESKTOP_AND_ES: Availability = Availability::DESKTOP_AND_ES;
@@ -60,6 +63,7 @@ const VERTEX_LAYER: Availability = Availability::extension(Extension::AmdVertexS
 const VERTEX_VIEWPORT: Availability =
     Availability::extension(Extension::AmdVertexShaderViewportIndex);
 const FRAGMENT_LAYER: Availability = Availability::extension(Extension::FragmentLayerViewport);
+const SAMPLE_SHADING: Availability = Availability::extension(Extension::SampleShading);
 const STENCIL_EXPORT: Availability = Availability::extension(Extension::ShaderStencilExport);
 
 /// A `vec4` for each texture unit.
@@ -160,7 +164,7 @@ const fn old(name: &'static str, ty: VariableType, member: Incoming) -> Variable
 }
 
 /// Every variable, of all stages.
-pub static VARIABLES: [VariableRow; 133] = [
+pub static VARIABLES: [VariableRow; 138] = [
     row("gl_Position", Vec(4), Vertices, DESKTOP_AND_ES, ReadWrite, Position),
     row("gl_PointSize", Vec(1), Vertices, DESKTOP_AND_ES, ReadWrite, PointSize),
     row("gl_ClipVertex", Vec(4), Vertices, COMPATIBILITY, ReadWrite, ClipVertex),
@@ -273,6 +277,17 @@ pub static VARIABLES: [VariableRow; 133] = [
         FragDepth,
     ),
     row("gl_FragDepthEXT", Vec(1), Fragment, FRAG_DEPTH_EXT, ReadWrite, FragDepth),
+    row("gl_SampleID", Int, Fragment, SAMPLE_SHADING, ReadOnly, SampleId),
+    row("gl_SamplePosition", Vec(2), Fragment, SAMPLE_SHADING, ReadOnly, SamplePosition),
+    row(
+        "gl_SampleMask",
+        Ints(MAX_SAMPLE_MASK_WORDS),
+        Fragment,
+        SAMPLE_SHADING,
+        ReadWrite,
+        SampleMask,
+    ),
+    row("gl_NumSamples", Int, Fragment, SAMPLE_SHADING, ReadOnly, SampleCount),
     row("gl_FragStencilRefARB", Int, Fragment, STENCIL_EXPORT, ReadWrite, FragStencilRef),
     // State of the context (GLSL 1.30 section 7.4)
     state("gl_ModelViewMatrix", Mat(4), Matrix(ModelView, Plain)),
@@ -331,6 +346,7 @@ pub static VARIABLES: [VariableRow; 133] = [
     ),
     row("gl_DepthRange", Struct(&DEPTH_RANGE), Any, DESKTOP_AND_ES, ReadOnly, State(DepthRange)),
     // Implementation limits
+    limit("gl_MaxSamples", rasterizer::driver::MAX_SAMPLES as i32, SAMPLE_SHADING),
     limit("gl_MaxViewports", MAX_VIEWPORTS as i32, VIEWPORT_ARRAY),
     limit("gl_MaxLights", MAX_LIGHTS as i32, COMPATIBILITY),
     limit("gl_MaxClipPlanes", MAX_CLIP_PLANES as i32, COMPATIBILITY),
