@@ -49,6 +49,10 @@ pub enum Builtin {
     FragColor,
     /// `gl_FragData`.
     FragData,
+    /// `gl_SecondaryFragColorEXT`.
+    SecondaryFragColor,
+    /// `gl_SecondaryFragDataEXT`.
+    SecondaryFragData,
     /// `gl_FragDepth`.
     FragDepth,
     /// `gl_FragStencilRefARB`.
@@ -142,6 +146,8 @@ impl Builtin {
             | Self::FrontFacing
             | Self::FragColor
             | Self::FragData
+            | Self::SecondaryFragColor
+            | Self::SecondaryFragData
             | Self::FragStencilRef
             | Self::SampleId
             | Self::SamplePosition
@@ -165,6 +171,8 @@ impl Builtin {
             | Self::PointCoord => Invariance::Allowed,
             Self::FragColor
             | Self::FragData
+            | Self::SecondaryFragColor
+            | Self::SecondaryFragData
             | Self::FragDepth
             | Self::FragStencilRef
             | Self::SampleMask => Invariance::AllowedLater,

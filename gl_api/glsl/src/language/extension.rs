@@ -46,6 +46,8 @@ pub enum Extension {
     ShadingLanguagePacking,
     /// `GL_APPLE_clip_distance`: `gl_ClipDistance` of GLSL ES 1.00 and 3.00.
     ClipDistance,
+    /// `GL_EXT_blend_func_extended`: `gl_SecondaryFragColorEXT` of GLSL ES 1.00, `layout(index = n)` of 3.00.
+    EsBlendFuncExtended,
     /// `GL_EXT_draw_buffers`: more than one element of `gl_FragData` in GLSL ES 1.00.
     EsDrawBuffers,
     /// `GL_EXT_frag_depth`: `gl_FragDepthEXT` of GLSL ES 1.00.
@@ -80,7 +82,7 @@ pub enum Extension {
 
 impl Extension {
     /// Every extension and its name.
-    pub const ALL: [(Self, &'static str); 35] = [
+    pub const ALL: [(Self, &'static str); 36] = [
         (Self::ArraysOfArrays, "GL_ARB_arrays_of_arrays"),
         (Self::AmdVertexShaderLayer, "GL_AMD_vertex_shader_layer"),
         (Self::AmdVertexShaderViewportIndex, "GL_AMD_vertex_shader_viewport_index"),
@@ -101,6 +103,7 @@ impl Extension {
         (Self::ShadingLanguage420Pack, "GL_ARB_shading_language_420pack"),
         (Self::ShadingLanguagePacking, "GL_ARB_shading_language_packing"),
         (Self::ClipDistance, "GL_APPLE_clip_distance"),
+        (Self::EsBlendFuncExtended, "GL_EXT_blend_func_extended"),
         (Self::EsDrawBuffers, "GL_EXT_draw_buffers"),
         (Self::FragDepth, "GL_EXT_frag_depth"),
         (Self::EsShaderTextureLod, "GL_EXT_shader_texture_lod"),
@@ -135,7 +138,7 @@ impl Extension {
             | Self::EsDrawBuffers
             | Self::FragDepth
             | Self::EsShaderTextureLod => version == Version::Es100,
-            Self::ClipDistance => version.is_es(),
+            Self::ClipDistance | Self::EsBlendFuncExtended => version.is_es(),
             Self::CullDistance => version >= Version::V130 && !version.is_es(),
             Self::Compatibility => version >= Version::V140 && !version.is_es(),
             Self::ArraysOfArrays

@@ -118,6 +118,8 @@ fn find(
             | Builtin::Incoming(_)
             | Builtin::FragColor
             | Builtin::FragData
+            | Builtin::SecondaryFragColor
+            | Builtin::SecondaryFragData
             | Builtin::FragDepth
             | Builtin::FragStencilRef
             | Builtin::SampleId

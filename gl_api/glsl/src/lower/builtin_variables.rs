@@ -145,6 +145,10 @@ impl Lowerer<'_> {
                 let component = at as u8;
                 (0..MAX_DRAW_BUFFERS).map(|target| Output::Color { target, component }).collect()
             },
+            // One draw buffer has a second colour.
+            Builtin::SecondaryFragColor | Builtin::SecondaryFragData => {
+                |at| vec![Output::SecondColor(at as u8)]
+            }
             Builtin::FragData => |at| {
                 let (target, component) = ((at / 4) as u8, (at % 4) as u8);
                 debug_assert!(target < MAX_DRAW_BUFFERS);

@@ -4,8 +4,8 @@ use crate::builtins::variable::Access::{ReadOnly, ReadWrite};
 use crate::builtins::variable::Builtin::{
     self, ClipDistance, ClipVertex, CullDistance, FragColor, FragCoord, FragData, FragDepth,
     FragStencilRef, FrontFacing, InstanceId, Layer, PointCoord, PointSize, Position, PrimitiveId,
-    PrimitiveIdIn, SampleCount, SampleId, SampleMask, SamplePosition, State, Varying, VertexId,
-    ViewportIndex,
+    PrimitiveIdIn, SampleCount, SampleId, SampleMask, SamplePosition, SecondaryFragColor,
+    SecondaryFragData, State, Varying, VertexId, ViewportIndex,
 };
 use crate::builtins::variable::StateArray::{self, EnvColor, TextureMatrix};
 use crate::builtins::variable::VariableType::{
@@ -31,10 +31,10 @@ use crate::language::Stages::{self, Any, Fragment, Geometry, Vertex, Vertices};
 use crate::language::{Availability, EsVersions, Extension};
 use crate::limits::{
     MAX_CLIP_DISTANCES, MAX_CLIP_PLANES, MAX_COMBINED_TEXTURE_IMAGE_UNITS, MAX_CULL_DISTANCES,
-    MAX_DRAW_BUFFERS, MAX_GEOMETRY_OUTPUT_VERTICES, MAX_GEOMETRY_TOTAL_OUTPUT_COMPONENTS,
-    MAX_LIGHTS, MAX_SAMPLE_MASK_WORDS, MAX_STAGE_COMPONENTS, MAX_TEXTURE_IMAGE_UNITS,
-    MAX_TEXTURE_UNITS, MAX_UNIFORM_COMPONENTS, MAX_VARYING_FLOATS, MAX_VERTEX_ATTRIBS,
-    MAX_VIEWPORTS, TEXEL_OFFSETS,
+    MAX_DRAW_BUFFERS, MAX_DUAL_SOURCE_DRAW_BUFFERS, MAX_GEOMETRY_OUTPUT_VERTICES,
+    MAX_GEOMETRY_TOTAL_OUTPUT_COMPONENTS, MAX_LIGHTS, MAX_SAMPLE_MASK_WORDS, MAX_STAGE_COMPONENTS,
+    MAX_TEXTURE_IMAGE_UNITS, MAX_TEXTURE_UNITS, MAX_UNIFORM_COMPONENTS, MAX_VARYING_FLOATS,
+    MAX_VERTEX_ATTRIBS, MAX_VIEWPORTS, TEXEL_OFFSETS,
 };
 
 const DESKTOP_AND_ES: Availability = Availability::DESKTOP_AND_ES;
@@ -63,6 +63,8 @@ const VERTEX_LAYER: Availability = Availability::extension(Extension::AmdVertexS
 const VERTEX_VIEWPORT: Availability =
     Availability::extension(Extension::AmdVertexShaderViewportIndex);
 const FRAGMENT_LAYER: Availability = Availability::extension(Extension::FragmentLayerViewport);
+const SECOND_COLOR: Availability = Availability::extension(Extension::EsBlendFuncExtended);
+const SECOND_COLOR_100: Availability = SECOND_COLOR.extended_in(EsVersions::Only100);
 const SAMPLE_SHADING: Availability = Availability::extension(Extension::SampleShading);
 const STENCIL_EXPORT: Availability = Availability::extension(Extension::ShaderStencilExport);
 
@@ -164,7 +166,7 @@ const fn old(name: &'static str, ty: VariableType, member: Incoming) -> Variable
 }
 
 /// Every variable, of all stages.
-pub static VARIABLES: [VariableRow; 138] = [
+pub static VARIABLES: [VariableRow; 141] = [
     row("gl_Position", Vec(4), Vertices, DESKTOP_AND_ES, ReadWrite, Position),
     row("gl_PointSize", Vec(1), Vertices, DESKTOP_AND_ES, ReadWrite, PointSize),
     row("gl_ClipVertex", Vec(4), Vertices, COMPATIBILITY, ReadWrite, ClipVertex),
@@ -277,6 +279,22 @@ pub static VARIABLES: [VariableRow; 138] = [
         FragDepth,
     ),
     row("gl_FragDepthEXT", Vec(1), Fragment, FRAG_DEPTH_EXT, ReadWrite, FragDepth),
+    row(
+        "gl_SecondaryFragColorEXT",
+        Vec(4),
+        Fragment,
+        SECOND_COLOR_100,
+        ReadWrite,
+        SecondaryFragColor,
+    ),
+    row(
+        "gl_SecondaryFragDataEXT",
+        Vec4Array(MAX_DUAL_SOURCE_DRAW_BUFFERS),
+        Fragment,
+        SECOND_COLOR_100,
+        ReadWrite,
+        SecondaryFragData,
+    ),
     row("gl_SampleID", Int, Fragment, SAMPLE_SHADING, ReadOnly, SampleId),
     row("gl_SamplePosition", Vec(2), Fragment, SAMPLE_SHADING, ReadOnly, SamplePosition),
     row(
@@ -346,6 +364,7 @@ pub static VARIABLES: [VariableRow; 138] = [
     ),
     row("gl_DepthRange", Struct(&DEPTH_RANGE), Any, DESKTOP_AND_ES, ReadOnly, State(DepthRange)),
     // Implementation limits
+    limit("gl_MaxDualSourceDrawBuffersEXT", MAX_DUAL_SOURCE_DRAW_BUFFERS as i32, SECOND_COLOR),
     limit("gl_MaxSamples", rasterizer::driver::MAX_SAMPLES as i32, SAMPLE_SHADING),
     limit("gl_MaxViewports", MAX_VIEWPORTS as i32, VIEWPORT_ARRAY),
     limit("gl_MaxLights", MAX_LIGHTS as i32, COMPATIBILITY),
