@@ -215,6 +215,7 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     "GL_ARB_buffer_storage",
     "GL_ARB_clear_texture",
     "GL_ARB_texture_mirror_clamp_to_edge",
+    "GL_ARB_texture_stencil8",
     // 2014
     "GL_ARB_clip_control",
     "GL_ARB_cull_distance",

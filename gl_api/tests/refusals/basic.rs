@@ -59,7 +59,7 @@ const CASES: &[Case] = &[
     (
         |c| typed(c, GL_BGRA, GL_RGBA, GL_FLOAT),
         GL_INVALID_VALUE,
-        "GL_BGRA must be one of 164 values; near in name: GL_",
+        "GL_BGRA must be one of 169 values; near in name: GL_",
     ),
     (|c| typed(c, 5, GL_RGBA, GL_FLOAT), GL_INVALID_VALUE, "internalformat = 5 must be 1 to 4, or"),
     (|c| typed(c, GL_RGBA, GL_COLOR, GL_FLOAT), GL_INVALID_ENUM, "format = GL_COLOR"),

@@ -25,6 +25,7 @@ mod packed;
 mod provoking;
 mod selection;
 mod state;
+mod stencil_textures;
 mod stencil_texturing;
 mod stored_texels;
 mod viewports;

@@ -8,7 +8,7 @@ use crate::calls::framebuffer::names::bound;
 use crate::context::Context;
 use crate::draw::completeness::{completeness, missing_buffer_warning};
 use crate::objects::framebuffers::{
-    Attached, AttachedLayers, AttachmentPoint, Binding, FRAMEBUFFER_TARGET, Planes, Source,
+    Attached, AttachedLayers, AttachmentPoint, Binding, FRAMEBUFFER_TARGET, Source,
     attachment_point,
 };
 use crate::objects::renderbuffers::RENDERBUFFER_TARGET;
@@ -130,7 +130,8 @@ fn framebuffer_texture_slice(
         );
     }
     let (source, image) = (slice.checked(face)?, texture.image.clone());
-    destination.attach(context, Some(Attached { source, image, planes: Planes::BOTH }))
+    let planes = texture.planes();
+    destination.attach(context, Some(Attached { source, image, planes }))
 }
 
 pub(crate) fn framebuffer_texture_1d(
@@ -207,7 +208,8 @@ pub(crate) fn framebuffer_texture_layer(
         }
     }
     let (source, image) = (slice.checked(of)?, object.image.clone());
-    destination.attach(context, Some(Attached { source, image, planes: Planes::BOTH }))
+    let planes = object.planes();
+    destination.attach(context, Some(Attached { source, image, planes }))
 }
 
 /// All layers of a level, or its only one.
@@ -245,10 +247,10 @@ pub(crate) fn framebuffer_texture(
             );
         }
     };
-    let image = object.image.clone();
+    let (image, planes) = (object.image.clone(), object.planes());
     let level = crate::objects::target::checked_level(SECTION, of.target, level)?;
     let source = Source::Texture { name: texture, target: of, level, slice: 0, layers };
-    destination.attach(context, Some(Attached { source, image, planes: Planes::BOTH }))
+    destination.attach(context, Some(Attached { source, image, planes }))
 }
 
 pub(crate) fn framebuffer_renderbuffer(
