@@ -203,6 +203,7 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     "GL_ARB_copy_image",
     "GL_ARB_explicit_uniform_location",
     "GL_ARB_fragment_layer_viewport",
+    "GL_ARB_internalformat_query2",
     "GL_ARB_multi_draw_indirect",
     "GL_ARB_stencil_texturing",
     "GL_ARB_texture_buffer_range",

@@ -133,7 +133,7 @@ fn known(context: &Context, image: ImageTarget, level: usize) -> Option<Known> {
 }
 
 /// What kind of numbers a format's components are.
-fn kind(format: Format) -> GLenum {
+pub(super) fn kind(format: Format) -> GLenum {
     match format.info().encoding {
         Encoding::Snorm | Encoding::Block(Block::Rgtc1Snorm | Block::Rgtc2Snorm) => {
             GL_SIGNED_NORMALIZED
