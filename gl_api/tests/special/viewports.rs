@@ -554,5 +554,6 @@ fn lists_hold_arrays() {
     c.call_list(1);
     assert_eq!(numbers(&mut c, GL_VIEWPORT, 5), [1.0, 2.0, 3.0, 4.0]);
     assert_eq!(numbers(&mut c, GL_SCISSOR_BOX, 6), [1.0, 2.0, 3.0, 4.0]);
+    assert_ne!(numbers(&mut c, GL_VIEWPORT, 5)[0], f64::from(sides[0]));
     fine(&mut c);
 }

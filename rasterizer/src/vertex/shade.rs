@@ -345,7 +345,8 @@ impl VertexStage<'_> {
         let mut clip = [&F32s::ZERO; 4];
         let mut culled: Option<[u32; LANES]> = None;
         for (index, &target) in targets.iter().enumerate() {
-            let lanes = machine.output(index).as_f32();
+            let (lanes, words) =
+                (machine.output(index).as_f32(), &machine.output(index).0[..ids.len()]);
             match target {
                 OutputTarget::PointSize => point_sizes.copy_from_slice(&lanes.0[..ids.len()]),
                 OutputTarget::Value(at) => {
@@ -361,12 +362,8 @@ impl VertexStage<'_> {
                 OutputTarget::Cull(number) => {
                     note_culled(culled.get_or_insert([0; LANES]), number, lanes);
                 }
-                OutputTarget::Layer => {
-                    batch.layers.copy_from_slice(&machine.output(index).0[..ids.len()]);
-                }
-                OutputTarget::Viewport => {
-                    batch.viewports.copy_from_slice(&machine.output(index).0[..ids.len()]);
-                }
+                OutputTarget::Layer => batch.layers.copy_from_slice(words),
+                OutputTarget::Viewport => batch.viewports.copy_from_slice(words),
                 OutputTarget::Nowhere => {}
             }
         }

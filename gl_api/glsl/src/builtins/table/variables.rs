@@ -145,6 +145,16 @@ const fn states(name: &'static str, ty: VariableType, states: StateArray) -> Var
     row(name, ty, Any, COMPATIBILITY, ReadOnly, Builtin::States(states))
 }
 
+/// What the fragment stage writes.
+const fn output(
+    name: &'static str,
+    ty: VariableType,
+    availability: Availability,
+    builtin: Builtin,
+) -> VariableRow {
+    row(name, ty, Fragment, availability, ReadWrite, builtin)
+}
+
 /// A constant.
 const fn limit(name: &'static str, value: i32, availability: Availability) -> VariableRow {
     row(name, Int, Any, availability, ReadOnly, Builtin::Limit(value))
@@ -261,52 +271,22 @@ pub static VARIABLES: [VariableRow; 141] = [
     row("gl_PrimitiveID", Int, Fragment, V150.or(Extension::GpuShader4), ReadOnly, PrimitiveId),
     row("gl_FrontFacing", Bool, Fragment, DESKTOP_AND_ES, ReadOnly, FrontFacing),
     row("gl_PointCoord", Vec(2), Fragment, V120.and_es(EsVersions::All), ReadOnly, PointCoord),
-    row("gl_FragColor", Vec(4), Fragment, DESKTOP_AND_ES_100, ReadWrite, FragColor),
-    row(
-        "gl_FragData",
-        Vec4Array(MAX_DRAW_BUFFERS),
-        Fragment,
-        DESKTOP_AND_ES_100,
-        ReadWrite,
-        FragData,
-    ),
-    row(
-        "gl_FragDepth",
-        Vec(1),
-        Fragment,
-        DESKTOP.and_es(EsVersions::From300),
-        ReadWrite,
-        FragDepth,
-    ),
-    row("gl_FragDepthEXT", Vec(1), Fragment, FRAG_DEPTH_EXT, ReadWrite, FragDepth),
-    row(
-        "gl_SecondaryFragColorEXT",
-        Vec(4),
-        Fragment,
-        SECOND_COLOR_100,
-        ReadWrite,
-        SecondaryFragColor,
-    ),
-    row(
+    output("gl_FragColor", Vec(4), DESKTOP_AND_ES_100, FragColor),
+    output("gl_FragData", Vec4Array(MAX_DRAW_BUFFERS), DESKTOP_AND_ES_100, FragData),
+    output("gl_FragDepth", Vec(1), DESKTOP.and_es(EsVersions::From300), FragDepth),
+    output("gl_FragDepthEXT", Vec(1), FRAG_DEPTH_EXT, FragDepth),
+    output("gl_SecondaryFragColorEXT", Vec(4), SECOND_COLOR_100, SecondaryFragColor),
+    output(
         "gl_SecondaryFragDataEXT",
         Vec4Array(MAX_DUAL_SOURCE_DRAW_BUFFERS),
-        Fragment,
         SECOND_COLOR_100,
-        ReadWrite,
         SecondaryFragData,
     ),
     row("gl_SampleID", Int, Fragment, SAMPLE_SHADING, ReadOnly, SampleId),
     row("gl_SamplePosition", Vec(2), Fragment, SAMPLE_SHADING, ReadOnly, SamplePosition),
-    row(
-        "gl_SampleMask",
-        Ints(MAX_SAMPLE_MASK_WORDS),
-        Fragment,
-        SAMPLE_SHADING,
-        ReadWrite,
-        SampleMask,
-    ),
+    output("gl_SampleMask", Ints(MAX_SAMPLE_MASK_WORDS), SAMPLE_SHADING, SampleMask),
     row("gl_NumSamples", Int, Fragment, SAMPLE_SHADING, ReadOnly, SampleCount),
-    row("gl_FragStencilRefARB", Int, Fragment, STENCIL_EXPORT, ReadWrite, FragStencilRef),
+    output("gl_FragStencilRefARB", Int, STENCIL_EXPORT, FragStencilRef),
     // State of the context (GLSL 1.30 section 7.4)
     state("gl_ModelViewMatrix", Mat(4), Matrix(ModelView, Plain)),
     state("gl_ModelViewMatrixInverse", Mat(4), Matrix(ModelView, Inverse)),
