@@ -208,7 +208,7 @@ fn limits_are_those_of_the_target() {
         (GL_TEXTURE_3D, [512, 512, 512, 0], 512 * 512 * 512),
         (GL_TEXTURE_CUBE_MAP, [8192, 8192, 0, 0], 8192 * 8192 * 6),
         (GL_TEXTURE_2D_MULTISAMPLE_ARRAY, [8192, 8192, 2048, 2048], 8192 * 8192 * 2048 * 4),
-        (GL_RENDERBUFFER, [8192, 8192, 0, 0], 8192 * 8192 * 4),
+        (GL_RENDERBUFFER, [8192, 8192, 0, 0], 8192 * 8192),
     ];
     for (target, sides, combined) in cases {
         let pnames = [GL_MAX_WIDTH, GL_MAX_HEIGHT, GL_MAX_DEPTH, GL_MAX_LAYERS];

@@ -297,6 +297,15 @@ const CASES: &[Case] = &[
         "GL_TEXTURE_BUFFER",
     ),
     (
+        |c| {
+            c.bind_texture(GL_TEXTURE_CUBE_MAP, 1);
+            framebuffer(c);
+        },
+        |c| c.framebuffer_texture_layer(FB, C0, 1, 0, 6),
+        GL_INVALID_VALUE,
+        "layer = 6 must be 0 to 5",
+    ),
+    (
         nothing,
         |c| c.framebuffer_texture_layer(FB, GL_DEPTH, 0, 0, 0),
         GL_INVALID_ENUM,

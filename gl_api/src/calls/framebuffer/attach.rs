@@ -15,6 +15,7 @@ use crate::objects::renderbuffers::RENDERBUFFER_TARGET;
 use crate::objects::target::{FaceTarget, TARGET, TextureTarget, attachable_target};
 use crate::objects::texture::Texture;
 use rasterizer::driver::Image;
+use texunit::image::FACES;
 
 const SECTION: &str = "ARB_framebuffer_object, section 4.4.2";
 
@@ -186,16 +187,25 @@ pub(crate) fn framebuffer_texture_layer(
     let slice = Slice { texture, level, slice: (layer, "layer") };
     let object = slice.texture(context)?;
     let of = FaceTarget { target: object.target, face: 0 };
-    match of.target {
+    let (of, slice) = match of.target {
+        // Its faces are layers (GL 4.5, section 9.2.8), as Mesa has them in every version.
+        TextureTarget::Cube => match u8::try_from(layer) {
+            Ok(face) if usize::from(face) < FACES => {
+                (FaceTarget { face, ..of }, Slice { slice: (0, "layer"), ..slice })
+            }
+            Ok(_) | Err(_) => {
+                let rule = format!("layer = {layer} must be 0 to 5, a face of the cube map");
+                return invalid_value("GL 4.5, section 9.2.8", rule);
+            }
+        },
         TextureTarget::D3
         | TextureTarget::D1Array
         | TextureTarget::D2Array
         | TextureTarget::CubeArray
-        | TextureTarget::D2MultisampleArray => {}
+        | TextureTarget::D2MultisampleArray => (of, slice),
         TextureTarget::D1
         | TextureTarget::D2
         | TextureTarget::Rect
-        | TextureTarget::Cube
         | TextureTarget::D2Multisample
         | TextureTarget::Buffer => {
             return invalid_operation(
@@ -206,7 +216,7 @@ pub(crate) fn framebuffer_texture_layer(
                 ),
             );
         }
-    }
+    };
     let (source, image) = (slice.checked(of)?, object.image.clone());
     let planes = object.planes();
     destination.attach(context, Some(Attached { source, image, planes }))

@@ -170,15 +170,15 @@ impl Supported {
         }
     }
 
-    /// The product of all sides, faces and samples.
+    /// The product of all sides, of the faces of cube maps, and of the samples of textures.
     pub fn combined(&self) -> i64 {
         let sides = self.largest().into_iter().filter(|side| *side > 0).map(i64::from);
         let faces = match self.resource {
-            Resource::Texture(TextureTarget::Cube) => FACES as i64,
+            Resource::Texture(TextureTarget::Cube | TextureTarget::CubeArray) => FACES as i64,
             Resource::Renderbuffer | Resource::Texture(_) => 1,
         };
-        let samples = self.samples().first().copied().unwrap_or(1);
-        sides.product::<i64>() * faces * i64::from(samples)
+        let samples = self.samples().first().filter(|_| self.resource != Resource::Renderbuffer);
+        sides.product::<i64>() * faces * i64::from(samples.copied().unwrap_or(1))
     }
 
     /// Whether it is drawn to as an attachment.
