@@ -61,6 +61,8 @@ pub mod limits {
     pub const MAX_LOGGED: usize = context::log::MAX_LOGGED;
     /// Bytes of a message with its final zero.
     pub const MAX_LENGTH: usize = context::log::MAX_LENGTH;
+    /// Viewports.
+    pub const MAX_VIEWPORTS: usize = rasterizer::driver::MAX_VIEWPORTS;
     /// The order of an evaluator's map.
     pub const MAX_EVAL_ORDER: usize = crate::state::evaluators::MAX_EVAL_ORDER;
 }

@@ -72,6 +72,8 @@ const ROWS: &[Row] = &[
     (GL_TEXTURE_BIT, GL_ACTIVE_TEXTURE, |c| c.active_texture(GL_TEXTURE3)),
     (GL_MULTISAMPLE_BIT, GL_MULTISAMPLE, |c| c.disable(GL_MULTISAMPLE)),
     (GL_MULTISAMPLE_BIT, GL_SAMPLE_MASK, |c| c.enable(GL_SAMPLE_MASK)),
+    (GL_MULTISAMPLE_BIT, GL_SAMPLE_SHADING, |c| c.enable(GL_SAMPLE_SHADING)),
+    (GL_MULTISAMPLE_BIT, GL_MIN_SAMPLE_SHADING_VALUE, |c| c.min_sample_shading(0.5)),
 ];
 
 /// Up to sixteen values of a piece of state.

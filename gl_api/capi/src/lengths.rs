@@ -8,7 +8,7 @@ use super::param::{Counted, TERMINATED};
 use gl_api::constants::*;
 use gl_api::host::limits::{
     MAX_CAPTURED_COMPONENTS, MAX_DRAW_BUFFERS, MAX_ENV_PARAMETERS, MAX_EVAL_ORDER, MAX_LABEL,
-    MAX_LENGTH, MAX_LOCAL_PARAMETERS, MAX_LOGGED, MAX_UNIFORM_ELEMENTS,
+    MAX_LENGTH, MAX_LOCAL_PARAMETERS, MAX_LOGGED, MAX_UNIFORM_ELEMENTS, MAX_VIEWPORTS,
 };
 use gl_api::{GLenum, host, with_current};
 
@@ -82,6 +82,9 @@ const OVERRIDES: &[(&str, usize, Rule)] = &[
         3,
         Rule::TimesWithin { argument: 2, factor: 4, limit: MAX_LOCAL_PARAMETERS },
     ),
+    ("glViewportArrayv", 2, Rule::TimesWithin { argument: 1, factor: 4, limit: MAX_VIEWPORTS }),
+    ("glScissorArrayv", 2, Rule::TimesWithin { argument: 1, factor: 4, limit: MAX_VIEWPORTS }),
+    ("glDepthRangeArrayv", 2, Rule::TimesWithin { argument: 1, factor: 2, limit: MAX_VIEWPORTS }),
     ("glDrawBuffers", 1, Rule::TimesWithin { argument: 0, factor: 1, limit: MAX_DRAW_BUFFERS }),
     // Linking fails with one component more than the limit.
     (
@@ -353,6 +356,7 @@ pub(crate) fn values(pname: GLenum) -> usize {
         | GL_POINT_DISTANCE_ATTENUATION => 3,
         GL_MAX_VIEWPORT_DIMS
         | GL_DEPTH_RANGE
+        | GL_VIEWPORT_BOUNDS_RANGE
         | GL_POLYGON_MODE
         | GL_POINT_SIZE_RANGE
         | GL_ALIASED_POINT_SIZE_RANGE

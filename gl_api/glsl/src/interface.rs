@@ -147,6 +147,8 @@ pub enum StateVar {
     /// The number of rows of the draw framebuffer: 1 word, for a `gl_FragCoord` whose origin is the
     /// upper left.
     FramebufferHeight,
+    /// The number of samples of the draw framebuffer, 1 where it has none: 1 word.
+    SampleCount,
 }
 
 impl StateVar {
@@ -156,7 +158,7 @@ impl StateVar {
             Self::Matrix(..) => 16,
             Self::NormalMatrix => 9,
             Self::DepthRange => 3,
-            Self::NormalScale | Self::FramebufferHeight => 1,
+            Self::NormalScale | Self::FramebufferHeight | Self::SampleCount => 1,
             Self::TextureEnvColor(_)
             | Self::ClipPlane(_)
             | Self::LightModel

@@ -20,6 +20,10 @@ pub const MAX_COMBINED_TEXTURE_IMAGE_UNITS: u8 = 48;
 pub const MAX_CLIP_DISTANCES: u8 = MAX_CLIP_PLANES;
 /// `gl_MaxCullDistances`, and `gl_MaxCombinedClipAndCullDistances`.
 pub const MAX_CULL_DISTANCES: u8 = 8;
+/// `gl_MaxViewports` (`GL_MAX_VIEWPORTS`).
+pub const MAX_VIEWPORTS: u8 = rasterizer::driver::MAX_VIEWPORTS as u8;
+/// How many elements `gl_SampleMask` has (`GL_MAX_SAMPLE_MASK_WORDS`).
+pub const MAX_SAMPLE_MASK_WORDS: u8 = 1;
 /// `gl_MaxDrawBuffers`: how many elements `gl_FragData` has.
 pub const MAX_DRAW_BUFFERS: u8 = 8;
 /// `GL_MAX_DUAL_SOURCE_DRAW_BUFFERS`: how many draw buffers have a second colour.

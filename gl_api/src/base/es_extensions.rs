@@ -4,6 +4,7 @@
 /// The names, by alphabet.
 pub const EXTENSIONS_OF_ES: &[&str] = &[
     "GL_APPLE_clip_distance",
+    "GL_EXT_blend_func_extended",
     "GL_EXT_blend_minmax",
     "GL_EXT_buffer_storage",
     "GL_EXT_clip_control",

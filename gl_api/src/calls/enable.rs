@@ -10,6 +10,7 @@ use crate::interface::ATTRIB_TEX_COORD;
 use crate::objects::target::TARGET;
 use crate::state::enable::{CAPABILITY, CLIENT_ARRAY, Capability, Flag, Switch};
 use crate::state::evaluators::MAP;
+use crate::state::fragment::MORE_SCISSOR_TESTS;
 
 /// A capability of any kind.
 pub(crate) fn capability(cap: GLenum) -> Result<Capability> {
@@ -37,6 +38,11 @@ fn is_already(context: &Context, capability: Capability, to: Switch) -> bool {
     let on = to == Switch::On;
     match capability {
         Capability::Flag(Flag::Blend | Flag::ColorMaterial) => false,
+        Capability::Flag(Flag::ScissorTest) => {
+            let all = if on { MORE_SCISSOR_TESTS } else { 0 };
+            let first = context.state.enables.has(Flag::ScissorTest);
+            first == on && context.state.fragment.scissor_tests == all
+        }
         Capability::Flag(flag) => context.state.enables.has(flag) == on,
         Capability::Texture(target) => {
             context.state.units.active().enabled[target as usize] == on
@@ -80,6 +86,10 @@ fn switch(context: &mut Context, cap: GLenum, to: Switch) -> Result<()> {
                 keep_tracked(context);
             }
             context.state.enables.set(flag, on);
+            if flag == Flag::ScissorTest {
+                let all = if on { MORE_SCISSOR_TESTS } else { 0 };
+                context.state.fragment.scissor_tests = all;
+            }
             if flag == Flag::Blend {
                 for buffer in &mut context.state.fragment.buffers {
                     buffer.blend = on;

@@ -75,6 +75,9 @@ impl DrawNote {
                 format!("gl_PointCoord.{}", component_name("st", component.into()))
             }
             Input::Coverage => "coverage".into(),
+            Input::SampleId => "gl_SampleID".into(),
+            Input::SamplePosition(Axis::X) => "gl_SamplePosition.x".into(),
+            Input::SamplePosition(Axis::Y) => "gl_SamplePosition.y".into(),
             Input::LineDirection(Axis::X) => "direction of the line, x".into(),
             Input::LineDirection(Axis::Y) => "direction of the line, y".into(),
             Input::Attribute { location, component } => {

@@ -8,7 +8,7 @@ use crate::context::recorder::elements::{Elements, bit};
 use crate::context::recorder::emitted_state::DrawDecisions;
 use crate::context::recorder::stages::{Reads, Textures};
 use crate::draw::pass::begin_pass;
-use crate::draw::pipeline::{pipeline, scissor};
+use crate::draw::pipeline::{more_viewports, pipeline, scissor};
 use crate::draw::warnings;
 use crate::draw::watched_pixel::{is_watched, watch_draw};
 use rasterizer::driver::{
@@ -100,6 +100,7 @@ fn emit_pipeline(context: &mut Context, desc: PipelineDesc) -> Result<()> {
         let pipeline = pipeline(context, &desc)?;
         context.recorder.emitted.attributes =
             pipeline.attributes().fold(0, |all, at| all | bit(at));
+        context.recorder.emitted.chooses_viewports = pipeline.chooses_viewports();
         context.recorder.push(Command::BindPipeline(pipeline));
         context.recorder.emitted.pipeline = Some(desc);
     }
@@ -109,6 +110,14 @@ fn emit_pipeline(context: &mut Context, desc: PipelineDesc) -> Result<()> {
 /// Emits what differs of the rasterizer's state, viewport, scissor and counter.
 fn emit_state(context: &mut Context, raster: RasterState, viewport: Viewport) {
     let scissor = scissor(context);
+    if context.recorder.emitted.chooses_viewports {
+        let more = more_viewports(context);
+        let emitted = &mut context.recorder.emitted;
+        if emitted.more_viewports.as_ref() != Some(&more) {
+            emitted.more_viewports = Some(more.clone());
+            context.recorder.push(Command::SetMoreViewports(more));
+        }
+    }
     let recorder = &mut context.recorder;
     let (emitted, commands) = (&mut recorder.emitted, &mut recorder.commands);
     if emitted.raster.as_deref() != Some(&raster) {

@@ -125,7 +125,7 @@ pub(crate) fn drawn_area(context: &Context, pass: &PassDesc) -> Rect {
     if !context.state.enables.has(Flag::ScissorTest) {
         return all;
     }
-    let scissor = context.state.fragment.scissor;
+    let scissor = context.state.fragment.scissor.first;
     let region = Region::new(scissor.x, scissor.y, scissor.width as usize, scissor.height as usize);
     match region.within(pass.width, pass.height) {
         Some(visible) => Rect {

@@ -8,22 +8,28 @@ use crate::state::enable::Flag;
 use crate::state::stencil::Side;
 use crate::state::viewport::WindowTransform;
 use rasterizer::driver::{
-    ClipControl, ClipOrigin, ColorState, Cull, DepthClip, DepthState, FrontFace, OutputState,
-    PassDesc, Pipeline, PipelineDesc, Rect, ShaderModule, SrgbWrite, Topology, Viewport,
+    ClipControl, ClipOrigin, ColorState, Cull, DepthClip, DepthState, FrontFace, MAX_VIEWPORTS,
+    OutputState, PassDesc, Pipeline, PipelineDesc, Rect, ScissoredViewport, ShaderModule,
+    SrgbWrite, Topology, Viewport,
 };
+use std::sync::Arc;
 
 /// When there are this many pipelines, all are dropped.
 const MAX_PIPELINES: usize = 1024;
 
 /// The viewport, with its range of depths.
 pub(crate) fn viewport(context: &Context) -> Viewport {
-    let viewport = &context.state.viewport;
+    numbered_viewport(context, 0)
+}
+
+fn numbered_viewport(context: &Context, number: usize) -> Viewport {
+    let viewport = context.state.viewport.get(number);
     let [near, far] = viewport.depth;
     Viewport {
-        x: viewport.x as f32,
-        y: viewport.y as f32,
-        width: viewport.width as f32,
-        height: viewport.height as f32,
+        x: viewport.x,
+        y: viewport.y,
+        width: viewport.width,
+        height: viewport.height,
         near: near as f32,
         far: far as f32,
         depth_clip: depth_clip(context),
@@ -48,7 +54,17 @@ pub(crate) fn rectangle_viewport(pass: &PassDesc, depth: f32) -> Viewport {
 
 /// The scissor rectangle, if the test is on.
 pub(crate) fn scissor(context: &Context) -> Option<Rect> {
-    context.state.enables.has(Flag::ScissorTest).then_some(context.state.fragment.scissor)
+    context.state.enables.has(Flag::ScissorTest).then_some(context.state.fragment.scissor.first)
+}
+
+/// The viewports from number 1 on, and their scissor rectangles.
+pub(crate) fn more_viewports(context: &Context) -> Arc<[ScissoredViewport]> {
+    let fragment = &context.state.fragment;
+    let numbered = |number: usize| ScissoredViewport {
+        viewport: numbered_viewport(context, number),
+        scissor: (fragment.scissor_tests >> number & 1 == 1).then(|| fragment.scissor.get(number)),
+    };
+    (1..MAX_VIEWPORTS).map(numbered).collect()
 }
 
 /// The state that a pipeline is made of; what has no effect is left at its default, so that equal
@@ -146,7 +162,7 @@ pub(crate) fn front_face(context: &Context) -> FrontFace {
 /// How positions of the current state become window coordinates.
 pub(crate) fn window_transform(context: &Context) -> WindowTransform<'_> {
     WindowTransform {
-        viewport: &context.state.viewport,
+        viewport: &context.state.viewport.first,
         control: context.state.clip.control,
         depth_clip: depth_clip(context),
     }

@@ -11,7 +11,7 @@ use crate::state::multisample::Multisample;
 use rasterizer::driver::{
     AlphaToCoverage, AlphaToOne, Antialiasing, LineState, LineStipple, MultisampleState, PointSize,
     PointState, PolygonMode, PolygonOffset, PolygonState, RasterState, SampleCoverage, SampleRule,
-    Stipple, Topology, VertexBinding, VertexSource,
+    SampleShading, Stipple, Topology, VertexBinding, VertexSource,
 };
 
 /// What the primitives of a draw are rasterized as.
@@ -149,7 +149,10 @@ pub(crate) fn multisample_state(context: &Context, rule: SampleRule) -> Multisam
     if !has(Flag::Multisample) || samples(context, state.bindings.draw_framebuffer) == 0 {
         return MultisampleState::default();
     }
-    let Multisample { value, invert, mask } = state.raster.multisample;
+    let Multisample { value, invert, mask, shaded } = state.raster.multisample;
+    let samples = samples(context, state.bindings.draw_framebuffer);
+    // At least max(⌈value · samples⌉, 1) of them are shaded (ARB_sample_shading, section 3.3.1): one, or each.
+    let is_each = has(Flag::SampleShading) && shaded * f32::from(samples) > 1.0;
     let coverage = match invert {
         false => SampleCoverage::Part(value),
         true => SampleCoverage::AllBut(value),
@@ -166,5 +169,6 @@ pub(crate) fn multisample_state(context: &Context, rule: SampleRule) -> Multisam
         },
         coverage: has(Flag::SampleCoverage).then_some(coverage),
         mask: if has(Flag::SampleMask) { mask } else { GLbitfield::MAX },
+        shading: if is_each { SampleShading::Each } else { SampleShading::Once },
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::base::inverse::{inverse, inverse_3, rescale_factor};
 use crate::context::Context;
-use crate::draw::completeness::draw_pass;
+use crate::draw::completeness::{draw_pass, samples};
 use crate::draw::material::material;
 use crate::interface::*;
 use crate::state::light::Light;
@@ -94,7 +94,7 @@ fn put_state(context: &Context, words: &mut [u32], binding: StateBinding) {
             put(words, word, inverse.transpose().to_cols_array());
         }
         StateVar::DepthRange => {
-            let [near, far] = state.viewport.depth;
+            let [near, far] = state.viewport.first.depth;
             put(words, word, [near, far, far - near]);
         }
         StateVar::TextureEnvColor(unit) => {
@@ -115,6 +115,10 @@ fn put_state(context: &Context, words: &mut [u32], binding: StateBinding) {
         StateVar::FramebufferHeight => {
             let height = draw_pass(context).map_or(0, |pass| pass.height);
             put(words, word, [height.into()]);
+        }
+        StateVar::SampleCount => {
+            let samples = samples(context, state.bindings.draw_framebuffer);
+            words[word as usize] = u32::from(samples.max(1));
         }
         StateVar::ClipPlane(plane) => {
             if let Some(plane) = state.clip.planes.get(usize::from(plane)) {

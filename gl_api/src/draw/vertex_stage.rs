@@ -50,6 +50,8 @@ fn input(
         | Input::PointCoord(_)
         | Input::Gradient { .. }
         | Input::Coverage
+        | Input::SampleId
+        | Input::SamplePosition(_)
         | Input::LineDirection(_) => *out = U32s::splat(0),
     }
 }

@@ -78,7 +78,9 @@ fn primitive(page: &mut Page, fragment: &Fragment) {
 fn value(input: Input, bits: u32) -> String {
     match input {
         Input::FrontFacing => (bits != 0).to_string(),
-        Input::VertexId | Input::InstanceId | Input::PrimitiveId => (bits as i32).to_string(),
+        Input::VertexId | Input::InstanceId | Input::PrimitiveId | Input::SampleId => {
+            (bits as i32).to_string()
+        }
         Input::Attribute { .. }
         | Input::OfVertex { .. }
         | Input::Varying(_)
@@ -86,6 +88,7 @@ fn value(input: Input, bits: u32) -> String {
         | Input::FragCoord(_)
         | Input::PointCoord(_)
         | Input::Coverage
+        | Input::SamplePosition(_)
         | Input::LineDirection(_) => number(f32::from_bits(bits)),
     }
 }

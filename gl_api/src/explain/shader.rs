@@ -47,6 +47,7 @@ pub fn steps(page: &mut Page, fragment: &Fragment, note: &DrawNote) {
                 }
                 Output::Depth => "depth".into(),
                 Output::StencilReference => "stencil reference".into(),
+                Output::SampleMask => "sample mask".into(),
                 Output::Color { .. }
                 | Output::Position(_)
                 | Output::PointSize

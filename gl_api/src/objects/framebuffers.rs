@@ -59,8 +59,10 @@ pub(crate) struct Planes {
 }
 
 impl Planes {
-    /// Of textures, whose formats say what there is.
+    /// Of most textures, whose stored formats say what there is.
     pub const BOTH: Self = Self { depth: true, stencil: true };
+    /// Of textures of stencils alone, which are stored beside depths.
+    pub const STENCIL: Self = Self { depth: false, stencil: true };
 }
 
 /// A framebuffer object.

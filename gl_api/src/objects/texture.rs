@@ -3,6 +3,7 @@
 use crate::base::constants::*;
 use crate::base::limits;
 use crate::base::types::*;
+use crate::objects::framebuffers::Planes;
 use crate::objects::sampler::SamplerState;
 pub(crate) use crate::objects::target::TextureTarget;
 use crate::objects::texture_buffer::DataStore;
@@ -158,6 +159,22 @@ impl Texture {
         sampler
     }
 
+    /// The internal format of a level; `GL_NONE` of one that there is not.
+    pub fn internal(&self, face: usize, level: usize) -> GLenum {
+        let levels = self.requested.get(face);
+        levels.and_then(|levels| levels.get(level)).copied().unwrap_or(GL_NONE)
+    }
+
+    /// Whether it is of stencils alone (`ARB_texture_stencil8`).
+    pub fn is_of_stencils(&self) -> bool {
+        formats::is_of_stencils(self.internal(0, self.sampler().base_level as usize))
+    }
+
+    /// Which of depth and stencil it has as an attachment.
+    pub fn planes(&self) -> Planes {
+        if self.is_of_stencils() { Planes::STENCIL } else { Planes::BOTH }
+    }
+
     /// To be called after every change except of parameters, which the plan is compared with.
     pub fn changed(&mut self) {
         self.plan = None;
@@ -199,8 +216,10 @@ impl Texture {
             }
         };
         let plan = match self.depth_stencil {
-            DepthStencilMode::Depth => SamplePlan::new(&texels, sampler),
-            DepthStencilMode::Stencil => SamplePlan::new(&stencil_texels(&texels), sampler),
+            DepthStencilMode::Depth if !self.is_of_stencils() => SamplePlan::new(&texels, sampler),
+            DepthStencilMode::Depth | DepthStencilMode::Stencil => {
+                SamplePlan::new(&stencil_texels(&texels), sampler)
+            }
         };
         let plan = Arc::new(plan);
         let first = Planned { sampler: sampler.clone(), plan, draws: Draws::One };

@@ -159,6 +159,10 @@ impl<'a> Conversion<'a> {
         let numbers = texel::numbers(format, layout.pixel.numbers);
         let steps = transfer.of(layout.pixel.format.kind(), numbers);
         let from = PixelRecord::client(layout, layout.pixel.elements(numbers));
+        if layout.pixel.format == ClientFormat::Stencil && format.has_stencil() {
+            let records = [from, PixelRecord::stencil(format)];
+            return Self::new(isa, records, steps, LuminanceOf::Red, None);
+        }
         Self::to_texels(isa, from, format, steps)
     }
 
@@ -208,6 +212,13 @@ impl<'a> Conversion<'a> {
     pub fn stencils(isa: Isa, from: Format, transfer: &'a Transfer) -> Self {
         let steps = transfer.of(TransferKind::Stencil, Numbers::Integer);
         Self::to_texels(isa, PixelRecord::stencil(from), Format::R8UI, steps)
+    }
+
+    /// The stencils of texels of one format as those of another, whose depths are 0.
+    fn between_stencils(isa: Isa, from: Format, to: Format, transfer: &'a Transfer) -> Self {
+        let steps = transfer.of(TransferKind::Stencil, Numbers::Integer);
+        let records = [from, to].map(PixelRecord::stencil);
+        Self::new(isa, records, steps, LuminanceOf::Red, None)
     }
 
     /// Bytes as the stencils of texels, whose depths are 0.
@@ -420,6 +431,19 @@ pub(crate) fn transcode(
 ) -> Vec<u8> {
     let mut out = vec![0; texels.len() / from.bytes() * to.bytes()];
     Conversion::between(isa, from, to, transfer).run(texels, &mut out);
+    out
+}
+
+/// The stencils of texels of one format as those of another.
+pub(crate) fn transcode_stencils(
+    isa: Isa,
+    from: Format,
+    texels: &[u8],
+    to: Format,
+    transfer: &Transfer,
+) -> Vec<u8> {
+    let mut out = vec![0; texels.len() / from.bytes() * to.bytes()];
+    Conversion::between_stencils(isa, from, to, transfer).run(texels, &mut out);
     out
 }
 

@@ -161,6 +161,7 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     "GL_ARB_sync",
     "GL_ARB_texture_cube_map_array",
     "GL_ARB_texture_gather",
+    "GL_ARB_sample_shading",
     "GL_ARB_texture_multisample",
     "GL_ARB_texture_query_lod",
     "GL_ARB_uniform_buffer_object",
@@ -187,6 +188,7 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     "GL_ARB_transform_feedback2",
     "GL_ARB_transform_feedback3",
     "GL_ARB_vertex_type_2_10_10_10_rev",
+    "GL_ARB_viewport_array",
     // 2011
     "GL_ARB_base_instance",
     "GL_ARB_internalformat_query",
@@ -194,10 +196,14 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     "GL_ARB_shading_language_packing",
     "GL_ARB_texture_storage",
     // 2012
+    "GL_AMD_vertex_shader_layer",
+    "GL_AMD_vertex_shader_viewport_index",
     "GL_ARB_arrays_of_arrays",
     "GL_ARB_clear_buffer_object",
     "GL_ARB_copy_image",
     "GL_ARB_explicit_uniform_location",
+    "GL_ARB_fragment_layer_viewport",
+    "GL_ARB_internalformat_query2",
     "GL_ARB_multi_draw_indirect",
     "GL_ARB_stencil_texturing",
     "GL_ARB_texture_buffer_range",
@@ -210,6 +216,7 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     "GL_ARB_buffer_storage",
     "GL_ARB_clear_texture",
     "GL_ARB_texture_mirror_clamp_to_edge",
+    "GL_ARB_texture_stencil8",
     // 2014
     "GL_ARB_clip_control",
     "GL_ARB_cull_distance",
@@ -222,6 +229,8 @@ pub(crate) const EXTENSIONS: &[&str] = &[
 /// Extensions that the registry has for the compatibility profile alone, and that Mesa's core contexts list: programs
 /// look for them where what they add is part of the version.
 const ALSO_OF_CORE: &[&str] = &[
+    "GL_AMD_vertex_shader_layer",
+    "GL_AMD_vertex_shader_viewport_index",
     "GL_ARB_half_float_pixel",
     "GL_ARB_pixel_buffer_object",
     "GL_ARB_shader_texture_lod",

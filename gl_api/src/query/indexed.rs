@@ -3,17 +3,20 @@
 
 use crate::base::constants::*;
 use crate::base::error::{Result, invalid_enum};
-use crate::base::query_value::{QueryValue, put, put_bools, put_ints, put_longs};
+use crate::base::query_value::{
+    QueryValue, flag, floats, put, put_bools, put_doubles, put_floats, put_ints, put_longs,
+};
 use crate::base::types::*;
 use crate::calls::buffer::indexed::{Numbered, range};
-use crate::calls::fragment::masks::{SECTION, indexed};
+use crate::calls::fragment::masks::{self, SECTION};
 use crate::calls::raster::multisample::checked_word;
+use crate::calls::transform::viewport_arrays::viewport_index;
 use crate::calls::vertex::bindings::binding_point;
 use crate::context::Context;
 use crate::objects::arrays::VertexBufferBinding;
 use crate::state::blend::Formula;
 use crate::state::draw_buffers::{BufferState, buffer_index};
-use Read::{Flag, Flags, Number};
+use Read::{Flag, Flags, Number, Value};
 
 /// Where an indexed value is, and its type.
 enum Read {
@@ -24,10 +27,33 @@ enum Read {
     Formula,
     /// A number that is checked for its index here.
     Number(fn(&Context, GLuint) -> Result<GLint64>),
+    /// Of a viewport, whose number is checked here; OpenGL ES has but one.
+    Value(fn(&Context, GLuint) -> Result<QueryValue>),
 }
 
 const ROWS: &[(GLenum, Read)] = &[
     (GL_BLEND, Flag(|buffer| buffer.blend)),
+    (GL_SCISSOR_TEST, Value(|context, index| flag(masks::is_on(context, GL_SCISSOR_TEST, index)?))),
+    (
+        GL_SCISSOR_BOX,
+        Value(|context, index| {
+            let area = context.state.fragment.scissor.get(viewport_index("index", index)?);
+            Ok(QueryValue::Ints(vec![area.x, area.y, area.width as i32, area.height as i32]))
+        }),
+    ),
+    (
+        GL_VIEWPORT,
+        Value(|context, index| {
+            floats(&context.state.viewport.get(viewport_index("index", index)?).sides())
+        }),
+    ),
+    (
+        GL_DEPTH_RANGE,
+        Value(|context, index| {
+            let depth = context.state.viewport.get(viewport_index("index", index)?).depth;
+            Ok(QueryValue::Floats(depth.to_vec()))
+        }),
+    ),
     (GL_COLOR_WRITEMASK, Flags(|buffer| buffer.mask)),
     (GL_BLEND_SRC, Read::Formula),
     (GL_BLEND_SRC_RGB, Read::Formula),
@@ -91,7 +117,9 @@ impl Indexed {
 
 fn indexed_state(context: &Context, target: GLenum, index: GLuint) -> Result<Indexed> {
     let buffer = || Ok(&context.state.fragment.buffers[buffer_index("index", index)?]);
-    let row = ROWS.iter().find(|row| row.0 == target);
+    let is_of_viewports = |row: &Read| matches!(row, Value(_));
+    let is_there = |row: &Read| !is_of_viewports(row) || !context.profile.is_es();
+    let row = ROWS.iter().find(|row| row.0 == target && is_there(&row.1));
     Ok(Indexed::Value(match row.map(|row| &row.1) {
         Some(Flag(read)) => QueryValue::Bools(vec![read(buffer()?)]),
         Some(Flags(read)) => QueryValue::Bools(read(buffer()?).to_vec()),
@@ -99,13 +127,15 @@ fn indexed_state(context: &Context, target: GLenum, index: GLuint) -> Result<Ind
             let formula: &Formula = &buffer()?.formula;
             QueryValue::Word(formula.get(target).unwrap_or_default())
         }
+        Some(Value(read)) => read(context, index)?,
         Some(Number(read)) => return read(context, index).map(Indexed::Number),
         None => {
             return invalid_enum(
                 SECTION,
                 format!(
                     "target = {} must be GL_BLEND, GL_BLEND_SRC_RGB or another part of a blend \
-                     formula, GL_COLOR_WRITEMASK, GL_SAMPLE_MASK_VALUE, a vertex buffer or an indexed buffer",
+                     formula, GL_COLOR_WRITEMASK, GL_SAMPLE_MASK_VALUE, GL_VIEWPORT, GL_DEPTH_RANGE, \
+                     GL_SCISSOR_BOX, GL_SCISSOR_TEST, a vertex buffer or an indexed buffer",
                     enum_name(target)
                 ),
             );
@@ -114,8 +144,25 @@ fn indexed_state(context: &Context, target: GLenum, index: GLuint) -> Result<Ind
 }
 
 pub(crate) fn is_enabledi(context: &mut Context, target: GLenum, index: GLuint) -> Result<bool> {
-    let buffer = indexed(target, index)?;
-    Ok(context.state.fragment.buffers[buffer].blend)
+    masks::is_on(context, target, index)
+}
+
+pub(crate) fn get_floati_v(
+    context: &mut Context,
+    target: GLenum,
+    index: GLuint,
+    data: &mut [GLfloat],
+) -> Result<()> {
+    put_floats(data, indexed_state(context, target, index)?.value())
+}
+
+pub(crate) fn get_doublei_v(
+    context: &mut Context,
+    target: GLenum,
+    index: GLuint,
+    data: &mut [GLdouble],
+) -> Result<()> {
+    put_doubles(data, indexed_state(context, target, index)?.value())
 }
 
 pub(crate) fn get_booleani_v(

@@ -42,6 +42,7 @@ const FLAGS: &[(GLbitfield, &[Flag])] = &[
             Flag::SampleAlphaToOne,
             Flag::SampleCoverage,
             Flag::SampleMask,
+            Flag::SampleShading,
         ],
     ),
     (GL_POINT_BIT, &[Flag::PointSmooth, Flag::PointSprite]),
@@ -253,6 +254,7 @@ fn restore_switches(state: &mut State, saved: &Switches, units_version: u64) {
     }
     state.evaluators.take_enabled(&saved.evaluators);
     state.clip.enabled = saved.clip;
+    state.fragment.scissor_tests = saved.scissor_tests;
     for (buffer, &saved) in state.fragment.buffers.iter_mut().zip(&saved.blend) {
         buffer.blend = saved;
     }
@@ -338,6 +340,7 @@ fn restore_fragments(
     let has = |bit| mask & bit != 0;
     if has(GL_SCISSOR_BIT) {
         now.scissor = saved.scissor;
+        now.scissor_tests = saved.scissor_tests;
     }
     if has(GL_DEPTH_BUFFER_BIT) {
         now.depth_func = saved.depth_func;

@@ -64,6 +64,7 @@ pub(crate) struct Switches {
     pub lights: u8,
     pub clip: u8,
     pub evaluators: EvaluatorState,
+    pub scissor_tests: u16,
     pub blend: [bool; limits::MAX_COLOR_ATTACHMENTS],
     /// Of each unit: enabled targets and generated coordinates.
     pub units:
@@ -76,6 +77,7 @@ impl Switches {
             lights: state.lights.enabled,
             clip: state.clip.enabled,
             evaluators: state.evaluators,
+            scissor_tests: state.fragment.scissor_tests,
             blend: state.fragment.buffers.each_ref().map(|buffer| buffer.blend),
             units: state.units.units.each_ref().map(|unit| unit.switches()),
         }

@@ -2,6 +2,7 @@
 
 use crate::base::types::*;
 use crate::state::draw_buffers::BufferStates;
+use crate::state::per_viewport::PerViewport;
 use crate::state::stencil::Stencil;
 use rasterizer::driver::{DepthWrite, LogicOp, Rect};
 use texunit::sampler::Compare;
@@ -9,7 +10,9 @@ use texunit::sampler::Compare;
 /// State of per-fragment operations.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct FragmentState {
-    pub scissor: Rect,
+    pub scissor: PerViewport<Rect>,
+    /// Whether the scissor test of the viewports from number 1 on is enabled, bit by number.
+    pub scissor_tests: u16,
     pub alpha_func: Compare,
     pub alpha_ref: f32,
     pub depth_func: Compare,
@@ -21,6 +24,9 @@ pub(crate) struct FragmentState {
     /// Of colour index mode; kept, not used.
     pub index_mask: GLuint,
 }
+
+/// All viewports from number 1 on, in [`FragmentState::scissor_tests`].
+pub(crate) const MORE_SCISSOR_TESTS: u16 = !1;
 
 /// The clear colour.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -16,6 +16,7 @@ pub(crate) mod locked_arrays;
 pub(crate) mod material;
 pub(crate) mod matrix;
 pub(crate) mod multisample;
+pub(crate) mod per_viewport;
 pub(crate) mod plain;
 pub(crate) mod points;
 pub(crate) mod polygon;
@@ -49,7 +50,7 @@ use crate::state::raster::RasterState;
 use crate::state::raster_position::RasterPosition;
 use crate::state::texture_units::Units;
 use crate::state::versioned::Versioned;
-use crate::state::viewport::ViewportState;
+use crate::state::viewport::{Viewport, ViewportState};
 
 /// The bound objects, as references or names; 0 where none is bound.
 #[derive(Clone, Debug, Default)]
@@ -113,7 +114,7 @@ impl State {
         current[usize::from(ATTRIB_NORMAL)] = [0.0, 0.0, 1.0, 1.0];
         Self {
             matrices: Matrices::default(),
-            viewport: ViewportState::new(width, height),
+            viewport: ViewportState::new(Viewport::new(width, height)),
             current,
             arrays: crate::objects::arrays::Arrays::default(),
             restart_index: 0,

@@ -1,28 +1,37 @@
 //! The viewport transformation: GL 2.1, section 2.11.1.
 
+use crate::state::per_viewport::PerViewport;
 use rasterizer::driver::{ClipControl, ClipDepth, ClipOrigin, DepthClip};
 
-/// The viewport and the depth range.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct ViewportState {
-    pub x: i32,
-    pub y: i32,
-    pub width: i32,
-    pub height: i32,
+/// The viewports, with their depth ranges.
+pub(crate) type ViewportState = PerViewport<Viewport>;
+
+/// A viewport and its depth range.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Viewport {
+    pub x: f32,
+    pub y: f32,
+    pub width: f32,
+    pub height: f32,
     /// Window depth of the near and far planes, 0 to 1.
     pub depth: [f64; 2],
 }
 
-impl ViewportState {
+impl Viewport {
     pub fn new(width: u32, height: u32) -> Self {
-        Self { x: 0, y: 0, width: width as i32, height: height as i32, depth: [0.0, 1.0] }
+        Self { x: 0.0, y: 0.0, width: width as f32, height: height as f32, depth: [0.0, 1.0] }
+    }
+
+    /// As `glGet` gives it.
+    pub fn sides(&self) -> [f32; 4] {
+        [self.x, self.y, self.width, self.height]
     }
 }
 
 /// How positions become window coordinates.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct WindowTransform<'a> {
-    pub viewport: &'a ViewportState,
+    pub viewport: &'a Viewport,
     pub control: ClipControl,
     pub depth_clip: DepthClip,
 }
@@ -33,7 +42,7 @@ impl WindowTransform<'_> {
     pub fn window(&self, [x, y, z, w]: [f64; 4]) -> [f64; 3] {
         let Self { viewport, control, depth_clip } = self;
         let along =
-            |c: f64, start: i32, size: i32| f64::from(start) + (c + 1.0) * f64::from(size) / 2.0;
+            |c: f64, start: f32, size: f32| f64::from(start) + (c + 1.0) * f64::from(size) / 2.0;
         let y = match control.origin {
             ClipOrigin::LowerLeft => y / w,
             ClipOrigin::UpperLeft => -(y / w),

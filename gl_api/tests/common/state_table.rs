@@ -105,6 +105,8 @@ pub const STATE: &[Row] = rows! {
         GL_TRANSPOSE_TEXTURE_MATRIX Number IDENTITY;
         GL_VIEWPORT Number &[0.0, 0.0, 16.0, 8.0];
         GL_DEPTH_RANGE Fraction &[0.0, 1.0];
+        GL_LAYER_PROVOKING_VERTEX Number enums![GL_PROVOKING_VERTEX];
+        GL_VIEWPORT_INDEX_PROVOKING_VERTEX Number enums![GL_PROVOKING_VERTEX];
         GL_CLIP_ORIGIN Number enums![GL_LOWER_LEFT];
         GL_CLIP_DEPTH_MODE Number enums![GL_NEGATIVE_ONE_TO_ONE];
         GL_MODELVIEW_STACK_DEPTH Number T;
@@ -190,6 +192,8 @@ pub const STATE: &[Row] = rows! {
         GL_SAMPLE_COVERAGE_VALUE Number T;
         GL_SAMPLE_COVERAGE_INVERT Number F;
         GL_SAMPLE_MASK Number F;
+        GL_SAMPLE_SHADING Number F;
+        GL_MIN_SAMPLE_SHADING_VALUE Number F;
     }
     "6.17 to 6.20, textures" {
         GL_TEXTURE_1D Number F;
@@ -402,6 +406,9 @@ pub const LEAST: &[Row] = rows! {
         GL_MAX_LIST_NESTING Number &[64.0];
         GL_MAX_EVAL_ORDER Number &[8.0];
         GL_MAX_VIEWPORT_DIMS Number &[16.0, 8.0];
+        GL_MAX_VIEWPORTS Number &[16.0];
+        GL_VIEWPORT_SUBPIXEL_BITS Number F;
+        GL_VIEWPORT_BOUNDS_RANGE Number &[-16384.0, 16383.0];
     }
     "6.38" {
         GL_MAX_ATTRIB_STACK_DEPTH Number &[16.0];

@@ -12,6 +12,7 @@ mod clamps;
 mod depth_tiles;
 mod integers;
 mod rectangles;
+mod sample_shading;
 mod sample_textures;
 mod samples;
 mod second_colors;

@@ -118,6 +118,15 @@ pub const EXTENDED_100: &[(&str, Row)] = &[
         ("", Fragment, Accepted, "void main() { gl_FragData[3] = vec4(1.0); }"),
     ),
     (
+        "GL_EXT_blend_func_extended",
+        (
+            "",
+            Fragment,
+            Accepted,
+            "void main() { gl_FragColor = vec4(0.0); gl_SecondaryFragColorEXT = vec4(float(gl_MaxDualSourceDrawBuffersEXT)); }",
+        ),
+    ),
+    (
         "GL_APPLE_clip_distance",
         (
             "",

@@ -59,7 +59,7 @@ const CASES: &[Case] = &[
     (
         |c| typed(c, GL_BGRA, GL_RGBA, GL_FLOAT),
         GL_INVALID_VALUE,
-        "GL_BGRA must be one of 164 values; near in name: GL_",
+        "GL_BGRA must be one of 169 values; near in name: GL_",
     ),
     (|c| typed(c, 5, GL_RGBA, GL_FLOAT), GL_INVALID_VALUE, "internalformat = 5 must be 1 to 4, or"),
     (|c| typed(c, GL_RGBA, GL_COLOR, GL_FLOAT), GL_INVALID_ENUM, "format = GL_COLOR"),
@@ -214,7 +214,7 @@ const CASES: &[Case] = &[
     (|c| c.enable(GL_TEXTURE_2D_ARRAY), GL_INVALID_ENUM, "shaders alone, which need no glEnable"),
     (|c| c.enable(GL_CLIP_DISTANCE0 + 9), GL_INVALID_ENUM, "such as GL_ALPHA_TEST, GL_AUTO_NORMAL"),
     (|c| c.enable(GL_TEXTURE_GEN_MODE), GL_INVALID_ENUM, "near in name: GL_TEXTURE_GEN_S"),
-    (|c| c.enable(GL_LINEAR), GL_INVALID_ENUM, "cap = GL_LINEAR must be one of 68 values"),
+    (|c| c.enable(GL_LINEAR), GL_INVALID_ENUM, "cap = GL_LINEAR must be one of 69 values"),
     (|c| c.enable_client_state(GL_TEXTURE_2D), GL_INVALID_ENUM, "GL_VERTEX_ARRAY"),
     (|c| c.cull_face(GL_CW), GL_INVALID_ENUM, "mode = GL_CW must be GL_FRONT, GL_BACK or"),
     (|c| c.front_face(GL_FRONT), GL_INVALID_ENUM, "GL_CCW or GL_CW"),

@@ -88,6 +88,7 @@ const CANNOT_FAIL: &[(&str, &[&str])] = &[
             "glIndexs",
             "glIndexub",
             "glLineStipple",
+            "glMinSampleShading",
             "glListBase",
             "glNormal3b",
             "glNormal3d",

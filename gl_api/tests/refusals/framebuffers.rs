@@ -46,15 +46,27 @@ const CASES: &[Case] = &[
     ),
     (
         nothing,
-        |c| c.get_internalformativ(GL_TEXTURE_2D, GL_RGBA8, GL_SAMPLES, 1, &mut [0]),
+        |c| c.get_internalformativ(GL_PROXY_TEXTURE_2D, GL_RGBA8, GL_SAMPLES, 1, &mut [0]),
         GL_INVALID_ENUM,
-        "target = GL_TEXTURE_2D",
+        "target = GL_PROXY_TEXTURE_2D",
     ),
     (
         nothing,
-        |c| c.get_internalformativ(GL_RENDERBUFFER, GL_RGB9_E5, GL_SAMPLES, 1, &mut [0]),
+        |c| c.get_internalformati64v(GL_TEXTURE, GL_RGBA8, GL_SAMPLES, 1, &mut [0]),
         GL_INVALID_ENUM,
-        "internalformat = GL_RGB9_E5",
+        "target = GL_TEXTURE",
+    ),
+    (
+        nothing,
+        |c| c.get_internalformati64v(GL_TEXTURE_2D, GL_RGBA8, GL_RGBA, 1, &mut [0]),
+        GL_INVALID_ENUM,
+        "pname = GL_RGBA",
+    ),
+    (
+        nothing,
+        |c| c.get_internalformati64v(GL_TEXTURE_2D, GL_RGBA8, GL_MAX_WIDTH, -1, &mut [0]),
+        GL_INVALID_VALUE,
+        "bufSize = -1",
     ),
     (
         nothing,
@@ -283,6 +295,15 @@ const CASES: &[Case] = &[
         },
         GL_INVALID_OPERATION,
         "GL_TEXTURE_BUFFER",
+    ),
+    (
+        |c| {
+            c.bind_texture(GL_TEXTURE_CUBE_MAP, 1);
+            framebuffer(c);
+        },
+        |c| c.framebuffer_texture_layer(FB, C0, 1, 0, 6),
+        GL_INVALID_VALUE,
+        "layer = 6 must be 0 to 5",
     ),
     (
         nothing,

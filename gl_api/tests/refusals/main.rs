@@ -30,6 +30,7 @@ mod transform_feedback;
 mod uniform_buffers;
 mod vertex_arrays;
 mod vertices;
+mod viewports;
 
 use common::refusal::{Row, run};
 use gl_api::*;
@@ -88,6 +89,7 @@ fn each_refusal_sets_its_flag_says_why_and_changes_nothing_and_each_call_has_one
         uniform_buffers::run,
         vertex_arrays::run,
         vertices::run,
+        viewports::run,
     ];
     std::thread::scope(|scope| {
         for table in tables {

@@ -25,8 +25,10 @@ mod packed;
 mod provoking;
 mod selection;
 mod state;
+mod stencil_textures;
 mod stencil_texturing;
 mod stored_texels;
+mod viewports;
 mod windows;
 
 use gl_api::*;

@@ -25,8 +25,10 @@ pub use primitive::{Cull, Facing, FrontFace, Provoking, Topology};
 pub use raster::{
     AlphaToCoverage, AlphaToOne, Antialiasing, LineState, LineStipple, MAX_LINE_WIDTH,
     MAX_POINT_SIZE, MultisampleState, PointSize, PointState, PolygonMode, PolygonOffset,
-    PolygonState, RasterState, SampleCoverage, SampleRule, SpriteOrigin, Stipple,
+    PolygonState, RasterState, SampleCoverage, SampleRule, SampleShading, SpriteOrigin, Stipple,
 };
 pub use vertex::{VertexBinding, VertexFormat, VertexSource, VertexType};
 pub(crate) use viewport::DepthTransform;
-pub use viewport::{ClipControl, ClipDepth, ClipOrigin, DepthClip, Rect, Viewport};
+pub use viewport::{
+    ClipControl, ClipDepth, ClipOrigin, DepthClip, MAX_VIEWPORTS, Rect, ScissoredViewport, Viewport,
+};

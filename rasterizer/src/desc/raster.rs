@@ -177,6 +177,19 @@ pub struct MultisampleState {
     pub coverage: Option<SampleCoverage>,
     /// The samples that the mask keeps, bit by sample (`ARB_texture_multisample`, section 4.1.3).
     pub mask: u32,
+    /// How often fragments are shaded.
+    pub shading: SampleShading,
+}
+
+/// How often fragments of several samples are shaded (`ARB_sample_shading`). A program that reads a sample's number or
+/// position is run for each in any case.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum SampleShading {
+    /// Once.
+    #[default]
+    Once,
+    /// For each covered sample, at its position.
+    Each,
 }
 
 impl Default for MultisampleState {
@@ -187,6 +200,7 @@ impl Default for MultisampleState {
             alpha_to_one: AlphaToOne::default(),
             coverage: None,
             mask: u32::MAX,
+            shading: SampleShading::default(),
         }
     }
 }

@@ -122,6 +122,18 @@ pub(crate) struct DepthTransform {
     pub bias: f64,
 }
 
+/// A viewport of several, and the scissor rectangle of what is drawn in it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ScissoredViewport {
+    /// The viewport.
+    pub viewport: Viewport,
+    /// The scissor rectangle; `None` lets every pixel of the attachments through.
+    pub scissor: Option<Rect>,
+}
+
+/// The most viewports of a draw.
+pub const MAX_VIEWPORTS: usize = 16;
+
 /// A rectangle of pixels; row 0 is the lowest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Rect {

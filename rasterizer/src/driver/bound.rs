@@ -1,7 +1,7 @@
 //! The state that the commands of a pass set, and what draws decided from it.
 
 use super::command::Command;
-use crate::desc::{Counter, RasterState, Rect, VertexBinding, Viewport};
+use crate::desc::{Counter, RasterState, Rect, ScissoredViewport, VertexBinding, Viewport};
 use crate::plan::{DrawPlan, Pipeline, Textures, arrays, same_textures};
 use crate::shader::Prepared;
 use std::sync::Arc;
@@ -16,6 +16,8 @@ pub struct BoundState {
     pub uniforms: Arc<[u32]>,
     pub viewport: Viewport,
     pub scissor: Option<Rect>,
+    /// The viewports from number 1 on.
+    pub more_viewports: Arc<[ScissoredViewport]>,
     pub raster: Arc<RasterState>,
     pub counter: Option<Counter>,
     pub budget: u64,
@@ -30,6 +32,8 @@ pub struct BoundState {
 #[derive(Clone)]
 pub struct DrawDecisions {
     pub plan: Arc<DrawPlan>,
+    /// The plans of the viewports from number 1 on, where primitives choose.
+    pub more_plans: Arc<[Arc<DrawPlan>]>,
     /// The per-draw values of the vertex program.
     pub vertex: Arc<Prepared>,
     /// Those of the geometry program.
@@ -58,6 +62,7 @@ impl BoundState {
                 clip_control: Default::default(),
             },
             scissor: None,
+            more_viewports: Arc::new([]),
             counter: None,
             budget,
             first_primitive: 0,
@@ -89,6 +94,7 @@ impl BoundState {
             Command::SetUniforms(words) => self.uniforms = words.clone(),
             Command::SetRaster(raster) => self.raster = raster.clone(),
             Command::SetViewport(viewport) => self.viewport = *viewport,
+            Command::SetMoreViewports(all) => self.more_viewports = all.clone(),
             Command::SetCounter(counter) => self.counter = counter.clone(),
             Command::BindVertices(bindings) => {
                 let same = arrays(bindings) == arrays(&self.vertices);

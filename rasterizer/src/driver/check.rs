@@ -4,6 +4,7 @@ use super::command::{ClearValue, Command};
 use super::image::{AttachmentInfo, PassDesc};
 use super::report::SubmitError;
 use crate::attachment::is_attachable;
+use crate::desc::{MAX_VIEWPORTS, Viewport};
 
 /// Checks the order and the ranges of commands.
 pub fn check(commands: &[Command]) -> Result<(), SubmitError> {
@@ -36,14 +37,20 @@ pub fn check(commands: &[Command]) -> Result<(), SubmitError> {
             }
             Command::BindPipeline(_) => pipeline = true,
             Command::SetViewport(v) => {
-                let all = [v.x, v.y, v.width, v.height, v.near, v.far];
-                let fits = |v: f32| v.is_finite() && v.abs() <= 32768.0;
-                if !all.into_iter().all(fits) || v.width < 0.0 || v.height < 0.0 {
+                if !is_valid(v) {
                     return fail(
                         "SetViewport: numbers must be finite, at most 32768, sizes not negative",
                     );
                 }
                 viewport = true;
+            }
+            Command::SetMoreViewports(all) => {
+                if all.len() >= MAX_VIEWPORTS || !all.iter().all(|v| is_valid(&v.viewport)) {
+                    return fail(
+                        "SetMoreViewports: at most 15; numbers must be finite, at most 32768, \
+                         sizes not negative",
+                    );
+                }
             }
             Command::Clear { value, .. } => {
                 let nan = match value {
@@ -79,6 +86,12 @@ pub fn check(commands: &[Command]) -> Result<(), SubmitError> {
         });
     }
     Ok(())
+}
+
+fn is_valid(v: &Viewport) -> bool {
+    let all = [v.x, v.y, v.width, v.height, v.near, v.far];
+    let fits = |v: f32| v.is_finite() && v.abs() <= 32768.0;
+    all.into_iter().all(fits) && v.width >= 0.0 && v.height >= 0.0
 }
 
 fn check_pass(desc: &PassDesc) -> Result<(), String> {

@@ -2,6 +2,7 @@
 //! sorted by tiles, in parallel; what comes out is in the order of the primitives.
 
 mod emitted;
+mod viewports;
 
 pub use emitted::GeometryProgram;
 
@@ -13,7 +14,8 @@ use crate::shader::{Machine, OverBudget, Prepared};
 use crate::sizes::TILE;
 use crate::threads::{ObjectPool, ThreadPool};
 use crate::vertex::{
-    Geometry, Placement, Primitive, Primitives, VertexIds, VertexList, VertexStage, ordinals, shade,
+    Geometry, Layers, Placement, Primitive, Primitives, VertexIds, VertexList, VertexStage,
+    Viewports, ordinals, shade,
 };
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
@@ -49,6 +51,8 @@ pub struct DrawState<'a> {
     /// How many layers the attachments have.
     pub layers: u32,
     pub setup: Setup<'a>,
+    /// That of the viewports from number 1 on, where primitives choose; their draws follow this one.
+    pub more_setups: Vec<Setup<'a>>,
     /// How far the line stipple has come, in subpixels.
     pub stipple: u32,
     /// Which instances: several only of [`Self::instances_per_chunk`].
@@ -163,6 +167,9 @@ impl DrawState<'_> {
     /// # Errors
     /// When a batch of vertices runs over its budget.
     pub fn chunks(&mut self, range: Range<u32>) -> Result<Vec<(Chunk, Vec<TileBin>)>, OverBudget> {
+        if !self.more_setups.is_empty() {
+            return self.chunks_by_viewport(range);
+        }
         if let Some(program) = &self.geometry {
             return self.emitted_chunks(program, range);
         }
@@ -283,6 +290,8 @@ impl DrawState<'_> {
                 None => Placement::InWindow,
                 Some(_) => Placement::Nowhere,
             },
+            layers: self.layers(),
+            viewports: self.viewports(),
         };
         shade(&stage, &vertex_list.ids, self.instances.clone(), (geometry, first))?;
         for (part, varying) in [0, 16].into_iter().zip(numbered) {
@@ -297,6 +306,14 @@ impl DrawState<'_> {
             }
         }
         Ok(vertex_list)
+    }
+
+    fn layers(&self) -> Layers {
+        if self.layers > 1 { Layers::Several } else { Layers::One }
+    }
+
+    fn viewports(&self) -> Viewports {
+        if self.more_setups.is_empty() { Viewports::One } else { Viewports::Several }
     }
 
     /// Which of the varyings are the halves of the primitive's number, where the fragment stage reads

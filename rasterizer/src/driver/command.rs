@@ -1,7 +1,9 @@
 //! Commands. A command buffer is printable: its trace is its `Debug`.
 
 use super::image::PassDesc;
-use crate::desc::{Counter, Indices, RasterState, Rect, VertexBinding, Viewport};
+use crate::desc::{
+    Counter, Indices, RasterState, Rect, ScissoredViewport, VertexBinding, Viewport,
+};
 use crate::plan::Pipeline;
 use crate::trace::Watch;
 use std::ops::Range;
@@ -74,6 +76,9 @@ pub enum Command {
     SetViewport(Viewport),
     /// The scissor rectangle; `None` lets every pixel of the attachments through.
     SetScissor(Option<Rect>),
+    /// The viewports from number 1 on, for pipelines whose programs give the number of one
+    /// ([`Pipeline::chooses_viewports`]); none in a new pass. Number 0 is that of [`Self::SetViewport`].
+    SetMoreViewports(Arc<[ScissoredViewport]>),
     /// Records what all of the pass does to a pixel; the draws and clears to come carry its label.
     Watch(Watch),
     /// What counts the samples of the draws to come.

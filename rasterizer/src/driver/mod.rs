@@ -18,11 +18,11 @@ pub use crate::desc::{
     AlphaToCoverage, AlphaToOne, Antialiasing, Blend, BlendEquation, BlendFactor, Buffer,
     ClipControl, ClipDepth, ClipOrigin, ColorState, Counter, Cull, DepthClip, DepthState,
     DepthWrite, FrontFace, IndexType, Indices, LineState, LineStipple, LogicOp, MAX_LINE_WIDTH,
-    MAX_POINT_SIZE, MaskBlock, MultisampleState, OutputState, PipelineDesc, PipelineError,
-    PixelMask, PointSize, PointState, PolygonMode, PolygonOffset, PolygonState, Provoking,
-    RasterState, Rect, SampleCoverage, SampleRule, ShaderModule, SpriteOrigin, SrgbWrite,
-    StencilFace, StencilOp, StencilState, Stipple, Topology, Version, VertexBinding, VertexFormat,
-    VertexSource, VertexType, Viewport,
+    MAX_POINT_SIZE, MAX_VIEWPORTS, MaskBlock, MultisampleState, OutputState, PipelineDesc,
+    PipelineError, PixelMask, PointSize, PointState, PolygonMode, PolygonOffset, PolygonState,
+    Provoking, RasterState, Rect, SampleCoverage, SampleRule, SampleShading, ScissoredViewport,
+    ShaderModule, SpriteOrigin, SrgbWrite, StencilFace, StencilOp, StencilState, Stipple, Topology,
+    Version, VertexBinding, VertexFormat, VertexSource, VertexType, Viewport,
 };
 pub use crate::plan::{Pipeline, possible_samples, same_textures, sample_positions};
 pub use crate::primitive::{InvisibleReason, InvisibleReasons, PrimitiveKind, ViewVolumeSide};

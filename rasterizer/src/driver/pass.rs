@@ -13,7 +13,7 @@ use super::image::PassDesc;
 use super::report::SubmitReport;
 use super::resources::Resources;
 use crate::attachment::{DepthFormat, Surface, all_bits, component_bits, texel_words};
-use crate::desc::Rect;
+use crate::desc::{Rect, Viewport};
 use crate::plan::DrawPlan;
 use crate::raster::{ClearJob, PassJob, TileCommand};
 use crate::sizes::TILE;
@@ -30,6 +30,16 @@ const SMALL_DRAW: usize = 256;
 struct LayerSurfaces {
     colors: Vec<Option<Surface>>,
     depth: Option<Surface>,
+}
+
+/// The pixels of `area` that have their centre in the viewport.
+fn within(mut area: [[i32; 2]; 2], viewport: &Viewport) -> [[i32; 2]; 2] {
+    let [first, end] = viewport.pixels();
+    for axis in 0..2 {
+        area[0][axis] = area[0][axis].max(first[axis]);
+        area[1][axis] = area[1][axis].min(end[axis]);
+    }
+    area
 }
 
 /// A pass that is being recorded into bins.
@@ -112,6 +122,7 @@ impl<'a> Pass<'a> {
             | Command::SetRaster(_)
             | Command::SetViewport(_)
             | Command::SetScissor(_)
+            | Command::SetMoreViewports(_)
             | Command::SetCounter(_)
             | Command::SetBudget(_)
             | Command::SetFirstPrimitive(_) => self.bound.set(command),
@@ -145,16 +156,6 @@ impl<'a> Pass<'a> {
     /// The format of the depth attachment.
     fn depth_format(&self) -> Option<Format> {
         self.depth.as_ref().map(|surface| surface.format)
-    }
-
-    /// The pixels of `area` that have their centre in the viewport.
-    fn area_in_viewport(&self, mut area: [[i32; 2]; 2]) -> [[i32; 2]; 2] {
-        let [first, end] = self.bound.viewport.pixels();
-        for axis in 0..2 {
-            area[0][axis] = area[0][axis].max(first[axis]);
-            area[1][axis] = area[1][axis].min(end[axis]);
-        }
-        area
     }
 
     fn clear(&mut self, value: ClearValue, rect: Rect) {

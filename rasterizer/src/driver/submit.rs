@@ -27,6 +27,7 @@ pub fn run(resources: &Resources, thread_pool: &ThreadPool, commands: &[Command]
             | Command::SetRaster(_)
             | Command::SetViewport(_)
             | Command::SetScissor(_)
+            | Command::SetMoreViewports(_)
             | Command::Watch(_)
             | Command::SetCounter(_)
             | Command::SetBudget(_)

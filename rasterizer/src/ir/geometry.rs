@@ -73,7 +73,8 @@ impl Output {
             | Self::Color { .. }
             | Self::SecondColor(_)
             | Self::Depth
-            | Self::StencilReference => Ty::F32,
+            | Self::StencilReference
+            | Self::SampleMask => Ty::F32,
         }
     }
 }

@@ -55,11 +55,16 @@ pub enum Input {
     PointCoord(u8),
     /// The part of the pixel that the primitive covers, 0 to 1; 1 unless it is antialiased (`f32`).
     Coverage,
+    /// The number of the sample that is shaded; 0 where a fragment is shaded once (`i32`).
+    SampleId,
+    /// Where the sample that is shaded lies in its pixel, 0 to 1 from the lower left corner; the centre where a fragment
+    /// is shaded once (`f32`).
+    SamplePosition(Axis),
     /// Of a fragment of a line, the direction of the line in the window, of length 1 and either sign; else 0 (`f32`).
     LineDirection(Axis),
 }
 
-/// An output of a shader: one scalar. All are `f32`, but the stencil's reference, the layer, the viewport and the
+/// An output of a shader: one scalar. All are `f32`, but the stencil's reference, the sample mask, the layer, the viewport and the
 /// primitive's number (`i32`), and colours for attachments of integers, which are `i32` or `u32`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Output {
@@ -84,12 +89,15 @@ pub enum Output {
     SecondColor(u8),
     /// `gl_FragDepth`.
     Depth,
-    /// Of a geometry program: the layer of the attachments, taken from the provoking vertex (`i32`).
+    /// Of the last program before the fragments': the layer of the attachments, taken from the provoking vertex (`i32`).
     Layer,
     /// Of a geometry program: the number of the primitive for the fragment stage (`i32`).
     PrimitiveId,
-    /// Of a geometry program: the viewport (`i32`). There is one; its number is not read.
+    /// Of the last program before the fragments': the number of the viewport, taken from the provoking vertex (`i32`).
+    /// One that does not exist is 0.
     ViewportIndex,
+    /// `gl_SampleMask`: the samples that are kept, bit by sample; nothing where attachments have one (`i32`).
+    SampleMask,
     /// `gl_FragStencilRefARB`: replaces the reference of the stencil test of both faces; its lowest 8 bits count.
     StencilReference,
 }
@@ -109,7 +117,7 @@ impl Input {
     /// The type of the scalar.
     pub fn ty(self) -> Ty {
         match self {
-            Self::VertexId | Self::InstanceId | Self::PrimitiveId => Ty::I32,
+            Self::VertexId | Self::InstanceId | Self::PrimitiveId | Self::SampleId => Ty::I32,
             Self::FrontFacing => Ty::Bool,
             Self::Attribute { .. }
             | Self::OfVertex { .. }
@@ -118,6 +126,7 @@ impl Input {
             | Self::FragCoord(_)
             | Self::PointCoord(_)
             | Self::Coverage
+            | Self::SamplePosition(_)
             | Self::LineDirection(_) => Ty::F32,
         }
     }

@@ -103,7 +103,8 @@ impl Module {
                 Output::Color { .. }
                 | Output::SecondColor(_)
                 | Output::Depth
-                | Output::StencilReference => {
+                | Output::StencilReference
+                | Output::SampleMask => {
                     return Err(IrError(format!("output {output:?} in a Geometry module")));
                 }
             };
@@ -125,11 +126,12 @@ impl Module {
                 Output::Color { component, .. } | Output::SecondColor(component) => {
                     (Stage::Fragment, component < 4)
                 }
-                Output::Depth | Output::StencilReference => (Stage::Fragment, true),
-                // Those of a geometry module are in its interface.
-                Output::Layer | Output::PrimitiveId | Output::ViewportIndex => {
-                    (Stage::Geometry, false)
+                Output::Depth | Output::StencilReference | Output::SampleMask => {
+                    (Stage::Fragment, true)
                 }
+                // Those of a geometry module are in its interface.
+                Output::Layer | Output::ViewportIndex => (Stage::Vertex, true),
+                Output::PrimitiveId => (Stage::Geometry, false),
             };
             rule!(stage == self.stage, "output {output:?} in a {:?} module", self.stage);
             rule!(in_range, "output {output:?} has no such component");
@@ -140,7 +142,10 @@ impl Module {
             // Colours may be integers, for attachments of integers.
             let fits = match output {
                 Output::Color { .. } => variable.ty != Ty::Bool,
-                Output::StencilReference => variable.ty == Ty::I32,
+                Output::StencilReference
+                | Output::SampleMask
+                | Output::Layer
+                | Output::ViewportIndex => variable.ty == Ty::I32,
                 Output::Position(_)
                 | Output::PointSize
                 | Output::ClipDistance(_)
@@ -148,7 +153,7 @@ impl Module {
                 | Output::Varying(_)
                 | Output::SecondColor(_)
                 | Output::Depth => variable.ty == Ty::F32,
-                Output::Layer | Output::PrimitiveId | Output::ViewportIndex => false,
+                Output::PrimitiveId => false,
             };
             rule!(
                 variable.len == 1 && fits,
@@ -255,6 +260,7 @@ impl Body<'_> {
                     | Output::SecondColor(_)
                     | Output::Depth
                     | Output::StencilReference
+                    | Output::SampleMask
                     | Output::Layer
                     | Output::PrimitiveId
                     | Output::ViewportIndex => false,
@@ -268,9 +274,11 @@ impl Body<'_> {
                 (Stage::Fragment, usize::from(slot) < self.module.varyings.len())
             }
             Input::FragCoord(component) => (Stage::Fragment, component < 4),
-            Input::FrontFacing | Input::Coverage | Input::LineDirection(_) => {
-                (Stage::Fragment, true)
-            }
+            Input::FrontFacing
+            | Input::Coverage
+            | Input::SampleId
+            | Input::SamplePosition(_)
+            | Input::LineDirection(_) => (Stage::Fragment, true),
             Input::PointCoord(component) => (Stage::Fragment, component < 2),
         };
         rule!(stage == self.module.stage, "%{at}: {input:?} in a {:?} module", self.module.stage);

@@ -69,7 +69,8 @@ impl DrawPlan {
         if self.samples.count > 1 {
             let how =
                 if self.samples.is_each() { "each covered by itself" } else { "all as the centre" };
-            line("samples", format!("{} a pixel, {how}", self.samples.count));
+            let each = if self.samples.is_shaded_each() { ", shaded at each" } else { "" };
+            line("samples", format!("{} a pixel, {how}{each}", self.samples.count));
         }
         line("planes", format!("{} evaluated a pixel", self.planes.len()));
         text

@@ -57,6 +57,12 @@ pub enum FragmentInput {
     Front,
     /// The covered fraction of the pixel.
     Coverage,
+    /// Window x or y of the sample that is shaded.
+    PlaceOfSample(Axis),
+    /// The number of the sample that is shaded.
+    SampleId,
+    /// Where that lies in its pixel.
+    SamplePosition(Axis),
     /// 0: not an input of this stage, or not needed by this draw.
     Zero,
 }
@@ -95,6 +101,9 @@ impl FilledInput {
                 | FragmentInput::Depth
                 | FragmentInput::Front
                 | FragmentInput::Coverage
+                | FragmentInput::PlaceOfSample(_)
+                | FragmentInput::SampleId
+                | FragmentInput::SamplePosition(_)
                 | FragmentInput::Zero => None,
             };
             Self { number, from: inputs[number], slopes: slopes.map(<[usize; 2]>::from) }
@@ -151,12 +160,20 @@ impl InputPlanner<'_> {
         match input {
             Input::Varying(slot) => self.varying(slot),
             Input::Gradient { slot, axis } => self.slope(slot, axis),
+            Input::FragCoord(0) if self.samples.is_shaded_each() => {
+                FragmentInput::PlaceOfSample(Axis::X)
+            }
+            Input::FragCoord(1) if self.samples.is_shaded_each() => {
+                FragmentInput::PlaceOfSample(Axis::Y)
+            }
             Input::FragCoord(0) => FragmentInput::X,
             Input::FragCoord(1) => FragmentInput::Y,
             Input::FragCoord(2) => FragmentInput::Depth,
             Input::FragCoord(_) => FragmentInput::Linear(self.plane(PlaneSource::InverseW)),
             Input::FrontFacing => FragmentInput::Front,
             Input::Coverage => FragmentInput::Coverage,
+            Input::SampleId => FragmentInput::SampleId,
+            Input::SamplePosition(axis) => FragmentInput::SamplePosition(axis),
             // It turns slopes.
             Input::LineDirection(axis) if self.needs_slopes => {
                 FragmentInput::Flat(self.plane(PlaneSource::LineDirection(axis)))
@@ -176,9 +193,10 @@ impl InputPlanner<'_> {
     fn varying(&mut self, slot: u16) -> FragmentInput {
         let (at, mode) = self.varying_at(slot).unwrap_or((0, Interpolation::Flat));
         let mode = if self.is_constant(slot) { Interpolation::Flat } else { mode };
-        // With one sample, it lies at the centre.
+        // With one sample, it lies at the centre. What is shaded at a sample is interpolated there (ARB_sample_shading).
         let centroids = &self.compiled.desc.fragment.module().centroids;
-        let at_centroid = self.samples.is_each() && centroids.contains(&slot);
+        let at_centroid =
+            self.samples.is_each() && !self.samples.is_shaded_each() && centroids.contains(&slot);
         match mode {
             Interpolation::Smooth => match self.smooth(slot, at) {
                 index if at_centroid => FragmentInput::SmoothAtCentroid(index),

@@ -226,9 +226,8 @@ impl DrawPlan {
             depth: output(Output::Depth).filter(|_| tests.depth.is_some()),
             reference: output(Output::StencilReference).filter(|_| tests.stencil.is_some()),
         };
-        let alpha = output(Output::Color { target: 0, component: 3 });
-        let samples = Samples::new(input.samples, &input.raster.multisample, alpha);
-        let discards = fragment.discards() || samples.alpha.is_some();
+        let samples = Samples::new(input.samples, &input.raster.multisample, fragment);
+        let discards = fragment.discards() || samples.alpha.or(samples.mask).is_some();
         let timing = if tests == Tests::default() {
             TestTiming::Never
         } else if discards && tests.write() || written != ShaderTestOutputs::default() {

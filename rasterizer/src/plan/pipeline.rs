@@ -64,6 +64,8 @@ impl Pipeline {
             | Input::FrontFacing
             | Input::PointCoord(_)
             | Input::Coverage
+            | Input::SampleId
+            | Input::SamplePosition(_)
             | Input::LineDirection(_) => None,
         })
     }
@@ -143,6 +145,15 @@ impl Pipeline {
             let fragment = self.0.fragment.specialized(module, sources, facts)?;
             Some(Self(Arc::new(self.0.with_fragment(fragment, facts.clone()))))
         })
+    }
+
+    /// Whether its programs give the number of the viewport that a primitive goes to.
+    pub fn chooses_viewports(&self) -> bool {
+        let geometry = self.0.geometry.as_ref().map(|program| program.geometry());
+        match geometry {
+            Some(own) => own.is_some_and(|own| own.outputs.contains(&Output::ViewportIndex)),
+            None => self.0.vertex.output(Output::ViewportIndex).is_some(),
+        }
     }
 
     /// Whether it is the same one, not an equal one.
@@ -285,6 +296,7 @@ impl Compiled {
             }
             Output::Depth => desc.depth.is_some(),
             Output::StencilReference => desc.output.stencil.is_some(),
+            Output::SampleMask => true,
             Output::Position(_)
             | Output::PointSize
             | Output::ClipDistance(_)
@@ -321,6 +333,8 @@ impl Compiled {
                 | Input::FrontFacing
                 | Input::PointCoord(_)
                 | Input::Coverage
+                | Input::SampleId
+                | Input::SamplePosition(_)
                 | Input::LineDirection(_) => None,
             })
             .collect();
@@ -337,14 +351,15 @@ impl Compiled {
                 | Output::PointSize
                 | Output::ClipDistance(_)
                 | Output::CullDistance(_)
-                | Output::Layer => true,
+                | Output::Layer
+                | Output::ViewportIndex => true,
                 Output::Varying(slot) => slots.contains(&slot),
                 Output::PrimitiveId => reads_number,
-                Output::ViewportIndex
-                | Output::Color { .. }
+                Output::Color { .. }
                 | Output::SecondColor(_)
                 | Output::Depth
-                | Output::StencilReference => false,
+                | Output::StencilReference
+                | Output::SampleMask => false,
             }))
         });
         let vertex_slots = geometry.as_deref().map_or_else(|| slots.clone(), slots_of_vertices);
@@ -353,13 +368,13 @@ impl Compiled {
             // Any topology can end as points, and what is written to clip distances cuts.
             Output::PointSize | Output::ClipDistance(_) | Output::CullDistance(_) => true,
             Output::Varying(slot) => vertex_slots.contains(&slot),
+            Output::Layer | Output::ViewportIndex => geometry.is_none(),
             Output::Color { .. }
             | Output::SecondColor(_)
             | Output::Depth
             | Output::StencilReference
-            | Output::Layer
-            | Output::PrimitiveId
-            | Output::ViewportIndex => false,
+            | Output::SampleMask
+            | Output::PrimitiveId => false,
         });
         let (of_sprites, of_lines) = (OnceLock::new(), OnceLock::new());
         Self {

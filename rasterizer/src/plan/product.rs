@@ -77,7 +77,10 @@ impl ProductPlan {
                 | FragmentInput::Y
                 | FragmentInput::Depth
                 | FragmentInput::Front
-                | FragmentInput::Coverage => factor_planes = None,
+                | FragmentInput::Coverage
+                | FragmentInput::PlaceOfSample(_)
+                | FragmentInput::SampleId
+                | FragmentInput::SamplePosition(_) => factor_planes = None,
             }
         }
         if let Some(FactorPlanes { smooth, linear }) = &mut factor_planes {
@@ -127,7 +130,10 @@ fn lod_planes(lods: &[usize], inputs: &[FragmentInput]) -> Option<Vec<usize>> {
             | FragmentInput::Y
             | FragmentInput::Depth
             | FragmentInput::Front
-            | FragmentInput::Coverage => return None,
+            | FragmentInput::Coverage
+            | FragmentInput::PlaceOfSample(_)
+            | FragmentInput::SampleId
+            | FragmentInput::SamplePosition(_) => return None,
         }
         any = true;
     }

@@ -2,10 +2,14 @@
 //! sections 3.2.1 and 4.1.3).
 //!
 //! A fragment is shaded once, at the centre of its pixel (what is `centroid`: at the centroid of its
-//! covered samples), if any sample is covered. Its depth is
+//! covered samples), if any sample is covered; or at each covered sample (`ARB_sample_shading`). Its depth is
 //! that of the plane at each sample; each sample is tested and written by itself.
 
-use crate::desc::{AlphaToCoverage, AlphaToOne, MultisampleState, SampleCoverage, SampleRule};
+use crate::desc::{
+    AlphaToCoverage, AlphaToOne, MultisampleState, SampleCoverage, SampleRule, SampleShading,
+};
+use crate::ir::{Input, Output};
+use crate::shader::Program;
 use crate::sizes::{MAX_SAMPLES, SUBPIXEL};
 use std::ops::{Deref, DerefMut};
 use texunit::lanes::{F32s, Isa, Kernel, LANES, Simd, U32s};
@@ -48,6 +52,13 @@ impl SampleMasks {
             0 | 1 => Self { lanes: [masks.lanes[0] & lanes, 0, 0, 0], count: masks.count },
             count => Self { lanes: masks.lanes.map(|mask| mask & lanes), count },
         };
+    }
+
+    /// The lanes of one sample.
+    pub fn only(&self, sample: usize) -> Self {
+        let mut only = Self::none(self.count);
+        only[sample] = self[sample];
+        only
     }
 
     /// With those lanes of `masks` that are among `lanes`.
@@ -120,17 +131,29 @@ pub struct Samples {
     pub alpha: Option<usize>,
     /// Whether the alpha that is written is 1.
     pub alpha_to_one: AlphaToOne,
+    /// The program output that says which samples are kept, bit by sample.
+    pub mask: Option<usize>,
+    /// How often fragments are shaded.
+    pub shading: SampleShading,
 }
 
 impl Samples {
-    /// The samples of attachments that have `count` each; `alpha` is the program output of the first
-    /// colour's alpha.
-    pub fn new(count: u8, state: &MultisampleState, alpha: Option<usize>) -> Self {
+    /// The samples of attachments that have `count` each, as a fragment program takes them.
+    pub fn new(count: u8, state: &MultisampleState, fragment: &Program) -> Self {
+        let alpha = fragment.output(Output::Color { target: 0, component: 3 });
         let each = positions_of(count);
         let count = each.len();
         if count == 1 {
             let alpha_to_one = AlphaToOne::Off;
-            return Self { count, positions: &[], kept: 1, alpha: None, alpha_to_one };
+            return Self {
+                count,
+                positions: &[],
+                kept: 1,
+                alpha: None,
+                alpha_to_one,
+                mask: None,
+                shading: SampleShading::Once,
+            };
         }
         let positions = match state.rule {
             SampleRule::Center => &[],
@@ -145,6 +168,12 @@ impl Samples {
                 AlphaToCoverage::Off => None,
             },
             alpha_to_one: state.alpha_to_one,
+            mask: fragment.output(Output::SampleMask).filter(|_| !positions.is_empty()),
+            shading: match positions {
+                [] => SampleShading::Once,
+                [..] if reads_sample(fragment) => SampleShading::Each,
+                [..] => state.shading,
+            },
         }
     }
 
@@ -157,6 +186,16 @@ impl Samples {
     /// Whether coverage is computed for each sample.
     pub fn is_each(&self) -> bool {
         !self.positions.is_empty()
+    }
+
+    /// Whether a fragment is shaded at each covered sample.
+    pub fn is_shaded_each(&self) -> bool {
+        self.shading == SampleShading::Each
+    }
+
+    /// Where a sample lies in its pixel, from the lower left corner; the centre where values are those of the centre.
+    pub fn position(&self, sample: usize) -> [f32; 2] {
+        self.offset(sample).map_or([0.5; 2], |offset| offset.map(|v| 0.5 + v))
     }
 
     /// Whether coverage value and mask keep a sample.
@@ -201,6 +240,15 @@ impl Samples {
         sums
     }
 
+    /// The samples that each lane's mask leaves, bit by sample.
+    pub fn mask_by_program(&self, words: &U32s, masks: &mut SampleMasks) {
+        for (sample, mask) in masks.iter_mut().enumerate() {
+            let kept =
+                |lanes: u64, lane: usize| lanes | u64::from(words[lane] >> sample & 1) << lane;
+            *mask &= (0..LANES).fold(0, kept);
+        }
+    }
+
     /// The samples that each lane's alpha leaves: the nearest number to `alpha` times all of them.
     pub fn mask_by_alpha(&self, isa: Isa, alpha: &F32s, masks: &mut SampleMasks) {
         for (sample, mask) in masks.iter_mut().enumerate() {
@@ -208,6 +256,12 @@ impl Samples {
             *mask &= isa.run(AlphaAtLeast { alpha, least });
         }
     }
+}
+
+/// Whether a program asks for the sample that is shaded.
+fn reads_sample(fragment: &Program) -> bool {
+    let mut inputs = fragment.inputs().iter();
+    inputs.any(|input| matches!(input, Input::SampleId | Input::SamplePosition(_)))
 }
 
 /// The samples that the state's coverage leaves, bit by sample.

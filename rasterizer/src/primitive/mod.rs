@@ -15,4 +15,4 @@ pub use outline::{rectangle, stipple_lines};
 pub use planes::{
     ConstantDirection, DepthSetup, InverseMatrix, Plane, VertexPlanes, line_direction, point_coord,
 };
-pub use setup::{Clipping, Setup, Shape, ShapeKind, setup};
+pub use setup::{Clipping, EMPTY_BOUNDS, Setup, Shape, ShapeKind, setup};

@@ -61,7 +61,7 @@ pub struct Shape {
 }
 
 /// The bounds of a line that covers no pixel here, and only carries a stipple on.
-pub(super) const EMPTY_BOUNDS: [[u16; 2]; 2] = [[u16::MAX; 2], [0; 2]];
+pub const EMPTY_BOUNDS: [[u16; 2]; 2] = [[u16::MAX; 2], [0; 2]];
 
 impl Shape {
     /// Whether there are pixels that it may cover.

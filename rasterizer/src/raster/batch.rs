@@ -120,7 +120,7 @@ impl<const N: usize> EachPlane<N> {
 }
 
 /// Quads collected from several blocks or shapes until they fill a batch.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Packed {
     /// How many quads.
     len: usize,
@@ -182,6 +182,18 @@ impl Packed {
     pub fn has_pending(&self, block: usize, masks: &SampleMasks) -> bool {
         let mut pairs = masks.iter().zip(&self.pending);
         pairs.any(|(lanes, pending)| pending[block] & lanes != 0)
+    }
+
+    /// The same quads with other planes.
+    pub fn with_planes(&self, change: impl Fn([f32; 3]) -> [f32; 3]) -> Self {
+        let mut changed = self.clone();
+        for plane in &mut changed.planes {
+            for quad in 0..QUADS {
+                [plane.corner[quad], plane.a[quad], plane.b[quad]] =
+                    change([plane.corner[quad], plane.a[quad], plane.b[quad]]);
+            }
+        }
+        changed
     }
 
     /// The pending quads as a batch.

@@ -151,15 +151,17 @@ pub struct Interpolate<'a> {
     pub machine: &'a mut Machine,
     /// Receives the depth, where the plan has a plane for it.
     pub depth: &'a mut F32s,
+    /// The sample that is shaded; 0 where fragments are shaded once.
+    pub sample: usize,
 }
 
 impl Kernel for Interpolate<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: Simd>(self) {
-        let Self { plan, batch, machine, depth } = self;
+        let Self { plan, batch, machine, depth, sample } = self;
         let inputs = &plan.interpolated_inputs[..];
-        let mut fill = Fill { plan, inputs, masks: batch.masks, machine, file: 0, depth };
+        let mut fill = Fill { plan, inputs, masks: batch.masks, machine, file: 0, depth, sample };
         match batch.pixels {
             BatchPixels::Block(block) => fill.fill::<S>(block),
             BatchPixels::Packed(packed) => fill.fill::<S>(packed),
@@ -191,7 +193,7 @@ impl Kernel for InterpolateGroup<'_> {
         let depth = &mut depth;
         for (file, block) in block_group.blocks(tile).enumerate() {
             let inputs = if file == 0 { first } else { others };
-            Fill { plan, inputs, masks, machine, file, depth }.fill::<S>(&block);
+            Fill { plan, inputs, masks, machine, file, depth, sample: 0 }.fill::<S>(&block);
         }
     }
 }
@@ -204,12 +206,13 @@ struct Fill<'a> {
     machine: &'a mut Machine,
     file: usize,
     depth: &'a mut F32s,
+    sample: usize,
 }
 
 impl Fill<'_> {
     #[inline(always)]
     fn fill<S: Simd>(&mut self, source: &impl InterpolationSource) {
-        let Self { plan, inputs, masks, machine, file, depth } = self;
+        let Self { plan, inputs, masks, machine, file, depth, sample } = self;
         // Planes and registers may overlap as far as the compiler knows: what is computed here is
         // computed on the stack and stored whole.
         if let Some(index) = plan.depth_plane.filter(|_| plan.shades_depth) {
@@ -284,6 +287,18 @@ impl Fill<'_> {
                         .to_bits()
                 }),
                 FragmentInput::Front => by_quad(out, |pixel, quad| source.front(pixel, quad)),
+                FragmentInput::PlaceOfSample(axis) => {
+                    let (axis, position) = (axis as usize, plan.samples.position(*sample));
+                    by_quad(out, |pixel, quad| {
+                        let start = source.block_origin(pixel, quad)[axis];
+                        let pixel = source.position_in_block(pixel, quad)[axis];
+                        (start + (pixel + position[axis])).to_bits()
+                    });
+                }
+                FragmentInput::SampleId => *out = U32s::splat(*sample as u32),
+                FragmentInput::SamplePosition(axis) => {
+                    *out.as_f32_mut() = F32s::splat(plan.samples.position(*sample)[axis as usize]);
+                }
                 FragmentInput::Coverage => {
                     if let Some(coverage) = source.coverage() {
                         *out.as_f32_mut() = *coverage;

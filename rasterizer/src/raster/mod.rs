@@ -22,6 +22,7 @@ mod perspective;
 mod pixel_batch;
 mod plane_group;
 mod plane_weights;
+mod sample_shading;
 mod sampled_triangle;
 mod shading;
 mod shape_cover;

@@ -83,6 +83,8 @@ pub struct Shader {
     pub budget: TileBudget,
     products: Products,
     depth: F32s,
+    /// The sample at which the batch is shaded and its planes are; none where fragments are shaded once.
+    pub(super) sample: Option<usize>,
     /// The lanes of the batch that are neither discarded nor failed a test.
     left: SampleMasks,
 }
@@ -203,7 +205,7 @@ impl Shader {
     }
 
     /// Shades the lanes that passed the early tests.
-    fn shade_tested(
+    pub(super) fn shade_tested(
         &mut self,
         pass: &PassJob,
         job: &DrawJob,
@@ -218,7 +220,9 @@ impl Shader {
         if batch.masks.any() == 0 {
             return;
         }
-        if tile.watched.is_some() {
+        if plan.samples.is_shaded_each() && self.sample.is_none() {
+            self.shade_samples(pass, job, batch, tile);
+        } else if tile.watched.is_some() {
             self.shade_watched(pass, job, batch, tile);
         } else {
             self.shade_and_trace(pass, job, batch, tile, &mut None);
@@ -269,7 +273,9 @@ impl Shader {
         shaded: &mut Option<Shaded>,
     ) -> Result<(), OverBudget> {
         let (isa, plan) = (pass.isa, &job.plan);
-        isa.run(Interpolate { plan, batch, machine: &mut self.machine, depth: &mut self.depth });
+        let (machine, depth) = (&mut self.machine, &mut self.depth);
+        let sample = self.sample.unwrap_or(0);
+        isa.run(Interpolate { plan, batch, machine, depth, sample });
         let invocation = Invocation {
             isa,
             program: &plan.pipeline.compiled().fragment,
@@ -285,6 +291,9 @@ impl Shader {
         self.budget.batch_left(self.machine.left());
         let samples = &plan.samples;
         self.left.set(batch.masks, alive);
+        if let Some(mask) = samples.mask {
+            samples.mask_by_program(self.machine.output(mask), &mut self.left);
+        }
         if let Some(alpha) = samples.alpha {
             samples.mask_by_alpha(isa, self.machine.output(alpha).as_f32(), &mut self.left);
         }
@@ -400,7 +409,7 @@ impl Shader {
         };
         let (back, layout) = (batch.back(), &batch.layout());
         for (sample, mask) in self.left.iter_mut().enumerate() {
-            let offset = plan.samples.offset(sample);
+            let offset = plan.samples.offset(sample).filter(|_| self.sample.is_none());
             if let (Some(plane), None) = (plan.depth_plane, written.depth)
                 && (sample == 0 || offset.is_some())
             {

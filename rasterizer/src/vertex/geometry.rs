@@ -1,10 +1,11 @@
 //! The shaded vertices of a chunk of a draw.
 
-use super::viewport::Outcode;
+use super::viewport::{Outcode, snap};
 use crate::desc::Viewport;
+use crate::sizes::GUARD_BAND;
 
 /// The vertices of a chunk of a draw.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct Geometry {
     /// `stride` for each vertex: x, y, z and w in clip coordinates, and its varyings.
     pub values: Vec<f32>,
@@ -22,6 +23,8 @@ pub struct Geometry {
     pub(super) planes: usize,
     /// The layer of each vertex, any number; empty where all go to one.
     pub(super) layers: Vec<u32>,
+    /// The number of the viewport of each vertex, any number; empty where all go to one.
+    pub(super) viewports: Vec<u32>,
     /// The edge flag of each vertex; empty where all are set.
     pub(super) edge_flags: Vec<f32>,
 }
@@ -43,6 +46,7 @@ impl Geometry {
         self.point_sizes.clear();
         self.distances.clear();
         self.layers.clear();
+        self.viewports.clear();
         self.edge_flags.clear();
     }
 
@@ -93,6 +97,27 @@ impl Geometry {
     /// The layer of a vertex, if there are several.
     pub fn layer(&self, vertex: u32) -> Option<u32> {
         self.layers.get(vertex as usize).copied()
+    }
+
+    /// The number of the viewport of a vertex, if they have one.
+    pub fn viewport(&self, vertex: u32) -> Option<u32> {
+        self.viewports.get(vertex as usize).copied()
+    }
+
+    /// The same vertices in another viewport, which differs from theirs in nothing but its sides and depths.
+    pub fn in_viewport(&self, viewport: &Viewport) -> Self {
+        let mut other = self.clone();
+        for vertex in 0..self.len() {
+            let window = self.window(viewport, vertex as u32);
+            other.snapped[vertex] = window.map(snap);
+            let outcode = &mut other.outcodes[vertex];
+            let in_band = window.iter().all(|side| side.abs() <= GUARD_BAND);
+            if *outcode & Outcode::INVALID == 0 {
+                let guard = if in_band { 0 } else { Outcode::GUARD };
+                *outcode = *outcode & !Outcode::GUARD | guard;
+            }
+        }
+        other
     }
 
     /// Whether a boundary edge begins at a vertex (GL 2.1, section 2.6.2).

@@ -44,11 +44,22 @@ pub struct GeometryStage<'a> {
     pub provoking: Provoking,
     /// Whether layers matter.
     pub layers: Layers,
+    /// Whether primitives go to several viewports.
+    pub viewports: Viewports,
 }
 
 /// Whether primitives go to different layers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Layers {
+    /// All go to one.
+    One,
+    /// Each to that of its provoking vertex.
+    Several,
+}
+
+/// Whether primitives go to different viewports.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Viewports {
     /// All go to one.
     One,
     /// Each to that of its provoking vertex.
@@ -172,6 +183,7 @@ impl GeometryStage<'_> {
             | Output::SecondColor(_)
             | Output::Depth
             | Output::StencilReference
+            | Output::SampleMask
             | Output::Layer
             | Output::PrimitiveId
             | Output::ViewportIndex => InputSource::Zero,
@@ -199,11 +211,12 @@ impl GeometryStage<'_> {
                 }
                 Output::Layer => targets.layer = Some(word),
                 Output::PrimitiveId => targets.primitive_id = Some(word),
-                Output::ViewportIndex
-                | Output::Color { .. }
+                Output::ViewportIndex => targets.viewport = Some(word),
+                Output::Color { .. }
                 | Output::SecondColor(_)
                 | Output::Depth
-                | Output::StencilReference => {}
+                | Output::StencilReference
+                | Output::SampleMask => {}
             }
         }
         targets
@@ -241,6 +254,7 @@ impl GeometryStage<'_> {
         geometry.point_sizes.resize(end * usize::from(targets.point_size.is_some()), 0.0);
         geometry.distances.resize(end * planes, 0.0);
         geometry.layers.resize(end * usize::from(self.layers == Layers::Several), 0);
+        geometry.viewports.resize(end * usize::from(self.viewports == Viewports::Several), 0);
         let mut places: Vec<(usize, usize)> = Vec::with_capacity(lanes);
         for vertex in 0..most {
             // The lanes that have such a vertex, and its place.
@@ -278,6 +292,10 @@ impl GeometryStage<'_> {
             if let (Layers::Several, Some(word)) = (self.layers, targets.layer) {
                 let from = emission.values(vertex, word);
                 places().for_each(|(lane, at)| geometry.layers[at] = from[lane]);
+            }
+            if let (Viewports::Several, Some(word)) = (self.viewports, targets.viewport) {
+                let from = emission.values(vertex, word);
+                places().for_each(|(lane, at)| geometry.viewports[at] = from[lane]);
             }
             for (plane, &word) in targets.distances.iter().enumerate() {
                 let from = emission.values(vertex, word).as_f32();
@@ -325,6 +343,7 @@ struct Targets {
     /// Words and numbers of cull distances.
     culls: Vec<(usize, u8)>,
     layer: Option<usize>,
+    viewport: Option<usize>,
     primitive_id: Option<usize>,
 }
 

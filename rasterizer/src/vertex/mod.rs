@@ -6,12 +6,13 @@ mod fetch;
 mod geometry;
 mod geometry_stage;
 mod shade;
+mod slices;
 mod vertex_list;
 mod viewport;
 
 pub use assemble::{EdgeFlags, Primitive, Primitives, primitives};
 pub use geometry::{Geometry, VARYINGS};
-pub use geometry_stage::{Emitted, GeometryStage, Layers};
+pub use geometry_stage::{Emitted, GeometryStage, Layers, Viewports};
 pub use shade::{Placement, VertexStage, shade};
 pub use vertex_list::{VertexIds, VertexList, ordinals};
 pub use viewport::{Outcode, snap};

@@ -2,6 +2,8 @@
 
 use super::fetch::{self, Elements};
 use super::geometry::{Geometry, VARYINGS};
+use super::geometry_stage::{Layers, Viewports};
+use super::slices::VertexSlices;
 use super::viewport::{ViewportTransform, WindowVertices, cut, note_culled};
 use crate::desc::{PointSize, VertexBinding, VertexSource, Viewport};
 use crate::ir::{Input, Output};
@@ -42,6 +44,10 @@ pub struct VertexStage<'a> {
     pub edge_flag: Option<u8>,
     /// Whether the vertices are those of what is drawn.
     pub place: Placement,
+    /// Whether layers matter.
+    pub layers: Layers,
+    /// Whether primitives go to several viewports.
+    pub viewports: Viewports,
 }
 
 /// Whether vertices have a place in the window.
@@ -121,7 +127,10 @@ fn shade_all(
     geometry.outcodes.resize(count, 0);
     geometry.point_sizes.resize(count * sizes, 0.0);
     geometry.distances.resize(count * planes, 0.0);
-    geometry.layers.clear();
+    let of_targets = |target| usize::from(targets.contains(&target));
+    let (layered, placed) = (of_targets(OutputTarget::Layer), of_targets(OutputTarget::Viewport));
+    geometry.layers.resize(count * layered, 0);
+    geometry.viewports.resize(count * placed, 0);
     geometry.edge_flags = stage.edge_flags(ids);
     let own = &mut geometry.values[first * stride..];
     let is_value = |target: &&OutputTarget| matches!(target, OutputTarget::Value(_));
@@ -135,6 +144,9 @@ fn shade_all(
         VertexSlices { rest: &mut geometry.point_sizes[first * sizes..], each: sizes };
     let mut distances =
         VertexSlices { rest: &mut geometry.distances[first * planes..], each: planes };
+    let mut layers = VertexSlices { rest: &mut geometry.layers[first * layered..], each: layered };
+    let mut viewports =
+        VertexSlices { rest: &mut geometry.viewports[first * placed..], each: placed };
     let of_batch = |batch: usize, len: usize| match instances {
         Instances::One(_) => instances,
         Instances::Each(numbers) => Instances::Each(&numbers[batch * LANES..][..len]),
@@ -147,6 +159,8 @@ fn shade_all(
         outcodes: outcodes.next(ids.len()),
         point_sizes: point_sizes.next(ids.len()),
         distances: distances.next(ids.len()),
+        layers: layers.next(ids.len()),
+        viewports: viewports.next(ids.len()),
     });
     // Most draws of a scene of many have no more than one.
     let mut first = batches.next();
@@ -174,22 +188,6 @@ fn shade_all(
     if stopped.into_inner() { Err(OverBudget) } else { Ok(()) }
 }
 
-/// The rest of a slice with `each` values for every vertex, which is split into batches. (`chunks_mut` has no
-/// stride of zero.)
-struct VertexSlices<'a, T> {
-    rest: &'a mut [T],
-    each: usize,
-}
-
-impl<'a, T> VertexSlices<'a, T> {
-    /// The values of the next `count` vertices.
-    fn next(&mut self, count: usize) -> &'a mut [T] {
-        let (piece, rest) = std::mem::take(&mut self.rest).split_at_mut(count * self.each);
-        self.rest = rest;
-        piece
-    }
-}
-
 /// The source of an input of the program.
 enum InputSource<'a> {
     Attribute(&'a VertexSource, u8),
@@ -211,6 +209,8 @@ enum OutputTarget {
     Distance(usize),
     /// A cull distance, by its number.
     Cull(u8),
+    Layer,
+    Viewport,
     Nowhere,
 }
 
@@ -223,6 +223,8 @@ struct Batch<'a> {
     outcodes: &'a mut [u32],
     point_sizes: &'a mut [f32],
     distances: &'a mut [f32],
+    layers: &'a mut [u32],
+    viewports: &'a mut [u32],
 }
 
 impl VertexStage<'_> {
@@ -252,6 +254,8 @@ impl VertexStage<'_> {
             | Input::FrontFacing
             | Input::PointCoord(_)
             | Input::Coverage
+            | Input::SampleId
+            | Input::SamplePosition(_)
             | Input::LineDirection(_) => InputSource::Missing(0.0),
         }
     }
@@ -284,10 +288,13 @@ impl VertexStage<'_> {
             Output::ClipDistance(_) => {
                 plane.next().map_or(OutputTarget::Nowhere, OutputTarget::Distance)
             }
+            Output::Layer if self.layers == Layers::Several => OutputTarget::Layer,
+            Output::ViewportIndex if self.viewports == Viewports::Several => OutputTarget::Viewport,
             Output::Color { .. }
             | Output::SecondColor(_)
             | Output::Depth
             | Output::StencilReference
+            | Output::SampleMask
             | Output::Layer
             | Output::PrimitiveId
             | Output::ViewportIndex => OutputTarget::Nowhere,
@@ -301,7 +308,7 @@ impl VertexStage<'_> {
         targets: &[OutputTarget],
         batch: &mut Batch<'_>,
     ) -> Result<(), OverBudget> {
-        let Batch { ids, instances, values, snapped, outcodes, point_sizes, distances } = batch;
+        let Batch { ids, instances, values, snapped, outcodes, point_sizes, distances, .. } = batch;
         let elements = Elements::new(ids);
         for (index, source) in sources.iter().enumerate() {
             let lanes = machine.input_mut(index);
@@ -338,7 +345,8 @@ impl VertexStage<'_> {
         let mut clip = [&F32s::ZERO; 4];
         let mut culled: Option<[u32; LANES]> = None;
         for (index, &target) in targets.iter().enumerate() {
-            let lanes = machine.output(index).as_f32();
+            let (lanes, words) =
+                (machine.output(index).as_f32(), &machine.output(index).0[..ids.len()]);
             match target {
                 OutputTarget::PointSize => point_sizes.copy_from_slice(&lanes.0[..ids.len()]),
                 OutputTarget::Value(at) => {
@@ -354,6 +362,8 @@ impl VertexStage<'_> {
                 OutputTarget::Cull(number) => {
                     note_culled(culled.get_or_insert([0; LANES]), number, lanes);
                 }
+                OutputTarget::Layer => batch.layers.copy_from_slice(words),
+                OutputTarget::Viewport => batch.viewports.copy_from_slice(words),
                 OutputTarget::Nowhere => {}
             }
         }

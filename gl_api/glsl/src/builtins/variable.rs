@@ -39,18 +39,32 @@ pub enum Builtin {
     PrimitiveId,
     /// `gl_PrimitiveIDIn`.
     PrimitiveIdIn,
-    /// `gl_Layer`.
+    /// `gl_Layer`: written by the stage before the fragments', which may read it.
     Layer,
+    /// `gl_ViewportIndex`: the same.
+    ViewportIndex,
     /// A member of `gl_in`.
     Incoming(Incoming),
     /// `gl_FragColor`.
     FragColor,
     /// `gl_FragData`.
     FragData,
+    /// `gl_SecondaryFragColorEXT`.
+    SecondaryFragColor,
+    /// `gl_SecondaryFragDataEXT`.
+    SecondaryFragData,
     /// `gl_FragDepth`.
     FragDepth,
     /// `gl_FragStencilRefARB`.
     FragStencilRef,
+    /// `gl_SampleID`.
+    SampleId,
+    /// `gl_SamplePosition`.
+    SamplePosition,
+    /// `gl_SampleMask`.
+    SampleMask,
+    /// `gl_NumSamples`.
+    SampleCount,
     /// State of the context.
     State(StateVar),
     /// State of each texture unit, light or plane.
@@ -73,6 +87,10 @@ pub const PER_VERTEX: [&str; 11] = [
     "gl_TexCoord",
     "gl_FogFragCoord",
 ];
+
+/// Outputs of the vertex stage that its redeclaration of the block may have and need not
+/// (AMD_vertex_shader_layer, AMD_vertex_shader_viewport_index).
+pub const ALSO_PER_VERTEX: [&str; 2] = ["gl_Layer", "gl_ViewportIndex"];
 
 /// What the geometry stage reads of each vertex.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -111,6 +129,7 @@ impl Builtin {
             | Self::ClipDistance
             | Self::CullDistance
             | Self::FragCoord
+            | Self::SampleMask
             | Self::FragDepth => true,
             Self::Position
             | Self::PointSize
@@ -122,11 +141,17 @@ impl Builtin {
             | Self::PrimitiveId
             | Self::PrimitiveIdIn
             | Self::Layer
+            | Self::ViewportIndex
             | Self::Incoming(_)
             | Self::FrontFacing
             | Self::FragColor
             | Self::FragData
+            | Self::SecondaryFragColor
+            | Self::SecondaryFragData
             | Self::FragStencilRef
+            | Self::SampleId
+            | Self::SamplePosition
+            | Self::SampleCount
             | Self::State(_)
             | Self::States(_)
             | Self::Limit(_) => false,
@@ -144,9 +169,13 @@ impl Builtin {
             | Self::Varying(_)
             | Self::FragCoord
             | Self::PointCoord => Invariance::Allowed,
-            Self::FragColor | Self::FragData | Self::FragDepth | Self::FragStencilRef => {
-                Invariance::AllowedLater
-            }
+            Self::FragColor
+            | Self::FragData
+            | Self::SecondaryFragColor
+            | Self::SecondaryFragData
+            | Self::FragDepth
+            | Self::FragStencilRef
+            | Self::SampleMask => Invariance::AllowedLater,
             Self::InstanceId
             | Self::VertexId
             | Self::Attribute(_)
@@ -154,7 +183,11 @@ impl Builtin {
             | Self::PrimitiveId
             | Self::PrimitiveIdIn
             | Self::Layer
+            | Self::ViewportIndex
             | Self::Incoming(_)
+            | Self::SampleId
+            | Self::SamplePosition
+            | Self::SampleCount
             | Self::State(_)
             | Self::States(_)
             | Self::Limit(_) => Invariance::Forbidden,
@@ -225,6 +258,8 @@ pub struct Structure {
 pub enum VariableType {
     /// `int`.
     Int,
+    /// So many `int`.
+    Ints(u8),
     /// `bool`.
     Bool,
     /// `float`, or a vector of this many floats.
@@ -254,6 +289,7 @@ impl VariableType {
         };
         match self {
             Self::Int => INT,
+            Self::Ints(len) => array(INT, len),
             Self::Bool => BOOL,
             Self::Vec(size) => vec(size),
             Self::Mat(side) => Type::Matrix(side, side),

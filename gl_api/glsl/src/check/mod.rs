@@ -25,7 +25,7 @@ use crate::ast::{Item, StructDecl};
 use crate::hir::{
     Expr, GeometryLayout, PerVertex, Stmt, Storage, Unit, VarRef, Variable, recursive_call,
 };
-use crate::language::{Language, Version};
+use crate::language::{Extension, Language, Version};
 use crate::text::diagnostics::{Diagnostic, Log};
 use crate::text::source::{Source, Span};
 use crate::types::Type;
@@ -165,9 +165,14 @@ impl Checker<'_> {
         };
         let own =
             self.unit.globals.iter().find(|v| v.written && v.storage == Storage::FragmentOutput);
-        let written: Vec<&str> = ["gl_FragColor", "gl_FragData"]
+        // Of these, the second colour goes with the first (EXT_blend_func_extended).
+        let ways = [
+            ["gl_FragColor", "gl_SecondaryFragColorEXT"],
+            ["gl_FragData", "gl_SecondaryFragDataEXT"],
+        ];
+        let written: Vec<&str> = ways
             .into_iter()
-            .filter(|name| written(name))
+            .filter_map(|names| names.into_iter().find(|name| written(name)))
             .chain(own.map(|own| &*own.name))
             .collect();
         if let [first, second, ..] = written[..] {
@@ -181,6 +186,10 @@ impl Checker<'_> {
     fn outputs_without_location(&mut self) {
         let is_output = |v: &&Variable| v.storage == Storage::FragmentOutput;
         let outputs: Vec<&Variable> = self.unit.globals.iter().filter(is_output).collect();
+        // The application may bind them (EXT_blend_func_extended).
+        if self.language.enabled(Extension::EsBlendFuncExtended) {
+            return;
+        }
         let missing = outputs.iter().find(|v| v.interface_qualifiers.location.is_none());
         if let (Version::Es300, [_, _, ..], Some(output)) = (self.version, &outputs[..], missing) {
             let message =

@@ -3,7 +3,7 @@
 use super::Checker;
 use super::scope::Symbol;
 use crate::ast::{self, Qualifier};
-use crate::builtins::variable::PER_VERTEX;
+use crate::builtins::variable::{ALSO_PER_VERTEX, PER_VERTEX};
 use crate::hir::{InterfaceQualifiers, VarRef};
 use crate::text::diagnostics::Diagnostic;
 use crate::text::source::Span;
@@ -80,7 +80,9 @@ impl Checker<'_> {
         for declaration in &declared.members {
             for member in &declaration.names {
                 let ty = self.type_of(&declaration.ty.ty, &member.array);
-                if self.per_vertex_member(member, &declaration.ty, (way, span), prefix, &ty) {
+                if self.per_vertex_member(member, &declaration.ty, (way, span), prefix, &ty)
+                    && !ALSO_PER_VERTEX.contains(&&*member.name.text)
+                {
                     left.insert(member.name.text.clone());
                 }
             }
@@ -102,11 +104,13 @@ impl Checker<'_> {
     ) -> bool {
         let text = &member.name.text;
         let full = format!("{prefix}{text}");
-        let known = match PER_VERTEX.contains(&&**text) {
+        let is_member = PER_VERTEX.contains(&&**text)
+            || self.stage == Stage::Vertex && ALSO_PER_VERTEX.contains(&&**text);
+        let known = match is_member {
             true => self.scopes.find_global(&full).and_then(Symbol::variable),
             false => None,
         };
-        let known = known.or_else(|| match PER_VERTEX.contains(&&**text) {
+        let known = known.or_else(|| match is_member {
             true => self.builtin_variable(&full),
             false => None,
         });

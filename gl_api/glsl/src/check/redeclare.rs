@@ -34,9 +34,10 @@ impl Checker<'_> {
         let Storage::Builtin(builtin) = variable.storage else { return false };
         let (known, min_len) = (variable.ty.clone(), variable.min_len);
         let fits = self.resizes(&known, ty, min_len);
+        let is_output = matches!(builtin, Builtin::FragDepth | Builtin::SampleMask);
         let passes = match self.stage {
             Stage::Vertex | Stage::Geometry => matches!(storage, Storage::Output(_)),
-            Stage::Fragment if builtin == Builtin::FragDepth => storage == Storage::FragmentOutput,
+            Stage::Fragment if is_output => storage == Storage::FragmentOutput,
             Stage::Fragment => matches!(storage, Storage::Input(_)),
         };
         let is_depth = builtin == Builtin::FragDepth;
@@ -67,7 +68,7 @@ impl Checker<'_> {
             self.log.push(problem.help("redeclare it as it is, or with another size that fits"));
         } else if !passes {
             let stage = stage_name(self.stage);
-            let is_input = self.stage == Stage::Fragment && !is_depth;
+            let is_input = self.stage == Stage::Fragment && !is_output;
             let way = if is_input { "in" } else { "out" };
             let message = format!("`{}` is an `{way}` of the {stage} stage", name.text);
             self.log.push(Diagnostic::error(name.span, message).rule(self.rule("7.6")));

@@ -56,6 +56,8 @@ pub struct Availability {
     pub(super) es: EsVersions,
     /// The bits of the extensions each of which adds it.
     pub(super) extensions: u64,
+    /// The versions of GLSL ES in which these add it; of desktop GLSL they do in all.
+    pub(super) extended_es: EsVersions,
 }
 
 impl Availability {
@@ -76,8 +78,7 @@ impl Availability {
     /// From GLSL 3.30 on.
     pub const V330: Self = Self::from_version(Version::V330);
     /// GLSL ES alone.
-    pub const ES: Self =
-        Self { desktop: None, profiles: Profiles::All, es: EsVersions::All, extensions: 0 };
+    pub const ES: Self = Self { es: EsVersions::All, ..Self::NOWHERE };
 
     /// Integers: their types, operators and functions.
     pub const INTEGERS: Self = Self::V130.or(Extension::GpuShader4).and_es(EsVersions::From300);
@@ -102,22 +103,26 @@ impl Availability {
     pub const MULTISAMPLE: Self = Self::V150.or(Extension::TextureMultisample);
 
     const fn from_version(version: Version) -> Self {
-        Self {
-            desktop: Some(version),
-            profiles: Profiles::All,
-            es: EsVersions::None,
-            extensions: 0,
-        }
+        Self { desktop: Some(version), ..Self::NOWHERE }
+    }
+
+    /// Neither version nor extension.
+    const NOWHERE: Self = Self {
+        desktop: None,
+        profiles: Profiles::All,
+        es: EsVersions::None,
+        extensions: 0,
+        extended_es: EsVersions::All,
+    };
+
+    /// Of GLSL ES, extensions add it in these versions alone.
+    pub const fn extended_in(self, extended_es: EsVersions) -> Self {
+        Self { extended_es, ..self }
     }
 
     /// An extension alone.
     pub const fn extension(extension: Extension) -> Self {
-        Self {
-            desktop: None,
-            profiles: Profiles::All,
-            es: EsVersions::None,
-            extensions: extension.bit(),
-        }
+        Self { extensions: extension.bit(), ..Self::NOWHERE }
     }
 
     /// An extension too.

@@ -7,6 +7,10 @@ use super::Version;
 pub enum Extension {
     /// `GL_ARB_arrays_of_arrays`: arrays of more than one dimension.
     ArraysOfArrays,
+    /// `GL_AMD_vertex_shader_layer`: `gl_Layer` of the vertex stage.
+    AmdVertexShaderLayer,
+    /// `GL_AMD_vertex_shader_viewport_index`: `gl_ViewportIndex` of the vertex stage.
+    AmdVertexShaderViewportIndex,
     /// `GL_AMD_conservative_depth`: `layout(depth_less)` of `gl_FragDepth`.
     AmdConservativeDepth,
     /// `GL_ARB_conservative_depth`: the same.
@@ -23,8 +27,12 @@ pub enum Extension {
     ExplicitAttribLocation,
     /// `GL_ARB_explicit_uniform_location`: `layout(location = n)` of uniforms.
     ExplicitUniformLocation,
+    /// `GL_ARB_fragment_layer_viewport`: `gl_Layer` and `gl_ViewportIndex` of the fragment stage.
+    FragmentLayerViewport,
     /// `GL_ARB_fragment_coord_conventions`: `layout(...)` of `gl_FragCoord`.
     FragmentCoordConventions,
+    /// `GL_ARB_sample_shading`: `gl_SampleID`, `gl_SamplePosition`, `gl_NumSamples`, `gl_SampleMask`.
+    SampleShading,
     /// `GL_ARB_separate_shader_objects`: `layout(location = n)` of what passes between stages.
     SeparateShaderObjects,
     /// `GL_ARB_shader_bit_encoding`: `floatBitsToInt` and the like.
@@ -38,6 +46,8 @@ pub enum Extension {
     ShadingLanguagePacking,
     /// `GL_APPLE_clip_distance`: `gl_ClipDistance` of GLSL ES 1.00 and 3.00.
     ClipDistance,
+    /// `GL_EXT_blend_func_extended`: `gl_SecondaryFragColorEXT` of GLSL ES 1.00, `layout(index = n)` of 3.00.
+    EsBlendFuncExtended,
     /// `GL_EXT_draw_buffers`: more than one element of `gl_FragData` in GLSL ES 1.00.
     EsDrawBuffers,
     /// `GL_EXT_frag_depth`: `gl_FragDepthEXT` of GLSL ES 1.00.
@@ -60,6 +70,8 @@ pub enum Extension {
     TextureRectangle,
     /// `GL_ARB_uniform_buffer_object`: uniform blocks.
     UniformBufferObject,
+    /// `GL_ARB_viewport_array`: `gl_ViewportIndex` of the geometry stage.
+    ViewportArray,
     /// `GL_EXT_gpu_shader4`: the part that GLSL 1.30 has adopted.
     GpuShader4,
     /// `GL_EXT_texture_array`: `sampler1DArray`, `sampler2DArray`.
@@ -70,8 +82,10 @@ pub enum Extension {
 
 impl Extension {
     /// Every extension and its name.
-    pub const ALL: [(Self, &'static str); 30] = [
+    pub const ALL: [(Self, &'static str); 36] = [
         (Self::ArraysOfArrays, "GL_ARB_arrays_of_arrays"),
+        (Self::AmdVertexShaderLayer, "GL_AMD_vertex_shader_layer"),
+        (Self::AmdVertexShaderViewportIndex, "GL_AMD_vertex_shader_viewport_index"),
         (Self::AmdConservativeDepth, "GL_AMD_conservative_depth"),
         (Self::ConservativeDepth, "GL_ARB_conservative_depth"),
         (Self::Compatibility, "GL_ARB_compatibility"),
@@ -80,13 +94,16 @@ impl Extension {
         (Self::DrawInstanced, "GL_ARB_draw_instanced"),
         (Self::ExplicitAttribLocation, "GL_ARB_explicit_attrib_location"),
         (Self::ExplicitUniformLocation, "GL_ARB_explicit_uniform_location"),
+        (Self::FragmentLayerViewport, "GL_ARB_fragment_layer_viewport"),
         (Self::FragmentCoordConventions, "GL_ARB_fragment_coord_conventions"),
+        (Self::SampleShading, "GL_ARB_sample_shading"),
         (Self::SeparateShaderObjects, "GL_ARB_separate_shader_objects"),
         (Self::ShaderBitEncoding, "GL_ARB_shader_bit_encoding"),
         (Self::ShaderStencilExport, "GL_ARB_shader_stencil_export"),
         (Self::ShadingLanguage420Pack, "GL_ARB_shading_language_420pack"),
         (Self::ShadingLanguagePacking, "GL_ARB_shading_language_packing"),
         (Self::ClipDistance, "GL_APPLE_clip_distance"),
+        (Self::EsBlendFuncExtended, "GL_EXT_blend_func_extended"),
         (Self::EsDrawBuffers, "GL_EXT_draw_buffers"),
         (Self::FragDepth, "GL_EXT_frag_depth"),
         (Self::EsShaderTextureLod, "GL_EXT_shader_texture_lod"),
@@ -98,6 +115,7 @@ impl Extension {
         (Self::TextureQueryLevels, "GL_ARB_texture_query_levels"),
         (Self::TextureRectangle, "GL_ARB_texture_rectangle"),
         (Self::UniformBufferObject, "GL_ARB_uniform_buffer_object"),
+        (Self::ViewportArray, "GL_ARB_viewport_array"),
         (Self::GpuShader4, "GL_EXT_gpu_shader4"),
         (Self::TextureArray, "GL_EXT_texture_array"),
         (Self::StandardDerivatives, "GL_OES_standard_derivatives"),
@@ -120,18 +138,23 @@ impl Extension {
             | Self::EsDrawBuffers
             | Self::FragDepth
             | Self::EsShaderTextureLod => version == Version::Es100,
-            Self::ClipDistance => version.is_es(),
+            Self::ClipDistance | Self::EsBlendFuncExtended => version.is_es(),
             Self::CullDistance => version >= Version::V130 && !version.is_es(),
             Self::Compatibility => version >= Version::V140 && !version.is_es(),
             Self::ArraysOfArrays
+            | Self::AmdVertexShaderLayer
+            | Self::AmdVertexShaderViewportIndex
             | Self::AmdConservativeDepth
             | Self::ConservativeDepth
+            | Self::FragmentLayerViewport
+            | Self::ViewportArray
             | Self::DrawBuffers
             | Self::ShadingLanguage420Pack
             | Self::DrawInstanced
             | Self::ExplicitAttribLocation
             | Self::ExplicitUniformLocation
             | Self::FragmentCoordConventions
+            | Self::SampleShading
             | Self::SeparateShaderObjects
             | Self::ShadingLanguagePacking
             | Self::ShaderBitEncoding

@@ -68,12 +68,18 @@ impl Language {
 
     /// Whether the shader has it.
     pub fn has(self, availability: Availability) -> bool {
-        self.has_core(availability) || availability.extensions & self.enabled != 0
+        self.has_core(availability) || self.enabled_of(availability) != 0
+    }
+
+    /// The enabled extensions that add it in this version.
+    fn enabled_of(self, availability: Availability) -> u64 {
+        let counts = !self.version.is_es() || availability.extended_es.has(self.version);
+        if counts { availability.extensions & self.enabled } else { 0 }
     }
 
     /// The extension that adds it, if `#extension … : warn` asks for a warning of each use.
     pub fn warns(self, availability: Availability) -> Option<Extension> {
-        let enabled = availability.extensions & self.enabled;
+        let enabled = self.enabled_of(availability);
         if self.has_core(availability) || enabled & !self.warned != 0 {
             return None;
         }

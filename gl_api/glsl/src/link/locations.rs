@@ -116,7 +116,8 @@ pub fn targets(
     log: &mut Log,
 ) -> Vec<FragmentOutput> {
     let outputs = fragment.with(|storage| storage == Storage::FragmentOutput);
-    let builtin = ["gl_FragColor", "gl_FragData"];
+    let builtin =
+        ["gl_FragColor", "gl_FragData", "gl_SecondaryFragColorEXT", "gl_SecondaryFragDataEXT"];
     let old = fragment.used.iter().find(|v| v.written && builtin.contains(&&*v.name));
     if let (Some(old), Some(new)) = (old, outputs.first()) {
         let message = format!("both `{}` and the output `{}` are written", old.name, new.name);

@@ -5,6 +5,7 @@ mod blocks;
 mod cull_distances;
 mod geometry;
 mod globals;
+mod layer_viewport;
 mod locations;
 mod packing;
 mod per_vertex;
@@ -109,6 +110,7 @@ fn build(
     let inputs = fragment.as_ref();
     let next = varyings::varyings((outputs, inputs), [in_outputs, &mut in_fragment], matching, log);
     let next = cull_distances::passed((outputs, inputs), [in_outputs, &mut in_fragment], next, log);
+    let next = layer_viewport::passed((outputs, inputs), [in_outputs, &mut in_fragment], next);
     varyings::invariant_coordinates(vertex.as_ref(), inputs, log);
     let captured = transform_feedback::captured(outputs, &bindings.capture, next, in_outputs, log);
     let varyings = varyings::slots(inputs, &in_fragment);

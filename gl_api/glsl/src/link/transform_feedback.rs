@@ -114,11 +114,18 @@ fn find(
             | Builtin::PrimitiveId
             | Builtin::PrimitiveIdIn
             | Builtin::Layer
+            | Builtin::ViewportIndex
             | Builtin::Incoming(_)
             | Builtin::FragColor
             | Builtin::FragData
+            | Builtin::SecondaryFragColor
+            | Builtin::SecondaryFragData
             | Builtin::FragDepth
             | Builtin::FragStencilRef
+            | Builtin::SampleId
+            | Builtin::SamplePosition
+            | Builtin::SampleMask
+            | Builtin::SampleCount
             | Builtin::State(_)
             | Builtin::States(_)
             | Builtin::Limit(_),

@@ -2,6 +2,7 @@
 
 use super::stage::{BindingMap, StageUnits};
 use super::{Matching, packing};
+use crate::builtins::variable::Builtin;
 use crate::hir::{InterfaceBlock, Storage, Variable};
 use crate::interface::VARYING_USER;
 use crate::language::{Version, stage_name};
@@ -210,7 +211,12 @@ pub fn invariant_coordinates(
 
 /// The slots of the varyings that the fragment stage reads: first, how many, name.
 pub fn slots(fragment: Option<&StageUnits<'_>>, locations: &BindingMap) -> Vec<(u16, u16, String)> {
-    let inputs = fragment.iter().flat_map(|stage| stage.with(|s| matches!(s, Storage::Input(_))));
+    let passes = |storage: Storage| {
+        let built_in = Storage::Builtin;
+        is_input(storage)
+            || [Builtin::Layer, Builtin::ViewportIndex].map(built_in).contains(&storage)
+    };
+    let inputs = fragment.iter().flat_map(|stage| stage.with(passes));
     inputs
         .filter_map(|input| match locations.get(&input.name) {
             Some(Binding::Varying(Some(first))) => {

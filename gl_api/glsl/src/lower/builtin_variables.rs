@@ -7,7 +7,7 @@ use crate::builtins::variable::Builtin;
 use crate::hir::{InterfaceQualifiers, Variable};
 use crate::interface::{StateVar, VARYING_BACK_COLOR, VARYING_CLIP_DISTANCE, VARYING_PRIMITIVE_ID};
 use crate::limits::MAX_DRAW_BUFFERS;
-use rasterizer::ir::{Input, Interpolation, Op, Output, Stage, Ty, Value};
+use rasterizer::ir::{Axis, Input, Interpolation, Op, Output, Stage, Ty, Value};
 
 impl Lowerer<'_> {
     /// A component of `gl_FragCoord` in its layout (ARB_fragment_coord_conventions).
@@ -64,6 +64,21 @@ impl Lowerer<'_> {
                 let read = |lowerer: &mut Self, _| lowerer.emit.input(Input::FrontFacing);
                 return Ok(self.inputs(variable, types, read));
             }
+            Builtin::SampleId => {
+                let read = |lowerer: &mut Self, _| lowerer.emit.input(Input::SampleId);
+                return Ok(self.inputs(variable, types, read));
+            }
+            Builtin::SamplePosition => {
+                let read = |lowerer: &mut Self, at: u32| {
+                    let axis = if at == 0 { Axis::X } else { Axis::Y };
+                    lowerer.emit.input(Input::SamplePosition(axis))
+                };
+                return Ok(self.inputs(variable, types, read));
+            }
+            Builtin::SampleCount => {
+                let word = self.words.state(StateVar::SampleCount);
+                return Ok(VarStorage::Uniform(word, types.into()));
+            }
             Builtin::PrimitiveIdIn => {
                 let read = |lowerer: &mut Self, _| lowerer.emit.input(Input::PrimitiveId);
                 return Ok(self.inputs(variable, types, read));
@@ -71,7 +86,13 @@ impl Lowerer<'_> {
             Builtin::Incoming(_) => {
                 return Err(LowerError(format!("`{}` was not linked", variable.name)));
             }
+            Builtin::Layer | Builtin::ViewportIndex if stage == Stage::Fragment => {
+                // The linker gives them slots where the stage before writes them.
+                let zero = |lowerer: &mut Self, _| lowerer.emit.constant(0, Ty::I32);
+                return Ok(self.inputs(variable, types, zero));
+            }
             Builtin::Layer => |_| vec![Output::Layer],
+            Builtin::ViewportIndex => |_| vec![Output::ViewportIndex],
             Builtin::PrimitiveId if stage == Stage::Geometry => |_| vec![Output::PrimitiveId],
             Builtin::PrimitiveId => {
                 let first = VARYING_PRIMITIVE_ID;
@@ -118,10 +139,16 @@ impl Lowerer<'_> {
             Builtin::PointSize => |_| vec![Output::PointSize],
             Builtin::FragDepth => |_| vec![Output::Depth],
             Builtin::FragStencilRef => |_| vec![Output::StencilReference],
+            // Samples have one word.
+            Builtin::SampleMask => |_| vec![Output::SampleMask],
             Builtin::FragColor => |at| {
                 let component = at as u8;
                 (0..MAX_DRAW_BUFFERS).map(|target| Output::Color { target, component }).collect()
             },
+            // One draw buffer has a second colour.
+            Builtin::SecondaryFragColor | Builtin::SecondaryFragData => {
+                |at| vec![Output::SecondColor(at as u8)]
+            }
             Builtin::FragData => |at| {
                 let (target, component) = ((at / 4) as u8, (at % 4) as u8);
                 debug_assert!(target < MAX_DRAW_BUFFERS);

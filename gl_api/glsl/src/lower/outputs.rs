@@ -96,6 +96,7 @@ impl Lowerer<'_> {
         let ty = match output {
             Output::Color { .. } if matches!(own, Ty::I32 | Ty::U32) => own,
             Output::StencilReference
+            | Output::SampleMask
             | Output::Layer
             | Output::PrimitiveId
             | Output::ViewportIndex => Ty::I32,

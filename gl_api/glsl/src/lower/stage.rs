@@ -331,6 +331,12 @@ impl Lowerer<'_> {
             {
                 Ok(self.varying_input(variable, &types, slot, Interpolation::Smooth))
             }
+            (
+                Storage::Builtin(Builtin::Layer | Builtin::ViewportIndex),
+                Some(Binding::Varying(Some(slot))),
+            ) if self.emit.builder.module().stage == Stage::Fragment => {
+                Ok(self.varying_input(variable, &types, slot, Interpolation::Flat))
+            }
             (Storage::Builtin(builtin), binding) => {
                 let storage = self.builtin_global(variable, &types, builtin, copies)?;
                 // Transform feedback captures it.

@@ -150,14 +150,14 @@ impl Parser<'_> {
             let name = self.name()?;
             let conventions = self.language.has(Availability::FRAGMENT_COORD_CONVENTIONS);
             let locations = self.language.has(Availability::EXPLICIT_LOCATIONS);
+            let has_index =
+                !self.version.is_es() || self.language.enabled(Extension::EsBlendFuncExtended);
             let geometry = self.language.has(Availability::V150);
             let qualifier = match &*name.text.to_ascii_lowercase() {
                 "origin_upper_left" if conventions => Some(Qualifier::OriginUpperLeft),
                 "pixel_center_integer" if conventions => Some(Qualifier::PixelCenterInteger),
                 "location" if locations => self.layout_number()?.map(Qualifier::Location),
-                "index" if locations && !self.version.is_es() => {
-                    self.layout_number()?.map(Qualifier::Index)
-                }
+                "index" if locations && has_index => self.layout_number()?.map(Qualifier::Index),
                 "binding" if keywords::is_relaxed(self.language) => {
                     self.layout_number()?.map(Qualifier::Binding)
                 }

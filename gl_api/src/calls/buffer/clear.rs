@@ -65,7 +65,7 @@ fn clear(
         );
     }
     let pixel = Pixel::new(format, ty)?;
-    kinds_match(pixel, stored)?;
+    kinds_match(pixel, stored, GL_NONE)?;
     let texel = one_texel(isa, SECTION, stored, pixel, data)?;
     let fill = |to: &mut [u8]| {
         to.chunks_exact_mut(bytes).for_each(|to| to.copy_from_slice(&texel));

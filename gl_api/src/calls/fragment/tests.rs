@@ -8,6 +8,7 @@ use crate::base::types::*;
 use crate::context::Context;
 use crate::state::draw_buffers::BUFFERS;
 use crate::state::fragment::{ClearColor, FragmentState};
+use crate::state::per_viewport::PerViewport;
 use crate::state::stencil::Stencil;
 use rasterizer::driver::{DepthWrite, LogicOp, Rect};
 use texunit::sampler::Compare;
@@ -15,7 +16,8 @@ use texunit::sampler::Compare;
 impl FragmentState {
     pub fn new(width: u32, height: u32) -> Self {
         Self {
-            scissor: Rect { x: 0, y: 0, width, height },
+            scissor: PerViewport::new(Rect { x: 0, y: 0, width, height }),
+            scissor_tests: 0,
             alpha_func: Compare::Always,
             alpha_ref: 0.0,
             depth_func: Compare::Less,
@@ -57,7 +59,8 @@ pub(crate) fn scissor(
     const SECTION: &str = "GL 2.1, section 4.1.2";
     not_negative(SECTION, "width", width.into())?;
     not_negative(SECTION, "height", height.into())?;
-    context.state.fragment.scissor = Rect { x, y, width: width as u32, height: height as u32 };
+    let scissor = Rect { x, y, width: width as u32, height: height as u32 };
+    context.state.fragment.scissor.change_all(|area| *area = scissor);
     Ok(())
 }
 

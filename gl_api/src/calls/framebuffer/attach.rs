@@ -8,13 +8,14 @@ use crate::calls::framebuffer::names::bound;
 use crate::context::Context;
 use crate::draw::completeness::{completeness, missing_buffer_warning};
 use crate::objects::framebuffers::{
-    Attached, AttachedLayers, AttachmentPoint, Binding, FRAMEBUFFER_TARGET, Planes, Source,
+    Attached, AttachedLayers, AttachmentPoint, Binding, FRAMEBUFFER_TARGET, Source,
     attachment_point,
 };
 use crate::objects::renderbuffers::RENDERBUFFER_TARGET;
 use crate::objects::target::{FaceTarget, TARGET, TextureTarget, attachable_target};
 use crate::objects::texture::Texture;
 use rasterizer::driver::Image;
+use texunit::image::FACES;
 
 const SECTION: &str = "ARB_framebuffer_object, section 4.4.2";
 
@@ -130,7 +131,8 @@ fn framebuffer_texture_slice(
         );
     }
     let (source, image) = (slice.checked(face)?, texture.image.clone());
-    destination.attach(context, Some(Attached { source, image, planes: Planes::BOTH }))
+    let planes = texture.planes();
+    destination.attach(context, Some(Attached { source, image, planes }))
 }
 
 pub(crate) fn framebuffer_texture_1d(
@@ -185,16 +187,25 @@ pub(crate) fn framebuffer_texture_layer(
     let slice = Slice { texture, level, slice: (layer, "layer") };
     let object = slice.texture(context)?;
     let of = FaceTarget { target: object.target, face: 0 };
-    match of.target {
+    let (of, slice) = match of.target {
+        // Its faces are layers (GL 4.5, section 9.2.8), as Mesa has them in every version.
+        TextureTarget::Cube => match u8::try_from(layer) {
+            Ok(face) if usize::from(face) < FACES => {
+                (FaceTarget { face, ..of }, Slice { slice: (0, "layer"), ..slice })
+            }
+            Ok(_) | Err(_) => {
+                let rule = format!("layer = {layer} must be 0 to 5, a face of the cube map");
+                return invalid_value("GL 4.5, section 9.2.8", rule);
+            }
+        },
         TextureTarget::D3
         | TextureTarget::D1Array
         | TextureTarget::D2Array
         | TextureTarget::CubeArray
-        | TextureTarget::D2MultisampleArray => {}
+        | TextureTarget::D2MultisampleArray => (of, slice),
         TextureTarget::D1
         | TextureTarget::D2
         | TextureTarget::Rect
-        | TextureTarget::Cube
         | TextureTarget::D2Multisample
         | TextureTarget::Buffer => {
             return invalid_operation(
@@ -205,9 +216,10 @@ pub(crate) fn framebuffer_texture_layer(
                 ),
             );
         }
-    }
+    };
     let (source, image) = (slice.checked(of)?, object.image.clone());
-    destination.attach(context, Some(Attached { source, image, planes: Planes::BOTH }))
+    let planes = object.planes();
+    destination.attach(context, Some(Attached { source, image, planes }))
 }
 
 /// All layers of a level, or its only one.
@@ -245,10 +257,10 @@ pub(crate) fn framebuffer_texture(
             );
         }
     };
-    let image = object.image.clone();
+    let (image, planes) = (object.image.clone(), object.planes());
     let level = crate::objects::target::checked_level(SECTION, of.target, level)?;
     let source = Source::Texture { name: texture, target: of, level, slice: 0, layers };
-    destination.attach(context, Some(Attached { source, image, planes: Planes::BOTH }))
+    destination.attach(context, Some(Attached { source, image, planes }))
 }
 
 pub(crate) fn framebuffer_renderbuffer(

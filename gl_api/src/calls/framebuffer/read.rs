@@ -190,7 +190,7 @@ impl ReadPixelsRequest {
         };
         let from = buffer.format;
         if pixel.format != ClientFormat::Stencil {
-            kinds_match(pixel, from)?;
+            kinds_match(pixel, from, GL_NONE)?;
         }
         let mut final_conversion = FinalConversion::of(from, LuminanceOf::Sum);
         if !pixel.format.is_depth() && !from.is_integer() {

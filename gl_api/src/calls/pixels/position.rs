@@ -114,6 +114,8 @@ pub(crate) fn shade(context: &mut Context, position: [f32; 4]) -> Result<Vertice
             | Input::PointCoord(_)
             | Input::Gradient { .. }
             | Input::Coverage
+            | Input::SampleId
+            | Input::SamplePosition(_)
             | Input::LineDirection(_) => 0.0,
         };
         *out = U32s::splat(number.to_bits());
@@ -179,7 +181,7 @@ pub(crate) fn raster(context: &mut Context, position: [f64; 4]) -> Result<()> {
 pub(crate) fn window(context: &mut Context, position: [f64; 4]) -> Result<()> {
     context.state_changes.no_change();
     let [x, y, z, w] = position;
-    let [near, far] = context.state.viewport.depth;
+    let [near, far] = context.state.viewport.first.depth;
     let depth = near + unit(z) * (far - near);
     let clamp = crate::draw::color_clamp::of_vertices(context);
     let current = |location: u8| context.state.current[usize::from(location)];

@@ -1,5 +1,5 @@
 //! `glSampleCoverage`, `glSampleMaski` and `glGetMultisamplefv`: GL 2.1, sections 3.2.1 and 4.1.3;
-//! `ARB_texture_multisample`, sections 3.3.1 and 4.1.3.
+//! `ARB_texture_multisample`, sections 3.3.1 and 4.1.3. `glMinSampleShading`: `ARB_sample_shading`.
 
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_value};
@@ -14,6 +14,11 @@ pub(crate) fn sample_coverage(context: &mut Context, value: GLclampf, invert: bo
     let value = texunit::lanes::math::clamp(value, 0.0, 1.0);
     let state = &mut context.state.raster.multisample;
     *state = Multisample { value, invert, ..*state };
+    Ok(())
+}
+
+pub(crate) fn min_sample_shading(context: &mut Context, value: GLfloat) -> Result<()> {
+    context.state.raster.multisample.shaded = texunit::lanes::math::clamp(value, 0.0, 1.0);
     Ok(())
 }
 

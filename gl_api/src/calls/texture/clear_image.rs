@@ -42,6 +42,7 @@ impl ClearRequest {
             return invalid_operation(SECTION, format!("texture = {name} is no texture"));
         };
         let (target, image) = (texture.target, texture.image.clone());
+        let internal = texture.internal(0, level as usize);
         if target == TextureTarget::Buffer {
             return invalid_operation(SECTION, "a buffer texture is cleared by glClearBufferData");
         }
@@ -55,7 +56,7 @@ impl ClearRequest {
         }
         let area = unit_box(target, &stored, area)?;
         let pixel = Pixel::new(format, ty)?;
-        kinds_match(pixel, stored.format)?;
+        kinds_match(pixel, stored.format, internal)?;
         let isa = context.recorder.isa();
         let texel = one_texel(isa, SECTION, stored.format, pixel, data)?;
         Ok(Self { level: stored, area, texel })

@@ -25,13 +25,22 @@ struct CopySource {
     buffer: ReadBuffer,
     region: Region,
     to: Format,
+    /// What of the framebuffer is copied.
+    aspect: Aspect,
 }
 
 impl CopySource {
-    fn new(context: &Context, region: Region, to: Format) -> Result<Self> {
-        let what = if to.is_depth() { Aspect::Depth } else { Aspect::Color };
-        let buffer = ReadBuffer::new(context, what)?;
+    fn new(context: &Context, region: Region, to: Format, internal: GLenum) -> Result<Self> {
+        let aspect = match to.is_depth() {
+            true if formats::is_of_stencils(internal) => Aspect::Stencil,
+            true => Aspect::Depth,
+            false => Aspect::Color,
+        };
+        let buffer = ReadBuffer::new(context, aspect)?;
         let from = buffer.format;
+        if aspect == Aspect::Stencil {
+            return Ok(Self { buffer, region, to, aspect });
+        }
         if from.is_integer() != to.is_integer() {
             return invalid_operation(
                 "EXT_texture_integer, section 3.8.2",
@@ -48,7 +57,7 @@ impl CopySource {
         if context.profile.is_es() {
             check_es(from, to)?;
         }
-        Ok(Self { buffer, region, to })
+        Ok(Self { buffer, region, to, aspect })
     }
 
     /// The texels, or the colours that are compressed; zeros where the region lies outside.
@@ -56,7 +65,11 @@ impl CopySource {
         let from = self.buffer.pixels(context)?;
         let to = if self.to.block().is_some() { blocks::COLORS } else { self.to };
         let (isa, transfer) = (context.recorder.isa(), &context.state.transfer);
-        Ok(convert::transcode(isa, from.format(), &from.region(self.region)?, to, transfer))
+        let transcode = match self.aspect {
+            Aspect::Stencil => convert::transcode_stencils,
+            Aspect::Color | Aspect::Depth => convert::transcode,
+        };
+        Ok(transcode(isa, from.format(), &from.region(self.region)?, to, transfer))
     }
 }
 
@@ -158,7 +171,8 @@ fn copy_tex_image(
     match desc.request(context)? {
         ImageRequest::Texture(level) => {
             let [width, height, _] = level.desc.given.map(|side| side as usize);
-            let source = CopySource::new(context, Region::new(x, y, width, height), format)?;
+            let source =
+                CopySource::new(context, Region::new(x, y, width, height), format, internal)?;
             if context.profile.is_es() {
                 check_es_image(internal, source.buffer.format, format)?;
             }
@@ -179,12 +193,11 @@ fn copy_tex_sub_image(
     let target = dimensions.bound(target)?;
     let area = BoxRequest::new(context, target, level, offset, [width, height, 1])?;
     let region = Region::new(x, y, width as usize, height as usize);
+    let requested = bound(context, target.target).internal(target.face.into(), area.level);
     if context.profile.is_es() {
-        let requested =
-            bound(context, target.target).requested[usize::from(target.face)][area.level];
         es_texels::check_copied(requested)?;
     }
-    let source = CopySource::new(context, region, area.format)?;
+    let source = CopySource::new(context, region, area.format, requested)?;
     area.check_blocks()?;
     let texels = source.texels(context)?;
     area.apply_converted(context, &texels)

@@ -18,8 +18,12 @@ use texunit::format::Format;
 const SECTION: &str = "GL 2.1, section 6.1.4";
 
 /// Checks that texels of a format can be read as these pixels.
-pub(crate) fn check_readable(pixel: Pixel, format: Format) -> Result<()> {
-    kinds_match(pixel, format)?;
+pub(crate) fn check_readable(pixel: Pixel, format: Format, internal: GLenum) -> Result<()> {
+    // Of textures with depth and stencil, too (ARB_texture_stencil8, section 6.1.4).
+    if pixel.format == ClientFormat::Stencil && format.has_stencil() {
+        return Ok(());
+    }
+    kinds_match(pixel, format, internal)?;
     if pixel.format == ClientFormat::DepthStencil && !format.has_stencil() {
         return invalid_operation(
             "EXT_packed_depth_stencil, section 6.1.4",
@@ -66,9 +70,11 @@ pub(crate) fn get_tex_image(
     let pixel = requested_pixel(SECTION, format, ty)?;
     let image = bound(context, target.target).image.clone();
     crate::draw::pass::submit_draws_to(context, &image);
-    let texels = bound(context, target.target).image.texels();
+    let texture = bound(context, target.target);
+    let internal = texture.internal(target.face.into(), level);
+    let texels = texture.image.texels();
     let Some(level) = texels.level(target.face.into(), level) else { return Ok(()) };
-    check_readable(pixel, level.format)?;
+    check_readable(pixel, level.format, internal)?;
     let size = target.target.level_box(level.stored_size()).map(|side| side as usize);
     let layout = Layout::new(&context.state.pack, pixel, size, extent(target.target))?;
     // No transfer operations are performed on images that are read back.

@@ -1,6 +1,7 @@
 //! Reading a part of a level back, by the texture's name: `ARB_get_texture_sub_image`.
 
 use crate::base::args::DataOut;
+use crate::base::constants::GL_NONE;
 use crate::base::error::{Result, invalid_operation, invalid_value, not_negative};
 use crate::base::types::*;
 use crate::calls::texture::get::{check_readable, extent, requested_pixel};
@@ -159,7 +160,13 @@ pub(crate) fn get_texture_sub_image(
     let texel_box = TexelBox::new(context, texture, level, offset, size)?;
     let pixel = requested_pixel(SECTION, format, ty)?;
     let Some(format) = texel_box.format() else { return Ok(()) };
-    check_readable(pixel, format)?;
+    let internal = context
+        .objects
+        .shared
+        .textures
+        .get(texture)
+        .map_or(GL_NONE, |texture| texture.internal(0, texel_box.level));
+    check_readable(pixel, format, internal)?;
     // Its faces are layers here.
     let is_cube = texel_box.target == TextureTarget::Cube;
     let extent = if is_cube { Extent::Volume } else { extent(texel_box.target) };

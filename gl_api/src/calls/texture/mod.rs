@@ -7,6 +7,7 @@ pub(crate) mod compressed;
 pub(crate) mod copy;
 pub(crate) mod copy_image;
 pub(crate) mod environment;
+pub(crate) mod format_properties;
 pub(crate) mod get;
 pub(crate) mod get_sub;
 pub(crate) mod internal_format;

@@ -85,6 +85,16 @@ struct Known {
     buffer: (GLuint, Range<usize>),
 }
 
+impl Known {
+    /// Bits of a component. Depths beside stencils are none of the texture's.
+    fn bits(&self, component: Component) -> GLint {
+        match component {
+            Component::Depth if formats::is_of_stencils(self.internal) => 0,
+            component => component_bits(self.format, component),
+        }
+    }
+}
+
 /// What is known of a buffer texture.
 fn known_buffer(context: &Context) -> Known {
     let store = &bound(context, TextureTarget::Buffer).store;
@@ -123,7 +133,7 @@ fn known(context: &Context, image: ImageTarget, level: usize) -> Option<Known> {
 }
 
 /// What kind of numbers a format's components are.
-fn kind(format: Format) -> GLenum {
+pub(super) fn kind(format: Format) -> GLenum {
     match format.info().encoding {
         Encoding::Snorm | Encoding::Block(Block::Rgtc1Snorm | Block::Rgtc2Snorm) => {
             GL_SIGNED_NORMALIZED
@@ -161,7 +171,7 @@ fn property(context: &Context, target: GLenum, level: GLint, pname: GLenum) -> R
         Property::DepthOfVolume => depth,
         Property::Border => known.border as GLint,
         Property::Compressed => i32::from(is_compressed),
-        Property::Bits(component) => component_bits(known.format, component),
+        Property::Bits(component) => known.bits(component),
         Property::CompressedBytes => {
             let [width, height, depth] = known.given;
             let bytes = Level::required_bytes(known.format, width, height, depth);
@@ -185,7 +195,7 @@ fn property(context: &Context, target: GLenum, level: GLint, pname: GLenum) -> R
         Property::Buffer => known.buffer.0 as GLint,
         Property::BufferOffset => known.buffer.1.start as GLint,
         Property::BufferSize => known.buffer.1.len() as GLint,
-        Property::Kind(component) if component_bits(known.format, component) == 0 => 0,
+        Property::Kind(component) if known.bits(component) == 0 => 0,
         Property::Kind(_) => kind(known.format) as GLint,
     })
 }

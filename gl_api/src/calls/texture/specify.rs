@@ -10,7 +10,7 @@ use crate::context::Context;
 use crate::objects::target::Dimensions;
 use crate::pixel::client::Pixel;
 use crate::pixel::client::format::{ClientFormat, Numbers};
-use crate::pixel::formats::{UNCOMPRESSED, texture_format};
+use crate::pixel::formats::{self, UNCOMPRESSED, texture_format};
 use crate::pixel::layout::{Extent, Layout};
 use crate::pixel::scratch::scratch;
 use crate::pixel::{blocks, convert, es_texels};
@@ -36,10 +36,19 @@ pub(crate) fn checked_internal(internal: GLenum) -> Result<Format> {
     }
 }
 
-/// Depth pixels go to depth textures, integers to integer textures, colours to the others.
-pub(crate) fn kinds_match(pixel: Pixel, stored: Format) -> Result<()> {
-    if pixel.format == ClientFormat::Stencil {
-        return invalid_operation(SECTION, "format GL_STENCIL_INDEX is for framebuffers alone");
+/// Depth pixels go to depth textures, stencils to those of stencils alone, integers to integer textures, colours to the
+/// others. `internal` is the internal format of a texture, or `GL_NONE`.
+pub(crate) fn kinds_match(pixel: Pixel, stored: Format, internal: GLenum) -> Result<()> {
+    let (is_stencil, of_stencils) =
+        (pixel.format == ClientFormat::Stencil, formats::is_of_stencils(internal));
+    if is_stencil != of_stencils {
+        return invalid_operation(
+            "ARB_texture_stencil8, section 3.8.3",
+            "format GL_STENCIL_INDEX and a stencil internalformat go together, and not with others",
+        );
+    }
+    if is_stencil {
+        return Ok(());
     }
     if pixel.format.is_depth() != stored.is_depth() {
         return invalid_operation(
@@ -113,7 +122,7 @@ fn tex_image(
         (checked_internal(internal)?, Pixel::new(pixels.format, pixels.ty)?)
     };
     let desc = LevelDesc::new(image, level, internal, format, given, border)?;
-    kinds_match(pixel, format)?;
+    kinds_match(pixel, format, internal)?;
     match desc.request(context)? {
         ImageRequest::Texture(request) => {
             replace_level(context, request, (pixel, pixels.data), extent(dimensions))

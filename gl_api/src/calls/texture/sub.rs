@@ -201,14 +201,10 @@ fn tex_sub_image(
     let is_es = context.profile.is_es();
     let pixel = if is_es { Pixel::new_in_es(format, ty) } else { Pixel::new(format, ty) }?;
     let area = BoxRequest::new(context, target, level, offset, size)?;
-    kinds_match(pixel, area.format)?;
+    let internal = bound(context, target.target).internal(target.face.into(), area.level);
+    kinds_match(pixel, area.format, internal)?;
     if is_es {
-        let texture = bound(context, target.target);
-        es_texels::check_replaced(
-            texture.requested[usize::from(target.face)][area.level],
-            format,
-            ty,
-        )?;
+        es_texels::check_replaced(internal, format, ty)?;
     }
     let size = size.map(|side| side as usize);
     let layout = Layout::new(&context.state.unpack, pixel, size, extent(dimensions))?;

@@ -4,3 +4,4 @@ pub(crate) mod clip;
 pub(crate) mod matrix;
 pub(crate) mod texgen;
 pub(crate) mod viewport;
+pub(crate) mod viewport_arrays;

@@ -20,16 +20,17 @@ pub(crate) fn viewport(
     not_negative(SECTION, "width", width.into())?;
     not_negative(SECTION, "height", height.into())?;
     let limit = limits::MAX_VIEWPORT_DIMS as i32;
-    let state = &mut context.state.viewport;
-    state.x = x.clamp(-2 * limit, 2 * limit);
-    state.y = y.clamp(-2 * limit, 2 * limit);
-    state.width = width.min(limit);
-    state.height = height.min(limit);
+    context.state.viewport.change_all(|state| {
+        state.x = x.clamp(-2 * limit, 2 * limit) as f32;
+        state.y = y.clamp(-2 * limit, 2 * limit) as f32;
+        state.width = width.min(limit) as f32;
+        state.height = height.min(limit) as f32;
+    });
     Ok(())
 }
 
 pub(crate) fn depth_range(context: &mut Context, near: GLclampd, far: GLclampd) -> Result<()> {
-    context.state.viewport.depth = [unit(near), unit(far)];
+    context.state.viewport.change_all(|state| state.depth = [unit(near), unit(far)]);
     Ok(())
 }
 

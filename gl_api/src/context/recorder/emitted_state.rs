@@ -6,7 +6,8 @@ use crate::context::recorder::fixed_function::StageKeys;
 use crate::context::recorder::stages::Textures;
 use crate::state::plain::PlainState;
 use rasterizer::driver::{
-    Counter, PipelineDesc, RasterState, Rect, Topology, VertexBinding, VertexSource, Viewport,
+    Counter, PipelineDesc, RasterState, Rect, ScissoredViewport, Topology, VertexBinding,
+    VertexSource, Viewport,
 };
 use std::sync::Arc;
 
@@ -22,6 +23,10 @@ pub(crate) struct EmittedState {
     pub raster: Option<Arc<RasterState>>,
     pub viewport: Option<Viewport>,
     pub scissor: Option<Option<Rect>>,
+    /// Whether the pipeline's programs give the number of a viewport.
+    pub chooses_viewports: bool,
+    /// The viewports from number 1 on, of such pipelines.
+    pub more_viewports: Option<Arc<[ScissoredViewport]>>,
     pub counter: Option<Counter>,
     pub first_primitive: u32,
     /// The draw before, if others may be added to it.

@@ -46,6 +46,8 @@ impl PreparedStage {
                     | Input::FrontFacing
                     | Input::PointCoord(_)
                     | Input::Coverage
+                    | Input::SampleId
+                    | Input::SamplePosition(_)
                     | Input::LineDirection(_)
                     | Input::Attribute { .. }
                     | Input::VertexId

@@ -52,6 +52,7 @@ impl Outputs {
             | Output::SecondColor(_)
             | Output::Depth
             | Output::StencilReference
+            | Output::SampleMask
             | Output::Layer
             | Output::PrimitiveId
             | Output::ViewportIndex => match self {

@@ -28,18 +28,16 @@ pub(crate) fn check(
     let enables = &state.enables;
     let lights = enables.has(Flag::Lighting).then_some(&state.lights);
     let no_light = lights.is_some_and(|lights| lights.enabled == 0);
-    let [viewport, scissor] = [
-        [state.viewport.width, state.viewport.height],
-        [state.fragment.scissor.width as i32, state.fragment.scissor.height as i32],
-    ];
-    let no_scissor = enables.has(Flag::ScissorTest) && scissor == [0, 0];
+    let viewport = [state.viewport.first.width, state.viewport.first.height];
+    let scissor = state.fragment.scissor.first;
+    let no_scissor = enables.has(Flag::ScissorTest) && [scissor.width, scissor.height] == [0, 0];
     let no_depth = enables.has(Flag::DepthTest)
         && desc.depth.is_none()
         && state.fragment.depth_func != Compare::Always;
     let no_stencil = enables.has(Flag::StencilTest)
         && desc.output.stencil.is_none()
         && state.fragment.stencil.faces.iter().any(|face: &Face| face.func != Compare::Always);
-    if viewport.contains(&0) {
+    if viewport.contains(&0.0) {
         no_viewport(context, viewport);
     }
     if no_scissor {
@@ -101,7 +99,7 @@ fn say(context: &mut Context, warning: DrawWarning, text: &str) {
 
 #[cold]
 #[inline(never)]
-fn no_viewport(context: &mut Context, [width, height]: [i32; 2]) {
+fn no_viewport(context: &mut Context, [width, height]: [f32; 2]) {
     if context.is_first_warning(DrawWarning::NoViewport, 0) {
         context.debug.warn(format!(
             "draw: the viewport is {width}×{height}, so nothing is drawn: call glViewport (it is 0×0 \

@@ -61,9 +61,13 @@ macro_rules! entry_points_framebuffers {
         ), not_compiled;
     }
     Refused in internal_format {
-        /// Reads the numbers of samples that images of a format can have.
+        /// Reads what a format can be used for with a target.
         get_internalformativ: glGetInternalformativ (
             target: GLenum, internalformat: GLenum, pname: GLenum, bufsize: GLsizei, params: &'a mut [GLint]
+        );
+        /// Reads the same as integers of 64 bits.
+        get_internalformati64v: glGetInternalformati64v (
+            target: GLenum, internalformat: GLenum, pname: GLenum, bufsize: GLsizei, params: &'a mut [GLint64]
         );
     }
     Refused in attach {

@@ -36,6 +36,7 @@ mod transform;
 mod transform_feedback;
 mod uniform_buffers;
 mod vertices;
+mod viewport_arrays;
 
 pub use assembly::*;
 pub use attributes::*;
@@ -60,6 +61,7 @@ pub use transform::*;
 pub use transform_feedback::*;
 pub use uniform_buffers::*;
 pub use vertices::*;
+pub use viewport_arrays::*;
 
 use super::description::EntryPoint;
 #[cfg(any(test, feature = "exercise"))]
@@ -93,6 +95,7 @@ macro_rules! entry_points {
         $crate::entry_points_transform_feedback!($apply $($arguments)*);
         $crate::entry_points_uniform_buffers!($apply $($arguments)*);
         $crate::entry_points_vertices!($apply $($arguments)*);
+        $crate::entry_points_viewport_arrays!($apply $($arguments)*);
     };
 }
 
@@ -125,6 +128,7 @@ pub(super) const CHAPTERS: &[&[EntryPoint]] = &[
     transform_feedback::ROWS,
     uniform_buffers::ROWS,
     vertices::ROWS,
+    viewport_arrays::ROWS,
 ];
 
 /// The calls of every chapter with random arguments.
@@ -154,6 +158,7 @@ pub(super) fn exercises() -> Vec<Exercise> {
         transform_feedback::exercises,
         uniform_buffers::exercises,
         vertices::exercises,
+        viewport_arrays::exercises,
     ];
     chapters.into_iter().flat_map(|chapter| chapter()).collect()
 }

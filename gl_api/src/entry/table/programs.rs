@@ -71,7 +71,7 @@ macro_rules! entry_points_programs {
         bind_frag_data_location: glBindFragDataLocation | glBindFragDataLocationEXT
             (program: GLuint, color: GLuint, name: &'a str), not_compiled;
         /// Sets the draw buffer and the colour of it, first or second, that a fragment output gets at the next link.
-        bind_frag_data_location_indexed: glBindFragDataLocationIndexed
+        bind_frag_data_location_indexed: glBindFragDataLocationIndexed | glBindFragDataLocationIndexedEXT
             (program: GLuint, color_number: GLuint, index: GLuint, name: &'a str), not_compiled;
         /// Links a program; `glGetProgramiv` says whether it worked.
         link_program: glLinkProgram | glLinkProgramARB (program: GLuint), not_compiled;
@@ -111,7 +111,7 @@ macro_rules! entry_points_programs {
         get_frag_data_location: glGetFragDataLocation | glGetFragDataLocationEXT
             (program: GLuint, name: &'a str) -> GLint;
         /// Which colour of its draw buffer a fragment output is, 0 or 1, or -1.
-        get_frag_data_index: glGetFragDataIndex (program: GLuint, name: &'a str) -> GLint;
+        get_frag_data_index: glGetFragDataIndex | glGetFragDataIndexEXT (program: GLuint, name: &'a str) -> GLint;
         /// Reads a uniform.
         get_uniformfv: glGetUniformfv | glGetUniformfvARB (program: GLuint, location: GLint, params: &'a mut [GLfloat]);
         /// Reads a uniform.

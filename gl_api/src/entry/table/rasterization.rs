@@ -48,6 +48,8 @@ macro_rules! entry_points_rasterization {
         sample_coverage: glSampleCoverage | glSampleCoverageARB (value: GLclampf, invert: bool);
         /// Sets which samples `GL_SAMPLE_MASK` leaves, bit by sample.
         sample_maski: glSampleMaski (mask_number: GLuint, mask: GLbitfield);
+        /// Sets which part of the samples of a pixel is shaded each by itself, where `GL_SAMPLE_SHADING` is enabled.
+        min_sample_shading: glMinSampleShading | glMinSampleShadingARB (value: GLfloat);
         /// Reads where a sample of the draw framebuffer lies in its pixel.
         get_multisamplefv: glGetMultisamplefv
             (pname: GLenum, index: GLuint, val: &'a mut [GLfloat]);

@@ -20,6 +20,7 @@ pub(crate) fn clamp_vertex_colors(module: &mut Module) -> bool {
         | Output::SecondColor(_)
         | Output::Depth
         | Output::StencilReference
+        | Output::SampleMask
         | Output::Layer
         | Output::PrimitiveId
         | Output::ViewportIndex => false,

@@ -19,6 +19,11 @@ use crate::base::error::{Result, not_a_choice};
 use crate::base::types::*;
 use texunit::format::Format;
 
+/// Whether an internal format is of stencils alone. They are stored beside depths that nothing reads.
+pub(crate) fn is_of_stencils(internal: GLenum) -> bool {
+    find(internal).is_some_and(|row| row.renderable == Renderable::Stencil)
+}
+
 /// The row of a format.
 pub fn find(name: GLenum) -> Option<&'static InternalFormat> {
     FORMATS.iter().find(|format| format.name == name)

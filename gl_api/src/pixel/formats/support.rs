@@ -29,6 +29,7 @@ pub(super) const TEXTURE_COMPRESSION_S3TC: &[Extension] =
 pub(super) const TEXTURE_FLOAT: &[Extension] = &[of("GL_ARB_texture_float", COMPATIBILITY)];
 pub(super) const TEXTURE_INTEGER: &[Extension] = &[of("GL_EXT_texture_integer", COMPATIBILITY)];
 pub(super) const TEXTURE_RGB10_A2UI: &[Extension] = &[of("GL_ARB_texture_rgb10_a2ui", DESKTOP)];
+pub(super) const TEXTURE_STENCIL8: &[Extension] = &[of("GL_ARB_texture_stencil8", DESKTOP)];
 pub(super) const TEXTURE_SNORM: &[Extension] = &[of("GL_EXT_texture_snorm", COMPATIBILITY)];
 pub(super) const TEXTURE_SRGB: &[Extension] = &[of("GL_EXT_texture_sRGB", DESKTOP)];
 

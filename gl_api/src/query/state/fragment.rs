@@ -38,7 +38,7 @@ fn formula(context: &Context, pname: GLenum) -> GLenum {
 pub(super) const ROWS: &[Row] = rows! {
     GL_SCISSOR_TEST: Enabled;
     GL_SCISSOR_BOX: Integers(|c| {
-        let area = c.state.fragment.scissor;
+        let area = c.state.fragment.scissor.first;
         vec![area.x, area.y, area.width as i32, area.height as i32]
     });
     GL_ALPHA_TEST: Enabled;

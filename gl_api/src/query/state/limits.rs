@@ -8,7 +8,7 @@ use crate::base::limits;
 use crate::base::types::*;
 use crate::base::version;
 use crate::context::Context;
-use crate::glsl::limits::MAX_CULL_DISTANCES;
+use crate::glsl::limits::{MAX_CULL_DISTANCES, MAX_VIEWPORTS};
 use crate::glsl::{GATHER_OFFSETS, MAX_UNIFORM_LOCATIONS, TEXEL_OFFSETS};
 use crate::interface::*;
 use crate::pixel::etc;
@@ -41,6 +41,12 @@ pub(super) const ROWS: &[Row] = rows! {
     GL_MAX_TEXTURE_STACK_DEPTH: Integer(|_| saturated(MAX_STACK_DEPTH));
     GL_MAX_VIEWPORT_DIMS: Integers(|_| vec![limits::MAX_VIEWPORT_DIMS as i32; 2]);
     GL_SUBPIXEL_BITS: Integer(|_| 8);
+    GL_MAX_VIEWPORTS: Integer(|_| saturated(MAX_VIEWPORTS));
+    GL_VIEWPORT_SUBPIXEL_BITS: Integer(|_| 8);
+    GL_VIEWPORT_BOUNDS_RANGE: Floats(|_| {
+        let limit = f64::from(2 * limits::MAX_VIEWPORT_DIMS);
+        vec![-limit, limit]
+    });
     GL_POINT_SIZE_RANGE: Floats(|_| doubles(&[1.0, MAX_POINT_SIZE]));
     GL_ALIASED_POINT_SIZE_RANGE: Floats(|_| doubles(&[1.0, MAX_POINT_SIZE]));
     GL_POINT_SIZE_GRANULARITY: Float(|_| 1.0 / 256.0);

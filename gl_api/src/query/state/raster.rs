@@ -46,4 +46,6 @@ pub(super) const ROWS: &[Row] = rows! {
     GL_SAMPLE_COVERAGE_VALUE: Float(|c| c.state.raster.multisample.value);
     GL_SAMPLE_COVERAGE_INVERT: Flag(|c| c.state.raster.multisample.invert);
     GL_SAMPLE_MASK: Enabled;
+    GL_SAMPLE_SHADING_ARB: Enabled;
+    GL_MIN_SAMPLE_SHADING_VALUE_ARB: Float(|c| c.state.raster.multisample.shaded);
 };

@@ -1,7 +1,7 @@
 //! Transformation: GL 2.1, table 6.11, and the current matrix of `ARB_vertex_program`.
 
 use super::row::Read::*;
-use super::row::{Row, rows, saturated};
+use super::row::{Row, doubles, rows, saturated};
 use crate::base::constants::*;
 use crate::base::error::Result;
 use crate::calls::transform::matrix::current;
@@ -35,11 +35,11 @@ pub(super) const ROWS: &[Row] = rows! {
     GL_TRANSPOSE_CURRENT_MATRIX_ARB: UnitFloats(|c| Ok(elements(current(c)?.top.transpose())));
     GL_CURRENT_MATRIX_STACK_DEPTH_ARB: UnitInteger(|c| Ok(saturated(current(c)?.depth())));
 
-    GL_VIEWPORT: Integers(|c| {
-        let viewport = &c.state.viewport;
-        vec![viewport.x, viewport.y, viewport.width, viewport.height]
-    });
-    GL_DEPTH_RANGE: Fractions(|c| c.state.viewport.depth.to_vec());
+    GL_VIEWPORT: Floats(|c| doubles(&c.state.viewport.first.sides()));
+    GL_DEPTH_RANGE: Fractions(|c| c.state.viewport.first.depth.to_vec());
+    // glProvokingVertex says which (ARB_viewport_array).
+    GL_LAYER_PROVOKING_VERTEX: Word(|_| GL_PROVOKING_VERTEX);
+    GL_VIEWPORT_INDEX_PROVOKING_VERTEX: Word(|_| GL_PROVOKING_VERTEX);
     GL_CLIP_ORIGIN: Word(|c| CLIP_ORIGIN.encode(c.state.clip.control.origin));
     GL_CLIP_DEPTH_MODE: Word(|c| CLIP_DEPTH.encode(c.state.clip.control.depth));
 

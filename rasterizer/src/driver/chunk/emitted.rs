@@ -6,7 +6,9 @@ use crate::ir::{Input, Output};
 use crate::plan::Textures;
 use crate::raster::{Chunk, ShapeLists};
 use crate::shader::{OverBudget, Prepared, Program};
-use crate::vertex::{Emitted, Geometry, GeometryStage, Layers, VertexIds, VertexList, primitives};
+use crate::vertex::{
+    Emitted, Geometry, GeometryStage, Primitives, VertexIds, VertexList, primitives,
+};
 use std::ops::Range;
 use std::sync::Arc;
 use texunit::lanes::LANES;
@@ -101,6 +103,21 @@ impl DrawState<'_> {
         geometry: &mut Geometry,
         lists: &mut ShapeLists,
     ) -> Result<(), OverBudget> {
+        let (drawn, vertex_list) =
+            self.emit_vertices(program, (input, vertex_list), range, geometry)?;
+        self.shapes(geometry, (&drawn, 0..drawn.len), &vertex_list, lists);
+        Ok(())
+    }
+
+    /// Puts the vertices that a geometry program makes of a run of primitives, of every instance, behind others; the
+    /// primitives that they make.
+    pub(super) fn emit_vertices(
+        &self,
+        program: &GeometryProgram<'_>,
+        (input, vertex_list): (&Geometry, &VertexList),
+        range: Range<u32>,
+        geometry: &mut Geometry,
+    ) -> Result<(Primitives, VertexList), OverBudget> {
         let (compiled, desc) = (self.pipeline.compiled(), self.pipeline.desc());
         let stage = GeometryStage {
             isa: self.isa,
@@ -115,7 +132,8 @@ impl DrawState<'_> {
             viewport: self.setup.viewport,
             point_size: self.setup.raster.point.source,
             provoking: desc.provoking,
-            layers: if self.layers > 1 { Layers::Several } else { Layers::One },
+            layers: self.layers(),
+            viewports: self.viewports(),
         };
         let mut machine = self.machines.borrow();
         let mut emitted = Emitted { geometry, indices: Vec::new() };
@@ -131,10 +149,8 @@ impl DrawState<'_> {
             let range = (&self.primitives, range.clone());
             stage.run(machine.get(), (input, vertex_list), range, &mut emitted)?;
         }
-        let Emitted { geometry, indices } = emitted;
+        let Emitted { indices, .. } = emitted;
         let drawn = primitives(desc.drawn(), desc.provoking, indices.len() as u32);
-        let vertex_list = VertexList::shaded(indices);
-        self.shapes(geometry, (&drawn, 0..drawn.len), &vertex_list, lists);
-        Ok(())
+        Ok((drawn, VertexList::shaded(indices)))
     }
 }

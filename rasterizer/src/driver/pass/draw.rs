@@ -1,6 +1,6 @@
 //! A draw of a pass: its plan, its chunks, and when bins are emptied.
 
-use super::{Pass, SMALL_DRAW};
+use super::{Pass, SMALL_DRAW, within};
 use crate::attachment::DepthFormat;
 use crate::driver::bound::DrawDecisions;
 use crate::driver::chunk::{DrawState, GeometryProgram, MergedDraws};
@@ -41,11 +41,12 @@ impl Pass<'_> {
             false => pipeline,
         };
         let area = self.area(self.bound.scissor);
-        if area[0][0] >= area[1][0] || area[0][1] >= area[1][1] {
+        let chooses = !self.bound.more_viewports.is_empty() && pipeline.chooses_viewports();
+        if (area[0][0] >= area[1][0] || area[0][1] >= area[1][1]) && !chooses {
             return;
         }
-        let area_in_viewport = self.area_in_viewport(area);
-        let DrawDecisions { plan, vertex, geometry } = match &self.bound.decided {
+        let area_in_viewport = within(area, &self.bound.viewport);
+        let DrawDecisions { plan, more_plans, vertex, geometry } = match &self.bound.decided {
             Some(decided) => decided.clone(),
             None => self.decide(&pipeline),
         };
@@ -56,10 +57,15 @@ impl Pass<'_> {
         }
         let raster = plan.raster.clone();
         let draw = self.job.draws.len();
-        let (counter, budget) = (self.bound.counter.clone(), DrawBudget::new(self.bound.budget));
-        let label = self.bound.label;
-        self.job.draws.push(DrawJob { plan, area: area_in_viewport, counter, budget, label });
-        self.commands.push(command);
+        self.push_job(command, plan, area_in_viewport);
+        let more_viewports = self.bound.more_viewports.clone();
+        let more_areas = more_viewports.iter().zip(&*more_plans).map(|(own, plan)| {
+            let area = self.area(own.scissor);
+            let area_in_viewport = within(area, &own.viewport);
+            self.push_job(command, plan.clone(), area_in_viewport);
+            (own.viewport, area, area_in_viewport)
+        });
+        let more_areas: Vec<_> = more_areas.collect();
 
         let compiled = pipeline.compiled();
         let desc = pipeline.desc();
@@ -73,6 +79,20 @@ impl Pass<'_> {
         let geometry = compiled.geometry.as_deref().zip(geometry).map(|(program, prepared)| {
             GeometryProgram { program, prepared, textures: &geometry_textures }
         });
+        let setup = Setup {
+            isa: self.job.isa,
+            viewport: self.bound.viewport,
+            cull: desc.cull,
+            front_face: desc.front_face,
+            raster: &raster,
+            edge_flags: match geometry {
+                None => primitives.edge_flags(),
+                Some(_) => EdgeFlags::AllSet,
+            },
+            drawable_area: area,
+            area_in_viewport,
+            resolution,
+        };
         let mut state = DrawState {
             draw,
             isa: self.job.isa,
@@ -94,25 +114,22 @@ impl Pass<'_> {
             slots: &compiled.slots,
             geometry: geometry.clone(),
             layers: self.desc.layers.into(),
-            setup: Setup {
-                isa: self.job.isa,
-                viewport: self.bound.viewport,
-                cull: desc.cull,
-                front_face: desc.front_face,
-                raster: &raster,
-                edge_flags: match geometry {
-                    None => primitives.edge_flags(),
-                    Some(_) => EdgeFlags::AllSet,
-                },
-                drawable_area: area,
-                area_in_viewport,
-                resolution,
-            },
+            setup,
+            more_setups: more_areas
+                .into_iter()
+                .map(|(viewport, drawable_area, area_in_viewport)| Setup {
+                    viewport,
+                    drawable_area,
+                    area_in_viewport,
+                    ..setup
+                })
+                .collect(),
         };
         // Edge flags belong to one draw, and so do lines that only advance a stipple.
         let is_small = raster.polygon.edge_flag.is_none()
             && raster.line.stipple.is_none()
             && self.job.watch.is_none()
+            && state.more_setups.is_empty()
             && (1..=SMALL_DRAW).contains(&state.drawn_len())
             && instances.len() <= state.instances_per_chunk() as usize;
         let drawn = match is_small {
@@ -120,7 +137,7 @@ impl Pass<'_> {
             false => self.draw_in_own_chunks(&mut state, report),
         };
         let Ok(is_visible) = drawn else {
-            self.job.draws[draw].budget.is_stopped = true;
+            self.job.draws[draw..].iter_mut().for_each(|job| job.budget.is_stopped = true);
             return;
         };
         if self.shapes >= BINS_FULL {
@@ -131,6 +148,13 @@ impl Pass<'_> {
             (false, None) => Visibility::NothingDrawn,
             (false, Some(reasons)) => Visibility::Invisible(reasons),
         });
+    }
+
+    /// Appends a draw of an area with what is bound.
+    fn push_job(&mut self, command: usize, plan: Arc<DrawPlan>, area: [[i32; 2]; 2]) {
+        let (counter, budget) = (self.bound.counter.clone(), DrawBudget::new(self.bound.budget));
+        self.job.draws.push(DrawJob { plan, area, counter, budget, label: self.bound.label });
+        self.commands.push(command);
     }
 
     /// Appends a small draw to the chunk of the draws before it, if their state is equal; returns whether it has shapes.
@@ -178,6 +202,25 @@ impl Pass<'_> {
 
     /// Decides how to draw with what is bound.
     fn decide(&mut self, pipeline: &Pipeline) -> DrawDecisions {
+        let viewport = self.bound.viewport;
+        let decided = self.decide_for(pipeline);
+        if !pipeline.chooses_viewports() {
+            return decided;
+        }
+        let more_viewports = self.bound.more_viewports.clone();
+        let more_plans = more_viewports.iter().map(|own| {
+            self.bound.viewport = own.viewport;
+            self.decide_for(pipeline).plan
+        });
+        let more_plans = more_plans.collect();
+        self.bound.viewport = viewport;
+        let decided = DrawDecisions { more_plans, ..decided };
+        self.bound.decided = Some(decided.clone());
+        decided
+    }
+
+    /// Decides how to draw to the first viewport.
+    fn decide_for(&mut self, pipeline: &Pipeline) -> DrawDecisions {
         let (isa, depth, bound) = (self.job.isa, self.depth_format(), &mut self.bound);
         // Uniforms, such as matrices, are mostly not the fragments'.
         let prepare = |pipeline: &Pipeline| {
@@ -232,7 +275,7 @@ impl Pass<'_> {
         let geometry = compiled.geometry.as_ref().map(|program| {
             Arc::new(program.prepare(isa, &bound.uniforms, &bound.geometry_textures))
         });
-        let decided = DrawDecisions { plan, vertex, geometry };
+        let decided = DrawDecisions { plan, more_plans: Arc::new([]), vertex, geometry };
         bound.decided = Some(decided.clone());
         decided
     }

@@ -132,6 +132,9 @@ impl Shaded {
                 | FragmentInput::Depth
                 | FragmentInput::Front
                 | FragmentInput::Coverage
+                | FragmentInput::PlaceOfSample(_)
+                | FragmentInput::SampleId
+                | FragmentInput::SamplePosition(_)
                 | FragmentInput::Zero => InputSource::Pixel,
             };
             let bits = machine.input(index)[self.lane];

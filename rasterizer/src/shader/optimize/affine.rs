@@ -46,6 +46,7 @@ fn first_free(fragment: &Module, vertex: &Module) -> u16 {
         | Output::SecondColor(_)
         | Output::Depth
         | Output::StencilReference
+        | Output::SampleMask
         | Output::Layer
         | Output::PrimitiveId
         | Output::ViewportIndex => None,

@@ -4,11 +4,13 @@ use crate::builtins::variable::Access::{ReadOnly, ReadWrite};
 use crate::builtins::variable::Builtin::{
     self, ClipDistance, ClipVertex, CullDistance, FragColor, FragCoord, FragData, FragDepth,
     FragStencilRef, FrontFacing, InstanceId, Layer, PointCoord, PointSize, Position, PrimitiveId,
-    PrimitiveIdIn, State, Varying, VertexId,
+    PrimitiveIdIn, SampleCount, SampleId, SampleMask, SamplePosition, SecondaryFragColor,
+    SecondaryFragData, State, Varying, VertexId, ViewportIndex,
 };
 use crate::builtins::variable::StateArray::{self, EnvColor, TextureMatrix};
 use crate::builtins::variable::VariableType::{
-    self, Bool, Int, Mat, Mat4Array, OfVertices, Struct, StructArray, UnsizedFloats, Vec, Vec4Array,
+    self, Bool, Int, Ints, Mat, Mat4Array, OfVertices, Struct, StructArray, UnsizedFloats, Vec,
+    Vec4Array,
 };
 use crate::builtins::variable::{Access, Incoming, Structure, VariableRow};
 use crate::interface::MatrixForm::{Inverse, InverseTranspose, Plain, Transpose};
@@ -29,9 +31,10 @@ use crate::language::Stages::{self, Any, Fragment, Geometry, Vertex, Vertices};
 use crate::language::{Availability, EsVersions, Extension};
 use crate::limits::{
     MAX_CLIP_DISTANCES, MAX_CLIP_PLANES, MAX_COMBINED_TEXTURE_IMAGE_UNITS, MAX_CULL_DISTANCES,
-    MAX_DRAW_BUFFERS, MAX_GEOMETRY_OUTPUT_VERTICES, MAX_GEOMETRY_TOTAL_OUTPUT_COMPONENTS,
-    MAX_LIGHTS, MAX_STAGE_COMPONENTS, MAX_TEXTURE_IMAGE_UNITS, MAX_TEXTURE_UNITS,
-    MAX_UNIFORM_COMPONENTS, MAX_VARYING_FLOATS, MAX_VERTEX_ATTRIBS, TEXEL_OFFSETS,
+    MAX_DRAW_BUFFERS, MAX_DUAL_SOURCE_DRAW_BUFFERS, MAX_GEOMETRY_OUTPUT_VERTICES,
+    MAX_GEOMETRY_TOTAL_OUTPUT_COMPONENTS, MAX_LIGHTS, MAX_SAMPLE_MASK_WORDS, MAX_STAGE_COMPONENTS,
+    MAX_TEXTURE_IMAGE_UNITS, MAX_TEXTURE_UNITS, MAX_UNIFORM_COMPONENTS, MAX_VARYING_FLOATS,
+    MAX_VERTEX_ATTRIBS, MAX_VIEWPORTS, TEXEL_OFFSETS,
 };
 
 const DESKTOP_AND_ES: Availability = Availability::DESKTOP_AND_ES;
@@ -55,6 +58,14 @@ const VERTEX_ID: Availability =
 const FRAG_DEPTH_EXT: Availability = Availability::extension(Extension::FragDepth);
 const CULL_DISTANCE: Availability = Availability::extension(Extension::CullDistance);
 const CLIP_DISTANCE: Availability = V130.or(Extension::ClipDistance);
+const VIEWPORT_ARRAY: Availability = Availability::extension(Extension::ViewportArray);
+const VERTEX_LAYER: Availability = Availability::extension(Extension::AmdVertexShaderLayer);
+const VERTEX_VIEWPORT: Availability =
+    Availability::extension(Extension::AmdVertexShaderViewportIndex);
+const FRAGMENT_LAYER: Availability = Availability::extension(Extension::FragmentLayerViewport);
+const SECOND_COLOR: Availability = Availability::extension(Extension::EsBlendFuncExtended);
+const SECOND_COLOR_100: Availability = SECOND_COLOR.extended_in(EsVersions::Only100);
+const SAMPLE_SHADING: Availability = Availability::extension(Extension::SampleShading);
 const STENCIL_EXPORT: Availability = Availability::extension(Extension::ShaderStencilExport);
 
 /// A `vec4` for each texture unit.
@@ -134,6 +145,16 @@ const fn states(name: &'static str, ty: VariableType, states: StateArray) -> Var
     row(name, ty, Any, COMPATIBILITY, ReadOnly, Builtin::States(states))
 }
 
+/// What the fragment stage writes.
+const fn output(
+    name: &'static str,
+    ty: VariableType,
+    availability: Availability,
+    builtin: Builtin,
+) -> VariableRow {
+    row(name, ty, Fragment, availability, ReadWrite, builtin)
+}
+
 /// A constant.
 const fn limit(name: &'static str, value: i32, availability: Availability) -> VariableRow {
     row(name, Int, Any, availability, ReadOnly, Builtin::Limit(value))
@@ -155,7 +176,7 @@ const fn old(name: &'static str, ty: VariableType, member: Incoming) -> Variable
 }
 
 /// Every variable, of all stages.
-pub static VARIABLES: [VariableRow; 127] = [
+pub static VARIABLES: [VariableRow; 141] = [
     row("gl_Position", Vec(4), Vertices, DESKTOP_AND_ES, ReadWrite, Position),
     row("gl_PointSize", Vec(1), Vertices, DESKTOP_AND_ES, ReadWrite, PointSize),
     row("gl_ClipVertex", Vec(4), Vertices, COMPATIBILITY, ReadWrite, ClipVertex),
@@ -216,6 +237,11 @@ pub static VARIABLES: [VariableRow; 127] = [
     row("gl_PrimitiveIDIn", Int, Geometry, V150, ReadOnly, PrimitiveIdIn),
     row("gl_PrimitiveID", Int, Geometry, V150, ReadWrite, PrimitiveId),
     row("gl_Layer", Int, Geometry, V150, ReadWrite, Layer),
+    row("gl_Layer", Int, Vertex, VERTEX_LAYER, ReadWrite, Layer),
+    row("gl_Layer", Int, Fragment, FRAGMENT_LAYER, ReadOnly, Layer),
+    row("gl_ViewportIndex", Int, Geometry, VIEWPORT_ARRAY, ReadWrite, ViewportIndex),
+    row("gl_ViewportIndex", Int, Vertex, VERTEX_VIEWPORT, ReadWrite, ViewportIndex),
+    row("gl_ViewportIndex", Int, Fragment, FRAGMENT_LAYER, ReadOnly, ViewportIndex),
     incoming("gl_in.gl_Position", OfVertices(&Vec(4)), V150, Incoming::Position),
     incoming("gl_in.gl_PointSize", OfVertices(&Vec(1)), V150, Incoming::PointSize),
     incoming("gl_in.gl_ClipDistance", OfVertices(&UnsizedFloats), V150, Incoming::ClipDistance),
@@ -245,25 +271,22 @@ pub static VARIABLES: [VariableRow; 127] = [
     row("gl_PrimitiveID", Int, Fragment, V150.or(Extension::GpuShader4), ReadOnly, PrimitiveId),
     row("gl_FrontFacing", Bool, Fragment, DESKTOP_AND_ES, ReadOnly, FrontFacing),
     row("gl_PointCoord", Vec(2), Fragment, V120.and_es(EsVersions::All), ReadOnly, PointCoord),
-    row("gl_FragColor", Vec(4), Fragment, DESKTOP_AND_ES_100, ReadWrite, FragColor),
-    row(
-        "gl_FragData",
-        Vec4Array(MAX_DRAW_BUFFERS),
-        Fragment,
-        DESKTOP_AND_ES_100,
-        ReadWrite,
-        FragData,
+    output("gl_FragColor", Vec(4), DESKTOP_AND_ES_100, FragColor),
+    output("gl_FragData", Vec4Array(MAX_DRAW_BUFFERS), DESKTOP_AND_ES_100, FragData),
+    output("gl_FragDepth", Vec(1), DESKTOP.and_es(EsVersions::From300), FragDepth),
+    output("gl_FragDepthEXT", Vec(1), FRAG_DEPTH_EXT, FragDepth),
+    output("gl_SecondaryFragColorEXT", Vec(4), SECOND_COLOR_100, SecondaryFragColor),
+    output(
+        "gl_SecondaryFragDataEXT",
+        Vec4Array(MAX_DUAL_SOURCE_DRAW_BUFFERS),
+        SECOND_COLOR_100,
+        SecondaryFragData,
     ),
-    row(
-        "gl_FragDepth",
-        Vec(1),
-        Fragment,
-        DESKTOP.and_es(EsVersions::From300),
-        ReadWrite,
-        FragDepth,
-    ),
-    row("gl_FragDepthEXT", Vec(1), Fragment, FRAG_DEPTH_EXT, ReadWrite, FragDepth),
-    row("gl_FragStencilRefARB", Int, Fragment, STENCIL_EXPORT, ReadWrite, FragStencilRef),
+    row("gl_SampleID", Int, Fragment, SAMPLE_SHADING, ReadOnly, SampleId),
+    row("gl_SamplePosition", Vec(2), Fragment, SAMPLE_SHADING, ReadOnly, SamplePosition),
+    output("gl_SampleMask", Ints(MAX_SAMPLE_MASK_WORDS), SAMPLE_SHADING, SampleMask),
+    row("gl_NumSamples", Int, Fragment, SAMPLE_SHADING, ReadOnly, SampleCount),
+    output("gl_FragStencilRefARB", Int, STENCIL_EXPORT, FragStencilRef),
     // State of the context (GLSL 1.30 section 7.4)
     state("gl_ModelViewMatrix", Mat(4), Matrix(ModelView, Plain)),
     state("gl_ModelViewMatrixInverse", Mat(4), Matrix(ModelView, Inverse)),
@@ -321,6 +344,9 @@ pub static VARIABLES: [VariableRow; 127] = [
     ),
     row("gl_DepthRange", Struct(&DEPTH_RANGE), Any, DESKTOP_AND_ES, ReadOnly, State(DepthRange)),
     // Implementation limits
+    limit("gl_MaxDualSourceDrawBuffersEXT", MAX_DUAL_SOURCE_DRAW_BUFFERS as i32, SECOND_COLOR),
+    limit("gl_MaxSamples", rasterizer::driver::MAX_SAMPLES as i32, SAMPLE_SHADING),
+    limit("gl_MaxViewports", MAX_VIEWPORTS as i32, VIEWPORT_ARRAY),
     limit("gl_MaxLights", MAX_LIGHTS as i32, COMPATIBILITY),
     limit("gl_MaxClipPlanes", MAX_CLIP_PLANES as i32, COMPATIBILITY),
     limit("gl_MaxTextureUnits", MAX_TEXTURE_UNITS as i32, COMPATIBILITY),
