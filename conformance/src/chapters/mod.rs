@@ -11,6 +11,9 @@
 
 mod anisotropy;
 mod blend;
+mod blending;
+mod blits;
+mod buffers;
 mod builtin;
 mod combine;
 mod compressed;
@@ -22,22 +25,30 @@ mod depth_test;
 mod env;
 mod es_levels;
 mod etc;
+mod evaluators;
 mod filter;
 mod format;
 mod fragment;
 mod geometry;
+mod glsl_numbers;
 mod integer;
 mod integer_lookup;
 mod interpolation;
 mod layers;
 mod lecture;
 mod level;
+mod lines;
 mod lod;
 mod lookup;
 mod lookup_offset;
 mod mipmap;
+mod multisample;
 mod packing;
+mod pictures;
 mod pixel;
+mod pixel_rects;
+mod points;
+mod polygons;
 mod projection;
 mod provoking;
 mod pyramid;
@@ -45,13 +56,16 @@ mod sampler_object;
 mod samples;
 mod seamless;
 mod second_color;
+mod shading;
 mod shadow;
 mod shadow_array;
 mod small_floats;
 mod srgb;
+mod stores;
 mod swizzle_paths;
 mod target;
 mod texel_mode;
+mod transforms;
 mod uniform_block;
 mod vertex;
 mod vertex_arrays;
@@ -100,6 +114,29 @@ pub const CHAPTERS: &[Chapter] = &[
             samples::POSITION,
             samples::MASK,
             samples::RESOLVE,
+        ],
+    ),
+    (
+        "Points, lines and polygons",
+        &[
+            points::SIZE,
+            points::SMOOTH,
+            points::ATTENUATION,
+            points::SPRITE,
+            points::POINT_COORD,
+            lines::DIAMOND,
+            lines::WIDTH,
+            lines::STIPPLE,
+            lines::SMOOTH,
+            lines::VALUES,
+            lines::JOINTS,
+            polygons::STIPPLE,
+            polygons::OFFSET_UNITS,
+            polygons::OFFSET_SLOPE,
+            polygons::CULL,
+            polygons::MODE,
+            polygons::SMOOTH,
+            polygons::CLIP,
         ],
     ),
     (
@@ -172,6 +209,99 @@ pub const CHAPTERS: &[Chapter] = &[
             blend::BLEND,
             second_color::BLEND,
             fragment::LOGIC,
+        ],
+    ),
+    (
+        "Colour buffers",
+        &[
+            stores::FORMATS,
+            stores::DITHER,
+            stores::COLOR_MASK,
+            stores::DRAW_BUFFERS,
+            stores::SCISSOR,
+            stores::ACCUM,
+            blending::SEPARATE,
+            blending::HALF,
+            blending::TARGETS,
+            blending::SRGB_WRITTEN,
+            blending::SRGB_BLENDED,
+        ],
+    ),
+    (
+        "Depth and stencil buffers",
+        &[
+            buffers::DEPTH_FORMATS,
+            buffers::DEPTH_MASK,
+            buffers::STENCIL_FACES,
+            buffers::STENCIL_CLEAR,
+            buffers::QUERY,
+            buffers::CONDITIONAL,
+        ],
+    ),
+    (
+        "Samples",
+        &[
+            multisample::ALPHA_TO_COVERAGE,
+            multisample::COVERAGE,
+            multisample::RESOLVE,
+            multisample::DEPTH,
+            multisample::LINES,
+            multisample::POINTS,
+        ],
+    ),
+    (
+        "Pixel rectangles and copies",
+        &[
+            pixel_rects::BITMAP,
+            pixel_rects::ZOOM,
+            pixel_rects::COPY,
+            pixel_rects::MAPS,
+            pixel_rects::INDICES,
+            pixel_rects::DEPTH_STENCIL,
+            pixel_rects::READ_LUMINANCE,
+            blits::NEAREST,
+            blits::LINEAR,
+            blits::DEPTH_STENCIL,
+            blits::COPY_TEXTURE,
+        ],
+    ),
+    (
+        "Transformation and light",
+        &[
+            transforms::ROTATE,
+            transforms::FRUSTUM,
+            transforms::ORTHO,
+            transforms::LOOK_AT,
+            transforms::PRODUCT,
+            transforms::VIEWPORT,
+            transforms::RASTER_POSITION,
+            transforms::SELECTION,
+            shading::TWO_SIDED,
+            shading::COLOR_MATERIAL,
+            shading::SEPARATE_SPECULAR,
+            shading::RESCALE,
+            shading::COLOR_SUM,
+            shading::CLAMPED,
+            shading::FOG_DEPTH,
+            evaluators::CURVE,
+            evaluators::SURFACE,
+            evaluators::NORMAL,
+            evaluators::GRID,
+        ],
+    ),
+    (
+        "GLSL",
+        &[
+            glsl_numbers::ARITHMETIC,
+            glsl_numbers::BITS,
+            glsl_numbers::COMPARISONS,
+            glsl_numbers::CONVERSIONS,
+            glsl_numbers::RELATIONAL,
+            glsl_numbers::SELECTING,
+            glsl_numbers::PRODUCTS,
+            glsl_numbers::TRANSPOSE,
+            glsl_numbers::DETERMINANT,
+            glsl_numbers::INVERSE,
         ],
     ),
     ("The lectures", &[lecture::LECTURES]),

@@ -1,0 +1,68 @@
+//! Mistakes of pixels that are drawn, copied, tested and blended.
+
+use super::{MutationRow, row};
+use crate::mutation::Mutation;
+
+/// The rows of this file.
+pub(super) const ROWS: &[MutationRow] = {
+    use Mutation::*;
+    &[
+        row(AlphaFactorsIgnored, "blend-separate", "alpha has the factors of red, green and blue"),
+        row(BlendFactorsSwapped, "blend-separate", "the factors change places"),
+        row(FloatsClamped, "blend-half-float", "colours of floats are clamped"),
+        row(FirstTargetForAll, "blend-targets", "the first buffer decides for all"),
+        row(SrgbGamma22, "srgb-write", "a gamma of 2.2"),
+        row(SrgbUndecoded, "srgb-write", "nothing is encoded"),
+        row(SrgbUndecoded, "srgb-blend", "codes are blended"),
+        row(UnormTruncates, "render-formats", "codes are truncated"),
+        row(RangeIgnored, "render-formats", "colours are not clamped to the range of the format"),
+        row(UnormTruncates, "dither", "codes are one too high"),
+        row(FirstTargetForAll, "color-mask", "the first mask is that of all buffers"),
+        row(MaskIgnoredByClear, "color-mask", "clears write all components"),
+        row(BuffersInOrder, "draw-buffers", "output i goes to buffer i"),
+        row(ScissorIgnored, "scissor", "clears fill everything"),
+        row(ScissorInclusive, "scissor", "the right and the upper end belong to the box"),
+        row(AccumLoads, "accumulation", "GL_ACCUM does not add"),
+        row(ReturnUnscaled, "accumulation", "GL_RETURN does not multiply"),
+        row(DepthRangeIgnored, "depth-formats", "glDepthRange is left out"),
+        row(MaskIgnoredByClear, "depth-mask", "clears write depths"),
+        row(DepthWithoutTest, "depth-mask", "depths are written without the depth test"),
+        row(FacesSwapped, "stencil-faces", "front and back change places"),
+        row(StencilMaskIgnored, "stencil-faces", "the mask of glStencilFunc is left out"),
+        row(MaskIgnoredByClear, "stencil-clear", "clears write all bits"),
+        row(ScissorIgnored, "stencil-clear", "clears fill everything"),
+        row(HiddenCounted, "occlusion-query", "what the depth test hides is counted"),
+        row(PixelsCounted, "occlusion-query", "pixels are counted, not samples"),
+        row(ConditionIgnored, "conditional-render", "what depends on a hidden object is drawn"),
+        row(AlphaInverted, "alpha-to-coverage", "transparent fragments cover all samples"),
+        row(AlphaKept, "alpha-to-coverage", "GL_SAMPLE_ALPHA_TO_ONE is left out"),
+        row(CoverageNotInverted, "sample-coverage", "the inversion is left out"),
+        row(ResolveOfOneSample, "resolve-formats", "one sample instead of the mean"),
+        row(SamplesAtCentre, "sample-depth", "every sample has the depth of the centre"),
+        row(SamplesAtCentre, "sample-lines", "every sample lies at the centre"),
+        row(DiameterIsRadius, "sample-points", "the size is the radius"),
+        row(SamplesUpsideDown, "sample-points", "samples are counted from the top"),
+        row(FlipIgnored, "blit-nearest", "reversed rectangles are not reversed"),
+        row(InterpolatedAtCorner, "blit-nearest", "pixels are sampled at their lower left corner"),
+        row(ScissorIgnored, "blit-nearest", "the scissor is left out"),
+        row(FlipIgnored, "blit-linear", "reversed rectangles are not reversed"),
+        row(InterpolatedAtCorner, "blit-linear", "pixels are sampled at their lower left corner"),
+        row(FlipIgnored, "blit-depth-stencil", "reversed rectangles are not reversed"),
+        row(RowsUpsideDown, "copy-texture", "rows are copied from the top"),
+        row(BitmapRounded, "bitmap", "the corner is rounded, not floored"),
+        row(RasterStays, "bitmap", "the raster position does not move"),
+        row(ZoomIsPositive, "pixel-zoom", "negative zooms do not flip"),
+        row(RasterFloored, "pixel-zoom", "the raster position is floored"),
+        row(ZoomIsPositive, "copy-pixels", "negative zooms do not flip"),
+        row(MapTruncates, "pixel-maps", "the index is floored"),
+        row(BiasBeforeScale, "pixel-maps", "the bias is added before the scale"),
+        row(IndexShiftReversed, "pixel-indices", "indices are shifted the other way"),
+        row(BiasBeforeScale, "draw-pixels-depth-stencil", "the bias is added before the scale"),
+        row(
+            IndexShiftReversed,
+            "draw-pixels-depth-stencil",
+            "stencil values are shifted the other way",
+        ),
+        row(LuminanceIsRed, "read-luminance", "luminance is red"),
+    ]
+};
