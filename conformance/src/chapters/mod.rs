@@ -65,6 +65,7 @@ mod stores;
 mod swizzle_paths;
 mod target;
 mod texel_mode;
+mod texture_pictures;
 mod transforms;
 mod uniform_block;
 mod vertex;
@@ -302,6 +303,16 @@ pub const CHAPTERS: &[Chapter] = &[
             glsl_numbers::TRANSPOSE,
             glsl_numbers::DETERMINANT,
             glsl_numbers::INVERSE,
+        ],
+    ),
+    (
+        "Textures in pictures",
+        &[
+            texture_pictures::LINEAR,
+            texture_pictures::NEAREST,
+            texture_pictures::TRILINEAR,
+            texture_pictures::MIPMAPS,
+            texture_pictures::PERSPECTIVE,
         ],
     ),
     ("The lectures", &[lecture::LECTURES]),

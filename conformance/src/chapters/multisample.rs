@@ -70,7 +70,7 @@ pub const LINES: Check = Check {
 /// Points of samples.
 pub const POINTS: Check = Check {
     name: "sample-points",
-    citation: "GL 2.1, 3.3.2: samples in the circle of an antialiased point",
+    citation: "GL 2.1, 3.3.3: samples in the circle of an antialiased point",
     what: "samples of every pixel of random points of sizes 1 to 20",
     unit: Unit::FullScale,
     tolerance: 0.0,

@@ -23,7 +23,7 @@ pub const BITMAP: Check = Check {
 /// Zoomed rectangles.
 pub const ZOOM: Check = Check {
     name: "pixel-zoom",
-    citation: "GL 2.1, 3.6.5: the rectangles of groups under glPixelZoom",
+    citation: "GL 2.1, 3.6.4: the rectangles of groups under glPixelZoom",
     what: "every pixel of random rectangles under zooms from -5 to 5, fractions too",
     unit: Unit::FullScale,
     tolerance: 0.0,
@@ -34,7 +34,7 @@ pub const ZOOM: Check = Check {
 /// Copied rectangles.
 pub const COPY: Check = Check {
     name: "copy-pixels",
-    citation: "GL 2.1, 4.3.3 and 3.6.5: glCopyPixels of colours, with zoom",
+    citation: "GL 2.1, 4.3.3 and 3.6.4: glCopyPixels of colours, with zoom",
     what: "every pixel of copies of random rectangles, overlapping ones too, under zooms from -5 to 5",
     unit: Unit::FullScale,
     tolerance: 0.0,

@@ -72,7 +72,7 @@ pub const MODE: Check = Check {
 /// Antialiased polygons.
 pub const SMOOTH: Check = Check {
     name: "polygon-smooth",
-    citation: "GL 2.1, 3.5.1: coverage is the area of the polygon in the pixel",
+    citation: "GL 2.1, 3.5.3: coverage is the area of the polygon in the pixel",
     what: "alpha of every pixel of antialiased triangles and slivers",
     unit: Unit::FullScale,
     tolerance: 1.75 / (1 << 24) as f64,

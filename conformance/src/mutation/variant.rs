@@ -223,6 +223,7 @@ pub enum Mutation {
     SamplerObjectIgnored,
     OffsetOfBaseLevel,
     ImmutableLevelsUnclamped,
+    LambdaOffForLarge,
     ConversionRounds,
     BackNormalKept,
     AlwaysAmbientAndDiffuse,

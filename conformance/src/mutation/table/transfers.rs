@@ -64,5 +64,15 @@ pub(super) const ROWS: &[MutationRow] = {
             "stencil values are shifted the other way",
         ),
         row(LuminanceIsRed, "read-luminance", "luminance is red"),
+        row(HalfTexelOff, "picture-linear", "texel centres lie on whole coordinates"),
+        row(WeightsSwapped, "picture-linear", "alpha and beta change places"),
+        row(NearestForLinear, "picture-linear", "one texel instead of four"),
+        row(RoundForFloor, "picture-nearest", "the texel is rounded, not floored"),
+        row(LambdaOffForLarge, "picture-trilinear", "lambda + 1/2 of textures of 512 and more"),
+        row(LevelWeightsReversed, "picture-trilinear", "frac(lambda) weighs the larger level"),
+        row(OneLevelForTwo, "picture-trilinear", "the second level is left out"),
+        row(LevelByFloor, "picture-mipmaps", "the level is floored, not rounded"),
+        row(LambdaOffForLarge, "picture-perspective", "lambda + 1/2 of textures of 512 and more"),
+        row(OneLevelForTwo, "picture-perspective", "the second level is left out"),
     ]
 };
