@@ -22,6 +22,33 @@ pub const SEPARATE: Check = Check {
     run: |harness, tally| blended(harness, tally, GL_RGBA32F),
 };
 
+/// The usual ways.
+pub const USUAL: Check = Check {
+    name: "blend-usual",
+    citation: "GL 2.1, 4.1.8: the pairs of factors that programs use",
+    what: "every pixel of random bytes under nine pairs of factors, added",
+    unit: Unit::Bytes,
+    tolerance: 0.501,
+    why: "8-bit colours: half a step, and f32 roundings",
+    run: |harness, tally| blended(harness, tally, GL_RGBA8),
+};
+
+/// Pairs of factors that programs use, for which there may be code of their own.
+const USUAL_PAIRS: [[Factor; 2]; 9] = {
+    use Factor::{DstColor, One, OneMinusSrcAlpha, OneMinusSrcColor, SrcAlpha, SrcColor, Zero};
+    [
+        [SrcAlpha, OneMinusSrcAlpha],
+        [One, OneMinusSrcAlpha],
+        [SrcAlpha, One],
+        [One, One],
+        [DstColor, Zero],
+        [Zero, SrcColor],
+        [One, OneMinusSrcColor],
+        [DstColor, SrcColor],
+        [Zero, OneMinusSrcAlpha],
+    ]
+};
+
 /// Blending into halves.
 pub const HALF: Check = Check {
     name: "blend-half-float",
@@ -75,12 +102,27 @@ fn at([x, y]: Pixel) -> usize {
 fn blended(harness: &Harness, tally: &mut Tally, internal: u32) -> Result<(), ProbeError> {
     let mut rng = Rng::named("blend-separate");
     let mut pictures = Pictures::new(harness, tally, PICTURE);
-    for round in 0..harness.cases(120) {
-        let equations = [rng.pick(&Equation::ALL), Equation::ALL[round % 5]];
+    let bytes = internal == GL_RGBA8;
+    let range = if bytes { [0.0, 1.0] } else { [-1.0, 2.0] };
+    for round in 0..harness.cases(120).max(9) {
+        let usual = bytes || round % 3 == 0;
+        let equations = if usual {
+            [Equation::Add; 2]
+        } else {
+            [rng.pick(&Equation::ALL), Equation::ALL[round % 5]]
+        };
         let mut pair = |k: usize| [Factor::ALL[(k * 7 + round) % 15], rng.pick(&Factor::ALL[..14])];
-        let factors = [pair(0), pair(1)];
-        let under = random_colors(&mut rng, PICTURE, [-1.0, 2.0]);
-        let over = random_colors(&mut rng, PICTURE, [-1.0, 2.0]);
+        let mut factors = [pair(0), pair(1)];
+        if usual {
+            factors = [USUAL_PAIRS[round / if bytes { 1 } else { 3 } % 9]; 2];
+        }
+        let mut under = random_colors(&mut rng, PICTURE, range);
+        if bytes {
+            for color in &mut under {
+                *color = color.map(|c| (c * 255.0).round() / 255.0);
+            }
+        }
+        let over = random_colors(&mut rng, PICTURE, range);
         let constant = [0.25, 0.5, 0.75, 0.375];
         let expect = |pixel: Pixel, variant: Variant| {
             let under = under[at(pixel)].map(f64::from);
@@ -91,7 +133,7 @@ fn blended(harness: &Harness, tally: &mut Tally, internal: u32) -> Result<(), Pr
                 constant,
             };
             let mixed = blend::separate(equations, factors, &colors, variant);
-            let clamp = variant.has(Mutation::FloatsClamped);
+            let clamp = bytes || variant.has(Mutation::FloatsClamped);
             Some(if clamp { mixed.map(|c| c.clamp(0.0, 1.0)) } else { mixed })
         };
         pictures.compare(&(equations, factors), expect, |session| {
@@ -109,7 +151,7 @@ fn blended(harness: &Harness, tally: &mut Tally, internal: u32) -> Result<(), Pr
             session.read_floats(PICTURE)
         })?;
     }
-    pictures.finish(100, 80);
+    pictures.finish(100, if bytes { 70 } else { 80 });
     Ok(())
 }
 

@@ -183,8 +183,10 @@ fn depth_mask(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
 fn stencil_faces(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
     let mut rng = Rng::named("stencil-faces");
     let mut pictures = Pictures::new(harness, tally, PICTURE);
-    for round in 0..harness.cases(160).max(8) {
-        let stored = rng.byte();
+    for round in 0..harness.cases(160).max(32) {
+        // The ends of the range, where operations saturate or wrap, half of the time.
+        let ends = [0, 1, 254, 255, rng.byte(), rng.byte(), rng.byte(), rng.byte()];
+        let stored = rng.pick(&ends);
         let depth_passes = round % 3 > 0;
         let mut state = |number: usize| Stencil {
             compare: Compare::ALL[number % 8],
@@ -192,7 +194,7 @@ fn stencil_faces(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError>
             reference: if rng.integer(0, 1) == 0 { stored } else { rng.byte() },
             mask: rng.byte() | 1,
             operations: [0; 3].map(|_: i32| rng.pick(&StencilOp::ALL)),
-            write_mask: rng.byte(),
+            write_mask: if rng.integer(0, 1) == 0 { 0xff } else { rng.byte() },
             stored,
             depth_passes,
         };

@@ -2,7 +2,8 @@
 
 use crate::check::{Check, Harness, Tally, Unit};
 use crate::mutation::{Mutation, Variant};
-use crate::oracle::glsl::{self, IntegerOp, MatrixFunction};
+use crate::oracle::glsl::{self, IntegerOp};
+use crate::oracle::glsl_matrix::MatrixFunction;
 use crate::probe::ProbeError;
 use crate::rng::Rng;
 

@@ -9,12 +9,16 @@
 //! a test builds in. Where cases are filtered, or only some of them reach a mode or a branch, the check counts those that
 //! do and says how many must ([`Tally::reach`](crate::check::Tally::reach)).
 
+mod accumulation;
 mod anisotropy;
+mod attributes;
+mod bitmaps;
 mod blend;
 mod blending;
 mod blits;
 mod buffers;
 mod builtin;
+mod color_sum;
 mod combine;
 mod compressed;
 mod coverage;
@@ -30,6 +34,7 @@ mod filter;
 mod format;
 mod fragment;
 mod geometry;
+mod glsl_fragments;
 mod glsl_numbers;
 mod integer;
 mod integer_lookup;
@@ -44,10 +49,12 @@ mod lookup_offset;
 mod mipmap;
 mod multisample;
 mod packing;
+mod picture_formats;
 mod pictures;
 mod pixel;
 mod pixel_rects;
 mod points;
+mod polygon_offset;
 mod polygons;
 mod projection;
 mod provoking;
@@ -132,12 +139,12 @@ pub const CHAPTERS: &[Chapter] = &[
             lines::VALUES,
             lines::JOINTS,
             polygons::STIPPLE,
-            polygons::OFFSET_UNITS,
-            polygons::OFFSET_SLOPE,
             polygons::CULL,
             polygons::MODE,
             polygons::SMOOTH,
             polygons::CLIP,
+            polygon_offset::OFFSET_UNITS,
+            polygon_offset::OFFSET_SLOPE,
         ],
     ),
     (
@@ -219,9 +226,10 @@ pub const CHAPTERS: &[Chapter] = &[
             stores::DITHER,
             stores::COLOR_MASK,
             stores::DRAW_BUFFERS,
-            stores::SCISSOR,
-            stores::ACCUM,
+            accumulation::SCISSOR,
+            accumulation::ACCUM,
             blending::SEPARATE,
+            blending::USUAL,
             blending::HALF,
             blending::TARGETS,
             blending::SRGB_WRITTEN,
@@ -253,7 +261,7 @@ pub const CHAPTERS: &[Chapter] = &[
     (
         "Pixel rectangles and copies",
         &[
-            pixel_rects::BITMAP,
+            bitmaps::BITMAP,
             pixel_rects::ZOOM,
             pixel_rects::COPY,
             pixel_rects::MAPS,
@@ -281,13 +289,16 @@ pub const CHAPTERS: &[Chapter] = &[
             shading::COLOR_MATERIAL,
             shading::SEPARATE_SPECULAR,
             shading::RESCALE,
-            shading::COLOR_SUM,
-            shading::CLAMPED,
-            shading::FOG_DEPTH,
+            color_sum::COLOR_SUM,
+            color_sum::CLAMPED,
+            color_sum::FOG_DEPTH,
             evaluators::CURVE,
             evaluators::SURFACE,
             evaluators::NORMAL,
             evaluators::GRID,
+            attributes::CURRENT,
+            attributes::ARRAYS,
+            attributes::FEEDBACK,
         ],
     ),
     (
@@ -303,6 +314,12 @@ pub const CHAPTERS: &[Chapter] = &[
             glsl_numbers::TRANSPOSE,
             glsl_numbers::DETERMINANT,
             glsl_numbers::INVERSE,
+            glsl_fragments::DERIVATIVES,
+            glsl_fragments::FRAG_COORD,
+            glsl_fragments::FRONT_FACING,
+            glsl_fragments::NOPERSPECTIVE,
+            glsl_fragments::CLIP_DISTANCE,
+            glsl_fragments::FRAG_DEPTH,
         ],
     ),
     (
@@ -313,6 +330,7 @@ pub const CHAPTERS: &[Chapter] = &[
             texture_pictures::TRILINEAR,
             texture_pictures::MIPMAPS,
             texture_pictures::PERSPECTIVE,
+            picture_formats::FORMATS,
         ],
     ),
     ("The lectures", &[lecture::LECTURES]),

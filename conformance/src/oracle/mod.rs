@@ -22,6 +22,7 @@ pub mod format;
 pub mod format_table;
 pub mod fragment;
 pub mod glsl;
+pub mod glsl_matrix;
 pub mod interpolation;
 pub mod lecture;
 pub mod line;

@@ -46,5 +46,18 @@ pub(super) const ROWS: &[MutationRow] = {
         row(RowsForColumns, "glsl-transpose", "rows and columns change places"),
         row(CofactorSignsIgnored, "glsl-determinant", "cofactors have no signs"),
         row(RowsForColumns, "glsl-inverse", "rows and columns change places"),
+        row(SignedWithoutHalf, "color-types", "signed integers become c/(2^(b-1) - 1)"),
+        row(UnormOfPowerOfTwo, "color-types", "codes are divided by 2^b"),
+        row(SignedWithoutHalf, "attribute-types", "signed integers become c/(2^(b-1) - 1)"),
+        row(MissingComponentsZero, "attribute-types", "the missing fourth component is 0"),
+        row(PartOfPrimitiveWritten, "transform-feedback", "what does not fit is cut, not left out"),
+        row(DifferencesHalved, "glsl-derivatives", "half the difference"),
+        row(InterpolatedAtCorner, "glsl-frag-coord", "pixels have whole coordinates"),
+        row(DivideByW, "glsl-frag-coord", "w stands for 1/w"),
+        row(FacesSwapped, "glsl-front-facing", "front and back change places"),
+        row(AlwaysPerspective, "glsl-noperspective", "noperspective is left out"),
+        row(Affine, "glsl-noperspective", "places on the screen are places in space"),
+        row(Affine, "glsl-clip-distance", "distances are linear in the window"),
+        row(ShaderDepthIgnored, "glsl-frag-depth", "the last fragment is seen"),
     ]
 };

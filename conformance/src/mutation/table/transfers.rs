@@ -74,5 +74,10 @@ pub(super) const ROWS: &[MutationRow] = {
         row(LevelByFloor, "picture-mipmaps", "the level is floored, not rounded"),
         row(LambdaOffForLarge, "picture-perspective", "lambda + 1/2 of textures of 512 and more"),
         row(OneLevelForTwo, "picture-perspective", "the second level is left out"),
+        row(HalfTexelOff, "picture-formats", "texel centres lie on whole coordinates"),
+        row(SrgbUndecoded, "picture-formats", "sRGB texels are not decoded"),
+        row(IntensityAsLuminance, "picture-formats", "the alpha of intensity is 1"),
+        row(BlendFactorsSwapped, "blend-usual", "the factors change places"),
+        row(DestinationAlphaIsOne, "blend-separate", "the alpha of the destination is 1"),
     ]
 };
