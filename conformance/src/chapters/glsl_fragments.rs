@@ -313,8 +313,8 @@ fn frag_depth(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
             |k: usize, [x, y]: Pixel| ((5 * x + 3 * y) as i64 + phase[k]) % 16 * 2 + k as i64;
         let expect = |pixel: Pixel, variant: Variant| {
             let mut shown: Option<usize> = None;
-            for k in 0..2 {
-                if triangles[k].has(pixel)? {
+            for (k, triangle) in triangles.iter().enumerate() {
+                if triangle.has(pixel)? {
                     let nearer = match shown {
                         None => true,
                         Some(_) if variant.has(Mutation::ShaderDepthIgnored) => true,
@@ -328,7 +328,7 @@ fn frag_depth(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
         pictures.compare(&(triangles[0].at, phase), expect, |session| {
             session.deep_frame(GL_RGBA32F, GL_DEPTH_COMPONENT24, PICTURE, 0)?;
             glEnable(GL_DEPTH_TEST);
-            for k in 0..2 {
+            for (k, triangle) in triangles.iter().enumerate() {
                 let fragment = format!(
                     "out vec4 color;
                     void main() {{
@@ -340,7 +340,7 @@ fn frag_depth(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
                     k + 1
                 );
                 program(session, &fragment)?;
-                triangles[k].draw(session)?;
+                triangle.draw(session)?;
             }
             session.read_floats(PICTURE)
         })?;

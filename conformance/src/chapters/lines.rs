@@ -85,7 +85,7 @@ fn place(rng: &mut Rng) -> [f64; 2] {
 fn segment(rng: &mut Rng, round: usize) -> Segment {
     loop {
         let from = place(rng);
-        let to = if round % 2 == 0 {
+        let to = if round.is_multiple_of(2) {
             place(rng)
         } else {
             from.map(|c| c + (rng.integer(-512, 512) * 2) as f64 / 256.0)

@@ -106,7 +106,7 @@ fn zoom(harness: &Harness, tally: &mut Tally, from: From) -> Result<(), ProbeErr
         let expect = |pixel: Pixel, variant: Variant| {
             let mut place = [0usize; 2];
             for i in 0..2 {
-                let of = zoomed(f64::from(raster[i]), f64::from(zoom[i]), pixel[i], variant)?;
+                let of = zoomed(f64::from(raster[i]), zoom[i], pixel[i], variant)?;
                 if !(0..size[i] as i64).contains(&of) {
                     return Some(under[at(pixel)].map(f64::from));
                 }

@@ -70,7 +70,9 @@ impl MatrixFunction {
                 let second = |i: usize| (0..4).map(|k| wide[i][k] * tall[k]).sum::<f64>();
                 [first(0), first(1), second(0), second(1)]
             }
-            Self::CompMult => each(&|i| m[i][column] * if column % 2 == 0 { b[i] } else { a[i] }),
+            Self::CompMult => {
+                each(&|i| m[i][column] * if column.is_multiple_of(2) { b[i] } else { a[i] })
+            }
             Self::Transpose => each(&|i| if rows { m[i][column] } else { m[column][i] }),
             Self::OuterProduct => each(&|i| if rows { b[i] * a[column] } else { a[i] * b[column] }),
             Self::Determinant(n) => {
