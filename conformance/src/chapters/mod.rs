@@ -9,9 +9,16 @@
 //! a test builds in. Where cases are filtered, or only some of them reach a mode or a branch, the check counts those that
 //! do and says how many must ([`Tally::reach`](crate::check::Tally::reach)).
 
+mod accumulation;
 mod anisotropy;
+mod attributes;
+mod bitmaps;
 mod blend;
+mod blending;
+mod blits;
+mod buffers;
 mod builtin;
+mod color_sum;
 mod combine;
 mod compressed;
 mod coverage;
@@ -22,22 +29,33 @@ mod depth_test;
 mod env;
 mod es_levels;
 mod etc;
+mod evaluators;
 mod filter;
 mod format;
 mod fragment;
 mod geometry;
+mod glsl_fragments;
+mod glsl_numbers;
 mod integer;
 mod integer_lookup;
 mod interpolation;
 mod layers;
 mod lecture;
 mod level;
+mod lines;
 mod lod;
 mod lookup;
 mod lookup_offset;
 mod mipmap;
+mod multisample;
 mod packing;
+mod picture_formats;
+mod pictures;
 mod pixel;
+mod pixel_rects;
+mod points;
+mod polygon_offset;
+mod polygons;
 mod projection;
 mod provoking;
 mod pyramid;
@@ -45,13 +63,17 @@ mod sampler_object;
 mod samples;
 mod seamless;
 mod second_color;
+mod shading;
 mod shadow;
 mod shadow_array;
 mod small_floats;
 mod srgb;
+mod stores;
 mod swizzle_paths;
 mod target;
 mod texel_mode;
+mod texture_pictures;
+mod transforms;
 mod uniform_block;
 mod vertex;
 mod vertex_arrays;
@@ -100,6 +122,29 @@ pub const CHAPTERS: &[Chapter] = &[
             samples::POSITION,
             samples::MASK,
             samples::RESOLVE,
+        ],
+    ),
+    (
+        "Points, lines and polygons",
+        &[
+            points::SIZE,
+            points::SMOOTH,
+            points::ATTENUATION,
+            points::SPRITE,
+            points::POINT_COORD,
+            lines::DIAMOND,
+            lines::WIDTH,
+            lines::STIPPLE,
+            lines::SMOOTH,
+            lines::VALUES,
+            lines::JOINTS,
+            polygons::STIPPLE,
+            polygons::CULL,
+            polygons::MODE,
+            polygons::SMOOTH,
+            polygons::CLIP,
+            polygon_offset::OFFSET_UNITS,
+            polygon_offset::OFFSET_SLOPE,
         ],
     ),
     (
@@ -172,6 +217,120 @@ pub const CHAPTERS: &[Chapter] = &[
             blend::BLEND,
             second_color::BLEND,
             fragment::LOGIC,
+        ],
+    ),
+    (
+        "Colour buffers",
+        &[
+            stores::FORMATS,
+            stores::DITHER,
+            stores::COLOR_MASK,
+            stores::DRAW_BUFFERS,
+            accumulation::SCISSOR,
+            accumulation::ACCUM,
+            blending::SEPARATE,
+            blending::USUAL,
+            blending::HALF,
+            blending::TARGETS,
+            blending::SRGB_WRITTEN,
+            blending::SRGB_BLENDED,
+        ],
+    ),
+    (
+        "Depth and stencil buffers",
+        &[
+            buffers::DEPTH_FORMATS,
+            buffers::DEPTH_MASK,
+            buffers::STENCIL_FACES,
+            buffers::STENCIL_CLEAR,
+            buffers::QUERY,
+            buffers::CONDITIONAL,
+        ],
+    ),
+    (
+        "Samples",
+        &[
+            multisample::ALPHA_TO_COVERAGE,
+            multisample::COVERAGE,
+            multisample::RESOLVE,
+            multisample::DEPTH,
+            multisample::LINES,
+            multisample::POINTS,
+        ],
+    ),
+    (
+        "Pixel rectangles and copies",
+        &[
+            bitmaps::BITMAP,
+            pixel_rects::ZOOM,
+            pixel_rects::COPY,
+            pixel_rects::MAPS,
+            pixel_rects::INDICES,
+            pixel_rects::DEPTH_STENCIL,
+            pixel_rects::READ_LUMINANCE,
+            blits::NEAREST,
+            blits::LINEAR,
+            blits::DEPTH_STENCIL,
+            blits::COPY_TEXTURE,
+        ],
+    ),
+    (
+        "Transformation and light",
+        &[
+            transforms::ROTATE,
+            transforms::FRUSTUM,
+            transforms::ORTHO,
+            transforms::LOOK_AT,
+            transforms::PRODUCT,
+            transforms::VIEWPORT,
+            transforms::RASTER_POSITION,
+            transforms::SELECTION,
+            shading::TWO_SIDED,
+            shading::COLOR_MATERIAL,
+            shading::SEPARATE_SPECULAR,
+            shading::RESCALE,
+            color_sum::COLOR_SUM,
+            color_sum::CLAMPED,
+            color_sum::FOG_DEPTH,
+            evaluators::CURVE,
+            evaluators::SURFACE,
+            evaluators::NORMAL,
+            evaluators::GRID,
+            attributes::CURRENT,
+            attributes::ARRAYS,
+            attributes::FEEDBACK,
+        ],
+    ),
+    (
+        "GLSL",
+        &[
+            glsl_numbers::ARITHMETIC,
+            glsl_numbers::BITS,
+            glsl_numbers::COMPARISONS,
+            glsl_numbers::CONVERSIONS,
+            glsl_numbers::RELATIONAL,
+            glsl_numbers::SELECTING,
+            glsl_numbers::PRODUCTS,
+            glsl_numbers::TRANSPOSE,
+            glsl_numbers::DETERMINANT,
+            glsl_numbers::INVERSE,
+            glsl_fragments::DERIVATIVES,
+            glsl_fragments::FRAG_COORD,
+            glsl_fragments::FRONT_FACING,
+            glsl_fragments::NOPERSPECTIVE,
+            glsl_fragments::CLIP_DISTANCE,
+            glsl_fragments::FRAG_DEPTH,
+        ],
+    ),
+    (
+        "Textures in pictures",
+        &[
+            texture_pictures::LINEAR,
+            texture_pictures::NEAREST,
+            texture_pictures::TRILINEAR,
+            texture_pictures::MIPMAPS,
+            texture_pictures::PERSPECTIVE,
+            picture_formats::FORMATS,
         ],
     ),
     ("The lectures", &[lecture::LECTURES]),

@@ -34,10 +34,10 @@ pub const LIGHTING: Check = Check {
 };
 
 /// A vertex: object coordinates and normal.
-type Case = ([f32; 3], [f32; 3]);
+pub(super) type Case = ([f32; 3], [f32; 3]);
 
 /// A model-view matrix of a rotation, moderate scales and a translation away from the eye.
-fn model_view(rng: &mut Rng) -> [f32; 16] {
+pub(super) fn model_view(rng: &mut Rng) -> [f32; 16] {
     let mut m = [0.0f32; 16];
     for column in 0..3 {
         for row in 0..3 {
@@ -51,7 +51,7 @@ fn model_view(rng: &mut Rng) -> [f32; 16] {
     m
 }
 
-fn cases(rng: &mut Rng, count: usize) -> Vec<Case> {
+pub(super) fn cases(rng: &mut Rng, count: usize) -> Vec<Case> {
     (0..count)
         .map(|_| {
             let mut vector = |reach: f64| [0; 3].map(|_: i32| rng.real(-reach, reach));
@@ -67,14 +67,18 @@ fn cases(rng: &mut Rng, count: usize) -> Vec<Case> {
         .collect()
 }
 
-fn draw((position, normal): Case) {
+pub(super) fn draw((position, normal): Case) {
     let [x, y, z] = normal;
     glNormal3f(x, y, z);
     let [x, y, z] = position;
     glVertex4f(x, y, z, 1);
 }
 
-fn eye(model_view: &[f32; 16], (position, normal): &Case, variant: Variant) -> vertex::Eye {
+pub(super) fn eye(
+    model_view: &[f32; 16],
+    (position, normal): &Case,
+    variant: Variant,
+) -> vertex::Eye {
     let [x, y, z] = position.map(f64::from);
     let m = matrix::from_columns(model_view);
     vertex::eye(&m, [x, y, z, 1.0], normal.map(f64::from), variant)
@@ -156,7 +160,7 @@ fn lighting(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
     Ok(())
 }
 
-fn on_edge(light: &Light, v: &vertex::Eye) -> bool {
+pub(super) fn on_edge(light: &Light, v: &vertex::Eye) -> bool {
     let to: [f64; 3] =
         std::array::from_fn(|c| light.position[c] - light.position[3] * v.position[c]);
     let length = |v: [f64; 3]| v.iter().map(|c| c * c).sum::<f64>().sqrt();
@@ -168,11 +172,11 @@ fn on_edge(light: &Light, v: &vertex::Eye) -> bool {
 }
 
 /// Numbers that are exact in `f32`.
-fn numbers<const N: usize>(rng: &mut Rng, low: f64, high: f64) -> [f64; N] {
+pub(super) fn numbers<const N: usize>(rng: &mut Rng, low: f64, high: f64) -> [f64; N] {
     std::array::from_fn(|_| f64::from(rng.dyadic(low, high, 1.0 / 256.0)))
 }
 
-fn light(rng: &mut Rng) -> Light {
+pub(super) fn light(rng: &mut Rng) -> Light {
     let [x, y, z]: [f64; 3] = numbers(rng, -4.0, 4.0);
     let is_local = rng.integer(0, 2) > 0;
     let is_spot = is_local && rng.integer(0, 1) == 1;
@@ -188,7 +192,7 @@ fn light(rng: &mut Rng) -> Light {
     }
 }
 
-fn surface(rng: &mut Rng) -> Surface {
+pub(super) fn surface(rng: &mut Rng) -> Surface {
     Surface {
         ambient: numbers(rng, 0.0, 1.0),
         diffuse: numbers(rng, 0.0, 1.0),

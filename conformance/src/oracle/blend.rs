@@ -122,9 +122,32 @@ pub struct Colors {
     pub constant: [f64; 4],
 }
 
-/// The new colour of the framebuffer, clamped to [0, 1]: `s·S + d·D` and its relatives.
-/// `GL_MIN` and `GL_MAX` take no weights.
+/// The new colour of the framebuffer, clamped to [0, 1].
 pub fn blend(
+    equation: Equation,
+    factors: [Factor; 2],
+    colors: &Colors,
+    variant: Variant,
+) -> [f64; 4] {
+    unclamped(equation, factors, colors, variant).map(|c| c.clamp(0.0, 1.0))
+}
+
+/// Red, green and blue by one equation and pair of factors, alpha by another.
+pub fn separate(
+    equations: [Equation; 2],
+    factors: [[Factor; 2]; 2],
+    colors: &Colors,
+    variant: Variant,
+) -> [f64; 4] {
+    let [r, g, b, a] = unclamped(equations[0], factors[0], colors, variant);
+    if variant.has(Mutation::AlphaFactorsIgnored) {
+        return [r, g, b, a];
+    }
+    [r, g, b, unclamped(equations[1], factors[1], colors, variant)[3]]
+}
+
+/// The new colour of a framebuffer of floats: `s·S + d·D` and its relatives. `GL_MIN` and `GL_MAX` take no weights.
+pub fn unclamped(
     equation: Equation,
     factors: [Factor; 2],
     colors: &Colors,
@@ -138,7 +161,7 @@ pub fn blend(
     std::array::from_fn(|c| {
         let (source, destination) = (colors.source[c], colors.destination[c]);
         let (ws, wd) = (s[c] * source, d[c] * destination);
-        let value = match equation {
+        match equation {
             Equation::Add => ws + wd,
             Equation::Subtract if reversed => wd - ws,
             Equation::Subtract => ws - wd,
@@ -147,8 +170,7 @@ pub fn blend(
             Equation::Min if variant.has(Mutation::MinWeighted) => ws.min(wd),
             Equation::Min => source.min(destination),
             Equation::Max => source.max(destination),
-        };
-        value.clamp(0.0, 1.0)
+        }
     })
 }
 
@@ -177,5 +199,8 @@ mod tests {
             let got = blend(equation, factors, &colors, Variant::CORRECT);
             assert_eq!(got, expected, "{equation:?} {factors:?}");
         }
+        let both = [[Factor::One, Factor::Zero], [Factor::Zero, Factor::One]];
+        let got = separate([Equation::Add; 2], both, &colors, Variant::CORRECT);
+        assert_eq!(got, [1.0, 0.5, 0.0, 0.5]);
     }
 }

@@ -84,7 +84,8 @@ pub fn equation_enum(equation: Equation) -> u32 {
     }
 }
 
-fn factor_enum(factor: Factor) -> u32 {
+/// GL's name of a factor.
+pub fn factor_enum(factor: Factor) -> u32 {
     match factor {
         Factor::Zero => GL_ZERO,
         Factor::One => GL_ONE,

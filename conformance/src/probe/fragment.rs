@@ -102,7 +102,8 @@ impl Session {
     }
 }
 
-fn operation_enum(operation: StencilOp) -> u32 {
+/// GL's name of an operation.
+pub fn operation_enum(operation: StencilOp) -> u32 {
     match operation {
         StencilOp::Keep => GL_KEEP,
         StencilOp::Zero => GL_ZERO,

@@ -29,10 +29,11 @@ mod texels;
 mod texture;
 mod words;
 
-pub use blend::{BlendState, BlendedCell, equation_enum};
+pub use blend::{BlendState, BlendedCell, equation_enum, factor_enum};
 pub use error::ProbeError;
 pub use extreme::{DepthBuffer, MatrixStep};
 pub use fixed::FixedCell;
+pub use fragment::operation_enum;
 pub use mipmaps::MipmapRequest;
 pub use picture::{FIELD, SIZE};
 pub use pixels::{ClientPixels, StoredBox};
@@ -43,4 +44,4 @@ pub use session::{Dialect, Session, Vertex};
 pub use stages::{Capture, Captured, Stages, mode_enum};
 
 pub use texels::TexelRow;
-pub use texture::{DepthTexture, Storage, filter_enum, min_filter_enum, wrap_enum};
+pub use texture::{DepthTexture, Storage, compare_enum, filter_enum, min_filter_enum, wrap_enum};

@@ -53,6 +53,17 @@ impl Session {
         self.program_of(stages, &[])
     }
 
+    /// A program of a vertex shader whose outputs go to a buffer each, with a vertex array object bound.
+    ///
+    /// # Errors
+    /// With the info log, when it is rejected.
+    pub fn feedback_program(&self, vertex: &str, outputs: &[&str]) -> Result<u32, ProbeError> {
+        let name = self.program_of(&Stages { vertex, geometry: "", fragment: "" }, &[])?;
+        glTransformFeedbackVaryings(name, outputs.len(), outputs, GL_SEPARATE_ATTRIBS);
+        self.link_program(name)?;
+        Ok(name)
+    }
+
     fn program_of(&self, stages: &Stages<'_>, captured: &[&str]) -> Result<u32, ProbeError> {
         let mut array = 0u32;
         glGenVertexArrays(1, &mut array);

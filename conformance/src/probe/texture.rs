@@ -201,7 +201,8 @@ pub fn min_filter_enum(filters: Filters) -> u32 {
     }
 }
 
-pub(super) fn compare_enum(compare: Compare) -> u32 {
+/// GL's name of a comparison.
+pub fn compare_enum(compare: Compare) -> u32 {
     match compare {
         Compare::Never => GL_NEVER,
         Compare::Less => GL_LESS,
