@@ -6,7 +6,7 @@ use super::tables::quantity;
 use crate::chapters::CHAPTERS;
 use crate::check::{Outcome, Reach, Verdict};
 use crate::plot::{Caption, Line, log_log};
-use crate::sweep::SweepOutcome;
+use crate::sweep::{Series, SweepOutcome};
 use crate::tradeoff::functions::FunctionRow;
 use crate::tradeoff::{Measured, Picture, Row, lines, overall};
 use std::fmt::Write;
@@ -208,7 +208,7 @@ pub fn sweeps_page(folder: &Path, swept: &[SweepOutcome]) -> Result<(), PageErro
         let lines: Vec<Line> = sweep
             .lines
             .iter()
-            .map(|(name, points)| Line { name: name.clone(), points: points.clone() })
+            .map(Series::line)
             .chain((!sweep.before.is_empty()).then(|| Line {
                 name: "before the driver was changed".to_owned(),
                 points: sweep.before.to_vec(),
@@ -225,7 +225,7 @@ pub fn sweeps_page(folder: &Path, swept: &[SweepOutcome]) -> Result<(), PageErro
             escaped(sweep.unit),
             sweep.at,
             sweep.bound,
-            escaped(sweep.broken.as_deref().unwrap_or(sweep.why)),
+            escaped(sweep.why),
         );
         if sweep.largest > 0.0 {
             let bound = (sweep.bound > 0.0).then_some(sweep.bound);

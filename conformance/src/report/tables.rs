@@ -131,11 +131,8 @@ pub fn functions_table(rows: &[FunctionRow]) -> String {
 pub fn sweeps_table(swept: &[SweepOutcome]) -> String {
     let mut table = headed(["sweep", "parameter", "largest error", "at", "bound", "", "time"]);
     for sweep in swept {
-        let (word, color) = match (sweep.passes(), &sweep.broken) {
-            (true, _) => ("pass", Color::Green),
-            (false, None) => ("FAIL", Color::Red),
-            (false, Some(_)) => ("BROKEN", Color::Red),
-        };
+        let (word, color) =
+            if sweep.passes() { ("pass", Color::Green) } else { ("FAIL", Color::Red) };
         table.add_row([
             Cell::new(sweep.name).add_attribute(Attribute::Bold),
             Cell::new(sweep.parameter),
@@ -148,8 +145,10 @@ pub fn sweeps_table(swept: &[SweepOutcome]) -> String {
     }
     let mut text = table.to_string();
     for sweep in swept.iter().filter(|sweep| !sweep.passes()) {
-        let why = sweep.broken.as_deref().unwrap_or(sweep.why);
-        text.push_str(&format!("\n\n{}: {}\n  bound: {why}", sweep.name, sweep.what));
+        text.push_str(&format!("\n\n{}: {}\n  bound: {}", sweep.name, sweep.what, sweep.why));
+        for fault in sweep.faults.iter().take(4) {
+            text.push_str(&format!("\n  {fault}"));
+        }
     }
     text
 }
