@@ -47,7 +47,7 @@ pub const NORMAL_SCALE: Sweep = Sweep {
     what: "diffuse light with GL_NORMALIZE under a model-view matrix that scales by this much",
     parameter: "scale",
     unit: "of 2^-24",
-    bound: 8.0,
+    bound: 3.0,
     why: "the scaled normal is made a unit vector, whatever its length; a dot product with the light",
     breaks: "a scale beyond 3e38, or below 3e-39, has no inverse in f32: no promise but a colour in range",
     kept: 1.0,

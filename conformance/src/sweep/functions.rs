@@ -10,13 +10,12 @@ use crate::rng::Rng;
 /// Remainders.
 pub const MOD: Sweep = Sweep {
     name: "mod",
-    what: "mod(x, y) against the exact remainder of x and y, as part of y, and outside of [0, y)",
+    what: "mod(x, y) against the exact remainder of x and y, and whether it leaves [0, y]",
     parameter: "x/y",
-    unit: "of y",
-    bound: 0.0,
-    why: "the remainder of two floats is a float: nothing needs to be rounded",
-    breaks: "x/y has no fraction in f32 from 2^24 on: x - y·floor(x/y), evaluated step by step, \
-             would be off by many y; the remainder is exact instead, to 2^40 here",
+    unit: "of x·2^-24",
+    bound: 2.1,
+    why: "x - y·n rounds the product once, by half a unit of x, and the difference once more",
+    breaks: "a quotient beyond 2^22 has no exact integer n in f32: the formula's own rounding, as GLSL writes it, leaves [0, y) by as much as x·2^-24; below, it never does",
     kept: 1.0,
     distinct: 0.9,
     before: &[],
@@ -205,10 +204,16 @@ fn modulo() -> Result<Vec<Series>, ProbeError> {
     };
     let line = shaded("largest error", octaves(0..=40, 2), body, case, |[a, _], value| {
         let [x, y] = [a[0], a[1]].map(f64::from);
-        // The remainder of f64 numbers is exact; that of a negative number is rounded once more.
-        let exact = f64::from(x.rem_euclid(y) as f32);
-        let outside = if (0.0..y).contains(&value[0]) || value[0] == exact { 0.0 } else { 1.0 };
-        Some((value[0] - exact).abs() / y + outside)
+        // The remainder of f64 numbers is exact.
+        let exact = x.rem_euclid(y);
+        let inside = (0.0..=y).contains(&value[0]);
+        if !inside && (x / y).abs() < 4_194_304.0 {
+            return Some(f64::INFINITY);
+        }
+        // Next to 0 and next to y are the same; beyond, whole multiples of y are off by rounding.
+        let apart = (value[0] - exact).abs();
+        let apart = apart.min((apart - y).abs());
+        Some(apart / (x.abs().max(y) * 2f64.powi(-24)))
     })?;
     Ok(vec![line])
 }

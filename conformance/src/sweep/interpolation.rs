@@ -52,7 +52,7 @@ pub const NEAR_PLANE: Sweep = Sweep {
     bound: 20.0,
     why: "clipping cuts no values: planes come from the uncut corners, and are stepped over blocks as for w ratios",
     breaks: "below 1e-7 the corners' clip z is -w when it is rounded to f32: what is given then has no near plane left, and the whole floor is drawn",
-    kept: 0.2,
+    kept: 0.15,
     distinct: 0.5,
     before: &[],
     run: near_plane,

