@@ -132,7 +132,7 @@ impl Axis {
             "0".to_owned()
         } else if self.infinite == Some(place) {
             "inf".to_owned()
-        } else if (-2.5..4.5).contains(&place) {
+        } else if (-3.5..4.5).contains(&place) {
             // Few digits, and no rounding's.
             format!("{}", (10f64.powf(place) * 1e4).round() / 1e4)
         } else {

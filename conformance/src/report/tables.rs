@@ -126,7 +126,10 @@ pub fn sweeps_table(layout: Layout, swept: &[SweepOutcome]) -> String {
             Cell::new(sweep.unit),
             right(short(sweep.at)),
             right(short(sweep.bound)),
-            right(kept(sweep)),
+            right(match layout {
+                Layout::Narrow => share(sweep),
+                Layout::Wide => kept(sweep),
+            }),
             Cell::new(word).fg(color),
             right(format!("{:.2} s", sweep.seconds)),
         ]);
@@ -143,8 +146,11 @@ pub fn sweeps_table(layout: Layout, swept: &[SweepOutcome]) -> String {
 
 /// The share of cases that were compared, in words.
 pub(super) fn kept(sweep: &SweepOutcome) -> String {
-    let share = 100.0 * sweep.kept as f64 / sweep.tried.max(1) as f64;
-    format!("{share:.0} % of {}", sweep.tried)
+    format!("{} of {}", share(sweep), sweep.tried)
+}
+
+fn share(sweep: &SweepOutcome) -> String {
+    format!("{:.0} %", 100.0 * sweep.kept as f64 / sweep.tried.max(1) as f64)
 }
 
 #[cfg(test)]
