@@ -86,6 +86,9 @@ enum Command {
     Peer(Task),
 }
 
+/// What a command counts.
+type Counted = Result<Vec<Count>, Failure>;
+
 /// Why the program fails.
 #[derive(Debug, thiserror::Error)]
 enum Failure {
@@ -215,8 +218,8 @@ impl Args {
     }
 
     /// Everything; what `--only` selects nothing of is left out.
-    fn all(&self) -> Result<Vec<Count>, Failure> {
-        let parts: [fn(&Self) -> Result<Vec<Count>, Failure>; 5] =
+    fn all(&self) -> Counted {
+        let parts: [fn(&Self) -> Counted; 5] =
             [Self::formulas, Self::self_test, Self::error_vs_time, Self::extremes, Self::left_out];
         let mut counts = Vec::new();
         let mut missed = None;
@@ -233,7 +236,7 @@ impl Args {
         }
     }
 
-    fn formulas(&self) -> Result<Vec<Count>, Failure> {
+    fn formulas(&self) -> Counted {
         let selected = self.selected(checks(), |check: &Check| [check.name, check.citation])?;
         let harness =
             Harness { subject: Subject::Driver, effort: self.effort(), variant: Variant::CORRECT };
@@ -260,7 +263,7 @@ impl Args {
         Ok(vec![Count::of(&outcomes, "checks pass", passes)])
     }
 
-    fn self_test(&self) -> Result<Vec<Count>, Failure> {
+    fn self_test(&self) -> Counted {
         let rows = self.selected(MUTATIONS.iter(), |row: &MutationRow| [row.check, row.what])?;
         let bar = bar(rows.len());
         let trials = self_test::run_with(Subject::Driver, &rows, &|| bar.inc(1));
@@ -274,7 +277,7 @@ impl Args {
         Ok(vec![Count::of(&trials, "mistakes noticed", |trial| trial.noticed)])
     }
 
-    fn error_vs_time(&self) -> Result<Vec<Count>, Failure> {
+    fn error_vs_time(&self) -> Counted {
         let side = match self.effort() {
             Effort::Quick => 96,
             Effort::Full => 256,
@@ -319,7 +322,7 @@ impl Args {
         Ok(vec![Count { passed: all, all, what: "times measured" }])
     }
 
-    fn extremes(&self) -> Result<Vec<Count>, Failure> {
+    fn extremes(&self) -> Counted {
         let selected =
             self.selected(SWEEPS.iter(), |sweep: &Sweep| [sweep.name, sweep.parameter])?;
         let bar = bar(selected.len());
@@ -342,7 +345,7 @@ impl Args {
         Ok(vec![Count::of(&swept, "sweeps pass", SweepOutcome::passes)])
     }
 
-    fn left_out(&self) -> Result<Vec<Count>, Failure> {
+    fn left_out(&self) -> Counted {
         let selected =
             self.selected(left_out::features(), |feature: &Feature| [feature.name, feature.what])?;
         let rounds = match self.effort() {
@@ -368,7 +371,7 @@ impl Args {
         Ok(vec![Count::of(&rows, "features pass", left_out::Row::passes)])
     }
 
-    fn peers(&self, options: &peers::Options) -> Result<Vec<Count>, Failure> {
+    fn peers(&self, options: &peers::Options) -> Counted {
         let only = self.only.as_deref().unwrap_or_default();
         let scenes = peers::selected(only);
         if scenes.is_empty() {

@@ -64,12 +64,14 @@ pub const ACCUMULATION: Sweep = Sweep {
     run: accumulation,
 };
 
+/// A number as a format stores it.
+type Rounding = fn(f64) -> f64;
+
 fn wide_layers() -> Result<Vec<Series>, ProbeError> {
-    let round_unorm = |c: f64| (c.clamp(0.0, 1.0) * 65535.0).round() / 65535.0;
-    let formats: [(&str, u32, f64, &dyn Fn(f64) -> f64); 3] = [
-        ("16 bits", GL_RGBA16, 1.0 / 65535.0, &round_unorm),
-        ("half floats", GL_RGBA16F, 2f64.powi(-11), &|c| small_float(c, 10, 5, Variant::CORRECT)),
-        ("floats", GL_RGBA32F, 2f64.powi(-24), &|c| f64::from(c as f32)),
+    let formats: [(&str, u32, f64, Rounding); 3] = [
+        ("16 bits", GL_RGBA16, 1.0 / 65535.0, |c| (c.clamp(0.0, 1.0) * 65535.0).round() / 65535.0),
+        ("half floats", GL_RGBA16F, 2f64.powi(-11), |c| small_float(c, 10, 5, Variant::CORRECT)),
+        ("floats", GL_RGBA32F, 2f64.powi(-24), |c| f64::from(c as f32)),
     ];
     let mut lines = Vec::new();
     for (name, format, step, round) in formats {
