@@ -8,28 +8,36 @@ use conformance::left_out::{self, Feature};
 use conformance::mutation::{MUTATIONS, MutationRow, Variant};
 use conformance::peers::process::Task;
 use conformance::peers::{self, PeersError};
-use conformance::report::page::PageError;
+use conformance::report::{
+    Count, Layout, Machine, NOISY, PageError, PageName, bar, closing, listed,
+};
 use conformance::sweep::{SWEEPS, Sweep, SweepOutcome};
-use conformance::tradeoff::{self, functions};
+use conformance::tradeoff::{self, Scene, functions};
 use conformance::{filter_pictures, report, self_test};
+use indicatif::ProgressBar;
 use serde::Serialize;
 use std::path::PathBuf;
 use std::process::ExitCode;
+use std::time::Instant;
 
 /// Checks DetGL against independent f64 formulas of the specification. The exit status is 0 when
 /// everything passes, 1 when something fails, 2 for a wrong argument.
 #[derive(Debug, Parser)]
-#[command(name = "conformance", version)]
+#[command(name = "conformance", version, after_help = EXAMPLES)]
 struct Args {
     /// Something else than the formulas.
     #[command(subcommand)]
     command: Option<Command>,
-    /// Only checks or sweeps whose name or citation contains this.
+    /// Only what has this in its name, citation or description: checks, mistakes, scenes and functions,
+    /// sweeps, features. Pages of a part have names of their own.
     #[arg(long, value_name = "TEXT", global = true)]
     only: Option<String>,
     /// JSON instead of tables and pages.
     #[arg(long, global = true)]
     json: bool,
+    /// Tables as wide as they are, instead of 100 columns.
+    #[arg(long, global = true)]
+    wide: bool,
     /// A sixteenth of the cases, or smaller pictures.
     #[arg(long, global = true, conflicts_with = "full")]
     quick: bool,
@@ -37,13 +45,32 @@ struct Args {
     #[arg(long, global = true)]
     full: bool,
     /// Where the pages are written.
-    #[arg(long, value_name = "DIR", global = true, default_value = "conformance-report")]
+    #[arg(long, value_name = "DIR", global = true, default_value = "conformance-report",
+          value_parser = folder)]
     out: PathBuf,
+}
+
+const EXAMPLES: &str = "Examples:
+  conformance                        every formula, and conformance-report/index.html
+  conformance --only bilinear        the checks that have this in their name or citation
+  conformance extremes --only fog    sweeps with this in their name or parameter
+  conformance all --quick            everything but peers, with few cases
+  conformance error-vs-time --wide   a table as wide as it is";
+
+/// A folder, or what does not exist yet.
+fn folder(text: &str) -> Result<PathBuf, String> {
+    let path = PathBuf::from(text);
+    if path.exists() && !path.is_dir() {
+        return Err("a file has this name; a folder is needed, or a name that is free".to_owned());
+    }
+    Ok(path)
 }
 
 /// What else there is.
 #[derive(Clone, Debug, Subcommand)]
 enum Command {
+    /// Everything below but peers, one after the other.
+    All,
     /// Builds each known mistake into its formula, one at a time: every one must be noticed.
     SelfTest,
     /// Error of every way to sample against the exact area integral, and what it takes.
@@ -59,10 +86,13 @@ enum Command {
     Peer(Task),
 }
 
+/// What a command counts.
+type Counted = Result<Vec<Count>, Failure>;
+
 /// Why the program fails.
 #[derive(Debug, thiserror::Error)]
 enum Failure {
-    #[error("nothing has {0:?} in its name or citation; the names are {1}")]
+    #[error("--only {0:?}: nothing has this in its name; the names are\n{1}")]
     NoMatch(String, String),
     #[error(transparent)]
     Drive(#[from] conformance::probe::ProbeError),
@@ -78,18 +108,33 @@ enum Failure {
 
 fn main() -> ExitCode {
     let args = Args::parse();
-    let passed = match &args.command {
+    let start = Instant::now();
+    let counted = match &args.command {
         None => args.formulas(),
+        Some(Command::All) => args.all(),
         Some(Command::SelfTest) => args.self_test(),
         Some(Command::ErrorVsTime) => args.error_vs_time(),
         Some(Command::Extremes) => args.extremes(),
         Some(Command::LeftOut) => args.left_out(),
         Some(Command::Peers(options)) => args.peers(options),
-        Some(Command::Peer(task)) => task.run().map(|()| true).map_err(Failure::from),
+        Some(Command::Peer(task)) => return finish(task.run().map_err(Failure::from), |()| true),
     };
-    match passed {
-        Ok(true) => ExitCode::SUCCESS,
-        Ok(false) => ExitCode::FAILURE,
+    if let (Ok(counts), false) = (&counted, args.json) {
+        println!("\n{}", closing(counts, start.elapsed().as_secs_f64(), &Machine::here()));
+    }
+    finish(counted, |counts| counts.iter().all(|count| count.passed == count.all))
+}
+
+/// The exit status; what went wrong is printed.
+fn finish<T>(result: Result<T, Failure>, passes: impl FnOnce(T) -> bool) -> ExitCode {
+    match result {
+        Ok(found) => {
+            if passes(found) {
+                ExitCode::SUCCESS
+            } else {
+                ExitCode::FAILURE
+            }
+        }
         Err(failure) => {
             eprintln!("{failure}");
             match failure {
@@ -120,19 +165,35 @@ impl Args {
         }
     }
 
+    fn layout(&self) -> Layout {
+        if self.wide { Layout::Wide } else { Layout::Narrow }
+    }
+
+    /// The name of a page about what `--only` selects.
+    fn page(&self, subject: &str) -> PageName {
+        PageName::new(subject, self.only.as_deref())
+    }
+
+    /// Whether one of the texts contains the argument of `--only`.
+    fn is_selected(&self, texts: &[&str]) -> bool {
+        let text = self.only.as_deref().unwrap_or_default();
+        texts.iter().any(|t| t.contains(text))
+    }
+
+    fn no_match(&self, mut names: Vec<&str>) -> Failure {
+        names.dedup();
+        Failure::NoMatch(self.only.clone().unwrap_or_default(), listed(&names))
+    }
+
     /// The items of `all` one of whose texts contains the argument of `--only`.
     fn selected<'a, T>(
         &self,
         all: impl Iterator<Item = &'a T> + Clone,
         texts: impl Fn(&T) -> [&'static str; 2],
     ) -> Result<Vec<&'a T>, Failure> {
-        let text = self.only.as_deref().unwrap_or_default();
-        let selected: Vec<&T> =
-            all.clone().filter(|item| texts(item).iter().any(|t| t.contains(text))).collect();
+        let selected: Vec<&T> = all.clone().filter(|item| self.is_selected(&texts(item))).collect();
         if selected.is_empty() {
-            let mut names: Vec<&str> = all.map(|item| texts(item)[0]).collect();
-            names.dedup();
-            return Err(Failure::NoMatch(text.to_owned(), names.join(", ")));
+            return Err(self.no_match(all.map(|item| texts(item)[0]).collect()));
         }
         Ok(selected)
     }
@@ -145,71 +206,146 @@ impl Args {
     }
 
     /// Prints the path of a page.
-    fn print_path(&self, page: &str) {
-        println!("\n{}", self.out.join(page).display());
+    fn print_path(&self, page: &PageName) {
+        println!("{}", self.out.join(page.file()).display());
     }
 
-    fn formulas(&self) -> Result<bool, Failure> {
+    /// Warns where `noisy` of `of` times are not to be relied on.
+    fn warn(&self, noisy: usize, of: usize) {
+        if let Some(warning) = Machine::here().warnings(noisy, of) {
+            eprintln!("{warning}");
+        }
+    }
+
+    /// Everything; what `--only` selects nothing of is left out.
+    fn all(&self) -> Counted {
+        let parts: [fn(&Self) -> Counted; 5] =
+            [Self::formulas, Self::self_test, Self::error_vs_time, Self::extremes, Self::left_out];
+        let mut counts = Vec::new();
+        let mut missed = None;
+        for part in parts {
+            match part(self) {
+                Ok(of) => counts.extend(of),
+                Err(failure @ Failure::NoMatch(..)) => missed = Some(failure),
+                Err(failure) => return Err(failure),
+            }
+        }
+        match missed {
+            Some(failure) if counts.is_empty() => Err(failure),
+            Some(_) | None => Ok(counts),
+        }
+    }
+
+    fn formulas(&self) -> Counted {
         let selected = self.selected(checks(), |check: &Check| [check.name, check.citation])?;
         let harness =
             Harness { subject: Subject::Driver, effort: self.effort(), variant: Variant::CORRECT };
-        let outcomes: Vec<Outcome> = selected.iter().map(|check| check.run(&harness)).collect();
-        self.print(|| report::table(&outcomes), &outcomes)?;
+        let bar = bar(selected.len());
+        let outcomes: Vec<Outcome> = selected
+            .iter()
+            .map(|check| {
+                bar.set_message(check.name);
+                let outcome = check.run(&harness);
+                bar.inc(1);
+                outcome
+            })
+            .collect();
+        bar.finish_and_clear();
+        self.print(|| report::table(self.layout(), &outcomes), &outcomes)?;
         if !self.json {
             let pictures =
                 if self.only.is_none() { filter_pictures::pictures()? } else { Vec::new() };
-            report::checks_page(&self.out, &outcomes, &pictures)?;
-            self.print_path("index.html");
+            let page = self.page("index");
+            report::checks_page(&self.out, &page, &outcomes, &pictures)?;
+            self.print_path(&page);
         }
-        Ok(outcomes.iter().all(|outcome| outcome.verdict == Verdict::Pass))
+        let passes = |outcome: &Outcome| outcome.verdict == Verdict::Pass;
+        Ok(vec![Count::of(&outcomes, "checks pass", passes)])
     }
 
-    fn self_test(&self) -> Result<bool, Failure> {
+    fn self_test(&self) -> Counted {
         let rows = self.selected(MUTATIONS.iter(), |row: &MutationRow| [row.check, row.what])?;
-        let trials = self_test::run(Subject::Driver, &rows);
-        self.print(|| report::trials_table(&trials), &trials)?;
-        Ok(trials.iter().all(|trial| trial.noticed))
+        let bar = bar(rows.len());
+        let trials = self_test::run_with(Subject::Driver, &rows, &|| bar.inc(1));
+        bar.finish_and_clear();
+        self.print(|| report::trials_table(self.layout(), &trials), &trials)?;
+        if !self.json {
+            let page = self.page("self-test");
+            report::trials_page(&self.out, &page, &trials)?;
+            self.print_path(&page);
+        }
+        Ok(vec![Count::of(&trials, "mistakes noticed", |trial| trial.noticed)])
     }
 
-    fn error_vs_time(&self) -> Result<bool, Failure> {
+    fn error_vs_time(&self) -> Counted {
         let side = match self.effort() {
             Effort::Quick => 96,
             Effort::Full => 256,
             Effort::Thorough => 512,
         };
-        let bar = indicatif::ProgressBar::new(tradeoff::scenes(side).len() as u64);
-        let measured = tradeoff::measure(side, |scene| {
+        let scenes = tradeoff::scenes(side);
+        let chosen: Vec<&Scene> =
+            scenes.iter().filter(|scene| self.is_selected(&[scene.name, scene.what])).collect();
+        let calls: Vec<&str> =
+            functions::names().filter(|name| self.is_selected(&[name])).collect();
+        if chosen.is_empty() && calls.is_empty() {
+            let names = scenes.iter().map(|scene| scene.name).chain(functions::names());
+            return Err(self.no_match(names.collect()));
+        }
+        let bar = bar(chosen.len() + 1);
+        let measured = tradeoff::measure(side, chosen, |scene| {
             bar.set_message(scene.name);
             bar.inc(1);
         })?;
+        bar.set_message("functions");
+        let functions = functions::measure(&calls)?;
         bar.finish_and_clear();
-        let functions = functions::measure()?;
         let table = || {
             let all = tradeoff::overall(&measured.rows);
             let rows = [measured.rows.clone(), all].concat();
-            format!("{}\n{}", report::tradeoff_table(&rows), report::functions_table(&functions))
+            let layout = self.layout();
+            let tables = [
+                (!measured.rows.is_empty()).then(|| report::tradeoff_table(layout, &rows)),
+                (!functions.is_empty()).then(|| report::functions_table(layout, &functions)),
+            ];
+            tables.into_iter().flatten().collect::<Vec<_>>().join("\n")
         };
         self.print(table, &Tradeoff { scenes: &measured.rows, functions: &functions })?;
         if !self.json {
-            report::tradeoff_page(&self.out, &measured, &functions)?;
-            self.print_path("error-vs-time.html");
+            let page = self.page("error-vs-time");
+            report::tradeoff_page(&self.out, &page, &measured, &functions)?;
+            self.print_path(&page);
         }
-        Ok(true)
+        let noisy = measured.rows.iter().filter(|row| row.spread() > NOISY).count();
+        self.warn(noisy, measured.rows.len());
+        let all = measured.rows.len() + functions.len();
+        Ok(vec![Count { passed: all, all, what: "times measured" }])
     }
 
-    fn extremes(&self) -> Result<bool, Failure> {
+    fn extremes(&self) -> Counted {
         let selected =
             self.selected(SWEEPS.iter(), |sweep: &Sweep| [sweep.name, sweep.parameter])?;
-        let swept: Vec<SweepOutcome> = selected.iter().map(|sweep| sweep.run()).collect();
-        self.print(|| report::sweeps_table(&swept), &swept)?;
+        let bar = bar(selected.len());
+        let swept: Vec<SweepOutcome> = selected
+            .iter()
+            .map(|sweep| {
+                bar.set_message(sweep.name);
+                let outcome = sweep.run();
+                bar.inc(1);
+                outcome
+            })
+            .collect();
+        bar.finish_and_clear();
+        self.print(|| report::sweeps_table(self.layout(), &swept), &swept)?;
         if !self.json {
-            report::sweeps_page(&self.out, &swept)?;
-            self.print_path("extremes.html");
+            let page = self.page("extremes");
+            report::sweeps_page(&self.out, &page, &swept)?;
+            self.print_path(&page);
         }
-        Ok(swept.iter().all(SweepOutcome::passes))
+        Ok(vec![Count::of(&swept, "sweeps pass", SweepOutcome::passes)])
     }
 
-    fn left_out(&self) -> Result<bool, Failure> {
+    fn left_out(&self) -> Counted {
         let selected =
             self.selected(left_out::features(), |feature: &Feature| [feature.name, feature.what])?;
         let rounds = match self.effort() {
@@ -217,7 +353,7 @@ impl Args {
             Effort::Full => 9,
             Effort::Thorough => 28,
         };
-        let bar = indicatif::ProgressBar::new(selected.len() as u64);
+        let bar = bar(selected.len());
         let mut rows = Vec::with_capacity(selected.len());
         for feature in selected {
             bar.set_message(feature.name);
@@ -225,31 +361,35 @@ impl Args {
             bar.inc(1);
         }
         bar.finish_and_clear();
-        self.print(|| report::left_out_table(&rows), &rows)?;
+        self.print(|| report::left_out_table(self.layout(), &rows), &rows)?;
         if !self.json {
-            report::left_out_page(&self.out, &rows)?;
-            self.print_path("left-out.html");
+            let page = self.page("left-out");
+            report::left_out_page(&self.out, &page, &rows)?;
+            self.print_path(&page);
         }
-        Ok(rows.iter().all(left_out::Row::passes))
+        self.warn(rows.iter().filter(|row| row.noise > NOISY).count(), rows.len());
+        Ok(vec![Count::of(&rows, "features pass", left_out::Row::passes)])
     }
 
-    fn peers(&self, options: &peers::Options) -> Result<bool, Failure> {
+    fn peers(&self, options: &peers::Options) -> Counted {
         let only = self.only.as_deref().unwrap_or_default();
         let scenes = peers::selected(only);
         if scenes.is_empty() {
-            return Err(Failure::NoMatch(only.to_owned(), peers::names().join(", ")));
+            return Err(self.no_match(peers::names()));
         }
-        let bar = indicatif::ProgressBar::new_spinner();
+        let bar = ProgressBar::new_spinner();
         let comparison = peers::compare(options, &scenes, |what| {
             bar.set_message(what.to_owned());
             bar.tick();
         })?;
         bar.finish_and_clear();
-        self.print(|| peers::table(&comparison), &comparison)?;
+        self.print(|| peers::table(self.layout(), &comparison), &comparison)?;
         if !self.json {
-            peers::write(&self.out, &comparison)?;
-            self.print_path("peers.md");
+            let subject = self.page("peers");
+            let name = subject.file().trim_end_matches(".html");
+            peers::write(&self.out, name, &comparison)?;
+            println!("{}", self.out.join(format!("{name}.md")).display());
         }
-        Ok(true)
+        Ok(vec![Count { passed: scenes.len(), all: scenes.len(), what: "scenes compared" }])
     }
 }

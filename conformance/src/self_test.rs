@@ -22,14 +22,24 @@ pub struct Trial {
     pub tolerance: f64,
 }
 
-/// Runs the check of each of these mistakes against `subject`, on as many threads as there are processors. Each thread has
-/// GL contexts of its own.
+/// [`run_with`] without a report of its progress.
 pub fn run(subject: Subject, rows: &[&MutationRow]) -> Vec<Trial> {
+    run_with(subject, rows, &|| ())
+}
+
+/// Runs the check of each of these mistakes against `subject`, on as many threads as there are processors. Each thread has
+/// GL contexts of its own. `done` is called after each.
+pub fn run_with(subject: Subject, rows: &[&MutationRow], done: &(dyn Fn() + Sync)) -> Vec<Trial> {
     let next = AtomicUsize::new(0);
     let some = || {
         let numbers = std::iter::repeat_with(|| next.fetch_add(1, Ordering::Relaxed));
         let rows = numbers.map_while(|number| Some((number, rows.get(number)?)));
-        rows.map(|(number, row)| (number, trial(row, subject))).collect::<Vec<_>>()
+        rows.map(|(number, row)| {
+            let trial = trial(row, subject);
+            done();
+            (number, trial)
+        })
+        .collect::<Vec<_>>()
     };
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
     let mut trials = std::thread::scope(|scope| {

@@ -11,5 +11,5 @@ fn every_check_passes() {
         Harness { subject: Subject::Driver, effort: Effort::Quick, variant: Variant::CORRECT };
     let outcomes: Vec<Outcome> = checks().map(|check| check.run(&harness)).collect();
     let passed = outcomes.iter().all(|outcome| outcome.verdict == Verdict::Pass);
-    assert!(passed, "\n{}", report::table(&outcomes));
+    assert!(passed, "\n{}", report::table(report::Layout::Narrow, &outcomes));
 }

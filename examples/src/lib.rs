@@ -26,12 +26,14 @@
 //! | [`programs`] | the list of programs |
 //! | [`inputs`] | the inputs of a picture, shown beside its result |
 //! | [`lectures`] | `docs/lectures.md`: which programs and checks have each item of the lectures |
+//! | [`arguments`] | what command lines accept, and what they say of the rest |
 //! | [`gallery`] | all pictures, and the page that shows them |
 
 // The program files name this crate as they do when they run alone.
 extern crate self as examples;
 
 pub mod area;
+pub mod arguments;
 mod caption;
 pub mod corridor;
 mod font;

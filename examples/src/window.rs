@@ -1,5 +1,6 @@
 //! Replaces a window: a context, the picture that it draws, and the files that programs read.
 
+use crate::arguments::{WRONG_ARGUMENT, parsed, picture_file, side, takes_no_picture};
 use crate::caption::{self, Area, Caption};
 use crate::picture::{self, Picture, packed_pixel_t};
 use clap::Parser;
@@ -9,8 +10,9 @@ use gl_api::entry::*;
 use gl_api::explain::Explanation;
 use gl_api::glsl::{FixIts, Strictness};
 use gl_api::types::GLint;
+use std::cell::Cell;
 use std::error::Error;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
@@ -42,6 +44,8 @@ pub struct Window {
     pub(crate) size: i32,
     desc: ContextDesc,
     image: Option<Picture>,
+    /// Whether the program has asked for a picture.
+    reads_pictures: Cell<bool>,
     notes: String,
     current: Option<Current>,
     /// The pixel to explain: column and row from the upper left.
@@ -62,6 +66,8 @@ pub struct Rendered {
     pub errors: Vec<String>,
     /// How many panels it has.
     pub panels: usize,
+    /// Whether it reads a picture file, in whose place another can be given.
+    pub reads_pictures: bool,
     /// Time from the new context to the picture in memory, without the time of procedural pictures.
     pub time: Duration,
     /// Time of procedural pictures.
@@ -84,6 +90,7 @@ impl Window {
 
     /// The same picture with its top row first.
     pub fn picture(&self, name: &str) -> Picture {
+        self.reads_pictures.set(true);
         self.image.clone().unwrap_or_else(|| picture::stand_in(name))
     }
 
@@ -235,6 +242,7 @@ fn run_program(
         current: Some(context.make_current()),
         desc,
         image,
+        reads_pictures: Cell::new(false),
         notes: String::new(),
         watched,
         panels: Vec::new(),
@@ -249,23 +257,29 @@ fn run_program(
     let time = start.elapsed() - painting;
     let explanation = with_current(Context::explain_pixel).flatten();
     let (notes, panels) = (window.notes, window.panels.len());
-    Ok((Rendered { picture, notes, errors, panels, time, painting }, explanation))
+    let reads_pictures = window.reads_pictures.get();
+    let rendered = Rendered { picture, notes, errors, panels, reads_pictures, time, painting };
+    Ok((rendered, explanation))
 }
 
 #[derive(Debug, Parser)]
 struct Arguments {
     /// A PPM, PNG or JPEG file in place of the drawn picture
-    image: Option<PathBuf>,
+    #[arg(value_parser = picture_file)]
+    image: Option<Picture>,
     /// Side of a square window, in pixels
-    #[arg(long, default_value_t = 1024, value_parser = clap::value_parser!(u32).range(1..=8192))]
+    #[arg(long, default_value_t = 1024, value_parser = side::<8192>, allow_hyphen_values = true)]
     size: u32,
 }
 
 /// Runs one program from the command line: writes `NAME.png` and prints messages and errors.
 pub fn main(program: &Program) -> ExitCode {
-    let arguments = Arguments::parse();
+    let arguments: Arguments = match parsed() {
+        Ok(arguments) => arguments,
+        Err(status) => return status,
+    };
     match run(program, &arguments) {
-        Ok(()) => ExitCode::SUCCESS,
+        Ok(status) => status,
         Err(error) => {
             eprintln!("{}: {error}", program.name);
             ExitCode::FAILURE
@@ -273,21 +287,17 @@ pub fn main(program: &Program) -> ExitCode {
     }
 }
 
-fn run(program: &Program, arguments: &Arguments) -> Result<(), Box<dyn Error>> {
-    let image = arguments.image.as_deref().map(load).transpose()?;
+fn run(program: &Program, arguments: &Arguments) -> Result<ExitCode, Box<dyn Error>> {
+    let image = arguments.image.clone();
     let rendered = render(program, arguments.size as usize, image, &ContextDesc::default())?;
+    if arguments.image.is_some() && !rendered.reads_pictures {
+        eprintln!("{}", takes_no_picture(&[program.name]));
+        return Ok(ExitCode::from(WRONG_ARGUMENT));
+    }
     let path = format!("{}.png", program.name);
     picture::save(&rendered.picture, Path::new(&path))?;
     print!("{}", rendered.notes);
     rendered.errors.iter().for_each(|error| eprintln!("{error}"));
     println!("{path}: {} ms", rendered.time.as_millis());
-    Ok(())
-}
-
-/// Reads a picture file; the error names the file.
-///
-/// # Errors
-/// When it cannot be read or is no picture.
-pub fn load(path: &Path) -> Result<Picture, String> {
-    picture::load(path).map_err(|error| format!("{}: {error}", path.display()))
+    Ok(ExitCode::SUCCESS)
 }

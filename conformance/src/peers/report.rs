@@ -3,22 +3,22 @@
 use super::comparison::{Comparison, Row};
 use crate::plot::{Caption, Line, PlotError, scatter};
 use crate::report::page::{self, PageError};
-use crate::report::tables::{headed, right};
+use crate::report::{Layout, right};
 use comfy_table::{Cell, Table, presets};
 use std::path::Path;
 
 /// Every scene with every driver.
-fn measured(comparison: &Comparison) -> Table {
-    let mut table = headed([
+fn measured(layout: Layout, comparison: &Comparison) -> Table {
+    let mut table = layout.table([
         "scene",
         "driver",
         "frame, ms",
-        "over DetGL",
+        "times DetGL's",
         "first, ms",
-        "over DetGL",
+        "times DetGL's",
         "peak, MiB",
-        "RMS error",
-        "max",
+        "RMS error, /255",
+        "max, /255",
         "pixels off",
     ]);
     for row in &comparison.rows {
@@ -41,16 +41,16 @@ fn measured(comparison: &Comparison) -> Table {
 }
 
 /// DetGL's speed relative to llvmpipe, scene by scene, and its goal; `None` without llvmpipe.
-fn goals(comparison: &Comparison) -> Option<Table> {
-    let mut table = headed([
+fn goals(layout: Layout, comparison: &Comparison) -> Option<Table> {
+    let mut table = layout.table([
         "scene",
         "what",
-        "speed",
-        "goal",
-        "first frame",
-        "goal",
-        "error, DetGL",
-        "llvmpipe",
+        "llvmpipe's frame over DetGL's (2× is half of llvmpipe's time)",
+        "goal of frames",
+        "llvmpipe's first frame over DetGL's",
+        "goal of first frames",
+        "RMS error of DetGL, /255",
+        "of llvmpipe, /255",
     ]);
     let of = |driver: &'static str| comparison.rows.iter().filter(move |row| row.driver == driver);
     let pairs: Vec<(&Row, &Row)> = of("DetGL")
@@ -78,18 +78,22 @@ fn goals(comparison: &Comparison) -> Option<Table> {
 }
 
 /// Both tables, and the drivers' name strings.
-pub fn table(comparison: &Comparison) -> String {
-    text(comparison, presets::UTF8_BORDERS_ONLY)
+pub fn table(layout: Layout, comparison: &Comparison) -> String {
+    text(layout, comparison, presets::UTF8_BORDERS_ONLY)
 }
 
-/// Writes `peers.md`, the same as Markdown, `peers.json`, and the plot `peers.svg`.
+/// Writes the same as Markdown, as JSON, and the plot, into files of this name.
 ///
 /// # Errors
 /// When a file cannot be written or the plot cannot be drawn.
-pub fn write(folder: &Path, comparison: &Comparison) -> Result<(), WriteError> {
-    page::write(folder, "peers.md", &text(comparison, presets::ASCII_MARKDOWN))?;
-    page::write(folder, "peers.json", &crate::report::json(comparison)?)?;
-    page::write(folder, "peers.svg", &plot(comparison).map_err(PageError::from)?)?;
+pub fn write(folder: &Path, name: &str, comparison: &Comparison) -> Result<(), WriteError> {
+    page::write(
+        folder,
+        &format!("{name}.md"),
+        &text(Layout::Wide, comparison, presets::ASCII_MARKDOWN),
+    )?;
+    page::write(folder, &format!("{name}.json"), &crate::report::json(comparison)?)?;
+    page::write(folder, &format!("{name}.svg"), &plot(comparison).map_err(PageError::from)?)?;
     Ok(())
 }
 
@@ -104,7 +108,7 @@ pub enum WriteError {
     Json(#[from] serde_json::Error),
 }
 
-fn text(comparison: &Comparison, preset: &str) -> String {
+fn text(layout: Layout, comparison: &Comparison, preset: &str) -> String {
     let Comparison { size, rounds, drivers, .. } = comparison;
     let mut text = format!(
         "{size} × {size} pixels, medians of {rounds} rounds, {} processors. A frame ends with \
@@ -121,7 +125,7 @@ fn text(comparison: &Comparison, preset: &str) -> String {
             "\nNo other GL driver was found on this machine: these are DetGL's figures.\n",
         );
     }
-    for mut table in goals(comparison).into_iter().chain([measured(comparison)]) {
+    for mut table in goals(layout, comparison).into_iter().chain([measured(layout, comparison)]) {
         table.load_preset(preset);
         text.push_str(&format!("\n{table}\n"));
     }

@@ -1,7 +1,7 @@
 //! The table and the page of what is left out.
 
-use super::page::{PageError, escaped, page, write};
-use super::tables::{headed, right};
+use super::layout::{Layout, right};
+use super::page::{PageError, PageName, escaped, page};
 use crate::left_out::{PlanFound, Row};
 use comfy_table::{Attribute, Cell, Color};
 use std::fmt::Write;
@@ -31,8 +31,8 @@ fn pictures(row: &Row) -> String {
 }
 
 /// A row a feature, and a closing line.
-pub fn left_out_table(rows: &[Row]) -> String {
-    let mut table = headed(["feature", "frame", "cost", "noise", "pictures", "plan"]);
+pub fn left_out_table(layout: Layout, rows: &[Row]) -> String {
+    let mut table = layout.table(["feature", "frame", "cost", "noise", "pictures", "plan"]);
     for row in rows {
         let cost = Cell::new(format!("{:.2}", row.ratio));
         let color = if row.ratio <= NOTICEABLE { Color::Green } else { Color::Yellow };
@@ -53,13 +53,10 @@ pub fn left_out_table(rows: &[Row]) -> String {
 fn summary(rows: &[Row]) -> String {
     let count = |test: fn(&Row) -> bool| rows.iter().filter(|row| test(row)).count();
     format!(
-        "{} of {} features pass; the plan leaves out {}; {} cost at most {NOTICEABLE}; one thread, {} {}",
-        count(Row::passes),
-        rows.len(),
+        "the plan leaves out {} of {}; {} cost at most {NOTICEABLE}; drawn by one thread",
         count(|row| row.plan == PlanFound::SameWork),
+        rows.len(),
         count(|row| row.ratio <= NOTICEABLE),
-        std::env::consts::ARCH,
-        std::env::var("DETGL_ISA").unwrap_or_else(|_| "widest instruction set".to_owned()),
     )
 }
 
@@ -67,7 +64,7 @@ fn summary(rows: &[Row]) -> String {
 ///
 /// # Errors
 /// When the file cannot be written.
-pub fn left_out_page(folder: &Path, rows: &[Row]) -> Result<(), PageError> {
+pub fn left_out_page(folder: &Path, name: &PageName, rows: &[Row]) -> Result<(), PageError> {
     let mut body = format!(
         "<p>Each row draws a scene with and without something that has no effect on its picture. The cost is the \
          time with it over the time without it, frames taken in turns: 1.00 is free. The plan is what \
@@ -94,5 +91,5 @@ pub fn left_out_page(folder: &Path, rows: &[Row]) -> Result<(), PageError> {
         );
     }
     body.push_str("</table>");
-    write(folder, "left-out.html", &page("What is left out", &body))
+    name.write(folder, &page("What is left out", &body))
 }

@@ -47,8 +47,50 @@ pub fn page(title: &str, body: &str) -> String {
          <style>{STYLE}</style>\n<nav><a href=\"index.html\">formulas</a>\
          <a href=\"error-vs-time.html\">error against run time</a>\
          <a href=\"extremes.html\">extremes</a>\
+         <a href=\"self-test.html\">self-test</a>\
          <a href=\"left-out.html\">left out</a></nav>\n<h1>{title}</h1>\n{body}\n</html>\n"
     )
+}
+
+/// The name of a page's file. With `--only` it has the text in it, so that the page of everything stays.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PageName(String);
+
+impl PageName {
+    /// The page about `subject`, of the entries that contain `only`.
+    pub fn new(subject: &str, only: Option<&str>) -> Self {
+        let Some(only) = only else { return Self(format!("{subject}.html")) };
+        let plain = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '-' };
+        let only: String = only.chars().map(plain).collect();
+        Self(format!("{subject}-only-{only}.html"))
+    }
+
+    /// The file's name.
+    pub fn file(&self) -> &str {
+        &self.0
+    }
+
+    /// The name with another ending.
+    pub(super) fn with_ending(&self, ending: &str) -> String {
+        self.0.replace(".html", ending)
+    }
+
+    /// Writes the page.
+    ///
+    /// # Errors
+    /// When it cannot be written.
+    pub(super) fn write(&self, folder: &Path, text: &str) -> Result<(), PageError> {
+        write(folder, &self.0, text)
+    }
+}
+
+/// Creates the report's folder if it does not exist.
+///
+/// # Errors
+/// When it cannot be created.
+pub fn create(folder: &Path) -> Result<(), PageError> {
+    std::fs::create_dir_all(folder)
+        .map_err(|source| PageError::File { path: folder.to_owned(), source })
 }
 
 /// Writes a file into the report's folder, which is created if it does not exist.
@@ -75,4 +117,16 @@ pub fn write_picture(folder: &Path, picture: &Picture) -> Result<(), PageError> 
     });
     let path = folder.join(format!("{}.png", picture.name));
     png.save(&path).map_err(|source| PageError::Picture { path, source })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_entry_has_a_page_of_its_own() {
+        assert_eq!(PageName::new("index", None).file(), "index.html");
+        assert_eq!(PageName::new("index", Some("GL 2.1/x")).file(), "index-only-gl-2-1-x.html");
+        assert_eq!(PageName::new("index", None).with_ending(".svg"), "index.svg");
+    }
 }

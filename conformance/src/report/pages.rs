@@ -1,12 +1,14 @@
 //! The HTML pages: formulas, error and run time, extremes.
 
 use super::case_pictures;
-use super::page::{PageError, escaped, page, write, write_picture};
-use super::tables::quantity;
+use super::layout::short;
+use super::page::{PageError, PageName, create, escaped, page, write, write_picture};
+use super::tables::{kept, quantity};
 use crate::chapters::CHAPTERS;
 use crate::check::{Outcome, Reach, Verdict};
 use crate::plot::{Caption, Line, log_log};
-use crate::sweep::SweepOutcome;
+use crate::self_test::Trial;
+use crate::sweep::{Series, SweepOutcome};
 use crate::tradeoff::functions::FunctionRow;
 use crate::tradeoff::{Measured, Picture, Row, lines, overall};
 use std::fmt::Write;
@@ -19,6 +21,7 @@ use std::path::Path;
 /// When a file cannot be written.
 pub fn checks_page(
     folder: &Path,
+    name: &PageName,
     outcomes: &[Outcome],
     comparisons: &[[Picture; 3]],
 ) -> Result<(), PageError> {
@@ -28,7 +31,7 @@ pub fn checks_page(
          the comparison that holds a check's worst case: what the driver gave, what the formula \
          gives, and the error, in which black is none and white is the tolerance.</p>",
     );
-    write(folder, "index.html", "")?;
+    create(folder)?;
     for (title, checks) in CHAPTERS {
         let of: Vec<&Outcome> = outcomes
             .iter()
@@ -62,7 +65,7 @@ pub fn checks_page(
         }
         body.push_str("</div>");
     }
-    write(folder, "index.html", &page("DetGL against the formulas", &body))
+    name.write(folder, &page("DetGL against the formulas", &body))
 }
 
 fn check_row(outcome: &Outcome, pictures: &[Picture]) -> String {
@@ -130,12 +133,13 @@ fn work_precision(title: &str, rows: &[Row]) -> Result<String, PageError> {
 /// When a file cannot be written or a plot cannot be drawn.
 pub fn tradeoff_page(
     folder: &Path,
+    name: &PageName,
     measured: &Measured,
     functions: &[FunctionRow],
 ) -> Result<(), PageError> {
     let all = overall(&measured.rows);
     let plot = work_precision("Error against run time, all scenes", &all)?;
-    write(folder, "error-vs-time.svg", &plot)?;
+    write(folder, &name.with_ending(".svg"), &plot)?;
     let mut body = format!(
         "<p>Against the exact area integral of the bilinearly reconstructed texture. Bytes alone \
          cost an RMS error of 0.0011. Of supersampling, the time is that of all samples.</p>{plot}{}",
@@ -143,13 +147,13 @@ pub fn tradeoff_page(
     );
     let mut names: Vec<&str> = measured.rows.iter().map(|row| row.scene).collect();
     names.dedup();
-    for name in names {
+    for scene in names {
         let rows: Vec<Row> =
-            measured.rows.iter().filter(|row| row.scene == name).cloned().collect();
-        let _ = write!(body, "<h2>{}</h2>{}", escaped(name), work_precision(name, &rows)?);
+            measured.rows.iter().filter(|row| row.scene == scene).cloned().collect();
+        let _ = write!(body, "<h2>{}</h2>{}", escaped(scene), work_precision(scene, &rows)?);
         body.push_str(&rows_table(&rows));
         body.push_str("<details><summary>pictures, and 4 times the difference</summary>");
-        let of = measured.pictures.iter().filter(|p| p.name.starts_with(&format!("{name}-")));
+        let of = measured.pictures.iter().filter(|p| p.name.starts_with(&format!("{scene}-")));
         for picture in of {
             write_picture(folder, picture)?;
             body.push_str(&figure(&picture.name));
@@ -175,21 +179,28 @@ pub fn tradeoff_page(
         );
     }
     body.push_str("</table>");
-    write(folder, "error-vs-time.html", &page("Error against run time", &body))
+    name.write(folder, &page("Error against run time", &body))
 }
 
 fn rows_table(rows: &[Row]) -> String {
-    let mut text = String::from("<table><tr><th>mode<th>mean<th>RMS<th>max<th>ꟻLIP<th>ns a pixel");
+    let mut text = String::from(
+        "<table><tr><th>mode<th>mean<th>RMS<th>max<th>ꟻLIP\
+                                 <th>ns a pixel<th>median<th>quartiles",
+    );
     for row in rows {
         let _ = write!(
             text,
-            "<tr><td>{}<td class=n>{:.4}<td class=n>{:.4}<td class=n>{:.3}<td class=n>{:.3}<td class=n>{:.1}",
+            "<tr><td>{}<td class=n>{:.4}<td class=n>{:.4}<td class=n>{:.3}<td class=n>{:.3}<td class=n>{:.1}\
+             <td class=n>{:.1}<td class=n>{:.1}–{:.1}",
             escaped(&row.mode),
             row.mean,
             row.rms,
             row.max,
             row.flip,
-            row.nanoseconds
+            row.nanoseconds,
+            row.quartiles[1],
+            row.quartiles[0],
+            row.quartiles[2],
         );
     }
     text.push_str("</table>");
@@ -200,39 +211,95 @@ fn rows_table(rows: &[Row]) -> String {
 ///
 /// # Errors
 /// When a file cannot be written or a plot cannot be drawn.
-pub fn sweeps_page(folder: &Path, swept: &[SweepOutcome]) -> Result<(), PageError> {
-    let mut body =
-        String::from("<p>Each to where arithmetic breaks, with the bound that holds.</p>");
+pub fn sweeps_page(
+    folder: &Path,
+    name: &PageName,
+    swept: &[SweepOutcome],
+) -> Result<(), PageError> {
+    let mut body = String::from(
+        "<p>Each goes from harmless values of a parameter to where arithmetic breaks. A sweep fails \
+         when an error is above its bound, and when it would show nothing: when its filters keep too few \
+         cases, when results do not change with the parameter, or when the bound is more than twice \
+         the largest error. Errors of 0 and infinity have places beyond the breaks of an axis.</p>\
+         <table><tr><th>sweep<th>largest error<th>at<th>bound<th>cases kept<th>",
+    );
     for sweep in swept {
-        let (class, word) = if sweep.passes() { ("pass", "pass") } else { ("fail", "FAIL") };
-        let lines: Vec<Line> = sweep
-            .lines
-            .iter()
-            .map(|(name, points)| Line { name: name.clone(), points: points.clone() })
-            .chain((!sweep.before.is_empty()).then(|| Line {
-                name: "before the driver was changed".to_owned(),
-                points: sweep.before.to_vec(),
-            }))
-            .collect();
-        let caption = Caption { title: sweep.name, x: sweep.parameter, y: sweep.unit };
+        let (class, word) = verdict(sweep);
         let _ = write!(
             body,
-            "<h2>{} <span class={class}>{word}</span></h2><p>{}<br>Largest error {:.3e} {} at \
-             {:.1e}; bound {:.3e}: {}</p>",
-            escaped(sweep.name),
-            escaped(sweep.what),
-            sweep.largest,
+            "<tr><td><a href=\"#{0}\">{0}</a><td class=n>{1} {2}<td class=n>{3}<td class=n>{4}\
+             <td class=n>{5}<td class={class}>{word}",
+            sweep.name,
+            short(sweep.largest),
             escaped(sweep.unit),
-            sweep.at,
-            sweep.bound,
-            escaped(sweep.broken.as_deref().unwrap_or(sweep.why)),
+            short(sweep.at),
+            short(sweep.bound),
+            kept(sweep),
         );
-        if sweep.largest > 0.0 {
-            let bound = (sweep.bound > 0.0).then_some(sweep.bound);
-            body.push_str(&log_log(caption, &lines, bound)?);
-        } else {
-            body.push_str("<p>The error is 0 at every parameter.</p>");
-        }
     }
-    write(folder, "extremes.html", &page("Stiff and extreme cases", &body))
+    body.push_str("</table>");
+    for sweep in swept {
+        body.push_str(&sweep_section(sweep)?);
+    }
+    name.write(folder, &page("Stiff and extreme cases", &body))
+}
+
+/// The class and the word of a verdict.
+fn verdict(sweep: &SweepOutcome) -> (&'static str, &'static str) {
+    if sweep.passes() { ("pass", "pass") } else { ("fail", "FAIL") }
+}
+
+fn sweep_section(sweep: &SweepOutcome) -> Result<String, PageError> {
+    let (class, word) = verdict(sweep);
+    let before = (!sweep.before.is_empty()).then(|| Line {
+        name: "before the driver was changed".to_owned(),
+        points: sweep.before.to_vec(),
+    });
+    let lines: Vec<Line> = sweep.lines.iter().map(Series::line).chain(before).collect();
+    let caption =
+        Caption { title: sweep.name, x: sweep.parameter, y: &format!("error, {}", sweep.unit) };
+    let faults: String =
+        sweep.faults.iter().map(|fault| format!("<br><b>{}</b>", escaped(fault))).collect();
+    let plot = log_log(caption, &lines, (sweep.bound > 0.0).then_some(sweep.bound))?;
+    Ok(format!(
+        "<h2 id=\"{name}\">{name} <span class={class}>{word}</span></h2><p>{}.<br>Largest error {} {unit} at \
+         {}; bound {}: {}.<br>{} cases kept.<br><b>Where it breaks:</b> {}.{faults}</p>{plot}",
+        escaped(sweep.what),
+        short(sweep.largest),
+        short(sweep.at),
+        short(sweep.bound),
+        escaped(sweep.why),
+        kept(sweep),
+        escaped(sweep.breaks),
+        name = sweep.name,
+        unit = escaped(sweep.unit),
+    ))
+}
+
+/// Writes `self-test.html`: each known mistake, and how far above its check's tolerance its error is.
+///
+/// # Errors
+/// When the file cannot be written.
+pub fn trials_page(folder: &Path, name: &PageName, trials: &[Trial]) -> Result<(), PageError> {
+    let mut body = String::from(
+        "<p>Each known mistake is built into its formula, one at a time; the check of that formula \
+         must fail.</p><table><tr><th>check<th>mistake<th>error<th>tolerance<th>times<th>",
+    );
+    for trial in trials {
+        let (class, word) = if trial.noticed { ("pass", "noticed") } else { ("fail", "MISSED") };
+        let times = match trial.tolerance {
+            0.0 => "—".to_owned(),
+            tolerance => short(trial.error / tolerance),
+        };
+        let _ = write!(
+            body,
+            "<tr><td><b>{}</b><td>{}<td class=n>{}<td class=n>{}<td class=n>{times}<td class={class}>{word}",
+            escaped(trial.check),
+            escaped(trial.mistake),
+            short(trial.error),
+            short(trial.tolerance),
+        );
+    }
+    body.push_str("</table>");
+    name.write(folder, &page("Known mistakes", &body))
 }

@@ -1,17 +1,18 @@
 //! Text tables and JSON.
 
+use super::layout::{Layout, right, short};
 use crate::check::{Outcome, Verdict};
 use crate::self_test::Trial;
 use crate::sweep::SweepOutcome;
 use crate::tradeoff::Row;
 use crate::tradeoff::functions::FunctionRow;
-use comfy_table::{Attribute, Cell, CellAlignment, Color, ContentArrangement, Table, presets};
+use comfy_table::{Attribute, Cell, Color};
 use serde::Serialize;
 
 /// The outcomes as a table, followed by the details of each failure.
-pub fn table(outcomes: &[Outcome]) -> String {
+pub fn table(layout: Layout, outcomes: &[Outcome]) -> String {
     let mut table =
-        headed(["check", "citation", "cases", "largest error", "tolerance", "", "time"]);
+        layout.table(["check", "citation", "cases", "largest error", "tolerance", "", "time"]);
     for outcome in outcomes {
         let (word, color) = match outcome.verdict {
             Verdict::Pass => ("pass", Color::Green),
@@ -21,11 +22,11 @@ pub fn table(outcomes: &[Outcome]) -> String {
         table.add_row([
             Cell::new(outcome.name).add_attribute(Attribute::Bold),
             Cell::new(outcome.citation),
-            Cell::new(outcome.cases).set_alignment(CellAlignment::Right),
-            Cell::new(quantity(outcome.largest_error, outcome)).set_alignment(CellAlignment::Right),
-            Cell::new(quantity(outcome.tolerance, outcome)).set_alignment(CellAlignment::Right),
+            right(outcome.cases.to_string()),
+            right(quantity(outcome.largest_error, outcome)),
+            right(quantity(outcome.tolerance, outcome)),
             Cell::new(word).fg(color),
-            Cell::new(format!("{:.2} s", outcome.seconds)).set_alignment(CellAlignment::Right),
+            right(format!("{:.2} s", outcome.seconds)),
         ]);
     }
     let mut text = table.to_string();
@@ -47,13 +48,7 @@ pub fn table(outcomes: &[Outcome]) -> String {
 /// A number in the check's unit.
 pub(super) fn quantity(value: f64, outcome: &Outcome) -> String {
     let unit = outcome.unit.label();
-    if value == 0.0 {
-        "0".to_owned()
-    } else if (0.001..1000.0).contains(&value) {
-        format!("{value:.3} {unit}")
-    } else {
-        format!("{value:.1e} {unit}")
-    }
+    if value == 0.0 { short(value) } else { format!("{} {unit}", short(value)) }
 }
 
 /// Results as JSON. An infinite error is `null`.
@@ -64,43 +59,30 @@ pub fn json(found: &impl Serialize) -> serde_json::Result<String> {
     serde_json::to_string_pretty(found)
 }
 
-/// An empty table with these headings.
-pub(crate) fn headed<const N: usize>(headings: [&str; N]) -> Table {
-    let mut table = Table::new();
-    table
-        .load_preset(presets::UTF8_BORDERS_ONLY)
-        .set_content_arrangement(ContentArrangement::Dynamic)
-        .set_header(headings);
-    table
-}
-
-/// A right-aligned cell.
-pub(crate) fn right(text: String) -> Cell {
-    Cell::new(text).set_alignment(CellAlignment::Right)
-}
-
 /// Each mistake and whether it was noticed.
-pub fn trials_table(trials: &[Trial]) -> String {
-    let mut table = headed(["mistake", "check", "error", "tolerance", ""]);
+pub fn trials_table(layout: Layout, trials: &[Trial]) -> String {
+    let mut table = layout.table(["check", "mistake", "error", "tolerance", ""]);
     for trial in trials {
         let (word, color) =
             if trial.noticed { ("noticed", Color::Green) } else { ("MISSED", Color::Red) };
         table.add_row([
-            Cell::new(trial.mistake),
             Cell::new(trial.check),
-            right(format!("{:.2e}", trial.error)),
-            right(format!("{:.2e}", trial.tolerance)),
+            Cell::new(trial.mistake),
+            right(short(trial.error)),
+            right(short(trial.tolerance)),
             Cell::new(word).fg(color),
         ]);
     }
-    let noticed = trials.iter().filter(|trial| trial.noticed).count();
-    format!("{table}\n{noticed} of {} mistakes were noticed", trials.len())
+    table.to_string()
 }
 
 /// Error and time of each mode on each scene.
-pub fn tradeoff_table(rows: &[Row]) -> String {
-    let mut table = headed(["scene", "mode", "mean", "RMS", "max", "FLIP", "ns/pixel"]);
+pub fn tradeoff_table(layout: Layout, rows: &[Row]) -> String {
+    let headings =
+        ["scene", "mode", "mean", "RMS", "max", "FLIP", "ns/pixel", "median", "quartiles"];
+    let mut table = layout.table(headings);
     for row in rows {
+        let [low, median, high] = row.quartiles;
         table.add_row([
             Cell::new(row.scene),
             Cell::new(&row.mode),
@@ -109,14 +91,16 @@ pub fn tradeoff_table(rows: &[Row]) -> String {
             right(format!("{:.3}", row.max)),
             right(format!("{:.3}", row.flip)),
             right(format!("{:.1}", row.nanoseconds)),
+            right(format!("{median:.1}")),
+            right(format!("{low:.1}–{high:.1}")),
         ]);
     }
     table.to_string()
 }
 
 /// Error and time of each function.
-pub fn functions_table(rows: &[FunctionRow]) -> String {
-    let mut table = headed(["function", "largest error, ULP", "ns/call"]);
+pub fn functions_table(layout: Layout, rows: &[FunctionRow]) -> String {
+    let mut table = layout.table(["function", "largest error, ULP", "ns/call"]);
     for row in rows {
         table.add_row([
             Cell::new(row.function),
@@ -127,31 +111,46 @@ pub fn functions_table(rows: &[FunctionRow]) -> String {
     table.to_string()
 }
 
-/// The largest error of each sweep.
-pub fn sweeps_table(swept: &[SweepOutcome]) -> String {
-    let mut table = headed(["sweep", "parameter", "largest error", "at", "bound", "", "time"]);
+/// The largest error of each sweep, and how many cases its filters kept.
+pub fn sweeps_table(layout: Layout, swept: &[SweepOutcome]) -> String {
+    let headings =
+        ["sweep", "parameter", "largest error", "unit", "at", "bound", "kept", "", "time"];
+    let mut table = layout.table(headings);
     for sweep in swept {
-        let (word, color) = match (sweep.passes(), &sweep.broken) {
-            (true, _) => ("pass", Color::Green),
-            (false, None) => ("FAIL", Color::Red),
-            (false, Some(_)) => ("BROKEN", Color::Red),
-        };
+        let (word, color) =
+            if sweep.passes() { ("pass", Color::Green) } else { ("FAIL", Color::Red) };
         table.add_row([
             Cell::new(sweep.name).add_attribute(Attribute::Bold),
             Cell::new(sweep.parameter),
-            right(format!("{:.2e} {}", sweep.largest, sweep.unit)),
-            right(format!("{:.1e}", sweep.at)),
-            right(format!("{:.2e}", sweep.bound)),
+            right(short(sweep.largest)),
+            Cell::new(sweep.unit),
+            right(short(sweep.at)),
+            right(short(sweep.bound)),
+            right(match layout {
+                Layout::Narrow => share(sweep),
+                Layout::Wide => kept(sweep),
+            }),
             Cell::new(word).fg(color),
             right(format!("{:.2} s", sweep.seconds)),
         ]);
     }
     let mut text = table.to_string();
     for sweep in swept.iter().filter(|sweep| !sweep.passes()) {
-        let why = sweep.broken.as_deref().unwrap_or(sweep.why);
-        text.push_str(&format!("\n\n{}: {}\n  bound: {why}", sweep.name, sweep.what));
+        text.push_str(&format!("\n\n{}: {}\n  bound: {}", sweep.name, sweep.what, sweep.why));
+        for fault in sweep.faults.iter().take(4) {
+            text.push_str(&format!("\n  {fault}"));
+        }
     }
     text
+}
+
+/// The share of cases that were compared, in words.
+pub(super) fn kept(sweep: &SweepOutcome) -> String {
+    format!("{} of {}", share(sweep), sweep.tried)
+}
+
+fn share(sweep: &SweepOutcome) -> String {
+    format!("{:.0} %", 100.0 * sweep.kept as f64 / sweep.tried.max(1) as f64)
 }
 
 #[cfg(test)]
@@ -179,12 +178,11 @@ mod tests {
 
     #[test]
     fn a_failure_names_its_worst_case() {
-        let text = table(&[outcome(Verdict::Fail)]);
-        for part in ["bilinear", "GL 2.1, 3.8.8", "0.250 of range", "FAIL", "worst: at [0.5, 0.5]"]
-        {
+        let text = table(Layout::Narrow, &[outcome(Verdict::Fail)]);
+        for part in ["bilinear", "GL 2.1, 3.8.8", "0.25 of range", "FAIL", "worst: at [0.5, 0.5]"] {
             assert!(text.contains(part), "{part} in {text}");
         }
-        assert!(!table(&[outcome(Verdict::Pass)]).contains("worst"));
+        assert!(!table(Layout::Narrow, &[outcome(Verdict::Pass)]).contains("worst"));
     }
 
     #[test]

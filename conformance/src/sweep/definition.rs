@@ -1,6 +1,7 @@
 //! The definition of a sweep, and how one is run.
 
-use crate::plot::Line;
+use super::judge::faults;
+use super::series::{Point, Series};
 use crate::probe::ProbeError;
 use serde::Serialize;
 use std::time::Instant;
@@ -16,14 +17,21 @@ pub struct Sweep {
     pub parameter: &'static str,
     /// The unit of errors.
     pub unit: &'static str,
-    /// The largest error that passes.
+    /// The largest error that passes; at most [`SLACK`](super::SLACK) times the largest that is measured.
     pub bound: f64,
     /// The reason for the bound.
     pub why: &'static str,
+    /// Where arithmetic breaks, and what is promised there.
+    pub breaks: &'static str,
+    /// The share of cases that each point must keep.
+    pub kept: f64,
+    /// The share of a line's points at which the driver's results must differ from those of all
+    /// points before.
+    pub distinct: f64,
     /// Points (parameter, error) of the driver as it was before this sweep had it changed.
     pub before: &'static [(f64, f64)],
     /// Measures the lines.
-    pub run: fn() -> Result<Vec<Line>, ProbeError>,
+    pub run: fn() -> Result<Vec<Series>, ProbeError>,
 }
 
 /// The result of a sweep.
@@ -41,24 +49,30 @@ pub struct SweepOutcome {
     pub bound: f64,
     /// The reason for the bound.
     pub why: &'static str,
+    /// Where arithmetic breaks, and what is promised there.
+    pub breaks: &'static str,
     /// The largest error.
     pub largest: f64,
     /// The parameter with the largest error.
     pub at: f64,
-    /// Name and points (parameter, error) of each line.
-    pub lines: Vec<(String, Vec<(f64, f64)>)>,
+    /// Cases that were tried.
+    pub tried: usize,
+    /// Cases that no filter left out.
+    pub kept: usize,
+    /// The measured lines.
+    pub lines: Vec<Series>,
     /// What the errors were before this sweep had the driver changed; empty if it never was.
     pub before: &'static [(f64, f64)],
-    /// Why the sweep could not be run.
-    pub broken: Option<String>,
+    /// What is wrong: errors above the bound, and a sweep that shows nothing.
+    pub faults: Vec<String>,
     /// Run time in seconds.
     pub seconds: f64,
 }
 
 impl SweepOutcome {
-    /// Whether every error is within the bound.
+    /// Whether nothing is wrong.
     pub fn passes(&self) -> bool {
-        self.broken.is_none() && self.largest <= self.bound
+        self.faults.is_empty()
     }
 }
 
@@ -66,14 +80,19 @@ impl Sweep {
     /// Runs the sweep.
     pub fn run(&self) -> SweepOutcome {
         let start = Instant::now();
-        let (lines, broken) = match (self.run)() {
-            Ok(lines) => (lines, None),
-            Err(error) => (Vec::new(), Some(error.to_string())),
+        let (lines, faults) = match (self.run)() {
+            Ok(lines) => {
+                let faults = faults(self, &lines);
+                (lines, faults)
+            }
+            Err(error) => (Vec::new(), vec![format!("it could not be run: {error}")]),
         };
-        let points = lines.iter().flat_map(|line| line.points.iter().copied());
-        let worst = points.fold((f64::NAN, 0.0), |worst: (f64, f64), point| {
-            if worst.0.is_nan() || point.1.is_nan() || point.1 > worst.1 { point } else { worst }
-        });
+        let points = || lines.iter().flat_map(|line| &line.points);
+        let worst = |worst: Option<Point>, point: &Point| match worst {
+            Some(worst) if point.error <= worst.error => Some(worst),
+            Some(_) | None => Some(*point),
+        };
+        let worst = points().fold(None, worst);
         SweepOutcome {
             name: self.name,
             what: self.what,
@@ -81,26 +100,15 @@ impl Sweep {
             unit: self.unit,
             bound: self.bound,
             why: self.why,
-            largest: worst.1,
-            at: worst.0,
-            lines: lines.into_iter().map(|line| (line.name, line.points)).collect(),
+            breaks: self.breaks,
+            largest: worst.map_or(f64::NAN, |point| point.error),
+            at: worst.map_or(f64::NAN, |point| point.parameter),
+            tried: points().map(|point| point.tried).sum(),
+            kept: points().map(|point| point.kept).sum(),
+            lines,
             before: self.before,
-            broken,
+            faults,
             seconds: start.elapsed().as_secs_f64(),
         }
     }
-}
-
-/// A line over powers of ten of the parameter.
-pub fn decades(
-    name: &str,
-    exponents: impl Iterator<Item = i32>,
-    mut error: impl FnMut(f64) -> Result<f64, ProbeError>,
-) -> Result<Line, ProbeError> {
-    let mut points = Vec::new();
-    for exponent in exponents {
-        let parameter = 10f64.powi(exponent);
-        points.push((parameter, error(parameter)?));
-    }
-    Ok(Line { name: name.to_owned(), points })
 }

@@ -1,6 +1,8 @@
 //! Texture coordinates, footprints and levels at their extremes.
 
-use super::definition::{Sweep, decades};
+use super::definition::Sweep;
+use super::series::{Compared, Series, decades, octaves};
+use super::shaded::of;
 use crate::check::Unit;
 use crate::mutation::Variant;
 use crate::oracle::anisotropy;
@@ -10,7 +12,6 @@ use crate::oracle::sample::{self, Sampler};
 use crate::oracle::seamless;
 use crate::oracle::texture::{Level, level_count, level_size};
 use crate::oracle::wrap::Wrap;
-use crate::plot::Line;
 use crate::probe::{Precision, ProbeError, Session, TexelRow, shader};
 use crate::rng::Rng;
 use gl_api::constants::*;
@@ -21,8 +22,12 @@ pub const REPEAT: Sweep = Sweep {
     what: "place that GL_REPEAT reads of 256 texels, of coordinates up to this size, either sign",
     parameter: "size of s",
     unit: "texels",
-    bound: 1.0 / (1 << 14) as f64,
-    why: "s - floor(s) is exact in f32 and so is the product with 256; the filter's weight 2^-16",
+    bound: 1.0 / (1 << 16) as f64,
+    why: "s - floor(s) is exact in f32 and so is the product with 256; the filter's weight is a float below 256",
+    breaks: "from 2^16 on s itself has less than 8 bits below a texel of 256; the texel that is read is that \
+             of the float that was given",
+    kept: 0.4,
+    distinct: 0.9,
     before: &[],
     run: repeat,
 };
@@ -33,8 +38,12 @@ pub const Q_THROUGH_ZERO: Sweep = Sweep {
     what: "place that texture2DProj reads of 256 texels, of (s·q, t·q, q) with q of either sign",
     parameter: "size of q",
     unit: "texels",
-    bound: 1.0 / (1 << 13) as f64,
+    bound: 0.000012,
     why: "one division: s/q to 2^-24, times 256 texels, whatever q that is no denormal",
+    breaks: "q of 0 has no place (it reads some texel, and nothing else changes); of denormal q and s/q \
+             above 1e38 no promise is made but that",
+    kept: 0.9,
+    distinct: 0.9,
     before: &[],
     run: q_through_zero,
 };
@@ -45,8 +54,11 @@ pub const ANISOTROPY: Sweep = Sweep {
     what: "a footprint this many times as long as wide, of which 16 times count, against the formula",
     parameter: "σ₁/σ₂",
     unit: "of range",
-    bound: 1.0 / (1 << 12) as f64,
+    bound: 0.0001,
     why: "beyond 16 the width is σ₁/16, which no cancellation touches",
+    breaks: "beyond 16 the footprint is treated as 16 times as long as wide, and blurs",
+    kept: 0.5,
+    distinct: 0.4,
     before: &[],
     run: stretched,
 };
@@ -57,8 +69,12 @@ pub const LAMBDA: Sweep = Sweep {
     what: "trilinear sample under explicit derivatives of this size, against the formula",
     parameter: "ρ in texels",
     unit: "of range",
-    bound: 1.0 / (1 << 16) as f64,
-    why: "the square of ρ leaves the range of f32 beyond 2^±63, where λ is clamped to a level anyway",
+    bound: 0.0000004,
+    why: "λ and the weights of levels and texels are f32; the square of ρ leaves the range of f32 beyond 2^±63, where λ is clamped to a level anyway",
+    breaks: "ρ whose square leaves f32, beyond 2^±63, is far outside of the levels there are: the base or \
+             the last one is read",
+    kept: 1.0,
+    distinct: 0.05,
     before: &[],
     run: lambda,
 };
@@ -69,8 +85,11 @@ pub const CUBE_EDGE: Sweep = Sweep {
     what: "seamless bilinear sample at this angle on either side of an edge",
     parameter: "radians from the edge",
     unit: "of range",
-    bound: 1.0 / (1 << 17) as f64,
+    bound: 0.0000012,
     why: "both faces have the same two texels at their common edge",
+    breaks: "angles below 6e-8 are not told apart in f32; either face gives the same texels at the edge",
+    kept: 1.0,
+    distinct: 0.9,
     before: &[],
     run: cube_edge,
 };
@@ -83,6 +102,9 @@ pub const DENORMALS: Sweep = Sweep {
     unit: "ULP",
     bound: 0.0,
     why: "nothing is flushed to zero",
+    breaks: "nowhere: nothing is flushed to zero, down to 2^-149",
+    kept: 1.0,
+    distinct: 0.9,
     before: &[],
     run: denormals,
 };
@@ -110,51 +132,51 @@ fn ruler(session: &Session) -> Result<(), ProbeError> {
     ])
 }
 
-/// The largest distance in texels of a sample from its expected coordinate, without samples at the seam of the
-/// repeated row.
-fn misplaced(places: &[[f64; 4]], expected: impl Iterator<Item = f64>) -> f64 {
-    places
-        .iter()
-        .zip(expected)
-        .filter(|(_, u)| (0.5..254.5).contains(u))
-        .map(|(place, u)| {
-            let error = (place[0] - u).abs();
-            if error.is_nan() { f64::INFINITY } else { error }
-        })
-        .fold(0.0, f64::max)
+/// Compares samples of the ruler with their expected coordinates, but at the seam of the repeated row.
+fn misplaced(places: &[[f64; 4]], expected: impl Iterator<Item = f64>) -> Compared {
+    let mut compared = Compared::new();
+    for (place, u) in places.iter().zip(expected) {
+        if (0.5..254.5).contains(&u) {
+            compared.add((place[0] - u).abs(), &place[..1]);
+        } else {
+            compared.leave_out();
+        }
+    }
+    compared
 }
 
-fn repeat() -> Result<Vec<Line>, ProbeError> {
-    let mut rng = Rng::named("far-coordinates");
-    let line = decades("largest misplacement", 0..=9, |size| {
+fn repeat() -> Result<Vec<Series>, ProbeError> {
+    let session = Session::open()?;
+    ruler(&session)?;
+    let line = Series::measured("largest misplacement", octaves(0..=22, 1), |size| {
+        let mut rng = Rng::named("far-coordinates");
         let cases: Vec<f32> = (0..4096).map(|_| rng.real(-size, size)).collect();
-        let session = Session::open()?;
-        ruler(&session)?;
-        let inputs: Vec<_> =
-            cases.iter().map(|&s| [[s, 0.5, 0.0, 0.0], [0.0; 4], [0.0; 4]]).collect();
-        let body = "uniform sampler2D image; vec4 value() { return texture2D(image, a.xy); }";
-        let places = session.field(body, 1, &inputs)?;
+        let inputs: Vec<_> = cases.iter().map(|&s| of([s, 0.5, 0.0, 0.0])).collect();
+        let body = "uniform sampler2D image;
+            vec4 value(vec4 a, vec4 b) { return textureLod(image, a.xy, 0.0); }";
+        let places = session.float_words(body, &inputs)?;
         Ok(misplaced(&places, cases.iter().map(|&s| f64::from(s).rem_euclid(1.0) * 256.0 - 0.5)))
     })?;
     Ok(vec![line])
 }
 
-fn q_through_zero() -> Result<Vec<Line>, ProbeError> {
-    let mut rng = Rng::named("q-through-zero");
+fn q_through_zero() -> Result<Vec<Series>, ProbeError> {
     let mut lines = Vec::new();
+    let session = Session::open()?;
+    ruler(&session)?;
     for (name, sign) in [("q > 0", 1.0), ("q < 0", -1.0)] {
-        lines.push(decades(name, -35..=35, |size| {
+        lines.push(Series::measured(name, decades(-37..=37), |size| {
+            let mut rng = Rng::named("q-through-zero");
             let cases: Vec<[f32; 2]> = (0..1024)
                 .map(|_| {
                     let q = (sign * size) as f32 * rng.real(0.5, 1.0);
                     [rng.real(0.0, 1.0) * q, q]
                 })
                 .collect();
-            let session = Session::open()?;
-            ruler(&session)?;
-            let inputs: Vec<_> =
-                cases.iter().map(|&[s, q]| [[s, 0.5 * q, 0.0, q], [0.0; 4], [0.0; 4]]).collect();
-            let places = session.field(shader::TEXTURE_2D_PROJ, 1, &inputs)?;
+            let inputs: Vec<_> = cases.iter().map(|&[s, q]| of([s, 0.5 * q, 0.0, q])).collect();
+            let body = "uniform sampler2D image;
+                vec4 value(vec4 a, vec4 b) { return textureProjLod(image, a, 0.0); }";
+            let places = session.float_words(body, &inputs)?;
             let u =
                 |&[s, q]: &[f32; 2]| (f64::from(s) / f64::from(q)).rem_euclid(1.0) * 256.0 - 0.5;
             Ok(misplaced(&places, cases.iter().map(u)))
@@ -173,18 +195,18 @@ fn image(rng: &mut Rng, size: [usize; 2]) -> Vec<Level> {
         .collect()
 }
 
-fn stretched() -> Result<Vec<Line>, ProbeError> {
-    let mut rng = Rng::named("anisotropy-sweep");
+fn stretched() -> Result<Vec<Series>, ProbeError> {
     let size = [256, 256];
-    let image = image(&mut rng, size);
+    let image = image(&mut Rng::named("anisotropy-sweep"), size);
     let sampler = sampler(TRILINEAR, image.len() - 1);
-    let line = decades("largest error", 0..=6, |ratio| {
+    let session = Session::open()?;
+    session.texture_2d(&image, &sampler)?;
+    session.anisotropy(16.0)?;
+    let ratios = (0..=24).map(|step| 10f64.powf(f64::from(step) / 4.0));
+    let line = Series::measured("largest error", ratios, |ratio| {
+        let mut rng = Rng::named("anisotropy-sweep");
         // 3.3 texels wide at first; the length then stays within a few repeats.
         let long = (3.3 * ratio).min(1000.0);
-        let exactly = |(st, d): &([f32; 2], Derivatives)| {
-            let footprint = anisotropy::footprint(d, size, 16.0, Variant::CORRECT);
-            (st.map(f64::from), footprint)
-        };
         let cases: Vec<([f32; 2], Derivatives)> = (0..1024)
             .map(|_| {
                 let st = [0; 2].map(|_: i32| rng.real(0.0, 1.0));
@@ -195,21 +217,23 @@ fn stretched() -> Result<Vec<Line>, ProbeError> {
                 let dy = texel([-long / ratio * sin, long / ratio * cos]);
                 (st, Derivatives { dx, dy })
             })
-            .filter(|case| {
-                // Not where rounding may decide between a texel and the next.
-                let (st, footprint) = exactly(case);
-                anisotropy::nearest_step(&image, &sampler, st, &footprint) > 1e-3
-            })
             .collect();
-        let session = Session::open()?;
-        session.texture_2d(&image, &sampler)?;
-        session.anisotropy(16.0)?;
         let values = graded(&session, &cases)?;
-        let exact = cases.iter().map(|case| {
-            let (st, footprint) = exactly(case);
-            anisotropy::sample(&image, &sampler, st, &footprint, Variant::CORRECT)
-        });
-        Ok(largest(&values, exact))
+        let mut compared = Compared::new();
+        for ((st, d), value) in cases.iter().zip(values) {
+            let footprint = anisotropy::footprint(d, size, 16.0, Variant::CORRECT);
+            let st = st.map(f64::from);
+            // Not where rounding may decide between a texel and the next. Round footprints have no
+            // direction: their rows are those of a bilinear filter, whatever way they lie.
+            let step = anisotropy::nearest_step(&image, &sampler, st, &footprint);
+            if step > 1e-3 || ratio == 1.0 {
+                let exact = anisotropy::sample(&image, &sampler, st, &footprint, Variant::CORRECT);
+                compared.add(apart(value, exact), &value);
+            } else {
+                compared.leave_out();
+            }
+        }
+        Ok(compared)
     })?;
     Ok(vec![line])
 }
@@ -223,53 +247,71 @@ fn graded(
         .iter()
         .map(|([s, t], d)| {
             let [dx, dy] = [d.dx, d.dy].map(|v| v.map(|c| c as f32));
-            [[*s, *t, 0.0, 0.0], [dx[0], dx[1], dy[0], dy[1]], [0.0; 4]]
+            [[*s, *t, 0.0, 0.0], [dx[0], dx[1], dy[0], dy[1]]]
         })
         .collect();
-    let body = "uniform sampler2D image;
-                vec4 value() { return texture2DGradARB(image, a.xy, b.xy, b.zw); }";
-    session.field(body, 4, &inputs)
+    session.float_words(GRAD, &inputs)
 }
 
-fn largest(values: &[[f64; 4]], exact: impl Iterator<Item = [f64; 4]>) -> f64 {
-    let errors = values
-        .iter()
-        .zip(exact)
-        .flat_map(|(a, b)| [0, 1, 2, 3].map(|c: usize| Unit::FullScale.error(b[c], a[c])));
-    errors.fold(0.0, f64::max)
+/// A lookup at `a.xy` with the derivatives `b.xy` and `b.zw`.
+pub(super) const GRAD: &str = "uniform sampler2D image;
+    vec4 value(vec4 a, vec4 b) { return textureGrad(image, a.xy, b.xy, b.zw); }";
+
+/// The largest difference of two colours.
+pub(super) fn apart(value: [f64; 4], exact: [f64; 4]) -> f64 {
+    exact.iter().zip(value).map(|(e, v)| Unit::FullScale.error(*e, v)).fold(0.0, f64::max)
 }
 
-fn lambda() -> Result<Vec<Line>, ProbeError> {
-    let mut rng = Rng::named("lambda");
+/// Compares colours.
+fn compared(values: &[[f64; 4]], exact: impl Iterator<Item = [f64; 4]>) -> Compared {
+    let mut compared = Compared::new();
+    for (value, exact) in values.iter().zip(exact) {
+        compared.add(apart(*value, exact), value);
+    }
+    compared
+}
+
+fn lambda() -> Result<Vec<Series>, ProbeError> {
     let size = [64, 64];
-    let image = image(&mut rng, size);
+    let image = image(&mut Rng::named("lambda"), size);
     let sampler = sampler(TRILINEAR, image.len() - 1);
-    let line = decades("largest error", -36..=36, |rho| {
-        let cases: Vec<([f32; 2], Derivatives)> = (0..256)
-            .map(|_| {
-                let st = [0; 2].map(|_: i32| rng.real(0.0, 1.0));
-                let reach = rho / 64.0;
-                let mut part = || f64::from((f64::from(rng.real(-1.0, 1.0)) * reach) as f32);
-                (st, Derivatives { dx: [part(), part()], dy: [part(), part()] })
-            })
-            .collect();
-        let session = Session::open()?;
-        session.texture_2d(&image, &sampler)?;
-        let values = graded(&session, &cases)?;
-        let exact = cases.iter().map(|(st, d)| {
-            sample::sample(&image, &sampler, st.map(f64::from), d, Variant::CORRECT)
-        });
-        Ok(largest(&values, exact))
-    })?;
-    Ok(vec![line])
+    let session = Session::open()?;
+    session.texture_2d(&image, &sampler)?;
+    let mut lines = Vec::new();
+    let among: Vec<f64> = (-4..=32).map(|step| 2f64.powf(f64::from(step) / 4.0)).collect();
+    let beyond: Vec<f64> = decades(-38..=38).collect();
+    for (name, sizes) in [("among the levels", among), ("beyond them", beyond)] {
+        lines.push(Series::measured(name, sizes, |rho| {
+            let mut rng = Rng::named("lambda");
+            let cases: Vec<([f32; 2], Derivatives)> = (0..256)
+                .map(|_| {
+                    let st = [0; 2].map(|_: i32| rng.real(0.0, 1.0));
+                    let reach = rho / 64.0;
+                    let mut part = || f64::from((f64::from(rng.real(-1.0, 1.0)) * reach) as f32);
+                    (st, Derivatives { dx: [part(), part()], dy: [part(), part()] })
+                })
+                .collect();
+            let values = graded(&session, &cases)?;
+            let exact = cases.iter().map(|(st, d)| {
+                sample::sample(&image, &sampler, st.map(f64::from), d, Variant::CORRECT)
+            });
+            Ok(compared(&values, exact))
+        })?);
+    }
+    Ok(lines)
 }
 
-fn cube_edge() -> Result<Vec<Line>, ProbeError> {
+fn cube_edge() -> Result<Vec<Series>, ProbeError> {
     let mut rng = Rng::named("cube-edge");
     let faces: Vec<Level> =
         (0..6).map(|_| Level::from_fn(16, 16, |_, _| [0; 4].map(|_: u8| rng.byte()))).collect();
     let sampler = sampler(Filters::only(Filter::Linear), 0);
-    let line = decades("largest error", -7..=-1, |angle| {
+    let session = Session::open()?;
+    session.seamless_cubes()?;
+    session.texture_cube(&faces, &sampler)?;
+    let angles = (1..=16).map(|step| 10f64.powf(-f64::from(step) / 2.0));
+    let line = Series::measured("largest error", angles, |angle| {
+        let mut rng = Rng::named("cube-edge");
         let cases: Vec<[f32; 3]> = (0..1024)
             .map(|_| {
                 let side = rng.pick(&[-1.0, 1.0]);
@@ -279,20 +321,18 @@ fn cube_edge() -> Result<Vec<Line>, ProbeError> {
                 r
             })
             .collect();
-        let session = Session::open()?;
-        session.seamless_cubes()?;
-        session.texture_cube(&faces, &sampler)?;
-        let inputs: Vec<_> =
-            cases.iter().map(|&[x, y, z]| [[x, y, z, 0.0], [0.0; 4], [0.0; 4]]).collect();
-        let values = session.field(shader::TEXTURE_CUBE, 4, &inputs)?;
+        let inputs: Vec<_> = cases.iter().map(|&[x, y, z]| of([x, y, z, 0.0])).collect();
+        let body = "uniform samplerCube image;
+            vec4 value(vec4 a, vec4 b) { return textureLod(image, a.xyz, 0.0); }";
+        let values = session.float_words(body, &inputs)?;
         let exact =
             cases.iter().map(|r| seamless::linear(&faces, r.map(f64::from), Variant::CORRECT));
-        Ok(largest(&values, exact))
+        Ok(compared(&values, exact))
     })?;
     Ok(vec![line])
 }
 
-fn denormals() -> Result<Vec<Line>, ProbeError> {
+fn denormals() -> Result<Vec<Series>, ProbeError> {
     let texels: Vec<[f32; 4]> =
         (0..150).map(|k| [2f64.powi(-k) as f32, -(2f64.powi(-k)) as f32, 0.0, 0.0]).collect();
     let session = Session::open()?;
@@ -307,11 +347,13 @@ fn denormals() -> Result<Vec<Line>, ProbeError> {
     let cells: Vec<_> = texels.iter().map(|&texel| [texel, [0.0; 4], [0.0; 4]]).collect();
     let varyings = session.cells(&program, &cells)?;
     let line = |name: &str, values: &[[f64; 4]]| {
-        let error = |(texel, value): (&[f32; 4], &[f64; 4])| {
+        let point = |(texel, value): (&[f32; 4], &[f64; 4])| {
             let of = |c: usize| Unit::Ulp.error(texel[c].into(), value[c]);
-            (f64::from(texel[0]), of(0).max(of(1)))
+            let mut compared = Compared::new();
+            compared.add(of(0).max(of(1)), &value[..2]);
+            compared.at(texel[0].into())
         };
-        Line { name: name.to_owned(), points: texels.iter().zip(values).map(error).collect() }
+        Series { name: name.to_owned(), points: texels.iter().zip(values).map(point).collect() }
     };
     Ok(vec![line("a texel", &values), line("a varying", &varyings)])
 }

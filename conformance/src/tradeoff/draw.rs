@@ -15,7 +15,12 @@ pub struct Drawn {
     pub pixels: Vec<[f64; 4]>,
     /// Nanoseconds a pixel: the minimum of several draws.
     pub nanoseconds: f64,
+    /// The quartiles of the same over all draws (of the formula there is one).
+    pub quartiles: [f64; 3],
 }
+
+/// The fewest draws that are timed.
+const FEWEST_ROUNDS: usize = 9;
 
 /// Seconds for which a draw is repeated to find its minimum time.
 const PATIENCE: f64 = 0.08;
@@ -39,7 +44,7 @@ fn exact(scene: &Scene, side: usize) -> Drawn {
         .map(|p| scene.reference([p % side, p / side], side).map(|c| (c * 255.0).round() / 255.0))
         .collect();
     let nanoseconds = start.elapsed().as_secs_f64() * 1e9 / (side * side) as f64;
-    Drawn { pixels, nanoseconds }
+    Drawn { pixels, nanoseconds, quartiles: [nanoseconds; 3] }
 }
 
 fn gl(
@@ -62,9 +67,9 @@ fn gl(
         Surface::Sphere => glUseProgram(sphere_program()),
     }
     let corners = corners(scene);
-    let mut fastest = f64::INFINITY;
+    let mut rounds: Vec<f64> = Vec::new();
     let start = Instant::now();
-    while fastest.is_infinite() || start.elapsed().as_secs_f64() < PATIENCE {
+    while rounds.len() < FEWEST_ROUNDS || start.elapsed().as_secs_f64() < PATIENCE {
         let start = Instant::now();
         glClear(GL_COLOR_BUFFER_BIT);
         glBegin(GL_QUADS);
@@ -74,7 +79,7 @@ fn gl(
         }
         glEnd();
         glFinish();
-        fastest = fastest.min(start.elapsed().as_secs_f64());
+        rounds.push(start.elapsed().as_secs_f64() * 1e9 / (side * side) as f64);
     }
     let mut bytes = vec![0u8; large * large * 4];
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
@@ -86,8 +91,10 @@ fn gl(
             return Err(ProbeError::Gl { after: "drawing a scene", code, message });
         }
     }
-    let nanoseconds = fastest * 1e9 / (side * side) as f64;
-    Ok(Drawn { pixels: resolve(&bytes, side, samples), nanoseconds })
+    rounds.sort_by(f64::total_cmp);
+    let part = |part: usize| rounds[(rounds.len() - 1) * part / 4];
+    let quartiles = [part(1), part(2), part(3)];
+    Ok(Drawn { pixels: resolve(&bytes, side, samples), nanoseconds: rounds[0], quartiles })
 }
 
 /// The mean of `samples`² pixels each.

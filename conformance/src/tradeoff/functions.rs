@@ -21,25 +21,36 @@ pub struct FunctionRow {
 /// Calls in a shader, enough that the rest of the shader is negligible.
 const CALLS: usize = 16;
 
-/// Every built-in.
+/// What is not a built-in: the cost of interpolation.
+pub const VARYING: &str = "an interpolated varying";
+
+/// The names of all rows.
+pub fn names() -> impl Iterator<Item = &'static str> + Clone {
+    std::iter::once(VARYING).chain(BUILTINS.iter().map(|builtin| builtin.glsl))
+}
+
+/// The rows that `selected` names.
 ///
 /// # Errors
 /// When a shader is rejected or a call sets the error flag.
-pub fn measure() -> Result<Vec<FunctionRow>, ProbeError> {
+pub fn measure(selected: &[&str]) -> Result<Vec<FunctionRow>, ProbeError> {
     let harness =
         Harness { subject: Subject::Driver, effort: Effort::Quick, variant: Variant::CORRECT };
     let session = Session::open()?;
     // The times of a shader that only adds the arguments, and of one that reads an interpolated value.
     let empty = time(&session, "a.x + a.y")?;
-    let mut rows = vec![FunctionRow {
-        function: "an interpolated varying",
-        ulp: checks()
-            .find(|check| check.name == "perspective")
-            .map_or(f64::NAN, |check| check.run(&harness).largest_error * 2f64.powi(23)),
-        nanoseconds: session
-            .nanoseconds(&session.program("vec4 value() { return a; }", Precision::Bytes)?)?,
-    }];
-    for builtin in BUILTINS {
+    let mut rows = Vec::new();
+    if selected.contains(&VARYING) {
+        rows.push(FunctionRow {
+            function: VARYING,
+            ulp: checks()
+                .find(|check| check.name == "perspective")
+                .map_or(f64::NAN, |check| check.run(&harness).largest_error * 2f64.powi(23)),
+            nanoseconds: session
+                .nanoseconds(&session.program("vec4 value() { return a; }", Precision::Bytes)?)?,
+        });
+    }
+    for builtin in BUILTINS.iter().filter(|builtin| selected.contains(&builtin.glsl)) {
         let check = checks().find(|check| check.name == builtin.name);
         let ulp = check.map_or(f64::NAN, |check| check.run(&harness).largest_error);
         let all = time(&session, builtin.glsl)?;

@@ -36,8 +36,10 @@ pub struct Row {
     pub max: f64,
     /// Mean ꟻLIP.
     pub flip: f64,
-    /// Nanoseconds a pixel.
+    /// Nanoseconds a pixel: the fastest round.
     pub nanoseconds: f64,
+    /// The first quartile, the median and the third quartile of the rounds.
+    pub quartiles: [f64; 3],
 }
 
 /// A picture of the report's pages.
@@ -60,14 +62,26 @@ pub struct Measured {
     pub pictures: Vec<Picture>,
 }
 
-/// Draws all scenes in all modes at `side` × `side` pixels; `progress` is called with each scene.
+impl Row {
+    /// How far the quartiles lie apart, as part of the median.
+    pub fn spread(&self) -> f64 {
+        let [low, median, high] = self.quartiles;
+        (high - low) / median
+    }
+}
+
+/// Draws these scenes in all modes at `side` × `side` pixels; `progress` is called with each scene.
 ///
 /// # Errors
 /// When a call sets the error flag.
-pub fn measure(side: usize, mut progress: impl FnMut(&Scene)) -> Result<Measured, ProbeError> {
+pub fn measure<'a>(
+    side: usize,
+    scenes: impl IntoIterator<Item = &'a Scene>,
+    mut progress: impl FnMut(&Scene),
+) -> Result<Measured, ProbeError> {
     let mut measured = Measured { rows: Vec::new(), pictures: Vec::new() };
-    for scene in scenes(side) {
-        progress(&scene);
+    for scene in scenes {
+        progress(scene);
         let reference: Vec<[f64; 4]> = (0..side * side)
             .map(|p| {
                 let pixel = [p % side, p / side];
@@ -80,13 +94,13 @@ pub fn measure(side: usize, mut progress: impl FnMut(&Scene)) -> Result<Measured
             side,
         });
         for mode in Mode::ALL {
-            let mut drawn = draw::draw(&scene, mode, side)?;
+            let mut drawn = draw::draw(scene, mode, side)?;
             for (p, pixel) in drawn.pixels.iter_mut().enumerate() {
                 if !scene.counts([p % side, p / side], side) {
                     *pixel = [0.0; 4];
                 }
             }
-            measured.rows.push(row(&scene, mode, &reference, &drawn, side));
+            measured.rows.push(row(scene, mode, &reference, &drawn, side));
             let difference = reference.iter().zip(&drawn.pixels).map(|(a, b)| {
                 let d = |c: usize| (4.0 * (a[c] - b[c]).abs()).min(1.0);
                 [d(0), d(1), d(2), 1.0]
@@ -123,6 +137,7 @@ fn row(scene: &Scene, mode: Mode, reference: &[[f64; 4]], drawn: &draw::Drawn, s
         max: errors.iter().copied().fold(0.0, f64::max),
         flip: flip::mean(&picture(reference), &picture(&drawn.pixels)),
         nanoseconds: drawn.nanoseconds,
+        quartiles: drawn.quartiles,
     }
 }
 
@@ -142,6 +157,11 @@ pub fn overall(rows: &[Row]) -> Vec<Row> {
             max: of.iter().map(|row| row.max).fold(0.0, f64::max),
             flip: mean(|row| row.flip),
             nanoseconds: mean(|row| row.nanoseconds),
+            quartiles: [
+                mean(|row| row.quartiles[0]),
+                mean(|row| row.quartiles[1]),
+                mean(|row| row.quartiles[2]),
+            ],
         });
     }
     all

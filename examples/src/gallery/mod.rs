@@ -6,6 +6,7 @@ mod table;
 
 use entry::Entry;
 
+use crate::arguments::{WRONG_ARGUMENT, folder, picture_file, side, takes_no_picture};
 use crate::picture::{self, Picture};
 use crate::programs;
 use crate::window::{Program, explain, render};
@@ -16,22 +17,24 @@ use rasterizer::driver::{Device, DeviceDesc, DeviceError, Explain};
 use std::error::Error;
 use std::fs;
 use std::path::PathBuf;
+use std::process::ExitCode;
 use std::sync::Arc;
 
 /// Draws the pictures of the lectures
 #[derive(Clone, Debug, Parser)]
+#[command(name = "gallery", after_help = EXAMPLES)]
 pub struct Arguments {
     /// Draw only this program (repeat for more)
     #[arg(long, value_name = "NAME", value_parser = programs::ALL.map(|program| program.name))]
     only: Vec<String>,
     /// Side of a square picture, in pixels
-    #[arg(long, default_value_t = 1024, value_parser = clap::value_parser!(u32).range(2..=4096))]
+    #[arg(long, default_value_t = 1024, value_parser = side::<4096>, allow_hyphen_values = true)]
     size: u32,
     /// A PPM, PNG or JPEG file in place of the drawn pictures
-    #[arg(long, value_name = "FILE")]
-    image: Option<PathBuf>,
+    #[arg(long, value_name = "FILE", value_parser = picture_file)]
+    image: Option<Picture>,
     /// Where the pictures and index.html go
-    #[arg(long, value_name = "DIR", default_value = "gallery")]
+    #[arg(long, value_name = "DIR", default_value = "gallery", value_parser = folder)]
     out: PathBuf,
     /// Say how the pixel at column X, row Y (from the upper left) of each picture came to be,
     /// instead of writing pictures
@@ -41,6 +44,13 @@ pub struct Arguments {
     #[arg(long)]
     json: bool,
 }
+
+const EXAMPLES: &str = "Examples:
+  gallery                                       every picture, and gallery/index.html
+  gallery --only textured_square --size 512     one picture, and gallery/only.html
+  gallery --only decal_skin --image photo.jpg   with a picture of yours as the texture
+  gallery --only demon_triangle --explain 100,60
+                                                how the pixel in column 100 of row 60 came to be";
 
 /// A column and a row.
 fn pixel(text: &str) -> Result<[usize; 2], String> {
@@ -54,18 +64,29 @@ fn pixel(text: &str) -> Result<[usize; 2], String> {
 /// Draws the selected programs, writes their pictures, and prints the table.
 ///
 /// # Errors
-/// When a file cannot be read or written, or a context cannot be made.
-pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
-    let image = arguments.image.as_deref().map(crate::window::load).transpose()?;
+/// When a file cannot be written, or a context cannot be made.
+pub fn run(arguments: &Arguments) -> Result<ExitCode, Box<dyn Error>> {
+    let image = arguments.image.as_ref();
     if let Some(pixel) = arguments.explain {
-        return explain_pixels(arguments, image.as_ref(), pixel);
+        explain_pixels(arguments, image, pixel)?;
+        return Ok(ExitCode::SUCCESS);
+    }
+    let entries = draw(arguments, image)?;
+    let ignores = |entry: &&Entry| !entry.rendered.reads_pictures;
+    let without: Vec<&str> = entries.iter().filter(ignores).map(|e| e.program.name).collect();
+    if image.is_some() && !without.is_empty() {
+        eprintln!("{}", takes_no_picture(&without));
+        if without.len() == entries.len() {
+            return Ok(ExitCode::from(WRONG_ARGUMENT));
+        }
     }
     fs::create_dir_all(&arguments.out)?;
-    let entries = draw(arguments, image.as_ref())?;
     for Entry { program, rendered, .. } in &entries {
         picture::save(&rendered.picture, &arguments.out.join(format!("{}.png", program.name)))?;
     }
-    let index = arguments.out.join("index.html");
+    // The page of all pictures stays as it is when a few are drawn again.
+    let page = if arguments.only.is_empty() { "index.html" } else { "only.html" };
+    let index = arguments.out.join(page);
     fs::write(&index, page::page(&entries))?;
     if arguments.json {
         println!("{:#}", table::json(&entries));
@@ -75,7 +96,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     for Entry { program, rendered, .. } in &entries {
         rendered.errors.iter().for_each(|error| eprintln!("{}: {error}", program.name));
     }
-    Ok(())
+    Ok(ExitCode::SUCCESS)
 }
 
 /// The selected programs.

@@ -16,7 +16,11 @@ nav a { display: block; }
 section { margin: 3rem 0; }
 .beside { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(30rem, 100%), 1fr)); gap: 1rem; }
 .beside pre { max-height: 36rem; overflow: auto; margin: 0; }
-img { display: block; max-width: 100%; height: auto; border-radius: 6px; }
+img { display: block; max-width: 100%; height: auto; border-radius: 6px; image-rendering: pixelated; }
+.panels { margin: .5rem 0; padding-left: 1.5rem; color: gray; }
+.code { position: relative; }
+.code button { position: absolute; top: .5rem; right: .5rem; }
+.turn { float: right; }
 h2 { margin-bottom: 0; }
 .about { color: gray; margin-top: 0; }
 pre { overflow-x: auto; padding: 1rem; font-size: 13px; line-height: 1.4;
@@ -24,6 +28,16 @@ pre { overflow-x: auto; padding: 1rem; font-size: 13px; line-height: 1.4;
 summary { cursor: pointer; margin: .5rem 0; }
 </style>
 <h1>DetGL: the lecture gallery</h1>
+"#;
+
+/// Copies the program beside a button.
+const COPY: &str = r#"<script>
+document.addEventListener("click", event => {
+    if (!event.target.matches(".code button")) return;
+    navigator.clipboard.writeText(event.target.nextElementSibling.textContent)
+        .then(() => { event.target.textContent = "copied"; });
+});
+</script>
 "#;
 
 /// The page; pictures are in the same folder.
@@ -36,7 +50,12 @@ pub fn page(entries: &[Entry]) -> String {
     }
     page.push_str("</nav>\n");
     by_lecture(&mut page, entries);
-    entries.iter().for_each(|entry| section(&mut page, entry));
+    for (at, entry) in entries.iter().enumerate() {
+        let neighbour = |at: Option<usize>| at.and_then(|at| entries.get(at));
+        let neighbours = [neighbour(at.checked_sub(1)), neighbour(Some(at + 1))];
+        section(&mut page, entry, neighbours);
+    }
+    page.push_str(COPY);
     page.push_str("</html>\n");
     page
 }
@@ -70,26 +89,57 @@ fn entry_of_index(page: &mut String, item: &Item, entries: &[Entry]) {
     page.push_str("</li>\n");
 }
 
-fn section(page: &mut String, Entry { program, rendered, plans }: &Entry) {
+/// What a program's source says that its picture shows: the comment at its head.
+fn about(source: &str) -> String {
+    let lines = source.lines().map_while(|line| line.strip_prefix("//!"));
+    escape(lines.map(str::trim).collect::<Vec<_>>().join(" ").trim()).replace('`', "")
+}
+
+/// The captions of a picture's panels, in their order.
+fn panels(captions: &[&str]) -> String {
+    if captions.is_empty() {
+        return String::new();
+    }
+    let items: String = captions.iter().map(|text| format!("<li>{}</li>", escape(text))).collect();
+    format!("<ol class=\"panels\">{items}</ol>\n")
+}
+
+/// A link to another section.
+fn turn(to: Option<&Entry>, word: &str) -> String {
+    to.map_or_else(String::new, |entry| {
+        format!("<a href=\"#{0}\" title=\"{0}\">{word}</a> ", entry.program.name)
+    })
+}
+
+fn section(
+    page: &mut String,
+    Entry { program, rendered, plans }: &Entry,
+    [before, after]: [Option<&Entry>; 2],
+) {
     let (name, lecture) = (program.name, escape(program.lecture));
     let (width, height) = (rendered.picture.width, rendered.picture.height);
     let (time, checksum) = (rendered.time.as_millis(), rendered.picture.checksum());
     let title = name.replace('_', " ");
-    let source = escape(program.source);
+    let (source, about) = (escape(program.source), about(program.source));
+    let panels = panels(program.panels);
+    let (previous, next) = (turn(before, "← previous"), turn(after, "next →"));
     // Of a square window.
     let size = 2 * width / program.halves[0];
     let messages = [rendered.notes.clone(), rendered.errors.join("\n")].concat();
     page.push_str(&format!(
-        r#"<section id="{name}">
+        r##"<section id="{name}">
+<p class="turn">{previous}{next}<a href="#">top</a></p>
 <h2>{title}</h2>
+<p>{about}</p>
 <p class="about">{lecture} · {width}×{height} · {time} ms of GL · {checksum:016x}</p>
 <div class="beside">
-<img src="{name}.png" width="{width}" height="{height}" alt="{title}">
-<pre>{source}</pre>
+<figure style="margin:0"><a href="{name}.png"><img src="{name}.png" width="{width}" height="{height}" alt="{title}"></a>
+{panels}</figure>
+<div class="code"><button>copy</button><pre>{source}</pre></div>
 </div>
 <p class="about">Why a pixel has its colour:
 <code>cargo run --release -- --only {name} --size {size} --explain X,Y</code></p>
-"#,
+"##,
     ));
     if !messages.is_empty() {
         details(page, "What it says", " open", &messages);
@@ -119,6 +169,8 @@ mod tests {
 
     #[test]
     fn source_text_cannot_end_its_element() {
+        assert_eq!(about("//! A `cube`\n//! of < 3.\n\nuse x;"), "A cube of &lt; 3.");
+        assert_eq!(panels(&["near", "far"]).matches("<li>").count(), 2);
         assert_eq!(escape("if a<b && c>\"d\""), "if a&lt;b &amp;&amp; c&gt;&quot;d&quot;");
     }
 }

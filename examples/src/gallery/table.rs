@@ -3,7 +3,7 @@
 use super::entry::Entry;
 use crate::window::Program;
 use comfy_table::presets::UTF8_FULL_CONDENSED;
-use comfy_table::{Cell, CellAlignment, Table};
+use comfy_table::{Cell, CellAlignment, ContentArrangement, Table};
 use gl_api::explain::Explanation;
 use serde_json::{Value, json};
 
@@ -11,6 +11,7 @@ use serde_json::{Value, json};
 pub fn table(entries: &[Entry]) -> Table {
     let mut table = Table::new();
     table.load_preset(UTF8_FULL_CONDENSED);
+    table.set_content_arrangement(ContentArrangement::Dynamic).set_width(100);
     table.set_header(["picture", "lecture", "size", "GL ms", "painting ms", "checksum", "errors"]);
     for Entry { program, rendered, .. } in entries {
         let number = |value: String| Cell::new(value).set_alignment(CellAlignment::Right);

@@ -30,10 +30,9 @@ pub(crate) fn dot<const N: usize>(b: &mut Builder, left: [Value; N], right: [Val
 
 /// A vector of length one, and the length it had. A vector of length zero stays what it is.
 pub(crate) fn unit(b: &mut Builder, vector: [Value; 3]) -> ([Value; 3], Value) {
-    let square = dot(b, vector, vector);
+    let length = b.op(Op::Norm, &vector);
     let least = b.float(f32::MIN_POSITIVE);
-    let square = b.op(Op::Max, &[square, least]);
-    let length = b.op(Op::Sqrt, &[square]);
+    let length = b.op(Op::Max, &[length, least]);
     (vector.map(|component| b.op(Op::Div, &[component, length])), length)
 }
 

@@ -3,7 +3,8 @@
 //! The table gives the enum, its listing names, the constant folder ([`Op::eval`]) and the lane
 //! kernel ([`batch`]) from one body, so that they cannot differ. All bodies are branch-free
 //! scalar code that LLVM vectorizes over the 64 lanes. A row may say `where a: rare(a) => far(a, …)`: a
-//! piece of the operation that is computed lane by lane, when a lane of the batch needs it.
+//! piece of the operation that is computed lane by lane, when a lane of the batch needs it. With `unless r: good(r)
+//! => far(a, …)` the result says so. No operation that computes several at once (`shader/compute.rs`) may have such a row.
 
 use super::types::Ty;
 use super::word::{LONG, Scalar, agree, div_i32, div_u32, rem_i32, rem_u32, select};
@@ -41,10 +42,27 @@ macro_rules! operations {
             }
         }
     };
+    (@mend [$($far:tt)*] $out:ident $($operand:ident),*;) => {};
+    (@mend [$($far:tt)*] $out:ident $($operand:ident),*; $result:ident $good:expr) => {
+        let mut any = false;
+        for lane in 0..LANES {
+            let $result = f32::from_word($out[lane]);
+            any |= !$good;
+        }
+        if any {
+            for lane in 0..LANES {
+                let $result = f32::from_word($out[lane]);
+                if !$good {
+                    $out[lane] = $($far)*(operations!(@words lane $($operand),*));
+                }
+            }
+        }
+    };
     ($d:tt $(
         $(#[doc = $doc:literal])+
         $Name:ident $name:literal ($a:ident: $A:ty $(, $b:ident: $B:ty $(, $c:ident: $C:ty)?)?) -> $R:ty = $body:expr
-        $(, where $of:ident: $rare:expr => $far:expr)?;
+        $(, where $of:ident: $rare:expr => $far:expr)?
+        $(, unless $found:ident: $good:expr => $mended:expr)?;
     )*) => {
         /// An operation on scalars.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -104,7 +122,12 @@ macro_rules! operations {
                             let result: $R = $far;
                             return result.to_word();
                         })?
-                        scalar::$Name::<S>($a $(, $b $(, $c)?)?).to_word()
+                        let result = scalar::$Name::<S>($a $(, $b $(, $c)?)?);
+                        $(
+                            let $found = result;
+                            let result: $R = if $good { result } else { $mended };
+                        )?
+                        result.to_word()
                     })*
                 }
             }
@@ -134,6 +157,7 @@ macro_rules! operations {
                         result[lane] = scalar::$Name::<S>($a $(, $b $(, $c)?)?).to_word();
                     }
                     operations!(@rare [Op::$Name.lane::<S>] result $a $(, $b $(, $c)?)?; $($of $rare)?);
+                    operations!(@mend [Op::$Name.lane::<S>] result $a $(, $b $(, $c)?)?; $($found $good)?);
                     registers[out] = result;
                 }
             )*
@@ -194,6 +218,16 @@ operations! { $
     Sqrt "sqrt" (a: f32) -> f32 = a.sqrt();
     /// `1 / sqrt(a)`, two roundings.
     InverseSqrt "inverse_sqrt" (a: f32) -> f32 = 1.0 / a.sqrt();
+
+    /// `sqrt((a² + b²) + c²)`; where that is so small or large that a square left the range of floats, by
+    /// [`math::norm_far`].
+    Norm "norm" (a: f32, b: f32, c: f32) -> f32 = (a * a + b * b + c * c).sqrt(),
+        unless r: (r > math::LEAST_NORM) & (r < math::LARGEST_NORM) => math::norm_far(a, b, c);
+    /// `1 / sqrt((a² + b²) + c²)`, three more roundings, likewise.
+    InverseNorm "inverse_norm" (a: f32, b: f32, c: f32) -> f32 =
+        1.0 / (a * a + b * b + c * c).sqrt(),
+        unless r: (r > 1.0 / math::LARGEST_NORM) & (r < 1.0 / math::LEAST_NORM) =>
+            math::inverse_norm_far(a, b, c);
 
     /// Sine of an angle in radians; bounds of this and the next are those of [`math`].
     Sin "sin" (a: f32) -> f32 = math::sin_near(a),
@@ -355,6 +389,7 @@ impl Op {
     pub const fn cost(self) -> u32 {
         match self {
             Self::Div | Self::Sqrt | Self::InverseSqrt => 8,
+            Self::Norm | Self::InverseNorm => 12,
             Self::Mod | Self::ModNear | Self::ModPositive => 8,
             Self::Sin | Self::Cos | Self::Tan => LONG,
             Self::Asin | Self::Acos | Self::Atan | Self::Atan2 => LONG,

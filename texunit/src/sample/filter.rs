@@ -4,7 +4,7 @@
 //! `a + (b - a) · α` in this order: two equal texels give exactly themselves. Channels of bytes are
 //! weighed as 0 to 255 and divided at last, which is one division for all texels.
 
-use super::interpolate::{divide, lerp, mean};
+use super::interpolate::{divide, lerp_of_any, mean};
 use super::level_view::LevelView;
 use super::recorder::Recorder;
 use super::wrap::{Indices, LinearTexels};
@@ -165,7 +165,7 @@ fn linear<S: Simd>(
                 *out = mean;
             } else {
                 for lane in 0..LANES {
-                    out[lane] = lerp(out[lane], mean[lane], gamma[lane]);
+                    out[lane] = lerp_of_any(out[lane], mean[lane], gamma[lane]);
                 }
             }
         }

@@ -159,8 +159,10 @@ pub fn anisotropic<S: Simd>(
         let half = 0.5 * (xx[lane] + yy[lane]);
         let difference = 0.5 * (xx[lane] - yy[lane]);
         root[lane] = (difference * difference + xy[lane] * xy[lane]).sqrt();
-        major[lane] = half + root[lane];
-        minor[lane] = max(half - root[lane], 0.0);
+        // Of larger ones the root leaves the range: they are round, and as good as infinite.
+        let fits = half < MAX_MAJOR;
+        major[lane] = if fits { half + root[lane] } else { half };
+        minor[lane] = if fits { max(half - root[lane], 0.0) } else { half };
         let stretched = major[lane] > minor[lane] * (ISOTROPIC_RATIO * ISOTROPIC_RATIO);
         elongated[lane] = if stretched { !0 } else { 0 };
     }
@@ -217,6 +219,9 @@ pub fn anisotropic<S: Simd>(
     });
     (lambda, probes)
 }
+
+/// A larger squared axis is beyond any level.
+const MAX_MAJOR: f32 = 1e18;
 
 /// Up to this ratio of the axes a footprint is isotropic: rounding alone must not cost a probe.
 const ISOTROPIC_RATIO: f32 = 1.0 + 1.0 / 64.0;

@@ -8,7 +8,7 @@ use super::call::SampleCall;
 use super::compare::unit_range;
 use super::coordinates::Coordinates;
 use super::footprint::{Footprint, FootprintSet, Probes};
-use super::interpolate::{lerp, mix};
+use super::interpolate::{lerp_of_any, mix};
 use super::level_taps::{self, LevelTaps};
 use super::level_view::LevelView;
 use super::recorder::Recorder;
@@ -104,7 +104,7 @@ fn sample_probes<S: Simd, F: FootprintSet>(
         for channel in 0..context.texture.format.channels() {
             for lane in 0..LANES {
                 let before = out[channel][lane];
-                let mean = lerp(before, sample[channel][lane], weight);
+                let mean = lerp_of_any(before, sample[channel][lane], weight);
                 let counts = (probe as f32) < probes.count[lane];
                 out[channel][lane] = if counts { mean } else { before };
             }

@@ -2,6 +2,7 @@
 
 use crate::format::Format;
 use crate::format::convert::over_255;
+use crate::lanes::math::max;
 use crate::lanes::{F32s, LANES};
 
 /// The weighted mean of a channel of four texels, in the order (0, 0), (1, 0), (0, 1), (1, 1). Byte channels are
@@ -13,7 +14,8 @@ pub fn mean(
     channel: usize,
     [alpha, beta]: [&F32s; 2],
 ) -> F32s {
-    let scale = if format.is_byte_channel(channel) { 255.0 } else { 1.0 };
+    let is_byte = format.is_byte_channel(channel);
+    let scale = if is_byte { 255.0 } else { 1.0 };
     let mut out = F32s::ZERO;
     for lane in 0..LANES {
         let texel = |corner: usize| corners[corner][channel][lane] * scale;
@@ -21,7 +23,43 @@ pub fn mean(
         let upper = lerp(texel(2), texel(3), alpha[lane]);
         out[lane] = lerp(lower, upper, beta[lane]);
     }
+    if !is_byte && has_nan(&out) {
+        for lane in 0..LANES {
+            let texels = [0, 1, 2, 3].map(|corner: usize| corners[corner][channel][lane]);
+            out[lane] = bilinear_of_any(texels, alpha[lane], beta[lane]);
+        }
+    }
     out
+}
+
+/// Whether a lane is NaN: then [`lerp`] may have multiplied an infinite number by 0, or subtracted
+/// it from itself, and the lanes are computed again by [`lerp_of_any`].
+#[inline(always)]
+pub fn has_nan(values: &F32s) -> bool {
+    let mut any = false;
+    for lane in 0..LANES {
+        any |= values[lane].is_nan();
+    }
+    any
+}
+
+/// The weighted mean of four texels that may be infinite or NaN.
+#[inline(always)]
+pub fn bilinear_of_any([a, b, c, d]: [f32; 4], alpha: f32, beta: f32) -> f32 {
+    lerp_of_any(lerp_of_any(a, b, alpha), lerp_of_any(c, d, alpha), beta)
+}
+
+/// [`lerp`] where that is a number. Else what has no weight takes no part, and an infinite number
+/// with a finite one is infinite.
+#[inline(always)]
+pub fn lerp_of_any(a: f32, b: f32, t: f32) -> f32 {
+    let mean = lerp(a, b, t);
+    match t {
+        _ if !mean.is_nan() => mean,
+        0.0 => a,
+        1.0 => b,
+        t => a * (1.0 - t) + b * t,
+    }
 }
 
 /// Divides the means of byte channels by 255.
@@ -43,10 +81,39 @@ pub fn mix(first: &F32s, second: &F32s, weight: &F32s, out: &mut F32s) {
         let mean = lerp(first[lane], second[lane], weight[lane]);
         out[lane] = if weight[lane] > 0.0 { mean } else { first[lane] };
     }
+    if has_nan(out) {
+        for lane in 0..LANES {
+            out[lane] = lerp_of_any(first[lane], second[lane], max(weight[lane], 0.0));
+        }
+    }
 }
 
 /// `a` to `b`, exact where they are equal and where `t` is 0.
 #[inline(always)]
 pub fn lerp(a: f32, b: f32, t: f32) -> f32 {
     a + (b - a) * t
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_has_no_weight_takes_no_part() {
+        const INF: f32 = f32::INFINITY;
+        let table = [
+            ([0.5, INF], 0.0, 0.5),
+            ([INF, 0.5], 1.0, 0.5),
+            ([0.5, f32::NAN], 0.0, 0.5),
+            ([INF, 0.5], 0.25, INF),
+            ([0.5, -INF], 0.25, -INF),
+            ([INF, INF], 0.25, INF),
+            ([1.0, 3.0], 0.25, 1.5),
+        ];
+        for ([a, b], t, expected) in table {
+            assert_eq!(lerp_of_any(a, b, t), expected, "{a}, {b}, {t}");
+        }
+        assert!(lerp_of_any(INF, -INF, 0.5).is_nan());
+        assert!(lerp_of_any(0.5, f32::NAN, 0.5).is_nan());
+    }
 }

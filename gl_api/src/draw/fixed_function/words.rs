@@ -86,8 +86,8 @@ pub(crate) fn fragment(words: &mut [u32], context: &Context, key: &FragmentKey) 
         let fog = &context.state.fog;
         let [red, green, blue, _] = key.clamp.color(fog.color).map(f64::from);
         let [density, start, end] = [fog.density, fog.start, fog.end].map(f64::from);
-        let [factor, offset] = fog_constants(fog.mode, density, start, end);
-        put(words, word::FOG, [red, green, blue, factor, offset]);
+        let [factor, end_or_zero] = fog_constants(fog.mode, density, start, end);
+        put(words, word::FOG, [red, green, blue, factor, end_or_zero]);
     }
     for unit in &key.units {
         let color = context.state.units.units[usize::from(unit.unit)].color;

@@ -15,10 +15,11 @@ pub(crate) struct FogKey {
 
 /// The two numbers that turn a distance into the exponent of 2, or into the factor: of exponential
 /// fog the first is the density in the base 2 (its root, where it is squared), of linear fog they
-/// are the factor and the offset.
+/// are `1 / (end - start)` and `end`. (In a product and an offset, those of thin fog would be large
+/// and cancel.) If the ends are equal the first is infinite, and fog is a step.
 pub(crate) fn constants(mode: FogMode, density: f64, start: f64, end: f64) -> [f64; 2] {
     match mode {
-        FogMode::Linear => [-1.0 / (end - start), end / (end - start)],
+        FogMode::Linear => [1.0 / (end - start), end],
         FogMode::Exp => [-density * std::f64::consts::LOG2_E, 0.0],
         FogMode::Exp2 => [density * std::f64::consts::LOG2_E.sqrt(), 0.0],
     }
@@ -32,14 +33,18 @@ pub(crate) fn fog(
     color: [Value; 4],
     distance: Value,
 ) -> [Value; 4] {
-    let [red, green, blue, factor, offset] = words(b, base + word::FOG);
+    let [red, green, blue, factor, end] = words(b, base + word::FOG);
     let distance = match key.source {
         FogSource::Depth => b.op(Op::Abs, &[distance]),
         FogSource::Coordinate => distance,
     };
+    let distance = match key.mode {
+        FogMode::Linear => b.op(Op::Sub, &[end, distance]),
+        FogMode::Exp | FogMode::Exp2 => distance,
+    };
     let scaled = b.op(Op::Mul, &[distance, factor]);
     let clear = match key.mode {
-        FogMode::Linear => b.op(Op::Add, &[scaled, offset]),
+        FogMode::Linear => scaled,
         FogMode::Exp => b.op(Op::Exp2, &[scaled]),
         FogMode::Exp2 => {
             let square = b.op(Op::Mul, &[scaled, scaled]);

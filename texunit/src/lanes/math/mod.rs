@@ -193,6 +193,29 @@ pub fn modulo_positive(a: f32, b: f32, nearest: f32) -> f32 {
     f32::from_bits(left.to_bits().min((left + b).to_bits()))
 }
 
+/// Of vectors that are longer, no square is so small that it loses bits.
+pub const LEAST_NORM: f32 = 8.881_784e-16;
+/// The sum of the squares of vectors that are shorter is finite.
+pub const LARGEST_NORM: f32 = 9.223_372e18;
+
+/// The length of a vector of any size: in `f64` no square of a float leaves the range.
+pub fn norm_far(a: f32, b: f32, c: f32) -> f32 {
+    norm_of_any(a, b, c) as f32
+}
+
+/// The inverse of the length of a vector of any size. It is infinite only of 0: of denormal vectors whose
+/// inverse length would be, it is the largest float.
+pub fn inverse_norm_far(a: f32, b: f32, c: f32) -> f32 {
+    let norm = norm_of_any(a, b, c);
+    let inverse = (1.0 / norm) as f32;
+    if inverse.is_infinite() && norm > 0.0 { f32::MAX } else { inverse }
+}
+
+fn norm_of_any(a: f32, b: f32, c: f32) -> f64 {
+    let [a, b, c] = [a, b, c].map(f64::from);
+    (a * a + b * b + c * c).sqrt()
+}
+
 /// The smaller; `b` if `a` is NaN. (Rust's and each processor's own `min` differ on NaN and ±0.)
 #[inline(always)]
 pub fn min(a: f32, b: f32) -> f32 {

@@ -8,7 +8,7 @@ use crate::format::small_float::decode_half;
 use crate::format::srgb;
 use crate::lanes::{F32s, LANES, Simd, U32s};
 use crate::plan::{Alpha, TexelClass};
-use crate::sample::interpolate::lerp;
+use crate::sample::interpolate::{bilinear_of_any, has_nan, lerp};
 
 /// The channels that lie in word number `word` of 64 texels.
 #[inline(always)]
@@ -115,12 +115,12 @@ pub fn channels_of_quad<S: Simd>(
         }
         TexelClass::Halves => {
             let (first, second) = if word == 0 { (r, g) } else { (b, a) };
-            mean(words, weights, first, half::<0>);
+            mean_of_any(words, weights, first, half::<0>);
             if channels > 2 * word + 1 {
-                mean(words, weights, second, half::<1>);
+                mean_of_any(words, weights, second, half::<1>);
             }
         }
-        TexelClass::Floats => mean(words, weights, &mut out[word], f32::from_bits),
+        TexelClass::Floats => mean_of_any(words, weights, &mut out[word], f32::from_bits),
         TexelClass::Depth { shift, largest } => {
             if word == 0 {
                 mean(words, weights, r, |word| depth(word, shift, largest));
@@ -193,5 +193,22 @@ fn mean(
         let (c, d) = (channel(words[2][lane]), channel(words[3][lane]));
         let (lower, upper) = (lerp(a, b, alpha[lane]), lerp(c, d, alpha[lane]));
         out[lane] = lerp(lower, upper, beta[lane]);
+    }
+}
+
+/// As [`mean`], of texels that may be infinite or NaN.
+#[inline(always)]
+fn mean_of_any(
+    words: [&U32s; 4],
+    [alpha, beta]: [&F32s; 2],
+    out: &mut F32s,
+    channel: impl Fn(u32) -> f32 + Copy,
+) {
+    mean(words, [alpha, beta], out, channel);
+    if has_nan(out) {
+        for lane in 0..LANES {
+            let texels = words.map(|words| channel(words[lane]));
+            out[lane] = bilinear_of_any(texels, alpha[lane], beta[lane]);
+        }
     }
 }

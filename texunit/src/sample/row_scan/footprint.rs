@@ -86,7 +86,9 @@ impl LaneFootprint {
         let half = 0.5 * (uu + vv);
         let difference = 0.5 * (vv - uu);
         let root = (difference * difference + uv * uv).sqrt();
-        let (major, minor) = (half + root, max(half - root, 0.0));
+        // Of larger ones the root leaves the range, and would be infinite or NaN.
+        let major = if half < MAX_MAJOR { half + root } else { half };
+        let minor = max(half - root, 0.0);
         let width = max(minor, major * share);
         let longer = major - width;
         // False for NaN, of empty and infinite footprints.

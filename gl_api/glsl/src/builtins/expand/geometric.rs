@@ -15,16 +15,30 @@ pub fn dot_product(emit: &mut Emit, a: &[Value], b: &[Value]) -> Value {
 }
 
 fn norm(emit: &mut Emit, x: &[Value]) -> Value {
-    match x {
-        [x] => emit.op(Op::Abs, &[*x]),
+    if let [x] = x {
+        return emit.op(Op::Abs, &[*x]);
+    }
+    norm_by(emit, x, Op::Norm)
+}
+
+/// The length of two to four numbers by [`Op::Norm`], or its inverse by [`Op::InverseNorm`].
+fn norm_by(emit: &mut Emit, x: &[Value], op: Op) -> Value {
+    match *x {
+        [a, b, c] => emit.op(op, &[a, b, c]),
+        [a, b, c, d] => {
+            // Of four, three are taken together.
+            let zero = emit.float(0.0);
+            let three = emit.op(Op::Norm, &[a, b, c]);
+            emit.op(op, &[three, d, zero])
+        }
         _ => {
-            let square = dot_product(emit, x, x);
-            emit.op(Op::Sqrt, &[square])
+            let zero = emit.float(0.0);
+            emit.op(op, &[x[0], x[1], zero])
         }
     }
 }
 
-/// `sqrt(dot(x, x))`.
+/// `sqrt(dot(x, x))`, whose squares may leave the range of floats.
 pub fn length(emit: &mut Emit, args: Args<'_>) -> Vec<Value> {
     vec![norm(emit, &args.values[0])]
 }
@@ -51,13 +65,12 @@ pub fn cross(emit: &mut Emit, args: Args<'_>) -> Vec<Value> {
     [(1, 2), (2, 0), (0, 1)].into_iter().map(component).collect()
 }
 
-/// `x / length(x)`, as a product with the inverse square root.
+/// `x / length(x)`, as a product with the inverse length.
 pub fn normalize(emit: &mut Emit, args: Args<'_>) -> Vec<Value> {
     if args.len() == 1 {
         return per_component(emit, args, Op::Sign);
     }
-    let square = dot_product(emit, &args.values[0], &args.values[0]);
-    let inverse = emit.op(Op::InverseSqrt, &[square]);
+    let inverse = norm_by(emit, &args.values[0], Op::InverseNorm);
     each(emit, args, |emit, at| emit.op(Op::Mul, &[at(0), inverse]))
 }
 
