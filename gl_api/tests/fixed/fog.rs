@@ -45,14 +45,17 @@ fn fog_follows_its_three_formulas() {
 }
 
 #[test]
-fn fog_without_an_extent_is_defined() {
+fn fog_without_an_extent_is_a_step() {
     let mut c = context();
     c.enable(GL_FOG);
     c.fogi(GL_FOG_MODE, GL_LINEAR as GLint);
-    c.fogf(GL_FOG_START, 1.0);
+    c.fogf(GL_FOG_START, 0.5);
+    c.fogf(GL_FOG_END, 0.5);
     c.fogfv(GL_FOG_COLOR, &[0.0, 1.0, 0.0, 1.0]);
-    triangle(&mut c, 0.0, true);
-    assert_eq!(color(&mut c), [0.0, 1.0, 0.0, 1.0], "NaN counts as full fog");
+    for (z, seen) in [(0.0, [1.0; 4]), (-0.25, [1.0; 4]), (-0.75, [0.0, 1.0, 0.0, 1.0])] {
+        triangle(&mut c, z, true);
+        assert_eq!(color(&mut c), seen, "at depth {z}");
+    }
 }
 
 #[test]
