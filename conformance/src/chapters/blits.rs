@@ -19,7 +19,7 @@ pub const NEAREST: Check = Check {
     unit: Unit::FullScale,
     tolerance: 0.0,
     why: "floats are copied; places near the edge of a source pixel are left out",
-    run: |harness, tally| blit(harness, tally, Kind::Nearest),
+    run: |harness, tally| blit(harness, tally, BlitMode::Nearest),
 };
 
 /// Linear copies.
@@ -30,7 +30,7 @@ pub const LINEAR: Check = Check {
     unit: Unit::FullScale,
     tolerance: 1.0 / (1 << 24) as f64,
     why: "f32: weighted sums up to 1 are rounded by 2^-25, on two axes",
-    run: |harness, tally| blit(harness, tally, Kind::Linear),
+    run: |harness, tally| blit(harness, tally, BlitMode::Linear),
 };
 
 /// Copies of depth and stencil.
@@ -41,7 +41,7 @@ pub const DEPTH_STENCIL: Check = Check {
     unit: Unit::FullScale,
     tolerance: 0.0,
     why: "words are copied; places near the edge of a source pixel are left out",
-    run: |harness, tally| blit(harness, tally, Kind::DepthStencil),
+    run: |harness, tally| blit(harness, tally, BlitMode::DepthStencil),
 };
 
 /// Copies to textures.
@@ -62,7 +62,7 @@ fn at([x, y]: Pixel) -> usize {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
+enum BlitMode {
     Nearest,
     Linear,
     DepthStencil,
@@ -95,7 +95,7 @@ fn bind_pair(
     session.check("drawing what is copied")
 }
 
-fn blit(harness: &Harness, tally: &mut Tally, kind: Kind) -> Result<(), ProbeError> {
+fn blit(harness: &Harness, tally: &mut Tally, mode: BlitMode) -> Result<(), ProbeError> {
     let mut rng = Rng::named("blit");
     let mut pictures = Pictures::new(harness, tally, PICTURE);
     for round in 0..harness.cases(64).max(16) {
@@ -105,23 +105,23 @@ fn blit(harness: &Harness, tally: &mut Tally, kind: Kind) -> Result<(), ProbeErr
         let low = [rng.integer(0, 12) as usize, rng.integer(0, 9) as usize];
         let scissor = Rect { low, size: [25, 21] };
         // Depths of 16 bits, so that 24 bits and floats hold them; stencil values.
-        let value = |pixel: Pixel| match kind {
-            Kind::Nearest | Kind::Linear => colors[at(pixel)].map(f64::from),
-            Kind::DepthStencil => [depth_of(pixel), stencil_of(pixel), 0.0, 0.0],
+        let value = |pixel: Pixel| match mode {
+            BlitMode::Nearest | BlitMode::Linear => colors[at(pixel)].map(f64::from),
+            BlitMode::DepthStencil => [depth_of(pixel), stencil_of(pixel), 0.0, 0.0],
         };
-        let empty = if kind == Kind::DepthStencil { [1.0, 0.0, 0.0, 0.0] } else { [0.0; 4] };
+        let empty = if mode == BlitMode::DepthStencil { [1.0, 0.0, 0.0, 0.0] } else { [0.0; 4] };
         let expect = |pixel: Pixel, variant: Variant| {
             let cut = scissor.has(pixel) || variant.has(Mutation::ScissorIgnored);
             if !(0..2).all(|i| to[i].has(pixel[i])) || !cut {
                 return Some(empty);
             }
             let place = [0, 1].map(|i| source(from[i], to[i], pixel[i], variant));
-            match kind {
-                Kind::Nearest | Kind::DepthStencil => {
+            match mode {
+                BlitMode::Nearest | BlitMode::DepthStencil => {
                     let near = place.iter().any(|c| (c - c.round()).abs() < 1e-4);
                     (!near).then(|| value(place.map(|c| c.floor() as usize)))
                 }
-                Kind::Linear => {
+                BlitMode::Linear => {
                     let inner = (0..2).all(|i| {
                         let (a, b) = (from[i].low.min(from[i].high), from[i].low.max(from[i].high));
                         (a as f64 + 0.5..=b as f64 - 0.5).contains(&place[i])
@@ -134,7 +134,7 @@ fn blit(harness: &Harness, tally: &mut Tally, kind: Kind) -> Result<(), ProbeErr
             bind_pair(session, || {
                 window(PICTURE);
                 Brush::Texture.paint(PICTURE, &colors);
-                if kind == Kind::DepthStencil {
+                if mode == BlitMode::DepthStencil {
                     glDisable(GL_TEXTURE_2D);
                     draw_depths(session)?;
                 }
@@ -148,16 +148,16 @@ fn blit(harness: &Harness, tally: &mut Tally, kind: Kind) -> Result<(), ProbeErr
             glScissor(x as i32, y as i32, w, h);
             let [[x0, x1], [y0, y1]] = from.map(|s| [s.low as i32, s.high as i32]);
             let [[u0, u1], [v0, v1]] = to.map(|s| [s.low as i32, s.high as i32]);
-            let (mask, filter) = match kind {
-                Kind::Nearest => (GL_COLOR_BUFFER_BIT, GL_NEAREST),
-                Kind::Linear => (GL_COLOR_BUFFER_BIT, GL_LINEAR),
-                Kind::DepthStencil => (GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT, GL_NEAREST),
+            let (mask, filter) = match mode {
+                BlitMode::Nearest => (GL_COLOR_BUFFER_BIT, GL_NEAREST),
+                BlitMode::Linear => (GL_COLOR_BUFFER_BIT, GL_LINEAR),
+                BlitMode::DepthStencil => (GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT, GL_NEAREST),
             };
             glBlitFramebuffer(x0, y0, x1, y1, u0, v0, u1, v1, mask, filter);
             let mut target = [0i32; 1];
             glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &mut target);
             glBindFramebuffer(GL_READ_FRAMEBUFFER, target[0]);
-            if kind != Kind::DepthStencil {
+            if mode != BlitMode::DepthStencil {
                 return session.read_floats(PICTURE);
             }
             let mut depths = session.read_depth_codes(PICTURE)?;
@@ -167,7 +167,7 @@ fn blit(harness: &Harness, tally: &mut Tally, kind: Kind) -> Result<(), ProbeErr
             Ok(depths.into_iter().zip(stencil).map(|(d, s)| [d, s[0], 0.0, 0.0]).collect())
         })?;
     }
-    pictures.finish(if kind == Kind::Linear { 60 } else { 75 }, 10);
+    pictures.finish(if mode == BlitMode::Linear { 60 } else { 75 }, 10);
     Ok(())
 }
 

@@ -1,6 +1,6 @@
 //! Lines: the diamond-exit rule, widths, stipples, antialiasing, what is interpolated, and joints.
 
-use super::pictures::{Pictures, Pixel, drawn, window};
+use super::pictures::{Pictures, Pixel, drawn, point_between_ties, window};
 use crate::check::{Check, Harness, Tally, Unit};
 use crate::mutation::{Mutation, Variant};
 use crate::oracle::line::{LineStipple, Segment, along};
@@ -77,16 +77,12 @@ pub const JOINTS: Check = Check {
 
 const PICTURE: Pixel = [59, 45];
 
-fn place(rng: &mut Rng) -> [f64; 2] {
-    PICTURE.map(|n| (rng.integer(0, n as i64 * 128 - 1) * 2 + 1) as f64 / 256.0)
-}
-
 /// A segment of at least a pixel; every other one is short.
 fn segment(rng: &mut Rng, round: usize) -> Segment {
     loop {
-        let from = place(rng);
+        let from = point_between_ties(rng, PICTURE);
         let to = if round.is_multiple_of(2) {
-            place(rng)
+            point_between_ties(rng, PICTURE)
         } else {
             from.map(|c| c + (rng.integer(-512, 512) * 2) as f64 / 256.0)
         };
@@ -157,7 +153,7 @@ fn segments(mode: Joined, places: &[[f64; 2]], variant: Variant) -> Vec<Segment>
 /// Places whose segments have no pixel on a tie.
 fn untied(rng: &mut Rng, mode: Joined) -> Vec<[f64; 2]> {
     loop {
-        let places: Vec<[f64; 2]> = (0..6).map(|_| place(rng)).collect();
+        let places: Vec<[f64; 2]> = (0..6).map(|_| point_between_ties(rng, PICTURE)).collect();
         let segments = segments(mode, &places, Variant::CORRECT);
         if segments.iter().all(|line| line.fragments(PICTURE, Variant::CORRECT).is_some()) {
             return places;

@@ -1,6 +1,8 @@
 //! Four samples a pixel: coverage from alpha and values, edges of lines and points, depth, and resolves.
 
-use super::pictures::{Brush, Pictures, Pixel, all, cover, random_colors, window};
+use super::pictures::{
+    Brush, Pictures, Pixel, all, cover, point_between_ties, random_colors, window,
+};
 use crate::check::{Check, Harness, Tally, Unit};
 use crate::mutation::{Mutation, Variant};
 use crate::oracle::format::{Base, Encoding, stored};
@@ -266,15 +268,14 @@ fn depth(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
     Ok(())
 }
 
-fn place(rng: &mut Rng) -> [f64; 2] {
-    PICTURE.map(|n| (rng.integer(0, n as i64 * 128 - 1) * 2 + 1) as f64 / 256.0)
-}
-
 fn lines(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
     let mut rng = Rng::named("sample-lines");
     let mut pictures = Pictures::new(harness, tally, PICTURE);
     for _ in 0..harness.cases(64) {
-        let line = Segment { from: place(&mut rng), to: place(&mut rng) };
+        let line = Segment {
+            from: point_between_ties(&mut rng, PICTURE),
+            to: point_between_ties(&mut rng, PICTURE),
+        };
         let width = rng.dyadic(0.5, 8.0, 0.125);
         let expect = |pixel: Pixel, variant: Variant| {
             let corners = line.rectangle(f64::from(width), variant);
@@ -301,7 +302,8 @@ fn points(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
     let mut rng = Rng::named("sample-points");
     let mut pictures = Pictures::new(harness, tally, PICTURE);
     for _ in 0..harness.cases(64) {
-        let (centre, size) = (place(&mut rng), f64::from(rng.dyadic(1.0, 20.0, 0.125)));
+        let (centre, size) =
+            (point_between_ties(&mut rng, PICTURE), f64::from(rng.dyadic(1.0, 20.0, 0.125)));
         let expect = |pixel: Pixel, variant: Variant| {
             let radius = size / if variant.has(Mutation::DiameterIsRadius) { 1.0 } else { 2.0 };
             let share = share(pixel, variant, |[x, y]| {

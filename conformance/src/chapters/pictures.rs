@@ -16,6 +16,11 @@ pub(super) fn all([width, height]: Pixel) -> impl Iterator<Item = Pixel> {
     (0..height).flat_map(move |y| (0..width).map(move |x| [x, y]))
 }
 
+/// A random point of a picture at odd multiples of 1/256 pixel, never on a tie of the rules for odd or even sizes.
+pub(super) fn point_between_ties(rng: &mut Rng, size: Pixel) -> [f64; 2] {
+    size.map(|n| (rng.integer(0, n as i64 * 128 - 1) * 2 + 1) as f64 / 256.0)
+}
+
 /// The scenes of a check, each compared at every pixel.
 pub(super) struct Pictures<'a> {
     harness: &'a Harness,

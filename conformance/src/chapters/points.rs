@@ -1,6 +1,6 @@
 //! Points: which pixels they cover, how large they are, and sprites.
 
-use super::pictures::{Pictures, Pixel, drawn, window};
+use super::pictures::{Pictures, Pixel, drawn, point_between_ties, window};
 use crate::check::{Check, Harness, Tally, Unit};
 use crate::mutation::Variant;
 use crate::oracle::point::{Attenuation, Dot, Origin};
@@ -67,11 +67,6 @@ pub const POINT_COORD: Check = Check {
 /// An odd size, so that tiles and blocks end within the picture.
 const PICTURE: Pixel = [61, 67];
 
-/// A place in the picture in 1/256 pixels, never on a tie of the rules for odd or even sizes.
-fn place(rng: &mut Rng) -> [f64; 2] {
-    PICTURE.map(|n| (rng.integer(0, n as i64 * 128 - 1) * 2 + 1) as f64 / 256.0)
-}
-
 fn draw(dots: &[Dot]) {
     for dot in dots {
         glPointSize(dot.size as f32);
@@ -89,7 +84,10 @@ fn size(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
             .map(|_| {
                 // Not on the tie between two sizes.
                 let size = rng.integer(1, 17) as f64 + f64::from(rng.real(-0.45, 0.45));
-                Dot { at: place(&mut rng), size: if size > 1.0 { size } else { size / 2.0 } }
+                Dot {
+                    at: point_between_ties(&mut rng, PICTURE),
+                    size: if size > 1.0 { size } else { size / 2.0 },
+                }
             })
             .collect();
         let expect = |pixel: Pixel, variant: Variant| {
@@ -116,7 +114,7 @@ fn smooth(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
     for _ in 0..harness.cases(64) {
         // Sixteenths, which the rasterizer has exactly.
         let size = f64::from(rng.dyadic(1.0, 15.0, 1.0 / 16.0));
-        let dot = Dot { at: place(&mut rng), size };
+        let dot = Dot { at: point_between_ties(&mut rng, PICTURE), size };
         let expect =
             |pixel: Pixel, variant: Variant| Some([0.0, 0.0, 0.0, 0.75 * dot.area(pixel, variant)]);
         pictures.compare(&dot, expect, |session| {
@@ -147,7 +145,7 @@ fn attenuation(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
         let derived = |variant| by.size(f64::from(given), f64::from(distance), variant);
         clamped[0] += usize::from(derived(Variant::CORRECT) == by.min);
         clamped[1] += usize::from(derived(Variant::CORRECT) == by.max);
-        let at = place(&mut rng);
+        let at = point_between_ties(&mut rng, PICTURE);
         let expect = |pixel: Pixel, variant: Variant| {
             Dot { at, size: derived(variant) }.sprite_covers(pixel).map(drawn)
         };
@@ -194,7 +192,8 @@ fn sprite(harness: &Harness, tally: &mut Tally, from: Coordinates) -> Result<(),
     let mut pictures = Pictures::new(harness, tally, PICTURE);
     for round in 0..harness.cases(64) {
         let origin = [Origin::UpperLeft, Origin::LowerLeft][round % 2];
-        let dot = Dot { at: place(&mut rng), size: f64::from(rng.real(2.0, 40.0)) };
+        let dot =
+            Dot { at: point_between_ties(&mut rng, PICTURE), size: f64::from(rng.real(2.0, 40.0)) };
         let expect = |pixel: Pixel, variant: Variant| {
             let covered = dot.sprite_covers(pixel)?;
             let [s, t] = dot.sprite(pixel, origin, variant);

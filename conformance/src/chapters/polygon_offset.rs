@@ -1,6 +1,6 @@
 //! Depth offset of polygons: the constant part, and the part that follows the slope.
 
-use super::pictures::{Pixel, cover, window};
+use super::pictures::{Pixel, cover, point_between_ties, window};
 use crate::check::{Check, Harness, Tally, Unit};
 use crate::mutation::{Mutation, Variant};
 use crate::oracle::painter::inside;
@@ -33,10 +33,6 @@ pub const OFFSET_SLOPE: Check = Check {
 };
 
 const PICTURE: Pixel = [67, 53];
-
-fn place(rng: &mut Rng) -> [f64; 2] {
-    PICTURE.map(|n| (rng.integer(0, n as i64 * 128 - 1) * 2 + 1) as f64 / 256.0)
-}
 
 const DEPTHS: [(u32, Option<u32>); 3] = [
     (GL_DEPTH_COMPONENT16, Some(16)),
@@ -91,7 +87,7 @@ fn offset_slope(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> 
     for _ in 0..harness.cases(48).max(12) {
         let corners: [[f64; 3]; 3] = loop {
             let corners: [[f64; 3]; 3] = std::array::from_fn(|_| {
-                let [x, y] = place(&mut rng);
+                let [x, y] = point_between_ties(&mut rng, PICTURE);
                 [x, y, f64::from(rng.real(0.3, 0.7))]
             });
             let [x, y] = slopes(corners);

@@ -1,6 +1,6 @@
 //! Polygons: stipple, culling, modes, antialiasing, and user clip planes.
 
-use super::pictures::{Pictures, Pixel, color, cover, drawn, window};
+use super::pictures::{Pictures, Pixel, color, cover, drawn, point_between_ties, window};
 use crate::check::{Check, Harness, Tally, Unit};
 use crate::mutation::{Mutation, Variant};
 use crate::oracle::line::Segment;
@@ -69,10 +69,6 @@ pub const CLIP: Check = Check {
 
 const PICTURE: Pixel = [67, 53];
 
-fn place(rng: &mut Rng) -> [f64; 2] {
-    PICTURE.map(|n| (rng.integer(0, n as i64 * 128 - 1) * 2 + 1) as f64 / 256.0)
-}
-
 fn stipple(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
     let mut rng = Rng::named("polygon-stipple");
     let mut pictures = Pictures::new(harness, tally, PICTURE);
@@ -115,7 +111,11 @@ fn cull(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
         let counter_clockwise = round % 2 == 0;
         let face = FACES[round / 2 % 3];
         let triangle: [[f64; 2]; 3] = loop {
-            let triangle = [place(&mut rng), place(&mut rng), place(&mut rng)];
+            let triangle = [
+                point_between_ties(&mut rng, PICTURE),
+                point_between_ties(&mut rng, PICTURE),
+                point_between_ties(&mut rng, PICTURE),
+            ];
             if signed_area(&triangle).abs() > 200.0 {
                 break triangle;
             }
@@ -206,7 +206,11 @@ fn smooth(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
     let mut rng = Rng::named("polygon-smooth");
     let mut pictures = Pictures::new(harness, tally, PICTURE);
     for round in 0..harness.cases(96) {
-        let mut triangle = [place(&mut rng), place(&mut rng), place(&mut rng)];
+        let mut triangle = [
+            point_between_ties(&mut rng, PICTURE),
+            point_between_ties(&mut rng, PICTURE),
+            point_between_ties(&mut rng, PICTURE),
+        ];
         if round % 3 == 1 {
             triangle[2] = triangle[0].map(|c| c + 0.5);
         }

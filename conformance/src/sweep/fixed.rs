@@ -169,11 +169,7 @@ fn normal_scale() -> Result<Vec<Series>, ProbeError> {
         let normals: Vec<[f32; 3]> = (0..COUNT)
             .map(|_| [rng.real(-1.0, 1.0), rng.real(-1.0, 1.0), rng.real(0.1, 1.0)])
             .collect();
-        let values = session.points(COUNT, |number| {
-            let [x, y, z] = normals[number];
-            glNormal3f(x, y, z);
-            glVertex4f(0, 0, 0, 1);
-        })?;
+        let values = lit_normals(&session, &normals)?;
         let mut compared = Compared::new();
         for (normal, value) in normals.iter().zip(values) {
             let [x, y, z] = normal.map(f64::from);
@@ -183,6 +179,15 @@ fn normal_scale() -> Result<Vec<Series>, ProbeError> {
         Ok(compared)
     })?;
     Ok(vec![line])
+}
+
+/// The colours of vertices at the origin with these normals.
+fn lit_normals(session: &Session, normals: &[[f32; 3]]) -> Result<Vec<[f64; 4]>, ProbeError> {
+    session.points(normals.len(), |number| {
+        let [x, y, z] = normals[number];
+        glNormal3f(x, y, z);
+        glVertex4f(0, 0, 0, 1);
+    })
 }
 
 fn shininess() -> Result<Vec<Series>, ProbeError> {
@@ -201,11 +206,7 @@ fn shininess() -> Result<Vec<Series>, ProbeError> {
                 [sin * turn.cos(), sin * turn.sin(), cos].map(|c| c as f32)
             })
             .collect();
-        let values = session.points(COUNT, |number| {
-            let [x, y, z] = normals[number];
-            glNormal3f(x, y, z);
-            glVertex4f(0, 0, 0, 1);
-        })?;
+        let values = lit_normals(&session, &normals)?;
         let mut compared = Compared::new();
         for (normal, value) in normals.iter().zip(values) {
             let [x, y, z] = normal.map(f64::from);
