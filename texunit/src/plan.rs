@@ -5,6 +5,7 @@
 
 mod buffer_texture;
 mod describe;
+mod direct;
 mod lod_range;
 mod lookup_facts;
 mod prepare;
@@ -12,6 +13,7 @@ mod selection;
 mod texel_class;
 mod texture;
 
+pub(crate) use direct::{ChannelSource, DirectNearest};
 pub(crate) use lod_range::LodRange;
 pub use lookup_facts::{AlphaFact, ComponentsFact, LookupFacts};
 pub(crate) use texel_class::TexelClass;
@@ -89,8 +91,11 @@ impl SamplePlan {
         let (Ok(one), Ok(other)) = (&self.0, &other.0) else { return false };
         let of = |level: &Arc<Level>| (level.size(), level.border, level.format.bytes());
         let [levels, others] = [one, other].map(|texture| texture.levels[0].iter().map(of));
+        // Direct lookups keep no addresses.
         one.is_fusible
             && other.is_fusible
+            && one.direct.is_none()
+            && other.direct.is_none()
             && (one.shape, one.wrap) == (other.shape, other.wrap)
             && one.level_selection == other.level_selection
             && levels.eq(others)
@@ -157,8 +162,8 @@ impl SamplePlan {
     pub(crate) fn general(&self) -> Self {
         let texel_path = TexelPath::General;
         Self(self.0.clone().map(|texture| {
-            let alpha = Alpha::Stored;
-            let mut texture = Texture { texel_path, alpha, is_fusible: false, ..texture };
+            let (alpha, direct) = (Alpha::Stored, None);
+            let mut texture = Texture { texel_path, alpha, direct, is_fusible: false, ..texture };
             texture.kernel = SampleKernel::new(&texture);
             texture
         }))

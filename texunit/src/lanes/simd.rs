@@ -21,6 +21,9 @@ pub trait Simd: Copy + private::Sealed {
     /// Whether kernels should have fast paths beside the general code. False on the baseline, for code size.
     const WIDE: bool;
 
+    /// Whether [`Simd::select_from_rows`] is faster than a gather.
+    const SELECTS_FROM_ROWS: bool = false;
+
     /// Calls a kernel of the same instruction set without inlining it: for large code that is used in many places.
     fn outlined<K: Kernel>(kernel: K) -> K::Output;
 
@@ -59,6 +62,16 @@ pub trait Simd: Copy + private::Sealed {
 
     /// [`Simd::gather_pairs`], inlined: a kilobyte of code per use.
     fn gather_pairs_inline(bytes: &[u8], offsets: &U32s) -> [U32s; 2];
+
+    /// Reads word number `numbers` of eight rows of eight words, which lie `apart` bytes apart; of the number, the lowest
+    /// six bits are read. There are `rows` rows; those beyond are the last one.
+    ///
+    /// # Panics
+    /// When not all rows are inside `bytes`, or there are none.
+    #[inline(always)]
+    fn select_from_rows(bytes: &[u8], apart: usize, rows: u32, numbers: &U32s) -> U32s {
+        gather::rows::scalar(bytes, apart, rows, numbers)
+    }
 
     /// [`Simd::gather_pairs_inline`] at each byte offset, and `apart` bytes further: the 2×2 texels of a linear filter.
     ///

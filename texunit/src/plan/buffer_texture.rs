@@ -28,6 +28,7 @@ impl SamplePlan {
             swizzle: Swizzle::IDENTITY,
             texel_path: TexelPath::General,
             alpha: Alpha::Stored,
+            direct: None,
             is_fusible: false,
             has_fusible_texels: false,
             kernel: SampleKernel::General(WhyGeneral::Fetch),

@@ -1,5 +1,6 @@
 //! Makes a [`Texture`] from an image and a sampler: levels, wrap modes, border colour, kernel.
 
+use super::direct::DirectNearest;
 use super::selection::wrap_of;
 use super::texel_class::TexelClass;
 use super::texture::{
@@ -60,6 +61,7 @@ impl Texture {
             swizzle: sampler.swizzle,
             texel_path,
             alpha: if format.base() == BaseFormat::Rgb { Alpha::One } else { Alpha::Stored },
+            direct: None,
             is_fusible: false,
             has_fusible_texels: texel_path == TexelPath::Words(TexelClass::Bytes)
                 && matches!(format.base(), BaseFormat::Rgb | BaseFormat::Rgba)
@@ -70,6 +72,7 @@ impl Texture {
         texture.kernel = SampleKernel::new(&texture);
         texture.is_fusible = texture.has_fusible_texels
             && matches!(texture.kernel, SampleKernel::UniformLevel(_) | SampleKernel::RowScan);
+        texture.direct = DirectNearest::new(&texture);
         Ok(texture)
     }
 

@@ -1,5 +1,6 @@
 //! The data of a plan: a complete image with its sampler, as the kernels read it.
 
+use super::direct::DirectNearest;
 use super::lod_range::LodRange;
 use super::texel_class::TexelClass;
 use crate::format::{Block, Format};
@@ -36,6 +37,8 @@ pub(crate) struct Texture {
     pub level_selection: LevelSelection,
     pub kernel: SampleKernel,
     pub alpha: Alpha,
+    /// Set where all but the coordinates of a lookup is known.
+    pub direct: Option<DirectNearest>,
     /// Whether lookups can be fused into other kernels ([`crate::sample::TexelConsumer`]): texels are red, green, blue and
     /// perhaps alpha, a byte each, without swizzle.
     pub is_fusible: bool,

@@ -1,6 +1,7 @@
 //! Kernel dispatch: the methods of [`SamplePlan`] that sample.
 
 use super::call::SampleCall;
+use super::direct::DirectLookup;
 use super::fast::Addresses;
 use super::footprint::{AllFootprints, FootprintSet, IsotropicAndProbes, RowScans};
 use super::fused::{self, TexelConsumer};
@@ -14,13 +15,17 @@ use super::scratch::{LevelScratch, LookupScratch, QuadScratch, SelectedLevels};
 use super::texel_fetch::Fetch;
 use super::uniform::{Outcome, UniformCall};
 use super::uniform_levels::{self, UniformLevels};
-use crate::lanes::{Baseline, F32s, I32s, Isa, Kernel, LANES, Simd};
+use crate::lanes::{Baseline, F32s, I32s, Isa, Kernel, LANES, Simd, U32s};
 use crate::plan::{SampleKernel, SamplePlan, TexelClass, Texture};
 use crate::trace::SampleTrace;
 use std::marker::PhantomData;
 
 /// The texel of an incomplete texture (GL 2.1, section 3.11.2).
 const OPAQUE_BLACK: [F32s; 4] = [F32s::ZERO, F32s::ZERO, F32s::ZERO, F32s::splat(1.0)];
+
+/// Lookups with the plan select levels or filters, or read more than one texel of one word.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct NotDirect;
 
 impl SamplePlan {
     /// Samples 64 lanes at these [`Points`], those of an array of cubes in its first. Components of
@@ -100,6 +105,28 @@ impl SamplePlan {
                 }
             }
             None => *out = OPAQUE_BLACK,
+        }
+    }
+
+    /// A lookup without offset within a kernel, from coordinates in `registers` to components in `registers`, those that
+    /// are used. Same bits as [`SamplePlan::sample_offset`].
+    ///
+    /// # Errors
+    /// When lookups with this plan are not of that form: nothing is written.
+    #[inline(always)]
+    pub fn sample_registers<S: Simd>(
+        &self,
+        registers: &mut [U32s],
+        coords: [usize; 2],
+        out: [Option<usize>; 4],
+    ) -> Result<(), NotDirect> {
+        match self.texture() {
+            Some(texture) if S::WIDE => {
+                let Some(nearest) = &texture.direct else { return Err(NotDirect) };
+                S::outlined(DirectLookup { texture, nearest, registers, coords, out });
+                Ok(())
+            }
+            Some(_) | None => Err(NotDirect),
         }
     }
 

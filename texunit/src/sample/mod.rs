@@ -3,13 +3,14 @@
 //!
 //! The modules from below: `wrap`, `cube`, `compare` and `expand` are single steps; `level_view`, `fetch`,
 //! `interpolate`, `fast` and `filter` sample one level; `footprint`, `row_scan` and `level_taps` say which levels and
-//! how; `general`, `uniform`, `scattered` and `fused` are the kernels of whole samples, which `dispatch` chooses from.
+//! how; `general`, `uniform`, `direct`, `scattered` and `fused` are the kernels of whole samples, which `dispatch` chooses from.
 
 mod call;
 mod compare;
 mod coordinates;
 mod cube;
 mod derivatives;
+mod direct;
 mod dispatch;
 mod expand;
 mod fast;
@@ -35,6 +36,7 @@ mod uniform;
 mod uniform_levels;
 mod wrap;
 
+pub use dispatch::NotDirect;
 pub use fast::Addresses;
 pub use fused::{FilteredTexels, TexelConsumer};
 pub use lookup::{Lod, Points};

@@ -107,7 +107,7 @@ impl Kernel for Interpreter<'_> {
                     files().for_each(|file| m.derivative(file, axis, out, from));
                 }
                 Inst::Sample(ref sample) => {
-                    (0..count).for_each(|file| m.sample(file, invocation, sample));
+                    (0..count).for_each(|file| m.sample::<S>(file, invocation, sample));
                 }
                 Inst::Unless { test, to } => {
                     let word = match test {

@@ -4,15 +4,27 @@ use super::super::Invocation;
 use super::super::inst::{Reg, SampleInst, SampleLod};
 use super::Machine;
 use crate::ir::Access;
-use texunit::lanes::{F32s, LANES, U32s};
+use texunit::lanes::{F32s, LANES, Simd, U32s};
 use texunit::sample::{Lod, Points};
 
 impl Machine {
     /// Samples for a register file.
     #[inline(always)]
-    pub(super) fn sample(&mut self, file: usize, invocation: &Invocation<'_>, sample: &SampleInst) {
+    pub(super) fn sample<S: Simd>(
+        &mut self,
+        file: usize,
+        invocation: &Invocation<'_>,
+        sample: &SampleInst,
+    ) {
         let plan = invocation.textures.get(sample.texture as usize).and_then(Option::as_ref);
         let registers = &mut self.registers[file * self.file..];
+        if let (Access::Filter { offset: [0, 0, 0] }, Some(plan)) = (sample.access, plan) {
+            let [s, t, _] = sample.coords.map(|reg| reg.0 as usize);
+            let out = sample.out.map(|reg| reg.map(|reg| reg.0 as usize));
+            if plan.sample_registers::<S>(registers, [s, t], out).is_ok() {
+                return;
+            }
+        }
         let scratch = &mut self.lookup_scratch[file * self.scratch_stride];
         match plan.filter(|plan| plan.incomplete().is_none()) {
             Some(plan) => {

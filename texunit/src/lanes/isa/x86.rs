@@ -111,6 +111,7 @@ pub(in crate::lanes) struct Avx512;
 impl private::Sealed for Avx512 {}
 impl Simd for Avx512 {
     const WIDE: bool = true;
+    const SELECTS_FROM_ROWS: bool = true;
     #[inline(always)]
     fn outlined<K: Kernel>(kernel: K) -> K::Output {
         // SAFETY: this type is reached only through `run_avx512`.
@@ -126,6 +127,11 @@ impl Simd for Avx512 {
     fn gather_pairs_inline(bytes: &[u8], offsets: &U32s) -> [U32s; 2] {
         // SAFETY: this type is reached only through `run_avx512`.
         unsafe { gather::x86::avx512_pairs(bytes, offsets) }
+    }
+    #[inline(always)]
+    fn select_from_rows(bytes: &[u8], apart: usize, rows: u32, numbers: &U32s) -> U32s {
+        // SAFETY: this type is reached only through `run_avx512`.
+        unsafe { gather::rows::avx512(bytes, apart, rows, numbers) }
     }
     #[inline(always)]
     fn gather_fours(bytes: &[u8], offsets: &U32s) -> [U32s; 4] {

@@ -62,6 +62,39 @@ pub fn channels_of_texel<S: Simd>(
     }
 }
 
+/// One channel of 64 texels whose channels are bytes over 255.
+#[inline(always)]
+pub fn bytes_of_texel(channel: usize, words: &U32s, out: &mut F32s) {
+    match channel {
+        0 => map_words(words, out, byte::<0>),
+        1 => map_words(words, out, byte::<1>),
+        2 => map_words(words, out, byte::<2>),
+        _ => map_words(words, out, byte::<3>),
+    }
+}
+
+/// One channel of 64 texels of one word, of a class that colours have.
+#[inline(always)]
+pub fn channel_of_texel<S: Simd>(
+    class: TexelClass,
+    channels: usize,
+    channel: usize,
+    words: &U32s,
+    out: &mut F32s,
+) {
+    match class {
+        TexelClass::Srgb if channel + 1 < channels || channels % 2 == 1 => {
+            *out = S::lookup(&srgb::DECODE, words, 8 * channel as u32);
+        }
+        TexelClass::Bytes | TexelClass::Srgb => bytes_of_texel(channel, words, out),
+        TexelClass::Halves => match channel {
+            0 => map_words(words, out, half::<0>),
+            _ => map_words(words, out, half::<1>),
+        },
+        TexelClass::Floats | TexelClass::Depth { .. } => *out = *words.as_f32(),
+    }
+}
+
 /// The depths of 64 texels of one word, of a class that depths have.
 #[inline(always)]
 pub fn depths_of_texel(class: TexelClass, words: &U32s, out: &mut F32s) {

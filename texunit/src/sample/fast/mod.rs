@@ -14,7 +14,7 @@ mod quad_position;
 #[cfg(test)]
 mod tests;
 
-pub use channels::{channels_of_quad, channels_of_texel};
+pub use channels::{bytes_of_texel, channel_of_texel, channels_of_quad, channels_of_texel};
 pub use filter::{LinearCompared, linear, nearest, texels};
 pub use offsets::{add_offsets, word_offsets};
 pub use quad::{Addresses, QuadLoad, TexelQuad, load_quad};
