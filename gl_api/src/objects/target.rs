@@ -324,6 +324,11 @@ impl Dimensions {
         }
     }
 
+    /// The images that a call of so many dimensions works on, and proxies, by target.
+    pub fn images(self) -> &'static Table<ImageTarget> {
+        self.table()
+    }
+
     /// The image that `target` names, or a proxy.
     pub fn image(self, target: GLenum) -> Result<ImageTarget> {
         self.table().decode("target", target)

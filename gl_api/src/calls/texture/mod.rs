@@ -14,6 +14,8 @@ pub(crate) mod internal_format;
 pub(crate) mod level_request;
 pub(crate) mod mipmap;
 pub(crate) mod multisample;
+pub(crate) mod named;
+pub(crate) mod named_parameters;
 pub(crate) mod names;
 pub(crate) mod parameter;
 pub(crate) mod query;

@@ -28,6 +28,14 @@ pub(crate) fn gen_samplers(
     Ok(())
 }
 
+pub(crate) fn create_samplers(
+    context: &mut Context,
+    n: GLsizei,
+    samplers: &mut [GLuint],
+) -> Result<()> {
+    gen_samplers(context, n, samplers)
+}
+
 pub(crate) fn delete_samplers(
     context: &mut Context,
     n: GLsizei,
