@@ -316,17 +316,13 @@ pub(crate) enum Dimensions {
 impl Dimensions {
     const ALL: [Self; 3] = [Self::One, Self::Two, Self::Three];
 
-    fn table(self) -> &'static Table<ImageTarget> {
+    /// The images that calls of so many dimensions work on, and proxies.
+    pub fn table(self) -> &'static Table<ImageTarget> {
         match self {
             Self::One => &IMAGE_1D,
             Self::Two => &IMAGE_2D,
             Self::Three => &IMAGE_3D,
         }
-    }
-
-    /// The images that a call of so many dimensions works on, and proxies, by target.
-    pub fn images(self) -> &'static Table<ImageTarget> {
-        self.table()
     }
 
     /// The image that `target` names, or a proxy.

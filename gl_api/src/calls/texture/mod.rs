@@ -16,6 +16,7 @@ pub(crate) mod mipmap;
 pub(crate) mod multisample;
 pub(crate) mod named;
 pub(crate) mod named_parameters;
+pub(crate) mod named_storage;
 pub(crate) mod names;
 pub(crate) mod parameter;
 pub(crate) mod query;

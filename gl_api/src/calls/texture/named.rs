@@ -6,31 +6,23 @@ use crate::base::error::{Result, Table, invalid_value};
 use crate::base::query_value::put;
 use crate::base::types::*;
 use crate::calls::texture::bound::{ChosenImage, ChosenTexture, Faces};
-use crate::calls::texture::buffer::{attach_all, attach_range};
 use crate::calls::texture::compressed::{read_blocks, replace_blocks};
 use crate::calls::texture::copy::copy_to;
 use crate::calls::texture::get::read_level;
 use crate::calls::texture::get_sub::{TexelBox, read_blocks_of_box, read_box};
-use crate::calls::texture::level_request::Destination;
 use crate::calls::texture::mipmap::generate_all;
-use crate::calls::texture::multisample::{Arguments, Lifetime, specify_of};
 use crate::calls::texture::query::property_of_texture;
-use crate::calls::texture::storage::{STORAGE_1D, STORAGE_2D, STORAGE_3D, StorageRequest};
 use crate::calls::texture::sub::replace_box;
 use crate::context::Context;
 use crate::interface::MAX_COMBINED_TEXTURE_IMAGE_UNITS;
 use crate::objects::bound::Bound;
 use crate::objects::name_table::listed;
-use crate::objects::target::{
-    Dimensions, IMAGE_2D_MULTISAMPLE, IMAGE_3D_MULTISAMPLE, ImageTarget, TARGET, TextureTarget,
-};
+use crate::objects::target::{Dimensions, ImageTarget, TARGET, TextureTarget};
 use crate::objects::texture::Texture;
 
 const SECTION: &str = "ARB_direct_state_access, section 8.1";
 const IMAGES: &str = "ARB_direct_state_access, section 8.6";
-const BUFFERS: &str = "ARB_direct_state_access, section 8.9";
 const READING: &str = "ARB_direct_state_access, section 8.11";
-const STORAGE: &str = "ARB_direct_state_access, section 8.19";
 
 pub(crate) fn create_textures(
     context: &mut Context,
@@ -67,7 +59,7 @@ pub(crate) fn bind_texture_unit(context: &mut Context, unit: GLuint, name: GLuin
 }
 
 /// The texture of a name, whose target must be in the table of a call.
-fn of_table(
+pub(crate) fn of_table(
     context: &mut Context,
     (section, table): (&'static str, &Table<ImageTarget>),
     name: GLuint,
@@ -93,91 +85,8 @@ fn image(context: &mut Context, dimensions: Dimensions, name: GLuint) -> Result<
         (TextureTarget::Cube, Dimensions::One | Dimensions::Two) => {
             texture.wrong_target(IMAGES, "only calls of three dimensions take, its faces as layers")
         }
-        _ => Ok(of_table(context, (IMAGES, dimensions.images()), name)?.face(0)),
+        _ => Ok(of_table(context, (IMAGES, dimensions.table()), name)?.face(0)),
     }
-}
-
-fn storage(
-    context: &mut Context,
-    (table, name): (&Table<ImageTarget>, GLuint),
-    levels: GLsizei,
-    internal: GLenum,
-    size: [GLsizei; 3],
-) -> Result<()> {
-    let destination = Destination::Texture(of_table(context, (STORAGE, table), name)?);
-    StorageRequest::new(context, destination, levels, internal, size)?.apply(context)
-}
-
-pub(crate) fn texture_storage_1d(
-    context: &mut Context,
-    texture: GLuint,
-    levels: GLsizei,
-    internalformat: GLenum,
-    width: GLsizei,
-) -> Result<()> {
-    storage(context, (&STORAGE_1D, texture), levels, internalformat, [width, 1, 1])
-}
-
-pub(crate) fn texture_storage_2d(
-    context: &mut Context,
-    texture: GLuint,
-    levels: GLsizei,
-    internalformat: GLenum,
-    width: GLsizei,
-    height: GLsizei,
-) -> Result<()> {
-    storage(context, (&STORAGE_2D, texture), levels, internalformat, [width, height, 1])
-}
-
-pub(crate) fn texture_storage_3d(
-    context: &mut Context,
-    texture: GLuint,
-    levels: GLsizei,
-    internalformat: GLenum,
-    width: GLsizei,
-    height: GLsizei,
-    depth: GLsizei,
-) -> Result<()> {
-    storage(context, (&STORAGE_3D, texture), levels, internalformat, [width, height, depth])
-}
-
-fn storage_multisample(
-    context: &mut Context,
-    (table, name): (&Table<ImageTarget>, GLuint),
-    arguments: &Arguments,
-) -> Result<()> {
-    let destination = Destination::Texture(of_table(context, (STORAGE, table), name)?);
-    specify_of(context, &destination, arguments, Lifetime::Immutable)
-}
-
-pub(crate) fn texture_storage_2d_multisample(
-    context: &mut Context,
-    texture: GLuint,
-    samples: GLsizei,
-    internalformat: GLenum,
-    width: GLsizei,
-    height: GLsizei,
-    fixedsamplelocations: bool,
-) -> Result<()> {
-    let (size, fixed_locations) = ([width, height, 1], fixedsamplelocations);
-    let arguments = Arguments { samples, internal: internalformat, size, fixed_locations };
-    storage_multisample(context, (&IMAGE_2D_MULTISAMPLE, texture), &arguments)
-}
-
-#[expect(clippy::too_many_arguments, reason = "GL's signature")]
-pub(crate) fn texture_storage_3d_multisample(
-    context: &mut Context,
-    texture: GLuint,
-    samples: GLsizei,
-    internalformat: GLenum,
-    width: GLsizei,
-    height: GLsizei,
-    depth: GLsizei,
-    fixedsamplelocations: bool,
-) -> Result<()> {
-    let (size, fixed_locations) = ([width, height, depth], fixedsamplelocations);
-    let arguments = Arguments { samples, internal: internalformat, size, fixed_locations };
-    storage_multisample(context, (&IMAGE_3D_MULTISAMPLE, texture), &arguments)
 }
 
 #[expect(clippy::too_many_arguments, reason = "GL's signature")]
@@ -331,37 +240,6 @@ pub(crate) fn copy_texture_sub_image_3d(
 ) -> Result<()> {
     let image = image(context, Dimensions::Three, texture)?;
     copy_to(context, image, level, [xoffset, yoffset, zoffset], [x, y], [width, height])
-}
-
-/// The texture of a name, whose texels are a buffer's.
-fn of_buffer(context: &mut Context, name: GLuint) -> Result<ChosenTexture> {
-    let texture = ChosenTexture::named(context, name)?;
-    match texture.target == TextureTarget::Buffer {
-        true => Ok(texture),
-        false => texture.wrong_target(BUFFERS, "does not take its texels from a buffer"),
-    }
-}
-
-pub(crate) fn texture_buffer(
-    context: &mut Context,
-    texture: GLuint,
-    internalformat: GLenum,
-    buffer: GLuint,
-) -> Result<()> {
-    let texture = of_buffer(context, texture)?;
-    attach_all(context, &texture, internalformat, buffer)
-}
-
-pub(crate) fn texture_buffer_range(
-    context: &mut Context,
-    texture: GLuint,
-    internalformat: GLenum,
-    buffer: GLuint,
-    offset: GLintptr,
-    size: GLsizeiptr,
-) -> Result<()> {
-    let texture = of_buffer(context, texture)?;
-    attach_range(context, &texture, internalformat, buffer, (offset, size))
 }
 
 pub(crate) fn generate_texture_mipmap(context: &mut Context, texture: GLuint) -> Result<()> {

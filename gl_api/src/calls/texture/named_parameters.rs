@@ -4,7 +4,8 @@ use crate::base::error::Result;
 use crate::base::query_value::put;
 use crate::base::types::*;
 use crate::calls::texture::bound::ChosenTexture;
-use crate::calls::texture::parameter::{clamped, query_of, scalar, vector};
+use crate::calls::texture::parameter::{query_of, scalar, vector};
+use crate::calls::texture::samplers::clamped;
 use crate::context::Context;
 use crate::objects::sampler::{Answer, Values};
 

@@ -6,11 +6,12 @@ use crate::base::error::{Result, Table, invalid_enum, invalid_operation, invalid
 use crate::base::query_value::put;
 use crate::base::types::*;
 use crate::calls::texture::bound::ChosenTexture;
+use crate::calls::texture::samplers::clamped;
 use crate::context::Context;
 use crate::objects::sampler::{Answer, SAMPLER_PARAMETER, SamplerParameter, Values, needs_vector};
 use crate::objects::target::{TARGET, TextureTarget};
 use crate::objects::texture::{DepthStencilMode, Texture};
-use texunit::sampler::{Border, DepthMode, Swizzle};
+use texunit::sampler::{DepthMode, Swizzle};
 
 const SECTION: &str = "GL 2.1, section 3.8.4";
 
@@ -322,19 +323,6 @@ pub(crate) fn tex_parameter_i_uiv(
 ) -> Result<()> {
     let texture = bound(context, target)?;
     vector(context, &texture, pname, &Values::unsigned(params))
-}
-
-/// An answer as fractions are asked for: a border is clamped where fragments are
-/// (`ARB_color_buffer_float`, section 6.1.2).
-pub(crate) fn clamped(context: &Context, answer: Answer) -> Answer {
-    match answer {
-        Answer::Color(Border::Float(color)) => Answer::Color(Border::Float(
-            crate::draw::color_clamp::of_fragments(context).color(color),
-        )),
-        Answer::Color(Border::Sint(_) | Border::Uint(_))
-        | Answer::Numbers(_)
-        | Answer::Fraction(_) => answer,
-    }
 }
 
 fn get(texture: &Texture, parameter: Parameter) -> Answer {

@@ -2,7 +2,7 @@
 
 use crate::base::args::{Data, DataOut};
 use crate::base::types::*;
-use crate::calls::texture::{named, named_parameters, samplers};
+use crate::calls::texture::{named, named_parameters, named_storage, samplers};
 
 #[doc(hidden)]
 #[macro_export]
@@ -14,29 +14,6 @@ macro_rules! entry_points_named_textures {
             (target: GLenum, n: GLsizei, textures: &'a mut [GLuint]);
         /// Binds a texture to its target of a unit; 0 unbinds what is bound to any target.
         bind_texture_unit: glBindTextureUnit (unit: GLuint, texture: GLuint), not_compiled;
-        /// Gives a 1D texture all its levels for good.
-        texture_storage_1d: glTextureStorage1D
-            (texture: GLuint, levels: GLsizei, internalformat: GLenum, width: GLsizei), not_compiled;
-        /// Gives a 2D, rectangle, cube map or 1D array texture all its levels for good.
-        texture_storage_2d: glTextureStorage2D (
-            texture: GLuint, levels: GLsizei, internalformat: GLenum, width: GLsizei,
-            height: GLsizei
-        ), not_compiled;
-        /// Gives a 3D or 2D array texture all its levels for good.
-        texture_storage_3d: glTextureStorage3D (
-            texture: GLuint, levels: GLsizei, internalformat: GLenum, width: GLsizei,
-            height: GLsizei, depth: GLsizei
-        ), not_compiled;
-        /// Gives a texture an image with several samples a texel for good.
-        texture_storage_2d_multisample: glTextureStorage2DMultisample (
-            texture: GLuint, samples: GLsizei, internalformat: GLenum, width: GLsizei,
-            height: GLsizei, fixedsamplelocations: bool
-        ), not_compiled;
-        /// Gives a texture layers with several samples a texel for good.
-        texture_storage_3d_multisample: glTextureStorage3DMultisample (
-            texture: GLuint, samples: GLsizei, internalformat: GLenum, width: GLsizei,
-            height: GLsizei, depth: GLsizei, fixedsamplelocations: bool
-        ), not_compiled;
         /// Replaces a run of a level.
         texture_sub_image_1d: glTextureSubImage1D (
             texture: GLuint, level: GLint, xoffset: GLint, width: GLsizei, format: GLenum,
@@ -83,14 +60,6 @@ macro_rules! entry_points_named_textures {
             texture: GLuint, level: GLint, xoffset: GLint, yoffset: GLint, zoffset: GLint, x: GLint,
             y: GLint, width: GLsizei, height: GLsizei
         ), not_compiled;
-        /// Takes the texels of a texture from a buffer.
-        texture_buffer: glTextureBuffer
-            (texture: GLuint, internalformat: GLenum, buffer: GLuint), not_compiled;
-        /// Takes the texels of a texture from a part of a buffer.
-        texture_buffer_range: glTextureBufferRange (
-            texture: GLuint, internalformat: GLenum, buffer: GLuint, offset: GLintptr,
-            size: GLsizeiptr
-        ), not_compiled;
         /// Makes the smaller levels of a texture.
         generate_texture_mipmap: glGenerateTextureMipmap (texture: GLuint), not_compiled;
         /// Reads a level; the faces of a cube map are layers.
@@ -107,6 +76,39 @@ macro_rules! entry_points_named_textures {
         /// Reads what is known of a level; of a cube map, of its first face.
         get_texture_level_parameteriv: glGetTextureLevelParameteriv
             (texture: GLuint, level: GLint, pname: GLenum, params: &'a mut [GLint]);
+    }
+    Refused in named_storage {
+        /// Gives a 1D texture all its levels for good.
+        texture_storage_1d: glTextureStorage1D
+            (texture: GLuint, levels: GLsizei, internalformat: GLenum, width: GLsizei), not_compiled;
+        /// Gives a 2D, rectangle, cube map or 1D array texture all its levels for good.
+        texture_storage_2d: glTextureStorage2D (
+            texture: GLuint, levels: GLsizei, internalformat: GLenum, width: GLsizei,
+            height: GLsizei
+        ), not_compiled;
+        /// Gives a 3D or 2D array texture all its levels for good.
+        texture_storage_3d: glTextureStorage3D (
+            texture: GLuint, levels: GLsizei, internalformat: GLenum, width: GLsizei,
+            height: GLsizei, depth: GLsizei
+        ), not_compiled;
+        /// Gives a texture an image with several samples a texel for good.
+        texture_storage_2d_multisample: glTextureStorage2DMultisample (
+            texture: GLuint, samples: GLsizei, internalformat: GLenum, width: GLsizei,
+            height: GLsizei, fixedsamplelocations: bool
+        ), not_compiled;
+        /// Gives a texture layers with several samples a texel for good.
+        texture_storage_3d_multisample: glTextureStorage3DMultisample (
+            texture: GLuint, samples: GLsizei, internalformat: GLenum, width: GLsizei,
+            height: GLsizei, depth: GLsizei, fixedsamplelocations: bool
+        ), not_compiled;
+        /// Takes the texels of a texture from a buffer.
+        texture_buffer: glTextureBuffer
+            (texture: GLuint, internalformat: GLenum, buffer: GLuint), not_compiled;
+        /// Takes the texels of a texture from a part of a buffer.
+        texture_buffer_range: glTextureBufferRange (
+            texture: GLuint, internalformat: GLenum, buffer: GLuint, offset: GLintptr,
+            size: GLsizeiptr
+        ), not_compiled;
     }
     Refused in named_parameters {
         /// Sets a parameter of a texture.
