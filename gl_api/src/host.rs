@@ -61,6 +61,8 @@ pub mod limits {
     pub const MAX_LOGGED: usize = context::log::MAX_LOGGED;
     /// Bytes of a message with its final zero.
     pub const MAX_LENGTH: usize = context::log::MAX_LENGTH;
+    /// Binding points of vertex buffers.
+    pub const MAX_VERTEX_BUFFERS: usize = crate::base::limits::MAX_VERTEX_ATTRIB_BINDINGS;
     /// Viewports.
     pub const MAX_VIEWPORTS: usize = rasterizer::driver::MAX_VIEWPORTS;
     /// The order of an evaluator's map.

@@ -4,6 +4,8 @@
 //! (`LENGTHS` is generated from it). Where it only names a formula (`COMPSIZE(pname)`), the formula
 //! stands here; a new entry point whose formula is missing does not compile.
 
+mod named;
+
 use super::param::{Counted, TERMINATED};
 use gl_api::constants::*;
 use gl_api::host::limits::{
@@ -140,11 +142,11 @@ const fn registry(command: &str) -> &'static [Length] {
     panic!("an entry point that is not in the Khronos registry")
 }
 
-const fn overridden(command: &str, parameter: usize) -> Option<Rule> {
+const fn overridden(rows: &[(&str, usize, Rule)], command: &str, parameter: usize) -> Option<Rule> {
     let mut at = 0;
-    while at < OVERRIDES.len() {
-        if OVERRIDES[at].1 == parameter && same(OVERRIDES[at].0, command) {
-            return Some(OVERRIDES[at].2);
+    while at < rows.len() {
+        if rows[at].1 == parameter && same(rows[at].0, command) {
+            return Some(rows[at].2);
         }
         at += 1;
     }
@@ -239,7 +241,11 @@ pub(crate) const fn rules<const N: usize>(
     let mut rules = [Rule::None; N];
     let mut at = 0;
     while at < N {
-        rules[at] = match (counted[at], overridden(first, at)) {
+        let rule_of_row = match overridden(OVERRIDES, first, at) {
+            None => overridden(named::OVERRIDES, first, at),
+            found => found,
+        };
+        rules[at] = match (counted[at], rule_of_row) {
             (Counted::No, _) => Rule::None,
             (Counted::Elements | Counted::Text, Some(rule)) => rule,
             (Counted::Elements, None) => {

@@ -45,6 +45,8 @@ enum Labelled {
     VertexArray,
     Sampler,
     Query,
+    ProgramPipeline,
+    TransformFeedback,
     List,
 }
 
@@ -60,6 +62,8 @@ const IDENTIFIER: Table<Labelled> = Table {
         (GL_VERTEX_ARRAY, Labelled::VertexArray),
         (GL_SAMPLER, Labelled::Sampler),
         (GL_QUERY, Labelled::Query),
+        (GL_PROGRAM_PIPELINE, Labelled::ProgramPipeline),
+        (GL_TRANSFORM_FEEDBACK, Labelled::TransformFeedback),
         (GL_DISPLAY_LIST, Labelled::List),
     ],
 };
@@ -246,6 +250,8 @@ fn exists(context: &Context, identifier: GLenum, name: GLuint) -> Result<()> {
         Labelled::VertexArray => objects.vertex_arrays.get(name).is_some(),
         Labelled::Sampler => objects.shared.samplers.get(name).is_some(),
         Labelled::Query => objects.queries.get(name).is_some(),
+        Labelled::ProgramPipeline => objects.pipelines.named.get(name).is_some(),
+        Labelled::TransformFeedback => context.transform_feedback_objects.named.get(name).is_some(),
         Labelled::List => objects.shared.lists.contains(name),
     };
     if exists {

@@ -17,6 +17,7 @@
 //! `buffer/map.rs` (a request that borrows its object).
 
 pub(crate) mod buffer;
+pub(crate) mod captured_buffers;
 pub(crate) mod color_index;
 pub(crate) mod debug;
 pub(crate) mod dispatch;

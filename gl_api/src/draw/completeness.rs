@@ -317,7 +317,12 @@ pub(crate) fn checked_drawable(context: &Context) -> Result<()> {
 
 /// Which of depth and stencil the draw framebuffer has.
 pub(crate) fn draw_planes(context: &Context) -> Planes {
-    match context.objects.framebuffers.get(context.state.bindings.draw_framebuffer) {
+    draw_planes_of(context, context.state.bindings.draw_framebuffer)
+}
+
+/// Which of depth and stencil a framebuffer has.
+pub(crate) fn draw_planes_of(context: &Context, name: GLuint) -> Planes {
+    match context.objects.framebuffers.get(name) {
         Some(object) => Planes { depth: object.depth.is_some(), stencil: object.stencil.is_some() },
         None => context.window.planes,
     }
@@ -351,8 +356,12 @@ pub(crate) fn draws_integers(context: &Context) -> bool {
 /// # Errors
 /// `GL_INVALID_FRAMEBUFFER_OPERATION` where it is incomplete.
 pub(crate) fn draw_pass(context: &Context) -> Result<PassDesc> {
-    checked_drawable(context)?;
-    let name = context.state.bindings.draw_framebuffer;
+    draw_pass_of(context, context.state.bindings.draw_framebuffer)
+}
+
+/// [`draw_pass`] of a framebuffer that need not be bound.
+pub(crate) fn draw_pass_of(context: &Context, name: GLuint) -> Result<PassDesc> {
+    checked_complete(context, name)?;
     let Some(object) = context.objects.framebuffers.get(name) else {
         let window = &context.window;
         let color =
@@ -387,7 +396,15 @@ pub(crate) fn draw_pass(context: &Context) -> Result<PassDesc> {
 
 /// The image that is read from, if there is one.
 pub(crate) fn read_attachment(context: &Context, aspect: Aspect) -> Result<Option<Attachment>> {
-    let name = context.state.bindings.read_framebuffer;
+    read_attachment_of(context, context.state.bindings.read_framebuffer, aspect)
+}
+
+/// [`read_attachment`] of a framebuffer that need not be bound.
+pub(crate) fn read_attachment_of(
+    context: &Context,
+    name: GLuint,
+    aspect: Aspect,
+) -> Result<Option<Attachment>> {
     checked_complete(context, name)?;
     let Some(object) = context.objects.framebuffers.get(name) else {
         let window = context.read_window();
@@ -423,9 +440,9 @@ pub(crate) fn samples(context: &Context, name: GLuint) -> u8 {
     if samples > 1 { samples } else { 0 }
 }
 
-/// [`samples`] of the read framebuffer.
-pub(crate) fn read_samples(context: &Context) -> u8 {
-    match (context.state.bindings.read_framebuffer, &context.read_window) {
+/// [`samples`] of a framebuffer that is read from.
+pub(crate) fn read_samples(context: &Context, name: GLuint) -> u8 {
+    match (name, &context.read_window) {
         (0, Some(window)) if window.color.samples() > 1 => window.color.samples(),
         (0, Some(_)) => 0,
         (name, _) => samples(context, name),

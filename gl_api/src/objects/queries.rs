@@ -58,14 +58,19 @@ pub(crate) struct ActiveQueries {
 }
 
 impl Query {
+    /// One that has counted nothing.
+    pub(crate) fn new(target: QueryTarget) -> Self {
+        Self { target, counter: Counter::new(), primitives: 0, began: None, nanoseconds: 0 }
+    }
+
     /// What it counts.
     pub fn target(&self) -> QueryTarget {
         self.target
     }
 
     /// GL's name of the target.
-    pub(crate) fn target_name(&self) -> String {
-        enum_name(match self.target {
+    pub(crate) fn target_name(&self) -> GLenum {
+        match self.target {
             QueryTarget::Timestamp => GL_TIMESTAMP,
             target @ (QueryTarget::SamplesPassed
             | QueryTarget::AnySamplesPassed
@@ -73,7 +78,7 @@ impl Query {
             | QueryTarget::TimeElapsed
             | QueryTarget::PrimitivesGenerated
             | QueryTarget::TransformFeedbackPrimitivesWritten) => TARGET.encode(target),
-        })
+        }
     }
 
     /// Samples that passed, of the draws that were submitted.

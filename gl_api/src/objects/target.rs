@@ -316,7 +316,8 @@ pub(crate) enum Dimensions {
 impl Dimensions {
     const ALL: [Self; 3] = [Self::One, Self::Two, Self::Three];
 
-    fn table(self) -> &'static Table<ImageTarget> {
+    /// The images that calls of so many dimensions work on, and proxies.
+    pub fn table(self) -> &'static Table<ImageTarget> {
         match self {
             Self::One => &IMAGE_1D,
             Self::Two => &IMAGE_2D,

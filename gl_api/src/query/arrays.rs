@@ -2,12 +2,12 @@
 //! [`crate::query::state`].
 
 use crate::base::constants::*;
-use crate::base::error::{Result, Table, invalid_operation};
+use crate::base::error::{Result, Table, invalid_enum, invalid_operation};
 use crate::base::query_value::put;
 use crate::base::types::*;
 use crate::context::Context;
 use crate::interface::*;
-use crate::objects::arrays::{ANY_TYPE, Array, Source, generic};
+use crate::objects::arrays::{ANY_TYPE, Array, Arrays, Source, generic};
 use rasterizer::driver::VertexFormat;
 
 /// The name of the buffer object that an array lies in, or 0.
@@ -109,7 +109,6 @@ impl Answer {
 pub(crate) fn property(context: &Context, index: GLuint, pname: GLenum) -> Result<Answer> {
     let location = usize::from(generic(index)?);
     let property = PROPERTY.decode("pname", pname)?;
-    let array = &context.state.arrays.by_location[location];
     // Only where glVertex is, the first attribute is no attribute as others.
     let is_position = location == 0 && context.profile.is_compatibility();
     if property == Property::Current && is_position {
@@ -118,7 +117,16 @@ pub(crate) fn property(context: &Context, index: GLuint, pname: GLenum) -> Resul
             "index = 0 has no current value: it is the position",
         );
     }
-    Ok(Answer::Number(match property {
+    Ok(match number(&context.state.arrays, location, property) {
+        Some(number) => Answer::Number(number),
+        None => Answer::Current(context.state.current[location]),
+    })
+}
+
+/// What a property of an attribute's array is; `None` of the current value, which is no array's.
+fn number(arrays: &Arrays, location: usize, property: Property) -> Option<f64> {
+    let array = &arrays.by_location[location];
+    Some(match property {
         Property::Enabled => u8::from(array.enabled).into(),
         Property::Size => array.given_size() as f64,
         Property::Stride => array.stride as f64,
@@ -135,12 +143,26 @@ pub(crate) fn property(context: &Context, index: GLuint, pname: GLenum) -> Resul
         Property::Integer => u8::from(array.format == VertexFormat::Integer).into(),
         Property::Divisor => array.divisor.into(),
         Property::Buffer => buffer(array).into(),
-        Property::Binding => context.state.arrays.attributes[location].binding.into(),
-        Property::RelativeOffset => {
-            context.state.arrays.attributes[location].relative_offset as f64
-        }
-        Property::Current => return Ok(Answer::Current(context.state.current[location])),
-    }))
+        Property::Binding => arrays.attributes[location].binding.into(),
+        Property::RelativeOffset => arrays.attributes[location].relative_offset as f64,
+        Property::Current => return None,
+    })
+}
+
+/// What `glGetVertexArrayIndexediv` answers of an attribute (`ARB_direct_state_access`, section 10.5).
+pub(crate) fn array_property(arrays: &Arrays, index: GLuint, pname: GLenum) -> Result<f64> {
+    const SECTION: &str = "ARB_direct_state_access, section 10.5";
+    let location = usize::from(generic(index)?);
+    let refuse = || {
+        invalid_enum(
+            SECTION,
+            format!("pname = {} is none of an attribute's array", enum_name(pname)),
+        )
+    };
+    match PROPERTY.get(pname) {
+        None | Some(Property::Current | Property::Buffer | Property::Binding) => refuse(),
+        Some(property) => number(arrays, location, property).map_or_else(refuse, Ok),
+    }
 }
 
 pub(crate) fn get_vertex_attribfv(

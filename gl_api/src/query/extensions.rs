@@ -220,6 +220,7 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     // 2014
     "GL_ARB_clip_control",
     "GL_ARB_cull_distance",
+    "GL_ARB_direct_state_access",
     "GL_ARB_get_texture_sub_image",
     "GL_EXT_polygon_offset_clamp",
     // 2017

@@ -2,7 +2,7 @@
 //! a word of the sample mask (`ARB_texture_multisample`).
 
 use crate::base::constants::*;
-use crate::base::error::{Result, invalid_enum};
+use crate::base::error::{Result, invalid_enum, invalid_value};
 use crate::base::query_value::{
     QueryValue, flag, floats, put, put_bools, put_doubles, put_floats, put_ints, put_longs,
 };
@@ -14,8 +14,10 @@ use crate::calls::transform::viewport_arrays::viewport_index;
 use crate::calls::vertex::bindings::binding_point;
 use crate::context::Context;
 use crate::objects::arrays::VertexBufferBinding;
+use crate::objects::target::TextureTarget;
 use crate::state::blend::Formula;
 use crate::state::draw_buffers::{BufferState, buffer_index};
+use crate::state::texture_units::Unit;
 use Read::{Flag, Flags, Number, Value};
 
 /// Where an indexed value is, and its type.
@@ -76,11 +78,43 @@ const ROWS: &[(GLenum, Read)] = &[
     (GL_UNIFORM_BUFFER_BINDING, Number(|c, i| name(c, Numbered::Uniform, i))),
     (GL_UNIFORM_BUFFER_START, Number(|c, i| start(c, Numbered::Uniform, i))),
     (GL_UNIFORM_BUFFER_SIZE, Number(|c, i| size(c, Numbered::Uniform, i))),
+    (GL_SAMPLER_BINDING, Number(|c, i| Ok(unit(c, i)?.sampler.name().into()))),
+    (GL_TEXTURE_BINDING_1D, Number(|c, i| texture(c, i, TextureTarget::D1))),
+    (GL_TEXTURE_BINDING_1D_ARRAY, Number(|c, i| texture(c, i, TextureTarget::D1Array))),
+    (GL_TEXTURE_BINDING_2D, Number(|c, i| texture(c, i, TextureTarget::D2))),
+    (GL_TEXTURE_BINDING_2D_ARRAY, Number(|c, i| texture(c, i, TextureTarget::D2Array))),
+    (GL_TEXTURE_BINDING_2D_MULTISAMPLE, Number(|c, i| texture(c, i, TextureTarget::D2Multisample))),
+    (
+        GL_TEXTURE_BINDING_2D_MULTISAMPLE_ARRAY,
+        Number(|c, i| texture(c, i, TextureTarget::D2MultisampleArray)),
+    ),
+    (GL_TEXTURE_BINDING_3D, Number(|c, i| texture(c, i, TextureTarget::D3))),
+    (GL_TEXTURE_BINDING_BUFFER, Number(|c, i| texture(c, i, TextureTarget::Buffer))),
+    (GL_TEXTURE_BINDING_CUBE_MAP, Number(|c, i| texture(c, i, TextureTarget::Cube))),
+    (GL_TEXTURE_BINDING_CUBE_MAP_ARRAY, Number(|c, i| texture(c, i, TextureTarget::CubeArray))),
+    (GL_TEXTURE_BINDING_RECTANGLE, Number(|c, i| texture(c, i, TextureTarget::Rect))),
     (GL_VERTEX_BINDING_OFFSET, Number(|c, i| Ok(vertex_buffer(c, i)?.offset as GLint64))),
     (GL_VERTEX_BINDING_STRIDE, Number(|c, i| Ok(vertex_buffer(c, i)?.stride as GLint64))),
     (GL_VERTEX_BINDING_DIVISOR, Number(|c, i| Ok(vertex_buffer(c, i)?.divisor.into()))),
     (GL_VERTEX_BINDING_BUFFER, Number(|c, i| Ok(vertex_buffer(c, i)?.buffer.name().into()))),
 ];
+
+/// A texture unit (`ARB_direct_state_access`, section 22.5).
+fn unit(context: &Context, index: GLuint) -> Result<&Unit> {
+    let units = &context.state.units.units;
+    match units.get(index as usize) {
+        Some(unit) => Ok(unit),
+        None => invalid_value(
+            "ARB_direct_state_access, section 22.5",
+            format!("index = {index} must be below {}, the number of texture units", units.len()),
+        ),
+    }
+}
+
+/// The texture that is bound to a target of a unit.
+fn texture(context: &Context, index: GLuint, target: TextureTarget) -> Result<GLint64> {
+    Ok(unit(context, index)?.bound[target as usize].name().into())
+}
 
 fn vertex_buffer(context: &Context, index: GLuint) -> Result<&VertexBufferBinding> {
     Ok(&context.state.arrays.bindings[usize::from(binding_point(index)?)])
@@ -135,7 +169,7 @@ fn indexed_state(context: &Context, target: GLenum, index: GLuint) -> Result<Ind
                 format!(
                     "target = {} must be GL_BLEND, GL_BLEND_SRC_RGB or another part of a blend \
                      formula, GL_COLOR_WRITEMASK, GL_SAMPLE_MASK_VALUE, GL_VIEWPORT, GL_DEPTH_RANGE, \
-                     GL_SCISSOR_BOX, GL_SCISSOR_TEST, a vertex buffer or an indexed buffer",
+                     GL_SCISSOR_BOX, GL_SCISSOR_TEST, a vertex buffer, an indexed buffer or what is bound to a texture unit",
                     enum_name(target)
                 ),
             );

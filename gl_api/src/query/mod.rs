@@ -9,3 +9,4 @@ pub(crate) mod get;
 pub(crate) mod indexed;
 pub(crate) mod pointers;
 pub(crate) mod state;
+pub(crate) mod vertex_array_objects;

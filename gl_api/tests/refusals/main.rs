@@ -10,6 +10,7 @@ mod basic;
 mod blends;
 mod buffer_textures;
 mod coverage;
+mod direct_state;
 mod fixed;
 mod fragments;
 mod framebuffers;
@@ -68,6 +69,7 @@ fn each_refusal_sets_its_flag_says_why_and_changes_nothing_and_each_call_has_one
         assembly::run,
         basic::run,
         buffer_textures::run,
+        direct_state::run,
         blends::run,
         fixed::run,
         fragments::run,

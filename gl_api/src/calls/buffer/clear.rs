@@ -7,6 +7,7 @@ use crate::base::types::*;
 use crate::calls::buffer::data::binding;
 use crate::calls::texture::specify::kinds_match;
 use crate::context::Context;
+use crate::objects::bound::Bound;
 use crate::objects::buffers::{BUFFER_TARGET, range};
 use crate::pixel::client::Pixel;
 use crate::pixel::formats;
@@ -14,24 +15,29 @@ use crate::pixel::one_texel::one_texel;
 
 const SECTION: &str = "ARB_clear_buffer_object, section 2.9.X";
 
+/// The buffer that is bound to a target.
+fn bound(context: &mut Context, target: GLenum) -> Result<Bound> {
+    let bound = binding(context, BUFFER_TARGET.decode("target", target)?).clone();
+    match context.objects.shared.buffers.bound(&bound) {
+        Some(_) => Ok(bound),
+        None => invalid_value(
+            SECTION,
+            format!("no buffer is bound to {}: call glBindBuffer", enum_name(target)),
+        ),
+    }
+}
+
 /// Clears a range, or the whole buffer.
-fn clear(
+pub(crate) fn clear(
     context: &mut Context,
-    (target, internal): (GLenum, GLenum),
+    (bound, internal): (&Bound, GLenum),
     part: Option<(GLintptr, GLsizeiptr)>,
     (format, ty): (GLenum, GLenum),
     data: Data<'_>,
 ) -> Result<()> {
-    let bound = binding(context, BUFFER_TARGET.decode("target", target)?).clone();
     let isa = context.recorder.isa();
     let (recorder, shared) = (&mut context.recorder, &mut context.objects.shared);
-    let Some(object) = shared.buffers.bound_mut(&bound) else {
-        let target = enum_name(target);
-        return invalid_value(
-            SECTION,
-            format!("no buffer is bound to {target}: call glBindBuffer"),
-        );
-    };
+    let Some(object) = shared.buffers.bound_mut(bound) else { return Ok(()) };
     let row = formats::find(internal).filter(|format| format.is_for_texel_buffers());
     let Some(stored) = row.map(|format| format.stored) else {
         let internal = enum_name(internal);
@@ -85,7 +91,8 @@ pub(crate) fn clear_buffer_data(
     ty: GLenum,
     data: Data<'_>,
 ) -> Result<()> {
-    clear(context, (target, internalformat), None, (format, ty), data)
+    let buffer = bound(context, target)?;
+    clear(context, (&buffer, internalformat), None, (format, ty), data)
 }
 
 #[expect(clippy::too_many_arguments, reason = "GL's signature")]
@@ -99,5 +106,6 @@ pub(crate) fn clear_buffer_sub_data(
     ty: GLenum,
     data: Data<'_>,
 ) -> Result<()> {
-    clear(context, (target, internalformat), Some((offset, size)), (format, ty), data)
+    let buffer = bound(context, target)?;
+    clear(context, (&buffer, internalformat), Some((offset, size)), (format, ty), data)
 }

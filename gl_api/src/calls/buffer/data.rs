@@ -50,30 +50,51 @@ pub(crate) fn binding(context: &mut Context, target: BufferTarget) -> &mut Bound
 }
 
 /// The buffer that is bound to a target.
-pub(crate) fn bound(context: &mut Context, target: GLenum) -> Result<&mut BufferObject> {
-    Ok(with_recorder(context, target)?.0)
-}
-
-/// The buffer that is bound to a target and not mapped, and what is told of writes to it.
-pub(crate) fn writable(
-    context: &mut Context,
-    target: GLenum,
-) -> Result<(&mut BufferObject, &mut Recorder)> {
-    let (object, recorder) = with_recorder(context, target)?;
-    Ok((unmapped(object)?, recorder))
-}
-
-pub(crate) fn with_recorder(
-    context: &mut Context,
-    target: GLenum,
-) -> Result<(&mut BufferObject, &mut Recorder)> {
+pub(crate) fn bound(context: &mut Context, target: GLenum) -> Result<Bound> {
     let bound = binding(context, BUFFER_TARGET.decode("target", target)?).clone();
-    match context.objects.shared.buffers.bound_mut(&bound) {
-        Some(object) => Ok((object, &mut context.recorder)),
+    match context.objects.shared.buffers.bound(&bound) {
+        Some(_) => Ok(bound),
         None => invalid_operation(
             SECTION,
             format!("no buffer is bound to {}: call glBindBuffer", enum_name(target)),
         ),
+    }
+}
+
+/// The buffer of a name (`ARB_direct_state_access`).
+///
+/// # Errors
+/// `GL_INVALID_OPERATION` for a name that no buffer has.
+pub(crate) fn named(context: &mut Context, argument: &str, name: GLuint) -> Result<Bound> {
+    let buffers = &mut context.objects.shared.buffers;
+    match buffers.get(name) {
+        Some(_) => Ok(buffers.hold(name)),
+        None => invalid_operation(
+            "ARB_direct_state_access, section 6.2",
+            format!(
+                "{argument} = {name} is no buffer: glCreateBuffers makes some, and so does binding a name once"
+            ),
+        ),
+    }
+}
+
+/// A buffer that is not mapped, and what is told of writes to it.
+pub(crate) fn writable<'a>(
+    context: &'a mut Context,
+    buffer: &Bound,
+) -> Result<(&'a mut BufferObject, &'a mut Recorder)> {
+    let (object, recorder) = with_recorder(context, buffer)?;
+    Ok((unmapped(object)?, recorder))
+}
+
+/// A buffer, and what is told of writes to it.
+pub(crate) fn with_recorder<'a>(
+    context: &'a mut Context,
+    buffer: &Bound,
+) -> Result<(&'a mut BufferObject, &'a mut Recorder)> {
+    match context.objects.shared.buffers.bound_mut(buffer) {
+        Some(object) => Ok((object, &mut context.recorder)),
+        None => invalid_operation(SECTION, "there is no such buffer: call glBindBuffer"),
     }
 }
 
@@ -222,7 +243,19 @@ pub(crate) fn buffer_data(
     data: Data<'_>,
     usage: GLenum,
 ) -> Result<()> {
-    BufferDataRequest::new(with_recorder(context, target)?, size, data, usage)?.apply()?;
+    let buffer = bound(context, target)?;
+    set_data(context, &buffer, size, data, usage)
+}
+
+/// Gives a buffer its bytes.
+pub(crate) fn set_data(
+    context: &mut Context,
+    buffer: &Bound,
+    size: GLsizeiptr,
+    data: Data<'_>,
+    usage: GLenum,
+) -> Result<()> {
+    BufferDataRequest::new(with_recorder(context, buffer)?, size, data, usage)?.apply()?;
     Ok(())
 }
 
@@ -233,7 +266,18 @@ pub(crate) fn buffer_sub_data(
     size: GLsizeiptr,
     data: Data<'_>,
 ) -> Result<()> {
-    let (object, recorder) = writable(context, target)?;
+    let buffer = bound(context, target)?;
+    replace_data(context, &buffer, (offset, size), data)
+}
+
+/// Replaces some bytes of a buffer.
+pub(crate) fn replace_data(
+    context: &mut Context,
+    buffer: &Bound,
+    (offset, size): (GLintptr, GLsizeiptr),
+    data: Data<'_>,
+) -> Result<()> {
+    let (object, recorder) = writable(context, buffer)?;
     let range = range(object, offset, size)?;
     if object.storage.is_some_and(|flags| flags & GL_DYNAMIC_STORAGE_BIT == 0) {
         return invalid_operation(
@@ -262,7 +306,18 @@ pub(crate) fn get_buffer_sub_data(
     size: GLsizeiptr,
     data: DataOut<'_>,
 ) -> Result<()> {
-    let (object, recorder) = with_recorder(context, target)?;
+    let buffer = bound(context, target)?;
+    read_data(context, &buffer, (offset, size), data)
+}
+
+/// Reads some bytes of a buffer.
+pub(crate) fn read_data(
+    context: &mut Context,
+    buffer: &Bound,
+    (offset, size): (GLintptr, GLsizeiptr),
+    data: DataOut<'_>,
+) -> Result<()> {
+    let (object, recorder) = with_recorder(context, buffer)?;
     let object = unmapped(object)?;
     let range = range(object, offset, size)?;
     object.take_client_writes(recorder);
@@ -277,10 +332,21 @@ pub(crate) fn get_buffer_sub_data(
     }
 }
 
-/// Gives the bound buffer its bytes for good, and says what may be done with them (`ARB_buffer_storage`).
 pub(crate) fn buffer_storage(
     context: &mut Context,
     target: GLenum,
+    size: GLsizeiptr,
+    data: Data<'_>,
+    flags: GLbitfield,
+) -> Result<()> {
+    let buffer = bound(context, target)?;
+    set_storage(context, &buffer, size, data, flags)
+}
+
+/// Gives a buffer its bytes for good, and says what may be done with them (`ARB_buffer_storage`).
+pub(crate) fn set_storage(
+    context: &mut Context,
+    buffer: &Bound,
     size: GLsizeiptr,
     data: Data<'_>,
     flags: GLbitfield,
@@ -291,7 +357,7 @@ pub(crate) fn buffer_storage(
         | GL_MAP_COHERENT_BIT
         | GL_DYNAMIC_STORAGE_BIT
         | GL_CLIENT_STORAGE_BIT;
-    let bound = with_recorder(context, target)?;
+    let bound = with_recorder(context, buffer)?;
     let has = |bits| flags & bits != 0;
     if size <= 0 {
         return invalid_value(STORAGE, format!("size = {size} must be above 0"));

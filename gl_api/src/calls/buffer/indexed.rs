@@ -2,10 +2,13 @@
 
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_value};
-use crate::base::limits::UNIFORM_BUFFER_OFFSET_ALIGNMENT;
+use crate::base::limits::{
+    MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS, UNIFORM_BUFFER_OFFSET_ALIGNMENT,
+};
 use crate::base::types::*;
 use crate::calls::transform_feedback::not_while_begun;
 use crate::context::Context;
+use crate::objects::bound::Bound;
 use crate::objects::buffers::{BufferRange, BufferTarget};
 
 const SECTION: &str = "GL 3.1, section 2.9.1";
@@ -87,8 +90,7 @@ struct BindRequest {
 
 impl BindRequest {
     fn new(
-        context: &Context,
-        numbered: Numbered,
+        (numbered, count): (Numbered, usize),
         index: GLuint,
         buffer: GLuint,
         [offset, size]: [Option<i64>; 2],
@@ -99,15 +101,11 @@ impl BindRequest {
         let offset = given(offset).map(|offset| multiple("offset", offset, 0, of_offset));
         let offset = offset.transpose()?.unwrap_or(0);
         let size = given(size).map(|size| multiple("size", size, of_size as i64, of_size));
-        let (size, index, count) =
-            (size.transpose()?, index as usize, numbered.ranges(context).len());
+        let (size, index) = (size.transpose()?, index as usize);
         if index >= count {
             let limit = numbered.limit();
             let rule = format!("index = {index} must be below {limit}, {count}");
             return invalid_value(SECTION, rule);
-        }
-        if numbered == Numbered::TransformFeedback {
-            not_while_begun(context)?;
         }
         Ok(Self { numbered, index, buffer, offset, size })
     }
@@ -128,8 +126,25 @@ fn bind(
     range: [Option<i64>; 2],
 ) -> Result<()> {
     let numbered = Numbered::TARGET.decode("target", target)?;
-    BindRequest::new(context, numbered, index, buffer, range)?.apply(context);
+    let count = numbered.ranges(context).len();
+    let request = BindRequest::new((numbered, count), index, buffer, range)?;
+    if numbered == Numbered::TransformFeedback {
+        not_while_begun(context)?;
+    }
+    request.apply(context);
     Ok(())
+}
+
+/// Checks a range of a buffer for a transform feedback object; the binding point's number, and the range.
+pub(crate) fn captured_range(
+    index: GLuint,
+    buffer: &Bound,
+    range: [Option<i64>; 2],
+) -> Result<(usize, BufferRange)> {
+    let points = (Numbered::TransformFeedback, MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS);
+    let BindRequest { index, offset, size, .. } =
+        BindRequest::new(points, index, buffer.name(), range)?;
+    Ok((index, BufferRange { buffer: buffer.clone(), offset, size }))
 }
 
 pub(crate) fn bind_buffer_range(

@@ -51,7 +51,17 @@ pub(crate) fn map_buffer(
     target: GLenum,
     access: GLenum,
 ) -> Result<*mut GLvoid> {
-    let (object, recorder) = with_recorder(context, target)?;
+    let buffer = bound(context, target)?;
+    map_all(context, &buffer, access)
+}
+
+/// Maps all bytes of a buffer.
+pub(crate) fn map_all(
+    context: &mut Context,
+    buffer: &Bound,
+    access: GLenum,
+) -> Result<*mut GLvoid> {
+    let (object, recorder) = with_recorder(context, buffer)?;
     let access = ACCESS.decode("access", access)?;
     let object = never_mapped(object)?;
     check_storage(object, access)?;
@@ -110,6 +120,17 @@ pub(crate) fn map_buffer_range(
     length: GLsizeiptr,
     access: GLbitfield,
 ) -> Result<*mut GLvoid> {
+    let buffer = bound(context, target)?;
+    map_range(context, &buffer, (offset, length), access)
+}
+
+/// Maps some bytes of a buffer.
+pub(crate) fn map_range(
+    context: &mut Context,
+    buffer: &Bound,
+    (offset, length): (GLintptr, GLsizeiptr),
+    access: GLbitfield,
+) -> Result<*mut GLvoid> {
     const ALL: GLbitfield = GL_MAP_READ_BIT
         | GL_MAP_WRITE_BIT
         | GL_MAP_INVALIDATE_RANGE_BIT
@@ -118,7 +139,7 @@ pub(crate) fn map_buffer_range(
         | GL_MAP_UNSYNCHRONIZED_BIT
         | GL_MAP_PERSISTENT_BIT
         | GL_MAP_COHERENT_BIT;
-    let (object, recorder) = with_recorder(context, target)?;
+    let (object, recorder) = with_recorder(context, buffer)?;
     let range = range(object, offset, length)?;
     if access & !ALL != 0 {
         return invalid_value(
@@ -136,8 +157,7 @@ pub(crate) fn map_buffer_range(
     }
     let pointer = MapRequest { object, recorder, range, access }.apply()?;
     if access & GL_MAP_PERSISTENT_BIT != 0 {
-        let name = binding_of(context, target).map_or(0, |bound| bound.name());
-        context.objects.shared.mapped_persistently(name);
+        context.objects.shared.mapped_persistently(buffer.name());
     }
     Ok(pointer)
 }
@@ -148,7 +168,17 @@ pub(crate) fn flush_mapped_buffer_range(
     offset: GLintptr,
     length: GLsizeiptr,
 ) -> Result<()> {
-    let object = bound(context, target)?;
+    let buffer = bound(context, target)?;
+    flush_range(context, &buffer, (offset, length))
+}
+
+/// Says that mapped bytes of a buffer were written.
+pub(crate) fn flush_range(
+    context: &mut Context,
+    buffer: &Bound,
+    (offset, length): (GLintptr, GLsizeiptr),
+) -> Result<()> {
+    let (object, _) = with_recorder(context, buffer)?;
     let Some(map) = &object.map else {
         return invalid_operation(RANGE, "the buffer is not mapped: call glMapBufferRange");
     };
@@ -170,7 +200,13 @@ pub(crate) fn flush_mapped_buffer_range(
 }
 
 pub(crate) fn unmap_buffer(context: &mut Context, target: GLenum) -> Result<bool> {
-    match bound(context, target)?.unmap() {
+    let buffer = bound(context, target)?;
+    unmap(context, &buffer)
+}
+
+/// Ends the mapping of a buffer.
+pub(crate) fn unmap(context: &mut Context, buffer: &Bound) -> Result<bool> {
+    match with_recorder(context, buffer)?.0.unmap() {
         true => Ok(true),
         false => invalid_operation(
             SECTION,
@@ -197,13 +233,24 @@ pub(crate) fn copy_buffer_sub_data(
     write_offset: GLintptr,
     size: GLsizeiptr,
 ) -> Result<()> {
-    let (source, recorder) = with_recorder(context, read_target)?;
+    let (from, to) = (bound(context, read_target)?, bound(context, write_target)?);
+    copy(context, (&from, &to), (read_offset, write_offset), size)
+}
+
+/// Copies bytes from one buffer to another, or within one.
+pub(crate) fn copy(
+    context: &mut Context,
+    (read, write): (&Bound, &Bound),
+    (read_offset, write_offset): (GLintptr, GLintptr),
+    size: GLsizeiptr,
+) -> Result<()> {
+    let (source, recorder) = with_recorder(context, read)?;
     let source = unmapped(source)?;
     source.take_client_writes(recorder);
     let from = range(source, read_offset, size)?;
     let source = source.buffer().clone();
-    let same = binding_of(context, read_target) == binding_of(context, write_target);
-    let (target, recorder) = writable(context, write_target)?;
+    let same = read == write;
+    let (target, recorder) = writable(context, write)?;
     let to = range(target, write_offset, size)?;
     if same && from.start < to.end && to.start < from.end {
         return invalid_value(
@@ -230,20 +277,32 @@ pub(crate) fn take_client_writes(context: &mut Context) {
     }
 }
 
-fn binding_of(context: &mut Context, target: GLenum) -> Option<Bound> {
-    BUFFER_TARGET.get(target).map(|target| binding(context, target).clone())
-}
-
 pub(crate) fn get_buffer_pointerv(
     context: &mut Context,
     target: GLenum,
     pname: GLenum,
     params: &mut [*mut GLvoid],
 ) -> Result<()> {
+    check_pointer(pname)?;
+    let buffer = bound(context, target)?;
+    pointer(context, &buffer, pname, params)
+}
+
+fn check_pointer(pname: GLenum) -> Result<()> {
     const POINTER: Table<()> =
         Table { section: "GL 2.1, section 6.1.13", rows: &[(GL_BUFFER_MAP_POINTER, ())] };
-    POINTER.decode("pname", pname)?;
-    let object = bound(context, target)?;
+    POINTER.decode("pname", pname)
+}
+
+/// Reads where the mapped bytes of a buffer are.
+pub(crate) fn pointer(
+    context: &mut Context,
+    buffer: &Bound,
+    pname: GLenum,
+    params: &mut [*mut GLvoid],
+) -> Result<()> {
+    check_pointer(pname)?;
+    let (object, _) = with_recorder(context, buffer)?;
     let pointer = match &mut object.map {
         Some(map) => map.pointer().cast(),
         None => std::ptr::null_mut(),
@@ -264,7 +323,8 @@ enum Property {
     StorageFlags,
 }
 
-fn parameter(context: &mut Context, target: GLenum, pname: GLenum) -> Result<GLint64> {
+/// What is known of a buffer.
+pub(crate) fn parameter(context: &mut Context, buffer: &Bound, pname: GLenum) -> Result<GLint64> {
     const PROPERTY: Table<Property> = Table {
         section: "GL 2.1, section 6.1.13",
         rows: &[
@@ -279,7 +339,7 @@ fn parameter(context: &mut Context, target: GLenum, pname: GLenum) -> Result<GLi
             (GL_BUFFER_STORAGE_FLAGS, Property::StorageFlags),
         ],
     };
-    let object = bound(context, target)?;
+    let (object, _) = with_recorder(context, buffer)?;
     let map = object.map.as_ref();
     Ok(match PROPERTY.decode("pname", pname)? {
         Property::Size => object.len() as GLint64,
@@ -301,7 +361,8 @@ pub(crate) fn get_buffer_parameteriv(
     pname: GLenum,
     params: &mut [GLint],
 ) -> Result<()> {
-    let value = parameter(context, target, pname)?;
+    let buffer = bound(context, target)?;
+    let value = parameter(context, &buffer, pname)?;
     put(params, &[value.min(GLint::MAX.into()) as GLint])
 }
 
@@ -311,6 +372,7 @@ pub(crate) fn get_buffer_parameteri64v(
     pname: GLenum,
     params: &mut [GLint64],
 ) -> Result<()> {
-    let value = parameter(context, target, pname)?;
+    let buffer = bound(context, target)?;
+    let value = parameter(context, &buffer, pname)?;
     put(params, &[value])
 }

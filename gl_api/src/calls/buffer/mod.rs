@@ -4,3 +4,4 @@ pub(crate) mod clear;
 pub(crate) mod data;
 pub(crate) mod indexed;
 pub(crate) mod map;
+pub(crate) mod named;

@@ -8,8 +8,7 @@ use crate::calls::framebuffer::names::bound;
 use crate::context::Context;
 use crate::draw::completeness::{completeness, missing_buffer_warning};
 use crate::objects::framebuffers::{
-    Attached, AttachedLayers, AttachmentPoint, Binding, FRAMEBUFFER_TARGET, Source,
-    attachment_point,
+    Attached, AttachedLayers, AttachmentPoint, FRAMEBUFFER_TARGET, Source, attachment_point,
 };
 use crate::objects::renderbuffers::RENDERBUFFER_TARGET;
 use crate::objects::target::{FaceTarget, TARGET, TextureTarget, attachable_target};
@@ -21,15 +20,20 @@ const SECTION: &str = "ARB_framebuffer_object, section 4.4.2";
 
 /// The framebuffer and the attachment point that a call names.
 #[derive(Clone, Copy)]
-struct Destination {
-    binding: Binding,
+pub(crate) struct Destination {
+    framebuffer: GLuint,
     point: AttachmentPoint,
 }
 
 impl Destination {
-    fn decode(target: GLenum, attachment: GLenum) -> Result<Self> {
+    fn decode(context: &Context, target: GLenum, attachment: GLenum) -> Result<Self> {
         let binding = FRAMEBUFFER_TARGET.decode("target", target)?;
-        Ok(Self { binding, point: attachment_point(attachment)? })
+        Self::of(bound(context, binding), attachment)
+    }
+
+    /// A point of a framebuffer that need not be bound.
+    pub fn of(framebuffer: GLuint, attachment: GLenum) -> Result<Self> {
+        Ok(Self { framebuffer, point: attachment_point(attachment)? })
     }
 
     /// Attaches an image that was checked, or nothing.
@@ -37,8 +41,7 @@ impl Destination {
     /// # Errors
     /// Where the default framebuffer is bound.
     fn attach(self, context: &mut Context, attached: Option<Attached>) -> Result<()> {
-        let name = bound(context, self.binding);
-        let Some(object) = context.objects.framebuffers.get_mut(name) else {
+        let Some(object) = context.objects.framebuffers.get_mut(self.framebuffer) else {
             return invalid_operation(
                 SECTION,
                 "the default framebuffer is bound, which takes no attachments: call glBindFramebuffer",
@@ -113,7 +116,7 @@ fn framebuffer_texture_slice(
     (axes, textarget): (usize, GLenum),
     slice: &Slice,
 ) -> Result<()> {
-    let destination = Destination::decode(target, attachment)?;
+    let destination = Destination::decode(context, target, attachment)?;
     if slice.texture == 0 {
         return destination.attach(context, None);
     }
@@ -180,7 +183,18 @@ pub(crate) fn framebuffer_texture_layer(
     level: GLint,
     layer: GLint,
 ) -> Result<()> {
-    let destination = Destination::decode(target, attachment)?;
+    let destination = Destination::decode(context, target, attachment)?;
+    attach_layer(context, destination, texture, level, layer)
+}
+
+/// Attaches a layer of a level of a texture.
+pub(crate) fn attach_layer(
+    context: &mut Context,
+    destination: Destination,
+    texture: GLuint,
+    level: GLint,
+    layer: GLint,
+) -> Result<()> {
     if texture == 0 {
         return destination.attach(context, None);
     }
@@ -222,7 +236,6 @@ pub(crate) fn framebuffer_texture_layer(
     destination.attach(context, Some(Attached { source, image, planes }))
 }
 
-/// All layers of a level, or its only one.
 pub(crate) fn framebuffer_texture(
     context: &mut Context,
     target: GLenum,
@@ -230,8 +243,18 @@ pub(crate) fn framebuffer_texture(
     texture: GLuint,
     level: GLint,
 ) -> Result<()> {
+    let destination = Destination::decode(context, target, attachment)?;
+    attach_level(context, destination, texture, level)
+}
+
+/// Attaches all layers of a level of a texture, or its only one.
+pub(crate) fn attach_level(
+    context: &mut Context,
+    destination: Destination,
+    texture: GLuint,
+    level: GLint,
+) -> Result<()> {
     const SECTION: &str = "GL 3.2, section 4.4.2";
-    let destination = Destination::decode(target, attachment)?;
     if texture == 0 {
         return destination.attach(context, None);
     }
@@ -270,7 +293,17 @@ pub(crate) fn framebuffer_renderbuffer(
     renderbuffertarget: GLenum,
     renderbuffer: GLuint,
 ) -> Result<()> {
-    let destination = Destination::decode(target, attachment)?;
+    let destination = Destination::decode(context, target, attachment)?;
+    attach_renderbuffer(context, destination, renderbuffertarget, renderbuffer)
+}
+
+/// Attaches a renderbuffer.
+pub(crate) fn attach_renderbuffer(
+    context: &mut Context,
+    destination: Destination,
+    renderbuffertarget: GLenum,
+    renderbuffer: GLuint,
+) -> Result<()> {
     RENDERBUFFER_TARGET.decode("renderbuffertarget", renderbuffertarget)?;
     if renderbuffer == 0 {
         return destination.attach(context, None);
@@ -289,10 +322,14 @@ pub(crate) fn framebuffer_renderbuffer(
     destination.attach(context, Some(attached))
 }
 
-/// Says why a framebuffer is incomplete, as a message.
 pub(crate) fn check_framebuffer_status(context: &mut Context, target: GLenum) -> Result<GLenum> {
     let name = bound(context, FRAMEBUFFER_TARGET.decode("target", target)?);
-    Ok(match completeness(context, name) {
+    Ok(status(context, name))
+}
+
+/// Whether a framebuffer is complete. Says why not, as a message.
+pub(crate) fn status(context: &mut Context, name: GLuint) -> GLenum {
+    match completeness(context, name) {
         Ok(()) => {
             let object = context.objects.framebuffers.get(name);
             if let Some(reason) = object.and_then(missing_buffer_warning) {
@@ -308,7 +345,7 @@ pub(crate) fn check_framebuffer_status(context: &mut Context, target: GLenum) ->
                 .warn_each_time(format!("glCheckFramebufferStatus: {}", incomplete.rule(name)));
             incomplete.status
         }
-    })
+    }
 }
 
 /// Takes a deleted image from the bound framebuffers. Its name is not asked for: an image that was deleted

@@ -13,7 +13,8 @@ use crate::calls::framebuffer::es_blit;
 use crate::calls::framebuffer::read::{Pixels, resolved_pixels, same_kind, sample_pixels};
 use crate::context::Context;
 use crate::draw::completeness::{
-    Aspect, checked_complete, draw_pass, draw_planes, read_attachment, read_samples, samples,
+    Aspect, checked_complete, draw_pass_of, draw_planes_of, read_attachment_of, read_samples,
+    samples,
 };
 use crate::draw::pass::drawn_area;
 use crate::draw::pipeline::srgb_write;
@@ -94,6 +95,13 @@ impl Axis {
     }
 }
 
+/// The names of the framebuffers that a blit reads and writes; 0 is the default one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Sides {
+    pub read: GLuint,
+    pub draw: GLuint,
+}
+
 /// A checked `glBlitFramebuffer`.
 struct BlitRequest {
     axes: [Axis; 2],
@@ -123,12 +131,18 @@ impl AspectCopy {
 }
 
 impl BlitRequest {
-    fn new(context: &Context, axes: [Axis; 2], mask: GLbitfield, filter: Filter) -> Result<Self> {
-        checked_complete(context, context.state.bindings.read_framebuffer)?;
-        let pass = draw_pass(context)?;
-        check_samples(context, axes)?;
+    fn new(
+        context: &Context,
+        sides: Sides,
+        axes: [Axis; 2],
+        mask: GLbitfield,
+        filter: Filter,
+    ) -> Result<Self> {
+        checked_complete(context, sides.read)?;
+        let pass = draw_pass_of(context, sides.draw)?;
+        check_samples(context, sides, axes)?;
         if context.profile.is_es() {
-            es_blit::check_samples(context, axes.map(|axis| axis.src == axis.dst))?;
+            es_blit::check_samples(context, sides, axes.map(|axis| axis.src == axis.dst))?;
         }
         let mut copies = Vec::new();
         for (bit, aspect) in ASPECTS {
@@ -136,10 +150,9 @@ impl BlitRequest {
                 continue;
             }
             // What is missing on either side is left out (section 4.3.3).
-            let to = destinations(context, aspect)?;
-            let Some(from) = read_attachment(context, aspect)?.filter(|_| !to.is_empty()) else {
-                continue;
-            };
+            let to = destinations(context, sides.draw, aspect)?;
+            let from = read_attachment_of(context, sides.read, aspect)?;
+            let Some(from) = from.filter(|_| !to.is_empty()) else { continue };
             let format = crate::context::window::format_of(&from);
             for (from, to) in
                 to.iter().filter_map(|to| format.zip(crate::context::window::format_of(to)))
@@ -147,7 +160,7 @@ impl BlitRequest {
                 check_formats(aspect, from, to, filter)?;
             }
             if context.profile.is_es() {
-                es_blit::check_images(context, &from, &to)?;
+                es_blit::check_images(context, sides, &from, &to)?;
             }
             copies.push(AspectCopy { aspect, from, to });
         }
@@ -249,8 +262,8 @@ const ASPECTS: [(GLbitfield, Aspect); 3] = [
 ];
 
 /// The attachments of the draw framebuffer that an aspect goes to.
-fn destinations(context: &Context, aspect: Aspect) -> Result<Vec<Attachment>> {
-    let (pass, planes) = (draw_pass(context)?, draw_planes(context));
+fn destinations(context: &Context, draw: GLuint, aspect: Aspect) -> Result<Vec<Attachment>> {
+    let (pass, planes) = (draw_pass_of(context, draw)?, draw_planes_of(context, draw));
     let depth = |there: bool| pass.depth.clone().filter(|_| there).into_iter().collect();
     Ok(match aspect {
         Aspect::Color => pass.colors.into_iter().flatten().collect(),
@@ -304,6 +317,20 @@ pub(crate) fn blit_framebuffer(
     mask: GLbitfield,
     filter: GLenum,
 ) -> Result<()> {
+    let bindings = &context.state.bindings;
+    let sides = Sides { read: bindings.read_framebuffer, draw: bindings.draw_framebuffer };
+    let (src, dst) = ([src_x0, src_y0, src_x1, src_y1], [dst_x0, dst_y0, dst_x1, dst_y1]);
+    blit(context, sides, (src, dst), mask, filter)
+}
+
+/// Copies a rectangle of one framebuffer to another one.
+pub(crate) fn blit(
+    context: &mut Context,
+    sides: Sides,
+    ([src_x0, src_y0, src_x1, src_y1], [dst_x0, dst_y0, dst_x1, dst_y1]): ([GLint; 4], [GLint; 4]),
+    mask: GLbitfield,
+    filter: GLenum,
+) -> Result<()> {
     let known = ASPECTS.iter().fold(0, |known, part| known | part.0);
     if mask & !known != 0 {
         return invalid_value(
@@ -322,7 +349,7 @@ pub(crate) fn blit_framebuffer(
         Axis { src: [src_x0, src_x1], dst: [dst_x0, dst_x1] },
         Axis { src: [src_y0, src_y1], dst: [dst_y0, dst_y1] },
     ];
-    BlitRequest::new(context, axes, mask, filter)?.apply(context);
+    BlitRequest::new(context, sides, axes, mask, filter)?.apply(context);
     if mask & !GL_COLOR_BUFFER_BIT != 0 {
         context.depth_stencil_copied();
     }
@@ -330,9 +357,11 @@ pub(crate) fn blit_framebuffer(
 }
 
 /// Several samples are resolved, not scaled (`EXT_framebuffer_multisample`, section 4.3.3).
-fn check_samples(context: &Context, axes: [Axis; 2]) -> Result<()> {
-    let drawn = samples(context, context.state.bindings.draw_framebuffer);
-    if (drawn > 0 || read_samples(context) > 0) && axes.iter().any(|axis| axis.is_scaled()) {
+fn check_samples(context: &Context, sides: Sides, axes: [Axis; 2]) -> Result<()> {
+    let drawn = samples(context, sides.draw);
+    if (drawn > 0 || read_samples(context, sides.read) > 0)
+        && axes.iter().any(|axis| axis.is_scaled())
+    {
         return invalid_operation(
             "EXT_framebuffer_multisample, section 4.3.3",
             "a framebuffer with several samples a pixel is not scaled: make both rectangles the \

@@ -72,6 +72,15 @@ pub(crate) fn selection_mut(context: &mut Context, framebuffer: GLuint) -> &mut 
 
 pub(crate) fn draw_buffer(context: &mut Context, buf: GLenum) -> Result<()> {
     let framebuffer = context.state.bindings.draw_framebuffer;
+    select_draw_buffer(context, framebuffer, buf)
+}
+
+/// Sets which colour buffer of a framebuffer is drawn to.
+pub(crate) fn select_draw_buffer(
+    context: &mut Context,
+    framebuffer: GLuint,
+    buf: GLenum,
+) -> Result<()> {
     checked(DRAW, framebuffer, "buf", buf)?;
     let selection = selection_mut(context, framebuffer);
     selection.draw = Selection::first(buf).draw;
@@ -107,6 +116,17 @@ pub(crate) fn read_again(context: &mut Context, saved: &Selection) {
 const SEVERAL: [GLenum; 5] = [GL_FRONT, GL_BACK, GL_LEFT, GL_RIGHT, GL_FRONT_AND_BACK];
 
 pub(crate) fn draw_buffers(context: &mut Context, n: GLsizei, bufs: &[GLenum]) -> Result<()> {
+    let framebuffer = context.state.bindings.draw_framebuffer;
+    select_draw_buffers(context, framebuffer, n, bufs)
+}
+
+/// Sets which colour buffer of a framebuffer each fragment colour is drawn to.
+pub(crate) fn select_draw_buffers(
+    context: &mut Context,
+    framebuffer: GLuint,
+    n: GLsizei,
+    bufs: &[GLenum],
+) -> Result<()> {
     let n = not_negative(DRAW, "n", n.into())?;
     if n > limits::MAX_COLOR_ATTACHMENTS {
         return invalid_value(
@@ -117,7 +137,6 @@ pub(crate) fn draw_buffers(context: &mut Context, n: GLsizei, bufs: &[GLenum]) -
     let Some(bufs) = bufs.get(..n) else {
         return invalid_operation(DRAW, format!("n = {n}, but bufs has {}", bufs.len()));
     };
-    let framebuffer = context.state.bindings.draw_framebuffer;
     if context.profile.is_es() {
         check_es_order(framebuffer, bufs)?;
         return select(context, framebuffer, bufs);
@@ -188,6 +207,15 @@ fn check_es_name(section: &'static str, argument: &str, buffer: GLenum) -> Resul
 
 pub(crate) fn read_buffer(context: &mut Context, src: GLenum) -> Result<()> {
     let framebuffer = context.state.bindings.read_framebuffer;
+    select_read_buffer(context, framebuffer, src)
+}
+
+/// Sets which colour buffer of a framebuffer is read from.
+pub(crate) fn select_read_buffer(
+    context: &mut Context,
+    framebuffer: GLuint,
+    src: GLenum,
+) -> Result<()> {
     if context.profile.is_es() {
         check_es_name("OpenGL ES 3.0, section 4.3.1", "src", src)?;
     }

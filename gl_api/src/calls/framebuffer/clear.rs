@@ -7,7 +7,7 @@ use crate::base::limits;
 use crate::base::types::*;
 use crate::context::Context;
 use crate::context::feedback::RenderMode;
-use crate::draw::completeness::{draw_pass, draw_planes};
+use crate::draw::completeness::{draw_pass, draw_pass_of, draw_planes_of};
 use crate::draw::pass::drawn_area;
 use crate::draw::pipeline::srgb_write;
 use crate::state::enable::Flag;
@@ -41,15 +41,16 @@ fn color(
     mask.contains(&true).then_some(ClearValue::Texel { target, words, mask })
 }
 
-fn depth(context: &Context, depth: f64) -> Option<ClearValue> {
+fn depth(context: &Context, framebuffer: GLuint, depth: f64) -> Option<ClearValue> {
     let is_written = context.state.fragment.depth_write == DepthWrite::On;
-    (is_written && draw_planes(context).depth).then_some(ClearValue::Depth(unit(depth) as f32))
+    (is_written && draw_planes_of(context, framebuffer).depth)
+        .then_some(ClearValue::Depth(unit(depth) as f32))
 }
 
-fn stencil(context: &Context, value: GLint) -> Option<ClearValue> {
+fn stencil(context: &Context, framebuffer: GLuint, value: GLint) -> Option<ClearValue> {
     // The mask is that of the front face (GL 2.1, section 4.2.3).
     let mask = context.state.fragment.stencil.active().write_mask as u8;
-    let is_written = draw_planes(context).stencil && mask != 0;
+    let is_written = draw_planes_of(context, framebuffer).stencil && mask != 0;
     is_written.then_some(ClearValue::Stencil { value: value as u8, mask })
 }
 
@@ -60,12 +61,12 @@ fn is_effective(context: &Context) -> bool {
         && !context.state.enables.has(Flag::RasterizerDiscard)
 }
 
-fn record(context: &mut Context, pass: PassDesc, clears: Vec<ClearValue>) {
+fn record(context: &mut Context, framebuffer: GLuint, pass: PassDesc, clears: Vec<ClearValue>) {
     let area = drawn_area(context, &pass);
     if !is_effective(context) || clears.is_empty() || area.width == 0 || area.height == 0 {
         return;
     }
-    if context.state.bindings.draw_framebuffer == 0 {
+    if framebuffer == 0 {
         context.window.depths.clear(&clears);
         let is_whole = [area.width, area.height] == [pass.width, pass.height];
         for value in &clears {
@@ -98,6 +99,7 @@ pub(crate) fn clear(context: &mut Context, mask: GLbitfield) -> Result<()> {
         );
     }
     let pass = draw_pass(context)?;
+    let framebuffer = context.state.bindings.draw_framebuffer;
     let state = &context.state.clear;
     let mut clears = Vec::new();
     if mask & GL_COLOR_BUFFER_BIT != 0 {
@@ -105,16 +107,16 @@ pub(crate) fn clear(context: &mut Context, mask: GLbitfield) -> Result<()> {
         clears.extend(targets.filter_map(|target| color(context, &pass, target, state.color)));
     }
     if mask & GL_DEPTH_BUFFER_BIT != 0 {
-        clears.extend(depth(context, state.depth));
+        clears.extend(depth(context, framebuffer, state.depth));
     }
     if mask & GL_STENCIL_BUFFER_BIT != 0 {
-        clears.extend(stencil(context, state.stencil));
+        clears.extend(stencil(context, framebuffer, state.stencil));
     }
     if mask & GL_ACCUM_BUFFER_BIT != 0 && is_effective(context) {
         let area = drawn_area(context, &pass);
         crate::calls::framebuffer::accumulate::clear(context, area)?;
     }
-    record(context, pass, clears);
+    record(context, framebuffer, pass, clears);
     Ok(())
 }
 
@@ -164,18 +166,29 @@ pub(crate) fn clear_bufferiv(
     drawbuffer: GLint,
     value: &[GLint],
 ) -> Result<()> {
+    let framebuffer = context.state.bindings.draw_framebuffer;
+    clear_signed(context, framebuffer, (name, drawbuffer), value)
+}
+
+/// Clears colours of signed integers, or stencils.
+pub(crate) fn clear_signed(
+    context: &mut Context,
+    framebuffer: GLuint,
+    (name, drawbuffer): (GLenum, GLint),
+    value: &[GLint],
+) -> Result<()> {
     let clear = match buffer(name, drawbuffer, &[GL_COLOR, GL_STENCIL])? {
         Buffer::Color(target) => {
             let value = ClearColor::Signed(numbers(value)?);
-            color(context, &draw_pass(context)?, target, value)
+            color(context, &draw_pass_of(context, framebuffer)?, target, value)
         }
         Buffer::Depth | Buffer::Stencil => {
             let [value] = numbers(value)?;
-            stencil(context, value)
+            stencil(context, framebuffer, value)
         }
     };
-    let pass = draw_pass(context)?;
-    record(context, pass, clear.into_iter().collect());
+    let pass = draw_pass_of(context, framebuffer)?;
+    record(context, framebuffer, pass, clear.into_iter().collect());
     Ok(())
 }
 
@@ -185,11 +198,22 @@ pub(crate) fn clear_bufferuiv(
     drawbuffer: GLint,
     value: &[GLuint],
 ) -> Result<()> {
+    let framebuffer = context.state.bindings.draw_framebuffer;
+    clear_unsigned(context, framebuffer, (name, drawbuffer), value)
+}
+
+/// Clears colours of unsigned integers.
+pub(crate) fn clear_unsigned(
+    context: &mut Context,
+    framebuffer: GLuint,
+    (name, drawbuffer): (GLenum, GLint),
+    value: &[GLuint],
+) -> Result<()> {
     let Buffer::Color(target) = buffer(name, drawbuffer, &[GL_COLOR])? else { return Ok(()) };
     let value = ClearColor::Unsigned(numbers(value)?);
-    let pass = draw_pass(context)?;
+    let pass = draw_pass_of(context, framebuffer)?;
     let clear = color(context, &pass, target, value);
-    record(context, pass, clear.into_iter().collect());
+    record(context, framebuffer, pass, clear.into_iter().collect());
     Ok(())
 }
 
@@ -199,18 +223,29 @@ pub(crate) fn clear_bufferfv(
     drawbuffer: GLint,
     value: &[GLfloat],
 ) -> Result<()> {
+    let framebuffer = context.state.bindings.draw_framebuffer;
+    clear_floats(context, framebuffer, (name, drawbuffer), value)
+}
+
+/// Clears colours of floats or fractions, or depths.
+pub(crate) fn clear_floats(
+    context: &mut Context,
+    framebuffer: GLuint,
+    (name, drawbuffer): (GLenum, GLint),
+    value: &[GLfloat],
+) -> Result<()> {
     let clear = match buffer(name, drawbuffer, &[GL_COLOR, GL_DEPTH])? {
         Buffer::Color(target) => {
             let value = ClearColor::Floats(numbers(value)?);
-            color(context, &draw_pass(context)?, target, value)
+            color(context, &draw_pass_of(context, framebuffer)?, target, value)
         }
         Buffer::Depth | Buffer::Stencil => {
             let [value] = numbers(value)?;
-            depth(context, value.into())
+            depth(context, framebuffer, value.into())
         }
     };
-    let pass = draw_pass(context)?;
-    record(context, pass, clear.into_iter().collect());
+    let pass = draw_pass_of(context, framebuffer)?;
+    record(context, framebuffer, pass, clear.into_iter().collect());
     Ok(())
 }
 
@@ -221,9 +256,21 @@ pub(crate) fn clear_bufferfi(
     depth_value: GLfloat,
     stencil_value: GLint,
 ) -> Result<()> {
+    let framebuffer = context.state.bindings.draw_framebuffer;
+    clear_both(context, framebuffer, (name, drawbuffer), (depth_value, stencil_value))
+}
+
+/// Clears depths and stencils.
+pub(crate) fn clear_both(
+    context: &mut Context,
+    framebuffer: GLuint,
+    (name, drawbuffer): (GLenum, GLint),
+    (depth_value, stencil_value): (GLfloat, GLint),
+) -> Result<()> {
     buffer(name, drawbuffer, &[GL_DEPTH_STENCIL])?;
-    let pass = draw_pass(context)?;
-    let clears = depth(context, depth_value.into()).into_iter();
-    record(context, pass, clears.chain(stencil(context, stencil_value)).collect());
+    let pass = draw_pass_of(context, framebuffer)?;
+    let clears = depth(context, framebuffer, depth_value.into()).into_iter();
+    let clears = clears.chain(stencil(context, framebuffer, stencil_value)).collect();
+    record(context, framebuffer, pass, clears);
     Ok(())
 }

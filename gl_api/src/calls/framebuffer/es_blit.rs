@@ -1,6 +1,7 @@
 //! What OpenGL ES refuses of `glBlitFramebuffer` (3.0, section 4.3.3).
 
 use crate::base::error::{Result, invalid_operation};
+use crate::calls::framebuffer::blit::Sides;
 use crate::context::Context;
 use crate::context::window::format_of;
 use crate::draw::completeness::{read_samples, samples};
@@ -10,8 +11,8 @@ use rasterizer::driver::Attachment;
 const SECTION: &str = "OpenGL ES 3.0, section 4.3.3";
 
 /// Checks the samples of both framebuffers; `stays` says of each axis whether pixels go to where they were.
-pub(super) fn check_samples(context: &Context, stays: [bool; 2]) -> Result<()> {
-    let name = context.state.bindings.draw_framebuffer;
+pub(super) fn check_samples(context: &Context, sides: Sides, stays: [bool; 2]) -> Result<()> {
+    let name = sides.draw;
     let drawn = samples(context, name);
     if drawn > 0 {
         let rule = format!(
@@ -19,7 +20,7 @@ pub(super) fn check_samples(context: &Context, stays: [bool; 2]) -> Result<()> {
         );
         return invalid_operation(SECTION, rule);
     }
-    if read_samples(context) > 0 && stays != [true; 2] {
+    if read_samples(context, sides.read) > 0 && stays != [true; 2] {
         let rule = "several samples a pixel are resolved in place: make both rectangles the same";
         return invalid_operation(SECTION, rule);
     }
@@ -27,7 +28,12 @@ pub(super) fn check_samples(context: &Context, stays: [bool; 2]) -> Result<()> {
 }
 
 /// Checks the images that pixels go from and to: not the same one, and of one format where samples are resolved.
-pub(super) fn check_images(context: &Context, from: &Attachment, to: &[Attachment]) -> Result<()> {
+pub(super) fn check_images(
+    context: &Context,
+    sides: Sides,
+    from: &Attachment,
+    to: &[Attachment],
+) -> Result<()> {
     for to in to {
         let is_same =
             from.image.is_same_image(&to.image) && (from.face, from.level) == (to.face, to.level);
@@ -35,7 +41,7 @@ pub(super) fn check_images(context: &Context, from: &Attachment, to: &[Attachmen
             return invalid_operation(SECTION, "pixels are copied within one image: use another");
         }
         let (Some(from), Some(to)) = (format_of(from), format_of(to)) else { continue };
-        if read_samples(context) > 0 && from != to {
+        if read_samples(context, sides.read) > 0 && from != to {
             let [from, to] = [from, to].map(format_name);
             let rule = format!("samples of {from} are not resolved to pixels of {to}");
             return invalid_operation(SECTION, rule);

@@ -216,6 +216,17 @@ pub(crate) fn get_framebuffer_attachment_parameteriv(
     params: &mut [GLint],
 ) -> Result<()> {
     let name = bound(context, FRAMEBUFFER_TARGET.decode("target", target)?);
+    attachment_parameter(context, name, attachment, pname, params)
+}
+
+/// Reads what is known of an attachment of a framebuffer.
+pub(crate) fn attachment_parameter(
+    context: &mut Context,
+    name: GLuint,
+    attachment: GLenum,
+    pname: GLenum,
+    params: &mut [GLint],
+) -> Result<()> {
     let property = PROPERTY.decode("pname", pname)?;
     let value = match context.objects.framebuffers.get(name) {
         None => of_window(context, attachment, property)?,

@@ -5,21 +5,26 @@
 use crate::base::constants::*;
 use crate::base::error::{Result, invalid_enum, invalid_operation, not_negative};
 use crate::base::types::*;
+use crate::calls::framebuffer::names::bound;
 use crate::context::Context;
 use crate::objects::color_buffers::attachment_index;
-use crate::objects::framebuffers::{Binding, FRAMEBUFFER_TARGET};
+use crate::objects::framebuffers::FRAMEBUFFER_TARGET;
 
 const SECTION: &str = "OpenGL ES 3.0, section 4.5";
 
-/// Checks the names of the attachments of a framebuffer.
+/// Checks the names of the attachments of the framebuffer that is bound to a target.
 fn check(context: &Context, target: GLenum, count: GLsizei, attachments: &[GLenum]) -> Result<()> {
-    let binding = FRAMEBUFFER_TARGET.decode("target", target)?;
+    let name = bound(context, FRAMEBUFFER_TARGET.decode("target", target)?);
+    check_attachments(name, count, attachments)
+}
+
+/// Checks the names of the attachments of a framebuffer.
+pub(crate) fn check_attachments(
+    name: GLuint,
+    count: GLsizei,
+    attachments: &[GLenum],
+) -> Result<()> {
     let count = not_negative(SECTION, "numAttachments", count.into())?;
-    let bindings = &context.state.bindings;
-    let name = match binding {
-        Binding::Read => bindings.read_framebuffer,
-        Binding::Draw | Binding::Both => bindings.draw_framebuffer,
-    };
     for &attachment in attachments.iter().take(count) {
         let fits = match name {
             0 => matches!(attachment, GL_COLOR | GL_DEPTH | GL_STENCIL),
@@ -68,7 +73,13 @@ pub(crate) fn invalidate_sub_framebuffer(
     width: GLsizei,
     height: GLsizei,
 ) -> Result<()> {
+    check_size(width, height)?;
+    check(context, target, numattachments, attachments)
+}
+
+/// Checks the size of a part of a framebuffer.
+pub(crate) fn check_size(width: GLsizei, height: GLsizei) -> Result<()> {
     not_negative(SECTION, "width", width.into())?;
     not_negative(SECTION, "height", height.into())?;
-    check(context, target, numattachments, attachments)
+    Ok(())
 }

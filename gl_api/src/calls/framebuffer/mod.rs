@@ -8,6 +8,7 @@ pub(crate) mod clear;
 pub(crate) mod es_blit;
 pub(crate) mod inspect;
 pub(crate) mod invalidate;
+pub(crate) mod named;
 pub(crate) mod names;
 pub(crate) mod read;
 pub(crate) mod renderbuffers;

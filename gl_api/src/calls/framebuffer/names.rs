@@ -1,6 +1,6 @@
 //! The names and bindings of framebuffer objects: `ARB_framebuffer_object`, section 4.4.1.
 
-use crate::base::error::Result;
+use crate::base::error::{Result, invalid_operation};
 use crate::base::types::*;
 use crate::context::Context;
 use crate::objects::framebuffers::{Binding, FRAMEBUFFER_TARGET, Framebuffer};
@@ -14,6 +14,25 @@ pub(crate) fn bound(context: &Context, binding: Binding) -> GLuint {
         Binding::Draw | Binding::Both => context.state.bindings.draw_framebuffer,
         Binding::Read => context.state.bindings.read_framebuffer,
     }
+}
+
+/// Refuses names other than those of framebuffer objects (`ARB_direct_state_access`, section 9.2).
+pub(crate) fn check_object(context: &Context, argument: &str, name: GLuint) -> Result<()> {
+    if context.objects.framebuffers.get(name).is_some() {
+        return Ok(());
+    }
+    invalid_operation(
+        "ARB_direct_state_access, section 9.2",
+        format!(
+            "{argument} = {name} is no framebuffer object: glCreateFramebuffers makes some, and so does binding a \
+             name once"
+        ),
+    )
+}
+
+/// The same where 0 is the default framebuffer.
+pub(crate) fn check_framebuffer(context: &Context, argument: &str, name: GLuint) -> Result<()> {
+    if name == 0 { Ok(()) } else { check_object(context, argument, name) }
 }
 
 pub(crate) fn gen_framebuffers(

@@ -10,6 +10,7 @@ use crate::base::types::*;
 use crate::calls::framebuffer::attach::detach;
 use crate::context::Context;
 use crate::context::window::texels;
+use crate::objects::bound::Bound;
 use crate::objects::name_table::{Sweep, listed};
 use crate::objects::renderbuffers::{RENDERBUFFER_TARGET, Renderbuffer};
 use crate::pixel::component_bits::{Component, component_bits};
@@ -61,8 +62,7 @@ pub(crate) fn bind_renderbuffer(
             "glGenRenderbuffers",
         )?;
     }
-    // OpenGL ES 3.0, table 6.15, has another initial format.
-    let initial = if context.profile.is_es() { GL_RGBA4 } else { GL_RGBA };
+    let initial = initial_format(context);
     context.objects.shared.renderbuffers.create(renderbuffer, || Renderbuffer::new(initial));
     context.state.bindings.renderbuffer = context.objects.shared.renderbuffers.hold(renderbuffer);
     Ok(())
@@ -72,12 +72,35 @@ pub(crate) fn is_renderbuffer(context: &mut Context, renderbuffer: GLuint) -> Re
     Ok(context.objects.shared.renderbuffers.get(renderbuffer).is_some())
 }
 
-/// The bound renderbuffer.
-fn bound(context: &mut Context) -> Result<&mut Renderbuffer> {
-    match context.objects.shared.renderbuffers.bound_mut(&context.state.bindings.renderbuffer) {
+/// A renderbuffer that is bound or named.
+fn object<'a>(context: &'a mut Context, chosen: &Bound) -> Result<&'a mut Renderbuffer> {
+    match context.objects.shared.renderbuffers.bound_mut(chosen) {
         Some(renderbuffer) => Ok(renderbuffer),
         None => invalid_operation(SECTION, "no renderbuffer is bound: call glBindRenderbuffer"),
     }
+}
+
+/// The renderbuffer of a name.
+///
+/// # Errors
+/// `GL_INVALID_OPERATION` for a name that no renderbuffer has.
+pub(crate) fn named(context: &mut Context, name: GLuint) -> Result<Bound> {
+    let renderbuffers = &mut context.objects.shared.renderbuffers;
+    match renderbuffers.get(name) {
+        Some(_) => Ok(renderbuffers.hold(name)),
+        None => invalid_operation(
+            "ARB_direct_state_access, section 9.2.4",
+            format!(
+                "renderbuffer = {name} is no renderbuffer: glCreateRenderbuffers makes some, and so does binding a \
+                 name once"
+            ),
+        ),
+    }
+}
+
+/// The internal format that a new renderbuffer says it has (OpenGL ES 3.0, table 6.15).
+pub(crate) fn initial_format(context: &Context) -> GLenum {
+    if context.profile.is_es() { GL_RGBA4 } else { GL_RGBA }
 }
 
 /// The row of an internal format that renderbuffers may have.
@@ -110,6 +133,7 @@ pub(crate) fn renderbuffer_storage(
 
 /// A checked `glRenderbufferStorage` or `glRenderbufferStorageMultisample`.
 struct StorageRequest {
+    renderbuffer: Bound,
     format: &'static InternalFormat,
     size: [u32; 2],
     samples: u8,
@@ -119,6 +143,7 @@ impl StorageRequest {
     /// Supported are 1 and 4 samples; a count between them is rounded up to 4.
     fn new(
         context: &mut Context,
+        renderbuffer: Bound,
         samples: GLsizei,
         internal: GLenum,
         size: [GLsizei; 2],
@@ -158,24 +183,24 @@ impl StorageRequest {
                 format!("samples = {samples} must not be above {}", limits::MAX_SAMPLES),
             );
         }
-        bound(context)?;
+        object(context, &renderbuffer)?;
         let samples = if samples > 0 { limits::MAX_SAMPLES } else { 1 };
-        Ok(Self { format, size: size.map(|side| side as u32), samples })
+        Ok(Self { renderbuffer, format, size: size.map(|side| side as u32), samples })
     }
 
     fn apply(self, context: &mut Context) -> Result<()> {
-        let Self { format, size: [width, height], samples } = self;
+        let Self { renderbuffer, format, size: [width, height], samples } = self;
         let texels = if width > 0 && height > 0 {
             texels(format.stored, width, height)
                 .map_err(|error| GlError::new(ErrorCode::OutOfMemory, SECTION, error.to_string()))?
         } else {
             Texels::new(Shape::D2)
         };
-        let image = bound(context)?.image.clone();
+        let image = object(context, &renderbuffer)?.image.clone();
         // What was recorded draws to the image as it was.
         crate::draw::pass::submit_draws_to(context, &image);
         image.replace(texels, samples, MultisampleStorage::Resolved);
-        bound(context)?.format = format;
+        object(context, &renderbuffer)?.format = format;
         Ok(())
     }
 }
@@ -189,7 +214,19 @@ pub(crate) fn renderbuffer_storage_multisample(
     height: GLsizei,
 ) -> Result<()> {
     RENDERBUFFER_TARGET.decode("target", target)?;
-    StorageRequest::new(context, samples, internalformat, [width, height])?.apply(context)
+    let renderbuffer = context.state.bindings.renderbuffer.clone();
+    set_storage(context, renderbuffer, samples, internalformat, [width, height])
+}
+
+/// Gives a renderbuffer a format, a size and a number of samples.
+pub(crate) fn set_storage(
+    context: &mut Context,
+    renderbuffer: Bound,
+    samples: GLsizei,
+    internal: GLenum,
+    size: [GLsizei; 2],
+) -> Result<()> {
+    StorageRequest::new(context, renderbuffer, samples, internal, size)?.apply(context)
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -224,8 +261,19 @@ pub(crate) fn get_renderbuffer_parameteriv(
     params: &mut [GLint],
 ) -> Result<()> {
     RENDERBUFFER_TARGET.decode("target", target)?;
+    let renderbuffer = context.state.bindings.renderbuffer.clone();
+    parameter(context, &renderbuffer, pname, params)
+}
+
+/// Reads what is known of a renderbuffer.
+pub(crate) fn parameter(
+    context: &mut Context,
+    chosen: &Bound,
+    pname: GLenum,
+    params: &mut [GLint],
+) -> Result<()> {
     let property = PROPERTY.decode("pname", pname)?;
-    let renderbuffer = bound(context)?;
+    let renderbuffer = object(context, chosen)?;
     let (level, planes) = (renderbuffer.level(), renderbuffer.planes());
     let of_level = |f: &dyn Fn(LevelInfo) -> GLint| level.map_or(0, f);
     let value = match property {

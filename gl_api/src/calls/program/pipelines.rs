@@ -33,6 +33,18 @@ pub(crate) fn gen_program_pipelines(
     context.objects.pipelines.named.reserve(SECTION, n, pipelines)
 }
 
+pub(crate) fn create_program_pipelines(
+    context: &mut Context,
+    n: GLsizei,
+    pipelines: &mut [GLuint],
+) -> Result<()> {
+    let n = listed(SECTION, n, pipelines)?.len();
+    for name in &mut pipelines[..n] {
+        *name = context.objects.pipelines.named.add(ProgramPipeline::default());
+    }
+    Ok(())
+}
+
 pub(crate) fn delete_program_pipelines(
     context: &mut Context,
     n: GLsizei,

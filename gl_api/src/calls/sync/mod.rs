@@ -2,4 +2,5 @@
 
 pub(crate) mod conditional;
 pub(crate) mod fences;
+pub(crate) mod named;
 pub(crate) mod queries;

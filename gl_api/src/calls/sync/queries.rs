@@ -52,30 +52,25 @@ pub(crate) fn begin_query(context: &mut Context, target: GLenum, id: GLuint) -> 
     }
     let active = *context.queries.slot(kind);
     if let Some(query) = context.objects.queries.get(active).filter(|_| active != 0) {
-        let active = query.target_name();
+        let active = enum_name(query.target_name());
         let rule = format!("a query of {active} is active: glEndQuery is missing");
         return invalid_operation(SECTION, rule);
     }
     let before = context.objects.queries.get(id);
     if let Some(query) = before.filter(|_| context.queries.is_active(id)) {
-        let active = query.target_name();
+        let active = enum_name(query.target_name());
         let rule = format!("query {id} is active as one of {active}: glEndQuery is missing");
         return invalid_operation(SECTION, rule);
     }
     if let Some(query) = before.filter(|query| query.target != kind) {
-        let rule = format!("query {id} is one of {}: take another name", query.target_name());
+        let rule =
+            format!("query {id} is one of {}: take another name", enum_name(query.target_name()));
         return invalid_operation(SECTION, rule);
     }
     if kind == QueryTarget::TimeElapsed {
         submit(context);
     }
-    context.objects.queries.create(id, || Query {
-        target: kind,
-        counter: Counter::new(),
-        primitives: 0,
-        began: None,
-        nanoseconds: 0,
-    });
+    context.objects.queries.create(id, || Query::new(kind));
     if let Some(query) = context.objects.queries.get_mut(id) {
         query.counter = Counter::new();
         query.primitives = 0;
@@ -118,17 +113,12 @@ pub(crate) fn query_counter(context: &mut Context, id: GLuint, target: GLenum) -
         );
     }
     if let Some(query) = context.objects.queries.get(id).filter(|query| query.target != kind) {
-        let rule = format!("query {id} is one of {}: take another name", query.target_name());
+        let rule =
+            format!("query {id} is one of {}: take another name", enum_name(query.target_name()));
         return invalid_operation(COUNTER.section, rule);
     }
     submit(context);
-    let query = Query {
-        target: kind,
-        counter: Counter::new(),
-        primitives: 0,
-        began: None,
-        nanoseconds: timestamp(),
-    };
+    let query = Query { nanoseconds: timestamp(), ..Query::new(kind) };
     context.objects.queries.create(id, || query.clone());
     if let Some(slot) = context.objects.queries.get_mut(id) {
         *slot = query;
@@ -178,13 +168,18 @@ pub(crate) fn get_queryiv(
 enum Answer {
     Result,
     Available,
+    Target,
 }
 
 /// What a query answers: its result, with everything carried out that it counts.
-fn answer(context: &mut Context, id: GLuint, pname: GLenum) -> Result<u64> {
+pub(crate) fn answer(context: &mut Context, id: GLuint, pname: GLenum) -> Result<u64> {
     const ANSWER: Table<Answer> = Table {
         section: "GL 2.1, section 6.1.12",
-        rows: &[(GL_QUERY_RESULT, Answer::Result), (GL_QUERY_RESULT_AVAILABLE, Answer::Available)],
+        rows: &[
+            (GL_QUERY_RESULT, Answer::Result),
+            (GL_QUERY_RESULT_AVAILABLE, Answer::Available),
+            (GL_QUERY_TARGET, Answer::Target),
+        ],
     };
     // A copy shares the counter.
     let Some(query) = context.objects.queries.get(id).cloned() else {
@@ -200,6 +195,7 @@ fn answer(context: &mut Context, id: GLuint, pname: GLenum) -> Result<u64> {
     submit(context);
     Ok(match (wanted, query.target) {
         (Answer::Available, _) => 1,
+        (Answer::Target, _) => query.target_name().into(),
         (Answer::Result, QueryTarget::SamplesPassed) => query.counter.samples(),
         (
             Answer::Result,

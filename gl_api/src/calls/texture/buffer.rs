@@ -9,7 +9,7 @@ use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_enum, invalid_operation, invalid_value};
 use crate::base::limits;
 use crate::base::types::*;
-use crate::calls::texture::bound::bound_mut;
+use crate::calls::texture::bound::ChosenTexture;
 use crate::context::Context;
 use crate::objects::target::TextureTarget;
 use crate::objects::texture_buffer::DataStore;
@@ -21,15 +21,20 @@ const RANGE: &str = "ARB_texture_buffer_range, section 3.8.4";
 
 const TARGET: Table<()> = Table { section: SECTION, rows: &[(GL_TEXTURE_BUFFER, ())] };
 
-/// Gives the bound texture its texels, if the arguments are right.
+/// The bound texture.
+fn bound(context: &Context, target: GLenum) -> Result<ChosenTexture> {
+    TARGET.decode("target", target)?;
+    Ok(ChosenTexture::bound(context, TextureTarget::Buffer))
+}
+
+/// Gives a texture its texels, if the arguments are right.
 fn attach(
     context: &mut Context,
-    target: GLenum,
+    texture: &ChosenTexture,
     internal: GLenum,
     buffer: GLuint,
     range: impl FnOnce(usize) -> Result<Option<Range<usize>>>,
 ) -> Result<()> {
-    TARGET.decode("target", target)?;
     let format = formats::find(internal).filter(|format| format.is_for_texel_buffers());
     let Some(format) = format.map(|format| format.stored) else {
         return invalid_enum(
@@ -50,7 +55,7 @@ fn attach(
         }
     };
     let buffer = context.objects.shared.buffers.hold(buffer);
-    bound_mut(context, TextureTarget::Buffer).store =
+    texture.get_mut(context).store =
         DataStore { internal, format, buffer, range, ..DataStore::default() };
     Ok(())
 }
@@ -61,7 +66,18 @@ pub(crate) fn tex_buffer(
     internalformat: GLenum,
     buffer: GLuint,
 ) -> Result<()> {
-    attach(context, target, internalformat, buffer, |_| Ok(None))
+    let texture = bound(context, target)?;
+    attach_all(context, &texture, internalformat, buffer)
+}
+
+/// Gives a texture all bytes of a buffer.
+pub(crate) fn attach_all(
+    context: &mut Context,
+    texture: &ChosenTexture,
+    internal: GLenum,
+    buffer: GLuint,
+) -> Result<()> {
+    attach(context, texture, internal, buffer, |_| Ok(None))
 }
 
 pub(crate) fn tex_buffer_range(
@@ -72,7 +88,19 @@ pub(crate) fn tex_buffer_range(
     offset: GLintptr,
     size: GLsizeiptr,
 ) -> Result<()> {
-    attach(context, target, internalformat, buffer, |length| {
+    let texture = bound(context, target)?;
+    attach_range(context, &texture, internalformat, buffer, (offset, size))
+}
+
+/// Gives a texture some bytes of a buffer.
+pub(crate) fn attach_range(
+    context: &mut Context,
+    texture: &ChosenTexture,
+    internal: GLenum,
+    buffer: GLuint,
+    (offset, size): (GLintptr, GLsizeiptr),
+) -> Result<()> {
+    attach(context, texture, internal, buffer, |length| {
         let alignment = limits::TEXTURE_BUFFER_OFFSET_ALIGNMENT;
         let range = usize::try_from(offset).ok().zip(usize::try_from(size).ok());
         match range.and_then(|(offset, size)| Some(offset..offset.checked_add(size)?)) {

@@ -6,13 +6,12 @@ use crate::base::constants::*;
 use crate::base::error::{Result, invalid_operation, invalid_value};
 use crate::base::types::*;
 use crate::calls::pixels::memory::{source, write_bytes};
-use crate::calls::texture::bound::bound;
+use crate::calls::texture::bound::{ChosenImage, ChosenTexture};
+use crate::calls::texture::get_sub::check_size;
 use crate::calls::texture::level_request::{ImageRequest, LevelDesc};
 use crate::calls::texture::sub::BoxRequest;
 use crate::context::Context;
-use crate::objects::target::{
-    Dimensions, FaceTarget, ImageTarget, TextureTarget, any_bound, checked_level,
-};
+use crate::objects::target::{Dimensions, ImageTarget, TextureTarget, any_bound, checked_level};
 use crate::pixel::convert;
 use crate::pixel::etc::{self, EtcFormat};
 use crate::pixel::formats::COMPRESSED;
@@ -118,11 +117,11 @@ fn etc_image(
 fn etc_sub_image(
     context: &mut Context,
     format: &EtcFormat,
-    (target, level, offset, size): (FaceTarget, GLint, [GLint; 3], [GLsizei; 3]),
+    (image, level, offset, size): (ChosenImage, GLint, [GLint; 3], [GLsizei; 3]),
     (image_size, data): (GLsizei, Data<'_>),
 ) -> Result<()> {
-    let area = BoxRequest::new(context, target, level, offset, size)?;
-    let requested = bound(context, target.target).requested[usize::from(target.face)][area.level];
+    let area = BoxRequest::new(context, image, level, offset, size)?;
+    let requested = area.internal(context);
     if requested != format.name || requested == GL_ETC1_RGB8_OES {
         let [format, requested] = [format.name, requested].map(enum_name);
         let rule = format!(
@@ -130,15 +129,16 @@ fn etc_sub_image(
         );
         return invalid_operation(ETC, rule);
     }
-    let bytes = checked_etc_bytes(format, area.size, image_size)?;
+    let pixels = area.pixels_size();
+    let bytes = checked_etc_bytes(format, pixels, image_size)?;
     let Some(source) = source(context, data, bytes)? else {
         let rule = format!("data must not be NULL: {bytes} bytes are needed");
         return invalid_operation(ETC, rule);
     };
     let blocks = checked_slice(source.bytes(), bytes)?;
     area.check_blocks_of(etc::SIDE)?;
-    let mut texels = scratch(format.stored, area.size.map(|side| side as usize))?;
-    format.decode(area.size, blocks, &mut texels);
+    let mut texels = scratch(format.stored, pixels.map(|side| side as usize))?;
+    format.decode(pixels, blocks, &mut texels);
     area.apply(context, &texels)
 }
 
@@ -159,18 +159,30 @@ fn compressed_tex_sub_image(
     offset: [GLint; 3],
     size: [GLsizei; 3],
     format: GLenum,
+    data: (GLsizei, Data<'_>),
+) -> Result<()> {
+    let image = ChosenImage::bound(context, dimensions.bound(target)?);
+    replace_blocks(context, image, level, (offset, size), format, data)
+}
+
+/// Replaces the blocks of a box of a level by the client's.
+pub(crate) fn replace_blocks(
+    context: &mut Context,
+    image: ChosenImage,
+    level: GLint,
+    (offset, size): ([GLint; 3], [GLsizei; 3]),
+    format: GLenum,
     (image_size, data): (GLsizei, Data<'_>),
 ) -> Result<()> {
-    let target = dimensions.bound(target)?;
     if let Some(format) = of_es(context, format) {
-        return etc_sub_image(context, format, (target, level, offset, size), (image_size, data));
+        return etc_sub_image(context, format, (image, level, offset, size), (image_size, data));
     }
     let format = COMPRESSED.decode("format", format)?.stored;
-    let area = BoxRequest::new(context, target, level, offset, size)?;
+    let area = BoxRequest::new(context, image, level, offset, size)?;
     if area.format != format {
         return invalid_operation(SECTION, "format must be the level's internalformat");
     }
-    let bytes = checked_bytes(format, area.size, image_size)?;
+    let bytes = checked_bytes(format, area.pixels_size(), image_size)?;
     let Some(source) = source(context, data, bytes)? else {
         return invalid_operation(
             SECTION,
@@ -188,15 +200,28 @@ pub(crate) fn get_compressed_tex_image(
     level: GLint,
     img: DataOut<'_>,
 ) -> Result<()> {
+    let face = any_bound(target)?;
+    let texture = ChosenTexture::bound(context, face.target);
+    read_blocks(context, (&texture, face.face), level, None, img)
+}
+
+/// Reads the blocks of a compressed level.
+pub(crate) fn read_blocks(
+    context: &mut Context,
+    (texture, face): (&ChosenTexture, u8),
+    level: GLint,
+    buf_size: Option<GLsizei>,
+    img: DataOut<'_>,
+) -> Result<()> {
     const SECTION: &str = "GL 2.1, section 6.1.4";
-    let target = any_bound(target)?;
-    let level = checked_level(SECTION, target.target, level)?;
-    let image = bound(context, target.target).image.texels();
-    let found = image.level(target.face.into(), level);
+    let level = checked_level(SECTION, texture.target, level)?;
+    let image = texture.get(context).image.texels();
+    let found = image.level(face.into(), level);
     let Some(level) = found.filter(|level| level.format.block().is_some()) else {
         return invalid_operation(SECTION, "the level is not compressed: use glGetTexImage");
     };
     let blocks = convert::texels(level);
+    buf_size.map_or(Ok(()), |size| check_size(blocks.len(), size))?;
     write_bytes(context, img, blocks.len(), |out| {
         out[..blocks.len()].copy_from_slice(blocks);
     })

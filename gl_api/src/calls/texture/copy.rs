@@ -4,7 +4,7 @@ use crate::base::constants::*;
 use crate::base::error::{Result, invalid_operation};
 use crate::base::types::*;
 use crate::calls::framebuffer::read::ReadBuffer;
-use crate::calls::texture::bound::bound;
+use crate::calls::texture::bound::ChosenImage;
 use crate::calls::texture::level_request::{ImageRequest, LevelDesc, LevelRequest};
 use crate::calls::texture::sub::BoxRequest;
 use crate::context::Context;
@@ -187,13 +187,25 @@ fn copy_tex_sub_image(
     (dimensions, target): (Dimensions, GLenum),
     level: GLint,
     offset: [GLint; 3],
+    corner: [GLint; 2],
+    size: [GLsizei; 2],
+) -> Result<()> {
+    let image = ChosenImage::bound(context, dimensions.bound(target)?);
+    copy_to(context, image, level, offset, corner, size)
+}
+
+/// Replaces a rectangle of a level by one of the read framebuffer.
+pub(crate) fn copy_to(
+    context: &mut Context,
+    image: ChosenImage,
+    level: GLint,
+    offset: [GLint; 3],
     [x, y]: [GLint; 2],
     [width, height]: [GLsizei; 2],
 ) -> Result<()> {
-    let target = dimensions.bound(target)?;
-    let area = BoxRequest::new(context, target, level, offset, [width, height, 1])?;
+    let area = BoxRequest::new(context, image, level, offset, [width, height, 1])?;
     let region = Region::new(x, y, width as usize, height as usize);
-    let requested = bound(context, target.target).internal(target.face.into(), area.level);
+    let requested = area.internal(context);
     if context.profile.is_es() {
         es_texels::check_copied(requested)?;
     }

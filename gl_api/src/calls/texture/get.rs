@@ -3,7 +3,8 @@
 use crate::base::args::DataOut;
 use crate::base::error::{Result, invalid_enum, invalid_operation};
 use crate::base::types::*;
-use crate::calls::texture::bound::bound;
+use crate::calls::texture::bound::ChosenTexture;
+use crate::calls::texture::get_sub::check_size;
 use crate::calls::texture::specify::kinds_match;
 use crate::context::Context;
 use crate::objects::target::{TextureTarget, any_bound, checked_level};
@@ -65,18 +66,32 @@ pub(crate) fn get_tex_image(
     ty: GLenum,
     pixels: DataOut<'_>,
 ) -> Result<()> {
-    let target = any_bound(target)?;
-    let level = checked_level(SECTION, target.target, level)?;
+    let face = any_bound(target)?;
+    let texture = ChosenTexture::bound(context, face.target);
+    read_level(context, (&texture, face.face), level, (format, ty), (None, pixels))
+}
+
+/// Reads a level, its border too.
+pub(crate) fn read_level(
+    context: &mut Context,
+    (texture, face): (&ChosenTexture, u8),
+    level: GLint,
+    (format, ty): (GLenum, GLenum),
+    (buf_size, pixels): (Option<GLsizei>, DataOut<'_>),
+) -> Result<()> {
+    let target = texture.target;
+    let level = checked_level(SECTION, target, level)?;
     let pixel = requested_pixel(SECTION, format, ty)?;
-    let image = bound(context, target.target).image.clone();
+    let image = texture.get(context).image.clone();
     crate::draw::pass::submit_draws_to(context, &image);
-    let texture = bound(context, target.target);
-    let internal = texture.internal(target.face.into(), level);
+    let texture = texture.get(context);
+    let internal = texture.internal(face.into(), level);
     let texels = texture.image.texels();
-    let Some(level) = texels.level(target.face.into(), level) else { return Ok(()) };
+    let Some(level) = texels.level(face.into(), level) else { return Ok(()) };
     check_readable(pixel, level.format, internal)?;
-    let size = target.target.level_box(level.stored_size()).map(|side| side as usize);
-    let layout = Layout::new(&context.state.pack, pixel, size, extent(target.target))?;
+    let size = target.level_box(level.stored_size()).map(|side| side as usize);
+    let layout = Layout::new(&context.state.pack, pixel, size, extent(target))?;
+    buf_size.map_or(Ok(()), |size| check_size(layout.needed, size))?;
     // No transfer operations are performed on images that are read back.
     let (isa, transfer) = (context.recorder.isa(), Transfer::default());
     if level.format.block().is_some() {

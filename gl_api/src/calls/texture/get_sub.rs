@@ -1,9 +1,10 @@
-//! Reading a part of a level back, by the texture's name: `ARB_get_texture_sub_image`.
+//! Reading a part of a level back, by the texture's name: `ARB_get_texture_sub_image`; and all faces of a level of a cube
+//! map (`ARB_direct_state_access`, section 8.11.4).
 
 use crate::base::args::DataOut;
-use crate::base::constants::GL_NONE;
 use crate::base::error::{Result, invalid_operation, invalid_value, not_negative};
 use crate::base::types::*;
+use crate::calls::texture::bound::ChosenTexture;
 use crate::calls::texture::get::{check_readable, extent, requested_pixel};
 use crate::context::Context;
 use crate::objects::target::{TextureTarget, checked_level};
@@ -18,8 +19,10 @@ use texunit::image::{Image, Level};
 const SECTION: &str = "ARB_get_texture_sub_image, section 8.11.4";
 
 /// A box of texels of a level; the faces of a cube are its images.
-struct TexelBox {
+pub(crate) struct TexelBox {
     target: TextureTarget,
+    /// The internal format that was asked for.
+    internal: GLenum,
     level: usize,
     texels: Image,
     offset: [usize; 3],
@@ -38,10 +41,29 @@ impl TexelBox {
         offset: [GLint; 3],
         size: [GLsizei; 3],
     ) -> Result<Self> {
-        let Some(texture) = context.objects.shared.textures.get(name) else {
-            return invalid_operation(SECTION, format!("texture = {name} is no texture"));
-        };
-        let (target, image) = (texture.target, texture.image.clone());
+        let texture = ChosenTexture::named(context, name)?;
+        let level = Self::level(context, &texture, level)?;
+        let offset = checked(["xoffset", "yoffset", "zoffset"], offset)?;
+        let size = checked(["width", "height", "depth"], size)?;
+        for (axis, level_end) in level.level_size.iter().enumerate() {
+            let end = offset[axis] + size[axis];
+            if end > *level_end {
+                let axis = ["x", "y", "z"][axis];
+                return invalid_value(
+                    SECTION,
+                    format!("the box ends at {axis} = {end}; the level has {level_end}"),
+                );
+            }
+        }
+        Ok(Self { offset, size, ..level })
+    }
+
+    /// All of a level.
+    ///
+    /// # Errors
+    /// As the faces of a cube map differ.
+    pub fn level(context: &mut Context, texture: &ChosenTexture, level: GLint) -> Result<Self> {
+        let (target, image) = (texture.target, texture.get(context).image.clone());
         if target.is_multisample() || target == TextureTarget::Buffer {
             return invalid_operation(
                 SECTION,
@@ -49,8 +71,7 @@ impl TexelBox {
             );
         }
         let level = checked_level(SECTION, target, level)?;
-        let offset = checked(["xoffset", "yoffset", "zoffset"], offset)?;
-        let size = checked(["width", "height", "depth"], size)?;
+        let internal = texture.get(context).internal(0, level);
         crate::draw::pass::submit_draws_to(context, &image);
         let texels = image.texels();
         let faces = texels.shape().faces();
@@ -65,17 +86,8 @@ impl TexelBox {
             level_size[2] = faces as u32;
         }
         let level_size = level_size.map(|side| side as usize);
-        for (axis, level_end) in level_size.iter().enumerate() {
-            let end = offset[axis] + size[axis];
-            if end > *level_end {
-                let axis = ["x", "y", "z"][axis];
-                return invalid_value(
-                    SECTION,
-                    format!("the box ends at {axis} = {end}; the level has {level_end}"),
-                );
-            }
-        }
-        Ok(Self { target, level, texels, offset, size, level_size })
+        let (offset, size) = ([0; 3], level_size);
+        Ok(Self { target, internal, level, texels, offset, size, level_size })
     }
 
     /// The faces that it reaches into.
@@ -133,7 +145,7 @@ fn checked(names: [&str; 3], values: [GLint; 3]) -> Result<[usize; 3]> {
     Ok([value(x, values[0])?, value(y, values[1])?, value(z, values[2])?])
 }
 
-fn check_size(needed: usize, size: GLsizei) -> Result<()> {
+pub(crate) fn check_size(needed: usize, size: GLsizei) -> Result<()> {
     if usize::try_from(size).is_ok_and(|size| needed <= size) {
         return Ok(());
     }
@@ -158,15 +170,19 @@ pub(crate) fn get_texture_sub_image(
 ) -> Result<()> {
     let (offset, size) = ([xoffset, yoffset, zoffset], [width, height, depth]);
     let texel_box = TexelBox::new(context, texture, level, offset, size)?;
+    read_box(context, &texel_box, (format, ty), (buf_size, pixels))
+}
+
+/// Reads the texels of a box as the client's pixels.
+pub(crate) fn read_box(
+    context: &mut Context,
+    texel_box: &TexelBox,
+    (format, ty): (GLenum, GLenum),
+    (buf_size, pixels): (GLsizei, DataOut<'_>),
+) -> Result<()> {
     let pixel = requested_pixel(SECTION, format, ty)?;
     let Some(format) = texel_box.format() else { return Ok(()) };
-    let internal = context
-        .objects
-        .shared
-        .textures
-        .get(texture)
-        .map_or(GL_NONE, |texture| texture.internal(0, texel_box.level));
-    check_readable(pixel, format, internal)?;
+    check_readable(pixel, format, texel_box.internal)?;
     // Its faces are layers here.
     let is_cube = texel_box.target == TextureTarget::Cube;
     let extent = if is_cube { Extent::Volume } else { extent(texel_box.target) };
@@ -208,6 +224,15 @@ pub(crate) fn get_compressed_texture_sub_image(
 ) -> Result<()> {
     let (offset, size) = ([xoffset, yoffset, zoffset], [width, height, depth]);
     let texel_box = TexelBox::new(context, texture, level, offset, size)?;
+    read_blocks_of_box(context, &texel_box, (buf_size, pixels))
+}
+
+/// Reads the blocks of a box of a compressed level.
+pub(crate) fn read_blocks_of_box(
+    context: &mut Context,
+    texel_box: &TexelBox,
+    (buf_size, pixels): (GLsizei, DataOut<'_>),
+) -> Result<()> {
     let Some(format) = texel_box.format() else { return Ok(()) };
     if format.block().is_none() {
         return invalid_operation(SECTION, "the level is not compressed: use glGetTextureSubImage");

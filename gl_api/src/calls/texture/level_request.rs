@@ -3,7 +3,7 @@
 
 use crate::base::error::{Result, invalid_operation, invalid_value, not_negative};
 use crate::base::types::*;
-use crate::calls::texture::bound::{bound, bound_mut};
+use crate::calls::texture::bound::ChosenTexture;
 use crate::context::Context;
 use crate::objects::target::{FaceTarget, ImageTarget, TextureTarget, checked_level};
 use crate::objects::texture::{Proxy, Samples};
@@ -95,9 +95,15 @@ impl LevelDesc {
 
     /// Checks the description against the largest size and the bound texture. A proxy refuses nothing.
     pub fn request(self, context: &Context) -> Result<ImageRequest> {
-        let target = match self.image {
-            ImageTarget::Bound(target) => target,
-            ImageTarget::Proxy(target) => {
+        let destination = Destination::new(context, self.image);
+        self.request_of(context, &destination)
+    }
+
+    /// The same for a texture that may not be bound.
+    pub fn request_of(self, context: &Context, destination: &Destination) -> Result<ImageRequest> {
+        let texture = match destination {
+            Destination::Texture(texture) => texture.clone(),
+            &Destination::Proxy(target) => {
                 let image = self.fits().then_some(Proxy {
                     size: self.size,
                     border: self.border,
@@ -115,14 +121,14 @@ impl LevelDesc {
                 format!("{argument} = {side} must not be above {most} at level {level}"),
             );
         }
-        if bound(context, target.target).immutable.is_some() {
+        if texture.get(context).immutable.is_some() {
             return invalid_operation(
                 "ARB_texture_storage, section 3.8.X",
                 "the texture's levels were given for good by glTexStorage: fill them with \
                  glTexSubImage",
             );
         }
-        Ok(ImageRequest::Texture(LevelRequest { target, desc: self }))
+        Ok(ImageRequest::Texture(LevelRequest { texture, desc: self }))
     }
 
     /// Whether such a level could be stored, as a proxy tells.
@@ -139,6 +145,33 @@ impl LevelDesc {
     /// The slices of the level: every sample of a layer has one.
     fn slices(&self) -> u32 {
         self.size[2] * self.samples.map_or(1, |samples| samples.count.into())
+    }
+}
+
+/// What a call specifies levels of.
+pub(crate) enum Destination {
+    Texture(ChosenTexture),
+    /// A proxy, which tells whether such levels could be stored.
+    Proxy(TextureTarget),
+}
+
+impl Destination {
+    /// What a target names.
+    pub fn new(context: &Context, image: ImageTarget) -> Self {
+        match image {
+            ImageTarget::Bound(face) => Self::Texture(ChosenTexture::bound(context, face.target)),
+            ImageTarget::Proxy(target) => Self::Proxy(target),
+        }
+    }
+
+    /// The image, or the first one, as a target names it.
+    pub fn image(&self) -> ImageTarget {
+        match self {
+            Self::Texture(texture) => {
+                ImageTarget::Bound(FaceTarget { target: texture.target, face: 0 })
+            }
+            &Self::Proxy(target) => ImageTarget::Proxy(target),
+        }
     }
 }
 
@@ -163,9 +196,9 @@ impl ProxyRequest {
     }
 }
 
-/// A level that the bound texture is to have.
+/// A level that a texture is to have.
 pub(crate) struct LevelRequest {
-    target: FaceTarget,
+    pub texture: ChosenTexture,
     pub desc: LevelDesc,
 }
 
@@ -180,12 +213,15 @@ impl LevelRequest {
 
     /// Puts the level in place, with these texels, and lets everything that depends on it know.
     pub fn apply(self, context: &mut Context, texels: Level) -> Result<()> {
-        let Self { target, desc: LevelDesc { level, internal, .. } } = self;
-        let image = bound(context, target.target).image.clone();
+        let Self { texture, desc: LevelDesc { image, level, internal, .. } } = self;
+        let face = match image {
+            ImageTarget::Bound(face) => usize::from(face.face),
+            ImageTarget::Proxy(_) => return Ok(()),
+        };
+        let image = texture.get(context).image.clone();
         crate::draw::pass::submit_draws_to(context, &image);
         let isa = context.recorder.isa();
-        let texture = bound_mut(context, target.target);
-        let face = usize::from(target.face);
+        let texture = texture.get_mut(context);
         texture
             .image
             .update(|image| image.set_level(face, level, texels))

@@ -2,10 +2,10 @@
 //! `GL_GENERATE_MIPMAP` (GL 2.1, section 3.8.8).
 
 use crate::base::constants::*;
-use crate::base::error::{Result, invalid_enum, invalid_operation};
+use crate::base::error::{Result, invalid_operation};
 use crate::base::limits;
 use crate::base::types::*;
-use crate::calls::texture::bound::{bound, bound_mut};
+use crate::calls::texture::bound::ChosenTexture;
 use crate::context::Context;
 use crate::objects::target::TARGET;
 use crate::objects::texture::Texture;
@@ -65,16 +65,20 @@ pub(crate) fn base_level_changed(
 }
 
 pub(crate) fn generate_mipmap(context: &mut Context, target: GLenum) -> Result<()> {
-    let target = TARGET.decode("target", target)?;
-    if target.levels() == 1 {
-        let name = enum_name(TARGET.encode(target));
-        return invalid_enum(SECTION, format!("target = {name} has no mipmaps"));
+    let texture = ChosenTexture::bound(context, TARGET.decode("target", target)?);
+    generate_all(context, &texture)
+}
+
+/// Makes the levels of a texture from its base level.
+pub(crate) fn generate_all(context: &mut Context, texture: &ChosenTexture) -> Result<()> {
+    if texture.target.levels() == 1 {
+        return texture.wrong_target(SECTION, "has no mipmaps");
     }
     let is_es = context.profile.is_es();
-    let image = bound(context, target).image.clone();
+    let image = texture.get(context).image.clone();
     crate::draw::pass::submit_draws_to(context, &image);
     let isa = context.recorder.isa();
-    let texture = bound_mut(context, target);
+    let texture = texture.get_mut(context);
     let base = texture.sampler().base_level as usize;
     let texels = texture.image.texels();
     if is_es

@@ -8,8 +8,9 @@ use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_enum, invalid_operation, invalid_value};
 use crate::base::limits;
 use crate::base::types::*;
-use crate::calls::texture::bound::{bound, bound_mut};
-use crate::calls::texture::level_request::{ImageRequest, LevelDesc, LevelRequest, ProxyRequest};
+use crate::calls::texture::level_request::{
+    Destination, ImageRequest, LevelDesc, LevelRequest, ProxyRequest,
+};
 use crate::context::Context;
 use crate::objects::target::{IMAGE_2D_MULTISAMPLE, IMAGE_3D_MULTISAMPLE, ImageTarget};
 use crate::objects::texture::Samples;
@@ -24,17 +25,17 @@ const STORAGE: &str = "ARB_texture_storage_multisample, section 3.8.X";
 
 /// Whether other images may follow.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Lifetime {
+pub(crate) enum Lifetime {
     Replaceable,
     Immutable,
 }
 
 /// The arguments of a call behind its target.
-struct Arguments {
-    samples: GLsizei,
-    internal: GLenum,
-    size: [GLsizei; 3],
-    fixed_locations: bool,
+pub(crate) struct Arguments {
+    pub samples: GLsizei,
+    pub internal: GLenum,
+    pub size: [GLsizei; 3],
+    pub fixed_locations: bool,
 }
 
 /// A format that is drawn to, as nothing else fills such an image.
@@ -57,27 +58,24 @@ fn checked_format(internal: GLenum, lifetime: Lifetime) -> Result<Format> {
 }
 
 /// What immutable storage needs besides (`ARB_texture_storage`, section 3.8.X).
-fn checked_storage(context: &Context, image: ImageTarget, size: [GLsizei; 3]) -> Result<()> {
+fn checked_storage(destination: &Destination, size: [GLsizei; 3]) -> Result<()> {
     if size.iter().any(|side| *side < 1) {
         let [width, height, depth] = size;
         let rule = format!("the size {width}×{height}×{depth} must be at least 1");
         return invalid_value(STORAGE, rule);
     }
-    let target = image.target();
-    match image {
-        ImageTarget::Bound(_)
-            if context.state.units.active().bound[target as usize].name() == 0 =>
-        {
+    match destination {
+        Destination::Texture(texture) if texture.name() == 0 => {
             invalid_operation(STORAGE, "texture 0 is the default one: bind another")
         }
-        ImageTarget::Bound(_) | ImageTarget::Proxy(_) => Ok(()),
+        Destination::Texture(_) | Destination::Proxy(_) => Ok(()),
     }
 }
 
 /// Checks a call. A proxy refuses more samples than there are by having no image.
 fn request(
     context: &Context,
-    image: ImageTarget,
+    destination: &Destination,
     arguments: &Arguments,
     lifetime: Lifetime,
 ) -> Result<ImageRequest> {
@@ -87,22 +85,22 @@ fn request(
         return invalid_value(SECTION, format!("samples = {samples} must be at least 1"));
     }
     if lifetime == Lifetime::Immutable {
-        checked_storage(context, image, size)?;
+        checked_storage(destination, size)?;
     }
-    let mut desc = LevelDesc::new(image, 0, internal, format, size, 0)?;
+    let mut desc = LevelDesc::new(destination.image(), 0, internal, format, size, 0)?;
     if samples > limits::MAX_SAMPLES.into() {
-        return match image {
-            ImageTarget::Proxy(target) => {
+        return match destination {
+            &Destination::Proxy(target) => {
                 Ok(ImageRequest::Proxy(ProxyRequest { target, level: 0, image: None }))
             }
-            ImageTarget::Bound(_) => invalid_operation(
+            Destination::Texture(_) => invalid_operation(
                 SECTION,
                 format!("samples = {samples} must not be above {}", limits::MAX_SAMPLES),
             ),
         };
     }
     desc.samples = Some(Samples { count: limits::MAX_SAMPLES, fixed_locations });
-    desc.request(context)
+    desc.request_of(context, destination)
 }
 
 fn specify(
@@ -112,23 +110,33 @@ fn specify(
     arguments: &Arguments,
     lifetime: Lifetime,
 ) -> Result<()> {
-    let image = table.decode("target", target)?;
-    match request(context, image, arguments, lifetime)? {
+    let destination = Destination::new(context, table.decode("target", target)?);
+    specify_of(context, &destination, arguments, lifetime)
+}
+
+/// The same for a texture that may not be bound.
+pub(crate) fn specify_of(
+    context: &mut Context,
+    destination: &Destination,
+    arguments: &Arguments,
+    lifetime: Lifetime,
+) -> Result<()> {
+    match request(context, destination, arguments, lifetime)? {
         ImageRequest::Texture(request) => store(context, &request, lifetime),
         ImageRequest::Proxy(request) => request.apply(context),
     }
 }
 
-/// Puts an image of zeros in place of the bound texture's.
+/// Puts an image of zeros in place of the texture's.
 fn store(context: &mut Context, request: &LevelRequest, lifetime: Lifetime) -> Result<()> {
-    let target = request.desc.image.target();
+    let target = request.texture.target;
     let mut texels = Texels::new(target.shape());
     texels.set_level(0, 0, request.storage()?).map_err(|error| storage_error(SECTION, &error))?;
-    let image = bound(context, target).image.clone();
+    let image = request.texture.get(context).image.clone();
     // What was recorded draws to the image as it was.
     crate::draw::pass::submit_draws_to(context, &image);
     image.replace(texels, limits::MAX_SAMPLES, MultisampleStorage::EachSample);
-    let texture = bound_mut(context, target);
+    let texture = request.texture.get_mut(context);
     texture.samples = request.desc.samples;
     texture.requested[0][0] = request.desc.internal;
     texture.immutable = match lifetime {

@@ -5,12 +5,13 @@ use crate::base::convert::{symbol, unit};
 use crate::base::error::{Result, Table, invalid_enum, invalid_operation, invalid_value, must_be};
 use crate::base::query_value::put;
 use crate::base::types::*;
-use crate::calls::texture::bound::{bound, bound_mut};
+use crate::calls::texture::bound::ChosenTexture;
+use crate::calls::texture::samplers::clamped;
 use crate::context::Context;
 use crate::objects::sampler::{Answer, SAMPLER_PARAMETER, SamplerParameter, Values, needs_vector};
 use crate::objects::target::{TARGET, TextureTarget};
-use crate::objects::texture::DepthStencilMode;
-use texunit::sampler::{Border, DepthMode, Swizzle};
+use crate::objects::texture::{DepthStencilMode, Texture};
+use texunit::sampler::{DepthMode, Swizzle};
 
 const SECTION: &str = "GL 2.1, section 3.8.4";
 
@@ -54,6 +55,8 @@ enum Parameter {
     Immutable,
     /// How many levels that has.
     ImmutableLevels,
+    /// The target that it was first bound to.
+    Target,
     BaseLevel,
     MaxLevel,
     DepthMode,
@@ -74,6 +77,7 @@ const PARAMETER: Table<Parameter> = Table {
         (GL_TEXTURE_RESIDENT, Parameter::Resident),
         (GL_TEXTURE_IMMUTABLE_FORMAT, Parameter::Immutable),
         (GL_TEXTURE_IMMUTABLE_LEVELS, Parameter::ImmutableLevels),
+        (GL_TEXTURE_TARGET, Parameter::Target),
         (GL_TEXTURE_BASE_LEVEL, Parameter::BaseLevel),
         (GL_TEXTURE_MAX_LEVEL, Parameter::MaxLevel),
         (GL_DEPTH_TEXTURE_MODE, Parameter::DepthMode),
@@ -122,31 +126,30 @@ fn level_number(target: TextureTarget, pname: GLenum, number: f64) -> Result<u32
     Ok(level.min(GLint::MAX.into()) as u32)
 }
 
-/// A target whose textures have parameters: those of buffers have none.
-fn checked_target(target: GLenum) -> Result<TextureTarget> {
-    let target = TARGET.decode("target", target)?;
-    if target == TextureTarget::Buffer {
-        return invalid_enum(
-            "GL 3.1, section 3.8.5",
-            "target = GL_TEXTURE_BUFFER: the texels of a buffer are fetched, which has no parameters",
-        );
-    }
-    Ok(target)
+/// The texture that is bound to a target.
+fn bound(context: &Context, target: GLenum) -> Result<ChosenTexture> {
+    Ok(ChosenTexture::bound(context, TARGET.decode("target", target)?))
 }
 
-/// A parameter that textures of a target have: where there are several samples a texel, nothing is
-/// filtered, wrapped or compared.
-fn parameter_of(target: TextureTarget, pname: GLenum) -> Result<Parameter> {
+/// Refuses textures that have no parameters: those of buffers.
+fn check_target(texture: &ChosenTexture) -> Result<()> {
+    if texture.target == TextureTarget::Buffer {
+        return texture.wrong_target(
+            "GL 3.1, section 3.8.5",
+            "has no parameters: the texels of a buffer are fetched",
+        );
+    }
+    Ok(())
+}
+
+/// A parameter that a texture has: where there are several samples a texel, nothing is filtered, wrapped or compared.
+fn parameter_of(texture: &ChosenTexture, pname: GLenum) -> Result<Parameter> {
     let parameter = parameter(pname)?;
     let is_samplers = matches!(parameter, Parameter::Sampler(_) | Parameter::BorderColor);
-    if is_samplers && target.is_multisample() {
-        return invalid_enum(
+    if is_samplers && texture.target.is_multisample() {
+        return texture.wrong_target(
             "ARB_texture_storage_multisample, section 3.8.8",
-            format!(
-                "pname = {} is of samplers, which do not count for target = {}",
-                enum_name(pname),
-                enum_name(TARGET.encode(target))
-            ),
+            &format!("has nothing of samplers, as pname = {} is", enum_name(pname)),
         );
     }
     Ok(parameter)
@@ -155,14 +158,15 @@ fn parameter_of(target: TextureTarget, pname: GLenum) -> Result<Parameter> {
 /// Sets a parameter of one number.
 fn set(
     context: &mut Context,
-    target: TextureTarget,
+    texture: &ChosenTexture,
     pname: GLenum,
     parameter: Parameter,
     values: &Values,
 ) -> Result<()> {
     let value = values.one(SECTION, pname)?;
     let symbol = symbol(value as f32);
-    let texture = bound_mut(context, target);
+    let target = texture.target;
+    let texture = texture.get_mut(context);
     let before = texture.state.clone();
     // The levels of immutable storage bound these parameters (ARB_texture_storage, section 3.8.X).
     let last = texture.immutable.map(|levels| levels - 1);
@@ -196,7 +200,10 @@ fn set(
         Parameter::BorderColor | Parameter::Swizzles => {
             return needs_vector(SECTION, pname, "glTexParameter");
         }
-        Parameter::Resident | Parameter::Immutable | Parameter::ImmutableLevels => {
+        Parameter::Resident
+        | Parameter::Immutable
+        | Parameter::ImmutableLevels
+        | Parameter::Target => {
             return invalid_enum(SECTION, format!("pname = {} can only be read", enum_name(pname)));
         }
     }
@@ -207,18 +214,30 @@ fn set(
     Ok(())
 }
 
-fn scalar(context: &mut Context, target: GLenum, pname: GLenum, value: &Values) -> Result<()> {
-    let target = checked_target(target)?;
-    set(context, target, pname, parameter_of(target, pname)?, value)
+/// Sets a parameter that is one number.
+pub(crate) fn scalar(
+    context: &mut Context,
+    texture: &ChosenTexture,
+    pname: GLenum,
+    value: &Values,
+) -> Result<()> {
+    check_target(texture)?;
+    set(context, texture, pname, parameter_of(texture, pname)?, value)
 }
 
-fn vector(context: &mut Context, target: GLenum, pname: GLenum, values: &Values) -> Result<()> {
-    let target = checked_target(target)?;
-    let parameter = parameter_of(target, pname)?;
+/// Sets a parameter that may be several numbers.
+pub(crate) fn vector(
+    context: &mut Context,
+    texture: &ChosenTexture,
+    pname: GLenum,
+    values: &Values,
+) -> Result<()> {
+    check_target(texture)?;
+    let parameter = parameter_of(texture, pname)?;
     match parameter {
         Parameter::BorderColor => {
             let color = values.four(SECTION, pname)?;
-            bound_mut(context, target).state.sampler.border = color;
+            texture.get_mut(context).state.sampler.border = color;
         }
         Parameter::Swizzles => {
             values.four(SECTION, pname)?;
@@ -226,20 +245,21 @@ fn vector(context: &mut Context, target: GLenum, pname: GLenum, values: &Values)
             for (component, &value) in swizzle.iter_mut().zip(&values.plain()) {
                 *component = SWIZZLE.decode("params", symbol(value as f32))?;
             }
-            bound_mut(context, target).state.sampler.swizzle = swizzle;
+            texture.get_mut(context).state.sampler.swizzle = swizzle;
         }
         Parameter::Sampler(_)
         | Parameter::Priority
         | Parameter::Resident
         | Parameter::Immutable
         | Parameter::ImmutableLevels
+        | Parameter::Target
         | Parameter::BaseLevel
         | Parameter::MaxLevel
         | Parameter::DepthMode
         | Parameter::DepthStencilMode
         | Parameter::GenerateMipmap
         | Parameter::Swizzle(_) => {
-            return set(context, target, pname, parameter, values);
+            return set(context, texture, pname, parameter, values);
         }
     }
     Ok(())
@@ -251,7 +271,8 @@ pub(crate) fn tex_parameteri(
     pname: GLenum,
     param: GLint,
 ) -> Result<()> {
-    scalar(context, target, pname, &Values::fixed(&[param]))
+    let texture = bound(context, target)?;
+    scalar(context, &texture, pname, &Values::fixed(&[param]))
 }
 
 pub(crate) fn tex_parameterf(
@@ -260,7 +281,8 @@ pub(crate) fn tex_parameterf(
     pname: GLenum,
     param: GLfloat,
 ) -> Result<()> {
-    scalar(context, target, pname, &Values::floats(&[param]))
+    let texture = bound(context, target)?;
+    scalar(context, &texture, pname, &Values::floats(&[param]))
 }
 
 pub(crate) fn tex_parameteriv(
@@ -269,7 +291,8 @@ pub(crate) fn tex_parameteriv(
     pname: GLenum,
     params: &[GLint],
 ) -> Result<()> {
-    vector(context, target, pname, &Values::fixed(params))
+    let texture = bound(context, target)?;
+    vector(context, &texture, pname, &Values::fixed(params))
 }
 
 pub(crate) fn tex_parameterfv(
@@ -278,7 +301,8 @@ pub(crate) fn tex_parameterfv(
     pname: GLenum,
     params: &[GLfloat],
 ) -> Result<()> {
-    vector(context, target, pname, &Values::floats(params))
+    let texture = bound(context, target)?;
+    vector(context, &texture, pname, &Values::floats(params))
 }
 
 pub(crate) fn tex_parameter_i_iv(
@@ -287,7 +311,8 @@ pub(crate) fn tex_parameter_i_iv(
     pname: GLenum,
     params: &[GLint],
 ) -> Result<()> {
-    vector(context, target, pname, &Values::signed(params))
+    let texture = bound(context, target)?;
+    vector(context, &texture, pname, &Values::signed(params))
 }
 
 pub(crate) fn tex_parameter_i_uiv(
@@ -296,24 +321,11 @@ pub(crate) fn tex_parameter_i_uiv(
     pname: GLenum,
     params: &[GLuint],
 ) -> Result<()> {
-    vector(context, target, pname, &Values::unsigned(params))
+    let texture = bound(context, target)?;
+    vector(context, &texture, pname, &Values::unsigned(params))
 }
 
-/// An answer as fractions are asked for: a border is clamped where fragments are
-/// (`ARB_color_buffer_float`, section 6.1.2).
-pub(crate) fn clamped(context: &Context, answer: Answer) -> Answer {
-    match answer {
-        Answer::Color(Border::Float(color)) => Answer::Color(Border::Float(
-            crate::draw::color_clamp::of_fragments(context).color(color),
-        )),
-        Answer::Color(Border::Sint(_) | Border::Uint(_))
-        | Answer::Numbers(_)
-        | Answer::Fraction(_) => answer,
-    }
-}
-
-fn get(context: &Context, target: TextureTarget, parameter: Parameter) -> Answer {
-    let texture = bound(context, target);
+fn get(texture: &Texture, parameter: Parameter) -> Answer {
     let sampler = &texture.state.sampler;
     let one = match parameter {
         Parameter::BorderColor => return Answer::Color(sampler.border),
@@ -326,6 +338,7 @@ fn get(context: &Context, target: TextureTarget, parameter: Parameter) -> Answer
         Parameter::Resident => 1.0,
         Parameter::Immutable => f64::from(u8::from(texture.immutable.is_some())),
         Parameter::ImmutableLevels => texture.immutable.unwrap_or(0).into(),
+        Parameter::Target => TARGET.encode(texture.target).into(),
         Parameter::BaseLevel => sampler.base_level.into(),
         Parameter::MaxLevel => sampler.max_level.into(),
         Parameter::DepthMode => DEPTH_MODE.encode(sampler.depth_mode).into(),
@@ -337,8 +350,17 @@ fn get(context: &Context, target: TextureTarget, parameter: Parameter) -> Answer
 }
 
 fn query(context: &Context, target: GLenum, pname: GLenum) -> Result<Answer> {
-    let target = checked_target(target)?;
-    Ok(get(context, target, parameter(pname)?))
+    query_of(context, &bound(context, target)?, pname)
+}
+
+/// What a parameter of a texture is.
+pub(crate) fn query_of(
+    context: &Context,
+    texture: &ChosenTexture,
+    pname: GLenum,
+) -> Result<Answer> {
+    check_target(texture)?;
+    Ok(get(texture.get(context), parameter(pname)?))
 }
 
 pub(crate) fn get_tex_parameteriv(

@@ -4,11 +4,13 @@ use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation};
 use crate::base::query_value::put;
 use crate::base::types::*;
-use crate::calls::texture::bound::bound;
+use crate::calls::texture::bound::ChosenTexture;
+use crate::calls::texture::level_request::Destination;
 use crate::context::Context;
 use crate::draw::texture_buffer::length;
 use crate::objects::target::{ImageTarget, TextureTarget, any_known, checked_level};
 use crate::objects::texture::Samples;
+use crate::objects::texture_buffer::DataStore;
 use crate::pixel::component_bits::{Component, component_bits};
 use crate::pixel::formats;
 use std::ops::Range;
@@ -96,8 +98,7 @@ impl Known {
 }
 
 /// What is known of a buffer texture.
-fn known_buffer(context: &Context) -> Known {
-    let store = &bound(context, TextureTarget::Buffer).store;
+fn known_buffer(context: &Context, store: &DataStore) -> Known {
     let range = store.range_of(length(context, store));
     Known {
         given: [store.texels(range.len()), 1, 1],
@@ -109,20 +110,20 @@ fn known_buffer(context: &Context) -> Known {
     }
 }
 
-fn known(context: &Context, image: ImageTarget, level: usize) -> Option<Known> {
-    let target = image.target();
-    if target == TextureTarget::Buffer {
-        return Some(known_buffer(context));
-    }
-    let (size, border, internal, format, samples) = match image {
-        ImageTarget::Bound(face) => {
-            let texture = bound(context, target);
-            let number = usize::from(face.face);
+fn known(context: &Context, (of, face): (&Destination, u8), level: usize) -> Option<Known> {
+    let target = of.image().target();
+    let (size, border, internal, format, samples) = match of {
+        Destination::Texture(texture) if target == TextureTarget::Buffer => {
+            return Some(known_buffer(context, &texture.get(context).store));
+        }
+        Destination::Texture(texture) => {
+            let texture = texture.get(context);
+            let number = usize::from(face);
             let found = texture.image.level(number, level)?;
             let requested = texture.requested[number][level];
             (found.size, found.border[0], requested, found.format, texture.samples)
         }
-        ImageTarget::Proxy(_) => {
+        Destination::Proxy(_) => {
             let proxy = context.state.proxies[target as usize][level]?;
             (proxy.size, proxy.border, proxy.internal, proxy.format, proxy.samples)
         }
@@ -149,9 +150,24 @@ pub(super) fn kind(format: Format) -> GLenum {
 
 fn property(context: &Context, target: GLenum, level: GLint, pname: GLenum) -> Result<GLint> {
     let image = any_known(target)?;
+    let face = match image {
+        ImageTarget::Bound(face) => face.face,
+        ImageTarget::Proxy(_) => 0,
+    };
+    property_of(context, (&Destination::new(context, image), face), level, pname)
+}
+
+/// A property of a level of a texture or of a proxy.
+fn property_of(
+    context: &Context,
+    (of, face): (&Destination, u8),
+    level: GLint,
+    pname: GLenum,
+) -> Result<GLint> {
+    let image = of.image();
     let level = checked_level(SECTION, image.target(), level)?;
     let property = PROPERTY.decode("pname", pname)?;
-    let known = known(context, image, level);
+    let known = known(context, (of, face), level);
     let is_bound = matches!(image, ImageTarget::Bound(_));
     let is_compressed = known.as_ref().is_some_and(|known| known.format.block().is_some());
     if property == Property::CompressedBytes && !(is_bound && is_compressed) {
@@ -198,6 +214,16 @@ fn property(context: &Context, target: GLenum, level: GLint, pname: GLenum) -> R
         Property::Kind(component) if known.bits(component) == 0 => 0,
         Property::Kind(_) => kind(known.format) as GLint,
     })
+}
+
+/// A property of a level of a texture; of a cube map, of its first face (`ARB_direct_state_access`, section 8.11.3).
+pub(crate) fn property_of_texture(
+    context: &Context,
+    texture: ChosenTexture,
+    level: GLint,
+    pname: GLenum,
+) -> Result<GLint> {
+    property_of(context, (&Destination::Texture(texture), 0), level, pname)
 }
 
 pub(crate) fn get_tex_level_parameteriv(

@@ -4,7 +4,6 @@ use crate::base::constants::*;
 use crate::base::error::{Result, invalid_enum, invalid_operation, invalid_value};
 use crate::base::query_value::put;
 use crate::base::types::*;
-use crate::calls::texture::parameter::clamped;
 use crate::context::Context;
 use crate::interface::MAX_COMBINED_TEXTURE_IMAGE_UNITS;
 use crate::objects::bound::Bound;
@@ -12,6 +11,7 @@ use crate::objects::name_table::{Sweep, listed};
 use crate::objects::sampler::{
     Answer, SAMPLER_PARAMETER, SamplerParameter, SamplerState, Values, needs_vector,
 };
+use texunit::sampler::Border;
 
 const SECTION: &str = "ARB_sampler_objects, section 3.8.2";
 
@@ -26,6 +26,14 @@ pub(crate) fn gen_samplers(
         context.objects.shared.samplers.create(name, SamplerState::default);
     }
     Ok(())
+}
+
+pub(crate) fn create_samplers(
+    context: &mut Context,
+    n: GLsizei,
+    samplers: &mut [GLuint],
+) -> Result<()> {
+    gen_samplers(context, n, samplers)
 }
 
 pub(crate) fn delete_samplers(
@@ -166,6 +174,19 @@ pub(crate) fn sampler_parameter_i_uiv(
     params: &[GLuint],
 ) -> Result<()> {
     vector(context, sampler, pname, &Values::unsigned(params))
+}
+
+/// An answer as fractions are asked for: a border is clamped where fragments are
+/// (`ARB_color_buffer_float`, section 6.1.2).
+pub(crate) fn clamped(context: &Context, answer: Answer) -> Answer {
+    match answer {
+        Answer::Color(Border::Float(color)) => Answer::Color(Border::Float(
+            crate::draw::color_clamp::of_fragments(context).color(color),
+        )),
+        Answer::Color(Border::Sint(_) | Border::Uint(_))
+        | Answer::Numbers(_)
+        | Answer::Fraction(_) => answer,
+    }
 }
 
 fn query(context: &mut Context, sampler: GLuint, pname: GLenum) -> Result<Answer> {

@@ -3,8 +3,10 @@
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_enum, invalid_operation, invalid_value};
 use crate::base::types::*;
-use crate::calls::texture::bound::{bound, bound_mut};
-use crate::calls::texture::level_request::{ImageRequest, LevelDesc, LevelRequest, ProxyRequest};
+use crate::calls::texture::bound::ChosenTexture;
+use crate::calls::texture::level_request::{
+    Destination, ImageRequest, LevelDesc, LevelRequest, ProxyRequest,
+};
 use crate::context::Context;
 use crate::objects::target::{FaceTarget, ImageTarget, TextureTarget};
 use crate::pixel::etc;
@@ -17,7 +19,7 @@ const fn texture(target: TextureTarget) -> ImageTarget {
     ImageTarget::Bound(FaceTarget { target, face: 0 })
 }
 
-const STORAGE_1D: Table<ImageTarget> = Table {
+pub(crate) const STORAGE_1D: Table<ImageTarget> = Table {
     section: SECTION,
     rows: &[
         (GL_TEXTURE_1D, texture(TextureTarget::D1)),
@@ -25,7 +27,7 @@ const STORAGE_1D: Table<ImageTarget> = Table {
     ],
 };
 
-const STORAGE_2D: Table<ImageTarget> = Table {
+pub(crate) const STORAGE_2D: Table<ImageTarget> = Table {
     section: SECTION,
     rows: &[
         (GL_TEXTURE_2D, texture(TextureTarget::D2)),
@@ -39,7 +41,7 @@ const STORAGE_2D: Table<ImageTarget> = Table {
     ],
 };
 
-const STORAGE_3D: Table<ImageTarget> = Table {
+pub(crate) const STORAGE_3D: Table<ImageTarget> = Table {
     section: SECTION,
     rows: &[
         (GL_TEXTURE_3D, texture(TextureTarget::D3)),
@@ -73,28 +75,29 @@ fn checked_levels(target: TextureTarget, levels: GLsizei, size: [GLsizei; 3]) ->
 }
 
 /// A checked `glTexStorage`.
-enum StorageRequest {
-    /// All levels that the bound texture is to have.
-    Texture { target: TextureTarget, internal: GLenum, levels: Vec<LevelRequest> },
+pub(crate) enum StorageRequest {
+    /// All levels that a texture is to have.
+    Texture { texture: ChosenTexture, internal: GLenum, levels: Vec<LevelRequest> },
     /// The answers for all levels of a proxy.
     Proxy { target: TextureTarget, levels: Vec<ProxyRequest> },
 }
 
 impl StorageRequest {
-    fn new(
+    pub fn new(
         context: &Context,
-        image: ImageTarget,
+        destination: Destination,
         levels: GLsizei,
         internal: GLenum,
         size: [GLsizei; 3],
     ) -> Result<Self> {
+        let image = destination.image();
         let target = image.target();
         let in_profile =
             |format: &&InternalFormat| !context.profile.is_es() || format.is_for_textures_in_es();
         let row = sized_format(internal).filter(in_profile).map(|format| format.stored);
         let blocks = etc::find(internal)
             .filter(|format| context.profile.is_es() && format.name != GL_ETC1_RGB8_OES);
-        if blocks.is_some() && image.target() == TextureTarget::D3 {
+        if blocks.is_some() && target == TextureTarget::D3 {
             let rule = "this target takes no images of ETC2 or EAC";
             return invalid_operation("OpenGL ES 3.0, section 3.8.4", rule);
         }
@@ -108,9 +111,9 @@ impl StorageRequest {
             );
         };
         let count = checked_levels(target, levels, size)?;
-        if let ImageTarget::Bound(_) = image {
-            let name = context.state.units.active().bound[target as usize].name();
-            if name == 0 || bound(context, target).immutable.is_some() {
+        if let Destination::Texture(texture) = &destination {
+            let name = texture.name();
+            if name == 0 || texture.get(context).immutable.is_some() {
                 let why =
                     if name == 0 { "is the default one" } else { "has storage for good already" };
                 return invalid_operation(SECTION, format!("texture {name} {why}: bind another"));
@@ -121,7 +124,7 @@ impl StorageRequest {
         for level in 0..count as GLint {
             let given = target.level_box(side).map(|side| side as GLsizei);
             let desc = LevelDesc::new(image, level, internal, format, given, 0)?;
-            match desc.request(context)? {
+            match desc.request_of(context, &destination)? {
                 ImageRequest::Texture(request) => levels.push(request),
                 ImageRequest::Proxy(request) => {
                     let fits = request.image.is_some();
@@ -133,17 +136,17 @@ impl StorageRequest {
             }
             side = target.shape().halved(side);
         }
-        Ok(match image {
-            ImageTarget::Bound(_) => Self::Texture { target, internal, levels },
-            ImageTarget::Proxy(_) => Self::Proxy { target, levels: proxies },
+        Ok(match destination {
+            Destination::Texture(texture) => Self::Texture { texture, internal, levels },
+            Destination::Proxy(target) => Self::Proxy { target, levels: proxies },
         })
     }
 
-    fn apply(self, context: &mut Context) -> Result<()> {
+    pub fn apply(self, context: &mut Context) -> Result<()> {
         match self {
-            Self::Texture { target, internal, levels } => {
+            Self::Texture { texture, internal, levels } => {
                 let levels: Result<Vec<Level>> = levels.iter().map(LevelRequest::storage).collect();
-                store(context, target, internal, levels?)
+                store(context, &texture, internal, levels?)
             }
             // One level that cannot be stored is enough for the proxy to say so.
             Self::Proxy { target, levels } if levels.iter().any(|level| level.image.is_none()) => {
@@ -157,13 +160,14 @@ impl StorageRequest {
     }
 }
 
-/// Replaces all levels that the bound texture has.
+/// Replaces all levels that a texture has.
 fn store(
     context: &mut Context,
-    target: TextureTarget,
+    texture: &ChosenTexture,
     internal: GLenum,
     levels: Vec<Level>,
 ) -> Result<()> {
+    let target = texture.target;
     let mut all = Texels::new(target.shape());
     for (number, level) in levels.iter().enumerate() {
         for face in 0..target.shape().faces() {
@@ -171,9 +175,9 @@ fn store(
                 .map_err(|error| crate::pixel::storage_error::storage_error(SECTION, &error))?;
         }
     }
-    let image = bound(context, target).image.clone();
+    let image = texture.get(context).image.clone();
     crate::draw::pass::submit_draws_to(context, &image);
-    let texture = bound_mut(context, target);
+    let texture = texture.get_mut(context);
     texture.image.update(|image| *image = all);
     for requested in &mut texture.requested {
         requested.fill(GL_NONE);
@@ -192,7 +196,8 @@ pub(crate) fn tex_storage_1d(
     width: GLsizei,
 ) -> Result<()> {
     let image = STORAGE_1D.decode("target", target)?;
-    StorageRequest::new(context, image, levels, internalformat, [width, 1, 1])?.apply(context)
+    let to = Destination::new(context, image);
+    StorageRequest::new(context, to, levels, internalformat, [width, 1, 1])?.apply(context)
 }
 
 pub(crate) fn tex_storage_2d(
@@ -204,7 +209,8 @@ pub(crate) fn tex_storage_2d(
     height: GLsizei,
 ) -> Result<()> {
     let image = STORAGE_2D.decode("target", target)?;
-    StorageRequest::new(context, image, levels, internalformat, [width, height, 1])?.apply(context)
+    let to = Destination::new(context, image);
+    StorageRequest::new(context, to, levels, internalformat, [width, height, 1])?.apply(context)
 }
 
 pub(crate) fn tex_storage_3d(
@@ -217,6 +223,6 @@ pub(crate) fn tex_storage_3d(
     depth: GLsizei,
 ) -> Result<()> {
     let image = STORAGE_3D.decode("target", target)?;
-    StorageRequest::new(context, image, levels, internalformat, [width, height, depth])?
-        .apply(context)
+    let to = Destination::new(context, image);
+    StorageRequest::new(context, to, levels, internalformat, [width, height, depth])?.apply(context)
 }

@@ -4,27 +4,29 @@ use crate::base::args::Data;
 use crate::base::error::{Result, invalid_operation, invalid_value, not_negative};
 use crate::base::types::*;
 use crate::calls::pixels::memory::pixel_source;
-use crate::calls::texture::bound::{bound, bound_mut};
+use crate::calls::texture::bound::{ChosenImage, ChosenTexture, Faces};
 use crate::calls::texture::specify::{extent, kinds_match};
 use crate::context::Context;
-use crate::objects::target::{Dimensions, FaceTarget, checked_level};
+use crate::objects::target::{Dimensions, checked_level};
 use crate::pixel::client::Pixel;
 use crate::pixel::layout::Layout;
 use crate::pixel::memory::Source;
 use crate::pixel::scratch::scratch;
 use crate::pixel::storage_error::storage_error;
 use crate::pixel::{blocks, convert, es_texels};
+use std::ops::Range;
 use std::sync::Arc;
 use texunit::format::Format;
-use texunit::image::{ImageError, Level};
+use texunit::image::{FACES, ImageError, Level};
 
 const SECTION: &str = "GL 2.1, section 3.8.2";
 
-/// A box of a level of the bound texture, which a call is to overwrite: it exists, and lies inside the level or its
-/// border.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// A box of a level of a texture, which a call is to overwrite: it exists, and lies inside the level or its border.
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct BoxRequest {
-    target: FaceTarget,
+    texture: ChosenTexture,
+    /// The faces in which there is such a box, one after the other in the client's pixels.
+    faces: Range<usize>,
     pub level: usize,
     /// The level's format.
     pub format: Format,
@@ -33,33 +35,51 @@ pub(crate) struct BoxRequest {
     /// The lowest corner within the level; -1 is the border.
     at: [i32; 3],
     /// Width, height and depth within the level.
-    pub size: [u32; 3],
+    size: [u32; 3],
 }
 
 impl BoxRequest {
     pub fn new(
         context: &Context,
-        target: FaceTarget,
+        image: ChosenImage,
         level: GLint,
-        offset: [GLint; 3],
-        size: [GLsizei; 3],
+        mut offset: [GLint; 3],
+        mut size: [GLsizei; 3],
     ) -> Result<Self> {
-        let level = checked_level(SECTION, target.target, level)?;
+        let ChosenImage { texture, faces } = image;
+        let target = texture.target;
+        let level = checked_level(SECTION, target, level)?;
         for (argument, side) in ["width", "height", "depth"].into_iter().zip(size) {
             not_negative(SECTION, argument, side.into())?;
         }
-        let image = bound(context, target.target).image.texels();
-        let Some(texels) = image.level(target.face.into(), level) else {
+        let faces = match faces {
+            Faces::One(face) => usize::from(face)..usize::from(face) + 1,
+            Faces::Layers => {
+                let faces = layers(offset[2], size[2])?;
+                (offset[2], size[2]) = (0, 1);
+                faces
+            }
+        };
+        let image = texture.get(context).image.texels();
+        let kind = |face| image.level(face, level).map(|level| (level.size(), level.format));
+        let first = faces.start.min(FACES - 1);
+        if faces.clone().any(|face| kind(face) != kind(first)) {
+            return invalid_operation(
+                "ARB_direct_state_access, section 8.6",
+                format!("the faces of the cube map differ at level {level}"),
+            );
+        }
+        let Some(texels) = image.level(first, level) else {
             return invalid_operation(
                 SECTION,
                 format!(
                     "level {level} has no image yet: call {} first",
-                    target.target.shape().image_call()
+                    target.shape().image_call()
                 ),
             );
         };
-        let limits = target.target.level_box(texels.size());
-        let borders = target.target.level_box(texels.border);
+        let limits = target.level_box(texels.size());
+        let borders = target.level_box(texels.border);
         let names = [("xoffset", "width"), ("yoffset", "height"), ("zoffset", "depth")];
         for (axis, (name, argument)) in names.into_iter().enumerate() {
             let (at, side) = (offset[axis], size[axis]);
@@ -72,12 +92,13 @@ impl BoxRequest {
             }
         }
         Ok(Self {
-            target,
+            faces,
             level,
             format: texels.format,
             level_size: texels.size(),
-            at: target.target.level_box(offset),
-            size: target.target.level_box(size.map(|side| side as u32)),
+            at: target.level_box(offset),
+            size: target.level_box(size.map(|side| side as u32)),
+            texture,
         })
     }
 
@@ -107,29 +128,48 @@ impl BoxRequest {
 
     /// Overwrites the box with texels of the level's format.
     pub fn apply(&self, context: &mut Context, texels: &[u8]) -> Result<()> {
-        let (target, face) = (self.target.target, self.target.face.into());
-        let image = bound(context, target).image.clone();
+        if self.faces.is_empty() {
+            return Ok(());
+        }
+        let image = self.texture.get(context).image.clone();
         crate::draw::pass::submit_draws_to(context, &image);
         let isa = context.recorder.isa();
         // Its plan reads the texels: while it is there they would be copied first.
-        bound_mut(context, target).texels_changed();
-        if image.update(|image| is_expensive_to_copy(image.level(face, self.level))) {
+        self.texture.get_mut(context).texels_changed();
+        let first = self.faces.start;
+        if image.update(|image| is_expensive_to_copy(image.level(first, self.level))) {
             crate::draw::pass::submit(context);
         }
-        let texture = bound_mut(context, target);
-        let written = texture.image.update(|image| {
-            image
-                .level_mut(face, self.level)
-                .map_or(Ok(()), |level| level.write_box(self.at, self.size, texels))
-        });
-        written.map_err(|error| storage_error(SECTION, &error))?;
-        crate::calls::texture::mipmap::base_level_changed(isa, texture, face, self.level)
+        let texture = self.texture.get_mut(context);
+        let bytes = texels.len() / self.faces.len();
+        for (at, face) in self.faces.clone().enumerate() {
+            let texels = &texels[at * bytes..(at + 1) * bytes];
+            let written = texture.image.update(|image| {
+                image
+                    .level_mut(face, self.level)
+                    .map_or(Ok(()), |level| level.write_box(self.at, self.size, texels))
+            });
+            written.map_err(|error| storage_error(SECTION, &error))?;
+            crate::calls::texture::mipmap::base_level_changed(isa, texture, face, self.level)?;
+        }
+        Ok(())
+    }
+
+    /// The internal format that was asked for there.
+    pub fn internal(&self, context: &Context) -> GLenum {
+        self.texture.get(context).internal(self.faces.start.min(FACES - 1), self.level)
+    }
+
+    /// Width, height and depth of the client's pixels; faces are layers.
+    pub fn pixels_size(&self) -> [u32; 3] {
+        let [width, height, depth] = self.size;
+        [width, height, depth * self.faces.len() as u32]
     }
 
     /// Overwrites the box with tightly packed texels of [`Self::transfer_format`].
     pub fn apply_converted(&self, context: &mut Context, texels: &[u8]) -> Result<()> {
         if self.format.block().is_some() {
-            let level = blocks::compress(self.format, self.size, texels)?;
+            let level = blocks::compress(self.format, self.pixels_size(), texels)?;
             return self.apply(context, convert::texels(&level));
         }
         self.apply(context, texels)
@@ -139,6 +179,18 @@ impl BoxRequest {
     fn transfer_format(&self) -> Format {
         if self.format.block().is_some() { blocks::COLORS } else { self.format }
     }
+}
+
+/// The faces of a cube map that a box reaches into.
+fn layers(offset: GLint, count: GLsizei) -> Result<Range<usize>> {
+    let end = i64::from(offset) + i64::from(count);
+    if offset < 0 || end > FACES as i64 {
+        return invalid_value(
+            SECTION,
+            format!("zoffset = {offset} and depth = {count} reach outside 0 to {FACES}, the faces"),
+        );
+    }
+    Ok(offset as usize..end as usize)
 }
 
 /// Whether to copy a level for draws that wait costs more than to carry these out before it is written to.
@@ -194,14 +246,27 @@ fn tex_sub_image(
     level: GLint,
     offset: [GLint; 3],
     size: [GLsizei; 3],
+    kind: (GLenum, GLenum),
+    pixels: Data<'_>,
+) -> Result<()> {
+    let image = ChosenImage::bound(context, dimensions.bound(target)?);
+    replace_box(context, (dimensions, image), level, offset, size, kind, pixels)
+}
+
+/// Replaces a box of a level by the client's pixels.
+pub(crate) fn replace_box(
+    context: &mut Context,
+    (dimensions, image): (Dimensions, ChosenImage),
+    level: GLint,
+    offset: [GLint; 3],
+    size: [GLsizei; 3],
     (format, ty): (GLenum, GLenum),
     pixels: Data<'_>,
 ) -> Result<()> {
-    let target = dimensions.bound(target)?;
     let is_es = context.profile.is_es();
     let pixel = if is_es { Pixel::new_in_es(format, ty) } else { Pixel::new(format, ty) }?;
-    let area = BoxRequest::new(context, target, level, offset, size)?;
-    let internal = bound(context, target.target).internal(target.face.into(), area.level);
+    let area = BoxRequest::new(context, image, level, offset, size)?;
+    let internal = area.internal(context);
     kinds_match(pixel, area.format, internal)?;
     if is_es {
         es_texels::check_replaced(internal, format, ty)?;

@@ -9,7 +9,7 @@ use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation, invalid_value, not_negative};
 use crate::base::memory::{copied, out_of_memory};
 use crate::base::types::*;
-use crate::calls::vertex::array_objects::require_vertex_array;
+use crate::calls::vertex::array_objects::{ChosenArrays, require_vertex_array};
 use crate::calls::vertex::bindings::{vertex_attrib_binding, vertex_binding_divisor};
 use crate::context::Context;
 use crate::draw::array_names::refuse_client_memory;
@@ -320,15 +320,30 @@ pub(crate) fn vertex_attrib_divisor(
 }
 
 pub(crate) fn enable_vertex_attrib_array(context: &mut Context, index: GLuint) -> Result<()> {
-    require_vertex_array(context)?;
-    context.state.arrays.by_location[usize::from(generic(index)?)].enabled = true;
-    context.state_changes.values_only();
-    Ok(())
+    enable_array(context, ChosenArrays::Bound, index, Enabled::Yes)
 }
 
 pub(crate) fn disable_vertex_attrib_array(context: &mut Context, index: GLuint) -> Result<()> {
-    require_vertex_array(context)?;
-    context.state.arrays.by_location[usize::from(generic(index)?)].enabled = false;
+    enable_array(context, ChosenArrays::Bound, index, Enabled::No)
+}
+
+/// Whether an array is read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Enabled {
+    Yes,
+    No,
+}
+
+/// Enables or disables a generic array.
+pub(crate) fn enable_array(
+    context: &mut Context,
+    chosen: ChosenArrays,
+    index: GLuint,
+    enabled: Enabled,
+) -> Result<()> {
+    chosen.require(context)?;
+    let array = &mut chosen.arrays_mut(context).by_location[usize::from(generic(index)?)];
+    array.enabled = enabled == Enabled::Yes;
     context.state_changes.values_only();
     Ok(())
 }

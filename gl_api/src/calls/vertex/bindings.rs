@@ -4,7 +4,7 @@ use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation, invalid_value, not_negative};
 use crate::base::limits::{MAX_VERTEX_ATTRIB_BINDINGS, MAX_VERTEX_ATTRIB_RELATIVE_OFFSET};
 use crate::base::types::*;
-use crate::calls::vertex::array_objects::require_vertex_array;
+use crate::calls::vertex::array_objects::ChosenArrays;
 use crate::calls::vertex::arrays::{INTEGER_TYPE, Rules};
 use crate::context::Context;
 use crate::objects::arrays::{ANY_TYPE, AttributeBinding, generic};
@@ -33,7 +33,7 @@ pub(crate) fn binding_point(index: GLuint) -> Result<u8> {
 
 fn set_format(
     context: &mut Context,
-    index: GLuint,
+    (chosen, index): (ChosenArrays, GLuint),
     rules: &Rules,
     (size, ty): (GLint, GLenum),
     relative_offset: GLuint,
@@ -49,8 +49,8 @@ fn set_format(
             ),
         );
     }
-    require_vertex_array(context)?;
-    let arrays = &mut context.state.arrays;
+    chosen.require(context)?;
+    let arrays = chosen.arrays_mut(context);
     let array = &mut arrays.by_location[location];
     (array.components, array.ty, array.format) = (components, ty, format);
     arrays.attributes[location].relative_offset = relative_offset as usize;
@@ -71,9 +71,21 @@ pub(crate) fn vertex_attrib_format(
     normalized: bool,
     relative_offset: GLuint,
 ) -> Result<()> {
+    let chosen = ChosenArrays::Bound;
+    set_plain_format(context, (chosen, index), (size, ty), normalized, relative_offset)
+}
+
+/// Sets the format of an attribute of floats, or of integers that become such.
+pub(crate) fn set_plain_format(
+    context: &mut Context,
+    attribute: (ChosenArrays, GLuint),
+    (size, ty): (GLint, GLenum),
+    normalized: bool,
+    relative_offset: GLuint,
+) -> Result<()> {
     let format = if normalized { VertexFormat::Normalized } else { VertexFormat::Plain };
     let rules = Rules::new(1..=4, ANY_TYPE, format).or_bgra();
-    set_format(context, index, &rules, (size, ty), relative_offset)
+    set_format(context, attribute, &rules, (size, ty), relative_offset)
 }
 
 pub(crate) fn vertex_attrib_i_format(
@@ -83,11 +95,20 @@ pub(crate) fn vertex_attrib_i_format(
     ty: GLenum,
     relative_offset: GLuint,
 ) -> Result<()> {
-    let rules = Rules::new(1..=4, INTEGER_TYPE, VertexFormat::Integer);
-    set_format(context, index, &rules, (size, ty), relative_offset)
+    set_integer_format(context, (ChosenArrays::Bound, index), (size, ty), relative_offset)
 }
 
-/// Doubles; shaders have no attributes of 64 bits and read them rounded.
+/// Sets the format of an attribute of integers.
+pub(crate) fn set_integer_format(
+    context: &mut Context,
+    attribute: (ChosenArrays, GLuint),
+    (size, ty): (GLint, GLenum),
+    relative_offset: GLuint,
+) -> Result<()> {
+    let rules = Rules::new(1..=4, INTEGER_TYPE, VertexFormat::Integer);
+    set_format(context, attribute, &rules, (size, ty), relative_offset)
+}
+
 pub(crate) fn vertex_attrib_l_format(
     context: &mut Context,
     index: GLuint,
@@ -95,8 +116,18 @@ pub(crate) fn vertex_attrib_l_format(
     ty: GLenum,
     relative_offset: GLuint,
 ) -> Result<()> {
+    set_double_format(context, (ChosenArrays::Bound, index), (size, ty), relative_offset)
+}
+
+/// Sets the format of an attribute of doubles; shaders have no attributes of 64 bits and read them rounded.
+pub(crate) fn set_double_format(
+    context: &mut Context,
+    attribute: (ChosenArrays, GLuint),
+    (size, ty): (GLint, GLenum),
+    relative_offset: GLuint,
+) -> Result<()> {
     let rules = Rules::new(1..=4, DOUBLE_TYPE, VertexFormat::Plain);
-    set_format(context, index, &rules, (size, ty), relative_offset)
+    set_format(context, attribute, &rules, (size, ty), relative_offset)
 }
 
 pub(crate) fn vertex_attrib_binding(
@@ -104,10 +135,19 @@ pub(crate) fn vertex_attrib_binding(
     attribute: GLuint,
     binding: GLuint,
 ) -> Result<()> {
+    set_binding(context, (ChosenArrays::Bound, attribute), binding)
+}
+
+/// Sets the binding point that an attribute reads.
+pub(crate) fn set_binding(
+    context: &mut Context,
+    (chosen, attribute): (ChosenArrays, GLuint),
+    binding: GLuint,
+) -> Result<()> {
     let location = usize::from(generic(attribute)?);
     let binding = binding_point(binding)?;
-    require_vertex_array(context)?;
-    let arrays = &mut context.state.arrays;
+    chosen.require(context)?;
+    let arrays = chosen.arrays_mut(context);
     let attribute = &mut arrays.attributes[location];
     // The memory of the client has no binding point.
     if attribute.binding != binding {
@@ -125,10 +165,20 @@ pub(crate) fn bind_vertex_buffer(
     offset: GLintptr,
     stride: GLsizei,
 ) -> Result<()> {
+    set_buffer(context, (ChosenArrays::Bound, binding), buffer, (offset, stride))
+}
+
+/// Attaches a buffer to a binding point.
+pub(crate) fn set_buffer(
+    context: &mut Context,
+    (chosen, binding): (ChosenArrays, GLuint),
+    buffer: GLuint,
+    (offset, stride): (GLintptr, GLsizei),
+) -> Result<()> {
     let binding = binding_point(binding)?;
     let offset = not_negative(SECTION, "offset", offset as i64)?;
     let stride = not_negative(SECTION, "stride", stride.into())?;
-    require_vertex_array(context)?;
+    chosen.require(context)?;
     let buffers = &mut context.objects.shared.buffers;
     if buffer != 0 && !buffers.is_reserved(buffer) {
         return invalid_operation(
@@ -138,7 +188,7 @@ pub(crate) fn bind_vertex_buffer(
     }
     buffers.create(buffer, BufferObject::new);
     let buffer = buffers.hold(buffer);
-    let arrays = &mut context.state.arrays;
+    let arrays = chosen.arrays_mut(context);
     let bound = &mut arrays.bindings[usize::from(binding)];
     (bound.buffer, bound.offset, bound.stride) = (buffer, offset, stride);
     arrays.binding_changed(binding);
@@ -151,9 +201,18 @@ pub(crate) fn vertex_binding_divisor(
     binding: GLuint,
     divisor: GLuint,
 ) -> Result<()> {
+    set_divisor(context, (ChosenArrays::Bound, binding), divisor)
+}
+
+/// Sets how many instances share an element of a binding point.
+pub(crate) fn set_divisor(
+    context: &mut Context,
+    (chosen, binding): (ChosenArrays, GLuint),
+    divisor: GLuint,
+) -> Result<()> {
     let binding = binding_point(binding)?;
-    require_vertex_array(context)?;
-    let arrays = &mut context.state.arrays;
+    chosen.require(context)?;
+    let arrays = chosen.arrays_mut(context);
     arrays.bindings[usize::from(binding)].divisor = divisor;
     for location in 0..arrays.attributes.len() {
         if arrays.attributes[location].binding == binding {

@@ -10,6 +10,7 @@ pub(crate) mod indices;
 pub(crate) mod indirect;
 pub(crate) mod interleaved;
 pub(crate) mod locked;
+pub(crate) mod named;
 pub(crate) mod packed;
 pub(crate) mod rect;
 pub(crate) mod restart;

@@ -22,6 +22,8 @@ mod generics;
 mod integers;
 mod lighting;
 mod lists;
+mod named_objects;
+mod named_textures;
 mod packed;
 mod pixels;
 mod programs;
@@ -47,6 +49,8 @@ pub use generics::*;
 pub use integers::*;
 pub use lighting::*;
 pub use lists::*;
+pub use named_objects::*;
+pub use named_textures::*;
 pub use packed::*;
 pub use pixels::*;
 pub use programs::*;
@@ -81,6 +85,8 @@ macro_rules! entry_points {
         $crate::entry_points_integers!($apply $($arguments)*);
         $crate::entry_points_lighting!($apply $($arguments)*);
         $crate::entry_points_lists!($apply $($arguments)*);
+        $crate::entry_points_named_objects!($apply $($arguments)*);
+        $crate::entry_points_named_textures!($apply $($arguments)*);
         $crate::entry_points_packed!($apply $($arguments)*);
         $crate::entry_points_pixels!($apply $($arguments)*);
         $crate::entry_points_programs!($apply $($arguments)*);
@@ -114,6 +120,8 @@ pub(super) const CHAPTERS: &[&[EntryPoint]] = &[
     integers::ROWS,
     lighting::ROWS,
     lists::ROWS,
+    named_objects::ROWS,
+    named_textures::ROWS,
     packed::ROWS,
     pixels::ROWS,
     programs::ROWS,
@@ -144,6 +152,8 @@ pub(super) fn exercises() -> Vec<Exercise> {
         integers::exercises,
         lighting::exercises,
         lists::exercises,
+        named_objects::exercises,
+        named_textures::exercises,
         packed::exercises,
         pixels::exercises,
         programs::exercises,
