@@ -37,3 +37,6 @@ pub mod trace;
 mod vertex;
 
 pub use threads::stack;
+
+/// The level of optimization that this crate is compiled with, as `opt-level` has it: at `"0"` it is slower by far.
+pub const OPT_LEVEL: &str = env!("RASTERIZER_OPT_LEVEL");

@@ -29,3 +29,6 @@ pub mod plan;
 pub mod sample;
 pub mod sampler;
 pub mod trace;
+
+/// The level of optimization that this crate is compiled with, as `opt-level` has it: at `"0"` it is slower by far.
+pub const OPT_LEVEL: &str = env!("TEXUNIT_OPT_LEVEL");

@@ -10,7 +10,7 @@ use std::path::Path;
 pub struct Member {
     /// Its folder, relative to the workspace's root, with `/` between names.
     pub folder: String,
-    /// The package's name.
+    /// The package's name, as sources have it.
     pub name: String,
     /// The names under `[dependencies]`, of the workspace and from elsewhere.
     pub dependencies: BTreeSet<String>,
@@ -50,7 +50,7 @@ pub fn member(root: &Path, folder: &str) -> Result<Member, ReadError> {
         } else if let Some((key, value)) = line.split_once('=') {
             let key = key.split('.').next().unwrap_or(key).trim();
             match section {
-                "package" if key == "name" => name = value.trim().trim_matches('"').to_owned(),
+                "package" if key == "name" => name = source_name(value).to_owned(),
                 "dependencies" if !key.starts_with('#') => {
                     dependencies.insert(key.to_owned());
                 }
@@ -59,6 +59,12 @@ pub fn member(root: &Path, folder: &str) -> Result<Member, ReadError> {
         }
     }
     Ok(Member { folder: folder.to_owned(), name, dependencies })
+}
+
+/// What sources call a package: those whose own name the registry has for another crate begin with `detgl-`.
+fn source_name(value: &str) -> &str {
+    let name = value.trim().trim_matches('"');
+    name.strip_prefix("detgl-").unwrap_or(name)
 }
 
 fn read(path: &Path) -> Result<String, ReadError> {

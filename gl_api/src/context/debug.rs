@@ -3,6 +3,7 @@
 //! Messages are queued; a callback ([`super::log`]) is called only when the call is over.
 
 use super::log::{GLDEBUGPROC, Log, LogMessage, MAX_LENGTH, MessageClass};
+use super::unoptimized;
 use super::unread::{Unread, UnreadReport};
 use crate::base::constants::*;
 use crate::base::error::{ErrorCode, GlError};
@@ -89,7 +90,11 @@ impl Debug {
         static GREETED: Once = Once::new();
         let wanted = std::env::var_os("DETGL_DEBUG");
         let report = if wanted.is_some() { UnreadReport::Off } else { UnreadReport::Due };
-        let on = wanted.is_some_and(|value| value != "0");
+        let silent = wanted.as_ref().is_some_and(|value| value == "0");
+        if !silent {
+            unoptimized::warn_once(print);
+        }
+        let on = wanted.is_some() && !silent;
         if on {
             GREETED.call_once(|| print(&greeting(device)));
         }

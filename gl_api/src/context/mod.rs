@@ -16,6 +16,7 @@ pub(crate) mod reset;
 pub(crate) mod sharing;
 mod state_changes;
 mod surface;
+mod unoptimized;
 mod unread;
 pub(crate) mod warnings;
 pub(crate) mod watched_pixel;
