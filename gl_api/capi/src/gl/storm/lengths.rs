@@ -139,6 +139,7 @@ pub(super) fn is_unlimited(name: &str) -> bool {
     let starts = |beginning| name.starts_with(beginning);
     UNLIMITED.contains(&name)
         || starts("glGen")
+        || starts("glCreate") && name.ends_with('s')
         || starts("glDelete")
         || starts("glMultiDraw")
         || starts("glDrawArrays")
