@@ -1,5 +1,5 @@
 //! What programs draw with: vispy, Panda3D, pyglet, Kivy, pygame, ModernGL, pyrender, VTK, PyVista, Arcade, LÖVE,
-//! SDL with OpenGL ES.
+//! SDL with OpenGL ES, raylib, PyBullet, wgpu, Skia, Dear ImGui.
 //! Each draws a picture with what is its own, on DetGL and on Mesa's llvmpipe, and the two are compared.
 
 use super::picture::Picture;
@@ -147,6 +147,40 @@ fn arcade() {
 fn panda3d_of_3_2() {
     let limits = Limits { colors: 10, mean: 0.5, visible: 0.002 };
     script_looks_as_on_mesa("panda3d_core.py", "panda3d.core", &limits);
+}
+
+/// Its window is of GLFW's null platform. Texels that are taken half-way between two differ in the small picture.
+#[test]
+fn raylib() {
+    let limits = Limits { colors: 1000, mean: 0.2, visible: 0.002 };
+    script_looks_as_on_mesa("raylib_window.py", "raylib", &limits);
+}
+
+/// Mesa 22.3.6 loses what is drawn to a depth texture after `glGenerateMipmap`, as PyBullet does: the shadows differ.
+#[test]
+fn pybullet() {
+    let limits = Limits { colors: 400, mean: 0.6, visible: 0.02 };
+    let modules = "pybullet, importlib.util; assert importlib.util.find_spec('eglRenderer'), 'no eglRenderer'";
+    script_looks_as_on_mesa("pybullet_camera.py", modules, &limits);
+}
+
+/// Its backend of OpenGL ES.
+#[test]
+fn wgpu() {
+    let limits = Limits { colors: 5000, mean: 0.3, visible: 0.001 };
+    script_looks_as_on_mesa("wgpu_gl.py", "wgpu", &limits);
+}
+
+#[test]
+fn skia() {
+    let limits = Limits { colors: 3000, mean: 0.2, visible: 0.001 };
+    script_looks_as_on_mesa("skia_surface.py", "skia, moderngl, glcontext", &limits);
+}
+
+#[test]
+fn imgui() {
+    let limits = Limits { colors: 500, mean: 0.5, visible: 0.001 };
+    script_looks_as_on_mesa("imgui_windows.py", "imgui, moderngl, glcontext, OpenGL", &limits);
 }
 
 #[test]
