@@ -42,6 +42,7 @@
 //! second type or a trait of the crate has as well is not followed. The items that a macro call makes are taken to be
 //! all names in its tokens, and those that the macro's definition has after `struct`, `fn` and the like.
 
+pub mod api;
 mod cfg;
 pub mod check;
 mod circles;

@@ -36,7 +36,10 @@ fn pages() -> Result<Vec<PathBuf>, Box<dyn Error>> {
         .map(|name| root.join(name))
         .collect();
     for entry in fs::read_dir(root.join("docs"))? {
-        pages.push(entry?.path());
+        let path = entry?.path();
+        if path.is_file() {
+            pages.push(path);
+        }
     }
     Ok(pages)
 }
