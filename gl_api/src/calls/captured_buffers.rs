@@ -8,7 +8,6 @@ use crate::calls::buffer::indexed::captured_range;
 use crate::context::Context;
 use crate::objects::bound::Bound;
 use crate::objects::buffers::BufferRange;
-use crate::objects::name_table::listed;
 use crate::state::transform_feedback::TransformFeedback;
 
 const SECTION: &str = "ARB_direct_state_access, section 13.2.2";
@@ -19,11 +18,7 @@ pub(crate) fn create_transform_feedbacks(
     n: GLsizei,
     ids: &mut [GLuint],
 ) -> Result<()> {
-    let n = listed(SECTION, n, ids)?.len();
-    for name in &mut ids[..n] {
-        *name = context.transform_feedback_objects.named.add(TransformFeedback::default());
-    }
-    Ok(())
+    context.transform_feedback_objects.named.add_each(SECTION, n, ids, TransformFeedback::default)
 }
 
 /// The object of a name; 0 is the default one.

@@ -88,15 +88,26 @@ impl<T> NameTable<T> {
         names: &mut [GLuint],
     ) -> Result<()> {
         let n = listed(section, n, names)?.len();
-        for name in &mut names[..n] {
-            *name = self.allocate(None);
-        }
+        names[..n].fill_with(|| self.allocate(None));
         Ok(())
     }
 
     /// Adds an object under an unused name.
     pub(crate) fn add(&mut self, object: T) -> GLuint {
         self.allocate(Some(Named::new(object)))
+    }
+
+    /// `glCreate…`: adds `n` objects.
+    pub(crate) fn add_each(
+        &mut self,
+        section: &'static str,
+        n: GLsizei,
+        names: &mut [GLuint],
+        mut new: impl FnMut() -> T,
+    ) -> Result<()> {
+        let n = listed(section, n, names)?.len();
+        names[..n].fill_with(|| self.add(new()));
+        Ok(())
     }
 
     /// Creates the object of a name other than 0, if it has none: the first binding does.

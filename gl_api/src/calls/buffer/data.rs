@@ -78,7 +78,7 @@ pub(crate) fn named(context: &mut Context, argument: &str, name: GLuint) -> Resu
     }
 }
 
-/// A buffer that is not mapped, and what is told of writes to it.
+/// A buffer that is not mapped, and the recorder whose draws may still read it.
 pub(crate) fn writable<'a>(
     context: &'a mut Context,
     buffer: &Bound,
@@ -87,7 +87,7 @@ pub(crate) fn writable<'a>(
     Ok((unmapped(object)?, recorder))
 }
 
-/// A buffer, and what is told of writes to it.
+/// A buffer, and the recorder whose draws may still read it.
 pub(crate) fn with_recorder<'a>(
     context: &'a mut Context,
     buffer: &Bound,

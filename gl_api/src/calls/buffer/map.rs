@@ -285,10 +285,11 @@ pub(crate) fn get_buffer_pointerv(
 ) -> Result<()> {
     check_pointer(pname)?;
     let buffer = bound(context, target)?;
-    pointer(context, &buffer, pname, params)
+    pointer(context, &buffer, params)
 }
 
-fn check_pointer(pname: GLenum) -> Result<()> {
+/// Refuses every `pname` of `glGetBufferPointerv` but the one that there is.
+pub(crate) fn check_pointer(pname: GLenum) -> Result<()> {
     const POINTER: Table<()> =
         Table { section: "GL 2.1, section 6.1.13", rows: &[(GL_BUFFER_MAP_POINTER, ())] };
     POINTER.decode("pname", pname)
@@ -298,10 +299,8 @@ fn check_pointer(pname: GLenum) -> Result<()> {
 pub(crate) fn pointer(
     context: &mut Context,
     buffer: &Bound,
-    pname: GLenum,
     params: &mut [*mut GLvoid],
 ) -> Result<()> {
-    check_pointer(pname)?;
     let (object, _) = with_recorder(context, buffer)?;
     let pointer = match &mut object.map {
         Some(map) => map.pointer().cast(),

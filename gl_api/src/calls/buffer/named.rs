@@ -7,10 +7,11 @@ use crate::base::query_value::put;
 use crate::base::types::*;
 use crate::calls::buffer::clear::clear;
 use crate::calls::buffer::data::{named, read_data, replace_data, set_data, set_storage};
-use crate::calls::buffer::map::{copy, flush_range, map_all, map_range, parameter, pointer, unmap};
+use crate::calls::buffer::map::{
+    check_pointer, copy, flush_range, map_all, map_range, parameter, pointer, unmap,
+};
 use crate::context::Context;
 use crate::objects::buffers::BufferObject;
-use crate::objects::name_table::listed;
 
 const SECTION: &str = "ARB_direct_state_access, section 6.1";
 
@@ -19,11 +20,7 @@ pub(crate) fn create_buffers(
     n: GLsizei,
     buffers: &mut [GLuint],
 ) -> Result<()> {
-    let n = listed(SECTION, n, buffers)?.len();
-    for name in &mut buffers[..n] {
-        *name = context.objects.shared.buffers.add(BufferObject::new());
-    }
-    Ok(())
+    context.objects.shared.buffers.add_each(SECTION, n, buffers, BufferObject::new)
 }
 
 pub(crate) fn named_buffer_storage(
@@ -164,7 +161,8 @@ pub(crate) fn get_named_buffer_pointerv(
     params: &mut [*mut GLvoid],
 ) -> Result<()> {
     let buffer = named(context, "buffer", buffer)?;
-    pointer(context, &buffer, pname, params)
+    check_pointer(pname)?;
+    pointer(context, &buffer, params)
 }
 
 pub(crate) fn get_named_buffer_sub_data(

@@ -22,7 +22,6 @@ use crate::context::Context;
 use crate::context::window::format_of;
 use crate::draw::completeness::{Aspect, read_attachment_of, samples};
 use crate::objects::framebuffers::{FRAMEBUFFER_TARGET, Framebuffer};
-use crate::objects::name_table::listed;
 use crate::objects::renderbuffers::Renderbuffer;
 
 const SECTION: &str = "ARB_direct_state_access, section 9.2";
@@ -32,11 +31,7 @@ pub(crate) fn create_framebuffers(
     n: GLsizei,
     framebuffers: &mut [GLuint],
 ) -> Result<()> {
-    let n = listed(SECTION, n, framebuffers)?.len();
-    for name in &mut framebuffers[..n] {
-        *name = context.objects.framebuffers.add(Framebuffer::new());
-    }
-    Ok(())
+    context.objects.framebuffers.add_each(SECTION, n, framebuffers, Framebuffer::new)
 }
 
 pub(crate) fn create_renderbuffers(
@@ -44,12 +39,12 @@ pub(crate) fn create_renderbuffers(
     n: GLsizei,
     renderbuffers: &mut [GLuint],
 ) -> Result<()> {
-    let n = listed(SECTION, n, renderbuffers)?.len();
     let initial = initial_format(context);
-    for name in &mut renderbuffers[..n] {
-        *name = context.objects.shared.renderbuffers.add(Renderbuffer::new(initial));
-    }
-    Ok(())
+    context
+        .objects
+        .shared
+        .renderbuffers
+        .add_each(SECTION, n, renderbuffers, || Renderbuffer::new(initial))
 }
 
 /// A point of a framebuffer object.

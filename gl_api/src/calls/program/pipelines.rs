@@ -38,11 +38,7 @@ pub(crate) fn create_program_pipelines(
     n: GLsizei,
     pipelines: &mut [GLuint],
 ) -> Result<()> {
-    let n = listed(SECTION, n, pipelines)?.len();
-    for name in &mut pipelines[..n] {
-        *name = context.objects.pipelines.named.add(ProgramPipeline::default());
-    }
-    Ok(())
+    context.objects.pipelines.named.add_each(SECTION, n, pipelines, ProgramPipeline::default)
 }
 
 pub(crate) fn delete_program_pipelines(

@@ -6,7 +6,6 @@ use crate::base::types::*;
 use crate::calls::buffer::data::{named, writable};
 use crate::calls::sync::queries::answer;
 use crate::context::Context;
-use crate::objects::name_table::listed;
 use crate::objects::queries::{Query, QueryTarget, TARGET};
 
 const SECTION: &str = "ARB_direct_state_access, section 4.2";
@@ -21,11 +20,7 @@ pub(crate) fn create_queries(
         GL_TIMESTAMP => QueryTarget::Timestamp,
         _ => TARGET.decode("target", target)?,
     };
-    let n = listed(SECTION, n, ids)?.len();
-    for name in &mut ids[..n] {
-        *name = context.objects.queries.add(Query::new(target));
-    }
-    Ok(())
+    context.objects.queries.add_each(SECTION, n, ids, || Query::new(target))
 }
 
 /// Writes what a query answers to a buffer, as a number of so many bytes.

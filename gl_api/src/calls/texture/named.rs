@@ -16,7 +16,6 @@ use crate::calls::texture::sub::replace_box;
 use crate::context::Context;
 use crate::interface::MAX_COMBINED_TEXTURE_IMAGE_UNITS;
 use crate::objects::bound::Bound;
-use crate::objects::name_table::listed;
 use crate::objects::target::{Dimensions, ImageTarget, TARGET, TextureTarget};
 use crate::objects::texture::Texture;
 
@@ -31,13 +30,12 @@ pub(crate) fn create_textures(
     textures: &mut [GLuint],
 ) -> Result<()> {
     let target = TARGET.decode("target", target)?;
-    let n = listed(SECTION, n, textures)?.len();
-    for name in &mut textures[..n] {
+    let depth_mode = context.profile.depth_mode();
+    context.objects.shared.textures.add_each(SECTION, n, textures, || {
         let mut texture = Texture::new(target);
-        texture.state.sampler.depth_mode = context.profile.depth_mode();
-        *name = context.objects.shared.textures.add(texture);
-    }
-    Ok(())
+        texture.state.sampler.depth_mode = depth_mode;
+        texture
+    })
 }
 
 /// Binds a texture to its target of a unit; 0 unbinds what is bound to any target.
@@ -58,13 +56,11 @@ pub(crate) fn bind_texture_unit(context: &mut Context, unit: GLuint, name: GLuin
     Ok(())
 }
 
-/// The texture of a name, whose target must be in the table of a call.
+/// A texture whose target must be in the table of a call.
 pub(crate) fn of_table(
-    context: &mut Context,
+    texture: ChosenTexture,
     (section, table): (&'static str, &Table<ImageTarget>),
-    name: GLuint,
 ) -> Result<ChosenTexture> {
-    let texture = ChosenTexture::named(context, name)?;
     let is_taken = table.rows.iter().any(|(_, image)| match image {
         ImageTarget::Bound(face) => face.target == texture.target,
         ImageTarget::Proxy(_) => false,
@@ -78,14 +74,14 @@ pub(crate) fn of_table(
 /// The image of a texture that a call of so many dimensions works on. The faces of cube maps are layers.
 fn image(context: &mut Context, dimensions: Dimensions, name: GLuint) -> Result<ChosenImage> {
     let texture = ChosenTexture::named(context, name)?;
-    match (texture.target, dimensions) {
-        (TextureTarget::Cube, Dimensions::Three) => {
-            Ok(ChosenImage { texture, faces: Faces::Layers })
-        }
-        (TextureTarget::Cube, Dimensions::One | Dimensions::Two) => {
+    if texture.target != TextureTarget::Cube {
+        return Ok(of_table(texture, (IMAGES, dimensions.table()))?.face(0));
+    }
+    match dimensions {
+        Dimensions::Three => Ok(ChosenImage { texture, faces: Faces::Layers }),
+        Dimensions::One | Dimensions::Two => {
             texture.wrong_target(IMAGES, "only calls of three dimensions take, its faces as layers")
         }
-        _ => Ok(of_table(context, (IMAGES, dimensions.table()), name)?.face(0)),
     }
 }
 

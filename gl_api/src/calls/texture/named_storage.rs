@@ -23,7 +23,8 @@ fn storage(
     internal: GLenum,
     size: [GLsizei; 3],
 ) -> Result<()> {
-    let destination = Destination::Texture(of_table(context, (STORAGE, table), name)?);
+    let texture = ChosenTexture::named(context, name)?;
+    let destination = Destination::Texture(of_table(texture, (STORAGE, table))?);
     StorageRequest::new(context, destination, levels, internal, size)?.apply(context)
 }
 
@@ -65,7 +66,8 @@ fn storage_multisample(
     (table, name): (&Table<ImageTarget>, GLuint),
     arguments: &Arguments,
 ) -> Result<()> {
-    let destination = Destination::Texture(of_table(context, (STORAGE, table), name)?);
+    let texture = ChosenTexture::named(context, name)?;
+    let destination = Destination::Texture(of_table(texture, (STORAGE, table))?);
     specify_of(context, &destination, arguments, Lifetime::Immutable)
 }
 

@@ -13,7 +13,6 @@ use crate::calls::vertex::bindings::{
 use crate::context::Context;
 use crate::objects::arrays::VertexArray;
 use crate::objects::bound::Bound;
-use crate::objects::name_table::listed;
 
 const SECTION: &str = "ARB_direct_state_access, section 10.3";
 const SEVERAL: &str = "ARB_multi_bind, section 10.3.1";
@@ -23,11 +22,7 @@ pub(crate) fn create_vertex_arrays(
     n: GLsizei,
     arrays: &mut [GLuint],
 ) -> Result<()> {
-    let n = listed(SECTION, n, arrays)?.len();
-    for name in &mut arrays[..n] {
-        *name = context.objects.vertex_arrays.add(VertexArray::default());
-    }
-    Ok(())
+    context.objects.vertex_arrays.add_each(SECTION, n, arrays, VertexArray::default)
 }
 
 pub(crate) fn enable_vertex_array_attrib(
