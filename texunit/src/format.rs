@@ -15,5 +15,6 @@ pub mod srgb;
 mod table;
 mod words;
 
+pub(crate) use layout::Component;
 pub use layout::{BaseFormat, Block, Encoding, Field, FormatInfo};
 pub use table::Format;

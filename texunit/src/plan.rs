@@ -13,7 +13,7 @@ mod selection;
 mod texel_class;
 mod texture;
 
-pub(crate) use direct::{ChannelSource, DirectNearest};
+pub(crate) use direct::DirectNearest;
 pub(crate) use lod_range::LodRange;
 pub use lookup_facts::{AlphaFact, ComponentsFact, LookupFacts};
 pub(crate) use texel_class::TexelClass;

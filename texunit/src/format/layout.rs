@@ -68,6 +68,32 @@ impl BaseFormat {
             Self::Rgba => &[0, 1, 2, 3],
         }
     }
+
+    /// What R, G, B and A of a sample are (GL 2.1, table 3.15); of depth, as luminance.
+    pub(crate) const fn components(self) -> [Component; 4] {
+        use Component::{One, Stored, Zero};
+        match self {
+            Self::Alpha => [Zero, Zero, Zero, Stored(0)],
+            Self::Luminance | Self::Depth => [Stored(0), Stored(0), Stored(0), One],
+            Self::LuminanceAlpha => [Stored(0), Stored(0), Stored(0), Stored(1)],
+            Self::Intensity => [Stored(0); 4],
+            Self::Red => [Stored(0), Zero, Zero, One],
+            Self::Rg => [Stored(0), Stored(1), Zero, One],
+            Self::Rgb => [Stored(0), Stored(1), Stored(2), One],
+            Self::Rgba => [Stored(0), Stored(1), Stored(2), Stored(3)],
+        }
+    }
+}
+
+/// What a component of a sample is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Component {
+    /// The stored channel of this number.
+    Stored(usize),
+    /// Zero.
+    Zero,
+    /// One.
+    One,
 }
 
 /// What number the bits of a channel are. `n` is the channel's width in bits.

@@ -1,6 +1,6 @@
 //! Bytes of a texel as words, and stored channels as a colour.
 
-use super::{BaseFormat, Format};
+use super::{BaseFormat, Component, Format};
 
 /// The words of a texel. Bytes that are missing count as 0.
 pub(crate) fn words_of(format: Format, texel: &[u8]) -> [u32; 4] {
@@ -21,15 +21,10 @@ pub(super) fn bytes_of(words: [u32; 4]) -> [u8; 16] {
 }
 
 /// Stored channels as the colour that a sample returns, depth as luminance.
-pub fn expand(base: BaseFormat, [a, b, c, d]: [f32; 4]) -> [f32; 4] {
-    match base {
-        BaseFormat::Alpha => [0.0, 0.0, 0.0, a],
-        BaseFormat::Luminance | BaseFormat::Depth => [a, a, a, 1.0],
-        BaseFormat::LuminanceAlpha => [a, a, a, b],
-        BaseFormat::Intensity => [a, a, a, a],
-        BaseFormat::Red => [a, 0.0, 0.0, 1.0],
-        BaseFormat::Rg => [a, b, 0.0, 1.0],
-        BaseFormat::Rgb => [a, b, c, 1.0],
-        BaseFormat::Rgba => [a, b, c, d],
-    }
+pub fn expand(base: BaseFormat, channels: [f32; 4]) -> [f32; 4] {
+    base.components().map(|component| match component {
+        Component::Stored(channel) => channels[channel],
+        Component::Zero => 0.0,
+        Component::One => 1.0,
+    })
 }

@@ -2,7 +2,7 @@
 
 use super::texel_class::TexelClass;
 use super::texture::{LevelSelection, SampleKernel, Texture};
-use crate::format::BaseFormat;
+use crate::format::Component;
 use crate::sampler::{Filter, Swizzle};
 
 /// A nearest lookup of one level of a plane, without border, whose texels are one word each.
@@ -10,17 +10,8 @@ use crate::sampler::{Filter, Swizzle};
 pub(crate) struct DirectNearest {
     pub level: u32,
     pub class: TexelClass,
-    /// The sources of red, green, blue and alpha.
-    pub sources: [ChannelSource; 4],
-}
-
-/// What a component of a lookup is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum ChannelSource {
-    /// This stored channel.
-    Stored(usize),
-    Zero,
-    One,
+    /// Red, green, blue and alpha.
+    pub components: [Component; 4],
 }
 
 impl DirectNearest {
@@ -42,29 +33,19 @@ impl DirectNearest {
             && format.words() == 1
             && texture.compare.is_none()
             && !texture.reaches_border(Filter::Nearest);
-        is_direct.then(|| Self { level, class, sources: sources(format.base(), texture.swizzle) })
+        let components = swizzled(format.base().components(), texture.swizzle);
+        is_direct.then_some(Self { level, class, components })
     }
 }
 
-/// Stored channels to R, G, B, A (GL 2.1, section 3.8.13 and table 3.15), then the swizzle (EXT_texture_swizzle).
-fn sources(base: BaseFormat, swizzle: [Swizzle; 4]) -> [ChannelSource; 4] {
-    use ChannelSource::{One, Stored, Zero};
-    let expanded = match base {
-        BaseFormat::Alpha => [Zero, Zero, Zero, Stored(0)],
-        BaseFormat::Luminance | BaseFormat::Depth => [Stored(0), Stored(0), Stored(0), One],
-        BaseFormat::LuminanceAlpha => [Stored(0), Stored(0), Stored(0), Stored(1)],
-        BaseFormat::Intensity => [Stored(0); 4],
-        BaseFormat::Red => [Stored(0), Zero, Zero, One],
-        BaseFormat::Rg => [Stored(0), Stored(1), Zero, One],
-        BaseFormat::Rgb => [Stored(0), Stored(1), Stored(2), One],
-        BaseFormat::Rgba => [Stored(0), Stored(1), Stored(2), Stored(3)],
-    };
+/// The components of a format, then the swizzle (EXT_texture_swizzle).
+fn swizzled(components: [Component; 4], swizzle: [Swizzle; 4]) -> [Component; 4] {
     swizzle.map(|source| match source {
-        Swizzle::Red => expanded[0],
-        Swizzle::Green => expanded[1],
-        Swizzle::Blue => expanded[2],
-        Swizzle::Alpha => expanded[3],
-        Swizzle::Zero => Zero,
-        Swizzle::One => One,
+        Swizzle::Red => components[0],
+        Swizzle::Green => components[1],
+        Swizzle::Blue => components[2],
+        Swizzle::Alpha => components[3],
+        Swizzle::Zero => Component::Zero,
+        Swizzle::One => Component::One,
     })
 }

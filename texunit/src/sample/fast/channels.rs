@@ -3,6 +3,7 @@
 //! Each channel has its own loop, in which the shift is a constant: in a loop over channels it would be a variable shift
 //! in every lane.
 
+use crate::format::Format;
 use crate::format::convert::{byte_channel, byte_of, over_255};
 use crate::format::small_float::decode_half;
 use crate::format::srgb;
@@ -76,14 +77,13 @@ pub fn bytes_of_texel(channel: usize, words: &U32s, out: &mut F32s) {
 /// One channel of 64 texels of one word, of a class that colours have.
 #[inline(always)]
 pub fn channel_of_texel<S: Simd>(
-    class: TexelClass,
-    channels: usize,
+    (class, format): (TexelClass, Format),
     channel: usize,
     words: &U32s,
     out: &mut F32s,
 ) {
     match class {
-        TexelClass::Srgb if channel + 1 < channels || channels % 2 == 1 => {
+        TexelClass::Srgb if format.is_srgb_channel(channel) => {
             *out = S::lookup(&srgb::DECODE, words, 8 * channel as u32);
         }
         TexelClass::Bytes | TexelClass::Srgb => bytes_of_texel(channel, words, out),

@@ -4,6 +4,7 @@ use super::channels::{channels_of_quad, channels_of_texel, depths_of_texel};
 use super::offsets::word_offsets;
 use super::quad::{Addresses, QuadLoad, TexelQuad, gather_words, load_quad};
 use super::quad_position::quad_position;
+use crate::image::Level;
 use crate::lanes::math::index;
 use crate::lanes::{F32s, Kernel, LANES, Simd, U32s};
 use crate::plan::{Alpha, TexelClass};
@@ -44,19 +45,35 @@ fn texel_offsets<S: Simd>(view: &LevelView<'_>, at: [&F32s; 3]) -> Option<U32s> 
     if view.texture.reaches_border(Filter::Nearest) {
         return None;
     }
+    Some(byte_offsets(view.level, &nearest_texels::<S>(view, [at[0], at[1]])))
+}
+
+/// Columns and rows of the nearest texels, where no border is reached.
+#[inline(always)]
+pub fn nearest_texels<S: Simd>(view: &LevelView<'_>, at: [&F32s; 2]) -> [U32s; 2] {
     let (s, t) = (view.axis(0), view.axis(1));
     let (u, v) = (s.texel_coordinate::<S>(at[0]), t.texel_coordinate::<S>(at[1]));
-    let level = view.level;
-    let (bytes, row) = (level.format.bytes() as u32, level.row_bytes() as u32);
-    let origin = level.origin() as u32;
     let (last_s, last_t) = ((s.size - 1) as f32, (t.size - 1) as f32);
-    let mut offsets = U32s::ZERO;
+    let mut texels = [U32s::ZERO; 2];
     for lane in 0..LANES {
         // A coordinate may be rounded up to the size.
-        let (x, y) = (index(u[lane], last_s), index(v[lane], last_t));
-        offsets[lane] = y.wrapping_mul(row).wrapping_add(x.wrapping_mul(bytes)) + origin;
+        texels[0][lane] = index(u[lane], last_s);
+        texels[1][lane] = index(v[lane], last_t);
     }
-    Some(offsets)
+    texels
+}
+
+/// Byte offsets of texels by column and row.
+#[inline(always)]
+pub fn byte_offsets(level: &Level, [x, y]: &[U32s; 2]) -> U32s {
+    let (bytes, row) = (level.format.bytes() as u32, level.row_bytes() as u32);
+    let origin = level.origin() as u32;
+    let mut offsets = U32s::ZERO;
+    for lane in 0..LANES {
+        offsets[lane] =
+            y[lane].wrapping_mul(row).wrapping_add(x[lane].wrapping_mul(bytes)) + origin;
+    }
+    offsets
 }
 
 /// The nearest texels of one word each; `None` where the fast path does not apply.
