@@ -1,4 +1,4 @@
-//! Tells the crate how it is optimized: only a build script is told.
+//! Passes cargo's `OPT_LEVEL`, which only build scripts see, to the crate.
 
 fn main() {
     println!("cargo::rerun-if-changed=build.rs");

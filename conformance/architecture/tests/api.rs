@@ -52,15 +52,15 @@ fn re_exports_are_followed_and_private_items_left_out() -> Result<(), Box<dyn Er
     write(
         "lib.rs",
         "mod inner;\npub mod open { pub use crate::inner::*; pub fn f(a: u32,\n b: u32) {} }\n\
-         pub use inner::{Kind as Sort, deep::Deep};\npub use bytemuck::Pod;\n#[doc(hidden)] pub mod host { pub fn g() {} }\n",
+         pub use inner::{Filter as TexelFilter, deep::Deep};\npub use bytemuck::Pod;\n#[doc(hidden)] pub mod host { pub fn g() {} }\n",
     )?;
     write(
         "inner.rs",
-        "#[non_exhaustive] #[derive(Clone)] pub enum Kind { A, B(u8) }\nimpl Kind { pub fn new() -> Self { Self::A } fn own() {} }\n\
-         impl Default for Kind { fn default() -> Self { Self::A } }\npub(crate) struct Closed;\n\
+        "#[non_exhaustive] #[derive(Clone)] pub enum Filter { A, B(u8) }\nimpl Filter { pub fn new() -> Self { Self::A } fn own() {} }\n\
+         impl Default for Filter { fn default() -> Self { Self::A } }\npub(crate) struct Closed;\n\
          pub(crate) mod deep { pub struct Deep { pub x: f32, y: f32 } }\n#[cfg(test)] mod tests { pub fn t() {} }\n",
     )?;
-    let kind = |at: &str| {
+    let filter = |at: &str| {
         [
             "derive(Clone)",
             "enum, non_exhaustive",
@@ -71,7 +71,8 @@ fn re_exports_are_followed_and_private_items_left_out() -> Result<(), Box<dyn Er
         ]
         .map(|what| format!("{at}: {what}"))
     };
-    let mut wanted: BTreeSet<String> = kind("Sort").into_iter().chain(kind("open::Kind")).collect();
+    let mut wanted: BTreeSet<String> =
+        filter("TexelFilter").into_iter().chain(filter("open::Filter")).collect();
     let others = [
         "Deep: field x: f32",
         "Deep: struct",
