@@ -81,7 +81,7 @@ fn nanoseconds(isa: Isa, program: &Program) -> f64 {
 
 fn main() {
     let words: Vec<String> = std::env::args().skip(1).filter(|arg| !arg.starts_with('-')).collect();
-    let isas = Isa::available();
+    let isas = Isa::executions();
     print!("{:<16}", "operation");
     isas.iter().for_each(|isa| print!("{:>10}", isa.name()));
     println!();

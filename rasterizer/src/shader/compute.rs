@@ -162,7 +162,7 @@ macro_rules! trees {
             pub const TREES: &[(Self, Tree)] = &[$((Self::$Name, tree!($op ($($arg)*)))),*];
 
             /// The tree, or what is an operation by itself.
-            fn as_tree(self) -> Result<Tree, Op> {
+            pub fn as_tree(self) -> Result<Tree, Op> {
                 match self {
                     $(Self::$One => Err(Op::$One),)*
                     $(Self::$Name => Ok(tree!($op ($($arg)*))),)*

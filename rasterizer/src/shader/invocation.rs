@@ -1,5 +1,6 @@
 //! One invocation of a program over 64 lanes: its arguments and its error.
 
+use super::native::NativeCode;
 use super::program::{Prepared, Program};
 use std::sync::Arc;
 use texunit::lanes::Isa;
@@ -21,6 +22,13 @@ pub struct Invocation<'a> {
     /// The operations that may run, in additions of 64 lanes: those of the program, and those of each loop again for each
     /// iteration after the first. Only programs with loops count them.
     pub budget: u64,
+}
+
+impl Invocation<'_> {
+    /// The machine code of the program, if there is any.
+    pub(super) fn native(&self) -> Option<&NativeCode> {
+        self.program.native.get(self.isa, self.program)
+    }
 }
 
 /// The error of an invocation that exceeds its budget.

@@ -19,6 +19,7 @@
 //! | [`program`] | the compiled stage, and its per-draw values |
 //! | [`facts`] | uniform values and textures of a draw that a program can be compiled for |
 //! | [`emission`] | the vertices that a geometry program emits |
+//! | [`native`] | machine code for straight runs of instructions |
 //! | [`machine`] | the interpreter: 64 lanes for each instruction, with an execution [`mask`] |
 
 mod allocate;
@@ -34,6 +35,7 @@ mod lower;
 mod machine;
 mod mask;
 mod maskless_stores;
+mod native;
 mod optimize;
 mod preamble;
 mod product;

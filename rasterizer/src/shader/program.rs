@@ -3,6 +3,7 @@
 use super::allocate::Layout;
 use super::attribute_dependencies::{self, AttributeSet};
 use super::inst::{Inst, SampleInst};
+use super::native::NativeCodes;
 use super::preamble::Preamble;
 use super::product::TexelProduct;
 use super::repeated_lookups::Repeat;
@@ -24,6 +25,8 @@ pub struct Program {
     /// Of the module before and after it was optimized.
     pub(super) statements: [usize; 2],
     pub(super) code: Vec<Inst>,
+    /// Machine code of runs of `code`.
+    pub(super) native: NativeCodes,
     /// By instruction: its index in the order of the source.
     pub(super) source_order: Vec<u32>,
     pub(super) layout: Layout,
@@ -264,6 +267,7 @@ impl Program {
             has_loops: lowered.code.iter().any(Inst::repeats),
             files: files(&lowered.code, &layout),
             code: lowered.code,
+            native: NativeCodes::default(),
             source_order: lowered.source_order,
             layout,
             preamble: lowered.preamble,

@@ -19,6 +19,7 @@
 #![allow(unsafe_code)]
 
 mod batch;
+pub mod code;
 mod float_env;
 mod gather;
 mod isa;

@@ -1,6 +1,7 @@
 //! The loop over the instructions, compiled for each instruction set.
 
 use super::super::inst::{Inst, Target, Test};
+use super::super::native::{NO_LANES, NativeCode};
 use super::super::{Invocation, OverBudget, Prepared};
 use super::Machine;
 use texunit::lanes::{Kernel, Simd, U32s};
@@ -17,6 +18,7 @@ impl Machine {
             machine: self,
             invocation: &invocation,
             code,
+            native: invocation.native(),
             files: 1,
             pc: 0,
             left,
@@ -40,6 +42,7 @@ impl Machine {
             machine: self,
             invocation: &invocation,
             code,
+            native: invocation.native(),
             files,
             pc: 0,
             left,
@@ -53,6 +56,8 @@ pub(super) struct Interpreter<'a> {
     pub machine: &'a mut Machine,
     pub invocation: &'a Invocation<'a>,
     pub code: &'a [Inst],
+    /// The machine code of straight runs of `code`.
+    pub native: Option<&'a NativeCode>,
     /// For how many files.
     pub files: usize,
     pub pc: usize,
@@ -65,7 +70,7 @@ impl Kernel for Interpreter<'_> {
 
     #[inline(always)]
     fn run<S: Simd>(self) -> Result<usize, OverBudget> {
-        let Self { machine: m, invocation, code, files: count, mut pc, mut left } = self;
+        let Self { machine: m, invocation, code, native, files: count, mut pc, mut left } = self;
         let size = m.file;
         // The first register of each register file.
         let files = || (0..count).map(|file| file * size);
@@ -75,7 +80,15 @@ impl Kernel for Interpreter<'_> {
             for file in files() {
                 let registers = &mut m.registers[file..];
                 pc = first;
-                while let Some(Inst::Compute { what, out, args }) = code.get(pc) {
+                loop {
+                    if let Some(native) = native {
+                        let mask = if m.exec.is_empty() { &NO_LANES } else { &*m.exec.lanes };
+                        if let Some(next) = native.run(pc, registers, &m.splats, mask) {
+                            pc = next;
+                            continue;
+                        }
+                    }
+                    let Some(Inst::Compute { what, out, args }) = code.get(pc) else { break };
                     what.run::<S>(registers, &m.splats, *out, args);
                     pc += 1;
                 }

@@ -32,6 +32,7 @@ impl Machine {
                 machine: self,
                 invocation,
                 code,
+                native: None,
                 files,
                 pc: 0,
                 left,

@@ -156,6 +156,7 @@ impl Machine {
                         machine: self,
                         invocation: &invocation,
                         code,
+                        native: None,
                         files: 1,
                         pc,
                         left,

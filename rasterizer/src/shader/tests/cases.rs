@@ -33,7 +33,7 @@ fn by_lane(input: Input, lane: usize) -> u32 {
 fn red(module: &Module) -> Vec<f32> {
     module.validate().unwrap();
     let program = Program::new(module, |_| true);
-    let mut all = Isa::available().into_iter().map(|isa| {
+    let mut all = Isa::executions().into_iter().map(|isa| {
         let lanes = run(isa, &program, &[], ALL, 1_000_000, by_lane).unwrap();
         lanes.into_iter().map(|out| out.map_or(f32::NAN, |out| f32::from_bits(out[0]))).collect()
     });
@@ -111,7 +111,7 @@ fn every_operation_is_the_same_on_one_lane_and_on_64_of_every_instruction_set() 
                     if op.args().get(arg) == Some(&Ty::Bool) { boolean(word) } else { word }
                 })
             });
-            for isa in Isa::available() {
+            for isa in Isa::executions() {
                 let mut registers = [args[0], args[1], args[2], U32s::ZERO];
                 isa.run(OneOp(op, &mut registers));
                 let out = &registers[3];
@@ -135,7 +135,7 @@ fn derivatives_are_the_differences_within_a_quad() {
         let module = b.finish();
         let program = Program::new(&module, |_| true);
         let height = |x: usize, y: usize| (x * x * 3 + y * y * y) as f32;
-        for isa in Isa::available() {
+        for isa in Isa::executions() {
             let input = |_, lane| height(lane_x(lane), lane_y(lane)).to_bits();
             let got = run(isa, &program, &[], ALL, 1000, input).unwrap();
             for (lane, got) in got.iter().enumerate() {
@@ -196,7 +196,7 @@ fn a_loop_that_does_not_end_runs_out_of_budget() {
     let mut endless = Builder::new(Stage::Fragment);
     endless.push(Stmt::Loop { body: vec![], continuing: vec![] });
     let endless = Program::new(&endless.finish(), |_| true);
-    for isa in Isa::available() {
+    for isa in Isa::executions() {
         let forever = |_, _| f32::INFINITY.to_bits();
         assert_eq!(run(isa, &program, &[], ALL, 10_000, forever), Err(OverBudget));
         assert_eq!(run(isa, &endless, &[], ALL, 10_000, forever), Err(OverBudget));
