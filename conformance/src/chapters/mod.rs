@@ -256,6 +256,7 @@ pub const CHAPTERS: &[Chapter] = &[
             multisample::DEPTH,
             multisample::LINES,
             multisample::POINTS,
+            multisample::FADE,
         ],
     ),
     (
