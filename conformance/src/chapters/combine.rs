@@ -1,11 +1,11 @@
 //! Texture environment combiners and fog, in floats.
 
 use crate::check::{self, Check, Harness, Tally};
+use crate::gl::{glColor4f, glFogCoordf, glMultiTexCoord2f, glVertex4f};
 use crate::mutation::Variant;
 use crate::oracle::combine::{Combiner, Fog, Function, Operand, Source, Unit, combine};
 use crate::probe::ProbeError;
 use crate::rng::Rng;
-use gl_api::entry::{glColor4f, glFogCoordf, glMultiTexCoord2f, glVertex4f};
 
 /// `GL_COMBINE`.
 pub const COMBINE: Check = Check {

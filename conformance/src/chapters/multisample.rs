@@ -4,7 +4,7 @@ use super::pictures::{
     Brush, Pictures, Pixel, all, cover, point_between_ties, random_colors, window,
 };
 use crate::check::{Check, Harness, Tally, Unit};
-use gl_api::entry::*;
+use crate::gl::*;
 use crate::mutation::{Mutation, Variant};
 use crate::oracle::format::{Base, Encoding, stored};
 use crate::oracle::line::Segment;

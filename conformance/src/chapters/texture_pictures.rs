@@ -3,6 +3,7 @@
 
 use super::pictures::{Pictures, Pixel};
 use crate::check::{Check, Harness, Tally, Unit};
+use crate::gl::*;
 use crate::mutation::{Mutation, Variant};
 use crate::oracle::filter::Addressing;
 use crate::oracle::lod::{self, Derivatives, Filter, Filters, LevelRange, LodState, Mipmap};
@@ -12,7 +13,6 @@ use crate::oracle::wrap::Wrap;
 use crate::probe::{ProbeError, Session};
 use crate::rng::Rng;
 use gl_api::constants::*;
-use gl_api::entry::*;
 
 /// One level, linear.
 pub const LINEAR: Check = Check {

@@ -1,15 +1,15 @@
 //! The fixed vertex stage: generated coordinates and lit colours.
 
 use crate::check::{Check, Harness, Tally, Unit};
+use crate::gl::{
+    glLoadIdentity, glLoadMatrixf, glMatrixMode, glNormal3f, glTexCoord4f, glVertex4f,
+};
 use crate::mutation::{Mutation, Variant};
 use crate::oracle::matrix;
 use crate::oracle::vertex::{self, Light, Surface, TexGen};
 use crate::probe::{GlTexGen, ProbeError};
 use crate::rng::Rng;
 use gl_api::constants::*;
-use gl_api::entry::{
-    glLoadIdentity, glLoadMatrixf, glMatrixMode, glNormal3f, glTexCoord4f, glVertex4f,
-};
 
 /// Texture coordinate generation.
 pub const TEXGEN: Check = Check {
