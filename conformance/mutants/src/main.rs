@@ -7,7 +7,7 @@ use mutants::build::{Built, build};
 use mutants::choice::{Mutant, choose};
 use mutants::error::MutantsError;
 use mutants::report::{counts, listing, page};
-use mutants::trial::{Fate, Trials, output_folder};
+use mutants::trial::{Effort, Fate, Trials, output_folder};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -39,6 +39,9 @@ struct Args {
     /// Percent of the mistakes that change something which must be noticed.
     #[arg(long, default_value_t = 97.0)]
     least: f64,
+    /// How many cases checks try.
+    #[arg(long, value_enum, default_value_t = Effort::Quick)]
+    effort: Effort,
     /// Processes at a time.
     #[arg(long, default_value_t = 2)]
     jobs: usize,
@@ -74,6 +77,7 @@ fn run(args: &Args) -> Result<ExitCode, MutantsError> {
         runner,
         folder: output_folder(&out)?,
         time_limit: Duration::from_secs(args.time_limit),
+        effort: args.effort,
     };
     say("running everything without a mistake".to_owned());
     let baseline = trials.baseline()?;

@@ -40,6 +40,15 @@ enum End {
     OutOfTime,
 }
 
+/// How many cases checks try.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub enum Effort {
+    /// A sixteenth.
+    Quick,
+    /// As many as each check asks for.
+    Full,
+}
+
 /// Runs mistakes one by one.
 #[derive(Debug)]
 pub struct Trials {
@@ -49,6 +58,8 @@ pub struct Trials {
     pub folder: PathBuf,
     /// The least time that a run gets.
     pub time_limit: Duration,
+    /// How many cases.
+    pub effort: Effort,
 }
 
 /// Kilobytes of address space that a run gets.
@@ -66,6 +77,7 @@ impl Trials {
         let mut child = Command::new("sh")
             .args(["-c", &format!("ulimit -v {MEMORY}; exec \"$0\" \"$@\"")])
             .arg(&self.runner)
+            .args((self.effort == Effort::Full).then_some("--full"))
             .args(names)
             .env("DETGL_MUTANT", mutant)
             .env("DETGL_THREADS", "1")
@@ -202,7 +214,8 @@ mod tests {
         let runner = folder.join("runner");
         fs::write(&runner, format!("#!/bin/sh\n{body}\n")).expect("a script");
         fs::set_permissions(&runner, fs::Permissions::from_mode(0o755)).expect("it may run");
-        Trials { runner, folder: folder.to_owned(), time_limit: Duration::from_millis(300) }
+        let time_limit = Duration::from_millis(300);
+        Trials { runner, folder: folder.to_owned(), time_limit, effort: Effort::Quick }
     }
 
     #[test]

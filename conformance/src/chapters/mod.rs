@@ -10,6 +10,7 @@
 //! do and says how many must ([`Tally::reach`](crate::check::Tally::reach)).
 
 mod accumulation;
+mod anisotropic_pictures;
 mod anisotropy;
 mod attributes;
 mod bitmaps;
@@ -77,6 +78,7 @@ mod transforms;
 mod uniform_block;
 mod vertex;
 mod vertex_arrays;
+mod view_volume;
 mod wrap;
 
 use crate::check::Check;
@@ -138,6 +140,8 @@ pub const CHAPTERS: &[Chapter] = &[
             lines::SMOOTH,
             lines::VALUES,
             lines::JOINTS,
+            view_volume::POINTS,
+            view_volume::LINES,
             polygons::STIPPLE,
             polygons::CULL,
             polygons::MODE,
@@ -299,6 +303,7 @@ pub const CHAPTERS: &[Chapter] = &[
             evaluators::GRID,
             attributes::CURRENT,
             attributes::ARRAYS,
+            view_volume::INDICES,
             attributes::FEEDBACK,
         ],
     ),
@@ -331,6 +336,8 @@ pub const CHAPTERS: &[Chapter] = &[
             texture_pictures::TRILINEAR,
             texture_pictures::MIPMAPS,
             texture_pictures::PERSPECTIVE,
+            anisotropic_pictures::AFFINE,
+            anisotropic_pictures::PERSPECTIVE,
             picture_formats::FORMATS,
         ],
     ),

@@ -204,6 +204,8 @@ pub enum Mutation {
     DivisorRounds,
     RestartAfterBase,
     BaseVertexIgnored,
+    ClippingIgnored,
+    IndexIgnored,
     RestartIgnored,
     SamplesAtCentre,
     SamplesUpsideDown,
