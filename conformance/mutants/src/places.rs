@@ -285,7 +285,7 @@ mod tests {
     fn what_is_no_expression_of_run_time_is_left_alone() {
         let text = "const A: u32 = 1 + 2; const fn f() -> u32 { 3 + 4 } #[cfg(test)] mod t { fn g() -> u32 { 5 } }
             fn h() { let [_, 1] = x else { return }; for _ in 0..4 {} let _ = [a; 7]; m!(1 + 1); }";
-        assert_eq!(after(text), [String::new(); 0]);
+        assert!(after(text).is_empty(), "{:?}", after(text));
     }
 
     #[test]

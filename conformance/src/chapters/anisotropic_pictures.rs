@@ -78,7 +78,8 @@ fn affine(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
         let expect = |pixel: Pixel, variant: Variant| {
             let (st, footprint) = (map.of(pixel), of(variant));
             let correct = of(Variant::CORRECT);
-            let is_open = nearest_step(&image, &sampler, st, &correct) < STEP;
+            // Of round ones rows and columns give the same.
+            let is_open = stretch > 1.0 && nearest_step(&image, &sampler, st, &correct) < STEP;
             if correct.ratio > FLATTEST || is_open {
                 return None;
             }

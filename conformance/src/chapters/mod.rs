@@ -47,6 +47,7 @@ mod lines;
 mod lod;
 mod lookup;
 mod lookup_offset;
+mod meshes;
 mod mipmap;
 mod multisample;
 mod packing;
@@ -140,6 +141,7 @@ pub const CHAPTERS: &[Chapter] = &[
             lines::SMOOTH,
             lines::VALUES,
             lines::JOINTS,
+            meshes::MESH,
             view_volume::POINTS,
             view_volume::LINES,
             polygons::STIPPLE,

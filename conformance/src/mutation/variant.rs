@@ -204,6 +204,7 @@ pub enum Mutation {
     DivisorRounds,
     RestartAfterBase,
     BaseVertexIgnored,
+    AffineWithinTriangles,
     ClippingIgnored,
     IndexIgnored,
     RestartIgnored,

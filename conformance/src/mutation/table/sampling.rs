@@ -311,6 +311,7 @@ pub(super) const ROWS: &[MutationRow] = {
         row(DivisorRounds, "instance-divisor", "instance / divisor is rounded, not floored"),
         row(BaseVertexIgnored, "base-vertex", "the base is left out"),
         row(IndexIgnored, "element-range", "all vertices have the first colour"),
+        row(AffineWithinTriangles, "mesh-interpolation", "all corners have the w of one"),
         row(ClippingIgnored, "point-clip", "points outside the view volume are drawn"),
         row(ClippingIgnored, "line-clip", "lines are not cut"),
         row(RestartAfterBase, "base-vertex", "the restart index is compared with the sum"),
