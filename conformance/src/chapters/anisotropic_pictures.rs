@@ -102,7 +102,7 @@ fn affine(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
             session.read_bytes(PICTURE)
         })?;
     }
-    pictures.finish(30, 30);
+    pictures.finish(60, 60);
     Ok(())
 }
 

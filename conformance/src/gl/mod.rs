@@ -24,6 +24,7 @@ use library::ForeignContext;
 
 /// A context that is current on this thread until it is dropped.
 #[derive(Debug)]
+#[expect(clippy::large_enum_variant, reason = "there is one at a time")]
 pub enum CurrentContext {
     /// DetGL's.
     Own(Current),
