@@ -7,6 +7,7 @@
 //! |---|---|
 //! | [`rng`] | random numbers for cases, the same in every run |
 //! | [`plot`] | plots as SVG |
+//! | [`gl`] | GL's functions: DetGL's, or another library's |
 //! | [`mutation`] | known mistakes that can be built into a formula, to prove that its check can fail |
 //! | [`oracle`] | the formulas, one file a chapter; no code of the driver |
 //! | [`probe`] | GL contexts, and draws that compute many values at once and read them back exactly |
@@ -19,14 +20,17 @@
 //! | [`left_out`] | what scenes ask for without effect: plans, pictures and cost |
 //! | [`filter_pictures`] | pictures by driver and formula, one for each minification filter |
 //! | [`report`] | tables, JSON and pages |
+//! | [`judge`] | the checks through the C functions of other libraries |
 //! | [`peers`] | the same scenes on DetGL's shared library and on the machine's other GL drivers |
 //!
 //! **Invariant: the oracles are independent.** Nothing here calls `texunit` or `rasterizer`; the
-//! driver is reached through GL's own functions only. But [`left_out`] takes plans from a `rasterizer::driver::Device`.
+//! driver is reached through GL's own functions only ([`gl`]). But [`left_out`] takes plans from a `rasterizer::driver::Device`.
 
 pub mod chapters;
 pub mod check;
 pub mod filter_pictures;
+pub mod gl;
+pub mod judge;
 pub mod left_out;
 pub mod mutation;
 pub mod oracle;

@@ -1,19 +1,21 @@
 //! `cargo run --release -p conformance`: checks DetGL against the formulas of the specification,
 //! shows that the checks can fail, and measures error against run time and at the extremes.
 
+mod failure;
+
 use clap::{Parser, Subcommand};
 use conformance::chapters::checks;
 use conformance::check::{Check, Effort, Harness, Outcome, Subject, Verdict};
+use conformance::judge::{self, Driver};
 use conformance::left_out::{self, Feature};
 use conformance::mutation::{MUTATIONS, MutationRow, Variant};
+use conformance::peers;
 use conformance::peers::process::Task;
-use conformance::peers::{self, PeersError};
-use conformance::report::{
-    Count, Layout, Machine, NOISY, PageError, PageName, bar, closing, listed,
-};
+use conformance::report::{Count, Layout, Machine, NOISY, PageName, bar, closing, listed};
 use conformance::sweep::{SWEEPS, Sweep, SweepOutcome};
 use conformance::tradeoff::{self, Scene, functions};
 use conformance::{filter_pictures, report, self_test};
+use failure::{Failure, finish};
 use indicatif::ProgressBar;
 use serde::Serialize;
 use std::path::PathBuf;
@@ -38,6 +40,10 @@ struct Args {
     /// Tables as wide as they are, instead of 100 columns.
     #[arg(long, global = true)]
     wide: bool,
+    /// Judges another GL beside DetGL, through its C functions: system, llvmpipe, softpipe, or the path of a libEGL. May
+    /// be given several times.
+    #[arg(long, value_name = "DRIVER")]
+    driver: Vec<String>,
     /// A sixteenth of the cases, or smaller pictures.
     #[arg(long, global = true, conflicts_with = "full")]
     quick: bool,
@@ -54,6 +60,7 @@ const EXAMPLES: &str = "Examples:
   conformance                        every formula, and conformance-report/index.html
   conformance --only bilinear        the checks that have this in their name or citation
   conformance extremes --only fog    sweeps with this in their name or parameter
+  conformance --driver llvmpipe      the same checks of another GL, and conformance-report/drivers.md
   conformance all --quick            everything but peers, with few cases
   conformance error-vs-time --wide   a table as wide as it is";
 
@@ -84,32 +91,19 @@ enum Command {
     /// One scene on one driver: the process that `peers` measures.
     #[command(hide = true)]
     Peer(Task),
+    /// One check of one library: the process that `--driver` asks.
+    #[command(hide = true)]
+    Judged(judge::Task),
 }
 
 /// What a command counts.
 type Counted = Result<Vec<Count>, Failure>;
 
-/// Why the program fails.
-#[derive(Debug, thiserror::Error)]
-enum Failure {
-    #[error("--only {0:?}: nothing has this in its name; the names are\n{1}")]
-    NoMatch(String, String),
-    #[error(transparent)]
-    Drive(#[from] conformance::probe::ProbeError),
-    #[error(transparent)]
-    Page(#[from] PageError),
-    #[error(transparent)]
-    Peers(#[from] PeersError),
-    #[error(transparent)]
-    PeersReport(#[from] peers::WriteError),
-    #[error(transparent)]
-    Json(#[from] serde_json::Error),
-}
-
 fn main() -> ExitCode {
     let args = Args::parse();
     let start = Instant::now();
     let counted = match &args.command {
+        None if !args.driver.is_empty() => args.judge(),
         None => args.formulas(),
         Some(Command::All) => args.all(),
         Some(Command::SelfTest) => args.self_test(),
@@ -118,35 +112,12 @@ fn main() -> ExitCode {
         Some(Command::LeftOut) => args.left_out(),
         Some(Command::Peers(options)) => args.peers(options),
         Some(Command::Peer(task)) => return finish(task.run().map_err(Failure::from), |()| true),
+        Some(Command::Judged(task)) => return finish(task.run().map_err(Failure::from), |()| true),
     };
     if let (Ok(counts), false) = (&counted, args.json) {
         println!("\n{}", closing(counts, start.elapsed().as_secs_f64(), &Machine::here()));
     }
     finish(counted, |counts| counts.iter().all(|count| count.passed == count.all))
-}
-
-/// The exit status; what went wrong is printed.
-fn finish<T>(result: Result<T, Failure>, passes: impl FnOnce(T) -> bool) -> ExitCode {
-    match result {
-        Ok(found) => {
-            if passes(found) {
-                ExitCode::SUCCESS
-            } else {
-                ExitCode::FAILURE
-            }
-        }
-        Err(failure) => {
-            eprintln!("{failure}");
-            match failure {
-                Failure::NoMatch(..) => ExitCode::from(2),
-                Failure::Drive(_)
-                | Failure::Page(_)
-                | Failure::Peers(_)
-                | Failure::PeersReport(_)
-                | Failure::Json(_) => ExitCode::FAILURE,
-            }
-        }
-    }
 }
 
 /// The JSON of `error-vs-time`.
@@ -261,6 +232,32 @@ impl Args {
         }
         let passes = |outcome: &Outcome| outcome.verdict == Verdict::Pass;
         Ok(vec![Count::of(&outcomes, "checks pass", passes)])
+    }
+
+    /// The checks by DetGL and by other libraries.
+    fn judge(&self) -> Counted {
+        let selected = self.selected(checks(), |check: &Check| [check.name, check.citation])?;
+        let drivers = self.driver.iter().map(|name| Driver::open(name));
+        let drivers = drivers.collect::<Result<Vec<_>, _>>()?;
+        let bar = bar(selected.len());
+        let rows: Vec<judge::Row> = selected
+            .iter()
+            .map(|check| {
+                bar.set_message(check.name);
+                let row = judge::judge(check, self.effort(), &drivers);
+                bar.inc(1);
+                row
+            })
+            .collect();
+        bar.finish_and_clear();
+        let (summary, table) = (judge::summary(&rows, &drivers), judge::page(&rows, &drivers));
+        println!("{summary}\n{table}");
+        std::fs::create_dir_all(&self.out)?;
+        let path = self.out.join("drivers.md");
+        std::fs::write(&path, format!("{summary}\n{table}"))?;
+        println!("{}", path.display());
+        let own = rows.iter().filter(|row| row.own.verdict == Verdict::Pass).count();
+        Ok(vec![Count { passed: own, all: rows.len(), what: "checks of DetGL pass" }])
     }
 
     fn self_test(&self) -> Counted {

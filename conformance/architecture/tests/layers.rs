@@ -14,12 +14,14 @@ const PENDING: &[&str] = &[];
 const WITHOUT_TABLE: &[(&str, &str)] = &[
     ("examples", "programs side by side, each of which is read alone"),
     ("architecture", "its documentation has the steps in their order"),
+    ("mutants", "its documentation has the steps in their order"),
 ];
 
 /// Folders that may contain `unsafe`, and why.
 const UNSAFE: &[(&str, &str)] = &[
     ("texunit/src/lanes", "instructions of the processor"),
     ("gl_api/capi/src", "the C ABI"),
+    ("conformance/src/gl", "functions of another library, which checks call in DetGL's place"),
     (
         "conformance/src/peers/client",
         "a client of the C ABI, of drivers that are opened at run time",

@@ -2,11 +2,11 @@
 
 use super::pictures::{Brush, Pictures, Pixel, color, cover, window};
 use crate::check::{Check, Harness, Tally, Unit};
+use crate::gl::*;
 use crate::mutation::{Mutation, Variant};
 use crate::probe::ProbeError;
 use crate::rng::Rng;
 use gl_api::constants::*;
-use gl_api::entry::*;
 
 /// The scissor test.
 pub const SCISSOR: Check = Check {

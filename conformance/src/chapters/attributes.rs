@@ -1,12 +1,12 @@
 //! Attributes of vertices: conversion of integers, types of arrays; and what transform feedback writes.
 
 use crate::check::{Check, Harness, Tally, Unit};
+use crate::gl::*;
 use crate::mutation::{Mutation, Variant};
 use crate::oracle::painter::{Convention, Mode, primitives};
 use crate::probe::{Capture, Dialect, ProbeError, Stages, mode_enum};
 use crate::rng::Rng;
 use gl_api::constants::*;
-use gl_api::entry::*;
 
 /// Colours and normals of integers.
 pub const CURRENT: Check = Check {

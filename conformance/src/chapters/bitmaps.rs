@@ -2,11 +2,11 @@
 
 use super::pictures::{Pictures, Pixel, window};
 use crate::check::{Check, Harness, Tally, Unit};
+use crate::gl::*;
 use crate::mutation::{Mutation, Variant};
 use crate::probe::ProbeError;
 use crate::rng::Rng;
 use gl_api::constants::*;
-use gl_api::entry::*;
 
 /// Bitmaps.
 pub const BITMAP: Check = Check {

@@ -2,6 +2,7 @@
 
 use super::pictures::{Brush, Pictures, Pixel, random_colors, window};
 use crate::check::{Check, Harness, Tally, Unit};
+use crate::gl::*;
 use crate::mutation::{Mutation, Variant};
 use crate::oracle::blend::{self, Colors, Equation, Factor};
 use crate::oracle::format::{Base, Encoding, stored};
@@ -9,7 +10,6 @@ use crate::oracle::srgb;
 use crate::probe::{ProbeError, Session, equation_enum, factor_enum};
 use crate::rng::Rng;
 use gl_api::constants::*;
-use gl_api::entry::*;
 
 /// Equations and factors of colour and alpha.
 pub const SEPARATE: Check = Check {

@@ -2,6 +2,7 @@
 
 use super::pictures::{Brush, Pictures, Pixel, all, random_colors, window};
 use crate::check::{Check, Harness, Tally, Unit};
+use crate::gl::*;
 use crate::mutation::{Mutation, Variant};
 use crate::oracle::blit::{Span, source};
 use crate::oracle::format::Base;
@@ -9,7 +10,6 @@ use crate::oracle::painter::Rect;
 use crate::probe::{ProbeError, Session};
 use crate::rng::Rng;
 use gl_api::constants::*;
-use gl_api::entry::*;
 
 /// Nearest copies.
 pub const NEAREST: Check = Check {

@@ -2,6 +2,7 @@
 
 use super::pictures::{Pictures, Pixel, all, cover, drawn, window};
 use crate::check::{Check, Harness, Tally, Unit};
+use crate::gl::*;
 use crate::mutation::{Mutation, Variant};
 use crate::oracle::compare::Compare;
 use crate::oracle::fragment::{Stencil, StencilOp};
@@ -10,7 +11,6 @@ use crate::oracle::polygon::slopes;
 use crate::probe::{ProbeError, compare_enum, operation_enum};
 use crate::rng::Rng;
 use gl_api::constants::*;
-use gl_api::entry::*;
 
 /// Depth formats.
 pub const DEPTH_FORMATS: Check = Check {

@@ -3,13 +3,13 @@
 use super::pictures::{Pictures, Pixel, window};
 use super::shading::one_texel;
 use crate::check::{Check, Harness, Tally, Unit};
+use crate::gl::*;
 use crate::mutation::{Mutation, Variant};
 use crate::oracle::combine::Fog;
 use crate::oracle::painter::inside;
 use crate::probe::ProbeError;
 use crate::rng::Rng;
 use gl_api::constants::*;
-use gl_api::entry::*;
 
 /// The sum of two colours.
 pub const COLOR_SUM: Check = Check {

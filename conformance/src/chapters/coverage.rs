@@ -12,7 +12,7 @@ pub const COVERAGE: Check = Check {
     citation: "GL 2.1, 3.5.1; top-left rule (window, y up)",
     what: "pixels of random triangles, slivers and triangles with corners on pixel centres",
     unit: Unit::Draws,
-    tolerance: 0.01,
+    tolerance: 0.0,
     why: "a pixel is drawn or not; positions are exact at 4 bits of subpixel precision",
     run: coverage,
 };
@@ -23,7 +23,7 @@ pub const SHARED_EDGES: Check = Check {
     citation: "GL 2.1, 3.5.1: one of two polygons that share an edge",
     what: "times that each pixel of a triangulated square is drawn, under additive blending",
     unit: Unit::Draws,
-    tolerance: 0.01,
+    tolerance: 0.0,
     why: "each pixel is drawn once",
     run: shared_edges,
 };

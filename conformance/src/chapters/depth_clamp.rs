@@ -1,10 +1,10 @@
 //! Depths beyond the near and the far plane, clamped.
 
 use crate::check::{Check, Harness, Tally, Unit};
+use crate::gl::*;
 use crate::mutation::{Mutation, Variant};
 use crate::probe::{Dialect, ProbeError, Stages};
 use gl_api::constants::*;
-use gl_api::entry::*;
 
 /// Depth clamp.
 pub const CLAMP: Check = Check {

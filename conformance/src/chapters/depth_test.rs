@@ -12,7 +12,7 @@ pub const TEST: Check = Check {
     citation: "GL 2.1, 4.1.6",
     what: "the 8 functions of glDepthFunc, nearer, farther and equal",
     unit: Unit::Bytes,
-    tolerance: 0.01,
+    tolerance: 0.0,
     why: "a fragment is drawn or not",
     run,
 };

@@ -1,12 +1,12 @@
 //! The levels of immutable textures of OpenGL ES: base, maximum and clamps of λ.
 
 use crate::check::{Check, Harness, Tally, Unit};
+use crate::gl::*;
 use crate::mutation::{Mutation, Variant};
 use crate::oracle::lod::{Filters, LevelRange, Levels, LodState, lambda, levels};
 use crate::probe::{Dialect, ProbeError, filter_enum, min_filter_enum};
 use crate::rng::Rng;
 use gl_api::constants::*;
-use gl_api::entry::*;
 
 /// Levels.
 pub const LEVELS: Check = Check {

@@ -1,12 +1,12 @@
 //! Evaluators: curves, surfaces, generated normals and grids.
 
 use crate::check::{Check, Harness, Tally, Unit};
+use crate::gl::*;
 use crate::mutation::Variant;
 use crate::oracle::bernstein::{curve, grid, normal, parameter, surface};
 use crate::probe::ProbeError;
 use crate::rng::Rng;
 use gl_api::constants::*;
-use gl_api::entry::*;
 
 /// Curves.
 pub const CURVE: Check = Check {

@@ -1,12 +1,12 @@
 //! Per-fragment tests and operations: alpha test, stencil test, logical operations.
 
 use crate::check::{Check, Harness, Tally, Unit};
+use crate::gl::{glColor4f, glVertex4f};
 use crate::mutation::Variant;
 use crate::oracle::compare::Compare;
 use crate::oracle::fragment::{Stencil, StencilOp, logic};
 use crate::probe::ProbeError;
 use crate::rng::Rng;
-use gl_api::entry::{glColor4f, glVertex4f};
 
 /// The alpha test.
 pub const ALPHA: Check = Check {

@@ -2,13 +2,13 @@
 //! feedback captures of it.
 
 use crate::check::{Check, Harness, Tally, Unit};
+use crate::gl::*;
 use crate::mutation::{Mutation, Variant};
 use crate::oracle::adjacency::inputs;
 use crate::oracle::painter::{Convention, Mode, Rect, inside};
 use crate::probe::{Capture, Captured, Dialect, ProbeError, Stages, mode_enum};
 use crate::rng::Rng;
 use gl_api::constants::*;
-use gl_api::entry::*;
 
 const WHY: &str = "integers pass as they are";
 

@@ -2,13 +2,13 @@
 
 use super::pictures::{Pictures, Pixel, drawn};
 use crate::check::{Check, Harness, Tally, Unit};
+use crate::gl::*;
 use crate::mutation::{Mutation, Variant};
 use crate::oracle::painter::inside;
 use crate::oracle::polygon::signed_area;
 use crate::probe::{ProbeError, Session, Stages};
 use crate::rng::Rng;
 use gl_api::constants::*;
-use gl_api::entry::*;
 
 /// Derivatives.
 pub const DERIVATIVES: Check = Check {

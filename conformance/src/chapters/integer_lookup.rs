@@ -1,12 +1,12 @@
 //! Integer textures under every wrap mode, and the packed format of unsigned integers.
 
 use crate::check::{Check, Harness, Tally, Unit};
+use crate::gl::*;
 use crate::mutation::{Mutation, Variant};
 use crate::oracle::wrap::{self, Index, Wrap};
 use crate::probe::{Dialect, ProbeError, wrap_enum};
 use crate::rng::Rng;
 use gl_api::constants::*;
-use gl_api::entry::*;
 
 /// Wrap modes.
 pub const WRAP: Check = Check {

@@ -1,12 +1,12 @@
 //! Layered framebuffers: draws to the layer that the geometry stage chooses, and clears of all.
 
 use crate::check::{Check, Harness, Tally, Unit};
+use crate::gl::*;
 use crate::mutation::{Mutation, Variant};
 use crate::oracle::painter::Rect;
 use crate::probe::{Dialect, ProbeError, Session, Stages};
 use crate::rng::Rng;
 use gl_api::constants::*;
-use gl_api::entry::*;
 
 /// Draws.
 pub const DRAW: Check = Check {

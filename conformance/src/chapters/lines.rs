@@ -2,12 +2,12 @@
 
 use super::pictures::{Pictures, Pixel, drawn, point_between_ties, window};
 use crate::check::{Check, Harness, Tally, Unit};
+use crate::gl::*;
 use crate::mutation::{Mutation, Variant};
 use crate::oracle::line::{LineStipple, Segment, along};
 use crate::probe::{ProbeError, Session};
 use crate::rng::Rng;
 use gl_api::constants::*;
-use gl_api::entry::*;
 
 /// Aliased lines of width 1.
 pub const DIAMOND: Check = Check {

@@ -23,7 +23,7 @@ pub const LOD: Check = Check {
     citation: "GL 2.1, 3.8.8: λ_base = log2 ρ",
     what: "ρ of the larger footprint side, its log2, measured as the blend of two levels",
     unit: Unit::Levels,
-    tolerance: 1.0 / (1 << 17) as f64,
+    tolerance: 32.0 / (1 << 24) as f64,
     why: WHY,
     run: |harness, tally| run(harness, tally, &[LodState::default()]),
 };
@@ -34,7 +34,7 @@ pub const BIAS_CLAMP: Check = Check {
     citation: "GL 2.1, 3.8.8: λ = clamp(λ_base + bias, lod_min, lod_max)",
     what: "bias of object, unit and shader, then GL_TEXTURE_MIN_LOD and GL_TEXTURE_MAX_LOD",
     unit: Unit::Levels,
-    tolerance: 1.0 / (1 << 17) as f64,
+    tolerance: 32.0 / (1 << 24) as f64,
     why: WHY,
     run: |harness, tally| {
         let plain = LodState::default();

@@ -17,8 +17,8 @@ pub const LOD: Check = Check {
     citation: "GLSL 1.30, 8.7: textureLod; GL 2.1, 3.8.8",
     what: "texture2DLod with λ below, within and above the levels, clamped by the sampler",
     unit: Unit::FullScale,
-    tolerance: 1.0 / (1 << 16) as f64,
-    why: "f32: weight frac(λ) to 2^-18, times a difference of texels up to 1; bilinear 2^-17",
+    tolerance: 5.0 / (1 << 24) as f64,
+    why: "f32: λ is exact; bilinear twice and their mix: eight roundings of 2^-25, and an ulp of a coordinate",
     run: |harness, tally| run(harness, tally, LookupForm::Lod),
 };
 
@@ -28,8 +28,8 @@ pub const GRAD: Check = Check {
     citation: "GLSL 1.30, 8.7: textureGrad; GL 2.1, 3.8.8",
     what: "texture2DGradARB with random derivatives",
     unit: Unit::FullScale,
-    tolerance: 1.0 / (1 << 16) as f64,
-    why: "f32: weight frac(λ) to 2^-18, times a difference of texels up to 1; bilinear 2^-17",
+    tolerance: 8.0 / (1 << 24) as f64,
+    why: "f32: as with a λ that is given, and half an ulp of λ below 4: 2^-23, times a difference of texels up to 1",
     run: |harness, tally| run(harness, tally, LookupForm::Grad),
 };
 

@@ -10,6 +10,7 @@
 //! do and says how many must ([`Tally::reach`](crate::check::Tally::reach)).
 
 mod accumulation;
+mod anisotropic_pictures;
 mod anisotropy;
 mod attributes;
 mod bitmaps;
@@ -46,6 +47,7 @@ mod lines;
 mod lod;
 mod lookup;
 mod lookup_offset;
+mod meshes;
 mod mipmap;
 mod multisample;
 mod packing;
@@ -77,6 +79,7 @@ mod transforms;
 mod uniform_block;
 mod vertex;
 mod vertex_arrays;
+mod view_volume;
 mod wrap;
 
 use crate::check::Check;
@@ -138,6 +141,9 @@ pub const CHAPTERS: &[Chapter] = &[
             lines::SMOOTH,
             lines::VALUES,
             lines::JOINTS,
+            meshes::MESH,
+            view_volume::POINTS,
+            view_volume::LINES,
             polygons::STIPPLE,
             polygons::CULL,
             polygons::MODE,
@@ -256,6 +262,7 @@ pub const CHAPTERS: &[Chapter] = &[
             multisample::DEPTH,
             multisample::LINES,
             multisample::POINTS,
+            multisample::FADE,
         ],
     ),
     (
@@ -298,6 +305,7 @@ pub const CHAPTERS: &[Chapter] = &[
             evaluators::GRID,
             attributes::CURRENT,
             attributes::ARRAYS,
+            view_volume::INDICES,
             attributes::FEEDBACK,
         ],
     ),
@@ -330,6 +338,8 @@ pub const CHAPTERS: &[Chapter] = &[
             texture_pictures::TRILINEAR,
             texture_pictures::MIPMAPS,
             texture_pictures::PERSPECTIVE,
+            anisotropic_pictures::AFFINE,
+            anisotropic_pictures::PERSPECTIVE,
             picture_formats::FORMATS,
         ],
     ),

@@ -4,15 +4,16 @@ use super::pictures::{
     Brush, Pictures, Pixel, all, cover, point_between_ties, random_colors, window,
 };
 use crate::check::{Check, Harness, Tally, Unit};
+use crate::gl::*;
 use crate::mutation::{Mutation, Variant};
 use crate::oracle::format::{Base, Encoding, stored};
 use crate::oracle::line::Segment;
+use crate::oracle::point::faded;
 use crate::oracle::polygon::{inside_convex, slopes};
 use crate::oracle::samples::{SAMPLES, sample_position};
-use crate::probe::ProbeError;
+use crate::probe::{ProbeError, Stages};
 use crate::rng::Rng;
 use gl_api::constants::*;
-use gl_api::entry::*;
 
 /// Coverage from alpha.
 pub const ALPHA_TO_COVERAGE: Check = Check {
@@ -78,6 +79,17 @@ pub const POINTS: Check = Check {
     tolerance: 0.0,
     why: "a sample is covered or not; places within 1/128 of the circle are left out",
     run: points,
+};
+
+/// Points that fade.
+pub const FADE: Check = Check {
+    name: "point-fade",
+    citation: "GL 2.1, 3.3 and 3.13: alpha · (derived size / GL_POINT_FADE_THRESHOLD_SIZE)² below the threshold",
+    what: "samples and alpha of every pixel of points of sizes 0.2 to 12, by the state, attenuated, and by a program",
+    unit: Unit::FullScale,
+    tolerance: 3.0 / (1 << 24) as f64,
+    why: "f32: ten roundings by 2^-25 (root, quotients, square, product) of 3/4 are 3.75 · 2^-24 if all agree",
+    run: fade,
 };
 
 const PICTURE: Pixel = [43, 31];
@@ -324,5 +336,60 @@ fn points(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
         })?;
     }
     pictures.finish(90, 1);
+    Ok(())
+}
+
+/// Where points have their sizes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum SizeFrom {
+    State,
+    Attenuation,
+    Program,
+}
+
+fn fade(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
+    let mut rng = Rng::named("point-fade");
+    let mut pictures = Pictures::new(harness, tally, PICTURE);
+    let mut faded_points = 0;
+    for round in 0..harness.cases(48).max(12) {
+        let from = [SizeFrom::State, SizeFrom::Attenuation, SizeFrom::Program][round % 3];
+        let centre = point_between_ties(&mut rng, PICTURE);
+        let (size, threshold) = (rng.real(0.2, 12.0), rng.real(1.0, 10.0));
+        let factor = if from == SizeFrom::Attenuation { rng.real(0.2, 8.0) } else { 1.0 };
+        let derived = f64::from(size) * (1.0 / f64::from(factor)).sqrt();
+        faded_points += usize::from(derived < f64::from(threshold));
+        let expect = |pixel: Pixel, variant: Variant| {
+            let [width, fade] = faded(derived, f64::from(threshold), variant);
+            let share = share(pixel, variant, |[x, y]| {
+                let far = (x - centre[0]).hypot(y - centre[1]) - width.max(1.0) / 2.0;
+                (far.abs() > 1.0 / 128.0).then_some(far < 0.0)
+            })?;
+            Some([share, 0.0, 0.0, 0.75 * fade * share])
+        };
+        pictures.compare(&(from, centre, size, factor, threshold), expect, |session| {
+            session.frame(GL_RGBA32F, PICTURE, 4)?;
+            window(PICTURE);
+            glPointParameterf(GL_POINT_FADE_THRESHOLD_SIZE, threshold);
+            glPointParameterfv(GL_POINT_DISTANCE_ATTENUATION, &[factor, 0.0, 0.0]);
+            if from == SizeFrom::Program {
+                glEnable(GL_VERTEX_PROGRAM_POINT_SIZE);
+                let vertex = "void main() {
+                    gl_Position = ftransform(); gl_PointSize = gl_MultiTexCoord0.x; }";
+                let fragment = "void main() { gl_FragColor = vec4(1.0, 0.0, 0.0, 0.75); }";
+                session.stages(&Stages { vertex, geometry: "", fragment })?;
+                glPointSize(1);
+            } else {
+                glPointSize(size);
+            }
+            glColor4f(1, 0, 0, 0.75);
+            glBegin(GL_POINTS);
+            glTexCoord1f(size);
+            glVertex2f(centre[0] as f32, centre[1] as f32);
+            glEnd();
+            session.read_resolved(GL_RGBA32F, PICTURE)
+        })?;
+    }
+    pictures.finish(90, 1);
+    tally.reach("points that fade", faded_points, 4);
     Ok(())
 }

@@ -2,12 +2,12 @@
 
 use super::pictures::{Pictures, Pixel};
 use crate::check::{Check, Harness, Tally, Unit};
+use crate::gl::*;
 use crate::mutation::{Mutation, Variant};
 use crate::oracle::format::{Base, Encoding, linear, stored};
 use crate::probe::ProbeError;
 use crate::rng::Rng;
 use gl_api::constants::*;
-use gl_api::entry::*;
 
 /// Linear filters of formats.
 pub const FORMATS: Check = Check {

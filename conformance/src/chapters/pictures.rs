@@ -1,11 +1,11 @@
 //! Pictures that are compared pixel by pixel, and how many of their pixels say something.
 
 use crate::check::{Harness, Tally};
+use crate::gl::*;
 use crate::mutation::Variant;
 use crate::probe::{ProbeError, Session};
 use crate::rng::Rng;
 use gl_api::constants::*;
-use gl_api::entry::*;
 use std::fmt::Debug;
 
 /// A pixel: column and row, from the lower left.

@@ -2,12 +2,12 @@
 
 use super::pictures::{Brush, Pictures, Pixel, all, random_colors, window};
 use crate::check::{Check, Harness, Tally, Unit};
+use crate::gl::*;
 use crate::mutation::{Mutation, Variant};
 use crate::oracle::blit::zoomed;
 use crate::probe::ProbeError;
 use crate::rng::Rng;
 use gl_api::constants::*;
-use gl_api::entry::*;
 
 /// Zoomed rectangles.
 pub const ZOOM: Check = Check {

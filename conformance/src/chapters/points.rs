@@ -2,12 +2,12 @@
 
 use super::pictures::{Pictures, Pixel, drawn, point_between_ties, window};
 use crate::check::{Check, Harness, Tally, Unit};
+use crate::gl::*;
 use crate::mutation::Variant;
 use crate::oracle::point::{Attenuation, Dot, Origin};
 use crate::probe::{ProbeError, Session, Stages};
 use crate::rng::Rng;
 use gl_api::constants::*;
-use gl_api::entry::*;
 
 /// Aliased points.
 pub const SIZE: Check = Check {

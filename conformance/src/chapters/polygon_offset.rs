@@ -2,13 +2,13 @@
 
 use super::pictures::{Pixel, cover, point_between_ties, window};
 use crate::check::{Check, Harness, Tally, Unit};
+use crate::gl::*;
 use crate::mutation::{Mutation, Variant};
 use crate::oracle::painter::inside;
 use crate::oracle::polygon::{resolvable, slopes, steepness};
 use crate::probe::ProbeError;
 use crate::rng::Rng;
 use gl_api::constants::*;
-use gl_api::entry::*;
 
 /// The constant part of depth offset.
 pub const OFFSET_UNITS: Check = Check {

@@ -2,6 +2,7 @@
 
 use super::pictures::{Pictures, Pixel, color, cover, drawn, point_between_ties, window};
 use crate::check::{Check, Harness, Tally, Unit};
+use crate::gl::*;
 use crate::mutation::{Mutation, Variant};
 use crate::oracle::line::Segment;
 use crate::oracle::matrix;
@@ -10,7 +11,6 @@ use crate::oracle::polygon::{PolygonStipple, shared_area, signed_area};
 use crate::probe::ProbeError;
 use crate::rng::Rng;
 use gl_api::constants::*;
-use gl_api::entry::*;
 
 /// Stippled polygons.
 pub const STIPPLE: Check = Check {

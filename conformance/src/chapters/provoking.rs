@@ -1,11 +1,11 @@
 //! Flat values, of the vertex that provokes.
 
 use crate::check::{Check, Harness, Tally, Unit};
+use crate::gl::*;
 use crate::mutation::{Mutation, Variant};
 use crate::oracle::painter::{Convention, Mode, inside, primitives};
 use crate::probe::{Dialect, ProbeError, Stages, mode_enum};
 use gl_api::constants::*;
-use gl_api::entry::*;
 
 /// Flat values.
 pub const FLAT: Check = Check {

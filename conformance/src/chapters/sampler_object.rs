@@ -1,6 +1,7 @@
 //! Sampler objects, whose state stands for that of textures.
 
 use crate::check::{Check, Harness, Tally, Unit};
+use crate::gl::*;
 use crate::mutation::{Mutation, Variant};
 use crate::oracle::lod::Filter;
 use crate::oracle::mipmap::Volume;
@@ -9,7 +10,6 @@ use crate::oracle::wrap::Wrap;
 use crate::probe::{ProbeError, Session, filter_enum, wrap_enum};
 use crate::rng::Rng;
 use gl_api::constants::*;
-use gl_api::entry::*;
 
 /// Precedence.
 pub const PRECEDENCE: Check = Check {

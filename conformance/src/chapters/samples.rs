@@ -1,12 +1,12 @@
 //! Multisampling: where samples lie, what a mask lets through, single samples in shaders, and resolves.
 
 use crate::check::{Check, Harness, Tally, Unit};
+use crate::gl::*;
 use crate::mutation::Variant;
 use crate::oracle::samples::{POSITIONS, SAMPLES, masked, resolved, sample_position, shown};
 use crate::probe::{Dialect, ProbeError, Session, Stages};
 use crate::rng::Rng;
 use gl_api::constants::*;
-use gl_api::entry::*;
 
 /// Positions and coverage.
 pub const POSITION: Check = Check {

@@ -1,13 +1,13 @@
 //! Blending by the second colour of the fragment stage.
 
 use crate::check::{Check, Harness, Tally, Unit};
+use crate::gl::*;
 use crate::mutation::Variant;
 use crate::oracle::blend::Equation;
 use crate::oracle::second_color::{Colors, Factor, State, blend};
 use crate::probe::{Dialect, ProbeError, Session, Stages, equation_enum};
 use crate::rng::Rng;
 use gl_api::constants::*;
-use gl_api::entry::*;
 
 /// Dual-source blending.
 pub const BLEND: Check = Check {

@@ -3,13 +3,13 @@
 use super::pictures::{Pictures, Pixel, window};
 use super::vertex::{self as vertices, Case};
 use crate::check::{Check, Harness, Tally, Unit};
+use crate::gl::*;
 use crate::mutation::{Mutation, Variant};
 use crate::oracle::matrix;
 use crate::oracle::vertex::{self, Eye, Light, Surface};
 use crate::probe::ProbeError;
 use crate::rng::Rng;
 use gl_api::constants::*;
-use gl_api::entry::*;
 
 /// Both sides.
 pub const TWO_SIDED: Check = Check {

@@ -13,7 +13,7 @@ pub const COMPARE: Check = Check {
     citation: "GL 2.1, 3.8.14: r OP D",
     what: "the 8 comparisons of GL_COMPARE_R_TO_TEXTURE, below, above and at the texel",
     unit: Unit::Bytes,
-    tolerance: 0.01,
+    tolerance: 0.0,
     why: "the answer is 0 or 1",
     run,
 };

@@ -1,12 +1,12 @@
 //! RGB9E5 and R11F_G11F_B10F where rounding decides: ties, denormals, overflow and NaN, uploaded and rendered.
 
 use crate::check::{Check, Harness, Tally, Unit};
+use crate::gl::*;
 use crate::mutation::Variant;
 use crate::oracle::format::{packed_float, shared_exponent};
 use crate::probe::{Dialect, ProbeError, TexelRow};
 use crate::rng::Rng;
 use gl_api::constants::*;
-use gl_api::entry::*;
 
 /// Shared exponents.
 pub const SHARED: Check = Check {

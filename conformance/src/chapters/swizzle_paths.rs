@@ -1,12 +1,12 @@
 //! Swizzles of texels that are fetched, gathered, compared, or the border.
 
 use crate::check::{Check, Harness, Tally, Unit};
+use crate::gl::*;
 use crate::mutation::Variant;
 use crate::oracle::swizzle::{Path, Source, swizzled};
 use crate::probe::{Dialect, ProbeError, Session};
 use crate::rng::Rng;
 use gl_api::constants::*;
-use gl_api::entry::*;
 
 /// Swizzles.
 pub const PATHS: Check = Check {

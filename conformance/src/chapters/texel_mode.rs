@@ -15,8 +15,8 @@ pub const DEPTH_MODE: Check = Check {
     citation: "GL 2.1, 3.8.14 and table 3.20: GL_DEPTH_TEXTURE_MODE",
     what: "(D, D, D, 1), (D, D, D, D) or (0, 0, 0, D) of depth texels that are not compared",
     unit: Unit::FullScale,
-    tolerance: 1.0 / (1 << 24) as f64,
-    why: "one rounding of D to f32",
+    tolerance: 0.0,
+    why: "depths are stored as f32, as they are given",
     run: depth_mode,
 };
 
@@ -37,8 +37,8 @@ pub const COMPARE_LINEAR: Check = Check {
     citation: "GL 2.1, 3.8.14: the comparison before GL_LINEAR's weights",
     what: "weighted share of the texels that pass, of the 8 comparisons",
     unit: Unit::FullScale,
-    tolerance: 1.0 / (1 << 15) as f64,
-    why: "f32: s carries 2^-24, times 256 texels",
+    tolerance: 1.0 / (1 << 24) as f64,
+    why: "coordinates are dyadic, so that weights are exact: one rounding of the mean",
     run: compare_linear,
 };
 

@@ -3,6 +3,7 @@
 
 use super::pictures::{Pictures, Pixel};
 use crate::check::{Check, Harness, Tally, Unit};
+use crate::gl::*;
 use crate::mutation::{Mutation, Variant};
 use crate::oracle::filter::Addressing;
 use crate::oracle::lod::{self, Derivatives, Filter, Filters, LevelRange, LodState, Mipmap};
@@ -12,7 +13,6 @@ use crate::oracle::wrap::Wrap;
 use crate::probe::{ProbeError, Session};
 use crate::rng::Rng;
 use gl_api::constants::*;
-use gl_api::entry::*;
 
 /// One level, linear.
 pub const LINEAR: Check = Check {
@@ -31,7 +31,7 @@ pub const NEAREST: Check = Check {
     citation: "GL 2.1, 3.8.8: GL_NEAREST",
     what: "every pixel of turned squares with textures of 13 sizes; places near the edge of a texel are left out",
     unit: Unit::Bytes,
-    tolerance: 0.01,
+    tolerance: 0.0,
     why: "bytes are copied",
     run: |harness, tally| affine(harness, tally, &[Filters::only(Filter::Nearest)]),
 };
@@ -78,7 +78,7 @@ pub const PERSPECTIVE: Check = Check {
 
 const WHY: &str = "8-bit colours: half a step; and f32 coordinates of up to 4096 texels: 2^-13 of 255 in each of two weights";
 
-const PICTURE: Pixel = [99, 67];
+pub(super) const PICTURE: Pixel = [99, 67];
 
 /// Powers of two, odd sizes, rows.
 const SIZES: [[usize; 2]; 13] = [
@@ -97,12 +97,12 @@ const SIZES: [[usize; 2]; 13] = [
     [8, 4096],
 ];
 
-const fn mipmapped(min: Filter, mipmap: Mipmap) -> Filters {
+pub(super) const fn mipmapped(min: Filter, mipmap: Mipmap) -> Filters {
     Filters { min, mipmap, mag: min }
 }
 
 /// Levels that have nothing in common.
-fn image(rng: &mut Rng, size: [usize; 2], filters: Filters) -> Vec<Level> {
+pub(super) fn image(rng: &mut Rng, size: [usize; 2], filters: Filters) -> Vec<Level> {
     let count = if filters.mipmap == Mipmap::None { 1 } else { level_count(size) };
     (0..count)
         .map(|level| {
@@ -121,15 +121,15 @@ fn image(rng: &mut Rng, size: [usize; 2], filters: Filters) -> Vec<Level> {
 
 /// s and t as affine functions of window coordinates.
 #[derive(Clone, Copy, Debug)]
-struct Map {
+pub(super) struct Map {
     at: [f64; 2],
-    dx: [f64; 2],
-    dy: [f64; 2],
+    pub dx: [f64; 2],
+    pub dy: [f64; 2],
 }
 
 impl Map {
     /// Turned, with a scale of 2^λ texels a pixel.
-    fn random(rng: &mut Rng, size: [usize; 2], lambda: f64) -> Self {
+    pub fn random(rng: &mut Rng, size: [usize; 2], lambda: f64) -> Self {
         let turn = f64::from(rng.real(0.0, 6.2));
         let (sin, cos) = turn.sin_cos();
         let scale = lambda.exp2();
@@ -142,12 +142,12 @@ impl Map {
         }
     }
 
-    fn st(&self, x: f64, y: f64) -> [f64; 2] {
+    pub fn st(&self, x: f64, y: f64) -> [f64; 2] {
         [0, 1].map(|i| self.at[i] + self.dx[i] * x + self.dy[i] * y)
     }
 
     /// s and t of a pixel's centre, with coordinates from the middle of the picture.
-    fn of(&self, [x, y]: Pixel) -> [f64; 2] {
+    pub fn of(&self, [x, y]: Pixel) -> [f64; 2] {
         let [w, h] = PICTURE.map(|n| n as f64);
         self.st(x as f64 + 0.5 - w / 2.0, y as f64 + 0.5 - h / 2.0)
     }
@@ -231,13 +231,13 @@ fn is_tied(sampler: &Sampler, lambda: f64) -> bool {
 
 /// How a texture gets into the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Lookup {
+pub(super) enum Lookup {
     Fixed,
     Shader,
 }
 
 impl Lookup {
-    fn prepare(self, session: &Session) -> Result<(), ProbeError> {
+    pub fn prepare(self, session: &Session) -> Result<(), ProbeError> {
         match self {
             Self::Fixed => {
                 glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);

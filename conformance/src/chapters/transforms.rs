@@ -1,6 +1,7 @@
 //! Matrices, window coordinates, the raster position, feedback and selection.
 
 use crate::check::{Check, Harness, Tally, Unit};
+use crate::gl::{self, *};
 use crate::mutation::{Mutation, Variant};
 use crate::oracle::matrix::{Matrix, from_columns};
 use crate::oracle::transform::{
@@ -10,7 +11,6 @@ use crate::oracle::transform::{
 use crate::probe::{ProbeError, Session};
 use crate::rng::Rng;
 use gl_api::constants::*;
-use gl_api::entry::*;
 use gl_api::glu::{gluLookAt, gluPerspective};
 
 /// Rotations.
@@ -307,7 +307,7 @@ fn feedback(session: &Session, points: &[[f32; 3]]) -> Result<Vec<[f64; 4]>, Pro
     let count = glRenderMode(GL_RENDER);
     session.check("reading feedback")?;
     // A token, x, y, z, w, four of colour, four of texture coordinates.
-    let buffer = with_current(|context| context.feedback().to_vec()).unwrap_or_default();
+    let buffer = gl::feedback();
     let records = buffer.get(..count.max(0) as usize).unwrap_or_default().chunks_exact(13);
     Ok(records.map(|record| [1, 2, 3, 4].map(|i| f64::from(record[i]))).collect())
 }
@@ -372,8 +372,7 @@ fn selection(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
             glEnd();
             glLoadName(9);
             let hits = glRenderMode(GL_RENDER);
-            let mut buffer =
-                with_current(|context| context.selection().to_vec()).unwrap_or_default();
+            let mut buffer = gl::selection();
             buffer.resize(8, 0);
             let z = |word: u32| f64::from(word) / f64::from(u32::MAX);
             let well = hits == 1 && buffer[0] == 2 && buffer[3] == 3;

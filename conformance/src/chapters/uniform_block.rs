@@ -1,12 +1,12 @@
 //! Where the members of uniform blocks lie.
 
 use crate::check::{Check, Harness, Tally, Unit};
+use crate::gl::*;
 use crate::mutation::Variant;
 use crate::oracle::std140::{Leaf, Order, Type, leaves};
 use crate::probe::{Dialect, ProbeError};
 use crate::rng::Rng;
 use gl_api::constants::*;
-use gl_api::entry::*;
 
 /// std140.
 pub const STD140: Check = Check {

@@ -1,13 +1,13 @@
 //! Arrays with divisors, base vertices, restarts and packed attributes, as transform feedback captures them.
 
 use crate::check::{Check, Harness, Tally, Unit};
+use crate::gl::*;
 use crate::mutation::{Mutation, Variant};
 use crate::oracle::format::Sign;
 use crate::oracle::vertex_array::{Index, element, index, lines};
 use crate::probe::{Capture, Captured, Dialect, ProbeError, Session, Stages};
 use crate::rng::Rng;
 use gl_api::constants::*;
-use gl_api::entry::*;
 
 const WHY: &str = "integers pass as they are";
 

@@ -44,6 +44,7 @@ impl Check {
             Ok(()) => Verdict::Fail,
         };
         let (cases, largest_error) = (tally.cases(), tally.largest());
+        let digest = tally.digest();
         let (worst, compared) = tally.into_worst();
         Outcome {
             name: self.name,
@@ -56,6 +57,7 @@ impl Check {
             tolerance: self.tolerance,
             why: self.why,
             worst,
+            digest,
             seconds: start.elapsed().as_secs_f64(),
             verdict,
             compared,

@@ -120,6 +120,7 @@ impl Harness {
         if measured.len() != cases.len() {
             return Err(ProbeError::Missing { cases: cases.len(), measured: measured.len() });
         }
+        tally.digest_values(measured.as_flattened());
         let before = tally.largest();
         let mut compared = ComparedCases::default();
         for (case, measured) in cases.iter().zip(measured) {

@@ -2,10 +2,10 @@
 
 use super::tally::{ComparedCases, Reach};
 use super::unit::Unit;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Whether a check passed.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Verdict {
     /// Every error is within the tolerance.
@@ -39,6 +39,8 @@ pub struct Outcome {
     pub why: &'static str,
     /// The case with the largest error, its expected and its measured value; empty if no case has an error.
     pub worst: String,
+    /// A digest of everything that was measured: equal where two machines, or two builds, give the same bits.
+    pub digest: String,
     /// Run time in seconds.
     pub seconds: f64,
     /// Whether it passed.

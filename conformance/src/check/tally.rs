@@ -32,7 +32,11 @@ pub struct Tally {
     worst: String,
     compared: ComparedCases,
     reached: Vec<Reach>,
+    digest: u64,
 }
+
+/// What a digest is multiplied by (FNV-1a, 64 bits).
+const PRIME: u64 = 0x0100_0000_01b3;
 
 impl Tally {
     /// A tally without cases.
@@ -44,6 +48,7 @@ impl Tally {
             worst: String::new(),
             compared: ComparedCases::default(),
             reached: Vec::new(),
+            digest: 0xcbf2_9ce4_8422_2325,
         }
     }
 
@@ -62,9 +67,22 @@ impl Tally {
         self.unit
     }
 
+    /// Adds measured values to the digest.
+    pub(super) fn digest_values(&mut self, values: &[f64]) {
+        for value in values {
+            self.digest = (self.digest ^ value.to_bits()).wrapping_mul(PRIME).rotate_left(23);
+        }
+    }
+
+    /// A digest of all errors and measured values, the same where their bits are the same.
+    pub fn digest(&self) -> String {
+        format!("{:016x}", self.digest)
+    }
+
     /// Adds a case, with its error in the check's unit.
     pub fn add(&mut self, error: f64, case: impl FnOnce() -> String) {
         self.cases += 1;
+        self.digest_values(&[error]);
         if error > self.largest {
             self.largest = error;
             self.worst = case();
@@ -107,6 +125,18 @@ mod tests {
         tally.add(1.0, || "one off".to_owned());
         assert_eq!((tally.cases(), tally.largest()), (3, 2.0));
         assert_eq!(tally.into_worst().0, "two off");
+    }
+
+    #[test]
+    fn a_digest_sees_every_value_and_their_order() {
+        let of = |values: &[f64]| {
+            let mut tally = Tally::new(Unit::Bytes);
+            tally.digest_values(values);
+            tally.digest()
+        };
+        assert_eq!(of(&[1.0, 2.0]), of(&[1.0, 2.0]));
+        assert_ne!(of(&[1.0, 2.0]), of(&[2.0, 1.0]));
+        assert_ne!(of(&[0.0]), of(&[-0.0]));
     }
 
     #[test]

@@ -1,7 +1,8 @@
 //! GLSL's built-in functions in `f64` (GLSL 1.30, chapter 8): the formula, the domain of the
 //! cases, and, where terms cancel, the magnitude whose unit in the last place is the unit of errors.
 //!
-//! A bound is the specification's where it gives one; GLSL 1.30 gives none, so the bound is 4 ULP.
+//! A bound is the specification's where it gives one; GLSL 1.30 gives none, so the bound is what
+//! rounding takes: 1 ULP where `f64` is rounded once, 2 to 4 ULP where each step is one of `f32`.
 
 use crate::rng::Rng;
 
@@ -171,26 +172,26 @@ macro_rules! unary {
 
 /// All functions that are computed and not looked up in a table.
 pub const BUILTINS: &[Builtin] = &[
-    unary!("ulp-radians", "radians(a.x)", "any float", any, 4.0, |x| x.to_radians()),
-    unary!("ulp-degrees", "degrees(a.x)", "any float", any, 4.0, |x| x.to_degrees()),
-    unary!("ulp-sin", "sin(a.x)", "any finite float", moderate, 4.0, |x| x.sin()),
-    unary!("ulp-cos", "cos(a.x)", "any finite float", moderate, 4.0, |x| x.cos()),
-    unary!("ulp-tan", "tan(a.x)", "any finite float", moderate, 4.0, |x| x.tan()),
-    unary!("ulp-asin", "asin(a.x)", "[-1, 1]", unit, 4.0, |x| x.asin()),
-    unary!("ulp-acos", "acos(a.x)", "[-1, 1]", unit, 4.0, |x| x.acos()),
-    unary!("ulp-atan", "atan(a.x)", "any float", any, 4.0, |x| x.atan()),
-    unary!("ulp-sinh", "sinh(a.x)", "any finite float", moderate, 4.0, |x| x.sinh()),
-    unary!("ulp-cosh", "cosh(a.x)", "any finite float", moderate, 4.0, |x| x.cosh()),
-    unary!("ulp-tanh", "tanh(a.x)", "any finite float", moderate, 4.0, |x| x.tanh()),
-    unary!("ulp-asinh", "asinh(a.x)", "any finite float", moderate, 4.0, |x| x.asinh()),
-    unary!("ulp-acosh", "acosh(a.x)", "from 1 up", above_one, 4.0, |x| x.acosh()),
-    unary!("ulp-atanh", "atanh(a.x)", "[-1, 1]", unit, 4.0, |x| x.atanh()),
-    unary!("ulp-exp", "exp(a.x)", "any float", any, 4.0, |x| x.exp()),
-    unary!("ulp-exp2", "exp2(a.x)", "any float", any, 4.0, |x| x.exp2()),
-    unary!("ulp-log", "log(a.x)", "any float from 0 up", positive, 4.0, |x| x.ln()),
-    unary!("ulp-log2", "log2(a.x)", "any float from 0 up", positive, 4.0, |x| x.log2()),
+    unary!("ulp-radians", "radians(a.x)", "any float", any, 1.0, |x| x.to_radians()),
+    unary!("ulp-degrees", "degrees(a.x)", "any float", any, 2.0, |x| x.to_degrees()),
+    unary!("ulp-sin", "sin(a.x)", "any finite float", moderate, 1.0, |x| x.sin()),
+    unary!("ulp-cos", "cos(a.x)", "any finite float", moderate, 1.0, |x| x.cos()),
+    unary!("ulp-tan", "tan(a.x)", "any finite float", moderate, 1.0, |x| x.tan()),
+    unary!("ulp-asin", "asin(a.x)", "[-1, 1]", unit, 1.0, |x| x.asin()),
+    unary!("ulp-acos", "acos(a.x)", "[-1, 1]", unit, 1.0, |x| x.acos()),
+    unary!("ulp-atan", "atan(a.x)", "any float", any, 1.0, |x| x.atan()),
+    unary!("ulp-sinh", "sinh(a.x)", "any finite float", moderate, 1.0, |x| x.sinh()),
+    unary!("ulp-cosh", "cosh(a.x)", "any finite float", moderate, 1.0, |x| x.cosh()),
+    unary!("ulp-tanh", "tanh(a.x)", "any finite float", moderate, 1.0, |x| x.tanh()),
+    unary!("ulp-asinh", "asinh(a.x)", "any finite float", moderate, 1.0, |x| x.asinh()),
+    unary!("ulp-acosh", "acosh(a.x)", "from 1 up", above_one, 1.0, |x| x.acosh()),
+    unary!("ulp-atanh", "atanh(a.x)", "[-1, 1]", unit, 1.0, |x| x.atanh()),
+    unary!("ulp-exp", "exp(a.x)", "any float", any, 1.0, |x| x.exp()),
+    unary!("ulp-exp2", "exp2(a.x)", "any float", any, 1.0, |x| x.exp2()),
+    unary!("ulp-log", "log(a.x)", "any float from 0 up", positive, 1.0, |x| x.ln()),
+    unary!("ulp-log2", "log2(a.x)", "any float from 0 up", positive, 1.0, |x| x.log2()),
     unary!("ulp-sqrt", "sqrt(a.x)", "any float from 0 up", positive, 0.5, |x| x.sqrt()),
-    unary!("ulp-inversesqrt", "inversesqrt(a.x)", "any float from 0 up", positive, 4.0, |x| 1.0
+    unary!("ulp-inversesqrt", "inversesqrt(a.x)", "any float from 0 up", positive, 2.0, |x| 1.0
         / x.sqrt()),
     unary!("ulp-floor", "floor(a.x)", "any float", any, 0.0, |x| x.floor()),
     unary!("ulp-ceil", "ceil(a.x)", "any float", any, 0.0, |x| x.ceil()),
@@ -204,7 +205,7 @@ pub const BUILTINS: &[Builtin] = &[
         case: two,
         value: |i| i[0][0].atan2(i[0][1]),
         size: none,
-        bound: 4.0,
+        bound: 1.0,
     },
     Builtin {
         name: "ulp-pow",
@@ -213,7 +214,7 @@ pub const BUILTINS: &[Builtin] = &[
         case: power,
         value: |i| i[0][0].powf(i[0][1]),
         size: none,
-        bound: 4.0,
+        bound: 1.0,
     },
     Builtin {
         name: "ulp-mod",
@@ -222,7 +223,7 @@ pub const BUILTINS: &[Builtin] = &[
         case: divisible,
         value: |i| i[0][0] - i[0][1] * (i[0][0] / i[0][1]).floor(),
         size: |i| i[0][0].abs(),
-        bound: 4.0,
+        bound: 2.0,
     },
     Builtin {
         name: "ulp-mix",
@@ -243,7 +244,7 @@ pub const BUILTINS: &[Builtin] = &[
             t * t * (3.0 - 2.0 * t)
         },
         size: |_| 1.0,
-        bound: 4.0,
+        bound: 2.0,
     },
     Builtin {
         name: "ulp-length",
@@ -252,7 +253,7 @@ pub const BUILTINS: &[Builtin] = &[
         case: vectors,
         value: |i| dot(i[0], i[0], 4).sqrt(),
         size: none,
-        bound: 4.0,
+        bound: 3.0,
     },
     Builtin {
         name: "ulp-distance",
@@ -264,7 +265,7 @@ pub const BUILTINS: &[Builtin] = &[
             dot(d, d, 3).sqrt()
         },
         size: |i| i[0].iter().chain(&i[1]).fold(0.0, |m: f64, c| m.max(c.abs())),
-        bound: 4.0,
+        bound: 3.0,
     },
     Builtin {
         name: "ulp-dot",
@@ -273,7 +274,7 @@ pub const BUILTINS: &[Builtin] = &[
         case: vectors,
         value: |i| dot(i[0], i[1], 4),
         size: |i| dot_size(i[0], i[1], 4),
-        bound: 4.0,
+        bound: 3.0,
     },
     Builtin {
         name: "ulp-cross",
@@ -282,7 +283,7 @@ pub const BUILTINS: &[Builtin] = &[
         case: vectors,
         value: |i| i[0][1] * i[1][2] - i[0][2] * i[1][1],
         size: |i| (i[0][1] * i[1][2]).abs() + (i[0][2] * i[1][1]).abs(),
-        bound: 4.0,
+        bound: 2.0,
     },
     Builtin {
         name: "ulp-normalize",

@@ -92,6 +92,21 @@ fn circle_area(r: f64, [x0, x1]: [f64; 2], [y0, y1]: [f64; 2]) -> f64 {
         .sum()
 }
 
+/// What a point of a derived size is drawn as where there are samples (equation 3.2): its width, which is at least the
+/// threshold, and what its alpha is multiplied by.
+pub fn faded(derived: f64, threshold: f64, variant: Variant) -> [f64; 2] {
+    let part = (derived / threshold).min(1.0);
+    let width = if variant.has(Mutation::FadedAsSmall) { derived } else { derived.max(threshold) };
+    let factor = if variant.has(Mutation::FadeIgnored) {
+        1.0
+    } else if variant.has(Mutation::FadeNotSquared) {
+        part
+    } else {
+        part * part
+    };
+    [width, factor]
+}
+
 /// `GL_POINT_DISTANCE_ATTENUATION`, and the limits of sizes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[expect(missing_docs, reason = "GL's names")]
@@ -143,6 +158,12 @@ mod tests {
         assert!((total - 6.25 * PI).abs() < 1e-12);
         let inside = Dot { at: [0.5, 0.5], size: 0.5 };
         assert!((inside.area([0, 0], TRUE) - PI / 16.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn half_of_the_threshold_fades_to_a_quarter() {
+        assert_eq!(faded(3.0, 6.0, TRUE), [6.0, 0.25]);
+        assert_eq!(faded(7.0, 6.0, TRUE), [7.0, 1.0]);
     }
 
     #[test]

@@ -3,9 +3,9 @@
 use super::error::ProbeError;
 use super::picture::{CELLS, cell_corners, cell_values};
 use super::session::Session;
+use crate::gl::*;
 use crate::oracle::blend::{Equation, Factor};
 use gl_api::constants::*;
-use gl_api::entry::*;
 
 /// Blend state.
 #[derive(Clone, Copy, Debug, PartialEq)]

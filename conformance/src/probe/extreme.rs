@@ -3,8 +3,8 @@
 use super::blend::{BlendState, set_blend};
 use super::error::ProbeError;
 use super::session::Session;
+use crate::gl::*;
 use gl_api::constants::*;
-use gl_api::entry::*;
 
 /// The format of a depth buffer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

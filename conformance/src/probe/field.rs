@@ -6,8 +6,8 @@ use super::pack;
 use super::picture::{FIELD, SIZE};
 use super::program::Precision;
 use super::session::{Session, Vertex, immediate};
+use crate::gl::*;
 use gl_api::constants::*;
-use gl_api::entry::*;
 
 /// Head of the fragment shader. Defines `a`, `b` and `c` as in the shaders of cells.
 const HEAD: &str = "

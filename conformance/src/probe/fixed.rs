@@ -4,10 +4,10 @@ use super::error::ProbeError;
 use super::picture::{CELLS, cell_corners, cell_values};
 use super::session::Session;
 use super::texture::compare_enum;
+use crate::gl::*;
 use crate::oracle::compare::Compare;
 use crate::oracle::env::{Base, Mode};
 use gl_api::constants::*;
-use gl_api::entry::*;
 
 /// The inputs of a cell: the primary colour and the RGBA texel.
 #[derive(Clone, Copy, Debug, PartialEq)]

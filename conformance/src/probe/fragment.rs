@@ -3,10 +3,10 @@
 use super::error::ProbeError;
 use super::session::Session;
 use super::texture::compare_enum;
+use crate::gl::*;
 use crate::oracle::compare::Compare;
 use crate::oracle::fragment::{Stencil, StencilOp};
 use gl_api::constants::*;
-use gl_api::entry::*;
 
 impl Session {
     /// `glAlphaFunc` of a comparison with `reference`, and `GL_ALPHA_TEST`.

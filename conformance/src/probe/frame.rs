@@ -2,8 +2,8 @@
 
 use super::error::ProbeError;
 use super::session::Session;
+use crate::gl::*;
 use gl_api::constants::*;
-use gl_api::entry::*;
 
 impl Session {
     /// Binds a framebuffer of one renderbuffer, cleared to 0; its viewport is all of it.

@@ -2,9 +2,9 @@
 
 use super::error::ProbeError;
 use super::session::Session;
+use crate::gl::*;
 use crate::oracle::mipmap::Volume;
 use gl_api::constants::*;
-use gl_api::entry::*;
 use gl_api::glu::{gluBuild1DMipmaps, gluBuild2DMipmaps, gluBuild3DMipmaps};
 
 /// A base level to derive a mipmap from.

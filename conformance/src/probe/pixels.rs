@@ -2,9 +2,9 @@
 
 use super::error::ProbeError;
 use super::session::Session;
+use crate::gl::*;
 use crate::oracle::pixel::Store;
 use gl_api::constants::*;
-use gl_api::entry::*;
 use std::fmt;
 
 /// The layout of a client pixel.

@@ -2,10 +2,10 @@
 
 use super::error::ProbeError;
 use super::session::Session;
+use crate::gl::*;
 use crate::oracle::combine::{Combiner, Fog, Function, Operand, Source, Unit};
 use crate::oracle::vertex::{Light, Surface};
 use gl_api::constants::*;
-use gl_api::entry::*;
 
 /// Points in a row of the framebuffer.
 const ROW: usize = 64;

@@ -4,12 +4,12 @@ use super::error::ProbeError;
 use super::session::Session;
 use super::target::target_enum;
 use super::texture::{compare_enum, filter_enum};
+use crate::gl::*;
 use crate::mutation::Variant;
 use crate::oracle::compare::Compare;
 use crate::oracle::pyramid::Shape;
 use crate::oracle::target::{Target, Texture};
 use gl_api::constants::*;
-use gl_api::entry::*;
 
 /// The grey of level `l` is `GREY · l / 255`.
 pub const GREY: usize = 16;

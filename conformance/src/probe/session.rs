@@ -4,9 +4,9 @@ use super::error::ProbeError;
 use super::pack;
 use super::picture::{CELLS, FIELD, SIZE, cell_corners, cell_values};
 use super::program::{Precision, Program};
+use crate::gl::*;
 use gl_api::constants::*;
-use gl_api::context::{Context, ContextDesc, Message, Severity};
-use gl_api::entry::*;
+use gl_api::context::ContextDesc;
 use gl_api::{Api, Version};
 use std::time::Instant;
 
@@ -61,7 +61,7 @@ impl Dialect {
 #[derive(Debug)]
 pub struct Session {
     pub(super) dialect: Dialect,
-    _current: Current,
+    _current: CurrentContext,
 }
 
 impl Session {
@@ -78,9 +78,8 @@ impl Session {
     /// # Errors
     /// When the context cannot be made, or has an error already.
     pub fn open_in(dialect: Dialect) -> Result<Self, ProbeError> {
-        let context =
-            Context::new(dialect.desc()).map_err(|error| ProbeError::Context(error.to_string()))?;
-        let session = Self { dialect, _current: context.make_current() };
+        let current = open(dialect.desc()).map_err(ProbeError::Context)?;
+        let session = Self { dialect, _current: current };
         glViewport(0, 0, SIZE, SIZE);
         glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
         glPixelStorei(GL_PACK_ALIGNMENT, 1);
@@ -210,13 +209,6 @@ impl Session {
         self.check("drawing and reading")?;
         Ok(bytes.chunks_exact(4).map(|p| [p[0], p[1], p[2], p[3]]).collect())
     }
-}
-
-/// The context's message about its last error.
-fn last_error() -> String {
-    let messages = with_current(Context::messages).unwrap_or_default();
-    let error = |message: &&Message| message.severity == Severity::Error;
-    messages.iter().rfind(error).map_or_else(String::new, |message| message.text.clone())
 }
 
 pub(super) fn immediate(mode: u32, vertices: &[Vertex]) {

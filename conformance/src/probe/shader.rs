@@ -4,8 +4,8 @@ use super::error::ProbeError;
 use super::pack;
 use super::program::{Precision, Program};
 use super::session::Session;
+use crate::gl::*;
 use gl_api::constants::*;
-use gl_api::entry::*;
 
 const VERTEX: &str = "#version 120
 varying vec4 a, b, c;

@@ -3,9 +3,9 @@
 use super::error::ProbeError;
 use super::session::Session;
 use super::shader::compile;
+use crate::gl::*;
 use crate::oracle::painter::Mode;
 use gl_api::constants::*;
-use gl_api::entry::*;
 
 /// The sources of a program, without the line of the version; an empty one is a stage that is not
 /// there.

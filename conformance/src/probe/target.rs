@@ -3,9 +3,9 @@
 use super::error::ProbeError;
 use super::session::Session;
 use super::texture::{filter_enum, wrap_enum};
+use crate::gl::*;
 use crate::oracle::target::{Target, Texture};
 use gl_api::constants::*;
-use gl_api::entry::*;
 
 pub(super) fn target_enum(target: Target) -> u32 {
     match target {

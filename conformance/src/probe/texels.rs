@@ -2,9 +2,9 @@
 
 use super::error::ProbeError;
 use super::session::Session;
+use crate::gl::*;
 use crate::oracle::format::Sign;
 use gl_api::constants::*;
-use gl_api::entry::*;
 
 /// The texels of a 2D texture with one row.
 #[derive(Clone, Copy, Debug)]

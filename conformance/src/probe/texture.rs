@@ -2,13 +2,13 @@
 
 use super::error::ProbeError;
 use super::session::Session;
+use crate::gl::*;
 use crate::oracle::compare::Compare;
 use crate::oracle::lod::{Filter, Filters, Mipmap};
 use crate::oracle::sample::Sampler;
 use crate::oracle::texture::Level;
 use crate::oracle::wrap::Wrap;
 use gl_api::constants::*;
-use gl_api::entry::*;
 
 /// The internal format of RGBA bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

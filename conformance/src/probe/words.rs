@@ -5,8 +5,8 @@ use super::error::ProbeError;
 use super::picture::FIELD;
 use super::session::Session;
 use super::stages::Stages;
+use crate::gl::*;
 use gl_api::constants::*;
-use gl_api::entry::*;
 
 /// A triangle over the whole picture, from the numbers of three vertices.
 pub(super) const WHOLE: &str = "

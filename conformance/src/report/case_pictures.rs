@@ -67,6 +67,7 @@ mod tests {
             tolerance: 1.0,
             why: "",
             worst: String::new(),
+            digest: String::new(),
             seconds: 0.0,
             verdict: Verdict::Fail,
             compared,

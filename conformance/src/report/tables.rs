@@ -170,6 +170,7 @@ mod tests {
             tolerance: 1e-6,
             why: "f32",
             worst: "at [0.5, 0.5]".to_owned(),
+            digest: String::new(),
             seconds: 0.5,
             verdict,
             compared: ComparedCases::default(),

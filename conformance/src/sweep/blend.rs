@@ -3,12 +3,12 @@
 use super::definition::Sweep;
 use super::drawn::square;
 use super::series::{Compared, Point, Series};
+use crate::gl::*;
 use crate::mutation::Variant;
 use crate::oracle::blend::{Colors, Equation, Factor, blend};
 use crate::oracle::format::small_float;
 use crate::probe::{BlendState, ProbeError, Session};
 use gl_api::constants::*;
-use gl_api::entry::*;
 
 /// Numbers of layers.
 const COUNTS: [usize; 17] =

@@ -3,10 +3,10 @@
 
 use super::definition::Sweep;
 use super::series::{Compared, Series, octaves};
+use crate::gl::*;
 use crate::probe::{DepthBuffer, ProbeError, Session};
 use crate::rng::Rng;
 use gl_api::constants::*;
-use gl_api::entry::*;
 
 /// Near and far planes.
 pub const PRECISION: Sweep = Sweep {

@@ -1,8 +1,8 @@
 //! What sweeps draw: framebuffers of any size and format, shaders, counted triangles.
 
+use crate::gl::*;
 use crate::probe::{ProbeError, Session, Stages};
 use gl_api::constants::*;
-use gl_api::entry::*;
 
 /// A framebuffer's size and samples.
 #[derive(Clone, Copy, Debug)]

@@ -2,11 +2,11 @@
 
 use super::definition::Sweep;
 use super::series::{Compared, Series, decades};
+use crate::gl::*;
 use crate::oracle::combine::Fog;
 use crate::probe::{ProbeError, Session};
 use crate::rng::Rng;
 use gl_api::constants::*;
-use gl_api::entry::*;
 
 /// Fog between ends that meet.
 pub const THIN_FOG: Sweep = Sweep {

@@ -3,10 +3,10 @@
 use super::definition::Sweep;
 use super::drawn::{UNIT_SQUARE, draw_into, float_texture, painted, square};
 use super::series::{Compared, Point, Series};
+use crate::gl::*;
 use crate::probe::{ProbeError, Session};
 use crate::rng::Rng;
 use gl_api::constants::*;
-use gl_api::entry::*;
 
 /// Diffusion.
 pub const DIFFUSION: Sweep = Sweep {

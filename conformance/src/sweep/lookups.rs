@@ -6,6 +6,7 @@ use super::drawn::float_texture;
 use super::series::{Compared, Series, decades, octaves};
 use super::shaded::{Inputs, of, shaded_in, three};
 use super::texture::apart;
+use crate::gl::*;
 use crate::mutation::Variant;
 use crate::oracle::cube;
 use crate::oracle::filter::Addressing;
@@ -16,7 +17,6 @@ use crate::oracle::wrap::Wrap;
 use crate::probe::{ProbeError, Session};
 use crate::rng::Rng;
 use gl_api::constants::*;
-use gl_api::entry::*;
 
 /// Directions of all lengths.
 pub const CUBE_DIRECTIONS: Sweep = Sweep {

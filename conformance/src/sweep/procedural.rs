@@ -4,10 +4,10 @@ use super::definition::Sweep;
 use super::drawn::float_texture;
 use super::series::{Series, decades, octaves};
 use super::shaded::{of, shaded, shaded_in};
+use crate::gl::*;
 use crate::probe::{ProbeError, Session};
 use crate::rng::Rng;
 use gl_api::constants::*;
-use gl_api::entry::*;
 
 /// Noise of high octaves.
 pub const NOISE: Sweep = Sweep {

@@ -4,13 +4,13 @@ use super::definition::Sweep;
 use super::drawn::{float_texture, square};
 use super::series::{Compared, Series, octaves};
 use crate::check::Unit;
+use crate::gl::*;
 use crate::mutation::Variant;
 use crate::oracle::format::{packed_float, shared_exponent, small_float};
 use crate::oracle::srgb;
 use crate::probe::{ProbeError, Session, TexelRow};
 use crate::rng::Rng;
 use gl_api::constants::*;
-use gl_api::entry::*;
 
 /// sRGB encoding.
 pub const SRGB: Sweep = Sweep {

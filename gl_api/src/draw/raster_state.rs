@@ -4,7 +4,7 @@
 use crate::base::types::*;
 use crate::context::Context;
 use crate::draw::assembly_words::has_vertex_program;
-use crate::draw::completeness::samples;
+use crate::draw::completeness::{draws_integers, samples};
 use crate::interface::{ATTRIB_EDGE_FLAG, VARYING_TEX_COORD};
 use crate::state::enable::Flag;
 use crate::state::multisample::Multisample;
@@ -56,14 +56,15 @@ fn antialiasing(context: &Context, flag: Flag) -> Antialiasing {
 }
 
 /// Whether any primitive of the topology has a smooth edge, so that its coverage changes alpha (GL
-/// 2.1, section 3.12).
+/// 2.1, section 3.12), or is a point that may fade (section 3.13).
 pub(crate) fn smoothness(context: &Context, topology: Topology) -> Antialiasing {
     let RasterizedAs { points, lines, polygons } = rasterized_as(context, topology);
     let enables = &context.state.enables;
     let sprites = enables.has(Flag::PointSprite);
     let smooth = points && !sprites && enables.has(Flag::PointSmooth)
         || lines && enables.has(Flag::LineSmooth)
-        || polygons && enables.has(Flag::PolygonSmooth);
+        || polygons && enables.has(Flag::PolygonSmooth)
+        || points && fade(context).is_some();
     if smooth { Antialiasing::Smooth } else { Antialiasing::Aliased }
 }
 
@@ -118,15 +119,28 @@ fn polygon_state(context: &Context, vertices: &[VertexBinding]) -> PolygonState 
     }
 }
 
+/// Whether the vertex stage gives points their sizes (GL 2.1, section 3.3): a program where that is enabled, else the
+/// fixed-function stage, which attenuates them.
+fn has_own_sizes(context: &Context) -> bool {
+    match has_vertex_program(context) {
+        true => context.state.enables.has(Flag::VertexProgramPointSize),
+        false => context.state.raster.points.attenuates(),
+    }
+}
+
+/// The size below which points fade (GL 2.1, section 3.3), where there are samples and a point may be as small. OpenGL
+/// ES has no such size, and integers have no alpha.
+fn fade(context: &Context) -> Option<f32> {
+    let points = &context.state.raster.points;
+    let has_samples = context.state.enables.has(Flag::Multisample)
+        && samples(context, context.state.bindings.draw_framebuffer) > 0;
+    let may_be_smaller = || has_own_sizes(context) || points.derived_size() < points.fade;
+    let fades = has_samples && may_be_smaller() && !context.profile.is_es();
+    (fades && !draws_integers(context)).then_some(points.fade)
+}
+
 fn point_state(context: &Context) -> PointState {
     let (enables, points) = (&context.state.enables, &context.state.raster.points);
-    let programmed = has_vertex_program(context);
-    // GL 2.1, section 3.3: a program's size where it is enabled, else the attenuated one, which the
-    // fixed-function vertex stage computes.
-    let from_vertex = match programmed {
-        true => enables.has(Flag::VertexProgramPointSize),
-        false => points.attenuates(),
-    };
     let sprite = enables.has(Flag::PointSprite).then(|| {
         let units =
             (0..).zip(context.state.units.units.iter()).filter(|(_, unit)| unit.coord_replace);
@@ -134,10 +148,11 @@ fn point_state(context: &Context) -> PointState {
     });
     PointState {
         size: points.derived_size(),
-        source: if from_vertex { PointSize::Vertex } else { PointSize::State },
+        source: if has_own_sizes(context) { PointSize::Vertex } else { PointSize::State },
         antialiasing: antialiasing(context, Flag::PointSmooth),
         sprite,
         origin: points.origin,
+        fade: fade(context),
     }
 }
 

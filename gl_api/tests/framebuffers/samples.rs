@@ -142,3 +142,45 @@ fn the_state_of_samples_is_kept_and_answered() {
     assert_eq!(mask(&mut c), -1);
     assert_eq!(c.get_error(), GL_NO_ERROR);
 }
+
+/// The bytes of the middle pixel after a point of a size that covers it is drawn with an alpha of 204.
+fn alpha_of_point(c: &mut Context, object: GLuint, size: f32) -> u8 {
+    c.clear(GL_COLOR_BUFFER_BIT);
+    c.point_size(size);
+    c.color_4f(1.0, 1.0, 1.0, 0.8);
+    c.begin(GL_POINTS);
+    c.vertex_2f(0.25, 0.25);
+    c.end();
+    c.bind_framebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    c.blit_framebuffer(0, 0, 4, 4, 0, 0, 4, 4, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    c.bind_framebuffer(GL_FRAMEBUFFER, 0);
+    let pixel = bytes(c, [2, 2, 1, 1], GL_RGBA, 4);
+    c.bind_framebuffer(GL_FRAMEBUFFER, object);
+    assert_eq!(pixel[0], 255, "size {size}");
+    pixel[3]
+}
+
+#[test]
+fn points_below_the_threshold_fade_with_the_square_of_their_size() {
+    let mut c = context(4, 4);
+    let object = multisampled(&mut c);
+    c.point_parameterf(GL_POINT_FADE_THRESHOLD_SIZE, 4.0);
+    for (size, alpha) in [(8.0, 204), (4.0, 204), (2.0, 51), (1.0, 13)] {
+        assert_eq!(alpha_of_point(&mut c, object, size), alpha, "size {size}");
+    }
+    // The derived size counts: 8 / 4 = 2.
+    c.point_parameterfv(GL_POINT_DISTANCE_ATTENUATION, &[16.0, 0.0, 0.0]);
+    assert_eq!(alpha_of_point(&mut c, object, 8.0), 51);
+    c.point_parameterf(GL_POINT_SIZE_MIN, 4.0);
+    assert_eq!(alpha_of_point(&mut c, object, 8.0), 204);
+    c.point_parameterf(GL_POINT_SIZE_MIN, 0.0);
+    // The alpha test comes after it.
+    c.enable(GL_ALPHA_TEST);
+    c.alpha_func(GL_LESS, 0.5);
+    assert_eq!(alpha_of_point(&mut c, object, 8.0), 51);
+    c.disable(GL_ALPHA_TEST);
+    // Nothing fades without multisampling.
+    c.disable(GL_MULTISAMPLE);
+    assert_eq!(alpha_of_point(&mut c, object, 8.0), 204);
+    assert_eq!(c.get_error(), GL_NO_ERROR);
+}

@@ -123,6 +123,9 @@ pub struct PointState {
     pub sprite: Option<Vec<u16>>,
     /// The origin of `Input::PointCoord`.
     pub origin: SpriteOrigin,
+    /// Where each sample is covered by itself: points below this size are drawn with it, and `Input::Coverage` is by
+    /// how much they fade (GL 2.1, section 3.3). `None` where none does.
+    pub fade: Option<f32>,
 }
 
 /// Which samples of a pixel a primitive covers.
@@ -229,6 +232,7 @@ impl Default for RasterState {
                 antialiasing: Antialiasing::Aliased,
                 sprite: None,
                 origin: SpriteOrigin::UpperLeft,
+                fade: None,
             },
             multisample: MultisampleState::default(),
         }

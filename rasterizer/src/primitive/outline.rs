@@ -84,8 +84,9 @@ impl Setup<'_> {
                     self.segment(edge, out);
                 }
                 PolygonMode::Point if is_vertex(corner, edges, is_boundary_edge) => {
-                    let size = self.size_at(geometry, vertices, corner.weights);
-                    let (kind, corners) = (ShapeKind::Point { size, bias }, [from; 3]);
+                    let derived = self.size_at(geometry, vertices, corner.weights);
+                    let (size, fade) = drawn_size(&self.raster.point, derived);
+                    let (kind, corners) = (ShapeKind::Point { size, bias, fade }, [from; 3]);
                     let point =
                         Shape { corners, bounds, vertices, provoking, clipping, kind, facing };
                     let [x, y, _, w] = corner.clip;
@@ -105,7 +106,7 @@ impl Setup<'_> {
         for (vertex, weight) in vertices.into_iter().zip(weights) {
             sum += weight * f64::from(geometry.point_size(vertex).unwrap_or(state.size));
         }
-        drawn_size(state, sum as f32)
+        sum as f32
     }
 
     /// A line.
@@ -263,14 +264,15 @@ impl Setup<'_> {
             return;
         }
         let state = &self.raster.point;
-        let size = drawn_size(state, geometry.point_size(vertex).unwrap_or(state.size));
+        let derived = geometry.point_size(vertex).unwrap_or(state.size);
+        let (size, fade) = drawn_size(state, derived);
         let point = Shape {
             corners: [geometry.snapped[vertex as usize]; 3],
             bounds: EMPTY_BOUNDS,
             vertices: [vertex; 3],
             provoking: 0,
             clipping: Clipping::Whole,
-            kind: ShapeKind::Point { size, bias },
+            kind: ShapeKind::Point { size, bias, fade },
             facing,
         };
         self.disc(point, geometry.window(&self.viewport, vertex), size, out);
@@ -310,14 +312,22 @@ fn is_vertex(corner: &Corner, edges: u8, is_boundary_edge: impl Fn(usize) -> boo
     }
 }
 
-/// The size that a point is drawn with. A size below one, or none at all, is drawn as one; only
-/// aliased points have whole sizes.
-fn drawn_size(state: &PointState, size: f32) -> f32 {
-    let size = texunit::lanes::math::clamp(size, 1.0, MAX_POINT_SIZE);
-    match (state.antialiasing, &state.sprite) {
+/// The size that a point of a derived size is drawn with, and by how much it fades (GL 2.1, section 3.3, equation 3.2).
+/// A size below one, or none at all, is drawn as one; only aliased points have whole sizes.
+fn drawn_size(state: &PointState, derived: f32) -> (f32, f32) {
+    let (wanted, fade) = match state.fade {
+        Some(threshold) if derived < threshold => {
+            let part = texunit::lanes::math::max(derived, 0.0) / threshold;
+            (threshold, part * part)
+        }
+        Some(_) | None => (derived, 1.0),
+    };
+    let size = texunit::lanes::math::clamp(wanted, 1.0, MAX_POINT_SIZE);
+    let size = match (state.antialiasing, &state.sprite) {
         (Antialiasing::Aliased, None) => size.round(),
         (Antialiasing::Smooth, None) | (_, Some(_)) => size,
-    }
+    };
+    (size, fade)
 }
 
 /// The lower left corner of a point's square (GL 2.1, section 3.3.1): of aliased points with an odd

@@ -28,6 +28,8 @@ pub enum ShapeKind {
         size: f32,
         /// Added to depth.
         bias: f32,
+        /// What `Input::Coverage` is.
+        fade: f32,
     },
 }
 

@@ -114,7 +114,10 @@ impl TileRenderer {
             ShapeKind::Line { .. } | ShapeKind::Point { .. } => (pixels(&shape.bounds), None),
         };
         if plan.reads_coverage {
-            self.coverage = F32s::splat(1.0);
+            self.coverage = F32s::splat(match shape.kind {
+                ShapeKind::Point { fade, .. } => fade,
+                ShapeKind::Triangle | ShapeKind::Line { .. } => 1.0,
+            });
         }
         let mut masks = SampleMasks::none(plan.samples.count);
         for by in range[0][1]..=range[1][1] {

@@ -1,0 +1,155 @@
+//! `cargo run --release -p mutants`: plants mistakes in a copy of the driver's sources and says which of them no check
+//! of conformance notices.
+
+use clap::Parser;
+use indicatif::{ProgressBar, ProgressStyle};
+use mutants::build::{Built, build};
+use mutants::choice::{Mutant, choose};
+use mutants::error::MutantsError;
+use mutants::report::{counts, listing, page};
+use mutants::trial::{Effort, Fate, Trials, output_folder};
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::Duration;
+
+/// Plants mistakes in a copy of the driver's sources, all in one build, and runs the checks of conformance with each. The
+/// exit status is 0 when at least the wanted share of those that change something is noticed, 1 when not, 2 for a wrong
+/// argument.
+#[derive(Debug, Parser)]
+#[command(name = "mutants", version)]
+struct Args {
+    /// How many mistakes.
+    #[arg(long, default_value_t = 1200)]
+    count: usize,
+    /// Which of all that are possible.
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+    /// Only files whose path contains this.
+    #[arg(long, default_value = "")]
+    only: String,
+    /// Tries only this many of what was planted, every nth, so that a build serves several runs.
+    #[arg(long)]
+    sample: Option<usize>,
+    /// Tries only these, by number.
+    #[arg(long, value_delimiter = ',')]
+    numbers: Vec<u32>,
+    /// Percent of the mistakes that change something which must be noticed.
+    #[arg(long, default_value_t = 97.0)]
+    least: f64,
+    /// How many cases checks try.
+    #[arg(long, value_enum, default_value_t = Effort::Quick)]
+    effort: Effort,
+    /// Processes at a time.
+    #[arg(long, default_value_t = 2)]
+    jobs: usize,
+    /// Seconds, and ten times the usual, that a mistake gets before it counts as endless.
+    #[arg(long, default_value_t = 10)]
+    time_limit: u64,
+    /// Where the copy, its build and the report are.
+    #[arg(long, value_name = "DIR", default_value = "target/mutants")]
+    out: PathBuf,
+}
+
+fn main() -> ExitCode {
+    let args = Args::parse();
+    match run(&args) {
+        Ok(code) => code,
+        Err(error) => {
+            eprintln!("mutants: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run(args: &Args) -> Result<ExitCode, MutantsError> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let root = root.canonicalize().map_err(MutantsError::io(&root))?;
+    fs::create_dir_all(&args.out).map_err(MutantsError::io(&args.out))?;
+    let out = args.out.canonicalize().map_err(MutantsError::io(&args.out))?;
+    let (mutants, from) = choose(&root, &args.only, args.count, args.seed)?;
+    let planted = mutants.len();
+    let say = |what: String| eprintln!("{what}");
+    let Built { runner, mutants } = build(&root, &out.join("tree"), mutants, &say)?;
+    let trials = Trials {
+        runner,
+        folder: output_folder(&out)?,
+        time_limit: Duration::from_secs(args.time_limit),
+        effort: args.effort,
+    };
+    say("running everything without a mistake".to_owned());
+    let baseline = trials.baseline()?;
+    let tried = selected(args, &mutants);
+    let fates =
+        try_all(&trials, &tried, args.jobs, &|mutant| trials.try_mutant(mutant, &baseline))?;
+    let all = counts(&fates);
+    let of = format!(
+        "{} of {from} possible mistakes were planted (seed {}), {} compile, {} were tried with {} checks, sweeps and \
+        pictures.",
+        planted,
+        args.seed,
+        mutants.len(),
+        fates.len(),
+        baseline.len()
+    );
+    for (name, text) in [("mutants.md", page(&fates, &of)), ("mutants.txt", listing(&fates))] {
+        let path = out.join(name);
+        fs::write(&path, text).map_err(MutantsError::io(&path))?;
+        println!("{}", path.display());
+    }
+    println!(
+        "{} of {} mistakes that change something are noticed, {:.1} %",
+        all.noticed,
+        all.changing,
+        all.percent()
+    );
+    Ok(if all.percent() >= args.least { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
+
+/// The mistakes that the arguments select.
+fn selected(args: &Args, mutants: &[Mutant]) -> Vec<Mutant> {
+    let step = args.sample.map_or(1, |sample| mutants.len().div_ceil(sample.max(1)));
+    let chosen = mutants.iter().enumerate().filter(|(at, mutant)| {
+        at % step.max(1) == 0 && (args.numbers.is_empty() || args.numbers.contains(&mutant.number))
+    });
+    chosen.map(|(_, mutant)| mutant.clone()).collect()
+}
+
+/// Tries mistakes on several threads.
+fn try_all(
+    trials: &Trials,
+    mutants: &[Mutant],
+    jobs: usize,
+    try_one: &(dyn Fn(u32) -> Result<Fate, MutantsError> + Sync),
+) -> Result<Vec<(Mutant, Fate)>, MutantsError> {
+    let bar =
+        ProgressBar::new(mutants.len() as u64).with_message(trials.runner.display().to_string());
+    if let Ok(style) = ProgressStyle::with_template("{bar:40} {pos}/{len} {eta}") {
+        bar.set_style(style);
+    }
+    let next = AtomicUsize::new(0);
+    let found = Mutex::new(Vec::new());
+    std::thread::scope(|scope| {
+        for _ in 0..jobs.max(1) {
+            scope.spawn(|| {
+                while let Some(mutant) = mutants.get(next.fetch_add(1, Ordering::Relaxed)) {
+                    let fate = try_one(mutant.number);
+                    bar.inc(1);
+                    if let Ok(mut found) = found.lock() {
+                        found.push((mutant.clone(), fate));
+                    }
+                }
+            });
+        }
+    });
+    bar.finish_and_clear();
+    let found = found.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
+    let mut fates: Vec<(Mutant, Fate)> = Vec::with_capacity(found.len());
+    for (mutant, fate) in found {
+        fates.push((mutant, fate?));
+    }
+    fates.sort_by_key(|(mutant, _)| mutant.number);
+    Ok(fates)
+}

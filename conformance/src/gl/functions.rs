@@ -1,0 +1,72 @@
+//! A function for each entry point.
+
+#![allow(missing_docs, reason = "they are GL's, and stand in the table of `gl_api`")]
+
+use super::library;
+use super::value::{Answer, Passed};
+use gl_api::entry::Arg;
+use gl_api::*;
+
+/// The functions of an entry point under each of its names.
+macro_rules! function {
+    ($method:ident [$($gl:ident)+] $params:tt $ret:tt) => {
+        $(function!(@one $gl $params $ret);)+
+    };
+    (@one $gl:ident ($($param:ident: $ty:ty),*) [$($ret:ty)?]) => {
+        #[allow(
+            non_snake_case,
+            clippy::extra_unused_lifetimes,
+            clippy::too_many_arguments,
+            reason = "GL's name and signature; 'a is there for the rows that borrow"
+        )]
+        pub fn $gl<'a>($($param: impl Arg<$ty>),*) $(-> $ret)? {
+            let Some(library) = library::chosen() else {
+                return gl_api::entry::$gl($($param),*);
+            };
+            let Some(address) = library.address(stringify!($gl)) else {
+                return Answer::none();
+            };
+            $(let mut $param = <$ty as Passed<'a>>::hold($param.arg(), stringify!($param));)*
+            type Raw<'a> = unsafe extern "C" fn(
+                $(<$ty as Passed<'a>>::Raw),*
+            ) -> function!(@raw [$($ret)?]);
+            // SAFETY: the library gave the address of the function of this name, whose prototype the registry has.
+            let function = unsafe { std::mem::transmute::<*const (), Raw<'a>>(address) };
+            // SAFETY: as above; what arguments point to lives until `finish`.
+            let answer = unsafe { function($(<$ty as Passed<'a>>::raw(&mut $param)),*) };
+            $(<$ty as Passed<'a>>::finish($param);)*
+            Answer::of(answer)
+        }
+    };
+    (@raw []) => { () };
+    (@raw [$ret:ty]) => { <$ret as Answer>::Raw };
+}
+
+/// Applies a macro to both calls of a row of attributes.
+macro_rules! attribute {
+    ($apply:ident [$($lead:ident: $lead_ty:ty)?] $ty:ident ($($param:ident),+)
+        $method:ident $names:tt $vector:ident $vector_names:tt) => {
+        $apply!($method $names ($($lead: $lead_ty,)? $($param: $ty),+) []);
+        $apply!($vector $vector_names ($($lead: $lead_ty,)? v: &'a [$ty]) []);
+    };
+}
+
+/// Applies a macro to each row of the table: `apply!(method [glName …] (parameters) [result])`.
+macro_rules! each_row {
+    ([$apply:ident] $($begin_end:ident in $module:ident { $(
+        $(#[$doc:meta])+
+        $method:ident: $gl:ident $(| $alias:ident)* ($($params:tt)*) $(-> $ret:ty)? $(, $list:ident)?;
+    )* })*) => {
+        $($($apply!($method [$gl $($alias)*] ($($params)*) [$($ret)?]);)*)*
+    };
+    ([$apply:ident] $($doc:literal $lead:tt $slot:expr, $convert:ident { $(
+        $method:ident: $gl:ident $(| $alias:ident)?,
+        $vector:ident: $gl_vector:ident $(| $vector_alias:ident)?,
+        $ty:ident $params:tt;
+    )* })*) => {
+        $($(attribute!($apply $lead $ty $params
+            $method [$gl $($alias)?] $vector [$gl_vector $($vector_alias)?]);)*)*
+    };
+}
+
+entry_points!(each_row function);
