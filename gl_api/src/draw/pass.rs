@@ -36,7 +36,7 @@ pub(crate) fn begin_pass(context: &mut Context, pass: PassDesc) {
     let recorder = &mut context.recorder;
     recorder.end_pass();
     for attachment in pass.colors.iter().chain([&pass.depth]).flatten() {
-        if !recorder.written.iter().any(|image| image.is_same_image(&attachment.image)) {
+        if !recorder.written.iter().any(|image| image.shares_texels(&attachment.image)) {
             recorder.written.push(attachment.image.clone());
         }
     }
@@ -54,13 +54,13 @@ fn submit_readers_of_tiles(context: &mut Context, pass: &PassDesc) {
         pass.depth.as_ref().filter(|of| of.image.has_readers_of_tiles())
     {
         submit(context);
-        context.objects.images_changed(|changed| changed.is_same_image(image));
+        context.objects.images_changed(|changed| changed.shares_texels(image));
     }
 }
 
 /// Submits what was recorded, if it writes to an image that is about to be read or changed.
 pub(crate) fn submit_draws_to(context: &mut Context, image: &Image) {
-    if context.recorder.written.iter().any(|written| written.is_same_image(image)) {
+    if context.recorder.written.iter().any(|written| written.shares_texels(image)) {
         submit(context);
     }
 }
@@ -101,7 +101,7 @@ fn execute(context: &mut Context) {
         Err(error) => context.debug.warn(format!("the driver refused recorded draws: {error}")),
     }
     let written = std::mem::take(&mut context.recorder.written);
-    context.objects.images_changed(|image| written.iter().any(|other| other.is_same_image(image)));
+    context.objects.images_changed(|image| written.iter().any(|other| other.shares_texels(image)));
     // Last: a context that waited finds the textures noted as changed.
     context.recorder.fences.signal();
 }

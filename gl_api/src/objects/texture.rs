@@ -11,6 +11,7 @@ use crate::pixel::formats::{self, format_name};
 use crate::pixel::formats::{ComponentType, FormatClass};
 use crate::pixel::stencil_texels::stencil_texels;
 use rasterizer::driver::{Device, Image, LevelInfo};
+use std::num::NonZeroU64;
 use std::sync::Arc;
 use texunit::format::{Encoding, Format};
 use texunit::image::{Image as Texels, Incomplete, Level};
@@ -28,8 +29,10 @@ pub(crate) struct Texture {
     pub priority: f32,
     /// Which of depth and stencil is sampled, of images that have both.
     pub depth_stencil: DepthStencilMode,
-    /// The number of levels of immutable storage (`ARB_texture_storage`).
+    /// The number of its levels, if its storage is immutable (`ARB_texture_storage`).
     pub immutable: Option<u32>,
+    /// Which part of immutable storage it shows.
+    pub shown: Shown,
     /// The requested samples of a multisample texture.
     pub samples: Option<Samples>,
     /// The buffer range of a buffer texture.
@@ -40,6 +43,19 @@ pub(crate) struct Texture {
     plan: Option<Planned>,
     /// Whether no draw has used its texels yet.
     is_new: bool,
+}
+
+/// Which part of immutable storage a texture shows: all, or that of a view (GL 4.3, section 8.18).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Shown {
+    /// How many levels the storage was made with.
+    pub storage_levels: u32,
+    /// The level of the storage that is level 0 here.
+    pub first_level: u32,
+    pub levels: u32,
+    /// The layer of the storage that is layer 0 here; faces of a cube are layers.
+    pub first_layer: u32,
+    pub layers: u32,
 }
 
 /// `GL_DEPTH_STENCIL_TEXTURE_MODE` (`ARB_stencil_texturing`).
@@ -54,6 +70,8 @@ pub(crate) enum DepthStencilMode {
 #[derive(Debug)]
 struct Planned {
     sampler: Sampler,
+    /// That of the texels, where views share them.
+    version: Option<NonZeroU64>,
     plan: Arc<SamplePlan>,
     draws: Draws,
 }
@@ -141,6 +159,7 @@ impl Texture {
             priority: 1.0,
             depth_stencil: DepthStencilMode::Depth,
             immutable: None,
+            shown: Shown::default(),
             samples: None,
             store: DataStore::default(),
             requested: vec![[GL_NONE; limits::MAX_TEXTURE_LEVELS]; shape.faces()],
@@ -175,6 +194,27 @@ impl Texture {
         if self.is_of_stencils() { Planes::STENCIL } else { Planes::BOTH }
     }
 
+    /// Notes that it has its storage for good, with so many levels.
+    pub fn make_immutable(&mut self, levels: u32) {
+        let depth = self.image.level(0, 0).map_or(0, |level| level.size[2]);
+        let layers = match self.target {
+            TextureTarget::D1Array
+            | TextureTarget::D2Array
+            | TextureTarget::CubeArray
+            | TextureTarget::D2MultisampleArray => depth,
+            TextureTarget::Cube => self.target.shape().faces() as u32,
+            TextureTarget::D1
+            | TextureTarget::D2
+            | TextureTarget::Rect
+            | TextureTarget::D3
+            | TextureTarget::D2Multisample
+            | TextureTarget::Buffer => 1,
+        };
+        self.immutable = Some(levels);
+        self.shown =
+            Shown { storage_levels: levels, first_level: 0, levels, first_layer: 0, layers };
+    }
+
     /// To be called after every change except of parameters, which the plan is compared with.
     pub fn changed(&mut self) {
         self.plan = None;
@@ -203,7 +243,10 @@ impl Texture {
 
     /// The sample plan with this state. The device's threads update its texels first.
     pub fn plan(&mut self, device: &Device, sampler: &Sampler) -> Arc<SamplePlan> {
-        if let Some(planned) = self.plan.as_mut().filter(|planned| planned.sampler == *sampler) {
+        let version = self.image.shared_version();
+        let is_right =
+            |planned: &&mut Planned| planned.sampler == *sampler && planned.version == version;
+        if let Some(planned) = self.plan.as_mut().filter(is_right) {
             return planned.again();
         }
         let reads_one_level = sampler.mipmap == Mipmap::None && sampler.max_anisotropy <= 1.0;
@@ -222,7 +265,7 @@ impl Texture {
             }
         };
         let plan = Arc::new(plan);
-        let first = Planned { sampler: sampler.clone(), plan, draws: Draws::One };
+        let first = Planned { sampler: sampler.clone(), version, plan, draws: Draws::One };
         Arc::clone(&self.plan.insert(first).plan)
     }
 

@@ -209,6 +209,7 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     "GL_ARB_texture_buffer_range",
     "GL_ARB_texture_query_levels",
     "GL_ARB_texture_storage_multisample",
+    "GL_ARB_texture_view",
     "GL_ARB_vertex_attrib_binding",
     "GL_KHR_debug",
     "GL_KHR_robustness",

@@ -26,6 +26,7 @@ mod sibling_forms;
 mod special_functions;
 mod stored_texels;
 mod texture_storage;
+mod texture_views;
 mod textures;
 mod transform_feedback;
 mod uniform_buffers;
@@ -86,6 +87,7 @@ fn each_refusal_sets_its_flag_says_why_and_changes_nothing_and_each_call_has_one
         samplers::run,
         short_slices::run,
         texture_storage::run,
+        texture_views::run,
         textures::run,
         transform_feedback::run,
         uniform_buffers::run,

@@ -28,7 +28,9 @@ mod state;
 mod stencil_textures;
 mod stencil_texturing;
 mod stored_texels;
+mod view_kinds;
 mod viewports;
+mod views;
 mod windows;
 
 use gl_api::*;

@@ -130,9 +130,20 @@ impl Surface {
         samples: u8,
         thread_pool: &ThreadPool,
     ) -> Self {
-        let &Level { format, width, height, .. } = level;
+        Self::from_level_as(level.format, level, slices, samples, thread_pool)
+    }
+
+    /// The same, of texels that are taken for ones of another format of their size.
+    pub fn from_level_as(
+        format: Format,
+        level: &Level,
+        slices: Slices,
+        samples: u8,
+        thread_pool: &ThreadPool,
+    ) -> Self {
+        let &Level { width, height, .. } = level;
         let tiles = 0..width.div_ceil(TILE) * height.div_ceil(TILE);
-        let load = |tile: u32| load_samples(level, slices, samples, tile);
+        let load = |tile: u32| load_samples((format, level), slices, samples, tile);
         let tiles = thread_pool.map(tiles, WORTH_A_THREAD, load);
         let rows = tiles.iter().map(|tile| RowsOfTile::after_storing(format, tile)).collect();
         Self { format, width, height, samples, tiles: Arc::new(tiles), rows }
@@ -161,12 +172,17 @@ impl Surface {
 }
 
 /// All samples of a tile.
-fn load_samples(level: &Level, slices: Slices, samples: u8, tile: u32) -> Vec<WordPlane> {
-    let (across, words) = (level.width.div_ceil(TILE), attachment_words(level.format));
+fn load_samples(
+    (format, level): (Format, &Level),
+    slices: Slices,
+    samples: u8,
+    tile: u32,
+) -> Vec<WordPlane> {
+    let (across, words) = (level.width.div_ceil(TILE), attachment_words(format));
     let corner = [tile % across * TILE, tile / across * TILE];
     let of_slice = |slice: usize| {
-        if is_attachable(level.format) && !level.texels.is_blank() {
-            load_tile(level, slice, corner, words)
+        if is_attachable(format) && !level.texels.is_blank() {
+            load_tile((format, level), slice, corner, words)
         } else {
             vec![WordPlane::cleared(0); words]
         }
@@ -181,7 +197,12 @@ fn load_samples(level: &Level, slices: Slices, samples: u8, tile: u32) -> Vec<Wo
 }
 
 /// One sample of the tile whose first pixel is `(x0, y0)`.
-fn load_tile(level: &Level, slice: usize, [x0, y0]: [u32; 2], words: usize) -> Vec<WordPlane> {
+fn load_tile(
+    (format, level): (Format, &Level),
+    slice: usize,
+    [x0, y0]: [u32; 2],
+    words: usize,
+) -> Vec<WordPlane> {
     let size = level.format.bytes();
     let (row_bytes, first) = (level.row_bytes(), level.origin() + slice * level.slice_bytes());
     let (width, height) = (TILE.min(level.width - x0) as usize, TILE.min(level.height - y0));
@@ -191,12 +212,12 @@ fn load_tile(level: &Level, slice: usize, [x0, y0]: [u32; 2], words: usize) -> V
     // One texel everywhere, as where nothing has been drawn yet, takes no memory.
     let all = row(0);
     if all[size..] == all[..(width - 1) * size] && (1..height).all(|y| row(y) == all) {
-        let texel = words_of(level.format, &all[..size]);
+        let texel = words_of(format, &all[..size]);
         return texel[..words].iter().copied().map(WordPlane::cleared).collect();
     }
     let mut planes = vec![vec![U32s::ZERO; BLOCKS]; words];
     for y in 0..height {
-        load_row(level.format, &mut planes, y as usize, row(y));
+        load_row(format, &mut planes, y as usize, row(y));
     }
     planes.into_iter().map(WordPlane::of).collect()
 }

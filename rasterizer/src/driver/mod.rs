@@ -31,7 +31,7 @@ pub use crate::trace::Watch;
 pub use crate::vertex::{Primitive, Primitives, primitives};
 pub use command::{ClearValue, Command, CommandBuffer};
 pub use device::Device;
-pub use image::{Attachment, Image, LevelInfo, MultisampleStorage, PassDesc};
+pub use image::{Attachment, Image, LevelInfo, MultisampleStorage, PassDesc, ViewDesc};
 pub use report::{DeviceError, SubmitError, SubmitReport};
 pub use resources::{DeviceDesc, Explain};
 pub use visibility::Visibility;

@@ -227,7 +227,7 @@ pub(crate) fn update_attachment_texels(
     } else {
         edit_slice(attachment, |level, first| change(level, first, 0));
     }
-    context.objects.images_changed(|other| other.is_same_image(image));
+    context.objects.images_changed(|other| other.shares_texels(image));
 }
 
 fn edit_samples(

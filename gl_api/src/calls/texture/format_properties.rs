@@ -22,7 +22,7 @@ pub(super) enum Resource {
 #[derive(Clone, Copy)]
 pub(super) struct Supported {
     resource: Resource,
-    format: &'static InternalFormat,
+    pub format: &'static InternalFormat,
     profile: Profile,
 }
 
@@ -58,7 +58,7 @@ impl Supported {
     }
 
     /// Textures, without those whose texels are a buffer's.
-    fn texture(&self) -> Option<TextureTarget> {
+    pub fn texture(&self) -> Option<TextureTarget> {
         match self.resource {
             Resource::Renderbuffer | Resource::Texture(TextureTarget::Buffer) => None,
             Resource::Texture(target) => Some(target),

@@ -142,8 +142,8 @@ const PROPERTIES: &[(GLenum, Property)] = &[
         Number(|of| of.block().map_or(0, |[_, bytes]| bytes.into())),
     ),
     (GL_CLEAR_BUFFER, Number(|of| full(of.is_cleared()))),
-    (GL_TEXTURE_VIEW, Number(absent)),
-    (GL_VIEW_COMPATIBILITY_CLASS, Number(absent)),
+    (GL_TEXTURE_VIEW, Number(|of| full(of.is_viewed()))),
+    (GL_VIEW_COMPATIBILITY_CLASS, Number(|of| of.view_class().into())),
 ];
 
 const TARGET_IN_ES: Table<()> = Table { section: SECTION, rows: &[(GL_RENDERBUFFER, ())] };

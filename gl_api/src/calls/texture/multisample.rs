@@ -139,10 +139,10 @@ fn store(context: &mut Context, request: &LevelRequest, lifetime: Lifetime) -> R
     let texture = request.texture.get_mut(context);
     texture.samples = request.desc.samples;
     texture.requested[0][0] = request.desc.internal;
-    texture.immutable = match lifetime {
-        Lifetime::Replaceable => None,
-        Lifetime::Immutable => Some(1),
-    };
+    match lifetime {
+        Lifetime::Replaceable => {}
+        Lifetime::Immutable => texture.make_immutable(1),
+    }
     texture.changed();
     Ok(())
 }

@@ -6,6 +6,7 @@ use crate::base::error::{Result, Table, invalid_enum, invalid_operation, invalid
 use crate::base::query_value::put;
 use crate::base::types::*;
 use crate::calls::texture::bound::ChosenTexture;
+use crate::calls::texture::read_only::{READ_ONLY, ReadOnly};
 use crate::calls::texture::samplers::clamped;
 use crate::context::Context;
 use crate::objects::sampler::{Answer, SAMPLER_PARAMETER, SamplerParameter, Values, needs_vector};
@@ -50,13 +51,7 @@ enum Parameter {
     Sampler(SamplerParameter),
     BorderColor,
     Priority,
-    Resident,
-    /// Whether it has immutable storage.
-    Immutable,
-    /// How many levels that has.
-    ImmutableLevels,
-    /// The target that it was first bound to.
-    Target,
+    ReadOnly(ReadOnly),
     BaseLevel,
     MaxLevel,
     DepthMode,
@@ -74,10 +69,6 @@ const PARAMETER: Table<Parameter> = Table {
     rows: &[
         (GL_TEXTURE_BORDER_COLOR, Parameter::BorderColor),
         (GL_TEXTURE_PRIORITY, Parameter::Priority),
-        (GL_TEXTURE_RESIDENT, Parameter::Resident),
-        (GL_TEXTURE_IMMUTABLE_FORMAT, Parameter::Immutable),
-        (GL_TEXTURE_IMMUTABLE_LEVELS, Parameter::ImmutableLevels),
-        (GL_TEXTURE_TARGET, Parameter::Target),
         (GL_TEXTURE_BASE_LEVEL, Parameter::BaseLevel),
         (GL_TEXTURE_MAX_LEVEL, Parameter::MaxLevel),
         (GL_DEPTH_TEXTURE_MODE, Parameter::DepthMode),
@@ -95,16 +86,13 @@ fn parameter(pname: GLenum) -> Result<Parameter> {
     if let Some(parameter) = SAMPLER_PARAMETER.get(pname) {
         return Ok(Parameter::Sampler(parameter));
     }
-    match PARAMETER.get(pname) {
+    match PARAMETER.get(pname).or(READ_ONLY.get(pname).map(Parameter::ReadOnly)) {
         Some(parameter) => Ok(parameter),
-        None => invalid_enum(
-            SECTION,
-            format!(
-                "pname = {} {}",
-                enum_name(pname),
-                must_be(pname, &[SAMPLER_PARAMETER.values(), PARAMETER.values()].concat())
-            ),
-        ),
+        None => {
+            let all = [SAMPLER_PARAMETER.values(), PARAMETER.values(), READ_ONLY.values()];
+            let rule = format!("pname = {} {}", enum_name(pname), must_be(pname, &all.concat()));
+            invalid_enum(SECTION, rule)
+        }
     }
 }
 
@@ -200,10 +188,7 @@ fn set(
         Parameter::BorderColor | Parameter::Swizzles => {
             return needs_vector(SECTION, pname, "glTexParameter");
         }
-        Parameter::Resident
-        | Parameter::Immutable
-        | Parameter::ImmutableLevels
-        | Parameter::Target => {
+        Parameter::ReadOnly(_) => {
             return invalid_enum(SECTION, format!("pname = {} can only be read", enum_name(pname)));
         }
     }
@@ -249,10 +234,7 @@ pub(crate) fn vector(
         }
         Parameter::Sampler(_)
         | Parameter::Priority
-        | Parameter::Resident
-        | Parameter::Immutable
-        | Parameter::ImmutableLevels
-        | Parameter::Target
+        | Parameter::ReadOnly(_)
         | Parameter::BaseLevel
         | Parameter::MaxLevel
         | Parameter::DepthMode
@@ -335,10 +317,7 @@ fn get(texture: &Texture, parameter: Parameter) -> Answer {
         }
         Parameter::Sampler(parameter) => texture.state.get(parameter).into(),
         Parameter::Priority => return Answer::Fraction(texture.priority),
-        Parameter::Resident => 1.0,
-        Parameter::Immutable => f64::from(u8::from(texture.immutable.is_some())),
-        Parameter::ImmutableLevels => texture.immutable.unwrap_or(0).into(),
-        Parameter::Target => TARGET.encode(texture.target).into(),
+        Parameter::ReadOnly(read) => read.of(texture).into(),
         Parameter::BaseLevel => sampler.base_level.into(),
         Parameter::MaxLevel => sampler.max_level.into(),
         Parameter::DepthMode => DEPTH_MODE.encode(sampler.depth_mode).into(),

@@ -183,7 +183,7 @@ fn store(
         requested.fill(GL_NONE);
         requested[..levels.len()].fill(internal);
     }
-    texture.immutable = Some(levels.len() as u32);
+    texture.make_immutable(levels.len() as u32);
     texture.texels_changed();
     Ok(())
 }

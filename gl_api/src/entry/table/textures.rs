@@ -4,7 +4,7 @@ use crate::base::args::{Data, DataOut};
 use crate::base::types::*;
 use crate::calls::texture::{
     buffer, clear_image, compressed, copy, copy_image, environment as env, get, get_sub, mipmap,
-    multisample, names as textures, parameter, query, samplers, specify, storage, sub,
+    multisample, names as textures, parameter, query, samplers, specify, storage, sub, view,
 };
 
 #[doc(hidden)]
@@ -89,6 +89,13 @@ macro_rules! entry_points_textures {
         tex_storage_3d_multisample: glTexStorage3DMultisample (
             target: GLenum, samples: GLsizei, internalformat: GLenum, width: GLsizei,
             height: GLsizei, depth: GLsizei, fixedsamplelocations: bool
+        ), not_compiled;
+    }
+    Refused in view {
+        /// Makes a name a texture that shows levels and layers of another one's immutable storage.
+        texture_view: glTextureView (
+            texture: GLuint, target: GLenum, origtexture: GLuint, internalformat: GLenum,
+            minlevel: GLuint, numlevels: GLuint, minlayer: GLuint, numlayers: GLuint
         ), not_compiled;
     }
     Refused in sub {

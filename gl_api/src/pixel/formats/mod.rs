@@ -9,10 +9,12 @@ mod support;
 mod table;
 #[cfg(test)]
 mod tests;
+mod view_class;
 
 pub use crate::base::availability::Availability;
 pub use row::{ComponentType, FormatClass, InternalFormat, Renderable};
 pub use table::FORMATS;
+pub(crate) use view_class::{view_class, viewed_as};
 
 use crate::base::constants::*;
 use crate::base::error::{Result, not_a_choice};
