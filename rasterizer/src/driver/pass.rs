@@ -3,6 +3,7 @@
 //! Its draws are shaded by vertices and set up as they come, their shapes binned to tiles; when the
 //! pass ends (or the bins are full) every tile runs, in parallel, its part of the whole pass.
 
+mod amplification;
 mod draw;
 mod tiles;
 

@@ -150,9 +150,8 @@ impl Eq for Memory {}
 
 /// Zeroed memory; `None` if the allocation fails. Pages are not touched: images are often written whole right after.
 pub fn zeroed(bytes: usize) -> Option<Vec<u8>> {
-    // `vec!` aborts if the allocation fails, so reserve first.
-    Vec::<u8>::new().try_reserve_exact(bytes).ok()?;
-    Some(vec![0; bytes])
+    // `vec!` aborts if the allocation fails.
+    bytemuck::allocation::try_zeroed_slice_box(bytes).ok().map(Vec::from)
 }
 
 #[cfg(test)]

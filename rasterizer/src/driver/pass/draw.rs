@@ -1,5 +1,6 @@
 //! A draw of a pass: its plan, its chunks, and when bins are emptied.
 
+use super::amplification::Amplification;
 use super::{Pass, SMALL_DRAW, within};
 use crate::attachment::DepthFormat;
 use crate::driver::bound::DrawDecisions;
@@ -13,6 +14,7 @@ use crate::raster::{DrawBudget, DrawJob};
 use crate::shader::OverBudget;
 use crate::vertex::{EdgeFlags, VertexIds, primitives};
 use std::ops::Range;
+use std::sync::atomic::AtomicU64;
 use std::sync::{Arc, OnceLock};
 
 /// The number of binned shapes at which tiles run before the pass ends. The next chunks then reuse memory that is in
@@ -107,6 +109,7 @@ impl Pass<'_> {
             bindings: &vertices,
             textures: &textures,
             stipple: 0,
+            operations: AtomicU64::new(0),
             instances: instances.clone(),
             max_reasons: report.visibility.reasons_left(),
             invisible_reasons: OnceLock::new(),
@@ -182,6 +185,8 @@ impl Pass<'_> {
     ) -> Result<bool, OverBudget> {
         self.bin_merged();
         let mut is_visible = false;
+        let plan = &self.job.draws[state.draw].plan;
+        let mut amplification = Amplification::new(self.bound.budget, state, plan);
         let (instances, instances_per_chunk) =
             (state.instances.clone(), state.instances_per_chunk());
         for first in instances.clone().step_by(instances_per_chunk as usize) {
@@ -191,7 +196,9 @@ impl Pass<'_> {
             while start < state.primitives.len {
                 let range = start..state.primitives.len.min(start + state.run_len());
                 start = range.end;
-                is_visible |= self.bin_chunks(state.chunks(range)?);
+                let chunks = state.chunks(range.clone())?;
+                amplification.charge(state, range, chunks.iter().map(|(chunk, _)| chunk))?;
+                is_visible |= self.bin_chunks(chunks);
                 if self.shapes >= BINS_FULL {
                     self.run_tiles(report);
                 }

@@ -1,0 +1,205 @@
+//! Draws that make much of little memory: 2^31 instances, vertices without arrays, geometry shaders. They end soon, the
+//! same pixels on every machine, and the context goes on.
+
+#[path = "common/shading.rs"]
+mod shading;
+
+use gl_api::*;
+use rasterizer::driver::{Device, DeviceDesc, Explain};
+use shading::use_program;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+use texunit::lanes::Isa;
+
+/// Half a second to two seconds of two cores where it is compiled for speed; here, others run at the same time.
+const SOON: Duration =
+    if cfg!(debug_assertions) { Duration::from_secs(30) } else { Duration::from_secs(6) };
+
+const MANY: GLsizei = GLsizei::MAX;
+const STOPPED: &str = "so long that the rest of its draw was left out";
+const SIZE: u32 = 128;
+
+/// With a triangle in a buffer.
+fn context(threads: usize, isa: Isa) -> Context {
+    let desc = DeviceDesc { isa, threads, budget: DeviceDesc::BUDGET, explain: Explain::Off };
+    let device = Some(Arc::new(Device::new(desc).expect("a device")));
+    let desc = ContextDesc { width: SIZE, height: SIZE, device, ..ContextDesc::default() };
+    let mut c = Context::new(desc).expect("a context");
+    let corners = [-1.0_f32, -1.0, 3.0, -1.0, -1.0, 3.0];
+    let bytes: Vec<u8> = corners.iter().flat_map(|value| value.to_le_bytes()).collect();
+    c.bind_buffer(GL_ARRAY_BUFFER, 1);
+    c.buffer_data(GL_ARRAY_BUFFER, 24, Data::Bytes(&bytes), GL_STATIC_DRAW);
+    c.vertex_pointer(2, GL_FLOAT, 0, Data::Offset(0));
+    c.enable_client_state(GL_VERTEX_ARRAY);
+    c.clear_color(0.0, 0.0, 1.0, 1.0);
+    c.clear(GL_COLOR_BUFFER_BIT);
+    c.finish();
+    c
+}
+
+fn picture(c: &mut Context) -> Vec<u8> {
+    let (mut pixels, side) = (vec![0; (SIZE * SIZE * 4) as usize], SIZE as GLsizei);
+    c.read_pixels(0, 0, side, side, GL_RGBA, GL_UNSIGNED_BYTE, DataOut::Bytes(&mut pixels));
+    pixels
+}
+
+const FRAGMENT: &str = "void main() { gl_FragColor = vec4(1.0, 0.0, 0.0, 1.0); }";
+
+/// Vertices by their number, without an array.
+fn use_numbers(c: &mut Context, expression: &str) {
+    c.disable_client_state(GL_VERTEX_ARRAY);
+    let vertex = format!(
+        "#version 130\nvoid main() {{ float n = float(gl_VertexID); gl_Position = vec4({expression}, 0.0, 1.0); }}"
+    );
+    use_program(c, &vertex, FRAGMENT);
+}
+
+/// The name, and what draws.
+type Case = (&'static str, fn(&mut Context));
+
+const ENDLESS: &[Case] = &[
+    ("instances", |c| c.draw_arrays_instanced(GL_TRIANGLES, 0, 3, MANY)),
+    ("instances of indices", |c| {
+        let indices = Data::Bytes(&[0, 1, 2]);
+        c.draw_elements_instanced(GL_TRIANGLES, 3, GL_UNSIGNED_BYTE, indices, MANY);
+    }),
+    ("instances that are culled", |c| {
+        c.enable(GL_CULL_FACE);
+        c.cull_face(GL_FRONT_AND_BACK);
+        c.draw_arrays_instanced(GL_TRIANGLES, 0, 3, MANY);
+        c.disable(GL_CULL_FACE);
+    }),
+    ("instances of a strip of lines", |c| c.draw_arrays_instanced(GL_LINE_STRIP, 0, 3, MANY)),
+    ("instances whose shader loops", |c| {
+        use_program(
+            c,
+            "#version 130\nvoid main() { gl_Position = gl_Vertex;
+             for (int i = 0; i < 100000; i++) gl_Position.x = fract(gl_Position.x + 0.37); }",
+            FRAGMENT,
+        );
+        c.draw_arrays_instanced(GL_TRIANGLES, 0, 3, MANY);
+    }),
+    ("points without arrays", |c| {
+        use_numbers(c, "fract(n * 0.001), 0.0");
+        c.draw_arrays(GL_POINTS, 0, MANY);
+    }),
+    ("a strip without arrays, out of the window", |c| {
+        use_numbers(c, "2.0, 2.0 + fract(n * 0.001)");
+        c.draw_arrays(GL_TRIANGLE_STRIP, 0, MANY);
+    }),
+    ("instances of points without arrays", |c| {
+        use_numbers(c, "fract(n * 0.001), 0.0");
+        c.draw_arrays_instanced(GL_POINTS, 0, MANY, MANY);
+    }),
+    ("runs without arrays", |c| {
+        use_numbers(c, "fract(n * 0.001), 0.0");
+        c.multi_draw_arrays(GL_POINTS, &[0, 0, 0], &[MANY, MANY, MANY], 3);
+    }),
+];
+
+fn stops(c: &mut Context) -> usize {
+    c.messages().iter().filter(|message| message.text.contains(STOPPED)).count()
+}
+
+#[test]
+fn they_end_soon_and_the_context_goes_on() {
+    for (name, draw) in ENDLESS {
+        let mut c = context(2, Isa::best());
+        let start = Instant::now();
+        draw(&mut c);
+        c.finish();
+        let elapsed = start.elapsed();
+        println!("{name}: {elapsed:?}");
+        assert!(elapsed < SOON, "{name}: {elapsed:?}");
+        assert_eq!((stops(&mut c), c.get_error()), (1, GL_NO_ERROR), "{name}: {:?}", c.messages());
+        c.use_program(0);
+        c.color_3f(0.0, 1.0, 0.0);
+        c.rectf(-1.0, -1.0, 1.0, 1.0);
+        assert!(picture(&mut c).chunks(4).all(|pixel| pixel == [0, 255, 0, 255]), "{name}");
+    }
+}
+
+/// A geometry shader makes 256 vertices of each, which nobody sees.
+#[test]
+fn what_a_geometry_shader_makes_of_many_ends_soon() {
+    let mut c = context(2, Isa::best());
+    let program = c.create_program();
+    let sources = [
+        (GL_VERTEX_SHADER, "#version 150 compatibility\nvoid main() { gl_Position = vec4(2.0); }"),
+        (
+            GL_GEOMETRY_SHADER,
+            "#version 150 compatibility\nlayout(points) in; layout(points, max_vertices = 256) out;
+             void main() { for (int i = 0; i < 256; i++) { gl_Position = vec4(2.0); EmitVertex(); } }",
+        ),
+        (GL_FRAGMENT_SHADER, FRAGMENT),
+    ];
+    for (stage, source) in sources {
+        let shader = c.create_shader(stage);
+        c.shader_source(shader, 1, Strings(vec![source]), &[]);
+        c.compile_shader(shader);
+        c.attach_shader(program, shader);
+    }
+    c.link_program(program);
+    c.use_program(program);
+    c.disable_client_state(GL_VERTEX_ARRAY);
+    let start = Instant::now();
+    c.draw_arrays(GL_POINTS, 0, MANY);
+    c.finish();
+    println!("{:?}", start.elapsed());
+    assert!(start.elapsed() < SOON);
+    assert_eq!((stops(&mut c), c.get_error()), (1, GL_NO_ERROR), "{:?}", c.messages());
+    // To count what it makes, every primitive would have to be run one after the other.
+    c.begin_query(GL_PRIMITIVES_GENERATED, 1);
+    c.draw_arrays(GL_POINTS, 0, MANY);
+    c.end_query(GL_PRIMITIVES_GENERATED);
+    assert_eq!(c.get_error(), GL_OUT_OF_MEMORY, "{:?}", c.messages());
+}
+
+/// What is left of a draw depends on neither threads nor instruction set.
+#[test]
+fn what_is_left_of_a_draw_is_the_same_everywhere() {
+    let ways = Isa::available().into_iter().flat_map(|isa| [1, 2, 8].map(|threads| (isa, threads)));
+    let mut all = ways.map(|(isa, threads)| {
+        let mut c = context(threads, isa);
+        c.enable(GL_BLEND);
+        c.blend_func(GL_ONE, GL_ONE);
+        use_numbers(&mut c, "fract(n * 1e-4), 1e-7 * n");
+        c.draw_arrays(GL_POINTS, 0, MANY);
+        let left = picture(&mut c);
+        assert_eq!(stops(&mut c), 1);
+        left
+    });
+    let first = all.next().expect("an instruction set");
+    assert!(first.chunks(4).any(|pixel| pixel[0] == 255));
+    assert!(all.all(|other| other == first));
+}
+
+/// A scene of many instances is no endless one.
+#[test]
+fn many_instances_are_drawn() {
+    let mut c = context(2, Isa::best());
+    let (count, step) = (20_000, 1.0 / 20_000.0);
+    let places: Vec<u8> = (0..count).flat_map(|at| (at as f32 * step).to_le_bytes()).collect();
+    let program = use_program(
+        &mut c,
+        "#version 130\nin float place; void main() {
+         gl_Position = vec4(0.01 * gl_Vertex.xy + 2.0 * place - 1.0, 0.0, 1.0); }",
+        FRAGMENT,
+    );
+    let location = c.get_attrib_location(program, "place") as GLuint;
+    c.bind_buffer(GL_ARRAY_BUFFER, 2);
+    let size = places.len() as GLsizeiptr;
+    c.buffer_data(GL_ARRAY_BUFFER, size, Data::Bytes(&places), GL_STATIC_DRAW);
+    c.vertex_attrib_pointer(location, 1, GL_FLOAT, false, 0, Data::Offset(0));
+    c.vertex_attrib_divisor(location, 1);
+    c.enable_vertex_attrib_array(location);
+    c.draw_arrays_instanced(GL_TRIANGLES, 0, 3, count);
+    // Without arrays, too.
+    use_numbers(&mut c, "fract(n * 0.001), 0.0");
+    c.disable_vertex_attrib_array(location);
+    c.draw_arrays(GL_POINTS, 0, 1_000_000);
+    c.draw_arrays_instanced(GL_POINTS, 0, 1000, 1000);
+    c.finish();
+    assert_eq!((stops(&mut c), c.get_error()), (0, GL_NO_ERROR), "{:?}", c.messages());
+    assert!(picture(&mut c).chunks(4).any(|pixel| pixel == [255, 0, 0, 255]));
+}
