@@ -94,7 +94,7 @@ pub(crate) fn draw(
                 }
             }
             let shaded = shade(context, vertices, &ids, Outputs::All)?;
-            let fit = layout.write(context, &shaded, &mut active);
+            let fit = layout.write(context, &shaded, &mut active)?;
             written += fit;
             if fit < asked {
                 break 'full;
@@ -175,7 +175,7 @@ fn emitted(
             let asked = (emitted.len() / corners) as u64;
             made += asked;
             if let (Some(active), Some(layout), false) = (&mut active, &layout, is_full) {
-                let fit = layout.write(context, &emitted, active);
+                let fit = layout.write(context, &emitted, active)?;
                 written += fit;
                 is_full = fit < asked;
             }
@@ -230,7 +230,15 @@ impl Layout {
     }
 
     /// Writes as many whole primitives as all buffers have room for: how many.
-    fn write(&self, context: &mut Context, vertices: &Vertices, active: &mut Active) -> u64 {
+    ///
+    /// # Errors
+    /// If recorded draws keep what a buffer holds, and there is no memory for a copy.
+    fn write(
+        &self,
+        context: &mut Context,
+        vertices: &Vertices,
+        active: &mut Active,
+    ) -> Result<u64> {
         let corners = active.kind.corners();
         let fit = self.free_primitives(context, active).min(vertices.len() / corners);
         let ranges = &context.transform_feedback.buffers;
@@ -254,11 +262,11 @@ impl Layout {
                         out.copy_from_slice(&word.to_le_bytes());
                     }
                 }
-            });
+            })?;
             *written += bytes;
         }
         active.vertices = active.vertices.saturating_add((fit * corners) as u32);
-        fit as u64
+        Ok(fit as u64)
     }
 }
 

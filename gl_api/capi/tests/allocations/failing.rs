@@ -14,7 +14,8 @@ static LEFT: AtomicUsize = AtomicUsize::new(0);
 /// Whether an allocation of so many bytes fails.
 fn fails(bytes: usize) -> bool {
     bytes >= LEAST.load(Ordering::Relaxed)
-        && LEFT.try_update(Ordering::Relaxed, Ordering::Relaxed, |left| left.checked_sub(1)) == Ok(1)
+        && LEFT.try_update(Ordering::Relaxed, Ordering::Relaxed, |left| left.checked_sub(1))
+            == Ok(1)
 }
 
 /// Runs `call` with allocation `number`, from 1 on, of those of at least so many bytes failing; whether one failed.

@@ -72,7 +72,7 @@ fn clear(
     };
     match &mut object.map {
         Some(map) if !map.is_persistent() => fill(&mut map.bytes[range]),
-        Some(_) | None => object.write(recorder, range, fill),
+        Some(_) | None => return object.write(recorder, range, fill),
     }
     Ok(())
 }

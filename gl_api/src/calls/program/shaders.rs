@@ -1,9 +1,9 @@
 //! Shader objects: GL 2.1, sections 2.15.1 and 6.1.14.
 
-use crate::base::memory::out_of_memory;
 use crate::base::args::{Strings, TextOut};
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation, invalid_value, not_negative};
+use crate::base::memory::out_of_memory;
 use crate::base::query_value::put;
 use crate::base::types::*;
 use crate::context::Context;

@@ -141,9 +141,7 @@ impl StorageRequest {
 
     fn apply(self, context: &mut Context) -> Result<()> {
         match self {
-            Self::Texture { target, internal, levels } => {
-                store(context, target, internal, &levels)
-            }
+            Self::Texture { target, internal, levels } => store(context, target, internal, &levels),
             // One level that cannot be stored is enough for the proxy to say so.
             Self::Proxy { target, levels } if levels.iter().any(|level| level.image.is_none()) => {
                 context.state.proxies[target as usize] = Default::default();

@@ -118,6 +118,7 @@ impl BoxRequest {
         }
         let texture = bound_mut(context, target);
         let written = texture.image.update(|image| {
+            image.unshare(face, self.level)?;
             image
                 .level_mut(face, self.level)
                 .map_or(Ok(()), |level| level.write_box(self.at, self.size, texels))

@@ -109,7 +109,8 @@ impl Amplification {
         let vertices = RUN
             + asked.max(emitted) * VERTEX
             + looped.max(asked.div_ceil(LANES as u64) * self.vertex_batch);
-        let share = |all: u64| (u128::from(all) * u128::from(charged) / u128::from(instances)) as u64;
+        let share =
+            |all: u64| (u128::from(all) * u128::from(charged) / u128::from(instances)) as u64;
         let left = self.vertices.checked_sub(share(vertices));
         self.vertices = left.ok_or(OverBudget)?;
         let left = self.pixels.checked_sub(share(pixels.saturating_mul(self.fragment_batch)));
