@@ -21,8 +21,10 @@ use texunit::lanes::{LANES, math};
 /// The number of primitives that are shaded and written at once.
 const CHUNK: usize = 1 << 12;
 
-/// The most primitives that a geometry shader gets while what it emits is counted or captured.
+/// The most primitives that a geometry shader gets while what it emits is counted or captured, and the most vertices that
+/// it may make of them.
 const MAX_PRIMITIVES: u64 = 1 << 24;
+const MAX_EMITTED: u64 = 1 << 28;
 
 /// Whether a query counts what a geometry shader emits.
 pub(crate) fn counts_emitted(context: &Context) -> bool {
@@ -80,7 +82,8 @@ pub(crate) fn draw(
         return Ok(());
     }
     let mut written = 0;
-    'full: for instance in instances {
+    // Instances of nothing may be any number.
+    'full: for instance in if all.len == 0 { 0..0 } else { instances } {
         for first in (0..all.len).step_by(CHUNK) {
             let chunk = first..all.len.min(first.saturating_add(CHUNK as u32));
             let asked = u64::from(chunk.end - chunk.start);
@@ -132,13 +135,15 @@ fn emitted(
 ) -> Result<()> {
     let (_, instances) = elements.counts();
     let total = u64::from(all.len) * instances.len() as u64;
-    if total > MAX_PRIMITIVES {
+    let each = u64::from(interface.max_vertices.max(1));
+    let most = MAX_PRIMITIVES.min(MAX_EMITTED / each);
+    if total > most {
         return Err(GlError::new(
             ErrorCode::OutOfMemory,
             SECTION,
             format!(
-                "a draw of {total} primitives: at most {MAX_PRIMITIVES} while what a geometry shader emits is \
-                 counted or captured"
+                "a draw of {total} primitives: at most {most} while what a geometry shader emits, at most {each} \
+                 vertices of each, is counted or captured: draw fewer at once"
             ),
         ));
     }
@@ -156,7 +161,8 @@ fn emitted(
     let most = (CHUNK as u32 / interface.max_vertices.max(1)).max(LANES as u32);
     let provoking = context.state.raster.provoking;
     let (mut made, mut written, mut is_full) = (0, 0, false);
-    for instance in instances {
+    // Instances of nothing may be any number.
+    for instance in if all.len == 0 { 0..0 } else { instances } {
         for first in (0..all.len).step_by(most as usize) {
             let chunk = first..all.len.min(first.saturating_add(most));
             let numbers: Vec<u32> = chunk.clone().map(|at| all.number(at)).collect();

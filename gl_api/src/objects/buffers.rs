@@ -130,7 +130,8 @@ impl BufferObject {
 
     /// Whether it is often written between draws: draws should copy the vertices that they read.
     pub fn is_rewritten(&self, recorder: &impl WaitingDraws) -> bool {
-        self.rewritten.is_some_and(|draws| recorder.draws() - draws < FORGOTTEN)
+        // A context that shares it may have drawn more than this one.
+        self.rewritten.is_some_and(|draws| recorder.draws().saturating_sub(draws) < FORGOTTEN)
     }
 
     /// The bytes for a mapping with these flags: a copy for a persistent one.
