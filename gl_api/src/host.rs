@@ -8,6 +8,7 @@ use crate::base::error::{ErrorCode, GlError};
 use crate::base::types::{GLenum, GLint, GLuint};
 use crate::calls::framebuffer::read::{ClientRows, RowOrder, read_rows};
 use crate::context::debug::Output;
+use crate::context::reset::ResetNotification;
 use crate::context::sharing::CallScope;
 use crate::context::window::{Visible, Window, base_level_attachment, format_of};
 use crate::context::{Context, ContextDesc, ContextError, SurfaceDesc, sharing};
@@ -152,6 +153,11 @@ pub fn new_context(
 /// What a new context needs to share this one's objects. Takes no lock, whatever thread has the context current.
 pub fn share(context: &Context) -> ShareHandle {
     ShareHandle(context.share())
+}
+
+/// What it reports of stopped draws.
+pub fn reset_notification(context: &Context) -> ResetNotification {
+    context.resets.notification
 }
 
 /// Replaces the default framebuffer. Nothing may be recorded.

@@ -138,3 +138,32 @@ fn calls_of_one_context_end_while_another_draws() {
     fine(&mut draws);
     fine(&mut calls);
 }
+
+/// How often a buffer is written between draws is counted in the draws of whoever writes.
+#[test]
+fn a_context_that_has_drawn_less_draws_what_another_rewrites() {
+    let mut a = context();
+    let mut b = sharing(&a);
+    let corners = [-1.0_f32, -1.0, 3.0, -1.0, -1.0, 3.0].map(f32::to_le_bytes).concat();
+    let bind = |c: &mut Context| {
+        c.bind_buffer(GL_ARRAY_BUFFER, 1);
+        c.vertex_pointer(2, GL_FLOAT, 0, Data::Offset(0));
+        c.enable_client_state(GL_VERTEX_ARRAY);
+    };
+    bind(&mut a);
+    a.buffer_data(GL_ARRAY_BUFFER, 1 << 16, Data::Null, GL_DYNAMIC_DRAW);
+    for _ in 0..5 {
+        // What is recorded keeps the bytes that are replaced.
+        a.buffer_sub_data(GL_ARRAY_BUFFER, 0, 24, Data::Bytes(&corners));
+        a.draw_arrays(GL_TRIANGLES, 0, 3);
+    }
+    a.finish();
+    bind(&mut b);
+    b.color_3f(0.0, 1.0, 0.0);
+    b.draw_arrays(GL_TRIANGLES, 0, 3);
+    let mut pixel = [0; 4];
+    b.read_pixels(3, 5, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, DataOut::Bytes(&mut pixel));
+    assert_eq!(pixel, [0, 255, 0, 255]);
+    fine(&mut a);
+    fine(&mut b);
+}

@@ -84,6 +84,20 @@ impl Image {
         self.levels.get_mut(face)?.get_mut(level)?.take()
     }
 
+    /// Copies a level if someone else still reads it, so that [`Self::level_mut`] needs no memory.
+    ///
+    /// # Errors
+    /// If there is no memory for the copy.
+    pub fn unshare(&mut self, face: usize, level: usize) -> Result<(), ImageError> {
+        let levels = self.levels.get_mut(face).and_then(|levels| levels.get_mut(level));
+        if let Some(shared) = levels.and_then(Option::as_mut)
+            && Arc::strong_count(shared) > 1
+        {
+            *shared = Arc::new(shared.copied()?);
+        }
+        Ok(())
+    }
+
     /// A level to write to, if there is one. Copies it first if someone else still reads it.
     pub fn level_mut(&mut self, face: usize, level: usize) -> Option<&mut Level> {
         self.levels.get_mut(face)?.get_mut(level)?.as_mut().map(Arc::make_mut)

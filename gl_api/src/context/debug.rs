@@ -52,8 +52,12 @@ impl fmt::Display for Message {
 /// Whether messages are printed as they come.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Echo {
-    Off,
-    Stderr,
+    /// None is, not even what is printed unasked.
+    Nothing,
+    /// Only what is printed unasked.
+    Unasked,
+    /// All are.
+    All,
 }
 
 /// The error flag, the queue of messages, and the log.
@@ -105,7 +109,11 @@ impl Debug {
             log: Log::default(),
             output: Output::Off,
             at_first: Output::Off,
-            echo: if on { Echo::Stderr } else { Echo::Off },
+            echo: match (on, silent) {
+                (true, _) => Echo::All,
+                (false, true) => Echo::Nothing,
+                (false, false) => Echo::Unasked,
+            },
             unread: Unread::new(report),
         };
         if !FloatEnv::IS_KNOWN {
@@ -133,10 +141,11 @@ impl Debug {
         }
     }
 
-    /// As [`Self::warn`]; the first of the process is printed to stderr even where nothing else is.
+    /// As [`Self::warn`]; the first of the process is printed to stderr even where nothing else is, unless
+    /// `DETGL_DEBUG=0` wants nothing at all.
     pub fn warn_unasked(&mut self, text: &str) {
         static PRINTED: AtomicBool = AtomicBool::new(false);
-        if self.echo != Echo::Stderr && !PRINTED.swap(true, Ordering::Relaxed) {
+        if self.echo == Echo::Unasked && !PRINTED.swap(true, Ordering::Relaxed) {
             print(&text);
         }
         self.warn(text.to_owned());
@@ -180,7 +189,7 @@ impl Debug {
 
     /// Whether messages are printed or logged as they come.
     pub fn listens(&self) -> bool {
-        self.echo == Echo::Stderr || self.output == Output::On
+        self.echo == Echo::All || self.output == Output::On
     }
 
     /// Takes the error flag.
@@ -208,7 +217,7 @@ impl Debug {
 
     fn push(&mut self, message: Message) {
         self.unread.count(&message);
-        if self.echo == Echo::Stderr {
+        if self.echo == Echo::All {
             print(&message);
         }
         if self.queue.len() == KEPT {

@@ -1,7 +1,7 @@
 //! Transform feedback: what a draw writes to the buffers, by running its vertex and its geometry stage once more; and the
 //! counts of primitives for queries.
 
-use crate::base::error::{Result, invalid_operation};
+use crate::base::error::{ErrorCode, GlError, Result, invalid_operation};
 use crate::context::Context;
 use crate::context::recorder::elements::Elements;
 use crate::context::recorder::vertex_stage::{Outputs, PreparedStage, VertexInstance, Vertices};
@@ -20,6 +20,11 @@ use texunit::lanes::{LANES, math};
 
 /// The number of primitives that are shaded and written at once.
 const CHUNK: usize = 1 << 12;
+
+/// The most primitives that a geometry shader gets while what it emits is counted or captured, and the most vertices that
+/// it may make of them.
+const MAX_PRIMITIVES: u64 = 1 << 24;
+const MAX_EMITTED: u64 = 1 << 28;
 
 /// Whether a query counts what a geometry shader emits.
 pub(crate) fn counts_emitted(context: &Context) -> bool {
@@ -67,8 +72,18 @@ pub(crate) fn draw(
     check_kind(drawn, &active)?;
     let Some(layout) = Layout::of(context) else { return Ok(()) };
     layout.check(context)?;
+    // Captured without a value, none has to be shaded.
+    if layout.buffers.iter().all(Vec::is_empty) {
+        active.vertices = active
+            .vertices
+            .saturating_add((made * active.kind.corners() as u64).try_into().unwrap_or(u32::MAX));
+        context.transform_feedback.active = Some(active);
+        context.count_primitives(made, made);
+        return Ok(());
+    }
     let mut written = 0;
-    'full: for instance in instances {
+    // Instances of nothing may be any number.
+    'full: for instance in if all.len == 0 { 0..0 } else { instances } {
         for first in (0..all.len).step_by(CHUNK) {
             let chunk = first..all.len.min(first.saturating_add(CHUNK as u32));
             let asked = u64::from(chunk.end - chunk.start);
@@ -82,7 +97,7 @@ pub(crate) fn draw(
                 }
             }
             let shaded = shade(context, vertices, &ids, Outputs::All)?;
-            let fit = layout.write(context, &shaded, &mut active);
+            let fit = layout.write(context, &shaded, &mut active)?;
             written += fit;
             if fit < asked {
                 break 'full;
@@ -118,6 +133,20 @@ fn emitted(
     vertices: &[VertexBinding],
     elements: &Elements,
 ) -> Result<()> {
+    let (_, instances) = elements.counts();
+    let total = u64::from(all.len) * instances.len() as u64;
+    let each = u64::from(interface.max_vertices.max(1));
+    let most = MAX_PRIMITIVES.min(MAX_EMITTED / each);
+    if total > most {
+        return Err(GlError::new(
+            ErrorCode::OutOfMemory,
+            SECTION,
+            format!(
+                "a draw of {total} primitives: at most {most} while what a geometry shader emits, at most {each} \
+                 vertices of each, is counted or captured: draw fewer at once"
+            ),
+        ));
+    }
     let mut active = context.transform_feedback.active;
     let mut layout = None;
     if let Some(active) = &active {
@@ -132,8 +161,8 @@ fn emitted(
     let most = (CHUNK as u32 / interface.max_vertices.max(1)).max(LANES as u32);
     let provoking = context.state.raster.provoking;
     let (mut made, mut written, mut is_full) = (0, 0, false);
-    let (_, instances) = elements.counts();
-    for instance in instances {
+    // Instances of nothing may be any number.
+    for instance in if all.len == 0 { 0..0 } else { instances } {
         for first in (0..all.len).step_by(most as usize) {
             let chunk = first..all.len.min(first.saturating_add(most));
             let numbers: Vec<u32> = chunk.clone().map(|at| all.number(at)).collect();
@@ -152,7 +181,7 @@ fn emitted(
             let asked = (emitted.len() / corners) as u64;
             made += asked;
             if let (Some(active), Some(layout), false) = (&mut active, &layout, is_full) {
-                let fit = layout.write(context, &emitted, active);
+                let fit = layout.write(context, &emitted, active)?;
                 written += fit;
                 is_full = fit < asked;
             }
@@ -207,7 +236,15 @@ impl Layout {
     }
 
     /// Writes as many whole primitives as all buffers have room for: how many.
-    fn write(&self, context: &mut Context, vertices: &Vertices, active: &mut Active) -> u64 {
+    ///
+    /// # Errors
+    /// If recorded draws keep what a buffer holds, and there is no memory for a copy.
+    fn write(
+        &self,
+        context: &mut Context,
+        vertices: &Vertices,
+        active: &mut Active,
+    ) -> Result<u64> {
         let corners = active.kind.corners();
         let fit = self.free_primitives(context, active).min(vertices.len() / corners);
         let ranges = &context.transform_feedback.buffers;
@@ -231,11 +268,11 @@ impl Layout {
                         out.copy_from_slice(&word.to_le_bytes());
                     }
                 }
-            });
+            })?;
             *written += bytes;
         }
         active.vertices = active.vertices.saturating_add((fit * corners) as u32);
-        fit as u64
+        Ok(fit as u64)
     }
 }
 

@@ -109,9 +109,9 @@ fn execute(context: &mut Context) {
 /// Reports that a draw was stopped.
 #[cold]
 #[inline(never)]
-fn stopped(context: &mut Context) {
+pub(crate) fn stopped(context: &mut Context) {
     const STOPPED: &str = "a shader ran so long that the rest of its draw was left out: look for a loop that does \
-                           not end, or raise DETGL_DRAW_BUDGET";
+                           not end, a number of instances or vertices far too large, or raise DETGL_DRAW_BUDGET";
     context.resets.draw_was_stopped();
     match context.resets.notification {
         ResetNotification::Never => context.debug.warn_unasked(STOPPED),

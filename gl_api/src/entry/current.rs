@@ -72,11 +72,12 @@ pub fn call<R: RefusedResult>(name: &str, f: impl FnOnce(&mut Context) -> R) -> 
     result.unwrap_or_else(R::refused_result)
 }
 
-/// Says once a thread that it has no current context.
+/// Says once a thread that it has no current context, unless `DETGL_DEBUG=0` wants nothing said.
 #[cold]
 #[inline(never)]
 fn warn(name: &str) {
-    if !WARNED.replace(true) {
+    let is_silent = || std::env::var_os("DETGL_DEBUG").is_some_and(|value| value == "0");
+    if !WARNED.replace(true) && !is_silent() {
         eprintln!(
             "detgl: {name}: ignored, as this thread has no current context: call eglMakeCurrent or OSMesaMakeCurrent \
              before (in Rust, keep what Context::make_current returns)"

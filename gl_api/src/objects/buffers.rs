@@ -79,20 +79,29 @@ impl BufferObject {
 
     /// Lets `write` change a range of its bytes. Recorded draws keep the old bytes, which are counted; a persistent mapping
     /// has the new ones.
+    ///
+    /// # Errors
+    /// If recorded draws keep the old bytes, and there is no memory for the new ones.
     pub fn write(
         &mut self,
         recorder: &mut impl WaitingDraws,
         range: std::ops::Range<usize>,
         write: impl FnOnce(&mut [u8]),
-    ) {
-        write(&mut self.bytes_mut(recorder)[range.clone()]);
+    ) -> Result<()> {
+        write(&mut self.bytes_mut(recorder)?[range.clone()]);
         self.written(range);
+        Ok(())
     }
 
     /// Its bytes for writing; [`Self::written`] follows.
-    pub fn bytes_mut(&mut self, recorder: &mut impl WaitingDraws) -> &mut [u8] {
+    ///
+    /// # Errors
+    /// As [`Self::write`].
+    pub fn bytes_mut(&mut self, recorder: &mut impl WaitingDraws) -> Result<&mut [u8]> {
         self.take_client_writes(recorder);
-        self.all_bytes_mut(recorder)
+        self.note_sharing(recorder);
+        self.buffer.unshare().map_err(out_of_memory(SECTION, "a copy of the buffer"))?;
+        Ok(self.buffer.bytes_mut())
     }
 
     /// Gives a persistent mapping what was written.
@@ -103,6 +112,12 @@ impl BufferObject {
     }
 
     fn all_bytes_mut(&mut self, recorder: &mut impl WaitingDraws) -> &mut Vec<u8> {
+        self.note_sharing(recorder);
+        self.buffer.bytes_mut()
+    }
+
+    /// Takes note that recorded draws may keep the bytes that are about to be written.
+    fn note_sharing(&mut self, recorder: &mut impl WaitingDraws) {
         let bytes = self.buffer.bytes().len();
         let is_shared = self.buffer.is_shared();
         if is_shared {
@@ -111,12 +126,12 @@ impl BufferObject {
         if self.rewritten.is_some() || is_shared && bytes >= COPIED {
             self.rewritten = Some(recorder.draws());
         }
-        self.buffer.bytes_mut()
     }
 
     /// Whether it is often written between draws: draws should copy the vertices that they read.
     pub fn is_rewritten(&self, recorder: &impl WaitingDraws) -> bool {
-        self.rewritten.is_some_and(|draws| recorder.draws() - draws < FORGOTTEN)
+        // A context that shares it may have drawn more than this one.
+        self.rewritten.is_some_and(|draws| recorder.draws().saturating_sub(draws) < FORGOTTEN)
     }
 
     /// The bytes for a mapping with these flags: a copy for a persistent one.
@@ -126,16 +141,11 @@ impl BufferObject {
         access: GLbitfield,
     ) -> Result<Vec<u8>> {
         if access & GL_MAP_PERSISTENT_BIT == 0 {
-            return Ok(self.take_bytes(recorder));
+            self.note_sharing(recorder);
+            self.buffer.unshare().map_err(out_of_memory(SECTION, "a copy of the buffer"))?;
+            return Ok(std::mem::take(std::mem::take(&mut self.buffer).bytes_mut()));
         }
         copied(self.buffer.bytes()).map_err(out_of_memory(SECTION, "a copy of the buffer"))
-    }
-
-    /// Takes the bytes out, to be mapped.
-    fn take_bytes(&mut self, recorder: &mut impl WaitingDraws) -> Vec<u8> {
-        let bytes = std::mem::take(self.all_bytes_mut(recorder));
-        self.buffer = Buffer::default();
-        bytes
     }
 
     /// Takes the bytes if there are so many and nothing else uses them, to reuse their memory.

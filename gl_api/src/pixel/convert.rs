@@ -5,9 +5,11 @@
 //! bits for the same numbers, those are moved ([`texunit::pixel`]).
 
 use crate::base::clamp::Clamp;
+use crate::base::error::Result;
 use crate::pixel::client::element::ClientType;
 use crate::pixel::client::format::{ClientFormat, LuminanceOf, Numbers};
 use crate::pixel::layout::Layout;
+use crate::pixel::scratch::scratch;
 use crate::pixel::texel;
 use crate::pixel::transfer::{Steps, Transfer, TransferKind};
 use rasterizer::driver::SrgbWrite;
@@ -422,29 +424,35 @@ pub(crate) fn pack_rows(
 }
 
 /// Texels of one format as texels of another.
+///
+/// # Errors
+/// If there is no memory for them.
 pub(crate) fn transcode(
     isa: Isa,
     from: Format,
     texels: &[u8],
     to: Format,
     transfer: &Transfer,
-) -> Vec<u8> {
-    let mut out = vec![0; texels.len() / from.bytes() * to.bytes()];
+) -> Result<Vec<u8>> {
+    let mut out = scratch(to, [texels.len() / from.bytes(), 1, 1])?;
     Conversion::between(isa, from, to, transfer).run(texels, &mut out);
-    out
+    Ok(out)
 }
 
 /// The stencils of texels of one format as those of another.
+///
+/// # Errors
+/// If there is no memory for them.
 pub(crate) fn transcode_stencils(
     isa: Isa,
     from: Format,
     texels: &[u8],
     to: Format,
     transfer: &Transfer,
-) -> Vec<u8> {
-    let mut out = vec![0; texels.len() / from.bytes() * to.bytes()];
+) -> Result<Vec<u8>> {
+    let mut out = scratch(to, [texels.len() / from.bytes(), 1, 1])?;
     Conversion::between_stencils(isa, from, to, transfer).run(texels, &mut out);
-    out
+    Ok(out)
 }
 
 /// The texels of a level, border included, without the padding.

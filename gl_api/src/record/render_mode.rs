@@ -71,6 +71,7 @@ pub(crate) fn render_mode(context: &mut Context, mode: GLenum) -> Result<GLint> 
 fn target(section: &'static str, argument: &str, buffer: DataOut<'_>) -> Result<Target> {
     match buffer {
         DataOut::Null => Ok(Target::Own),
+        DataOut::Client(pointer) if pointer.is_null() => Ok(Target::Own),
         DataOut::Client(pointer) => Ok(Target::Client(pointer.kept())),
         DataOut::Bytes(_) | DataOut::Offset(_) => invalid_operation(
             section,

@@ -117,6 +117,12 @@ fn set_row(block: &mut U32s, y: usize, row: [u32; 8]) {
 }
 
 impl Surface {
+    /// Whether it has the format, the size and the samples of another.
+    pub fn is_like(&self, other: &Self) -> bool {
+        let of = |own: &Self| (own.format, own.width, own.height, own.samples);
+        of(self) == of(other)
+    }
+
     /// Tiles across.
     pub fn tiles_across(&self) -> u32 {
         self.width.div_ceil(TILE)

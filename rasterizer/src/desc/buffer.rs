@@ -1,6 +1,7 @@
 //! Bytes for vertices and indices, shared with the draws that read them, copied only when written
 //! meanwhile.
 
+use std::collections::TryReserveError;
 use std::sync::{Arc, Weak};
 
 /// Bytes that draws read. Cloning shares them.
@@ -31,6 +32,20 @@ impl Buffer {
     /// The version of its bytes, which differs after a write.
     pub fn version(&self) -> Version {
         Version(Arc::downgrade(&self.0))
+    }
+
+    /// Copies its bytes if they are shared, so that [`Self::bytes_mut`] needs no memory.
+    ///
+    /// # Errors
+    /// If there is no memory for the copy.
+    pub fn unshare(&mut self) -> Result<(), TryReserveError> {
+        if self.is_shared() {
+            let mut own = Vec::new();
+            own.try_reserve_exact(self.0.len())?;
+            own.extend_from_slice(&self.0);
+            self.0 = Arc::new(own);
+        }
+        Ok(())
     }
 
     /// Its bytes for writing. Draws recorded earlier keep the bytes as they were.

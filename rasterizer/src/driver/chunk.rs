@@ -18,6 +18,7 @@ use crate::vertex::{
     Viewports, ordinals, shade,
 };
 use std::ops::Range;
+use std::sync::atomic::AtomicU64;
 use std::sync::{Arc, OnceLock};
 use texunit::lanes::Isa;
 
@@ -53,6 +54,8 @@ pub struct DrawState<'a> {
     pub setup: Setup<'a>,
     /// That of the viewports from number 1 on, where primitives choose; their draws follow this one.
     pub more_setups: Vec<Setup<'a>>,
+    /// What the loops of its vertex and geometry programs have run.
+    pub operations: AtomicU64,
     /// How far the line stipple has come, in subpixels.
     pub stipple: u32,
     /// Which instances: several only of [`Self::instances_per_chunk`].
@@ -136,6 +139,12 @@ impl DrawState<'_> {
             None => SHARED_VERTEX_PRIMITIVES,
             Some(_) => SHARED_VERTEX_PRIMITIVES.min(16 * self.chunk_len()),
         }
+    }
+
+    /// The operations of a batch of vertices and what its geometry program makes of them, each loop run once.
+    pub fn batch_cost(&self) -> u64 {
+        let geometry = self.geometry.as_ref().map_or(0, |own| own.program.cost(own.textures));
+        self.pipeline.compiled().vertex.cost(self.textures) + geometry
     }
 
     /// The most primitives that become shapes.
@@ -273,6 +282,7 @@ impl DrawState<'_> {
         let stage = VertexStage {
             isa: self.isa,
             budget: self.budget,
+            operations: &self.operations,
             program: &self.pipeline.compiled().vertex,
             prepared: &self.prepared,
             thread_pool: self.thread_pool,

@@ -3,6 +3,7 @@
 //! Its draws are shaded by vertices and set up as they come, their shapes binned to tiles; when the
 //! pass ends (or the bins are full) every tile runs, in parallel, its part of the whole pass.
 
+mod account;
 mod draw;
 mod tiles;
 
@@ -12,7 +13,9 @@ use super::command::{ClearValue, Command};
 use super::image::PassDesc;
 use super::report::SubmitReport;
 use super::resources::Resources;
-use crate::attachment::{DepthFormat, Surface, all_bits, component_bits, texel_words};
+use crate::attachment::{
+    DepthFormat, Surface, all_bits, component_bits, is_attachable, texel_words,
+};
 use crate::desc::{Rect, Viewport};
 use crate::plan::DrawPlan;
 use crate::raster::{ClearJob, PassJob, TileCommand};
@@ -22,6 +25,7 @@ use crate::trace::Cleared;
 use crate::vertex::VertexIds;
 use std::sync::Arc;
 use texunit::format::Format;
+use texunit::lanes::Isa;
 
 /// The most primitives of a draw that may share a chunk with other draws of the same plan.
 const SMALL_DRAW: usize = 256;
@@ -30,6 +34,35 @@ const SMALL_DRAW: usize = 256;
 struct LayerSurfaces {
     colors: Vec<Option<Surface>>,
     depth: Option<Surface>,
+}
+
+/// Whether the attachments are what a pass needs, which was checked before they were taken.
+fn fits(desc: &PassDesc, colors: &[Option<Surface>], depth: &Option<Surface>) -> bool {
+    let colors = colors.iter().zip(&desc.colors).map(|(surface, asked)| (surface, asked, false));
+    let all = colors.chain([(depth, &desc.depth, true)]);
+    let mut samples = None;
+    all.into_iter().all(|(surface, asked, is_depth)| match (surface, asked) {
+        (_, None) => true,
+        (None, Some(_)) => false,
+        (Some(surface), Some(_)) => {
+            surface.width >= desc.width
+                && surface.height >= desc.height
+                && *samples.get_or_insert(surface.samples) == surface.samples
+                && surface.format.is_depth() == is_depth
+                && is_attachable(surface.format)
+        }
+    })
+}
+
+/// Gives the attachments of a layer back.
+fn detach(desc: &PassDesc, layer: u16, surfaces: LayerSurfaces, isa: Isa) {
+    let LayerSurfaces { colors, depth } = surfaces;
+    let attachments = desc.colors.iter().chain([&desc.depth]);
+    for (attachment, surface) in attachments.zip(colors.into_iter().chain([depth])) {
+        if let (Some(a), Some(surface)) = (attachment, surface) {
+            a.image.detach(a.face + layer, a.level, surface, isa);
+        }
+    }
 }
 
 /// The pixels of `area` that have their centre in the viewport.
@@ -61,6 +94,8 @@ pub struct Pass<'a> {
     /// The last small draws, which following draws may join in one chunk.
     merged: Option<MergedDraws>,
     bound: BoundState,
+    /// What draws that do not end have run: their budget is one for all of a pass.
+    endless: u64,
     /// The formats of the colour attachments.
     formats: Vec<Option<Format>>,
     /// The most recent plans, newest last: draws alternate between a few states.
@@ -68,12 +103,13 @@ pub struct Pass<'a> {
 }
 
 impl<'a> Pass<'a> {
-    /// Opens a pass.
+    /// Opens a pass; `None` if another context has specified an attachment anew since the commands were checked, so that it
+    /// does not fit.
     pub fn begin(
         resources: &'a Resources,
         thread_pool: &'a ThreadPool,
         desc: &'a PassDesc,
-    ) -> Self {
+    ) -> Option<Self> {
         let across = desc.width.div_ceil(TILE);
         let tiles = across as usize * desc.height.div_ceil(TILE) as usize;
         let attached = desc.colors.iter().map(|color| {
@@ -81,15 +117,21 @@ impl<'a> Pass<'a> {
             attachment.image.attach(attachment.face, attachment.level, thread_pool)
         });
         let colors: Vec<Option<Surface>> = attached.collect();
+        let depth = desc.depth.as_ref();
+        let depth = depth.and_then(|a| a.image.attach(a.face, a.level, thread_pool));
+        if !fits(desc, &colors, &depth) {
+            detach(desc, 0, LayerSurfaces { colors, depth }, resources.desc.isa);
+            return None;
+        }
         let format = |surface: &Option<Surface>| surface.as_ref().map(|s| s.format);
-        Self {
+        Some(Self {
             resources,
             thread_pool,
             desc,
             formats: colors.iter().map(format).collect(),
             recent: Vec::new(),
             colors,
-            depth: desc.depth.as_ref().and_then(|a| a.image.attach(a.face, a.level, thread_pool)),
+            depth,
             more_layers: (1..desc.layers).map(|_| None).collect(),
             across,
             bins: vec![Vec::new(); tiles * usize::from(desc.layers.max(1))],
@@ -106,7 +148,8 @@ impl<'a> Pass<'a> {
             shapes: 0,
             merged: None,
             bound: BoundState::new(resources.desc.budget),
-        }
+            endless: 0,
+        })
     }
 
     /// Takes one command of the pass.
@@ -210,21 +253,10 @@ impl<'a> Pass<'a> {
     pub fn end(mut self, report: &mut SubmitReport) {
         self.run_tiles(report);
         let isa = self.resources.desc.isa;
-        for (attachment, surface) in self.desc.colors.iter().zip(self.colors) {
-            if let (Some(a), Some(surface)) = (attachment, surface) {
-                a.image.detach(a.face, a.level, surface, isa);
-            }
-        }
-        if let (Some(a), Some(surface)) = (&self.desc.depth, self.depth) {
-            a.image.detach(a.face, a.level, surface, isa);
-        }
+        detach(self.desc, 0, LayerSurfaces { colors: self.colors, depth: self.depth }, isa);
         for (layer, surfaces) in (1..).zip(self.more_layers) {
-            let Some(LayerSurfaces { colors, depth }) = surfaces else { continue };
-            let attachments = self.desc.colors.iter().chain([&self.desc.depth]);
-            for (attachment, surface) in attachments.zip(colors.into_iter().chain([depth])) {
-                if let (Some(a), Some(surface)) = (attachment, surface) {
-                    a.image.detach(a.face + layer, a.level, surface, isa);
-                }
+            if let Some(surfaces) = surfaces {
+                detach(self.desc, layer, surfaces, isa);
             }
         }
     }

@@ -12,7 +12,7 @@ pub fn run(resources: &Resources, thread_pool: &ThreadPool, commands: &[Command]
     let mut pass = None;
     for (index, command) in commands.iter().enumerate() {
         match command {
-            Command::BeginPass(desc) => pass = Some(Pass::begin(resources, thread_pool, desc)),
+            Command::BeginPass(desc) => pass = Pass::begin(resources, thread_pool, desc),
             Command::EndPass => {
                 if let Some(pass) = pass.take() {
                     pass.end(&mut report);
@@ -41,4 +41,49 @@ pub fn run(resources: &Resources, thread_pool: &ThreadPool, commands: &[Command]
         }
     }
     report
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::desc::Rect;
+    use crate::driver::command::ClearValue;
+    use crate::driver::image::{Attachment, Image, PassDesc};
+    use crate::driver::resources::{DeviceDesc, Explain};
+    use texunit::format::Format;
+    use texunit::lanes::Isa;
+
+    /// As where another context gives an image a smaller size after the commands were checked.
+    #[test]
+    fn a_pass_to_what_has_become_smaller_is_left_out() {
+        let desc = DeviceDesc {
+            isa: Isa::BASELINE,
+            threads: 1,
+            budget: DeviceDesc::BUDGET,
+            explain: Explain::Off,
+        };
+        let images = [(200, 200), (70, 300), (8, 8)]
+            .map(|(width, height)| Image::blank(Format::Rgba8, width, height, 1).expect("small"));
+        let attachment = |image: &Image| Attachment { image: image.clone(), face: 0, level: 0 };
+        let clear = |target| Command::Clear {
+            value: ClearValue::Color { target, value: [1.0; 4], mask: [true; 4] },
+            area: Rect { x: 0, y: 0, width: 200, height: 200 },
+        };
+        for other in [1, 2] {
+            let pass = PassDesc {
+                colors: [0, other].map(|at| Some(attachment(&images[at]))).into(),
+                depth: None,
+                width: 200,
+                height: 200,
+                layers: 1,
+            };
+            let commands = [Command::BeginPass(pass), clear(0), clear(1), Command::EndPass];
+            run(&Resources::new(desc), &ThreadPool::CALLER_ONLY, &commands);
+        }
+        for image in &images {
+            let texels = image.texels();
+            let level = texels.level(0, 0).expect("it exists");
+            assert!(level.row_span([0, 0, 0], 8).iter().all(|&byte| byte == 0));
+        }
+    }
 }

@@ -1,7 +1,7 @@
 //! How long the shaders of a draw may run.
 //!
-//! The first [`FREE_OPERATIONS`] of each batch are free, so that no draw is stopped for being large. What a batch runs
-//! beyond them is charged to the budget of its draw. Tiles run in waves of a fixed size; what is left of the budget is
+//! The first [`FREE_OPERATIONS`] of each batch are free, so that no draw is stopped for being large, unless it asks for
+//! more than any scene has. What a batch runs beyond them is charged to the budget of its draw. Tiles run in waves of a fixed size; what is left of the budget is
 //! divided among the tiles of a wave that the draw touches, so that what a tile draws depends on no other tile of the
 //! wave, and hence on no thread. A draw that has used up its share in a tile is stopped there, and everywhere from the
 //! next wave on.
@@ -21,6 +21,10 @@ pub struct DrawBudget {
     pub left: u64,
     /// The share of a tile.
     pub share: u64,
+    /// What each batch may run without a charge.
+    free: u64,
+    /// What loops have run since it was last taken, free or not.
+    pub looped: u64,
     /// Whether the rest of the draw is left out.
     pub is_stopped: bool,
 }
@@ -28,7 +32,12 @@ pub struct DrawBudget {
 impl DrawBudget {
     /// The budget before the first wave.
     pub fn new(left: u64) -> Self {
-        Self { left, share: 0, is_stopped: false }
+        Self { left, share: 0, free: FREE_OPERATIONS, looped: 0, is_stopped: false }
+    }
+
+    /// The budget of a draw of which each operation of a loop is charged.
+    pub fn without_free(left: u64) -> Self {
+        Self { free: 0, ..Self::new(left) }
     }
 
     /// Divides what is left among the tiles of a wave that the draw touches. A small draw does not get more for a tile
@@ -40,17 +49,20 @@ impl DrawBudget {
     /// Deducts what a tile has run.
     pub fn deduct(&mut self, charge: &Charge) {
         self.left = self.left.saturating_sub(charge.operations);
+        self.looped = self.looped.saturating_add(charge.looped);
         self.is_stopped |= charge.is_stopped;
     }
 }
 
-/// What a draw has run in a tile beyond what is free.
+/// What the loops of a draw have run in a tile.
 #[derive(Clone, Copy, Debug)]
 pub struct Charge {
     /// The draw.
     pub draw: usize,
-    /// The operations.
+    /// The operations beyond what is free.
     pub operations: u64,
+    /// All operations of loops.
+    pub looped: u64,
     /// Whether they exceed the share of the tile.
     pub is_stopped: bool,
 }
@@ -59,14 +71,17 @@ pub struct Charge {
 #[derive(Debug, Default)]
 pub struct TileBudget {
     share: u64,
+    free: u64,
     used: u64,
+    looped: u64,
     is_stopped: bool,
 }
 
 impl TileBudget {
     /// Begins a draw.
     pub fn begin(&mut self, draw: &DrawBudget) {
-        *self = Self { share: draw.share, used: 0, is_stopped: draw.is_stopped };
+        let DrawBudget { share, free, is_stopped, .. } = *draw;
+        *self = Self { share, free, used: 0, looped: 0, is_stopped };
     }
 
     /// Whether the rest of the draw is left out in this tile.
@@ -76,23 +91,25 @@ impl TileBudget {
 
     /// What the next batch may run.
     pub fn of_batch(&self) -> u64 {
-        FREE_OPERATIONS.saturating_add(self.share - self.used)
+        self.free.saturating_add(self.share - self.used)
     }
 
     /// A batch has left this of [`Self::of_batch`].
     pub fn batch_left(&mut self, left: u64) {
+        self.looped = self.looped.saturating_add(self.of_batch() - left);
         self.used += (self.share - self.used).saturating_sub(left);
     }
 
     /// A batch has run over [`Self::of_batch`].
     pub fn stop(&mut self) {
+        self.looped = self.looped.saturating_add(self.of_batch());
         (self.used, self.is_stopped) = (self.share, true);
     }
 
     /// What is charged to the draw, if anything is.
     pub fn charge(&self, draw: usize) -> Option<Charge> {
-        let Self { used: operations, is_stopped, .. } = *self;
-        (operations > 0 || is_stopped).then_some(Charge { draw, operations, is_stopped })
+        let Self { used: operations, looped, is_stopped, .. } = *self;
+        (looped > 0 || is_stopped).then_some(Charge { draw, operations, looped, is_stopped })
     }
 }
 
@@ -109,7 +126,8 @@ mod tests {
         assert_eq!(tile.of_batch(), 11 * FREE_OPERATIONS);
         // A batch of 1, 3 and 8 times what is free.
         tile.batch_left(10 * FREE_OPERATIONS);
-        assert!(tile.charge(5).is_none());
+        let charge = tile.charge(5).expect("it has run");
+        assert_eq!((charge.operations, charge.looped), (0, FREE_OPERATIONS));
         tile.batch_left(8 * FREE_OPERATIONS);
         assert_eq!(tile.of_batch(), 9 * FREE_OPERATIONS);
         tile.batch_left(FREE_OPERATIONS);
@@ -117,7 +135,9 @@ mod tests {
         tile.stop();
         let charge = tile.charge(5).expect("it is stopped");
         assert_eq!((charge.draw, charge.operations), (5, 10 * FREE_OPERATIONS));
+        assert_eq!(charge.looped, 14 * FREE_OPERATIONS);
         draw.deduct(&charge);
         assert!(draw.is_stopped && draw.left == 70 * FREE_OPERATIONS);
+        assert_eq!(draw.looped, 14 * FREE_OPERATIONS);
     }
 }

@@ -120,7 +120,7 @@ pub struct TileJob {
     pub depth: Option<TileTarget>,
     /// Its operations, in order.
     pub commands: Vec<TileCommand>,
-    /// What draws have run in it beyond what is free.
+    /// What the loops of draws have run in it.
     pub charges: Vec<Charge>,
     /// The watched pixel, if it is in this tile.
     pub watched: Option<Box<WatchedPixel>>,

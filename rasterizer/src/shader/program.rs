@@ -331,6 +331,12 @@ impl Program {
         std::iter::once(0).chain(sums).collect()
     }
 
+    /// About how many additions of 64 lanes a batch takes as long as, with each loop run once. The textures are those of
+    /// the draw.
+    pub fn cost(&self, textures: &[Option<Arc<SamplePlan>>]) -> u64 {
+        self.code.iter().map(|inst| u64::from(inst.cost(textures))).sum()
+    }
+
     /// Whether what it computes depends on uniform words.
     pub fn depends_on_uniforms(&self) -> bool {
         self.reads_uniforms || self.preamble.reads_uniforms()

@@ -10,6 +10,7 @@ use crate::ir::{Input, Output};
 use crate::shader::{Emission, Invocation, Machine, OverBudget, Prepared, Program};
 use std::ops::Range;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
 use texunit::lanes::{F32s, Isa, LANES, U32s};
 use texunit::plan::SamplePlan;
 
@@ -22,6 +23,8 @@ pub struct GeometryStage<'a> {
     pub isa: Isa,
     /// Instructions a batch may run.
     pub budget: u64,
+    /// What batches have run of it.
+    pub operations: &'a AtomicU64,
     /// The geometry program.
     pub program: &'a Program,
     /// Its values of this draw.
@@ -149,6 +152,7 @@ impl GeometryStage<'_> {
                 active: !0 >> (LANES - count),
                 budget: self.budget,
             })?;
+            self.operations.fetch_add(self.budget - machine.left(), Ordering::Relaxed);
             self.append(machine.emission(), count, &numbers, &targets, out);
         }
         Ok(())

@@ -12,7 +12,7 @@ use crate::threads::{ObjectPool, ThreadPool};
 use std::num::NonZeroU32;
 use std::ops::Range;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use texunit::lanes::{F32s, Isa, LANES, U32s};
 use texunit::plan::SamplePlan;
 
@@ -22,6 +22,8 @@ pub struct VertexStage<'a> {
     pub isa: Isa,
     /// Instructions a batch may run.
     pub budget: u64,
+    /// What batches have run of it.
+    pub operations: &'a AtomicU64,
     /// The vertex program.
     pub program: &'a Program,
     /// Its values of this draw.
@@ -341,6 +343,9 @@ impl VertexStage<'_> {
             active: !0 >> (LANES - ids.len()),
             budget: self.budget,
         })?;
+        if self.program.has_loops() {
+            self.operations.fetch_add(self.budget - machine.left(), Ordering::Relaxed);
+        }
         let stride = self.stride();
         let mut clip = [&F32s::ZERO; 4];
         let mut culled: Option<[u32; LANES]> = None;

@@ -46,6 +46,17 @@ impl Level {
         usize::try_from(bytes).ok().filter(|&bytes| bytes <= MAX_LEVEL_BYTES)
     }
 
+    /// A copy.
+    ///
+    /// # Errors
+    /// If there is no memory for it.
+    pub fn copied(&self) -> Result<Self, ImageError> {
+        let Self { format, width, height, depth, border, ref texels } = *self;
+        let error = ImageError::OutOfMemory { bytes: texels.len() };
+        let texels = texels.copied().ok_or(error)?;
+        Ok(Self { format, width, height, depth, border, texels })
+    }
+
     /// A two-dimensional level without border whose bytes are all 0.
     ///
     /// # Errors

@@ -46,6 +46,20 @@ impl Memory {
         Self(Store::Elsewhere { source, rows: OnceLock::new() })
     }
 
+    /// A copy; `None` if there is no memory for it.
+    pub(super) fn copied(&self) -> Option<Self> {
+        match &self.0 {
+            Store::Rows { bytes, is_blank: true } => Self::zeroed(bytes.len()),
+            Store::Rows { bytes, is_blank: false } => {
+                let mut own = Vec::new();
+                own.try_reserve_exact(bytes.len()).ok()?;
+                own.extend_from_slice(bytes);
+                Some(Self(Store::Rows { bytes: own, is_blank: false }))
+            }
+            Store::Elsewhere { .. } => Some(self.clone()),
+        }
+    }
+
     /// Whether all bytes are known to be zero: they were never borrowed for writing.
     pub fn is_blank(&self) -> bool {
         matches!(self.0, Store::Rows { is_blank: true, .. })
@@ -150,9 +164,8 @@ impl Eq for Memory {}
 
 /// Zeroed memory; `None` if the allocation fails. Pages are not touched: images are often written whole right after.
 pub fn zeroed(bytes: usize) -> Option<Vec<u8>> {
-    // `vec!` aborts if the allocation fails, so reserve first.
-    Vec::<u8>::new().try_reserve_exact(bytes).ok()?;
-    Some(vec![0; bytes])
+    // `vec!` aborts if the allocation fails.
+    bytemuck::allocation::try_zeroed_slice_box(bytes).ok().map(Vec::from)
 }
 
 #[cfg(test)]

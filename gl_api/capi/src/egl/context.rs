@@ -206,13 +206,25 @@ fn profile_of(version: (Attrib, Attrib), profile: Attrib, forward: bool) -> Resu
 }
 
 /// What a new context needs to share the objects of another of the same API, wherever that is current.
-pub(crate) fn shared_by(display: Id, client: Api, share: Handle) -> Result<ShareHandle> {
+pub(crate) fn shared_by(
+    display: Id,
+    client: Api,
+    share: Handle,
+    reset_notification: ResetNotification,
+) -> Result<ShareHandle> {
     let mut registry = registry();
     let (_, entry) = registry.context(display, share)?;
     if entry.client != client {
         return fail(
             Code::BadContext,
             "share_context is of another API: contexts of OpenGL share with such, those of OpenGL ES too",
+        );
+    }
+    if entry.reset_notification != reset_notification {
+        return fail(
+            Code::BadMatch,
+            "share_context has another EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY: contexts that share have the \
+             same (EGL 1.5, section 3.7.1)",
         );
     }
     Ok(entry.share.clone())
@@ -239,7 +251,10 @@ pub(super) fn create(
         reset_notification,
         ..ContextDesc::default()
     };
-    let shared = if share.is_null() { None } else { Some(shared_by(display, client, share)?) };
+    let shared = match share.is_null() {
+        true => None,
+        false => Some(shared_by(display, client, share, reset_notification)?),
+    };
     let context = match host::new_context(desc, shared, output) {
         Ok(context) => context,
         Err(error) => return fail(Code::BadAlloc, error.to_string()),

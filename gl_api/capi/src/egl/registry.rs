@@ -4,8 +4,8 @@ use super::config::Config;
 use super::error::{Code, Result, fail};
 use super::raw::{Handle, Id};
 use super::thread::{Api, ThreadId};
-use gl_api::Context;
 use gl_api::host::{self, ShareHandle, Surface};
+use gl_api::{Context, ResetNotification};
 use std::collections::BTreeMap;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
@@ -58,6 +58,8 @@ pub(crate) struct ContextEntry {
     pub holder: Holder,
     /// For those that share its objects, wherever it is current.
     pub share: ShareHandle,
+    /// What it reports of stopped draws: the same in all that share.
+    pub reset_notification: ResetNotification,
     /// Destroyed, and gone when it is current no more.
     pub doomed: bool,
     /// Whether viewport and scissor have had their first surface (GL 2.1, section 2.11.1).
@@ -73,8 +75,10 @@ impl ContextEntry {
         context: Box<Context>,
     ) -> Self {
         let share = host::share(&context);
+        let reset_notification = host::reset_notification(&context);
         let holder = Holder::Registry(context);
-        Self { display, client, config, holder, share, doomed: false, sized: false }
+        let (doomed, sized) = (false, false);
+        Self { display, client, config, holder, share, reset_notification, doomed, sized }
     }
 }
 

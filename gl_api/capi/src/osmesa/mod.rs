@@ -155,7 +155,12 @@ fn create(request: Request, share: Id) -> *mut c_void {
     let desc = ContextDesc { api: request.api, width: 1, height: 1, ..ContextDesc::default() };
     let shared = match share {
         0 => None,
-        share => match egl::shared_by(OSMESA, egl::thread::Api::OpenGl, handle(share)) {
+        share => match egl::shared_by(
+            OSMESA,
+            egl::thread::Api::OpenGl,
+            handle(share),
+            desc.reset_notification,
+        ) {
             Ok(shared) => Some(shared),
             Err(_) => return std::ptr::null_mut(),
         },

@@ -152,3 +152,25 @@ fn no_thread_waits_for_anothers_frame() {
         assert!(meanwhile > 50, "{meanwhile} calls while the frame was drawn");
     }
 }
+
+#[test]
+fn contexts_that_share_report_stopped_draws_alike() {
+    const STRATEGY: i32 = 0x31BD;
+    const LOSE_CONTEXT: [i32; 3] = [STRATEGY, 0x31BF, EGL_NONE];
+    const NO_NOTIFICATION: [i32; 3] = [STRATEGY, 0x31BE, EGL_NONE];
+    let (dpy, config) = display();
+    // SAFETY: the lists end with EGL_NONE, and handles are only looked up.
+    unsafe {
+        let silent = eglCreateContext(dpy, config, null_mut(), null());
+        let told = eglCreateContext(dpy, config, null_mut(), LOSE_CONTEXT.as_ptr());
+        assert!(!silent.is_null() && !told.is_null());
+        for (share, attributes) in [(silent, LOSE_CONTEXT), (told, NO_NOTIFICATION)] {
+            assert!(eglCreateContext(dpy, config, share, attributes.as_ptr()).is_null());
+            assert_eq!(eglGetError(), EGL_BAD_MATCH);
+        }
+        for (share, attributes) in [(silent, NO_NOTIFICATION), (told, LOSE_CONTEXT)] {
+            assert!(!eglCreateContext(dpy, config, share, attributes.as_ptr()).is_null());
+            assert_eq!(eglGetError(), EGL_SUCCESS);
+        }
+    }
+}

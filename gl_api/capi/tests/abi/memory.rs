@@ -2,9 +2,9 @@
 
 use super::*;
 use gl_api::{
-    GL_ACTIVE_UNIFORMS, GL_ARRAY_BUFFER, GL_BUFFER_MAP_POINTER, GL_FLOAT, GL_FLOAT_VEC4,
-    GL_LUMINANCE, GL_NO_ERROR, GL_READ_WRITE, GL_RGBA, GL_STATIC_DRAW, GL_UNIFORM_SIZE,
-    GL_UNIFORM_TYPE, GL_UNSIGNED_BYTE, GL_VIEWPORT,
+    GL_2D, GL_ACTIVE_UNIFORMS, GL_ARRAY_BUFFER, GL_BUFFER_MAP_POINTER, GL_FEEDBACK, GL_FLOAT,
+    GL_FLOAT_VEC4, GL_LUMINANCE, GL_NO_ERROR, GL_READ_WRITE, GL_RENDER, GL_RGBA, GL_SELECT,
+    GL_STATIC_DRAW, GL_UNIFORM_SIZE, GL_UNIFORM_TYPE, GL_UNSIGNED_BYTE, GL_VIEWPORT,
 };
 use lengths::{
     glBindBuffer, glBufferData, glGenBuffers, glGetBufferSubData, glMapBuffer, program,
@@ -16,6 +16,10 @@ use std::ptr::null;
 unsafe extern "C" {
     fn glGetBufferPointerv(target: GLenum, pname: GLenum, out: *mut *mut c_void);
     fn glUnmapBuffer(target: GLenum) -> u8;
+    fn glSelectBuffer(size: i32, buffer: *mut u32);
+    fn glFeedbackBuffer(size: i32, ty: GLenum, buffer: *mut f32);
+    fn glRenderMode(mode: GLenum) -> i32;
+    fn glRectf(x1: f32, y1: f32, x2: f32, y2: f32);
     fn glGetProgramiv(program: u32, pname: GLenum, out: *mut i32);
     fn glGetActiveUniform(
         program: u32,
@@ -123,6 +127,24 @@ fn what_is_written_need_not_have_been_written_before() {
                 assert_eq!(glGetError(), GL_NO_ERROR);
             }
             memory.fill(MaybeUninit::uninit());
+        }
+    });
+}
+
+/// What is found is counted, and written nowhere.
+#[test]
+fn selection_and_feedback_may_have_no_memory() {
+    with_contexts(|| {
+        // SAFETY: null is where nothing is written to.
+        unsafe {
+            glSelectBuffer(i32::MAX, null_mut());
+            glFeedbackBuffer(i32::MAX, GL_2D, null_mut());
+            for (mode, found) in [(GL_SELECT, 1), (GL_FEEDBACK, 10)] {
+                glRenderMode(mode);
+                glRectf(0.0, 0.0, 1.0, 1.0);
+                assert_eq!(glRenderMode(GL_RENDER), found);
+            }
+            assert_eq!(glGetError(), GL_NO_ERROR);
         }
     });
 }

@@ -1,6 +1,7 @@
 //! `detgl doctor`.
 
 use super::{detgl, folder, run};
+use std::process::Stdio;
 
 #[test]
 fn doctor_says_what_shadows_the_library_and_which_contexts_there_are() {
@@ -33,4 +34,17 @@ fn doctor_says_what_shadows_the_library_and_which_contexts_there_are() {
         assert!(by_run.contains(said), "{said}: {text}");
     }
     assert!(!by_run.contains("another driver"), "{text}");
+}
+
+/// As in `detgl doctor | head -1`.
+#[test]
+fn doctor_ends_in_silence_where_its_reader_does() {
+    let mut command = detgl();
+    command.arg("doctor").stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = command.spawn().expect("it starts");
+    // Nothing is printed before the reader is gone, or all of it is in a pipe without one.
+    drop(child.stdout.take());
+    let output = child.wait_with_output().expect("it ends");
+    assert_eq!(String::from_utf8_lossy(&output.stderr), "");
+    assert!(!output.status.success());
 }

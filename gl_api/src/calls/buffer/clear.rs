@@ -78,7 +78,7 @@ pub(crate) fn clear(
     };
     match &mut object.map {
         Some(map) if !map.is_persistent() => fill(&mut map.bytes[range]),
-        Some(_) | None => object.write(recorder, range, fill),
+        Some(_) | None => return object.write(recorder, range, fill),
     }
     Ok(())
 }

@@ -287,7 +287,7 @@ pub(crate) fn replace_data(
     }
     match data.locate(0, range.len()) {
         Located::Bytes(source) if source.len() >= range.len() => {
-            let to = &mut object.bytes_mut(recorder)[range.clone()];
+            let to = &mut object.bytes_mut(recorder)?[range.clone()];
             recorder.copy(&source[..to.len()], to);
             object.written(range);
             Ok(())

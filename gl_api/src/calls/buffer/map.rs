@@ -261,9 +261,9 @@ pub(crate) fn copy(
     if same {
         // Nothing but draws shares what is written to.
         drop(source);
-        target.bytes_mut(recorder).copy_within(from, to.start);
+        target.bytes_mut(recorder)?.copy_within(from, to.start);
     } else {
-        target.bytes_mut(recorder)[to.clone()].copy_from_slice(&source.bytes()[from]);
+        target.bytes_mut(recorder)?[to.clone()].copy_from_slice(&source.bytes()[from]);
     }
     target.written(to);
     Ok(())

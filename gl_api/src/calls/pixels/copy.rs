@@ -91,12 +91,12 @@ impl CopyPixelsRequest {
                 let is_moved =
                     Conversion::between(isa, from.format, Format::Rgba8, transfer).is_moved();
                 let to = if is_moved { Format::Rgba8 } else { Format::Rgba32F };
-                let texels = as_format(to);
+                let texels = as_format(to)?;
                 let rows = rows(&texels, width * to.bytes());
                 pixel_rectangle::draw(context, size, (ReplacedValue::Color, to), &rows)
             }
             CopiedBuffer::Depth => {
-                let texels = as_format(Format::D32F);
+                let texels = as_format(Format::D32F)?;
                 pixel_rectangle::draw(context, size, DEPTHS, &rows(&texels, width * 4))
             }
             CopiedBuffer::Stencil => {
@@ -106,7 +106,7 @@ impl CopyPixelsRequest {
             }
             CopiedBuffer::DepthStencil => {
                 let Some(to) = stencil::target(context)? else { return Ok(()) };
-                let (texels, depth) = (as_format(to), context.state.fragment.depth_write);
+                let (texels, depth) = (as_format(to)?, context.state.fragment.depth_write);
                 stencil::draw(context, size, &texels, depth)
             }
         }

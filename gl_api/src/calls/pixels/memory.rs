@@ -110,8 +110,7 @@ pub(crate) fn write_bytes(
             let length = object.buffer().bytes().len();
             check_offset(offset, length, name, "GL_PIXEL_PACK_BUFFER")?;
             check_length(length - offset, needed)?;
-            object.write(&mut context.recorder, offset..length, write);
-            Ok(())
+            object.write(&mut context.recorder, offset..length, write)
         }
     }
 }

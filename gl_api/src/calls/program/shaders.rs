@@ -3,6 +3,7 @@
 use crate::base::args::{Strings, TextOut};
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation, invalid_value, not_negative};
+use crate::base::memory::out_of_memory;
 use crate::base::query_value::put;
 use crate::base::types::*;
 use crate::context::Context;
@@ -65,7 +66,10 @@ pub(crate) fn shader_source(
     for (index, string) in strings.iter().enumerate() {
         let length = lengths.get(index).and_then(|&length| usize::try_from(length).ok());
         match string.get(..length.unwrap_or(string.len())) {
-            Some(part) => source.push_str(part),
+            Some(part) => {
+                source.try_reserve(part.len()).map_err(out_of_memory(SECTION, "the source"))?;
+                source.push_str(part);
+            }
             None => {
                 return invalid_operation(
                     SECTION,

@@ -46,8 +46,7 @@ fn write<const BYTES: usize>(
     let pname = if pname == GL_QUERY_RESULT_NO_WAIT { GL_QUERY_RESULT } else { pname };
     let bytes = encode(answer(context, id, pname)?);
     let (object, recorder) = writable(context, &buffer)?;
-    object.write(recorder, start..end, |to| to.copy_from_slice(&bytes));
-    Ok(())
+    object.write(recorder, start..end, |to| to.copy_from_slice(&bytes))
 }
 
 pub(crate) fn get_query_buffer_objectiv(

@@ -69,7 +69,7 @@ impl CopySource {
             Aspect::Stencil => convert::transcode_stencils,
             Aspect::Color | Aspect::Depth => convert::transcode,
         };
-        Ok(transcode(isa, from.format(), &from.region(self.region)?, to, transfer))
+        transcode(isa, from.format(), &from.region(self.region)?, to, transfer)
     }
 }
 

@@ -11,7 +11,7 @@ use crate::context::Context;
 use crate::objects::target::{FaceTarget, ImageTarget, TextureTarget};
 use crate::pixel::etc;
 use crate::pixel::formats::{InternalFormat, sized_format};
-use texunit::image::{Image as Texels, Level};
+use texunit::image::Image as Texels;
 
 const SECTION: &str = "ARB_texture_storage, section 3.8.X";
 
@@ -145,8 +145,7 @@ impl StorageRequest {
     pub fn apply(self, context: &mut Context) -> Result<()> {
         match self {
             Self::Texture { texture, internal, levels } => {
-                let levels: Result<Vec<Level>> = levels.iter().map(LevelRequest::storage).collect();
-                store(context, &texture, internal, levels?)
+                store(context, &texture, internal, &levels)
             }
             // One level that cannot be stored is enough for the proxy to say so.
             Self::Proxy { target, levels } if levels.iter().any(|level| level.image.is_none()) => {
@@ -165,13 +164,13 @@ fn store(
     context: &mut Context,
     texture: &ChosenTexture,
     internal: GLenum,
-    levels: Vec<Level>,
+    levels: &[LevelRequest],
 ) -> Result<()> {
     let target = texture.target;
     let mut all = Texels::new(target.shape());
     for (number, level) in levels.iter().enumerate() {
         for face in 0..target.shape().faces() {
-            all.set_level(face, number, level.clone())
+            all.set_level(face, number, level.storage()?)
                 .map_err(|error| crate::pixel::storage_error::storage_error(SECTION, &error))?;
         }
     }

@@ -145,6 +145,7 @@ impl BoxRequest {
         for (at, face) in self.faces.clone().enumerate() {
             let texels = &texels[at * bytes..(at + 1) * bytes];
             let written = texture.image.update(|image| {
+                image.unshare(face, self.level)?;
                 image
                     .level_mut(face, self.level)
                     .map_or(Ok(()), |level| level.write_box(self.at, self.size, texels))

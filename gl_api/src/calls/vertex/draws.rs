@@ -339,7 +339,8 @@ fn draw_runs(
     let shared = all.map(|all| bindings(context, all)).transpose()?;
     // ARB_draw_instanced: each instance is drawn whole, all its runs, before the next one.
     let step = if runs.len() > 1 { 1 } else { instances.count };
-    for first in (0..instances.count).step_by(step as usize) {
+    let drawn = crate::calls::vertex::restart::instances_drawn(instances.count, runs.len());
+    for first in (0..drawn).step_by(step as usize) {
         context.recorder.first_primitive = 0;
         for run in &runs {
             let offset = offset + run.start * ty.size();
@@ -365,6 +366,9 @@ fn draw_runs(
             let numbered = made.numbered_from(context.recorder.first_primitive);
             context.recorder.first_primitive = numbered.next_number();
         }
+    }
+    if drawn < instances.count {
+        crate::draw::pass::stopped(context);
     }
     Ok(())
 }

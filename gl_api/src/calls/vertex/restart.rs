@@ -44,6 +44,20 @@ pub(crate) fn runs(
     runs
 }
 
+/// How many instances of so many runs are drawn: all, unless a draw for each run of each instance would not end. The rule is
+/// that of the driver for vertices (`docs/shader-compilation.md`): 16 instances are drawn whatever the runs are, for these
+/// lie in memory.
+pub(crate) fn instances_drawn(instances: u32, runs: usize) -> u32 {
+    const HELD_INSTANCES: u32 = 16;
+    const MAX_DRAWS: u64 = 1 << 22;
+    const DRAWS_OF_ENDLESS: u32 = 1 << 16;
+    let draws = u64::from(instances).saturating_mul(runs as u64);
+    if runs <= 1 || instances <= HELD_INSTANCES || draws <= MAX_DRAWS {
+        return instances;
+    }
+    (DRAWS_OF_ENDLESS / u32::try_from(runs).unwrap_or(u32::MAX)).max(1)
+}
+
 pub(crate) fn primitive_restart_index(context: &mut Context, index: GLuint) -> Result<()> {
     context.state.restart_index = index;
     Ok(())

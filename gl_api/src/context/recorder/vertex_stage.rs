@@ -2,6 +2,7 @@
 //! positions. `draw/vertex_stage.rs` runs it for the vertices of a draw.
 
 use crate::base::error::{Result, invalid_operation};
+use crate::base::memory::out_of_memory;
 use crate::context::recorder::fixed_function::StageKeys;
 use crate::context::recorder::stages::Textures;
 use crate::interface::{MAX_TEXTURE_UNITS, VARYING_BACK_COLOR, VARYING_COLOR, VARYING_TEX_COORD};
@@ -11,6 +12,8 @@ use rasterizer::shader::{Invocation, Machine, Prepared, Program};
 use std::ops::Range;
 use std::sync::Arc;
 use texunit::lanes::{Isa, LANES, U32s};
+
+const SECTION: &str = "GL 2.1, section 2.15";
 
 /// Which vertex of which instance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -216,7 +219,9 @@ impl PreparedStage {
         let Self { stage, prepared, textures, .. } = self;
         let program = &stage.program;
         machine.begin(program);
-        let mut values = Vec::with_capacity(len * stage.outputs);
+        let mut values = Vec::new();
+        let words = len.saturating_mul(stage.outputs);
+        values.try_reserve_exact(words).map_err(out_of_memory(SECTION, "shaded vertices"))?;
         for first in (0..len).step_by(LANES) {
             let lanes = (len - first).min(LANES);
             for (index, &wanted) in program.inputs().iter().enumerate() {
@@ -232,7 +237,7 @@ impl PreparedStage {
             };
             if machine.run(invocation).is_err() {
                 return invalid_operation(
-                    "GL 2.1, section 2.15",
+                    SECTION,
                     "the vertex shader runs so long that it was stopped",
                 );
             }

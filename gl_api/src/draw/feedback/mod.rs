@@ -4,6 +4,7 @@
 pub(crate) mod clip;
 
 use crate::base::error::{ErrorCode, GlError, Result};
+use crate::base::memory::out_of_memory;
 use crate::context::Context;
 use crate::context::feedback::record::PrimitiveToken;
 use crate::context::feedback::{Corner, RenderMode};
@@ -22,10 +23,13 @@ use rasterizer::driver::{
 };
 use rasterizer::ir::{Interpolation, Output};
 use std::borrow::Cow;
+use std::collections::TryReserveError;
 use std::ops::Range;
 use texunit::lanes::LANES;
 
-/// The size of a chunk, at most.
+const SECTION: &str = "GL 2.1, section 5.2";
+
+/// The vertices of a draw, at most: those of strips are all held at once.
 const MAX_VERTICES: u64 = 1 << 24;
 
 /// Vertices of a chunk: whole batches of lanes, and whole primitives of every topology that shares no vertices.
@@ -46,7 +50,7 @@ pub(crate) fn draw(
     if total > MAX_VERTICES {
         return Err(GlError::new(
             ErrorCode::OutOfMemory,
-            "GL 2.1, section 5.2",
+            SECTION,
             format!("a draw of {total} vertices: at most {MAX_VERTICES} here"),
         ));
     }
@@ -63,9 +67,11 @@ pub(crate) fn draw(
         for first in (0..count.max(1)).step_by(at_once as usize) {
             let end = count.min(first.saturating_add(at_once));
             let id = |at| VertexInstance { vertex: elements.number(at), instance };
-            let ids: Vec<VertexInstance> = (first..end).map(id).collect();
+            let mut ids: Vec<VertexInstance> = Vec::new();
+            ids.try_reserve_exact((end - first) as usize).map_err(no_memory)?;
+            ids.extend((first..end).map(id));
             let shaded = shade(context, vertices, &ids, outputs)?;
-            let corners = clip_vertices(context, vertices, &ids, &shaded);
+            let corners = clip_vertices(context, vertices, &ids, &shaded)?;
             assemble(context, topology, &corners);
         }
     }
@@ -77,7 +83,7 @@ fn clip_vertices(
     vertices: &[VertexBinding],
     ids: &[VertexInstance],
     shaded: &Vertices,
-) -> Vec<Vertex> {
+) -> Result<Vec<Vertex>> {
     let current = |location: u8| context.state.current[usize::from(location)];
     let depth_planes = DepthPlanes::of(depth_clip(context), context.state.clip.control.depth);
     let flags = vertices.iter().find(|binding| binding.location == ATTRIB_EDGE_FLAG);
@@ -111,7 +117,14 @@ fn clip_vertices(
             depth_planes,
         }
     };
-    ids.iter().enumerate().map(vertex).collect()
+    let mut corners = Vec::new();
+    corners.try_reserve_exact(ids.len()).map_err(no_memory)?;
+    corners.extend(ids.iter().enumerate().map(vertex));
+    Ok(corners)
+}
+
+fn no_memory(error: TryReserveError) -> GlError {
+    out_of_memory(SECTION, "the vertices")(error)
 }
 
 /// Assembles the primitives of a topology.

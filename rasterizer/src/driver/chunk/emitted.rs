@@ -122,6 +122,7 @@ impl DrawState<'_> {
         let stage = GeometryStage {
             isa: self.isa,
             budget: self.budget,
+            operations: &self.operations,
             program: program.program,
             prepared: &program.prepared,
             textures: program.textures,

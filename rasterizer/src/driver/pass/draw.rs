@@ -1,5 +1,6 @@
 //! A draw of a pass: its plan, its chunks, and when bins are emptied.
 
+use super::account::{Account, Extent};
 use super::{Pass, SMALL_DRAW, within};
 use crate::attachment::DepthFormat;
 use crate::driver::bound::DrawDecisions;
@@ -13,6 +14,7 @@ use crate::raster::{DrawBudget, DrawJob};
 use crate::shader::OverBudget;
 use crate::vertex::{EdgeFlags, VertexIds, primitives};
 use std::ops::Range;
+use std::sync::atomic::AtomicU64;
 use std::sync::{Arc, OnceLock};
 
 /// The number of binned shapes at which tiles run before the pass ends. The next chunks then reuse memory that is in
@@ -107,6 +109,7 @@ impl Pass<'_> {
             bindings: &vertices,
             textures: &textures,
             stipple: 0,
+            operations: AtomicU64::new(0),
             instances: instances.clone(),
             max_reasons: report.visibility.reasons_left(),
             invisible_reasons: OnceLock::new(),
@@ -134,7 +137,7 @@ impl Pass<'_> {
             && instances.len() <= state.instances_per_chunk() as usize;
         let drawn = match is_small {
             true => self.merge_small_draw(&state),
-            false => self.draw_in_own_chunks(&mut state, report),
+            false => self.draw_in_own_chunks(&mut state, count, report),
         };
         let Ok(is_visible) = drawn else {
             self.job.draws[draw..].iter_mut().for_each(|job| job.budget.is_stopped = true);
@@ -178,9 +181,42 @@ impl Pass<'_> {
     fn draw_in_own_chunks(
         &mut self,
         state: &mut DrawState<'_>,
+        count: u32,
         report: &mut SubmitReport,
     ) -> Result<bool, OverBudget> {
         self.bin_merged();
+        if state.primitives.len == 0 {
+            return Ok(false);
+        }
+        let extent = Extent::of(count, state);
+        let budget = match extent {
+            Extent::Held | Extent::Allowed => self.bound.budget,
+            Extent::Endless => self.bound.budget.saturating_sub(self.endless),
+        };
+        state.budget = extent.batch_budget(budget);
+        let jobs = &mut self.job.draws[state.draw..];
+        jobs.iter_mut().for_each(|job| job.budget = extent.fragment_budget(budget));
+        let plan = &self.job.draws[state.draw].plan;
+        let mut account = Account::new(extent, budget, count, state, plan);
+        let drawn = self.draw_chunks(state, &mut account, report);
+        if extent == Extent::Endless {
+            self.endless = self.endless.saturating_add(match drawn {
+                Ok(_) => account.spent(),
+                Err(OverBudget) => budget,
+            });
+        }
+        drawn
+    }
+
+    /// Divides a draw into chunks, as long as it may run.
+    fn draw_chunks(
+        &mut self,
+        state: &mut DrawState<'_>,
+        account: &mut Account,
+        report: &mut SubmitReport,
+    ) -> Result<bool, OverBudget> {
+        // Of a draw that has nothing left, no chunk is made.
+        account.spend(1)?;
         let mut is_visible = false;
         let (instances, instances_per_chunk) =
             (state.instances.clone(), state.instances_per_chunk());
@@ -191,9 +227,14 @@ impl Pass<'_> {
             while start < state.primitives.len {
                 let range = start..state.primitives.len.min(start + state.run_len());
                 start = range.end;
-                is_visible |= self.bin_chunks(state.chunks(range)?);
+                let chunks = state.chunks(range.clone())?;
+                account.charge(state, range, chunks.iter().map(|(chunk, _)| chunk))?;
+                is_visible |= self.bin_chunks(chunks);
                 if self.shapes >= BINS_FULL {
                     self.run_tiles(report);
+                    let jobs = self.job.draws[state.draw..].iter_mut();
+                    let looped = jobs.map(|job| std::mem::take(&mut job.budget.looped));
+                    account.spend(looped.fold(0, u64::saturating_add))?;
                 }
             }
         }

@@ -57,12 +57,15 @@ impl Pass<'_> {
             if surfaces.is_some() || bins.iter().all(Vec::is_empty) {
                 continue;
             }
-            let attach = |attachment: &Option<Attachment>| {
-                let a = attachment.as_ref()?;
-                a.image.attach(a.face + layer as u16 + 1, a.level, self.thread_pool)
+            // One that another context has specified anew meanwhile is left out.
+            let attach = |(attachment, first): (&Option<Attachment>, &Option<Surface>)| {
+                let (a, first) = (attachment.as_ref()?, first.as_ref()?);
+                let layer = a.image.attach(a.face + layer as u16 + 1, a.level, self.thread_pool);
+                layer.filter(|layer| layer.is_like(first))
             };
-            let colors = self.desc.colors.iter().map(attach).collect();
-            *surfaces = Some(LayerSurfaces { colors, depth: attach(&self.desc.depth) });
+            let colors = self.desc.colors.iter().zip(&self.colors).map(attach).collect();
+            let depth = attach((&self.desc.depth, &self.depth));
+            *surfaces = Some(LayerSurfaces { colors, depth });
         }
     }
 

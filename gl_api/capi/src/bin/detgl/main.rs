@@ -9,16 +9,18 @@ mod facade;
 #[cfg(all(unix, not(target_vendor = "apple")))]
 mod layout;
 #[cfg(all(unix, not(target_vendor = "apple")))]
+mod pipe;
+#[cfg(all(unix, not(target_vendor = "apple")))]
 mod probe;
 #[cfg(all(unix, not(target_vendor = "apple")))]
 mod run;
 #[cfg(all(unix, not(target_vendor = "apple")))]
-use {doctor::report, layout::install, probe::probe, run::run};
+use {doctor::report, layout::install, pipe::end_with_reader, probe::probe, run::run};
 
 #[cfg(not(all(unix, not(target_vendor = "apple"))))]
 mod elsewhere;
 #[cfg(not(all(unix, not(target_vendor = "apple"))))]
-use elsewhere::{install, probe, report, run};
+use elsewhere::{end_with_reader, install, probe, report, run};
 
 use clap::{Args, Parser, Subcommand};
 use std::ffi::OsString;
@@ -108,6 +110,7 @@ impl OwnGlu {
 }
 
 fn main() -> ExitCode {
+    end_with_reader();
     let result = match Arguments::parse().task {
         Task::Run { glu, program } => run(&program, glu.choice()),
         Task::Doctor => report(),

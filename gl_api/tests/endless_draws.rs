@@ -1,0 +1,300 @@
+//! Draws that make much of little memory: 2^31 instances, vertices without arrays, geometry shaders. They end soon, the
+//! same pixels on every machine, and the context goes on. Scenes, however large, are drawn whole.
+
+#[path = "common/shading.rs"]
+mod shading;
+
+use gl_api::*;
+use rasterizer::driver::{Device, DeviceDesc, Explain};
+use shading::use_program;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+use texunit::lanes::Isa;
+
+/// A quarter of a second of two cores for each draw where it is compiled for speed; here, others run at the same time. What
+/// ends them is a number of operations, not a clock.
+const SOON: Duration = Duration::from_secs(30);
+
+const MANY: GLsizei = GLsizei::MAX;
+const STOPPED: &str = "so long that the rest of its draw was left out";
+const SIZE: u32 = 128;
+
+/// With a triangle in a buffer.
+fn context(threads: usize, isa: Isa) -> Context {
+    let desc = DeviceDesc { isa, threads, budget: DeviceDesc::BUDGET, explain: Explain::Off };
+    let device = Some(Arc::new(Device::new(desc).expect("a device")));
+    let desc = ContextDesc { width: SIZE, height: SIZE, device, ..ContextDesc::default() };
+    let mut c = Context::new(desc).expect("a context");
+    let corners = [-1.0_f32, -1.0, 3.0, -1.0, -1.0, 3.0];
+    buffer(&mut c, 1, &corners.map(f32::to_le_bytes).concat());
+    c.vertex_pointer(2, GL_FLOAT, 0, Data::Offset(0));
+    c.enable_client_state(GL_VERTEX_ARRAY);
+    c.clear_color(0.0, 0.0, 1.0, 1.0);
+    c.clear(GL_COLOR_BUFFER_BIT);
+    c.finish();
+    c
+}
+
+fn buffer(c: &mut Context, name: GLuint, bytes: &[u8]) {
+    c.bind_buffer(GL_ARRAY_BUFFER, name);
+    c.buffer_data(GL_ARRAY_BUFFER, bytes.len() as GLsizeiptr, Data::Bytes(bytes), GL_STATIC_DRAW);
+}
+
+fn picture(c: &mut Context) -> Vec<u8> {
+    let (mut pixels, side) = (vec![0; (SIZE * SIZE * 4) as usize], SIZE as GLsizei);
+    c.read_pixels(0, 0, side, side, GL_RGBA, GL_UNSIGNED_BYTE, DataOut::Bytes(&mut pixels));
+    pixels
+}
+
+const FRAGMENT: &str = "void main() { gl_FragColor = vec4(1.0, 0.0, 0.0, 1.0); }";
+
+/// Vertices by their number, without an array.
+fn use_numbers(c: &mut Context, expression: &str) {
+    c.disable_client_state(GL_VERTEX_ARRAY);
+    let vertex = format!(
+        "#version 130\nvoid main() {{ float n = float(gl_VertexID); gl_Position = vec4({expression}, 0.0, 1.0); }}"
+    );
+    use_program(c, &vertex, FRAGMENT);
+}
+
+/// The name, and what draws.
+type Case = (&'static str, fn(&mut Context));
+
+const ENDLESS: &[Case] = &[
+    ("instances", |c| c.draw_arrays_instanced(GL_TRIANGLES, 0, 3, MANY)),
+    ("instances of indices", |c| {
+        let indices = Data::Bytes(&[0, 1, 2]);
+        c.draw_elements_instanced(GL_TRIANGLES, 3, GL_UNSIGNED_BYTE, indices, MANY);
+    }),
+    ("instances that are culled", |c| {
+        c.enable(GL_CULL_FACE);
+        c.cull_face(GL_FRONT_AND_BACK);
+        c.draw_arrays_instanced(GL_TRIANGLES, 0, 3, MANY);
+        c.disable(GL_CULL_FACE);
+    }),
+    ("instances of a strip of lines", |c| c.draw_arrays_instanced(GL_LINE_STRIP, 0, 3, MANY)),
+    ("instances whose vertex shader loops", |c| {
+        use_program(
+            c,
+            "#version 130\nvoid main() { gl_Position = gl_Vertex;
+             for (int i = 0; i < 100000; i++) gl_Position.x = fract(gl_Position.x + 0.37); }",
+            FRAGMENT,
+        );
+        c.draw_arrays_instanced(GL_TRIANGLES, 0, 3, MANY);
+    }),
+    ("instances whose fragment shader loops", |c| {
+        use_program(
+            c,
+            "void main() { gl_Position = gl_Vertex; }",
+            "void main() { float s = 0.0; for (int i = 0; i < 10000; i++) s = fract(s + gl_FragCoord.x * 0.37);
+             gl_FragColor = vec4(s); }",
+        );
+        c.draw_arrays_instanced(GL_TRIANGLES, 0, 3, MANY);
+    }),
+    ("instances of strips that restart", |c| {
+        c.enable(GL_PRIMITIVE_RESTART);
+        c.primitive_restart_index(7);
+        let indices = Data::Bytes(&[0, 1, 2, 7, 0, 2, 1]);
+        c.draw_elements_instanced(GL_TRIANGLE_STRIP, 7, GL_UNSIGNED_BYTE, indices, MANY);
+    }),
+    ("indirect instances", |c| {
+        c.bind_buffer(GL_DRAW_INDIRECT_BUFFER, 9);
+        let command = [3, MANY as u32, 0, 0].map(u32::to_le_bytes).concat();
+        c.buffer_data(GL_DRAW_INDIRECT_BUFFER, 16, Data::Bytes(&command), GL_STATIC_DRAW);
+        c.draw_arrays_indirect(GL_TRIANGLES, Data::Offset(0));
+    }),
+    ("instances of a divisor that holds one element", |c| {
+        c.vertex_attrib_pointer(5, 2, GL_FLOAT, false, 0, Data::Offset(0));
+        c.vertex_attrib_divisor(5, MANY as u32);
+        c.enable_vertex_attrib_array(5);
+        c.draw_arrays_instanced(GL_TRIANGLES, 0, 3, MANY);
+        c.disable_vertex_attrib_array(5);
+    }),
+    ("points without arrays", |c| {
+        use_numbers(c, "fract(n * 0.001), 0.0");
+        c.draw_arrays(GL_POINTS, 0, MANY);
+    }),
+    ("a strip without arrays, out of the window", |c| {
+        use_numbers(c, "2.0, 2.0 + fract(n * 0.001)");
+        c.draw_arrays(GL_TRIANGLE_STRIP, 0, MANY);
+    }),
+    ("a loop of lines without arrays", |c| {
+        use_numbers(c, "fract(n * 0.001), fract(n * 0.0017)");
+        c.draw_arrays(GL_LINE_LOOP, 0, MANY);
+    }),
+    ("instances of points without arrays", |c| {
+        use_numbers(c, "fract(n * 0.001), 0.0");
+        c.draw_arrays_instanced(GL_POINTS, 0, MANY, MANY);
+    }),
+    ("runs without arrays", |c| {
+        use_numbers(c, "fract(n * 0.001), 0.0");
+        c.multi_draw_arrays(GL_POINTS, &[0; 1000], &[MANY; 1000], 1000);
+    }),
+    ("a display list of vertices without arrays", |c| {
+        use_numbers(c, "fract(n * 0.001), 0.0");
+        c.new_list(7, GL_COMPILE);
+        c.draw_arrays(GL_POINTS, 0, MANY);
+        c.end_list();
+        c.call_list(7);
+    }),
+];
+
+fn stops(c: &mut Context) -> usize {
+    c.messages().iter().filter(|message| message.text.contains(STOPPED)).count()
+}
+
+#[test]
+fn they_end_soon_and_the_context_goes_on() {
+    for (name, draw) in ENDLESS {
+        let mut c = context(2, Isa::best());
+        let start = Instant::now();
+        draw(&mut c);
+        c.finish();
+        let elapsed = start.elapsed();
+        println!("{name}: {elapsed:?}");
+        assert!(elapsed < SOON, "{name}: {elapsed:?}");
+        assert_eq!((stops(&mut c), c.get_error()), (1, GL_NO_ERROR), "{name}: {:?}", c.messages());
+        c.use_program(0);
+        c.color_3f(0.0, 1.0, 0.0);
+        c.rectf(-1.0, -1.0, 1.0, 1.0);
+        assert!(picture(&mut c).chunks(4).all(|pixel| pixel == [0, 255, 0, 255]), "{name}");
+    }
+}
+
+/// Whoever asked for it is told of a reset.
+#[test]
+fn a_robust_context_is_told() {
+    let desc = ContextDesc {
+        width: SIZE,
+        height: SIZE,
+        reset_notification: ResetNotification::LoseContextOnReset,
+        ..ContextDesc::default()
+    };
+    let mut c = Context::new(desc).expect("a context");
+    use_numbers(&mut c, "2.0, 2.0");
+    c.draw_arrays(GL_POINTS, 0, 1 << 20);
+    c.finish();
+    assert_eq!(c.get_graphics_reset_status(), GL_NO_ERROR);
+    c.draw_arrays(GL_POINTS, 0, MANY);
+    c.finish();
+    assert_eq!(c.get_graphics_reset_status(), GL_GUILTY_CONTEXT_RESET);
+    assert_eq!(c.get_graphics_reset_status(), GL_NO_ERROR);
+}
+
+/// A geometry shader makes 256 vertices of each, which nobody sees.
+#[test]
+fn what_a_geometry_shader_makes_of_many_ends_soon() {
+    let mut c = context(2, Isa::best());
+    let program = c.create_program();
+    let sources = [
+        (GL_VERTEX_SHADER, "#version 150 compatibility\nvoid main() { gl_Position = vec4(2.0); }"),
+        (
+            GL_GEOMETRY_SHADER,
+            "#version 150 compatibility\nlayout(points) in; layout(points, max_vertices = 256) out;
+             void main() { for (int i = 0; i < 256; i++) { gl_Position = vec4(2.0); EmitVertex(); } }",
+        ),
+        (GL_FRAGMENT_SHADER, FRAGMENT),
+    ];
+    for (stage, source) in sources {
+        let shader = c.create_shader(stage);
+        c.shader_source(shader, 1, Strings(vec![source]), &[]);
+        c.compile_shader(shader);
+        c.attach_shader(program, shader);
+    }
+    c.link_program(program);
+    c.use_program(program);
+    c.disable_client_state(GL_VERTEX_ARRAY);
+    let start = Instant::now();
+    c.draw_arrays(GL_POINTS, 0, MANY);
+    c.finish();
+    println!("{:?}", start.elapsed());
+    assert!(start.elapsed() < SOON);
+    assert_eq!((stops(&mut c), c.get_error()), (1, GL_NO_ERROR), "{:?}", c.messages());
+    // To count what it makes, every primitive would have to be run one after the other.
+    c.begin_query(GL_PRIMITIVES_GENERATED, 1);
+    c.draw_arrays(GL_POINTS, 0, MANY);
+    c.end_query(GL_PRIMITIVES_GENERATED);
+    assert_eq!(c.get_error(), GL_OUT_OF_MEMORY, "{:?}", c.messages());
+}
+
+/// What is left of a draw depends on neither threads nor instruction set.
+#[test]
+fn what_is_left_of_a_draw_is_the_same_everywhere() {
+    let ways = Isa::available().into_iter().flat_map(|isa| [1, 2, 8].map(|threads| (isa, threads)));
+    let mut all = ways.map(|(isa, threads)| {
+        let mut c = context(threads, isa);
+        c.enable(GL_BLEND);
+        c.blend_func(GL_ONE, GL_ONE);
+        use_numbers(&mut c, "fract(n * 1e-4), 1e-7 * n");
+        c.draw_arrays(GL_POINTS, 0, MANY);
+        let left = picture(&mut c);
+        assert_eq!(stops(&mut c), 1);
+        left
+    });
+    let first = all.next().expect("an instruction set");
+    assert!(first.chunks(4).any(|pixel| pixel[0] == 255));
+    assert!(all.all(|other| other == first));
+}
+
+/// What scenes have.
+const SCENES: &[Case] = &[
+    ("a mesh of 500 triangles, 10,000 times", |c| {
+        let corners = (0..3000).map(|at| (at * 37 % 101) as f32 * 0.01);
+        buffer(c, 1, &corners.map(f32::to_le_bytes).collect::<Vec<_>>().concat());
+        c.draw_arrays_instanced(GL_TRIANGLES, 0, 1500, 10_000);
+    }),
+    ("20,000 instances with an array", |c| {
+        let (count, step) = (20_000, 1.0 / 20_000.0);
+        let places = (0..count).map(|at| (at as f32 * step).to_le_bytes());
+        let program = use_program(
+            c,
+            "#version 130\nin float place; void main() {
+             gl_Position = vec4(0.01 * gl_Vertex.xy + 2.0 * place - 1.0, 0.0, 1.0); }",
+            FRAGMENT,
+        );
+        let location = c.get_attrib_location(program, "place") as GLuint;
+        buffer(c, 2, &places.collect::<Vec<_>>().concat());
+        c.vertex_attrib_pointer(location, 1, GL_FLOAT, false, 0, Data::Offset(0));
+        c.vertex_attrib_divisor(location, 1);
+        c.enable_vertex_attrib_array(location);
+        c.draw_arrays_instanced(GL_TRIANGLES, 0, 3, count);
+    }),
+    ("4000 instances of the whole window", |c| c.draw_arrays_instanced(GL_TRIANGLES, 0, 3, 4000)),
+    ("16 million points by number", |c| {
+        use_numbers(c, "fract(n * 0.001), 0.0");
+        c.draw_arrays(GL_POINTS, 0, 1 << 24);
+    }),
+    ("100 million vertices of a buffer", |c| {
+        let bytes = vec![0; 200 << 20];
+        buffer(c, 1, &bytes);
+        c.disable_client_state(GL_VERTEX_ARRAY);
+        c.vertex_attrib_pointer(0, 2, GL_BYTE, false, 0, Data::Offset(0));
+        c.enable_vertex_attrib_array(0);
+        c.draw_arrays(GL_TRIANGLES, 0, 100 << 20);
+        c.rectf(0.0, 0.0, 1.0, 1.0);
+    }),
+    ("a loop in a fragment shader, by instances", |c| {
+        use_program(
+            c,
+            "#version 130\nvoid main() { gl_Position = gl_Vertex; }",
+            "void main() { float s = gl_FragCoord.x; for (int i = 0; i < 500; i++) s = fract(s * 1.7);
+             gl_FragColor = vec4(1.0, 0.0 * s, 0.0, 1.0); }",
+        );
+        c.draw_arrays_instanced(GL_TRIANGLES, 0, 3, 200);
+    }),
+];
+
+#[test]
+fn scenes_are_drawn_whole() {
+    for (name, draw) in SCENES {
+        let mut c = context(2, Isa::best());
+        c.color_3f(1.0, 0.0, 0.0);
+        let start = Instant::now();
+        draw(&mut c);
+        c.finish();
+        println!("{name}: {:?}", start.elapsed());
+        assert_eq!((stops(&mut c), c.get_error()), (0, GL_NO_ERROR), "{name}: {:?}", c.messages());
+        let drawn = picture(&mut c).chunks(4).any(|pixel| pixel == [255, 0, 0, 255]);
+        assert!(drawn, "{name}");
+    }
+}

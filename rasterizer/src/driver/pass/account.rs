@@ -1,0 +1,192 @@
+//! How much a draw may ask for by a number alone.
+//!
+//! Vertices that lie in memory are as many as the client has written, so that a draw of them may be as large as it likes.
+//! Instances, and vertices of no array, are a number in a call: 2^31 of them would run for hours. What a draw may run
+//! is decided by what it asks for, before it begins; what it has run is a sum over its vertices, pixels and loops. Both
+//! depend on the draw alone, so that what is left out is the same on every machine.
+
+use crate::desc::{VertexBinding, VertexSource};
+use crate::driver::chunk::DrawState;
+use crate::driver::resources::DeviceDesc;
+use crate::plan::DrawPlan;
+use crate::raster::{Chunk, DrawBudget};
+use crate::shader::OverBudget;
+use crate::vertex::VertexIds;
+use std::ops::Range;
+use std::sync::atomic::Ordering;
+use texunit::lanes::LANES;
+
+/// Vertices that take no time.
+const FEW_VERTICES: u64 = 1 << 16;
+/// Vertices that an element of an array, or an index, is reason enough for.
+const VERTICES_OF_ELEMENT: u64 = 16;
+/// Vertices that a draw may ask for beyond, of programs of at most [`SHORT_PROGRAM`].
+const ALLOWED_VERTICES: u64 = 1 << 28;
+/// Operations of a batch of vertices of a program that is not weighed.
+const SHORT_PROGRAM: u64 = 1 << 10;
+/// The vertices that a run of primitives takes as long as.
+const RUN_VERTICES: u64 = 64;
+/// The operations of a draw that asks for no more than what is allowed.
+const ALLOWED_OPERATIONS: u64 = 1 << 32;
+/// The batches of vertices that the budget of a draw beyond is divided among.
+const BATCHES: u64 = 1 << 10;
+
+/// Operations of a vertex beside its program: fetch, viewport transform.
+const VERTEX: u64 = 4;
+/// Operations of a primitive: clipping, culling, binning.
+const PRIMITIVE: u64 = 8;
+/// Operations of a batch of fragments beside its program.
+const FRAGMENTS: u64 = 8;
+
+/// What a draw asks for, by what holds it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Extent {
+    /// Memory holds it.
+    Held,
+    /// A number alone, no larger than scenes have.
+    Allowed,
+    /// A number alone that no scene has: the draw is taken for one that does not end. Those of a pass share a budget.
+    Endless,
+}
+
+impl Extent {
+    /// That of a draw of so many vertices of each instance.
+    pub fn of(vertices: u32, state: &DrawState<'_>) -> Self {
+        let instances = state.instances.len() as u64;
+        let runs = instances.div_ceil(state.instances_per_chunk().into())
+            * u64::from(state.primitives.len.div_ceil(state.run_len()));
+        let asked = u64::from(vertices) * instances;
+        let asked = asked.max(runs.saturating_mul(RUN_VERTICES));
+        if asked <= FEW_VERTICES {
+            return Self::Held;
+        }
+        let elements = |binding: &VertexBinding| match &binding.source {
+            VertexSource::Array { buffer, stride, divisor, .. } => {
+                let elements = buffer.bytes().len().checked_div(*stride).unwrap_or(0) as u64;
+                (*divisor > 0, elements)
+            }
+            VertexSource::Constant(_) => (false, 0),
+        };
+        let most = |of_instances: bool| {
+            let all = state.bindings.iter().map(elements).filter(|(own, _)| *own == of_instances);
+            all.map(|(_, elements)| elements).max().unwrap_or(0)
+        };
+        let held = match state.ids {
+            VertexIds::Indexed(indices) => {
+                (indices.buffer.bytes().len() / indices.ty.size()) as u64
+            }
+            VertexIds::Range(_) => most(false),
+        };
+        let held = held.min(vertices.into()) + most(true).min(instances);
+        let weight = state.batch_cost().div_ceil(SHORT_PROGRAM).max(1);
+        if asked <= held * VERTICES_OF_ELEMENT {
+            Self::Held
+        } else if asked.saturating_mul(weight) <= ALLOWED_VERTICES {
+            Self::Allowed
+        } else {
+            Self::Endless
+        }
+    }
+
+    /// What a batch of its vertices may run.
+    pub fn batch_budget(self, budget: u64) -> u64 {
+        match self {
+            Self::Held | Self::Allowed => DeviceDesc::batch_budget(budget),
+            Self::Endless => budget / BATCHES,
+        }
+    }
+
+    /// What its fragments may run in loops.
+    pub fn fragment_budget(self, budget: u64) -> DrawBudget {
+        match self {
+            Self::Held | Self::Allowed => DrawBudget::new(budget),
+            Self::Endless => DrawBudget::without_free(budget),
+        }
+    }
+}
+
+/// What a draw has left.
+pub struct Account {
+    /// `None` of a draw that may run as much as it likes.
+    left: Option<u64>,
+    spent: u64,
+    /// Vertices of each instance.
+    vertices: u64,
+    /// What programs cost a batch of vertices, with each loop run once, unless loops are counted.
+    vertex_batch: u64,
+    fragment_batch: u64,
+}
+
+impl Account {
+    /// Of a draw that begins.
+    pub fn new(
+        extent: Extent,
+        budget: u64,
+        vertices: u32,
+        state: &DrawState<'_>,
+        plan: &DrawPlan,
+    ) -> Self {
+        let fragment = plan.pipeline.compiled().fragment.cost(&plan.textures);
+        let samples = if plan.samples.is_shaded_each() { plan.samples.count as u64 } else { 1 };
+        Self {
+            left: match extent {
+                Extent::Held => None,
+                Extent::Allowed => Some(ALLOWED_OPERATIONS),
+                Extent::Endless => Some(budget),
+            },
+            spent: 0,
+            vertices: vertices.into(),
+            vertex_batch: state.batch_cost(),
+            fragment_batch: FRAGMENTS + samples * fragment,
+        }
+    }
+
+    /// Charges a run of primitives of the instances of `state`.
+    ///
+    /// # Errors
+    /// When the draw has spent all.
+    pub fn charge<'a>(
+        &mut self,
+        state: &DrawState<'_>,
+        primitives: Range<u32>,
+        chunks: impl Iterator<Item = &'a Chunk>,
+    ) -> Result<(), OverBudget> {
+        if self.left.is_none() {
+            return Ok(());
+        }
+        let (mut emitted, mut pixels) = (0, 0_u64);
+        for chunk in chunks {
+            emitted += if state.geometry.is_some() { chunk.geometry.len() as u64 } else { 0 };
+            for shape in &chunk.lists.shapes {
+                pixels = pixels.saturating_add(shape.pixels().div_ceil(LANES as u64));
+            }
+        }
+        let (run, all) = (primitives.len() as u64, u64::from(state.primitives.len.max(1)));
+        let instances = state.instances.len() as u64;
+        let vertices = (run * self.vertices).div_ceil(all).saturating_mul(instances);
+        let batches = vertices.div_ceil(LANES as u64).saturating_mul(self.vertex_batch);
+        let operations = (vertices.saturating_add(RUN_VERTICES).saturating_add(emitted) * VERTEX)
+            .saturating_add(run * instances * PRIMITIVE)
+            .saturating_add(batches)
+            .saturating_add(state.operations.swap(0, Ordering::Relaxed))
+            .saturating_add(pixels.saturating_mul(self.fragment_batch));
+        self.spend(operations)
+    }
+
+    /// What it has been charged.
+    pub fn spent(&self) -> u64 {
+        self.spent
+    }
+
+    /// Charges operations.
+    ///
+    /// # Errors
+    /// When the draw has spent all.
+    pub fn spend(&mut self, operations: u64) -> Result<(), OverBudget> {
+        if let Some(left) = &mut self.left {
+            *left = left.checked_sub(operations).ok_or(OverBudget)?;
+            self.spent += operations;
+        }
+        Ok(())
+    }
+}
