@@ -34,9 +34,7 @@ pub(crate) fn remember_last_draw(context: &mut Context, topology: Topology, coun
 pub(crate) fn try_append(context: &mut Context, topology: Topology, elements: &Elements) -> bool {
     context.state_changes.no_change();
     let Some(last) = &context.recorder.emitted.last_draw else { return false };
-    let changes = &context.state_changes;
-    let changed =
-        changes.last_state_change.max(changes.last_plain_change).max(changes.last_value_change);
+    let changed = context.state_changes.last_change();
     if changed > last.call || last.topology != topology || context.recorder.is_full() {
         return false;
     }

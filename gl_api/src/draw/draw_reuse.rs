@@ -30,7 +30,7 @@ impl DrawDecisions {
     fn hold(&self, context: &Context) -> bool {
         let changes = &context.state_changes;
         changes.last_state_change <= self.call
-            && (changes.last_plain_change <= self.call || self.plain.is_of(&context.state))
+            && (changes.last_plain_change <= self.call || self.plain.decides_alike(&context.state))
     }
 }
 

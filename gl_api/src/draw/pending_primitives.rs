@@ -35,11 +35,14 @@ pub(crate) fn append_pending(context: &mut Context, immediate: &mut Immediate) -
     if !same {
         return false;
     }
-    if let Some(state) = &context.pending_state {
-        if !state.is_of(&context.state) {
+    let changes = &context.state_changes;
+    if let Some(kept) = &mut context.pending_state
+        && changes.last_change() > kept.call
+    {
+        if !kept.state.is_of(&context.state) {
             return false;
         }
-        context.pending_state = None;
+        kept.call = changes.calls;
     }
     pending.positions.append(&mut immediate.positions);
     for Column { location, values } in &mut pending.columns {
@@ -88,17 +91,18 @@ fn draw_pending_vertices(context: &mut Context) {
         }
         None => return,
     };
-    let mut state = context.pending_state.take();
+    let kept = context.pending_state.take();
+    let mut state = kept.filter(|kept| context.state_changes.last_change() > kept.call);
     if !pending.positions.is_empty() {
         if let Some(state) = &mut state {
-            state.swap(&mut context.state);
+            state.state.swap(&mut context.state);
         }
         // The driver may refuse it, as every draw.
         if let Err(error) = pending.draw(context) {
             context.refuse("glEnd", error);
         }
         if let Some(state) = &mut state {
-            state.swap(&mut context.state);
+            state.state.swap(&mut context.state);
             // What was decided with the state from before does not hold.
             context.state_changes.count_call();
         }

@@ -101,7 +101,9 @@ fn polygon_state(context: &Context, vertices: &[VertexBinding]) -> PolygonState 
         units: polygons.offset_units,
         clamp: polygons.offset_clamp,
     };
-    let stipple = enables.has(Flag::PolygonStipple).then_some(Stipple::Pattern(polygons.stipple));
+    // A pattern of ones leaves every fragment.
+    let stipple = (enables.has(Flag::PolygonStipple) && polygons.stipple != [u32::MAX; 32])
+        .then_some(Stipple::Pattern(polygons.stipple));
     let flags = [Flag::PolygonOffsetPoint, Flag::PolygonOffsetLine, Flag::PolygonOffsetFill];
     // Edge flags that are all set change nothing, nor do they where the inside is filled.
     let flagged = polygons.mode != [PolygonMode::Fill; 2]
