@@ -6,6 +6,7 @@ use crate::context::Context;
 use crate::context::immediate::{Column, Immediate};
 use crate::context::pending_primitives::{PendingPrimitives, vertices_of_primitive};
 use crate::draw::completeness::{checked_drawable, draws_integers};
+use crate::draw::no_effect;
 use crate::state::enable::Flag;
 
 /// Pending vertices are drawn when there are this many.
@@ -15,7 +16,8 @@ const MAX_PENDING: usize = 1 << 16;
 /// of a primitive in its draw, and while a pixel is watched each draw has a note.
 pub(crate) fn can_batch(context: &Context) -> bool {
     let enables = &context.state.enables;
-    context.immediate.is_none()
+    no_effect::leaves_out(context)
+        && context.immediate.is_none()
         && context.watched.is_none()
         && !context.has_program()
         && !enables.has(Flag::VertexProgram)

@@ -24,6 +24,7 @@
 mod allocate;
 mod attribute_dependencies;
 mod compute;
+mod constant_outputs;
 mod emission;
 mod exits;
 mod facts;
