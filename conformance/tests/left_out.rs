@@ -1,6 +1,6 @@
 //! What scenes ask for without effect is left out: by plans and pictures, without a clock.
 
-use conformance::left_out::{PlanFound, Row, features, measure};
+use conformance::left_out::{LeaveOut, PlanFound, Row, features, measure, pictures};
 
 #[test]
 fn plans_leave_out_what_has_no_effect() {
@@ -18,6 +18,16 @@ fn plans_leave_out_what_has_no_effect() {
         })
         .collect();
     assert!(wrong.is_empty(), "\n{}", wrong.join("\n"));
+}
+
+/// `DETGL_LEAVE_OUT=0` changes no bit.
+#[test]
+fn pictures_are_the_same_where_nothing_is_left_out() {
+    for feature in features() {
+        let [with, without] = [LeaveOut::WithoutEffect, LeaveOut::Nothing]
+            .map(|leave_out| pictures(feature, leave_out).expect(feature.name));
+        assert!(with == without, "{}", feature.name);
+    }
 }
 
 /// An allowance for work that is not done any more hides the next mistake.

@@ -9,7 +9,7 @@ use examples::programs;
 use examples::window::{Program, render};
 use gl_api::context::ContextDesc;
 use golden::Golden;
-use rasterizer::driver::{Device, DeviceDesc};
+use rasterizer::driver::{Device, DeviceDesc, LeaveOut};
 use std::fmt::Write;
 use std::path::Path;
 use std::sync::Arc;
@@ -22,7 +22,11 @@ const GOLDEN_SIZE: usize = 256;
 const THREADS: [usize; 3] = [1, 2, 8];
 
 fn draw(program: &Program, size: usize, isa: Isa, threads: usize) -> Picture {
-    let desc = DeviceDesc { isa, threads, ..DeviceDesc::from_env().expect("a valid environment") };
+    let desc = DeviceDesc::from_env().expect("a valid environment");
+    draw_on(program, size, DeviceDesc { isa, threads, ..desc })
+}
+
+fn draw_on(program: &Program, size: usize, desc: DeviceDesc) -> Picture {
     let device = Arc::new(Device::new(desc).expect("threads start"));
     let desc = ContextDesc { device: Some(device), ..ContextDesc::default() };
     let rendered = render(program, size, None, &desc).expect("a context of this size");
@@ -57,6 +61,16 @@ fn are_the_same_everywhere(programs: &[Program]) {
                 }
             }
         }
+    }
+}
+
+#[test]
+fn every_picture_is_the_same_where_nothing_is_left_out() {
+    for program in &programs::ALL {
+        let desc = DeviceDesc::from_env().expect("a valid environment");
+        let [with, without] = [LeaveOut::WithoutEffect, LeaveOut::Nothing]
+            .map(|leave_out| draw_on(program, SIZE, DeviceDesc { leave_out, ..desc }));
+        assert!(with == without, "{}", program.name);
     }
 }
 

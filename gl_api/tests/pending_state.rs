@@ -1,10 +1,12 @@
 //! Primitives that wait for more of their kind are drawn with the state of their `glEnd`: the same calls with and without
 //! a `glFlush` after each primitive, which has nothing wait, give the same picture. Nor does it matter then which primitives
-//! others hide.
+//! others hide, or whether anything is left out at all.
 
 use gl_api::constants::*;
 use gl_api::context::{Context, ContextDesc};
 use gl_api::entry::*;
+use rasterizer::driver::{Device, DeviceDesc, LeaveOut};
+use std::sync::Arc;
 
 const SIDE: usize = 64;
 
@@ -52,12 +54,69 @@ fn switch(random: &mut Random) {
     }
 }
 
+/// Changes a matrix; pops what was pushed, or finds nothing to pop.
+fn matrix(random: &mut Random) {
+    glMatrixMode(random.of(&[GL_MODELVIEW, GL_MODELVIEW, GL_PROJECTION, GL_TEXTURE]));
+    match random.below(6) {
+        0 => glLoadIdentity(),
+        1 => glPushMatrix(),
+        2 => glTranslatef(random.of(&[0.0, 0.25]), random.of(&[0.0, -0.25]), 0.0),
+        3 => glScalef(1.0, random.of(&[1.0, -1.0]), 1.0),
+        4 => glMultMatrixf(&[1., 0., 0., 0., 0., 1., 0., 0., 0., 0., 1., 0.25, 0., 0., 0., 1.0f32]),
+        _ => glPopMatrix(),
+    }
+}
+
+/// Pushes or pops attributes.
+fn groups(random: &mut Random) {
+    let mask = random.of(&[
+        GL_ALL_ATTRIB_BITS,
+        GL_ENABLE_BIT,
+        GL_CURRENT_BIT,
+        GL_LIGHTING_BIT,
+        GL_TEXTURE_BIT,
+        GL_FOG_BIT,
+        GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT,
+        GL_TRANSFORM_BIT | GL_VIEWPORT_BIT | GL_POLYGON_BIT,
+    ]);
+    match random.below(2) {
+        0 => glPushAttrib(mask),
+        _ => glPopAttrib(),
+    }
+}
+
+/// Changes light, fog or an environment, or sets what is set.
+fn shade(random: &mut Random) {
+    let fraction = random.of(&[0.25f32, 1.0]);
+    match random.below(12) {
+        0 => glLightfv(GL_LIGHT0, GL_POSITION, &[0.0, fraction, 1.0, 0.0]),
+        1 => glLightfv(GL_LIGHT0, GL_DIFFUSE, &[fraction, 1.0, 1.0, 1.0]),
+        2 => glMaterialfv(GL_FRONT_AND_BACK, GL_DIFFUSE, &[0.5, 1.0, 0.5, fraction]),
+        3 => glMaterialfv(GL_BACK, GL_AMBIENT, &[fraction, 0.5, 0.0, 1.0]),
+        4 => glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, random.below(2) as i32),
+        5 => glFogi(GL_FOG_MODE, random.of(&[GL_LINEAR, GL_LINEAR, GL_EXP]) as i32),
+        6 => glFogf(GL_FOG_START, random.of(&[0.25, 2.0, 2.0])),
+        7 => glFogf(GL_FOG_END, random.of(&[1.0, 4.0, 4.0])),
+        8 => glFogfv(GL_FOG_COLOR, &[fraction, 0.5, 1.0, 1.0]),
+        9 => glTexEnvi(
+            GL_TEXTURE_ENV,
+            GL_TEXTURE_ENV_MODE,
+            random.of(&[GL_MODULATE, GL_REPLACE]) as i32,
+        ),
+        10 => glPolygonStipple(&random.of(&[[0xffu8; 128], [0x3c; 128]])),
+        _ => glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA),
+    }
+}
+
 fn set(random: &mut Random) {
     let compares = [GL_ALWAYS, GL_LESS, GL_GEQUAL, GL_NEVER, GL_LEQUAL, GL_NOTEQUAL];
     let factors =
         [GL_ONE, GL_ZERO, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_DST_COLOR, GL_CONSTANT_COLOR];
     let side = SIDE as u64;
-    match random.below(22) {
+    match random.below(38) {
+        22..26 => matrix(random),
+        26..28 => groups(random),
+        28..34 => shade(random),
         0 => glDepthFunc(random.of(&compares)),
         1 => glDepthMask(random.below(2) == 0),
         2 => glAlphaFunc(random.of(&compares), random.unit()),
@@ -100,9 +159,11 @@ fn query(random: &mut Random) {
 fn triangle(random: &mut Random) {
     // Some cover the whole picture.
     let scale = random.of(&[1.0, 1.0, 8.0]);
+    let is_opaque = random.below(2) == 0;
     glBegin(GL_TRIANGLES);
     for _ in 0..3 {
-        glColor4f(random.unit(), random.unit(), random.unit(), random.unit());
+        let alpha = if is_opaque { 1.0 } else { random.unit() };
+        glColor4f(random.unit(), random.unit(), random.unit(), alpha);
         glTexCoord2f(random.unit(), random.unit());
         let mut at = || scale * (2.0 * random.unit() - 1.0);
         glVertex3f(at(), at(), at());
@@ -111,14 +172,18 @@ fn triangle(random: &mut Random) {
 }
 
 /// The picture of 60 calls.
-fn picture(seed: u64, after_primitive: fn()) -> Vec<u8> {
-    let desc = ContextDesc { width: SIDE as u32, height: SIDE as u32, ..ContextDesc::default() };
+fn picture(seed: u64, after_primitive: fn(), leave_out: LeaveOut) -> Vec<u8> {
+    let desc = DeviceDesc { leave_out, ..DeviceDesc::from_env().expect("a valid environment") };
+    let device = Some(Arc::new(Device::new(desc).expect("threads start")));
+    let (width, height) = (SIDE as u32, SIDE as u32);
+    let desc = ContextDesc { width, height, device, ..ContextDesc::default() };
     let _current = Context::new(desc).expect("a device").make_current();
     for name in [1u32, 2] {
         glBindTexture(GL_TEXTURE_2D, name);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
         let texels: Vec<u8> = (0..64).map(|at| (at * 37 * name) as u8).collect();
-        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 4, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, &texels);
+        let format = [GL_RGBA, GL_RGB][name as usize - 1];
+        glTexImage2D(GL_TEXTURE_2D, 0, format, 4, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, &texels);
     }
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
     let mut random = Random(seed);
@@ -141,9 +206,13 @@ fn picture(seed: u64, after_primitive: fn()) -> Vec<u8> {
 fn primitives_that_wait_are_drawn_with_the_state_of_their_end() {
     let mut drawn = 0;
     for seed in 0..300 {
-        let (waiting, flushed) = (picture(seed, || {}), picture(seed, glFlush));
-        let different = waiting.iter().zip(&flushed).position(|(a, b)| a != b);
-        assert_eq!(different, None, "seed {seed}: first byte that differs");
+        let waiting = picture(seed, || {}, LeaveOut::WithoutEffect);
+        let others = [(glFlush as fn(), LeaveOut::WithoutEffect), (|| {}, LeaveOut::Nothing)];
+        for (after_primitive, leave_out) in others {
+            let other = picture(seed, after_primitive, leave_out);
+            let different = waiting.iter().zip(&other).position(|(a, b)| a != b);
+            assert_eq!(different, None, "seed {seed}: first byte that differs, {leave_out:?}");
+        }
         drawn += usize::from(waiting.iter().any(|byte| *byte != 0));
     }
     assert!(drawn > 200, "only {drawn} pictures show anything");

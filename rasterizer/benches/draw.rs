@@ -6,8 +6,8 @@
 
 use rasterizer::driver::{
     Attachment, Buffer, ColorState, Command, CommandBuffer, Cull, Device, DeviceDesc, Explain,
-    FrontFace, Image, OutputState, PassDesc, Pipeline, PipelineDesc, Provoking, ShaderModule,
-    Topology, VertexBinding, VertexFormat, VertexSource, VertexType, Viewport,
+    FrontFace, Image, LeaveOut, OutputState, PassDesc, Pipeline, PipelineDesc, Provoking,
+    ShaderModule, Topology, VertexBinding, VertexFormat, VertexSource, VertexType, Viewport,
 };
 use rasterizer::ir::{Builder, Input, Interpolation, Lod, Op, Output, Stage, TextureDecl, Value};
 use std::hint::black_box;
@@ -202,7 +202,13 @@ fn main() {
     let fastest = Isa::best();
     let kinds = Isa::available().into_iter().map(|isa| (isa, 1)).chain([(fastest, 2)]);
     for (isa, threads) in kinds {
-        let desc = DeviceDesc { isa, threads, budget: DeviceDesc::BUDGET, explain: Explain::Off };
+        let desc = DeviceDesc {
+            isa,
+            threads,
+            budget: DeviceDesc::BUDGET,
+            explain: Explain::Off,
+            leave_out: LeaveOut::default(),
+        };
         let name = format!("{} x{threads}", isa.name());
         for scene in scenes() {
             let full = format!("{name} {}", scene.name);

@@ -8,7 +8,7 @@ use cpu_time::ThreadTime;
 use gl_api::constants::*;
 use gl_api::context::{Context, ContextDesc};
 use gl_api::entry::*;
-use rasterizer::driver::{Device, DeviceDesc, Explain};
+use rasterizer::driver::{Device, DeviceDesc, Explain, LeaveOut};
 use serde::Serialize;
 use std::sync::Arc;
 
@@ -108,7 +108,12 @@ impl Stage {
 
 /// A device of one thread.
 fn device(explain: Explain) -> Result<Arc<Device>, ProbeError> {
-    let desc = DeviceDesc::from_env().map(|desc| DeviceDesc { threads: 1, explain, ..desc });
+    device_of(|desc| DeviceDesc { explain, ..desc })
+}
+
+/// A device of one thread that is otherwise described by `change`.
+fn device_of(change: impl Fn(DeviceDesc) -> DeviceDesc) -> Result<Arc<Device>, ProbeError> {
+    let desc = DeviceDesc::from_env().map(|desc| change(DeviceDesc { threads: 1, ..desc }));
     let device = desc.and_then(Device::new);
     device.map(Arc::new).map_err(|error| ProbeError::Context(error.to_string()))
 }
@@ -122,6 +127,18 @@ fn plans(setup: fn(), frame: fn()) -> Result<Vec<String>, ProbeError> {
     device.take_explanations();
     stage.picture()?;
     Ok(device.take_explanations())
+}
+
+/// The first and the third picture of a feature, with what is left out as it is or with nothing left out.
+///
+/// # Errors
+/// As [`measure`].
+pub fn pictures(feature: &Feature, leave_out: LeaveOut) -> Result<[Vec<u8>; 2], ProbeError> {
+    let device = device_of(|desc| DeviceDesc { leave_out, ..desc })?;
+    let mut stage = Stage::new(feature.asked, feature.asked_frame, &device)?;
+    let first = stage.picture()?;
+    stage.picture()?;
+    Ok([first, stage.picture()?])
 }
 
 /// The median of some numbers.

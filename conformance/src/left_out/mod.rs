@@ -8,8 +8,10 @@ mod features;
 mod measure;
 mod plan;
 mod scene;
+mod small_draws;
 
 pub use feature::{Feature, Reason, Rule};
 pub use features::features;
-pub use measure::{Row, measure};
+pub use measure::{Row, measure, pictures};
 pub use plan::PlanFound;
+pub use rasterizer::driver::LeaveOut;

@@ -3,7 +3,7 @@
 use crate::base::begin_end::BeginEnd;
 use crate::base::error::{ErrorCode, GlError, Result};
 use crate::base::refused_result::RefusedResult;
-use crate::context::pending_primitives::PendingPrimitives;
+use crate::context::pending_primitives::{PendingPrimitives, PendingState};
 use crate::context::sharing::CallScope;
 use crate::context::{Context, ContextDesc, ContextError};
 use crate::draw::pending_primitives::draw_pending;
@@ -135,7 +135,8 @@ impl Context {
         }
         match &self.pending {
             Some(PendingPrimitives::Vertices(_)) if self.pending_state.is_none() => {
-                self.pending_state = Some(PlainState::of(&self.state));
+                let state = PlainState::of(&self.state);
+                self.pending_state = Some(PendingState { state, call: self.state_changes.calls });
             }
             Some(ended @ PendingPrimitives::Bitmaps(_)) if !ended.survives(name) => {
                 draw_pending(self);

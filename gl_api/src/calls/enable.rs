@@ -143,6 +143,10 @@ fn switch_client(context: &mut Context, array: GLenum, to: Switch) -> Result<()>
         return Ok(());
     }
     let location = client_location(context, CLIENT_ARRAY.decode("array", array)?);
+    if context.state.arrays.by_location[location].enabled == on {
+        context.state_changes.no_change();
+        return Ok(());
+    }
     context.state.arrays.by_location[location].enabled = on;
     context.state_changes.values_only();
     Ok(())

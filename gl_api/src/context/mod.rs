@@ -28,6 +28,7 @@ use crate::context::feedback::Feedback;
 use crate::context::immediate::Immediate;
 use crate::context::lists::{Compiling, Lists};
 use crate::context::pending_primitives::PendingPrimitives;
+use crate::context::pending_primitives::PendingState;
 use crate::context::recorder::Recorder;
 use crate::context::sharing::ShareHandle;
 use crate::context::watched_pixel::WatchedPixel;
@@ -39,7 +40,6 @@ use crate::objects::shared::ShareGroup;
 use crate::state::State;
 use crate::state::attrib::AttribStacks;
 use crate::state::evaluators::EvaluatorMaps;
-use crate::state::plain::PlainState;
 use crate::state::transform_feedback::{TransformFeedback, TransformFeedbackObjects};
 use crate::state::uniform_buffers::UniformBuffers;
 pub use debug::{Message, Severity};
@@ -178,7 +178,7 @@ pub struct Context {
     /// Primitives after `glEnd`, and bitmaps, that wait to be batched with more.
     pub(crate) pending: Option<PendingPrimitives>,
     /// The plain state that pending vertices are drawn with, if setters may have changed it since.
-    pub(crate) pending_state: Option<Box<PlainState>>,
+    pub(crate) pending_state: Option<PendingState>,
     pub(crate) recorder: Recorder,
     /// Display lists, and the one that is being compiled.
     pub(crate) lists: Lists,

@@ -22,6 +22,11 @@ pub(crate) struct StateChanges {
 }
 
 impl StateChanges {
+    /// The number of the last call that may have changed anything that draws depend on.
+    pub fn last_change(&self) -> u64 {
+        self.last_state_change.max(self.last_plain_change).max(self.last_value_change)
+    }
+
     /// Counts a call, as one that may change any state.
     pub fn count_call(&mut self) {
         self.calls += 1;

@@ -26,7 +26,9 @@ pub(crate) fn remember_last_draw(context: &mut Context, topology: Topology, coun
     };
     let call = context.state_changes.calls;
     let last_draw = LastDraw { call, topology, array_limits: None, batch };
-    context.recorder.emitted.last_draw = Some(last_draw);
+    // What is known of its vertices need not be true of others.
+    let may_follow = !context.recorder.facts.is_of_contents();
+    context.recorder.emitted.last_draw = may_follow.then_some(last_draw);
 }
 
 /// Appends a draw to the draw before, if only draws were called since and the draw causes no warning; `false` if the
@@ -35,9 +37,16 @@ pub(crate) fn try_append(context: &mut Context, topology: Topology, elements: &E
     context.state_changes.no_change();
     let Some(last) = &context.recorder.emitted.last_draw else { return false };
     let changes = &context.state_changes;
-    let changed =
-        changes.last_state_change.max(changes.last_plain_change).max(changes.last_value_change);
-    if changed > last.call || last.topology != topology || context.recorder.is_full() {
+    let changed = changes.last_state_change.max(changes.last_value_change);
+    // Plain state may be what it was again.
+    let plain = context.recorder.emitted.decisions.as_ref().map(|decided| &decided.plain);
+    let is_plain_alike = changes.last_plain_change <= last.call
+        || plain.is_some_and(|plain| plain.is_of(&context.state));
+    if changed > last.call
+        || !is_plain_alike
+        || last.topology != topology
+        || context.recorder.is_full()
+    {
         return false;
     }
     let known = last.array_limits.or_else(|| allows_reuse(context).then(|| array_limits(context)));

@@ -6,6 +6,7 @@ use crate::context::recorder::batching::makes_whole_primitives;
 use crate::context::recorder::elements::Elements;
 use crate::context::recorder::emitted_state::{DrawDecisions, arrays};
 use crate::context::recorder::fixed_function::StageKeys;
+use crate::draw::no_effect;
 use crate::state::plain::PlainState;
 use rasterizer::driver::{Topology, VertexBinding};
 
@@ -30,7 +31,7 @@ impl DrawDecisions {
     fn hold(&self, context: &Context) -> bool {
         let changes = &context.state_changes;
         changes.last_state_change <= self.call
-            && (changes.last_plain_change <= self.call || self.plain.is_of(&context.state))
+            && (changes.last_plain_change <= self.call || self.plain.decides_alike(&context.state))
     }
 }
 
@@ -66,7 +67,8 @@ pub(crate) fn words(
 /// Whether a draw may take over what was decided for the one before: no other context changes objects, and no list,
 /// watch or transform feedback needs each draw by itself.
 pub(crate) fn allows_reuse(context: &Context) -> bool {
-    context.objects.shared.is_exclusive()
+    no_effect::leaves_out(context)
+        && context.objects.shared.is_exclusive()
         && context.compiling.is_none()
         && context.watched.is_none()
         && !context.transform_feedback.is_active()

@@ -55,6 +55,7 @@ pub(crate) mod texture_buffer;
 pub(crate) mod textures;
 pub(crate) mod uniform_blocks;
 pub(crate) mod validate;
+pub(crate) mod vertex_facts;
 pub(crate) mod vertex_range;
 pub(crate) mod vertex_stage;
 pub(crate) mod warnings;

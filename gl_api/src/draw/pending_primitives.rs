@@ -6,6 +6,7 @@ use crate::context::Context;
 use crate::context::immediate::{Column, Immediate};
 use crate::context::pending_primitives::{PendingPrimitives, vertices_of_primitive};
 use crate::draw::completeness::{checked_drawable, draws_integers};
+use crate::draw::no_effect;
 use crate::state::enable::Flag;
 
 /// Pending vertices are drawn when there are this many.
@@ -15,7 +16,8 @@ const MAX_PENDING: usize = 1 << 16;
 /// of a primitive in its draw, and while a pixel is watched each draw has a note.
 pub(crate) fn can_batch(context: &Context) -> bool {
     let enables = &context.state.enables;
-    context.immediate.is_none()
+    no_effect::leaves_out(context)
+        && context.immediate.is_none()
         && context.watched.is_none()
         && !context.has_program()
         && !enables.has(Flag::VertexProgram)
@@ -35,11 +37,14 @@ pub(crate) fn append_pending(context: &mut Context, immediate: &mut Immediate) -
     if !same {
         return false;
     }
-    if let Some(state) = &context.pending_state {
-        if !state.is_of(&context.state) {
+    let changes = &context.state_changes;
+    if let Some(kept) = &mut context.pending_state
+        && changes.last_change() > kept.call
+    {
+        if !kept.state.is_of(&context.state) {
             return false;
         }
-        context.pending_state = None;
+        kept.call = changes.calls;
     }
     pending.positions.append(&mut immediate.positions);
     for Column { location, values } in &mut pending.columns {
@@ -88,17 +93,18 @@ fn draw_pending_vertices(context: &mut Context) {
         }
         None => return,
     };
-    let mut state = context.pending_state.take();
+    let kept = context.pending_state.take();
+    let mut state = kept.filter(|kept| context.state_changes.last_change() > kept.call);
     if !pending.positions.is_empty() {
         if let Some(state) = &mut state {
-            state.swap(&mut context.state);
+            state.state.swap(&mut context.state);
         }
         // The driver may refuse it, as every draw.
         if let Err(error) = pending.draw(context) {
             context.refuse("glEnd", error);
         }
         if let Some(state) = &mut state {
-            state.swap(&mut context.state);
+            state.state.swap(&mut context.state);
             // What was decided with the state from before does not hold.
             context.state_changes.count_call();
         }

@@ -96,7 +96,7 @@ pub(crate) fn pipeline_desc(
     let output = OutputState {
         stencil: (enables.has(Flag::StencilTest) && has.stencil)
             .then(|| state.stencil.to_driver(back)),
-        logic_op: logic_op.and_then(no_effect::logic_op),
+        logic_op: logic_op.and_then(|op| no_effect::logic_op(context, op)),
         srgb: srgb_write(context),
     };
     PipelineDesc {

@@ -5,13 +5,14 @@ use crate::base::types::*;
 use crate::context::Context;
 use crate::draw::assembly_words::has_vertex_program;
 use crate::draw::completeness::{draws_integers, samples};
+use crate::draw::no_effect;
 use crate::interface::{ATTRIB_EDGE_FLAG, VARYING_TEX_COORD};
 use crate::state::enable::Flag;
 use crate::state::multisample::Multisample;
 use rasterizer::driver::{
     AlphaToCoverage, AlphaToOne, Antialiasing, LineState, LineStipple, MultisampleState, PointSize,
     PointState, PolygonMode, PolygonOffset, PolygonState, RasterState, SampleCoverage, SampleRule,
-    SampleShading, Stipple, Topology, VertexBinding, VertexSource,
+    SampleShading, Topology, VertexBinding, VertexSource,
 };
 
 /// What the primitives of a draw are rasterized as.
@@ -102,7 +103,8 @@ fn polygon_state(context: &Context, vertices: &[VertexBinding]) -> PolygonState 
         units: polygons.offset_units,
         clamp: polygons.offset_clamp,
     };
-    let stipple = enables.has(Flag::PolygonStipple).then_some(Stipple::Pattern(polygons.stipple));
+    let has_stipple = enables.has(Flag::PolygonStipple);
+    let stipple = has_stipple.then(|| no_effect::stipple(context)).flatten();
     let flags = [Flag::PolygonOffsetPoint, Flag::PolygonOffsetLine, Flag::PolygonOffsetFill];
     // Edge flags that are all set change nothing, nor do they where the inside is filled.
     let flagged = polygons.mode != [PolygonMode::Fill; 2]

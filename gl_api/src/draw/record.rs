@@ -7,6 +7,7 @@ use crate::context::feedback::RenderMode;
 use crate::context::recorder::elements::{Elements, bit};
 use crate::context::recorder::pixel_rectangle::PixelRectangle;
 use crate::context::recorder::stages::{Reads, Stages, internal};
+use crate::context::recorder::vertex_facts::VertexFacts;
 use crate::context::watched_pixel::topology_name;
 use crate::draw::completeness::{draw_pass, drawn_formats};
 use crate::draw::emitted_state::{PreparedDraw, emit, emit_vertices, emit_words};
@@ -66,6 +67,11 @@ pub(crate) fn draw(
     elements: &Elements,
 ) -> Result<()> {
     draw_pending(context);
+    let facts = VertexFacts::of(context, topology, &vertices, elements);
+    // What was decided for other facts does not hold.
+    if std::mem::replace(&mut context.recorder.facts, facts) != facts {
+        context.recorder.emitted.decisions = None;
+    }
     if let Some(words) = crate::draw::draw_reuse::words(context, topology, &vertices, elements) {
         // Counts primitives; nothing is captured.
         crate::draw::capture::draw(context, (topology, topology), &[], elements)?;
@@ -112,6 +118,7 @@ pub(crate) fn draw_rectangle(
 ) -> Result<()> {
     let topology = Topology::Quads;
     draw_pending(context);
+    context.recorder.facts = VertexFacts::default();
     crate::draw::program_pipeline::prepare(context);
     let pass = checked_pass(context)?;
     if context.queries.discards() || !is_rasterized(context, topology, &vertices, elements)? {

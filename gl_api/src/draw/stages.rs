@@ -13,6 +13,7 @@ use crate::context::recorder::stages::{
 use crate::context::watched_pixel::DrawNote;
 use crate::draw::alpha_test::alpha_test;
 use crate::draw::assembly_stage::assembled;
+use crate::draw::no_effect;
 use crate::draw::state_words::put_bindings;
 use crate::draw::textures::{Reader, plan, program_textures};
 use crate::draw::validate::runnable;
@@ -176,11 +177,13 @@ impl FragmentStage {
         antialiasing: Antialiasing,
         clamp: Clamp,
     ) -> Result<Self> {
+        context.recorder.is_opaque = false;
         let enables = &context.state.enables;
         let two_sided = match programs.vertex {
             Some(_) => enables.has(Flag::VertexProgramTwoSide),
             None => enables.has(Flag::Lighting) && context.state.lights.model.two_side,
         };
+        let two_sided = two_sided && no_effect::has_two_sides(context);
         if let Some(module) = &programs.fragment {
             let textures = programs.textures(context, Stage::Fragment, module)?;
             let alpha = alpha_test(context);

@@ -5,9 +5,11 @@ use crate::base::constants::*;
 use crate::base::error::{ErrorCode, Result};
 use crate::base::types::*;
 use crate::context::Context;
+use crate::context::pending_primitives::PendingPrimitives;
 use crate::draw::pending_primitives::draw_pending;
 use crate::objects::target::TextureTarget;
 use crate::pixel::transfer::Transfer;
+use crate::record::attrib_changes::{is_plain, restore_current};
 use crate::state::attrib::{
     MAX_ATTRIB_STACK_DEPTH, Parameters, ServerAttribs, Switches, stack_error,
 };
@@ -107,6 +109,7 @@ pub(crate) fn push_attrib(context: &mut Context, mask: GLbitfield) -> Result<()>
     let mut saved = context.attribs.spare.pop().unwrap_or_default();
     saved.keep(context, mask);
     context.attribs.server.push(saved);
+    context.state_changes.no_change();
     Ok(())
 }
 
@@ -166,16 +169,22 @@ pub(crate) fn pop_attrib(context: &mut Context) -> Result<()> {
             "the stack is empty: glPushAttrib is missing".into(),
         );
     };
-    // Bitmaps that wait depend on all else.
-    if saved.mask & !(GL_LIST_BIT | GL_CURRENT_BIT) != 0 {
+    if !is_plain(context, &saved) {
+        context.leave_plain_state();
+    } else if saved.mask & !(GL_LIST_BIT | GL_CURRENT_BIT) != 0
+        && matches!(context.pending, Some(PendingPrimitives::Bitmaps(_)))
+    {
+        // Bitmaps that wait depend on all else.
         draw_pending(context);
     }
     for &(bit, flags) in FLAGS {
         if saved.mask & (bit | GL_ENABLE_BIT) != 0 {
-            for &flag in flags {
-                context.state.enables.set(flag, saved.enables.has(flag));
-            }
+            context.state.enables.take(flags, &saved.enables);
         }
+    }
+    if let Some((current, raster_position)) = saved.current.take() {
+        restore_current(context, &current);
+        context.state.raster_position = raster_position;
     }
     restore_textures(context, &mut saved.textures);
     if saved.mask & GL_LIST_BIT != 0 {
@@ -201,10 +210,6 @@ fn restore(state: &mut State, saved: &mut ServerAttribs) {
     let has = |bit| mask & bit != 0;
     if let Some(switches) = saved.switches.take() {
         restore_switches(state, &switches, saved.units_version);
-    }
-    if let Some((current, raster_position)) = saved.current.take() {
-        state.current = current;
-        state.raster_position = raster_position;
     }
     restore_units(&mut state.units, saved);
     if let Some((lights, materials)) = saved.lighting.take() {

@@ -2,6 +2,7 @@
 
 pub(crate) mod arguments;
 pub(crate) mod attrib;
+pub(crate) mod attrib_changes;
 pub(crate) mod client_attrib;
 pub(crate) mod list_memory;
 pub(crate) mod lists;

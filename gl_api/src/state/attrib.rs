@@ -4,7 +4,7 @@
 use crate::base::error::{ErrorCode, GlError, Result};
 use crate::base::limits;
 use crate::base::types::*;
-use crate::interface::MAX_COMBINED_TEXTURE_IMAGE_UNITS;
+use crate::interface::MAX_TEXTURE_UNITS;
 use crate::objects::bound::Bound;
 use crate::objects::color_buffers::Selection;
 use crate::objects::sampler::SamplerState;
@@ -66,9 +66,8 @@ pub(crate) struct Switches {
     pub evaluators: EvaluatorState,
     pub scissor_tests: u16,
     pub blend: [bool; limits::MAX_COLOR_ATTACHMENTS],
-    /// Of each unit: enabled targets and generated coordinates.
-    pub units:
-        [([bool; TextureTarget::COUNT], [bool; 4]); MAX_COMBINED_TEXTURE_IMAGE_UNITS as usize],
+    /// Of each unit that has coordinates: enabled targets and generated coordinates.
+    pub units: [([bool; TextureTarget::COUNT], [bool; 4]); MAX_TEXTURE_UNITS as usize],
 }
 
 impl Switches {
@@ -79,7 +78,7 @@ impl Switches {
             evaluators: state.evaluators,
             scissor_tests: state.fragment.scissor_tests,
             blend: state.fragment.buffers.each_ref().map(|buffer| buffer.blend),
-            units: state.units.units.each_ref().map(|unit| unit.switches()),
+            units: std::array::from_fn(|unit| state.units.units[unit].switches()),
         }
     }
 }

@@ -27,7 +27,7 @@ impl When {
 }
 
 /// What `glClampColor` sets.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct ClampState {
     /// Colours of vertices, lit or not.
     pub vertex: When,

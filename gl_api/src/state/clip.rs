@@ -7,7 +7,7 @@ use glam::DVec4;
 use rasterizer::driver::{ClipControl, ClipDepth, ClipOrigin};
 
 /// The user clip planes, and the conventions of clip coordinates.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct ClipState {
     /// In eye coordinates; points with a negative distance are clipped.
     pub planes: [DVec4; MAX_CLIP_PLANES as usize],

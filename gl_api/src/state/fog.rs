@@ -33,7 +33,7 @@ pub(crate) const FOG_SOURCE: Table<FogSource> = Table {
 };
 
 /// What `glFog` sets.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct FogState {
     pub mode: FogMode,
     pub density: f32,

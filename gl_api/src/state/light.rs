@@ -25,6 +25,20 @@ pub(crate) struct Light {
     pub derived: Derived,
 }
 
+impl Light {
+    /// All that is set of it.
+    pub fn numbers(&self) -> [f64; 24] {
+        let mut numbers = [0.0; 24];
+        let singles = [self.ambient, self.diffuse, self.specular].into_iter().flatten();
+        let singles = singles.chain(self.attenuation).chain([self.spot_exponent, self.spot_cutoff]);
+        let doubles = self.position.to_array().into_iter().chain(self.spot_direction.to_array());
+        for (number, value) in numbers.iter_mut().zip(singles.map(f64::from).chain(doubles)) {
+            *number = value;
+        }
+        numbers
+    }
+}
+
 /// Values that draws derive from a light's state.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Derived {

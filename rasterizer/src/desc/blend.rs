@@ -101,6 +101,16 @@ pub struct Blend {
 }
 
 impl Blend {
+    /// Whether it gives the source where the source's alpha is 1.
+    pub fn replaces_where_opaque(&self) -> bool {
+        (0..2).all(|part| {
+            let [src, dst] = [self.src[part], self.dst[part]];
+            self.equation[part] == BlendEquation::Add
+                && matches!(src, BlendFactor::One | BlendFactor::SrcAlpha)
+                && matches!(dst, BlendFactor::Zero | BlendFactor::OneMinusSrcAlpha)
+        })
+    }
+
     /// Whether a factor that counts is made of the second source colour: minimum and maximum have no factors.
     pub fn reads_second_color(&self) -> bool {
         (0..2).any(|part| match self.equation[part] {

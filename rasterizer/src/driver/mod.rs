@@ -24,6 +24,7 @@ pub use crate::desc::{
     ShaderModule, SpriteOrigin, SrgbWrite, StencilFace, StencilOp, StencilState, Stipple, Topology,
     Version, VertexBinding, VertexFormat, VertexSource, VertexType, Viewport,
 };
+pub use crate::plan::LeaveOut;
 pub use crate::plan::{Pipeline, possible_samples, same_textures, sample_positions};
 pub use crate::primitive::{InvisibleReason, InvisibleReasons, PrimitiveKind, ViewVolumeSide};
 pub use crate::sizes::MAX_SAMPLES;

@@ -1,6 +1,7 @@
 //! What passes of a device use: its description, pools of reusable objects, explanations of plans.
 
 use super::report::DeviceError;
+use crate::plan::LeaveOut;
 use crate::raster::{Chunk, FIRST_WAVE, FREE_OPERATIONS, ShapeLists, TileRenderer};
 use crate::shader::Machine;
 use crate::threads::ObjectPool;
@@ -22,6 +23,8 @@ pub struct DeviceDesc {
     pub budget: u64,
     /// Whether each draw's plan is printed.
     pub explain: Explain,
+    /// Whether draws leave out what has no effect.
+    pub leave_out: LeaveOut,
 }
 
 /// Whether each draw's plan is printed.
@@ -49,8 +52,8 @@ impl DeviceDesc {
         FREE_OPERATIONS.saturating_add(budget / FIRST_WAVE as u64)
     }
 
-    /// From `DETGL_ISA`, `DETGL_THREADS`, `DETGL_DRAW_BUDGET` and `DETGL_EXPLAIN`, else the widest instruction set,
-    /// every core, the default budget, and silence.
+    /// From `DETGL_ISA`, `DETGL_THREADS`, `DETGL_DRAW_BUDGET`, `DETGL_EXPLAIN` and `DETGL_LEAVE_OUT`, else the widest
+    /// instruction set, every core, the default budget, silence, and nothing done that has no effect.
     ///
     /// # Errors
     /// When a variable names something that this machine does not have.
@@ -72,7 +75,11 @@ impl DeviceDesc {
             Ok(text) => text.parse().map_err(|_| DeviceError::Budget(text))?,
             Err(_) => Self::BUDGET,
         };
-        Ok(Self { isa, threads, budget, explain })
+        let leave_out = match std::env::var("DETGL_LEAVE_OUT") {
+            Ok(text) if text == "0" => LeaveOut::Nothing,
+            Ok(_) | Err(_) => LeaveOut::WithoutEffect,
+        };
+        Ok(Self { isa, threads, budget, explain, leave_out })
     }
 }
 

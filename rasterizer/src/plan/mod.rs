@@ -5,6 +5,8 @@
 
 mod describe;
 mod inputs;
+mod leave_out;
+mod outputs;
 mod pipeline;
 mod product;
 mod samples;
@@ -12,24 +14,23 @@ mod stipple;
 
 pub use inputs::{FilledInput, FragmentInput, PlaneSource, draws_lines, sprite_slots};
 use inputs::{InputPlanes, InputPlanner};
+pub use leave_out::LeaveOut;
 pub use pipeline::Pipeline;
 pub use product::{FactorPlanes, ProductInputs, ProductPlan};
 pub use samples::{SampleMasks, Samples, moved, possible_samples, sample_positions};
 use stipple::StippleLanes;
 
-use crate::attachment::{DepthFormat, component_bits};
+use crate::attachment::DepthFormat;
 use crate::desc::{
-    Antialiasing, DepthState, DepthWrite, PolygonMode, PolygonOffset, RasterState, VertexBinding,
-    VertexSource, Viewport,
+    Antialiasing, PolygonMode, PolygonOffset, RasterState, VertexBinding, VertexSource, Viewport,
 };
 use crate::ir::{Input, Output};
-use crate::output::{ColorPlan, DepthPlan, StencilPlan, Tests};
+use crate::output::{ColorPlan, Tests};
 use crate::shader::{AttributeSet, Prepared};
 use std::sync::Arc;
 use texunit::format::Format;
 use texunit::lanes::Isa;
 use texunit::plan::SamplePlan;
-use texunit::sampler::Compare;
 
 /// Textures by slot.
 pub type Textures = Arc<[Option<Arc<SamplePlan>>]>;
@@ -108,6 +109,7 @@ pub struct DrawPlan {
     /// The attribute components that come from arrays.
     arrays: AttributeSet,
     counting: Counting,
+    leave_out: LeaveOut,
 }
 
 /// How fragments of sparsely covered blocks are put into batches.
@@ -148,6 +150,8 @@ pub struct PlanInput<'a> {
     pub raster: Arc<RasterState>,
     /// Whether samples are counted.
     pub counting: Counting,
+    /// What is left out.
+    pub leave_out: LeaveOut,
     /// Where vertices come from.
     pub vertices: &'a [VertexBinding],
 }
@@ -161,58 +165,6 @@ pub enum Counting {
     On,
 }
 
-/// The tests that a draw has to make.
-fn tests(pipeline: &Pipeline, format: Option<Format>) -> Tests {
-    let desc = &pipeline.compiled().desc;
-    let Some((stored, format)) = format.and_then(|f| Some((f, DepthFormat::of(f)?))) else {
-        return Tests::default();
-    };
-    let matters =
-        |state: &DepthState| state.test != Compare::Always || state.write == DepthWrite::On;
-    let depth = desc.depth.filter(matters).map(|state| DepthPlan {
-        format,
-        test: state.test,
-        write: state.write,
-    });
-    let stencil = desc.output.stencil.filter(|_| stored.has_stencil());
-    Tests { stencil: stencil.as_ref().and_then(StencilPlan::new), depth }
-}
-
-/// The attachments that a draw writes colours to.
-fn colors(pipeline: &Pipeline, formats: &[Option<Format>]) -> Vec<ColorPlan> {
-    let compiled = pipeline.compiled();
-    let (desc, fragment) = (&compiled.desc, &compiled.fragment);
-    let mut colors = Vec::new();
-    for (target, state) in desc.colors.iter().enumerate() {
-        let Some(format) = formats.get(target).copied().flatten() else { continue };
-        let outputs = [0, 1, 2, 3]
-            .map(|component| fragment.output(Output::Color { target: target as u8, component }));
-        // Only target 0 has a second colour.
-        let second = match target {
-            0 => [0, 1, 2, 3].map(|component| fragment.output(Output::SecondColor(component))),
-            _ => [None; 4],
-        };
-        let format = desc.output.srgb.format(format);
-        let write = component_bits(format, state.mask);
-        // A target that the shader never mentions is not written.
-        let mentioned = desc.fragment.module().outputs.iter().any(
-            |(o, _)| matches!(o, Output::Color { target: t, .. } if usize::from(*t) == target),
-        );
-        if write != [0; 4] && mentioned {
-            let logic_op = desc.output.logic_op;
-            colors.push(ColorPlan::new(
-                target,
-                [outputs, second],
-                format,
-                write,
-                state.blend,
-                logic_op,
-            ));
-        }
-    }
-    colors
-}
-
 impl DrawPlan {
     /// Makes the decisions.
     pub fn new(pipeline: &Pipeline, input: PlanInput<'_>) -> Self {
@@ -220,8 +172,8 @@ impl DrawPlan {
         let (desc, fragment) = (&compiled.desc, &compiled.fragment);
         let output = |wanted: Output| fragment.output(wanted);
 
-        let colors = colors(pipeline, input.colors);
-        let tests = tests(pipeline, input.depth);
+        let colors = outputs::colors(pipeline, input.colors, input.leave_out);
+        let tests = outputs::tests(pipeline, input.depth, input.leave_out);
         let written = ShaderTestOutputs {
             depth: output(Output::Depth).filter(|_| tests.depth.is_some()),
             reference: output(Output::StencilReference).filter(|_| tests.stencil.is_some()),
@@ -237,8 +189,11 @@ impl DrawPlan {
         };
         let late = matches!(timing, TestTiming::Late(_));
         let counts = input.counting == Counting::On && discards;
-        let shading =
-            if colors.is_empty() && !late && !counts { Shading::Off } else { Shading::On };
+        let is_seen = !colors.is_empty() || late || counts;
+        let shading = match input.leave_out {
+            LeaveOut::WithoutEffect if !is_seen => Shading::Off,
+            LeaveOut::WithoutEffect | LeaveOut::Nothing => Shading::On,
+        };
 
         // Nothing but levels of detail is made of slopes.
         let needs_slopes = fragment.queries_lod()
@@ -304,6 +259,7 @@ impl DrawPlan {
             stipple: input.raster.polygon.stipple.as_ref().map(StippleLanes::new),
             arrays: arrays(input.vertices),
             counting: input.counting,
+            leave_out: input.leave_out,
             raster: input.raster,
             pipeline: pipeline.clone(),
         }
@@ -340,7 +296,8 @@ impl DrawPlan {
     /// Whether its triangles overwrite every pixel that they cover, whatever was there.
     pub fn overwrites(&self) -> bool {
         let fragment = &self.pipeline.compiled().fragment;
-        self.timing == TestTiming::Never
+        self.leave_out == LeaveOut::WithoutEffect
+            && self.timing == TestTiming::Never
             && self.shading == Shading::On
             && self.covers_by_outline()
             && !fragment.discards()

@@ -25,6 +25,7 @@
 mod allocate;
 mod attribute_dependencies;
 mod compute;
+mod constant_outputs;
 mod emission;
 mod exits;
 mod facts;

@@ -8,7 +8,7 @@ use super::preamble::Preamble;
 use super::product::TexelProduct;
 use super::repeated_lookups::Repeat;
 use super::{FactSources, Facts};
-use super::{allocate, fuse, lower, optimize, repeated_lookups, schedule};
+use super::{allocate, constant_outputs, fuse, lower, optimize, repeated_lookups, schedule};
 use crate::ir::{Block, GeometryInterface, Input, Module, Output, Stmt};
 use std::fmt::Write;
 use std::sync::Arc;
@@ -34,6 +34,8 @@ pub struct Program {
     pub(super) inputs: Vec<Input>,
     /// And the attribute components that each depends on.
     pub(super) outputs: Vec<(Output, AttributeSet)>,
+    /// Those that are 1 in every lane.
+    pub(super) ones: Vec<Output>,
     pub(super) textures: Vec<u32>,
     pub(super) slots: u32,
     /// Of a geometry program: its primitives, and what its vertices hold.
@@ -233,7 +235,7 @@ impl Program {
             statements: [self.statements[0], statements(&module)],
             ..Self::lowered(&module, Fusing::On)
         };
-        (program.code.len() < self.code.len()).then_some(program)
+        (program.code.len() < self.code.len() || program.ones != self.ones).then_some(program)
     }
 
     /// The facts of a draw with these prepared values, where the program depends on uniform words, and textures.
@@ -273,6 +275,7 @@ impl Program {
             preamble: lowered.preamble,
             inputs: lowered.inputs,
             outputs: attribute_dependencies::of_outputs(module),
+            ones: constant_outputs::ones(module),
             textures: lowered.textures,
             slots: lowered.slots,
             geometry: module.geometry.clone(),
@@ -296,6 +299,11 @@ impl Program {
     /// Where this output is among [`Self::outputs`].
     pub fn output(&self, wanted: Output) -> Option<usize> {
         self.outputs().position(|output| output == wanted)
+    }
+
+    /// Whether an output is 1 in every lane.
+    pub fn is_one(&self, output: Output) -> bool {
+        self.ones.contains(&output)
     }
 
     /// Whether a varying that it writes is the same at every vertex, if those of `arrays` are all the

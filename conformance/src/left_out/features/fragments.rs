@@ -5,6 +5,11 @@ use crate::left_out::scene::*;
 use gl_api::constants::*;
 use gl_api::entry::*;
 
+/// Colours whose alpha is a uniform that is 1.
+fn opaque_uniform() {
+    program("    gl_FragColor = vec4(texel.rgb * color.rgb, one);");
+}
+
 pub(super) const LIST: &[Feature] = &[
     Feature::state(
         "blend-replace",
@@ -28,6 +33,33 @@ pub(super) const LIST: &[Feature] = &[
         draw_quad,
     )
     .because(Reason::NotLeftOut),
+    Feature::state(
+        "blend-opaque-uniform",
+        "blending \"over\" of colours whose alpha is a uniform that is 1",
+        opaque_uniform,
+        || {
+            opaque_uniform();
+            glEnable(GL_BLEND);
+            glBlendFuncSeparate(
+                GL_SRC_ALPHA,
+                GL_ONE_MINUS_SRC_ALPHA,
+                GL_ONE,
+                GL_ONE_MINUS_SRC_ALPHA,
+            );
+        },
+        draw_quad,
+    ),
+    Feature::state(
+        "blend-opaque-material",
+        "blending \"over\" of materials whose alpha is 1",
+        lit,
+        || {
+            lit();
+            glEnable(GL_BLEND);
+            glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+        },
+        draw_mesh,
+    ),
     Feature::state(
         "blend-factors",
         "blend factors while blending is off",
@@ -69,8 +101,7 @@ pub(super) const LIST: &[Feature] = &[
             glAlphaFunc(GL_GREATER, 0.5);
         },
         draw_quad,
-    )
-    .because(Reason::NotLeftOut),
+    ),
     Feature::state(
         "alpha-opaque-depth",
         "an alpha test of a texture without alpha, with a depth test",
@@ -85,8 +116,28 @@ pub(super) const LIST: &[Feature] = &[
             glAlphaFunc(GL_GREATER, 0.5);
         },
         draw_quad,
-    )
-    .because(Reason::NotLeftOut),
+    ),
+    Feature::state(
+        "alpha-material",
+        "an alpha test of materials whose alpha is 1",
+        lit,
+        || {
+            lit();
+            glEnable(GL_ALPHA_TEST);
+            glAlphaFunc(GL_GREATER, 0.1);
+        },
+        draw_mesh,
+    ),
+    Feature::state(
+        "alpha-reference",
+        "a reference of an alpha test that is off",
+        textured,
+        || {
+            textured();
+            glAlphaFunc(GL_LESS, 0.5);
+        },
+        draw_quad,
+    ),
     Feature::state(
         "logic-copy",
         "a logical operation with GL_COPY",
@@ -117,8 +168,7 @@ pub(super) const LIST: &[Feature] = &[
             glFogf(GL_FOG_END, 20.0);
         },
         draw_quad,
-    )
-    .because(Reason::NotLeftOut),
+    ),
     Feature::state(
         "color-sum",
         "the sum with a secondary colour that is black",

@@ -59,8 +59,31 @@ pub(super) const LIST: &[Feature] = &[
             glMaterialfv(GL_FRONT_AND_BACK, GL_DIFFUSE, &[0.8f32, 0.5, 0.3, 1.0]);
         },
         draw_mesh,
-    )
-    .because(Reason::NotLeftOut),
+    ),
+    Feature::state(
+        "two-side-culled",
+        "two-sided light where back faces are culled",
+        || {
+            lit();
+            glEnable(GL_CULL_FACE);
+        },
+        || {
+            lit();
+            glEnable(GL_CULL_FACE);
+            glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, 1);
+        },
+        draw_mesh,
+    ),
+    Feature::state(
+        "material-back",
+        "a material of back faces with light of one side",
+        lit,
+        || {
+            lit();
+            glMaterialfv(GL_BACK, GL_DIFFUSE, &[0.1f32, 0.9, 0.3, 1.0]);
+        },
+        draw_mesh,
+    ),
     Feature::state(
         "shininess-unused",
         "a shininess where nothing is specular",

@@ -37,7 +37,7 @@ const PARAMETER: Table<Parameter> = Table {
 fn set_fog(context: &mut Context, pname: GLenum, params: &Params) -> Result<()> {
     let parameter = PARAMETER.decode("pname", pname)?;
     params.need(SECTION, pname, if parameter == Parameter::Color { 4 } else { 1 })?;
-    let fog = &mut context.state.fog;
+    let mut fog = context.state.fog.clone();
     match parameter {
         Parameter::Mode => fog.mode = FOG_MODE.decode("param", params.symbol())?,
         Parameter::Density => fog.density = at_least_zero(SECTION, pname, params.number())?,
@@ -46,6 +46,14 @@ fn set_fog(context: &mut Context, pname: GLenum, params: &Params) -> Result<()> 
         Parameter::Index => fog.index = params.number(),
         Parameter::Color => fog.color = params.color(),
         Parameter::Source => fog.source = FOG_SOURCE.decode("param", params.symbol())?,
+    }
+    if fog == context.state.fog
+        && fog.color.map(f32::to_bits) == context.state.fog.color.map(f32::to_bits)
+    {
+        context.state_changes.no_change();
+    } else {
+        context.leave_plain_state();
+        context.state.fog = fog;
     }
     Ok(())
 }

@@ -7,7 +7,7 @@ use crate::base::query_value::{QueryValue, float, unit};
 use crate::base::types::*;
 use crate::calls::parameter_forms::{parameter_calls, parameter_queries};
 use crate::context::Context;
-use crate::state::light::{COLOR_CONTROL, Derived, index};
+use crate::state::light::{COLOR_CONTROL, Derived, Light, index};
 use glam::{DMat3, DVec4};
 
 const SECTION: &str = "GL 2.1, section 2.14.1";
@@ -55,7 +55,7 @@ fn set_light(context: &mut Context, light: GLenum, pname: GLenum, params: &Param
     let parameter = PARAMETER.decode("pname", pname)?;
     params.need(SECTION, pname, parameter.count())?;
     let modelview = context.state.matrices.modelview.top;
-    let light = &mut context.state.lights.lights[index];
+    let mut light = context.state.lights.lights[index].clone();
     let value = params.number();
     match parameter {
         Parameter::Ambient => light.ambient = params.color(),
@@ -88,7 +88,14 @@ fn set_light(context: &mut Context, light: GLenum, pname: GLenum, params: &Param
             light.attenuation[term] = at_least_zero(SECTION, pname, value)?;
         }
     }
-    light.derived = Derived::new(light.position, light.spot_direction, light.spot_cutoff);
+    let bits = |light: &Light| light.numbers().map(f64::to_bits);
+    if bits(&light) == bits(&context.state.lights.lights[index]) {
+        context.state_changes.no_change();
+    } else {
+        context.leave_plain_state();
+        light.derived = Derived::new(light.position, light.spot_direction, light.spot_cutoff);
+        context.state.lights.lights[index] = light;
+    }
     Ok(())
 }
 

@@ -88,6 +88,7 @@ fn set_env(context: &mut Context, target: GLenum, pname: GLenum, params: &Params
         context.state_changes.no_change();
         return Ok(());
     }
+    context.leave_plain_state();
     let unit = context.state.units.active_mut();
     (unit.mode, unit.color, unit.combiners, unit.lod_bias, unit.coord_replace) = now;
     Ok(())

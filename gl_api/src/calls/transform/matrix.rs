@@ -9,6 +9,7 @@ use crate::base::error::{ErrorCode, GlError, Result, invalid_operation, invalid_
 use crate::base::types::*;
 use crate::context::Context;
 use crate::state::matrix::{MATRIX_MODE, MatrixMode, Stack};
+use crate::state::plain::is_same_matrix;
 use glam::{DMat4, DVec3};
 
 const SECTION: &str = "GL 2.1, section 2.11.2";
@@ -19,11 +20,6 @@ const SECTION: &str = "GL 2.1, section 2.11.2";
 /// `GL_INVALID_OPERATION` for the texture matrix of a unit that has none.
 fn stack(context: &mut Context) -> Result<&mut Stack> {
     let matrices = &mut context.state.matrices;
-    match matrices.mode {
-        MatrixMode::ModelView | MatrixMode::Projection => context.state_changes.values_only(),
-        // Whether there is one decides what is generated.
-        MatrixMode::Texture | MatrixMode::Program(_) => {}
-    }
     Ok(match matrices.mode {
         MatrixMode::ModelView => &mut matrices.modelview,
         MatrixMode::Projection => &mut matrices.projection,
@@ -47,10 +43,24 @@ pub(crate) fn current(context: &Context) -> Result<&Stack> {
     })
 }
 
-fn multiply(context: &mut Context, matrix: DMat4) -> Result<()> {
-    let stack = stack(context)?;
-    stack.top = single(stack.top * matrix);
+/// Sets the current matrix. Pending vertices keep the one that they have, where it is plain state.
+fn set(context: &mut Context, matrix: DMat4) -> Result<()> {
+    if is_same_matrix(&current(context)?.top, &matrix) {
+        context.state_changes.no_change();
+        return Ok(());
+    }
+    match context.state.matrices.mode {
+        MatrixMode::ModelView | MatrixMode::Projection => context.state_changes.values_only(),
+        // Whether there is one decides what is generated.
+        MatrixMode::Texture | MatrixMode::Program(_) => context.leave_plain_state(),
+    }
+    stack(context)?.top = matrix;
     Ok(())
+}
+
+fn multiply(context: &mut Context, matrix: DMat4) -> Result<()> {
+    let product = current(context)?.top * matrix;
+    set(context, single(product))
 }
 
 /// The nearest matrix of `f32`s.
@@ -75,28 +85,23 @@ pub(crate) fn matrix_mode(context: &mut Context, mode: GLenum) -> Result<()> {
 }
 
 pub(crate) fn load_identity(context: &mut Context) -> Result<()> {
-    stack(context)?.top = DMat4::IDENTITY;
-    Ok(())
+    set(context, DMat4::IDENTITY)
 }
 
 pub(crate) fn load_matrixf(context: &mut Context, m: &[GLfloat]) -> Result<()> {
-    stack(context)?.top = single(matrix(m)?);
-    Ok(())
+    set(context, single(matrix(m)?))
 }
 
 pub(crate) fn load_matrixd(context: &mut Context, m: &[GLdouble]) -> Result<()> {
-    stack(context)?.top = single(matrix(m)?);
-    Ok(())
+    set(context, single(matrix(m)?))
 }
 
 pub(crate) fn load_transpose_matrixf(context: &mut Context, m: &[GLfloat]) -> Result<()> {
-    stack(context)?.top = single(matrix(m)?.transpose());
-    Ok(())
+    set(context, single(matrix(m)?.transpose()))
 }
 
 pub(crate) fn load_transpose_matrixd(context: &mut Context, m: &[GLdouble]) -> Result<()> {
-    stack(context)?.top = single(matrix(m)?.transpose());
-    Ok(())
+    set(context, single(matrix(m)?.transpose()))
 }
 
 pub(crate) fn mult_matrixf(context: &mut Context, m: &[GLfloat]) -> Result<()> {
@@ -125,16 +130,13 @@ pub(crate) fn push_matrix(context: &mut Context) -> Result<()> {
         ));
     }
     stack.below.push(stack.top);
+    context.state_changes.no_change();
     Ok(())
 }
 
 pub(crate) fn pop_matrix(context: &mut Context) -> Result<()> {
-    let stack = stack(context)?;
-    match stack.below.pop() {
-        Some(matrix) => {
-            stack.top = matrix;
-            Ok(())
-        }
+    match stack(context)?.below.pop() {
+        Some(matrix) => set(context, matrix),
         None => Err(GlError::new(
             ErrorCode::StackUnderflow,
             SECTION,

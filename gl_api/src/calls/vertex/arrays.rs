@@ -176,7 +176,20 @@ fn set(
             );
         }
     };
-    let array = &mut context.state.arrays.by_location[usize::from(location)];
+    let arrays = &mut context.state.arrays;
+    let is_generic = arrays.attributes.get(usize::from(location)).is_some();
+    let array = &mut arrays.by_location[usize::from(location)];
+    let before = (array.components, array.ty, array.format, array.stride, array.count);
+    let is_same_source = match (&array.source, &source) {
+        (Source::Object { buffer, offset }, Source::Object { buffer: other, offset: at }) => {
+            (buffer, offset) == (other, at)
+        }
+        (Source::Object { .. } | Source::Client(_) | Source::Pointer(_), _) => false,
+    };
+    if is_same_source && !is_generic && before == (components, ty, format, stride, 0) {
+        context.state_changes.no_change();
+        return Ok(());
+    }
     array.components = components;
     array.ty = ty;
     array.format = format;

@@ -182,10 +182,15 @@ pub(crate) fn attribute(context: &mut Context, slot: Slot, value: [f32; 4]) -> R
 
 /// Changes the current value of an attribute, or of a part of a material.
 pub(crate) fn set_current(context: &mut Context, location: usize, value: [f32; 4]) {
+    if current(&context.state, location).map(f32::to_bits) == value.map(f32::to_bits) {
+        return;
+    }
     if let Some(PendingPrimitives::Vertices(pending)) = &context.pending
         && pending.column_of(location).is_none()
     {
-        end_before_change(context, location, value);
+        // Attributes are set in the host's floating-point state. What ended has the value from before as a constant.
+        let _float_env = FloatEnv::enter();
+        draw_pending(context);
     }
     context.state_changes.count_call();
     if is_number(context, location, value) {
@@ -215,15 +220,6 @@ fn is_number(context: &Context, location: usize, value: [f32; 4]) -> bool {
             context.state.current[location][3].to_bits() == value[3].to_bits()
         }
         Ok(_) => true,
-    }
-}
-
-/// What ended has the value from before as a constant.
-fn end_before_change(context: &mut Context, location: usize, value: [f32; 4]) {
-    if current(&context.state, location).map(f32::to_bits) != value.map(f32::to_bits) {
-        // Attributes are set in the host's floating-point state.
-        let _float_env = FloatEnv::enter();
-        draw_pending(context);
     }
 }
 

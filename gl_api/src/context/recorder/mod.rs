@@ -9,6 +9,7 @@ pub(crate) mod fixed_function;
 pub(crate) mod geometry_stage;
 pub(crate) mod pixel_rectangle;
 pub(crate) mod stages;
+pub(crate) mod vertex_facts;
 pub(crate) mod vertex_stage;
 
 use crate::context::debug::Output;
@@ -16,13 +17,14 @@ use crate::context::recorder::emitted_state::EmittedState;
 use crate::context::recorder::fixed_function::{FixedWords, UnitSummary};
 use crate::context::recorder::pixel_rectangle::PixelRectangleModules;
 use crate::context::recorder::stages::Textures;
+use crate::context::recorder::vertex_facts::VertexFacts;
 use crate::context::recorder::vertex_stage::{Outputs, StandaloneStage};
 use crate::generate::fixed::FixedModules;
 use crate::objects::buffers::WaitingDraws;
 use crate::objects::syncs::PendingFences;
 use rasterizer::driver::{
-    Command, CommandBuffer, Counter, Device, Image, PassDesc, Pipeline, PipelineDesc, ShaderModule,
-    VertexBinding, Visibility,
+    Command, CommandBuffer, Counter, Device, Image, LeaveOut, PassDesc, Pipeline, PipelineDesc,
+    ShaderModule, VertexBinding, Visibility,
 };
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -51,6 +53,10 @@ pub(crate) struct Recorder {
     pub written: Vec<Image>,
     /// How many draws were ever recorded.
     pub draws: u64,
+    /// What is known of the vertices of the draw that is being recorded, or was last.
+    pub facts: VertexFacts,
+    /// Whether the alpha of its fragments is 1.
+    pub is_opaque: bool,
     /// The bytes that the recorded commands hold, of those that came since the last submission.
     pub held: usize,
     /// The state that was last emitted to the open pass.
@@ -105,6 +111,8 @@ impl Recorder {
             pass: None,
             written: Vec::new(),
             draws: 0,
+            facts: VertexFacts::default(),
+            is_opaque: false,
             held: 0,
             emitted: EmittedState::default(),
             pipelines: HashMap::new(),
@@ -151,6 +159,11 @@ impl Recorder {
     /// The instruction set that the device's kernels are run with, and the context's own.
     pub fn isa(&self) -> Isa {
         self.device.desc().isa
+    }
+
+    /// What draws leave out.
+    pub fn leave_out(&self) -> LeaveOut {
+        self.device.desc().leave_out
     }
 
     /// Adds to the bytes that recorded commands hold, which none recorded before does.

@@ -25,6 +25,7 @@ use crate::state::texture_units::texgen::GenMode;
 use glam::{DMat4, DVec4};
 use rasterizer::driver::{Antialiasing, LevelInfo, VertexBinding, VertexSource};
 use std::sync::Arc;
+use texunit::format::BaseFormat;
 
 /// Brings what is known of the texture units up to date.
 pub(crate) fn update_unit_summary(context: &mut Context) {
@@ -88,13 +89,14 @@ fn lighting_key(context: &Context, vertices: &[VertexBinding]) -> Option<Lightin
     }
     let materials = [Side::Front, Side::Back].map(|side| varying(context, vertices, side));
     let model = &state.lights.model;
-    let sides: &[Side] = if model.two_side { &[Side::Front, Side::Back] } else { &[Side::Front] };
+    let two_sided = model.two_side && no_effect::has_two_sides(context);
+    let sides: &[Side] = if two_sided { &[Side::Front, Side::Back] } else { &[Side::Front] };
     let has_specular = sides.iter().zip(&materials).any(|(&side, varying)| {
         varying.specular.is_some() || is_colored(material(context, side).specular)
     });
     let lights = std::array::from_fn(|index| {
         let light = &state.lights.lights[index];
-        let on = state.lights.enabled >> index & 1 == 1 && !no_effect::light(light);
+        let on = state.lights.enabled >> index & 1 == 1 && !no_effect::light(context, light);
         let mut key = on.then(|| light_key(light))?;
         key.specular &= has_specular;
         Some(key)
@@ -103,7 +105,7 @@ fn lighting_key(context: &Context, vertices: &[VertexBinding]) -> Option<Lightin
     Some(LightingKey {
         lights,
         local_viewer: specular && model.local_viewer,
-        two_sided: model.two_side,
+        two_sided,
         separate_specular: specular && model.color_control == ColorControl::Separate,
         materials,
     })
@@ -132,7 +134,7 @@ fn light_key(light: &Light) -> LightKey {
 /// The parts of a side's material that vary by vertex: those that track a colour that varies, and those that
 /// `glMaterial` set between `glBegin` and `glEnd`. A colour that is constant over the draw is in the material's words
 /// instead.
-fn varying(context: &Context, vertices: &[VertexBinding], side: Side) -> Varying {
+pub(crate) fn varying(context: &Context, vertices: &[VertexBinding], side: Side) -> Varying {
     let varies = |location: u8| {
         vertices.iter().any(|binding| {
             binding.location == location && matches!(binding.source, VertexSource::Array { .. })
@@ -177,18 +179,36 @@ pub(crate) fn fragment_key(
             && !vertices.is_some_and(|vertices| no_effect::color_sum(context, vertices))
     };
     let source = if vertices.is_some() { state.fog.source } else { FogSource::Coordinate };
+    let facts = context.recorder.facts;
+    let keeps_alpha = vertices.is_some() && units.iter().all(keeps_alpha);
+    let passes = facts.alpha_passes && keeps_alpha;
+    context.recorder.is_opaque = facts.alpha_is_one && keeps_alpha;
+    let state = &context.state;
     FragmentKey {
         base,
-        units,
         shade_model: state.raster.shade_model,
-        two_sided: lit && model.two_side,
+        two_sided: lit && model.two_side && no_effect::has_two_sides(context),
         color_sum,
-        fog: (state.enables.has(Flag::Fog) && !no_effect::fog(&state.fog))
+        fog: (state.enables.has(Flag::Fog) && !no_effect::fog(context) && !facts.is_before_fog)
             .then_some(FogKey { mode: state.fog.mode, source }),
-        alpha: alpha_test(context),
+        alpha: alpha_test(context).filter(|_| !passes),
+        units,
         antialiasing: Antialiasing::Aliased,
         clamp,
     }
+}
+
+/// Whether alpha after a unit is that before it.
+fn keeps_alpha(unit: &UnitKey) -> bool {
+    let has_alpha = match unit.base {
+        BaseFormat::Luminance | BaseFormat::Red | BaseFormat::Rg | BaseFormat::Rgb => false,
+        BaseFormat::Alpha
+        | BaseFormat::LuminanceAlpha
+        | BaseFormat::Intensity
+        | BaseFormat::Rgba
+        | BaseFormat::Depth => true,
+    };
+    !has_alpha && matches!(unit.environment, Environment::Standard(_))
 }
 
 /// The active texture units: enabled, with a complete texture (GL 2.1, section 3.8.15).

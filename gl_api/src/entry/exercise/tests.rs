@@ -4,14 +4,20 @@ use super::*;
 use crate::base::begin_end::BeginEnd;
 use crate::base::types::GLenum;
 use crate::context::ContextDesc;
-use rasterizer::driver::{Device, DeviceDesc, Explain};
+use rasterizer::driver::{Device, DeviceDesc, Explain, LeaveOut};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 use texunit::lanes::Isa;
 
 /// A small context, whose shaders are stopped soon.
 fn context() -> Context {
-    let desc = DeviceDesc { isa: Isa::best(), threads: 2, budget: 20_000, explain: Explain::Off };
+    let desc = DeviceDesc {
+        isa: Isa::best(),
+        threads: 2,
+        budget: 20_000,
+        explain: Explain::Off,
+        leave_out: LeaveOut::default(),
+    };
     let device = Some(Arc::new(Device::new(desc).expect("threads start")));
     Context::new(ContextDesc { width: 16, height: 8, device, ..ContextDesc::default() })
         .expect("a small context")

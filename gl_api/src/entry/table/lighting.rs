@@ -9,7 +9,7 @@ use crate::calls::transform::{clip, texgen};
 #[macro_export]
 macro_rules! entry_points_lighting {
     ($apply:ident $($arguments:tt)*) => { $apply! { [$($arguments)*]
-    Refused in light {
+    Setter in light {
         /// Sets a parameter of a light.
         lightf: glLightf (light: GLenum, pname: GLenum, param: GLfloat);
         /// Sets a parameter of a light.
@@ -18,6 +18,8 @@ macro_rules! entry_points_lighting {
         lightfv: glLightfv (light: GLenum, pname: GLenum, params: &'a [GLfloat]);
         /// Sets a parameter of a light; integers of colours are fractions.
         lightiv: glLightiv (light: GLenum, pname: GLenum, params: &'a [GLint]);
+    }
+    Refused in light {
         /// Reads a parameter of a light, in eye coordinates.
         get_lightfv: glGetLightfv (light: GLenum, pname: GLenum, params: &'a mut [GLfloat]);
         /// Reads a parameter of a light, in eye coordinates.
@@ -50,7 +52,7 @@ macro_rules! entry_points_lighting {
         /// Reads a parameter of a material.
         get_materialiv: glGetMaterialiv (face: GLenum, pname: GLenum, params: &'a mut [GLint]);
     }
-    Refused in fog {
+    Setter in fog {
         /// Sets a parameter of fog.
         fogf: glFogf (pname: GLenum, param: GLfloat);
         /// Sets a parameter of fog.

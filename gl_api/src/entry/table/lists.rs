@@ -24,7 +24,7 @@ macro_rules! entry_points_lists {
         /// Whether there is a list of that name.
         is_list: glIsList (list: GLuint) -> bool;
     }
-    Refused in attrib {
+    Setter in attrib {
         /// Keeps groups of the context's state.
         push_attrib: glPushAttrib (mask: GLbitfield);
         /// Puts the groups back that were kept last.

@@ -307,7 +307,7 @@ macro_rules! entry_points_textures {
         get_tex_image: glGetTexImage
             (target: GLenum, level: GLint, format: GLenum, ty: GLenum, pixels: DataOut<'a>);
     }
-    Refused in env {
+    Setter in env {
         /// Sets a parameter of the active unit's texture environment.
         tex_envi: glTexEnvi (target: GLenum, pname: GLenum, param: GLint);
         /// Sets a parameter of the active unit's texture environment.
@@ -316,6 +316,8 @@ macro_rules! entry_points_textures {
         tex_enviv: glTexEnviv (target: GLenum, pname: GLenum, params: &'a [GLint]);
         /// Sets a parameter of the active unit's texture environment.
         tex_envfv: glTexEnvfv (target: GLenum, pname: GLenum, params: &'a [GLfloat]);
+    }
+    Refused in env {
         /// Reads a parameter of the active unit's texture environment.
         get_tex_enviv: glGetTexEnviv (target: GLenum, pname: GLenum, params: &'a mut [GLint]);
         /// Reads a parameter of the active unit's texture environment.

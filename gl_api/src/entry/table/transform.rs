@@ -10,8 +10,6 @@ macro_rules! entry_points_transform {
     Setter in matrix {
         /// Selects the stack that matrix calls work on.
         matrix_mode: glMatrixMode (mode: GLenum);
-    }
-    Refused in matrix {
         /// Replaces the current matrix by the identity.
         load_identity: glLoadIdentity ();
         /// Replaces the current matrix by 16 numbers, column by column.

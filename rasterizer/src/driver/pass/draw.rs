@@ -8,7 +8,7 @@ use crate::driver::chunk::{DrawState, GeometryProgram, MergedDraws};
 use crate::driver::report::SubmitReport;
 use crate::driver::resources::{DeviceDesc, Resources};
 use crate::driver::visibility::Visibility;
-use crate::plan::{Counting, DrawPlan, Pipeline, PlanInput, draws_lines, sprite_slots};
+use crate::plan::{Counting, DrawPlan, LeaveOut, Pipeline, PlanInput, draws_lines, sprite_slots};
 use crate::primitive::Setup;
 use crate::raster::{DrawBudget, DrawJob};
 use crate::shader::OverBudget;
@@ -262,6 +262,7 @@ impl Pass<'_> {
 
     /// Decides how to draw to the first viewport.
     fn decide_for(&mut self, pipeline: &Pipeline) -> DrawDecisions {
+        let leave_out = self.resources.desc.leave_out;
         let (isa, depth, bound) = (self.job.isa, self.depth_format(), &mut self.bound);
         // Uniforms, such as matrices, are mostly not the fragments'.
         let prepare = |pipeline: &Pipeline| {
@@ -272,8 +273,10 @@ impl Pass<'_> {
         let mut prepared = prepare(pipeline);
         // An explanation of a pixel names everything that its program computes.
         let specialized = match self.job.watch {
-            None => pipeline.specialized(prepared.as_ref(), &bound.fragment_textures),
-            Some(_) => None,
+            None if leave_out == LeaveOut::WithoutEffect => {
+                pipeline.specialized(prepared.as_ref(), &bound.fragment_textures)
+            }
+            None | Some(_) => None,
         };
         if let Some(specialized) = &specialized {
             prepared = prepare(specialized);
@@ -295,6 +298,7 @@ impl Pass<'_> {
                 Some(_) => Counting::On,
                 None => Counting::Off,
             },
+            leave_out,
             vertices: &bound.vertices,
         };
         let mut recent = self.recent.iter().rev();
