@@ -61,6 +61,7 @@ mod tests {
             threads: 1,
             budget: DeviceDesc::BUDGET,
             explain: Explain::Off,
+            leave_out: crate::plan::LeaveOut::default(),
         };
         let images = [(200, 200), (70, 300), (8, 8)]
             .map(|(width, height)| Image::blank(Format::Rgba8, width, height, 1).expect("small"));

@@ -16,6 +16,12 @@ use texunit::lanes::{Isa, U32s};
 /// Runs shorter than this stay with the interpreter.
 const MIN_INSTRUCTIONS: usize = 2;
 
+/// Longer runs are split.
+const MAX_INSTRUCTIONS: usize = 1024;
+
+/// Programs of which more is to be known, instructions times words of registers, stay with the interpreter.
+const MAX_LIVENESS: usize = 1 << 20;
+
 /// The machine code of a program.
 #[derive(Debug)]
 pub(super) struct NativeCode {
@@ -50,7 +56,7 @@ impl NativeCode {
     fn of(isa: Isa, program: &Program) -> Option<Self> {
         let code = &program.code;
         let splats = program.layout.splats.len() as u32;
-        let live = Liveness::of(program);
+        let live = Liveness::of(program)?;
         let mut is_target = vec![false; code.len() + 1];
         for target in code.iter().filter_map(Inst::target) {
             is_target[target.0 as usize] = true;
@@ -60,7 +66,8 @@ impl NativeCode {
         while start < code.len() {
             let mut block = Block::new(splats);
             let mut end = start;
-            while end < code.len() && (end == start || !is_target[end]) {
+            let longest = code.len().min(start + MAX_INSTRUCTIONS);
+            while end < longest && (end == start || !is_target[end]) {
                 if translate(&mut block, &code[end]).is_none() {
                     break;
                 }
@@ -425,8 +432,12 @@ struct Liveness {
 }
 
 impl Liveness {
-    fn of(program: &Program) -> Self {
+    /// `None` where the program is too large.
+    fn of(program: &Program) -> Option<Self> {
         let words = (program.layout.registers as usize).div_ceil(64);
+        if program.code.len().saturating_mul(words) > MAX_LIVENESS {
+            return None;
+        }
         let mut code = program.code.clone();
         let mut before = vec![vec![0u64; words]; code.len() + 1];
         for &output in &program.layout.outputs {
@@ -448,7 +459,7 @@ impl Liveness {
                 }
             }
             if !has_changed {
-                return Self { before };
+                return Some(Self { before });
             }
         }
     }
@@ -544,7 +555,7 @@ mod tests {
     #[test]
     fn registers_that_nothing_reads_are_dead() {
         let program = program();
-        let live = Liveness::of(&program);
+        let live = Liveness::of(&program).expect("a small program");
         let end = program.code.len();
         let is_output = |register| program.layout.outputs.contains(&register);
         for register in program.layout.first_written..program.layout.registers {

@@ -1,6 +1,6 @@
 //! The steps of straight code: values that are computed from values.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// The result of a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -178,13 +178,26 @@ impl Block {
         assert!(register >= self.splats, "register {register} holds a splat");
         self.registers = self.registers.max(register + 1);
         self.held.insert(register, value);
-        self.writes.retain(|write| write.register != register);
         self.writes.push(Write { after: self.steps.len(), register, value });
     }
 
     /// Drops what nothing reads after the block: writes to registers for which `is_live` does not hold.
     pub fn retain_live(&mut self, is_live: impl Fn(u32) -> bool) {
         self.writes.retain(|write| is_live(write.register));
+    }
+
+    /// The last write of each register, in order.
+    pub(super) fn last_writes(&self) -> Vec<Write> {
+        let mut seen = HashSet::new();
+        let mut last: Vec<Write> =
+            self.writes.iter().rev().filter(|write| seen.insert(write.register)).copied().collect();
+        last.reverse();
+        last
+    }
+
+    /// The value of what a register held at the beginning, if a step needs it.
+    pub(super) fn initial(&self, register: u32) -> Option<Value> {
+        self.numbers.get(&Step::Register(register)).copied()
     }
 
     /// How many registers it addresses.

@@ -5,7 +5,7 @@
 //! register that holds it since, or from a slot on the stack.
 
 use super::Target;
-use super::block::{Block, Step, Value};
+use super::block::{Block, Step, Value, Write};
 use super::encode::{Assembler, Location, Source, Vector};
 
 /// Slots on the stack. They stay within the page that a function may touch without a probe.
@@ -22,6 +22,7 @@ struct Placement {
 
 struct Compiler<'a> {
     block: &'a Block,
+    writes: &'a [Write],
     assembler: Assembler,
     /// By step.
     values: Vec<Placement>,
@@ -35,21 +36,23 @@ struct Compiler<'a> {
 /// Appends the code of a block.
 pub fn compile(block: &Block, target: Target, bytes: &mut Vec<u8>) -> Option<()> {
     // How many slots it needs is known only afterwards: the first pass counts them.
-    let mut compiler = Compiler::new(block, target);
+    let writes = block.last_writes();
+    let mut compiler = Compiler::new(block, &writes, target);
     compiler.run(0)?;
     let spills = compiler.spills;
-    let mut compiler = Compiler::new(block, target);
+    let mut compiler = Compiler::new(block, &writes, target);
     let head = compiler.run(spills)?;
     bytes.extend(compiler.assembler.end(head, spills)?);
     Some(())
 }
 
 impl<'a> Compiler<'a> {
-    fn new(block: &'a Block, target: Target) -> Self {
+    fn new(block: &'a Block, writes: &'a [Write], target: Target) -> Self {
         Self {
             block,
+            writes,
             assembler: Assembler::new(target),
-            values: uses(block),
+            values: uses(block, writes),
             occupants: vec![None; usize::from(target.vectors())],
             pinned: Vec::new(),
             spills: 0,
@@ -58,7 +61,7 @@ impl<'a> Compiler<'a> {
 
     fn run(&mut self, spills: u32) -> Option<u64> {
         let head = self.assembler.begin(spills)?;
-        let mut writes = self.block.writes.iter().peekable();
+        let mut writes = self.writes.iter().peekable();
         for (at, step) in self.block.steps.iter().enumerate() {
             while let Some(write) = writes.next_if(|write| write.after <= at) {
                 self.write(write.register, write.value)?;
@@ -197,10 +200,8 @@ impl<'a> Compiler<'a> {
     fn write(&mut self, register: u32, value: Value) -> Option<()> {
         let location = Location::Register(register);
         // Another value that is to be loaded from there is loaded before.
-        let steps = self.block.steps.iter();
-        let before = steps.enumerate().find(|(_, step)| **step == Step::Register(register));
-        if let Some((at, _)) = before {
-            let old = Value(at as u32);
+        if let Some(old) = self.block.initial(register) {
+            let at = old.0 as usize;
             let placement = &self.values[at];
             if old != value && !placement.uses.is_empty() {
                 if placement.vector.is_none() && placement.memory == Some(location) {
@@ -221,10 +222,10 @@ impl<'a> Compiler<'a> {
 }
 
 /// The uses of each value by steps and writes that are needed.
-fn uses(block: &Block) -> Vec<Placement> {
+fn uses(block: &Block, writes: &[Write]) -> Vec<Placement> {
     let mut placements = vec![Placement::default(); block.steps.len()];
     // From the last step to the first, so that the next use comes to stand last.
-    let mut writes = block.writes.iter().rev().peekable();
+    let mut writes = writes.iter().rev().peekable();
     let mut position = u32::MAX;
     for at in (0..block.steps.len()).rev() {
         while let Some(write) = writes.next_if(|write| write.after > at) {

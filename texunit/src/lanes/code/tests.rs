@@ -150,7 +150,7 @@ fn check(isa: Isa, seed: u32) -> usize {
     const INPUTS: u32 = 9;
     const OUTPUTS: u32 = 30;
     let mut random =
-        (0..).map(|at| word(seed.wrapping_add(77), at) ^ (at as u32).wrapping_mul(0x1234_567));
+        (0..).map(|at| word(seed.wrapping_add(77), at) ^ (at as u32).wrapping_mul(0x0123_4567));
     let mut below = |count: usize| random.next().unwrap_or(0) as usize % count;
     let splats: Vec<f32> =
         (0..SPLATS).map(|at| f32::from_bits(normal(word(seed, 1000 + at as usize)))).collect();
@@ -160,7 +160,7 @@ fn check(isa: Isa, seed: u32) -> usize {
             None => U32s::from_fn(|lane| normal(word(seed ^ at << 8, lane))),
         })
         .collect();
-    let mask = U32s::from_fn(|lane| truth(word(seed, lane) % 3 == 0));
+    let mask = U32s::from_fn(|lane| truth(word(seed, lane).is_multiple_of(3)));
     let mut block = Block::new(SPLATS);
     let mut held = registers.clone();
     let mut values: Vec<(Value, U32s)> = vec![(block.value(Step::Mask), mask)];
