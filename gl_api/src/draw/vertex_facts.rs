@@ -235,44 +235,35 @@ impl Draw<'_> {
             && self.count >= 3
             && self.context.state.clip.enabled == 0;
         let Some(floats) = self.positions().filter(|_| is_asked) else { return false };
-        let matrices = &self.context.state.matrices;
-        let viewport = viewport(self.context);
-        let matrix = matrices.projection.top * matrices.modelview.top;
-        let entries = matrix.to_cols_array().map(f64::abs);
-        let transform = Transform {
-            matrix,
-            largest: entries.into_iter().fold(0.0, f64::max),
-            size: [viewport.width, viewport.height].map(|size| 0.5 * f64::from(size)),
-            sign: match front_face(self.context) {
-                FrontFace::Ccw => 1.0,
-                FrontFace::Cw => -1.0,
-            },
+        let transform = Transform::of(self.context);
+        let window = |number: u32| floats.get(number).map_or(NOWHERE, |at| transform.to_window(at));
+        // A few show most meshes that have back faces.
+        let triangles = self.count / 3;
+        let is_front = |triangle: u32| {
+            let corners = [0, 1, 2].map(|at| window(self.elements.number(3 * triangle + at)));
+            transform.is_front(corners)
         };
+        if !(0..triangles).step_by((triangles / PROBES).max(1) as usize).all(is_front) {
+            return false;
+        }
         // Each vertex is of about six triangles of a mesh.
-        let mut known: Vec<Option<[f64; 2]>> = Vec::new();
-        let mut corner = |at: u32| {
-            let number = self.elements.number(at);
-            let place = number as usize;
-            if place > MAX_VERTICES as usize {
-                return None;
-            }
-            if place >= known.len() {
-                known.resize((place + 1).next_power_of_two(), None);
-            }
-            if known[place].is_none() {
-                known[place] = Some(transform.to_window(floats.get(number)?)?);
-            }
-            known[place]
-        };
-        (0..self.count / 3).all(|triangle| {
-            let corners = [0, 1, 2].map(|at| corner(3 * triangle + at));
-            match corners {
-                [Some(a), Some(b), Some(c)] => transform.is_front(a, b, c),
-                [_, _, _] => false,
-            }
-        })
+        let numbers: Vec<u32> = (0..3 * triangles).map(|at| self.elements.number(at)).collect();
+        let first = numbers.iter().copied().min().unwrap_or(0);
+        let last = numbers.iter().copied().max().unwrap_or(0);
+        if last - first > MAX_VERTICES {
+            return false;
+        }
+        let windows: Vec<[f64; 2]> = (first..=last).map(window).collect();
+        let corner = |number: u32| windows[(number - first) as usize];
+        numbers.as_chunks().0.iter().all(|triangle| transform.is_front(triangle.map(corner)))
     }
 }
+
+/// So many triangles are looked at before all are.
+const PROBES: u32 = 32;
+
+/// Where no triangle shows its front.
+const NOWHERE: [f64; 2] = [f64::NAN; 2];
 
 /// From object coordinates to pixels about the viewport's centre.
 struct Transform {
@@ -285,25 +276,43 @@ struct Transform {
 }
 
 impl Transform {
-    /// `None` where the vertex is not surely between the near and the far plane, is far outside, or is rounded by more
-    /// than a thirty-second of a pixel.
-    fn to_window(&self, position: [f32; 4]) -> Option<[f64; 2]> {
+    fn of(context: &Context) -> Self {
+        let (matrices, viewport) = (&context.state.matrices, viewport(context));
+        let matrix = matrices.projection.top * matrices.modelview.top;
+        let entries = matrix.to_cols_array().map(f64::abs);
+        Self {
+            matrix,
+            largest: entries.into_iter().fold(0.0, f64::max),
+            size: [viewport.width, viewport.height].map(|size| 0.5 * f64::from(size)),
+            sign: match front_face(context) {
+                FrontFace::Ccw => 1.0,
+                FrontFace::Cw => -1.0,
+            },
+        }
+    }
+
+    /// [`NOWHERE`] where the vertex is not surely between the near and the far plane, is far outside, or is rounded by
+    /// more than a thirty-second of a pixel.
+    fn to_window(&self, position: [f32; 4]) -> [f64; 2] {
         let position = DVec4::from_array(position.map(f64::from));
         let clip = self.matrix * position;
         let rounding = 4.0 * SINGLE * self.largest * position.abs().max_element();
-        let window = [clip.x / clip.w * self.size[0], clip.y / clip.w * self.size[1]];
-        let is_between = clip.w > 0.0 && clip.z.abs() + rounding < clip.w - rounding;
+        let inverse = clip.w.recip();
+        let window = [clip.x * inverse * self.size[0], clip.y * inverse * self.size[1]];
         let far = FAR.max(self.size[0]).max(self.size[1]);
-        let is_near = window.into_iter().all(|coordinate| coordinate.abs() < far);
-        let is_exact = 32.0 * rounding * far < clip.w;
-        (is_between && is_near && is_exact).then_some(window)
+        let is_sure = (clip.w > 0.0)
+            & (clip.z.abs() + rounding < clip.w - rounding)
+            & (window[0].abs() < far)
+            & (window[1].abs() < far)
+            & (32.0 * rounding * far < clip.w);
+        if is_sure { window } else { NOWHERE }
     }
 
     /// Whether the area has the sign of front faces also where corners move by a sixteenth of a pixel.
-    fn is_front(&self, a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> bool {
+    fn is_front(&self, [a, b, c]: [[f64; 2]; 3]) -> bool {
         let [u, v] = [b, c].map(|point| [point[0] - a[0], point[1] - a[1]]);
         let area = (u[0] * v[1] - u[1] * v[0]) * self.sign;
-        let around = [u, v].into_iter().flatten().map(f64::abs).sum::<f64>();
+        let around = u[0].abs() + u[1].abs() + v[0].abs() + v[1].abs();
         area > 0.125 * (around + 0.125)
     }
 }
