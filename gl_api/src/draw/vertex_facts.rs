@@ -1,4 +1,5 @@
-//! What the vertices of a draw make without effect: an alpha test that all pass, fog behind them. Vertices are read only where state asks for one of these, and up to the first that contradicts.
+//! What the vertices of a draw make without effect: an alpha test that all pass, fog behind them. Vertices are read only
+//! where state asks for one of these, and up to the first that contradicts.
 
 use crate::context::Context;
 use crate::context::recorder::elements::Elements;
