@@ -49,11 +49,6 @@ pub(crate) fn shows_back_faces(context: &Context) -> bool {
     !is_culled || !leaves_out(context)
 }
 
-/// Whether the draw that is being recorded has colours of back faces, which it may show.
-pub(crate) fn has_two_sides(context: &Context) -> bool {
-    shows_back_faces(context) && !context.recorder.facts.all_front
-}
-
 /// Whether fog leaves every colour: its factor is `exp(0)` at any distance.
 pub(crate) fn fog(context: &Context) -> bool {
     let fog = &context.state.fog;

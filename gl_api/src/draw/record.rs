@@ -67,7 +67,7 @@ pub(crate) fn draw(
     elements: &Elements,
 ) -> Result<()> {
     draw_pending(context);
-    let facts = VertexFacts::of(context, topology, &vertices, elements);
+    let facts = VertexFacts::of(context, &vertices, elements);
     // What was decided for other facts does not hold.
     if std::mem::replace(&mut context.recorder.facts, facts) != facts {
         context.recorder.emitted.decisions = None;

@@ -183,7 +183,7 @@ impl FragmentStage {
             Some(_) => enables.has(Flag::VertexProgramTwoSide),
             None => enables.has(Flag::Lighting) && context.state.lights.model.two_side,
         };
-        let two_sided = two_sided && no_effect::has_two_sides(context);
+        let two_sided = two_sided && no_effect::shows_back_faces(context);
         if let Some(module) = &programs.fragment {
             let textures = programs.textures(context, Stage::Fragment, module)?;
             let alpha = alpha_test(context);

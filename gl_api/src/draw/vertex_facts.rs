@@ -1,5 +1,5 @@
-//! What the vertices of a draw make without effect: an alpha test that all pass, fog behind them, back faces that there
-//! are none of. Vertices are read only where state asks for one of these, and up to the first that contradicts.
+//! What the vertices of a draw make without effect: an alpha test that all pass, fog behind them. Vertices are read only
+//! where state asks for one of these, and up to the first that contradicts.
 
 use crate::context::Context;
 use crate::context::recorder::elements::Elements;
@@ -9,14 +9,11 @@ use crate::draw::completeness::samples;
 use crate::draw::fixed_function::keys::varying;
 use crate::draw::material::material;
 use crate::draw::no_effect;
-use crate::draw::pipeline::{front_face, viewport};
 use crate::interface::{ATTRIB_COLOR, ATTRIB_VERTEX, Side};
 use crate::state::enable::Flag;
 use crate::state::fog::{FogMode, FogSource};
-use glam::{DMat4, DVec4};
-use rasterizer::driver::{
-    FrontFace, Topology, VertexBinding, VertexFormat, VertexSource, VertexType,
-};
+use glam::DVec4;
+use rasterizer::driver::{VertexBinding, VertexFormat, VertexSource, VertexType};
 use texunit::sampler::Compare;
 
 /// The vertices of larger draws are not looked at.
@@ -31,21 +28,12 @@ const SINGLE: f64 = 4e-7;
 /// Alpha above this is not looked at: sums with it round by more.
 const LARGE: f32 = 1e3;
 
-/// So many pixels from the viewport's centre, and farther, triangles may be cut.
-const FAR: f64 = 4096.0;
-
 impl VertexFacts {
     /// Those that state asks for.
-    pub fn of(
-        context: &Context,
-        topology: Topology,
-        vertices: &[VertexBinding],
-        elements: &Elements,
-    ) -> Self {
+    pub fn of(context: &Context, vertices: &[VertexBinding], elements: &Elements) -> Self {
         let enables = &context.state.enables;
-        let is_two_sided = enables.has(Flag::Lighting) && context.state.lights.model.two_side;
         let blends = context.state.fragment.buffers.iter().any(|buffer| buffer.blend);
-        let scans = enables.has(Flag::AlphaTest) || enables.has(Flag::Fog) || is_two_sided;
+        let scans = enables.has(Flag::AlphaTest) || enables.has(Flag::Fog);
         let (count, _) = elements.counts();
         if !(blends || scans)
             || !no_effect::leaves_out(context)
@@ -66,9 +54,6 @@ impl VertexFacts {
             alpha_is_one: of_state.alpha_is_one,
             alpha_passes: enables.has(Flag::AlphaTest) && draw.alpha_passes(),
             is_before_fog: enables.has(Flag::Fog) && draw.is_before_fog(),
-            all_front: is_two_sided
-                && no_effect::shows_back_faces(context)
-                && draw.all_front(topology),
         }
     }
 }
@@ -227,92 +212,5 @@ impl Draw<'_> {
             position.w == 1.0 && row.dot(position).abs() + SINGLE * terms < limit
         };
         is_asked && self.positions().is_some_and(|floats| self.all(&floats, is_before))
-    }
-
-    /// Whether all triangles lie before the eye and show their front, so that no rounding of their corners turns one.
-    fn all_front(&self, topology: Topology) -> bool {
-        let is_asked = matches!(topology, Topology::Triangles)
-            && self.count >= 3
-            && self.context.state.clip.enabled == 0;
-        let Some(floats) = self.positions().filter(|_| is_asked) else { return false };
-        let transform = Transform::of(self.context);
-        let window = |number: u32| floats.get(number).map_or(NOWHERE, |at| transform.to_window(at));
-        // A few show most meshes that have back faces.
-        let triangles = self.count / 3;
-        let is_front = |triangle: u32| {
-            let corners = [0, 1, 2].map(|at| window(self.elements.number(3 * triangle + at)));
-            transform.is_front(corners)
-        };
-        if !(0..triangles).step_by((triangles / PROBES).max(1) as usize).all(is_front) {
-            return false;
-        }
-        // Each vertex is of about six triangles of a mesh.
-        let numbers: Vec<u32> = (0..3 * triangles).map(|at| self.elements.number(at)).collect();
-        let first = numbers.iter().copied().min().unwrap_or(0);
-        let last = numbers.iter().copied().max().unwrap_or(0);
-        if last - first > MAX_VERTICES {
-            return false;
-        }
-        let windows: Vec<[f64; 2]> = (first..=last).map(window).collect();
-        let corner = |number: u32| windows[(number - first) as usize];
-        numbers.as_chunks().0.iter().all(|triangle| transform.is_front(triangle.map(corner)))
-    }
-}
-
-/// So many triangles are looked at before all are.
-const PROBES: u32 = 32;
-
-/// Where no triangle shows its front.
-const NOWHERE: [f64; 2] = [f64::NAN; 2];
-
-/// From object coordinates to pixels about the viewport's centre.
-struct Transform {
-    matrix: DMat4,
-    /// The largest magnitude in it.
-    largest: f64,
-    size: [f64; 2],
-    /// That of the area of front faces.
-    sign: f64,
-}
-
-impl Transform {
-    fn of(context: &Context) -> Self {
-        let (matrices, viewport) = (&context.state.matrices, viewport(context));
-        let matrix = matrices.projection.top * matrices.modelview.top;
-        let entries = matrix.to_cols_array().map(f64::abs);
-        Self {
-            matrix,
-            largest: entries.into_iter().fold(0.0, f64::max),
-            size: [viewport.width, viewport.height].map(|size| 0.5 * f64::from(size)),
-            sign: match front_face(context) {
-                FrontFace::Ccw => 1.0,
-                FrontFace::Cw => -1.0,
-            },
-        }
-    }
-
-    /// [`NOWHERE`] where the vertex is not surely between the near and the far plane, is far outside, or is rounded by
-    /// more than a thirty-second of a pixel.
-    fn to_window(&self, position: [f32; 4]) -> [f64; 2] {
-        let position = DVec4::from_array(position.map(f64::from));
-        let clip = self.matrix * position;
-        let rounding = 4.0 * SINGLE * self.largest * position.abs().max_element();
-        let inverse = clip.w.recip();
-        let window = [clip.x * inverse * self.size[0], clip.y * inverse * self.size[1]];
-        let far = FAR.max(self.size[0]).max(self.size[1]);
-        let is_sure = (clip.w > 0.0)
-            & (clip.z.abs() + rounding < clip.w - rounding)
-            & (window[0].abs() < far)
-            & (window[1].abs() < far)
-            & (32.0 * rounding * far < clip.w);
-        if is_sure { window } else { NOWHERE }
-    }
-
-    /// Whether the area has the sign of front faces also where corners move by a sixteenth of a pixel.
-    fn is_front(&self, [a, b, c]: [[f64; 2]; 3]) -> bool {
-        let [u, v] = [b, c].map(|point| [point[0] - a[0], point[1] - a[1]]);
-        let area = (u[0] * v[1] - u[1] * v[0]) * self.sign;
-        let around = u[0].abs() + u[1].abs() + v[0].abs() + v[1].abs();
-        area > 0.125 * (around + 0.125)
     }
 }

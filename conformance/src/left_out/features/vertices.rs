@@ -59,7 +59,8 @@ pub(super) const LIST: &[Feature] = &[
             glMaterialfv(GL_FRONT_AND_BACK, GL_DIFFUSE, &[0.8f32, 0.5, 0.3, 1.0]);
         },
         draw_mesh,
-    ),
+    )
+    .because(Reason::NotLeftOut),
     Feature::state(
         "two-side-culled",
         "two-sided light where back faces are culled",

@@ -9,13 +9,11 @@ pub(crate) struct VertexFacts {
     pub alpha_is_one: bool,
     /// Whether all lie before the start of linear fog.
     pub is_before_fog: bool,
-    /// Whether all triangles face the viewer with their front.
-    pub all_front: bool,
 }
 
 impl VertexFacts {
     /// Whether anything is known that vertices of a later draw of the same state may not have.
     pub fn is_of_contents(self) -> bool {
-        self.alpha_passes || self.is_before_fog || self.all_front
+        self.alpha_passes || self.is_before_fog
     }
 }
