@@ -1,19 +1,13 @@
 //! A small context for random calls, and the check that it works after them.
 
 use gl_api::*;
-use rasterizer::driver::{Device, DeviceDesc, Explain, LeaveOut};
+use rasterizer::driver::{Device, DeviceDesc};
 use std::sync::Arc;
 use texunit::lanes::Isa;
 
 /// A small context of a profile, with a short time limit for shaders.
 pub fn context_of(api: Api) -> Context {
-    let desc = DeviceDesc {
-        isa: Isa::best(),
-        threads: 2,
-        budget: 20_000,
-        explain: Explain::Off,
-        leave_out: LeaveOut::default(),
-    };
+    let desc = DeviceDesc { budget: 20_000, ..DeviceDesc::new(Isa::best(), 2) };
     let device = Some(Arc::new(Device::new(desc).expect("threads start")));
     Context::new(ContextDesc { api, width: 40, height: 30, device, ..ContextDesc::default() })
         .expect("a small context")

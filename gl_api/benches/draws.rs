@@ -8,7 +8,7 @@
 mod shading;
 
 use gl_api::*;
-use rasterizer::driver::{Device, DeviceDesc, Explain, LeaveOut};
+use rasterizer::driver::{Device, DeviceDesc};
 use std::hint::black_box;
 use std::sync::Arc;
 use std::time::Instant;
@@ -74,13 +74,7 @@ fn elements(c: &mut Context) {
 /// A context with two textures, a small square in buffers and in list 1, and where `tint` is.
 fn context(stages: Stages) -> (Context, i32) {
     let (isa, budget) = (Isa::best(), DeviceDesc::BUDGET);
-    let desc = DeviceDesc {
-        isa,
-        threads: 1,
-        budget,
-        explain: Explain::Off,
-        leave_out: LeaveOut::default(),
-    };
+    let desc = DeviceDesc { budget, ..DeviceDesc::new(isa, 1) };
     let device = Some(Arc::new(Device::new(desc).expect("a thread starts")));
     let desc = ContextDesc { width: SIZE, height: SIZE, device, ..ContextDesc::default() };
     let mut c = Context::new(desc).expect("a device");

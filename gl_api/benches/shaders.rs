@@ -6,9 +6,9 @@
 
 use gl_api::glsl::{Bindings, Options, Stage, compile, link};
 use rasterizer::driver::{
-    Attachment, Buffer, ColorState, Command, CommandBuffer, Cull, Device, DeviceDesc, Explain,
-    FrontFace, Image, LeaveOut, OutputState, PassDesc, Pipeline, PipelineDesc, Provoking,
-    ShaderModule, Topology, VertexBinding, VertexFormat, VertexSource, VertexType, Viewport,
+    Attachment, Buffer, ColorState, Command, CommandBuffer, Cull, Device, DeviceDesc, FrontFace,
+    Image, OutputState, PassDesc, Pipeline, PipelineDesc, Provoking, ShaderModule, Topology,
+    VertexBinding, VertexFormat, VertexSource, VertexType, Viewport,
 };
 use std::sync::Arc;
 use std::time::Instant;
@@ -263,13 +263,7 @@ fn main() {
 
 /// The seconds of the fastest of many draws.
 fn fastest(commands: &CommandBuffer, isa: Isa, threads: usize) -> f64 {
-    let desc = DeviceDesc {
-        isa,
-        threads,
-        budget: DeviceDesc::BUDGET,
-        explain: Explain::Off,
-        leave_out: LeaveOut::default(),
-    };
+    let desc = DeviceDesc::new(isa, threads);
     let device = Device::new(desc).expect("a thread starts");
     let draw = |_| {
         let start = Instant::now();

@@ -5,7 +5,7 @@
 mod shading;
 
 use gl_api::*;
-use rasterizer::driver::{Device, DeviceDesc, Explain, LeaveOut};
+use rasterizer::driver::{Device, DeviceDesc};
 use shading::use_program;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -21,13 +21,7 @@ const SIZE: u32 = 128;
 
 /// With a triangle in a buffer.
 fn context(threads: usize, isa: Isa) -> Context {
-    let desc = DeviceDesc {
-        isa,
-        threads,
-        budget: DeviceDesc::BUDGET,
-        explain: Explain::Off,
-        leave_out: LeaveOut::default(),
-    };
+    let desc = DeviceDesc::new(isa, threads);
     let device = Some(Arc::new(Device::new(desc).expect("a device")));
     let desc = ContextDesc { width: SIZE, height: SIZE, device, ..ContextDesc::default() };
     let mut c = Context::new(desc).expect("a context");

@@ -1,7 +1,7 @@
 //! Shaders that do not end: the draw is left out soon, the same pixels on every machine, and the context goes on.
 
 use gl_api::*;
-use rasterizer::driver::{Device, DeviceDesc, Explain, LeaveOut};
+use rasterizer::driver::{Device, DeviceDesc};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 use texunit::lanes::Isa;
@@ -13,13 +13,7 @@ const SOON: Duration =
 const TRIANGLE: [f32; 6] = [-1.0, -1.0, 3.0, -1.0, -1.0, 3.0];
 
 fn context(size: u32, threads: usize, isa: Isa, draw_budget: Option<u64>) -> Context {
-    let desc = DeviceDesc {
-        isa,
-        threads,
-        budget: DeviceDesc::BUDGET,
-        explain: Explain::Off,
-        leave_out: LeaveOut::default(),
-    };
+    let desc = DeviceDesc::new(isa, threads);
     let device = Some(Arc::new(Device::new(desc).expect("a device")));
     let desc =
         ContextDesc { width: size, height: size, device, draw_budget, ..ContextDesc::default() };

@@ -1,20 +1,14 @@
 //! The plan of a draw (`DETGL_EXPLAIN`): what it leaves out because this draw does not need it.
 
 use gl_api::*;
-use rasterizer::driver::{Device, DeviceDesc, Explain, LeaveOut};
+use rasterizer::driver::{Device, DeviceDesc, Explain};
 use std::sync::Arc;
 use texunit::lanes::Isa;
 
 /// The plans of what `draw` draws.
 fn plans(draw: impl FnOnce()) -> Vec<String> {
     let explain = Explain::Keep;
-    let desc = DeviceDesc {
-        isa: Isa::best(),
-        threads: 1,
-        budget: DeviceDesc::BUDGET,
-        explain,
-        leave_out: LeaveOut::default(),
-    };
+    let desc = DeviceDesc { explain, ..DeviceDesc::new(Isa::best(), 1) };
     let device = Arc::new(Device::new(desc).expect("a thread starts"));
     let desc =
         ContextDesc { width: 16, height: 16, device: Some(device.clone()), ..Default::default() };

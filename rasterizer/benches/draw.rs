@@ -5,9 +5,9 @@
 //! disturbs the machine falls on all of them alike. Words after `--` pick those that hold them all.
 
 use rasterizer::driver::{
-    Attachment, Buffer, ColorState, Command, CommandBuffer, Cull, Device, DeviceDesc, Explain,
-    FrontFace, Image, LeaveOut, OutputState, PassDesc, Pipeline, PipelineDesc, Provoking,
-    ShaderModule, Topology, VertexBinding, VertexFormat, VertexSource, VertexType, Viewport,
+    Attachment, Buffer, ColorState, Command, CommandBuffer, Cull, Device, DeviceDesc, FrontFace,
+    Image, OutputState, PassDesc, Pipeline, PipelineDesc, Provoking, ShaderModule, Topology,
+    VertexBinding, VertexFormat, VertexSource, VertexType, Viewport,
 };
 use rasterizer::ir::{Builder, Input, Interpolation, Lod, Op, Output, Stage, TextureDecl, Value};
 use std::hint::black_box;
@@ -202,13 +202,7 @@ fn main() {
     let fastest = Isa::best();
     let kinds = Isa::available().into_iter().map(|isa| (isa, 1)).chain([(fastest, 2)]);
     for (isa, threads) in kinds {
-        let desc = DeviceDesc {
-            isa,
-            threads,
-            budget: DeviceDesc::BUDGET,
-            explain: Explain::Off,
-            leave_out: LeaveOut::default(),
-        };
+        let desc = DeviceDesc::new(isa, threads);
         let name = format!("{} x{threads}", isa.name());
         for scene in scenes() {
             let full = format!("{name} {}", scene.name);

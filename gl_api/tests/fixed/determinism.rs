@@ -2,7 +2,7 @@
 
 use crate::Random;
 use gl_api::*;
-use rasterizer::driver::{Device, DeviceDesc, Explain, LeaveOut};
+use rasterizer::driver::{Device, DeviceDesc};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use texunit::lanes::Isa;
@@ -11,13 +11,7 @@ const SIZE: i32 = 48;
 
 /// A context of such a device.
 fn context_of(isa: Isa, threads: usize) -> Context {
-    let desc = DeviceDesc {
-        isa,
-        threads,
-        budget: DeviceDesc::BUDGET,
-        explain: Explain::Off,
-        leave_out: LeaveOut::default(),
-    };
+    let desc = DeviceDesc::new(isa, threads);
     let device = Arc::new(Device::new(desc).expect("threads start"));
     let (width, height) = (SIZE as u32, SIZE as u32);
     let desc = ContextDesc { width, height, device: Some(device), ..Default::default() };

@@ -44,6 +44,12 @@ impl DeviceDesc {
     /// a second of two threads.
     pub const BUDGET: u64 = 1 << 26;
 
+    /// The default budget, silence, and nothing done that has no effect.
+    pub const fn new(isa: Isa, threads: usize) -> Self {
+        let leave_out = LeaveOut::WithoutEffect;
+        Self { isa, threads, budget: Self::BUDGET, explain: Explain::Off, leave_out }
+    }
+
     /// The operations of a batch that are not charged to its draw.
     pub const FREE_OPERATIONS: u64 = FREE_OPERATIONS;
 

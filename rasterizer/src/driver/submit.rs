@@ -49,20 +49,14 @@ mod tests {
     use crate::desc::Rect;
     use crate::driver::command::ClearValue;
     use crate::driver::image::{Attachment, Image, PassDesc};
-    use crate::driver::resources::{DeviceDesc, Explain};
+    use crate::driver::resources::DeviceDesc;
     use texunit::format::Format;
     use texunit::lanes::Isa;
 
     /// As where another context gives an image a smaller size after the commands were checked.
     #[test]
     fn a_pass_to_what_has_become_smaller_is_left_out() {
-        let desc = DeviceDesc {
-            isa: Isa::BASELINE,
-            threads: 1,
-            budget: DeviceDesc::BUDGET,
-            explain: Explain::Off,
-            leave_out: crate::plan::LeaveOut::default(),
-        };
+        let desc = DeviceDesc::new(Isa::BASELINE, 1);
         let images = [(200, 200), (70, 300), (8, 8)]
             .map(|(width, height)| Image::blank(Format::Rgba8, width, height, 1).expect("small"));
         let attachment = |image: &Image| Attachment { image: image.clone(), face: 0, level: 0 };

@@ -150,9 +150,8 @@ fn compute(block: &mut Block, what: Compute, args: &[Reg; OPERANDS]) -> Option<V
     match what.as_tree() {
         Ok(tree) => of_tree(block, &tree, args),
         Err(op) => {
-            let mut operands = [args[0]; 3];
-            operands.copy_from_slice(&args[..3]);
-            operation(block, op, &|block, at| block.read(operands[at].0))
+            let [a, b, c] = [args[0], args[1], args[2]].map(|register| block.read(register.0));
+            operation(block, op, [a, b, c])
         }
     }
 }
@@ -163,14 +162,12 @@ fn of_tree(block: &mut Block, tree: &Tree, args: &[Reg; OPERANDS]) -> Option<Val
             Some(block.read(args[*at].0))
         }
         Tree::Node(op, trees) => {
-            let mut values = [None; 3];
-            for (value, tree) in values.iter_mut().zip(*trees) {
-                *value = Some(of_tree(block, tree, args)?);
+            // Operands beyond the arity are not looked at.
+            let mut values = [of_tree(block, trees.first()?, args)?; 3];
+            for (value, tree) in values.iter_mut().zip(*trees).skip(1) {
+                *value = of_tree(block, tree, args)?;
             }
-            let [a, b, c] = values;
-            let a = a?;
-            let values = [a, b.unwrap_or(a), c.unwrap_or(a)];
-            operation(block, *op, &|_, at| values[at])
+            operation(block, *op, values)
         }
     }
 }
@@ -229,18 +226,7 @@ fn modulo_rest(block: &mut Block, a: Value, b: Value, inverse: Value) -> Value {
 }
 
 /// The steps of an operation, as its row in `ir/ops.rs` has it; `None` for those that have no machine code.
-fn operation(
-    block: &mut Block,
-    op: Op,
-    operand: &dyn Fn(&mut Block, usize) -> Value,
-) -> Option<Value> {
-    let mut operands = [None; 3];
-    for (at, value) in operands.iter_mut().enumerate().take(op.args().len()) {
-        *value = Some(operand(block, at));
-    }
-    let a = operands[0]?;
-    let b = operands[1].unwrap_or(a);
-    let c = operands[2].unwrap_or(a);
+fn operation(block: &mut Block, op: Op, [a, b, c]: [Value; 3]) -> Option<Value> {
     Some(match op {
         Op::Add => binary(block, Binary::Add, a, b),
         Op::Sub => binary(block, Binary::Sub, a, b),
@@ -473,12 +459,16 @@ fn insert(live: &mut [u64], register: u32) {
     live[register as usize / 64] |= 1 << (register % 64);
 }
 
+fn remove(live: &mut [u64], register: u32) {
+    live[register as usize / 64] &= !(1 << (register % 64));
+}
+
 /// From what is live after an instruction to what is live before it.
 fn transfer(inst: &mut Inst, live: &mut [u64]) {
     match inst {
         Inst::Zero { out, len } => {
             for register in out.0..out.0 + *len {
-                live[register as usize / 64] &= !(1 << (register % 64));
+                remove(live, register);
             }
         }
         // They write some lanes only.
@@ -488,13 +478,13 @@ fn transfer(inst: &mut Inst, live: &mut [u64]) {
             (base.0..base.0 + *len).chain([index.0, from.0]).for_each(|reg| insert(live, reg));
         }
         Inst::LoadAt { out, base, len, index } => {
-            live[out.0 as usize / 64] &= !(1 << (out.0 % 64));
+            remove(live, out.0);
             (base.0..base.0 + *len).chain([index.0]).for_each(|reg| insert(live, reg));
         }
         inst => {
             inst.operands(&mut |register, role| {
                 if role == Role::Write {
-                    live[register.0 as usize / 64] &= !(1 << (register.0 % 64));
+                    remove(live, register.0);
                 }
             });
             inst.operands(&mut |register, role| {

@@ -330,10 +330,9 @@ impl Program {
 
     /// By instruction, and at the end of the code: the operations of the code before it.
     fn operations(&self, textures: &[Option<Arc<SamplePlan>>]) -> Vec<u64> {
-        let costs = self.code.iter().map(|inst| inst.cost(textures));
         let mut before = 0;
-        let sums = costs.map(|cost| {
-            before += u64::from(cost);
+        let sums = self.costs(textures).map(|cost| {
+            before += cost;
             before
         });
         std::iter::once(0).chain(sums).collect()
@@ -342,7 +341,12 @@ impl Program {
     /// About how many additions of 64 lanes a batch takes as long as, with each loop run once. The textures are those of
     /// the draw.
     pub fn cost(&self, textures: &[Option<Arc<SamplePlan>>]) -> u64 {
-        self.code.iter().map(|inst| u64::from(inst.cost(textures))).sum()
+        self.costs(textures).sum()
+    }
+
+    /// By instruction.
+    fn costs(&self, textures: &[Option<Arc<SamplePlan>>]) -> impl Iterator<Item = u64> {
+        self.code.iter().map(|inst| u64::from(inst.cost(textures)))
     }
 
     /// Whether what it computes depends on uniform words.

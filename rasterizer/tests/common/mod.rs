@@ -2,8 +2,8 @@
 
 use rasterizer::driver::{
     Attachment, Buffer, ColorState, Command, Cull, Device, DeviceDesc, Explain, FrontFace, Image,
-    LeaveOut, OutputState, PassDesc, PipelineDesc, Provoking, ShaderModule, Topology,
-    VertexBinding, VertexFormat, VertexSource, VertexType, Viewport,
+    OutputState, PassDesc, PipelineDesc, Provoking, ShaderModule, Topology, VertexBinding,
+    VertexFormat, VertexSource, VertexType, Viewport,
 };
 use rasterizer::ir::{Builder, Input, Interpolation, Output, Stage, Value};
 use texunit::format::Format;
@@ -12,13 +12,8 @@ use texunit::lanes::Isa;
 
 /// A device that keeps its plans.
 pub fn device(isa: Isa, threads: usize) -> Device {
-    let desc = DeviceDesc {
-        isa,
-        threads,
-        budget: 1 << 20,
-        explain: Explain::Keep,
-        leave_out: LeaveOut::default(),
-    };
+    let desc =
+        DeviceDesc { budget: 1 << 20, explain: Explain::Keep, ..DeviceDesc::new(isa, threads) };
     Device::new(desc).expect("threads start")
 }
 

@@ -4,20 +4,14 @@ use super::*;
 use crate::base::begin_end::BeginEnd;
 use crate::base::types::GLenum;
 use crate::context::ContextDesc;
-use rasterizer::driver::{Device, DeviceDesc, Explain, LeaveOut};
+use rasterizer::driver::{Device, DeviceDesc};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 use texunit::lanes::Isa;
 
 /// A small context, whose shaders are stopped soon.
 fn context() -> Context {
-    let desc = DeviceDesc {
-        isa: Isa::best(),
-        threads: 2,
-        budget: 20_000,
-        explain: Explain::Off,
-        leave_out: LeaveOut::default(),
-    };
+    let desc = DeviceDesc { budget: 20_000, ..DeviceDesc::new(Isa::best(), 2) };
     let device = Some(Arc::new(Device::new(desc).expect("threads start")));
     Context::new(ContextDesc { width: 16, height: 8, device, ..ContextDesc::default() })
         .expect("a small context")

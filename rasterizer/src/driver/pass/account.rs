@@ -105,10 +105,9 @@ impl Extent {
     }
 }
 
-/// What a draw has left.
+/// What a draw of limited operations has left.
 pub struct Account {
-    /// `None` of a draw that may run as much as it likes.
-    left: Option<u64>,
+    left: u64,
     spent: u64,
     /// Vertices of each instance.
     vertices: u64,
@@ -118,27 +117,28 @@ pub struct Account {
 }
 
 impl Account {
-    /// Of a draw that begins.
+    /// Of a draw that begins; `None` of one that may run as much as it likes.
     pub fn new(
         extent: Extent,
         budget: u64,
         vertices: u32,
         state: &DrawState<'_>,
         plan: &DrawPlan,
-    ) -> Self {
+    ) -> Option<Self> {
+        let left = match extent {
+            Extent::Held => return None,
+            Extent::Allowed => ALLOWED_OPERATIONS,
+            Extent::Endless => budget,
+        };
         let fragment = plan.pipeline.compiled().fragment.cost(&plan.textures);
         let samples = if plan.samples.is_shaded_each() { plan.samples.count as u64 } else { 1 };
-        Self {
-            left: match extent {
-                Extent::Held => None,
-                Extent::Allowed => Some(ALLOWED_OPERATIONS),
-                Extent::Endless => Some(budget),
-            },
+        Some(Self {
+            left,
             spent: 0,
             vertices: vertices.into(),
             vertex_batch: state.batch_cost(),
             fragment_batch: FRAGMENTS + samples * fragment,
-        }
+        })
     }
 
     /// Charges a run of primitives of the instances of `state`.
@@ -151,9 +151,6 @@ impl Account {
         primitives: Range<u32>,
         chunks: impl Iterator<Item = &'a Chunk>,
     ) -> Result<(), OverBudget> {
-        if self.left.is_none() {
-            return Ok(());
-        }
         let (mut emitted, mut pixels) = (0, 0_u64);
         for chunk in chunks {
             emitted += if state.geometry.is_some() { chunk.geometry.len() as u64 } else { 0 };
@@ -183,10 +180,8 @@ impl Account {
     /// # Errors
     /// When the draw has spent all.
     pub fn spend(&mut self, operations: u64) -> Result<(), OverBudget> {
-        if let Some(left) = &mut self.left {
-            *left = left.checked_sub(operations).ok_or(OverBudget)?;
-            self.spent += operations;
-        }
+        self.left = self.left.checked_sub(operations).ok_or(OverBudget)?;
+        self.spent += operations;
         Ok(())
     }
 }

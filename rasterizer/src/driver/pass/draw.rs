@@ -198,8 +198,8 @@ impl Pass<'_> {
         jobs.iter_mut().for_each(|job| job.budget = extent.fragment_budget(budget));
         let plan = &self.job.draws[state.draw].plan;
         let mut account = Account::new(extent, budget, count, state, plan);
-        let drawn = self.draw_chunks(state, &mut account, report);
-        if extent == Extent::Endless {
+        let drawn = self.draw_chunks(state, account.as_mut(), report);
+        if let (Extent::Endless, Some(account)) = (extent, account) {
             self.endless = self.endless.saturating_add(match drawn {
                 Ok(_) => account.spent(),
                 Err(OverBudget) => budget,
@@ -212,11 +212,13 @@ impl Pass<'_> {
     fn draw_chunks(
         &mut self,
         state: &mut DrawState<'_>,
-        account: &mut Account,
+        mut account: Option<&mut Account>,
         report: &mut SubmitReport,
     ) -> Result<bool, OverBudget> {
         // Of a draw that has nothing left, no chunk is made.
-        account.spend(1)?;
+        if let Some(account) = &mut account {
+            account.spend(1)?;
+        }
         let mut is_visible = false;
         let (instances, instances_per_chunk) =
             (state.instances.clone(), state.instances_per_chunk());
@@ -228,13 +230,17 @@ impl Pass<'_> {
                 let range = start..state.primitives.len.min(start + state.run_len());
                 start = range.end;
                 let chunks = state.chunks(range.clone())?;
-                account.charge(state, range, chunks.iter().map(|(chunk, _)| chunk))?;
+                if let Some(account) = &mut account {
+                    account.charge(state, range, chunks.iter().map(|(chunk, _)| chunk))?;
+                }
                 is_visible |= self.bin_chunks(chunks);
                 if self.shapes >= BINS_FULL {
                     self.run_tiles(report);
-                    let jobs = self.job.draws[state.draw..].iter_mut();
-                    let looped = jobs.map(|job| std::mem::take(&mut job.budget.looped));
-                    account.spend(looped.fold(0, u64::saturating_add))?;
+                    if let Some(account) = &mut account {
+                        let jobs = self.job.draws[state.draw..].iter_mut();
+                        let looped = jobs.map(|job| std::mem::take(&mut job.budget.looped));
+                        account.spend(looped.fold(0, u64::saturating_add))?;
+                    }
                 }
             }
         }

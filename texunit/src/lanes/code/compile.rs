@@ -35,13 +35,15 @@ struct Compiler<'a> {
 
 /// Appends the code of a block.
 pub fn compile(block: &Block, target: Target, bytes: &mut Vec<u8>) -> Option<()> {
-    // How many slots it needs is known only afterwards: the first pass counts them.
     let writes = block.last_writes();
     let mut compiler = Compiler::new(block, &writes, target);
-    compiler.run(0)?;
+    let mut head = compiler.run(0)?;
     let spills = compiler.spills;
-    let mut compiler = Compiler::new(block, &writes, target);
-    let head = compiler.run(spills)?;
+    if spills > 0 {
+        // How many slots it needs is known only afterwards.
+        compiler = Compiler::new(block, &writes, target);
+        head = compiler.run(spills)?;
+    }
     bytes.extend(compiler.assembler.end(head, spills)?);
     Some(())
 }
