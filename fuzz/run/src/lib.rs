@@ -30,6 +30,14 @@ pub struct Done {
     pub shaders: u64,
     /// Pictures that were compared with another device's.
     pub pictures: u64,
+    /// Of these, those that have more than one colour.
+    pub varied: u64,
+}
+
+/// Counts a comparison of a picture.
+fn compared(picture: &[u8]) -> Done {
+    let is_varied = picture.chunks(4).any(|pixel| *pixel != picture[..4]);
+    Done { pictures: 1, varied: is_varied.into(), ..Done::default() }
 }
 
 impl AddAssign for Done {
@@ -37,6 +45,7 @@ impl AddAssign for Done {
         self.calls += other.calls;
         self.shaders += other.shaders;
         self.pictures += other.pictures;
+        self.varied += other.varied;
     }
 }
 
@@ -233,7 +242,7 @@ fn on_devices(all: &[Exercise], seed: u64) -> Done {
         let other = run(desc, &mut done);
         for (part, (first, other)) in first.iter().zip(&other).enumerate() {
             assert!(first == other, "seed {seed}, part {part}: {desc:?} draws another picture");
-            done.pictures += 1;
+            done += compared(first);
         }
     }
     done
@@ -256,7 +265,7 @@ fn shaders(seed: u64) -> Done {
     for &desc in &devices[1..] {
         for (first, other) in first.iter().zip(run(desc, &mut done)) {
             assert!(*first == other, "{desc:?} draws another picture of\n{}", other.2);
-            done.pictures += 1;
+            done += compared(&first.1);
         }
     }
     done

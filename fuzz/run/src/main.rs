@@ -41,10 +41,10 @@ fn main() -> ExitCode {
             });
         }
     });
-    let Done { calls, shaders, pictures } =
+    let Done { calls, shaders, pictures, varied } =
         *total.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
     println!(
-        "{} {}..{}: {calls} calls, {shaders} shaders, {pictures} pictures compared, {:.0} s",
+        "{} {}..{}: {calls} calls, {shaders} shaders, {pictures} pictures compared, {varied} of more than one colour, {:.0} s",
         target.name(),
         seeds.start,
         seeds.end,
