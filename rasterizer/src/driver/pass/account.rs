@@ -37,6 +37,8 @@ const VERTEX: u64 = 4;
 const PRIMITIVE: u64 = 8;
 /// Operations of a batch of fragments beside its program, at each sample.
 const FRAGMENTS: u64 = 8;
+/// Operations of a batch that is shaded at one of its samples, beside its program: its planes are moved there.
+const FRAGMENTS_OF_SAMPLE: u64 = 96;
 
 /// What a draw asks for, by what holds it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -132,13 +134,15 @@ impl Account {
         };
         let fragment = plan.pipeline.compiled().fragment.cost(&plan.textures);
         let samples = plan.samples.count as u64;
-        let shaded = if plan.samples.is_shaded_each() { samples } else { 1 };
         Some(Self {
             left,
             spent: 0,
             vertices: vertices.into(),
             vertex_batch: state.batch_cost(),
-            fragment_batch: samples * FRAGMENTS + shaded * fragment,
+            fragment_batch: match plan.samples.is_shaded_each() {
+                true => samples * (FRAGMENTS_OF_SAMPLE + fragment),
+                false => samples * FRAGMENTS + fragment,
+            },
         })
     }
 
