@@ -27,7 +27,7 @@ const SHORT_PROGRAM: u64 = 1 << 10;
 /// The vertices that a run of primitives takes as long as.
 const RUN_VERTICES: u64 = 64;
 /// The operations of a draw that asks for no more than what is allowed.
-const ALLOWED_OPERATIONS: u64 = 1 << 31;
+const ALLOWED_OPERATIONS: u64 = 1 << 32;
 /// The batches of vertices that the budget of a draw beyond is divided among.
 const BATCHES: u64 = 1 << 10;
 
@@ -37,8 +37,9 @@ const VERTEX: u64 = 4;
 const PRIMITIVE: u64 = 8;
 /// Operations of a batch of fragments beside its program, at each sample.
 const FRAGMENTS: u64 = 8;
-/// Operations of a batch that is shaded at one of its samples, beside its program: its planes are moved there.
-const FRAGMENTS_OF_SAMPLE: u64 = 96;
+/// Operations of a batch that is shaded at one of its samples, beside its program: its planes are moved there, and few of
+/// its lanes are covered where shapes are small.
+const FRAGMENTS_OF_SAMPLE: u64 = 256;
 
 /// What a draw asks for, by what holds it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
