@@ -6,7 +6,7 @@
 //! their target. So a join is a union of two masks, and nothing is ever recomputed.
 
 use super::compute::{Compute, OPERANDS};
-use crate::ir::{Access, Axis};
+use crate::ir::{Access, Axis, ByteTable};
 use std::sync::Arc;
 use texunit::plan::SamplePlan;
 
@@ -41,6 +41,8 @@ pub(super) enum Inst {
     UniformAt { out: Reg, base: u32, len: u32, index: Reg },
     /// All lanes.
     Derivative { axis: Axis, out: Reg, from: Reg },
+    /// All lanes.
+    OfByte { out: Reg, from: Reg, table: Arc<ByteTable> },
     /// All lanes.
     Sample(Box<SampleInst>),
     /// Jumps to `to` when this is 0: a uniform branch.
@@ -135,7 +137,8 @@ impl Inst {
             }
             Self::Move { out, from }
             | Self::Store { out, from }
-            | Self::Derivative { out, from, .. } => {
+            | Self::Derivative { out, from, .. }
+            | Self::OfByte { out, from, .. } => {
                 f(from, Role::Read);
                 f(out, Role::Write);
             }
@@ -201,7 +204,7 @@ impl Inst {
     /// instructions alone can run for several register files at once.
     pub fn is_straight(&self) -> bool {
         let moves = matches!(self, Self::Move { .. } | Self::Derivative { .. });
-        moves || matches!(self, Self::Compute { .. } | Self::Sample(_))
+        moves || matches!(self, Self::Compute { .. } | Self::OfByte { .. } | Self::Sample(_))
     }
 
     /// About how many additions of 64 lanes it takes as long as. The textures are those of the draw.
@@ -220,6 +223,7 @@ impl Inst {
             Self::Zero { len, .. } => DISPATCH + len,
             Self::EmitVertex(values) => DISPATCH + values.len() as u32,
             Self::EndPrimitive => BY_LANE,
+            Self::OfByte { .. } => DISPATCH + ByteTable::COST,
             Self::Move { .. }
             | Self::Store { .. }
             | Self::Derivative { .. }
@@ -261,6 +265,7 @@ impl Inst {
             | Self::StoreAt { .. }
             | Self::UniformAt { .. }
             | Self::Derivative { .. }
+            | Self::OfByte { .. }
             | Self::EmitVertex(_)
             | Self::EndPrimitive
             | Self::Sample(_) => false,
@@ -285,6 +290,7 @@ impl Inst {
             | Self::StoreAt { .. }
             | Self::UniformAt { .. }
             | Self::Derivative { .. }
+            | Self::OfByte { .. }
             | Self::Sample(_)
             | Self::Join { .. }
             | Self::Open { .. }
@@ -314,6 +320,7 @@ impl Inst {
             | Self::StoreAt { .. }
             | Self::UniformAt { .. }
             | Self::Derivative { .. }
+            | Self::OfByte { .. }
             | Self::Sample(_)
             | Self::Join { .. }
             | Self::Open { .. }

@@ -13,6 +13,7 @@ use super::preamble::Preamble;
 use super::uniformity::Uniformity;
 use crate::ir::{Access, Expr, Input, Lod, Module, Output, Sample, Stage, Ty, Value, Var};
 use flow::{LoopPosition, OpenLoop, OpenScope};
+use std::sync::Arc;
 
 /// What a virtual register holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -260,6 +261,10 @@ impl Lowering<'_> {
             Expr::Derivative { axis, value: of } => {
                 let (from, out) = (self.value(*of), self.value(value));
                 self.emit(Inst::Derivative { axis: *axis, out, from });
+            }
+            Expr::OfByte { value: of, table } => {
+                let (from, out) = (self.value(*of), self.value(value));
+                self.emit(Inst::OfByte { out, from, table: Arc::clone(table) });
             }
             Expr::Sample(sample) => self.sample(value, sample),
             Expr::Component { sample, component } => {

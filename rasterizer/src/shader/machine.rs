@@ -20,7 +20,7 @@ use super::inst::{Reg, Slot, Target};
 use super::mask::{Extent, Mask, blend};
 use super::preamble::uniform_at;
 use super::{Invocation, OverBudget, Prepared, Program};
-use crate::ir::Axis;
+use crate::ir::{Axis, ByteTable};
 use texunit::lanes::{F32s, LANES, QUADS, U32s};
 use texunit::sample::LookupScratch;
 
@@ -222,6 +222,17 @@ impl Machine {
             }
         }
         self.registers[file + out.0 as usize] = *difference.as_u32();
+    }
+
+    /// A function of bytes.
+    #[inline(always)]
+    fn of_byte(&mut self, file: usize, table: &ByteTable, out: Reg, from: Reg) {
+        let from = self.registers[file + from.0 as usize].as_f32();
+        let mut words = U32s::ZERO;
+        for lane in 0..LANES {
+            words[lane] = table.word(from[lane]);
+        }
+        self.registers[file + out.0 as usize] = words;
     }
 
     /// Ends an iteration of a loop whose last instruction is before `pc`. Gives the head of the loop, or `pc` if no lane

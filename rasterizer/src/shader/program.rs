@@ -41,6 +41,7 @@ pub struct Program {
     /// Of a geometry program: its primitives, and what its vertices hold.
     pub(super) geometry: Option<GeometryInterface>,
     pub(super) discards: bool,
+    cost_without_textures: u64,
     pub(super) queries_lod: bool,
     pub(super) reads_uniforms: bool,
     /// Whether it matters which lanes execute.
@@ -235,7 +236,10 @@ impl Program {
             statements: [self.statements[0], statements(&module)],
             ..Self::lowered(&module, Fusing::On)
         };
-        (program.code.len() < self.code.len() || program.ones != self.ones).then_some(program)
+        let has_tables = program.code.iter().any(|inst| matches!(inst, Inst::OfByte { .. }));
+        let is_better =
+            program.code.len() < self.code.len() || program.ones != self.ones || has_tables;
+        is_better.then_some(program)
     }
 
     /// The facts of a draw with these prepared values, where the program depends on uniform words, and textures.
@@ -261,6 +265,7 @@ impl Program {
         let outputs = lowered.outputs.iter().map(|&(output, _)| output);
         let product = TexelProduct::of(&lowered.code, &mut layout, outputs);
         let repeats = repeated_lookups::find(&mut lowered.code);
+        let cost_without_textures = lowered.code.iter().map(|inst| u64::from(inst.cost(&[]))).sum();
         Self {
             id: identity(),
             statements: [0; 2],
@@ -283,6 +288,7 @@ impl Program {
             queries_lod: lowered.queries_lod,
             reads_uniforms: lowered.reads_uniforms,
             repeats,
+            cost_without_textures,
         }
     }
 
@@ -342,6 +348,11 @@ impl Program {
     /// the draw.
     pub fn cost(&self, textures: &[Option<Arc<SamplePlan>>]) -> u64 {
         self.costs(textures).sum()
+    }
+
+    /// [`Self::cost`] as if no texture were bound; at least 1.
+    pub(crate) fn cost_without_textures(&self) -> u64 {
+        self.cost_without_textures.max(1)
     }
 
     /// By instruction.
