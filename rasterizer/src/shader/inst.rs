@@ -9,6 +9,7 @@ use super::compute::{Compute, OPERANDS};
 use crate::ir::{Access, Axis, ByteTable};
 use std::sync::Arc;
 use texunit::plan::SamplePlan;
+use texunit::sample::AxisTexels;
 
 /// A register. While lowering: a virtual one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -108,6 +109,8 @@ pub(super) struct SampleInst {
     pub out: [Option<Reg>; 4],
     /// Its number among the lookups that may reuse texel addresses ([`super::repeated_lookups`]).
     pub repeat: Option<u8>,
+    /// Whether the texels along the first two axes are computed ([`super::shared_axes`]).
+    pub axes: [AxisTexels; 2],
 }
 
 /// The source of a sample's level of detail.

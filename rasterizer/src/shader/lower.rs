@@ -14,6 +14,7 @@ use super::uniformity::Uniformity;
 use crate::ir::{Access, Expr, Input, Lod, Module, Output, Sample, Stage, Ty, Value, Var};
 use flow::{LoopPosition, OpenLoop, OpenScope};
 use std::sync::Arc;
+use texunit::sample::AxisTexels;
 
 /// What a virtual register holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -312,7 +313,9 @@ impl Lowering<'_> {
             (Access::Filter { .. } | Access::Fetch { .. }, Ty::I32 | Ty::U32 | Ty::Bool) => 1,
         };
         let repeat = None;
-        let inst = SampleInst { texture, access, coords, layer, reference, lod, one, out, repeat };
+        let axes = [AxisTexels::Compute; 2];
+        let inst =
+            SampleInst { texture, access, coords, layer, reference, lod, one, out, repeat, axes };
         self.emit(Inst::Sample(Box::new(inst)));
     }
 }

@@ -67,7 +67,7 @@ impl Machine {
         if self.slots.len() < program.slots as usize {
             self.slots.resize_with(program.slots as usize, Mask::default);
         }
-        self.scratch_stride = usize::from(!program.repeats.is_empty());
+        self.scratch_stride = usize::from(program.keeps_lookup_scratch);
         let count = 1 + self.scratch_stride * (program.files - 1);
         if self.lookup_scratch.len() < count {
             self.lookup_scratch.resize_with(count, LookupScratch::default);

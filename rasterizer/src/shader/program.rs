@@ -8,7 +8,9 @@ use super::preamble::Preamble;
 use super::product::TexelProduct;
 use super::repeated_lookups::Repeat;
 use super::{FactSources, Facts};
-use super::{allocate, constant_outputs, fuse, lower, optimize, repeated_lookups, schedule};
+use super::{
+    allocate, constant_outputs, fuse, lower, optimize, repeated_lookups, schedule, shared_axes,
+};
 use crate::ir::{Block, GeometryInterface, Input, Module, Output, Stmt};
 use std::fmt::Write;
 use std::sync::Arc;
@@ -53,6 +55,8 @@ pub struct Program {
     pub(super) product: Option<TexelProduct>,
     /// The lookups that may reuse texel addresses of the one before.
     pub(super) repeats: Vec<Repeat>,
+    /// Whether lookups reuse what others leave in their scratch.
+    pub(super) keeps_lookup_scratch: bool,
 }
 
 /// The most register files: batches that run together.
@@ -265,6 +269,7 @@ impl Program {
         let outputs = lowered.outputs.iter().map(|&(output, _)| output);
         let product = TexelProduct::of(&lowered.code, &mut layout, outputs);
         let repeats = repeated_lookups::find(&mut lowered.code);
+        let keeps_axes = shared_axes::mark(&mut lowered.code);
         let cost_without_textures = lowered.code.iter().map(|inst| u64::from(inst.cost(&[]))).sum();
         Self {
             id: identity(),
@@ -287,6 +292,7 @@ impl Program {
             discards: lowered.discards,
             queries_lod: lowered.queries_lod,
             reads_uniforms: lowered.reads_uniforms,
+            keeps_lookup_scratch: keeps_axes || !repeats.is_empty(),
             repeats,
             cost_without_textures,
         }

@@ -37,7 +37,7 @@ pub enum AlphaFact {
 impl LookupFacts {
     /// Of incomplete textures: (0, 0, 0, 1).
     pub const OF_INCOMPLETE: Self =
-        Self { components: ComponentsFact::Fractions, alpha: AlphaFact::One };
+        Self { components: ComponentsFact::Bytes, alpha: AlphaFact::One };
 }
 
 impl Texture {
