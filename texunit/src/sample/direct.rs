@@ -4,16 +4,13 @@
 #[cfg(test)]
 mod tests;
 
-use super::fast::{byte_offsets, bytes_of_texel, channel_of_texel, nearest_along};
-use super::level_view::LevelView;
-use super::scratch::{AxisTexels, KEPT_AXES, KeptAxes};
-use super::uniform_levels::plane_view;
+use super::fast::{bytes_of_texel, channel_of_texel, nearest_along};
+use super::scratch::{AxisTexels, KEPT_AXES, KeptAxes, TexelSpan};
+use super::wrap::Axis;
 use crate::format::convert::byte_channel;
 use crate::format::{Component, Format};
-use crate::image::Level;
 use crate::lanes::{F32s, Kernel, LANES, Simd, U32s, lane_x, lane_y};
 use crate::plan::{DirectNearest, TexelClass, Texture};
-use crate::sampler::Filter;
 
 /// Lanes at the corners of the 8×8 pixels of a batch.
 const CORNERS: [usize; 4] = [0, 19, 44, 63];
@@ -48,25 +45,23 @@ impl Kernel for DirectLookup<'_> {
 
     #[inline(always)]
     fn run<S: Simd>(self) {
-        let Self { texture, nearest, registers, coords, axes, kept, out } = self;
-        let view = plane_view(texture, Filter::Nearest, nearest.level);
-        let [s, t] = coords;
-        let texels = [
-            texels_along::<S>(&view, 0, registers[s].as_f32(), axes[0], kept),
-            texels_along::<S>(&view, 1, registers[t].as_f32(), axes[1], kept),
-        ];
+        let Self { texture, nearest, registers, coords: [s, t], axes, kept, out } = self;
+        let columns = span::<S>(texture, nearest, 0, registers[s].as_f32(), axes[0], kept);
+        let rows = span::<S>(texture, nearest, 1, registers[t].as_f32(), axes[1], kept);
+        let texels: &[u8] = &texture.levels[0][nearest.level].texels;
         let [r, g, b, a] = nearest.components;
-        if nearest.class == TexelClass::Bytes
-            && view.level.format.bytes() == 4
-            && let Some(square) = TexelSquare::new::<S>(view.level, &texels)
-        {
+        let is_bytes = nearest.class == TexelClass::Bytes && nearest.bytes[0] == 4;
+        let has_square = columns.last.max(rows.last) < SQUARE_SIDE
+            && columns.first + SQUARE_SIDE <= nearest.size[0];
+        if is_bytes && has_square {
+            let square = TexelSquare::new(texels, nearest, &columns, &rows);
             square.write::<S>(registers, out[0], r);
             square.write::<S>(registers, out[1], g);
             square.write::<S>(registers, out[2], b);
             square.write::<S>(registers, out[3], a);
             return;
         }
-        let words = words::<S>(view.level, &texels);
+        let words = words::<S>(texels, nearest, &columns, &rows);
         match nearest.class {
             // Not in a loop, out of which the channels that are not used would be moved.
             TexelClass::Bytes => {
@@ -88,22 +83,40 @@ impl Kernel for DirectLookup<'_> {
 
 /// The nearest texels along an axis.
 #[inline(always)]
-fn texels_along<S: Simd>(
-    view: &LevelView<'_>,
+fn span<S: Simd>(
+    texture: &Texture,
+    nearest: &DirectNearest,
     axis: usize,
     at: &F32s,
     texels: AxisTexels,
     kept: &mut KeptAxes,
-) -> U32s {
+) -> TexelSpan {
+    let along = Axis {
+        wrap: texture.wrap[axis],
+        size: nearest.size[axis],
+        border: nearest.border[axis],
+        scale: nearest.scale[axis],
+    };
     match texels {
-        AxisTexels::Compute => nearest_along::<S>(view, axis, at),
+        AxisTexels::Compute => computed_span::<S>(along, at),
         AxisTexels::Keep(number) => {
             let kept = &mut kept.0[usize::from(number) % KEPT_AXES];
-            *kept = nearest_along::<S>(view, axis, at);
+            *kept = computed_span::<S>(along, at);
             *kept
         }
         AxisTexels::Reuse(number) => kept.0[usize::from(number) % KEPT_AXES],
     }
+}
+
+#[inline(always)]
+fn computed_span<S: Simd>(along: Axis, at: &F32s) -> TexelSpan {
+    let mut texels = nearest_along::<S>(along, at);
+    let [a, b, c, d] = CORNERS;
+    let first = texels[a].min(texels[b]).min(texels[c]).min(texels[d]);
+    for lane in 0..LANES {
+        texels[lane] = texels[lane].wrapping_sub(first);
+    }
+    TexelSpan { last: S::largest(&texels), texels, first }
 }
 
 /// Writes a component of texels whose channels are bytes, if it is used.
@@ -152,9 +165,10 @@ impl Kernel for WriteChannels<'_> {
     }
 }
 
-/// A square of texels that has the nearest texels of all lanes: magnified lookups read few.
+/// A square of texels that has those of all lanes: magnified lookups read few.
 struct TexelSquare {
-    words: [u32; SQUARE_TEXELS],
+    /// Row by row, little-endian.
+    words: [[u32; SQUARE_SIDE as usize]; SQUARE_SIDE as usize],
     /// By lane: its texel.
     numbers: U32s,
 }
@@ -165,30 +179,23 @@ const SQUARE_SIDE: u32 = 4;
 const SQUARE_TEXELS: usize = (SQUARE_SIDE * SQUARE_SIDE) as usize;
 
 impl TexelSquare {
-    /// `None` where lanes read texels farther apart, or the level is narrower.
+    /// The one at the first column and row, with four columns.
     #[inline(always)]
-    fn new<S: Simd>(level: &Level, [x, y]: &[U32s; 2]) -> Option<Self> {
-        if level.width < SQUARE_SIDE {
-            return None;
-        }
-        let [left, bottom] = first_texel(level, [x, y], SQUARE_SIDE);
-        let (mut outside, mut numbers) = (U32s::ZERO, U32s::ZERO);
+    fn new(texels: &[u8], nearest: &DirectNearest, columns: &TexelSpan, rows: &TexelSpan) -> Self {
+        let mut numbers = U32s::ZERO;
         for lane in 0..LANES {
-            let (column, row) = (x[lane].wrapping_sub(left), y[lane].wrapping_sub(bottom));
-            outside[lane] = column | row;
-            numbers[lane] = row.wrapping_mul(SQUARE_SIDE).wrapping_add(column);
+            numbers[lane] = rows.texels[lane] * SQUARE_SIDE + columns.texels[lane];
         }
-        if !S::below(&outside, SQUARE_SIDE) {
-            return None;
+        let first = nearest.origin + 4 * columns.first;
+        let mut words = [[0; SQUARE_SIDE as usize]; SQUARE_SIDE as usize];
+        for (row, words) in words.iter_mut().enumerate() {
+            // Rows beyond the last are in no lane.
+            let row = (rows.first + row as u32).min(nearest.size[1] - 1);
+            let at = (first + row * nearest.bytes[1]) as usize;
+            let bytes: &[u8; 4 * SQUARE_SIDE as usize] = texels[at..].first_chunk().expect("a row");
+            *words = bytemuck::cast(*bytes);
         }
-        let mut words = [0; SQUARE_TEXELS];
-        for (row, words) in words.chunks_exact_mut(SQUARE_SIDE as usize).enumerate() {
-            let row = (bottom + row as u32).min(level.height - 1);
-            let first = level.origin() + row as usize * level.row_bytes() + 4 * left as usize;
-            let bytes = &level.texels[first..][..4 * words.len()];
-            bytemuck::cast_slice_mut::<u32, u8>(words).copy_from_slice(bytes);
-        }
-        Some(Self { words: words.map(u32::from_le), numbers })
+        Self { words, numbers }
     }
 
     /// Writes a component, if it is used.
@@ -204,8 +211,8 @@ impl TexelSquare {
         match component {
             Component::Stored(channel) => {
                 let mut fractions = [0.0; SQUARE_TEXELS];
-                for (fraction, word) in fractions.iter_mut().zip(&self.words) {
-                    *fraction = byte_channel(*word, channel);
+                for (fraction, word) in fractions.iter_mut().zip(self.words.as_flattened()) {
+                    *fraction = byte_channel(u32::from_le(*word), channel);
                 }
                 *out = S::select_from_sixteen(&fractions, &self.numbers);
             }
@@ -215,32 +222,35 @@ impl TexelSquare {
     }
 }
 
-/// Column and row of the first texel of a square that may have the texels of all lanes.
-#[inline(always)]
-fn first_texel(level: &Level, [x, y]: [&U32s; 2], side: u32) -> [u32; 2] {
-    let left = CORNERS.map(|lane| x[lane]).into_iter().fold(level.width - side, u32::min);
-    let bottom = CORNERS.map(|lane| y[lane]).into_iter().fold(level.height - 1, u32::min);
-    [left, bottom]
-}
-
 /// The words of the nearest texels.
 #[inline(always)]
-fn words<S: Simd>(level: &Level, texels: &[U32s; 2]) -> U32s {
-    let [x, y] = texels;
-    if S::SELECTS_FROM_ROWS && level.format.bytes() == 4 && level.width >= SIDE {
-        let [left, bottom] = first_texel(level, [x, y], SIDE);
-        let (mut outside, mut numbers) = (U32s::ZERO, U32s::ZERO);
-        for lane in 0..LANES {
-            let (column, row) = (x[lane].wrapping_sub(left), y[lane].wrapping_sub(bottom));
-            outside[lane] = column | row;
-            numbers[lane] = row.wrapping_mul(SIDE).wrapping_add(column);
-        }
-        if S::below(&outside, SIDE) {
-            let apart = level.row_bytes();
-            let first = level.origin() + bottom as usize * apart + 4 * left as usize;
-            let rows = (level.height - bottom).min(SIDE);
-            return S::select_from_rows(&level.texels[first..], apart, rows, &numbers);
+fn words<S: Simd>(
+    texels: &[u8],
+    nearest: &DirectNearest,
+    columns: &TexelSpan,
+    rows: &TexelSpan,
+) -> U32s {
+    let ([width, height], [bytes, row_bytes]) = (nearest.size, nearest.bytes);
+    let mut numbers = U32s::ZERO;
+    if S::SELECTS_FROM_ROWS && bytes == 4 && width >= SIDE {
+        // At the end of a row the eight columns begin before the first one.
+        let left = columns.first.min(width - SIDE);
+        let before = columns.first - left;
+        if columns.last.saturating_add(before) < SIDE && rows.last < SIDE {
+            for lane in 0..LANES {
+                numbers[lane] = rows.texels[lane] * SIDE + columns.texels[lane] + before;
+            }
+            let first = (nearest.origin + rows.first * row_bytes + 4 * left) as usize;
+            let count = (height - rows.first).min(SIDE);
+            return S::select_from_rows(&texels[first..], row_bytes as usize, count, &numbers);
         }
     }
-    S::gather_inline(&level.texels, &byte_offsets(level, texels))
+    let first = nearest.origin + rows.first * row_bytes + columns.first * bytes;
+    for lane in 0..LANES {
+        let [column, row] = [columns.texels[lane], rows.texels[lane]];
+        numbers[lane] = first
+            .wrapping_add(row.wrapping_mul(row_bytes))
+            .wrapping_add(column.wrapping_mul(bytes));
+    }
+    S::gather_inline(texels, &numbers)
 }

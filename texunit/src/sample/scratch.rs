@@ -33,11 +33,22 @@ pub struct LookupScratch {
 
 /// The texels along axes, by the numbers of [`AxisTexels`].
 #[derive(Clone, Debug)]
-pub(crate) struct KeptAxes(pub [U32s; KEPT_AXES]);
+pub(crate) struct KeptAxes(pub [TexelSpan; KEPT_AXES]);
+
+/// Texels along an axis.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct TexelSpan {
+    /// How far each lane's is from the first.
+    pub texels: U32s,
+    /// The first one, of the lanes at the corners of a batch.
+    pub first: u32,
+    /// The largest of `texels`: beyond the size if a lane's comes before the first.
+    pub last: u32,
+}
 
 impl Default for KeptAxes {
     fn default() -> Self {
-        Self([U32s::ZERO; KEPT_AXES])
+        Self([TexelSpan { texels: U32s::ZERO, first: 0, last: 0 }; KEPT_AXES])
     }
 }
 
