@@ -6,7 +6,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use mutants::build::{Built, build};
 use mutants::choice::{Mutant, choose};
 use mutants::error::MutantsError;
-use mutants::report::{counts, listing, page};
+use mutants::report::{counts, listing, page, survivor_key, survivors};
 use mutants::trial::{Effort, Fate, Trials, output_folder};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -36,6 +36,9 @@ struct Args {
     /// Tries only these, by number.
     #[arg(long, value_delimiter = ',')]
     numbers: Vec<u32>,
+    /// Tries only those that survived by the listing (mutants.txt) of an earlier run.
+    #[arg(long, value_name = "FILE")]
+    survivors: Option<PathBuf>,
     /// Percent of the mistakes that change something which must be noticed.
     #[arg(long, default_value_t = 97.0)]
     least: f64,
@@ -81,7 +84,7 @@ fn run(args: &Args) -> Result<ExitCode, MutantsError> {
     };
     say("running everything without a mistake".to_owned());
     let baseline = trials.baseline()?;
-    let tried = selected(args, &mutants);
+    let tried = selected(args, &mutants)?;
     let fates =
         try_all(&trials, &tried, args.jobs, &|mutant| trials.try_mutant(mutant, &baseline))?;
     let all = counts(&fates);
@@ -109,12 +112,16 @@ fn run(args: &Args) -> Result<ExitCode, MutantsError> {
 }
 
 /// The mistakes that the arguments select.
-fn selected(args: &Args, mutants: &[Mutant]) -> Vec<Mutant> {
+fn selected(args: &Args, mutants: &[Mutant]) -> Result<Vec<Mutant>, MutantsError> {
+    let read = |path: &PathBuf| fs::read_to_string(path).map_err(MutantsError::io(path));
+    let wanted = args.survivors.as_ref().map(read).transpose()?.map(|text| survivors(&text));
     let step = args.sample.map_or(1, |sample| mutants.len().div_ceil(sample.max(1)));
     let chosen = mutants.iter().enumerate().filter(|(at, mutant)| {
-        at % step.max(1) == 0 && (args.numbers.is_empty() || args.numbers.contains(&mutant.number))
+        at % step.max(1) == 0
+            && (args.numbers.is_empty() || args.numbers.contains(&mutant.number))
+            && wanted.as_ref().is_none_or(|wanted| wanted.contains(&survivor_key(mutant)))
     });
-    chosen.map(|(_, mutant)| mutant.clone()).collect()
+    Ok(chosen.map(|(_, mutant)| mutant.clone()).collect())
 }
 
 /// Tries mistakes on several threads.

@@ -5,7 +5,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
-use std::time::{Duration, Instant};
+use std::time::Duration;
+use wait_timeout::ChildExt;
 
 /// What a check, a sweep or a picture shows without a mistake.
 #[derive(Clone, Debug)]
@@ -86,20 +87,15 @@ impl Trials {
             .stderr(Stdio::null())
             .spawn()
             .map_err(|source| MutantsError::Start { program: self.runner.clone(), source })?;
-        let start = Instant::now();
-        let end = loop {
-            match child.try_wait().map_err(MutantsError::io(&self.runner))? {
-                Some(status) if status.success() => break End::Done,
-                Some(_) => break End::Crashed,
-                None if start.elapsed() > limit => {
-                    child
-                        .kill()
-                        .and_then(|()| child.wait())
-                        .map_err(MutantsError::io(&self.runner))?;
-                    break End::OutOfTime;
-                }
-                None => std::thread::sleep(Duration::from_millis(3)),
+        let failed = MutantsError::io(&self.runner);
+        let end = match child.wait_timeout(limit) {
+            Ok(Some(status)) if status.success() => End::Done,
+            Ok(Some(_)) => End::Crashed,
+            Ok(None) => {
+                child.kill().and_then(|()| child.wait()).map_err(failed)?;
+                End::OutOfTime
             }
+            Err(error) => return Err(failed(error)),
         };
         let text = fs::read_to_string(&path).map_err(MutantsError::io(&path))?;
         fs::remove_file(&path).map_err(MutantsError::io(&path))?;
