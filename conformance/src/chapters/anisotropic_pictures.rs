@@ -91,14 +91,7 @@ fn affine(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
             session.texture_2d(&image, &sampler)?;
             session.anisotropy(limit)?;
             by.prepare(session)?;
-            let [w, h] = PICTURE.map(|n| n as f64 / 2.0);
-            glBegin(GL_QUADS);
-            for [x, y] in [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]] {
-                let [s, t] = map.st(x * w, y * h);
-                glTexCoord2d(s, t);
-                glVertex2d(x, y);
-            }
-            glEnd();
+            map.draw();
             session.read_bytes(PICTURE)
         })?;
     }

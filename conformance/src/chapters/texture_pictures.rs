@@ -142,7 +142,7 @@ impl Map {
         }
     }
 
-    pub fn st(&self, x: f64, y: f64) -> [f64; 2] {
+    fn st(&self, x: f64, y: f64) -> [f64; 2] {
         [0, 1].map(|i| self.at[i] + self.dx[i] * x + self.dy[i] * y)
     }
 
@@ -150,6 +150,18 @@ impl Map {
     pub fn of(&self, [x, y]: Pixel) -> [f64; 2] {
         let [w, h] = PICTURE.map(|n| n as f64);
         self.st(x as f64 + 0.5 - w / 2.0, y as f64 + 0.5 - h / 2.0)
+    }
+
+    /// Draws a square with these coordinates, which fills the picture.
+    pub fn draw(&self) {
+        let [w, h] = PICTURE.map(|n| n as f64 / 2.0);
+        glBegin(GL_QUADS);
+        for [x, y] in [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]] {
+            let [s, t] = self.st(x * w, y * h);
+            glTexCoord2d(s, t);
+            glVertex2d(x, y);
+        }
+        glEnd();
     }
 }
 
@@ -203,14 +215,7 @@ fn affine(harness: &Harness, tally: &mut Tally, filters: &[Filters]) -> Result<(
             session.frame(GL_RGBA8, PICTURE, 0)?;
             session.texture_2d(&image, &sampler)?;
             by.prepare(session)?;
-            let [w, h] = PICTURE.map(|n| n as f64 / 2.0);
-            glBegin(GL_QUADS);
-            for [x, y] in [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]] {
-                let [s, t] = map.st(x * w, y * h);
-                glTexCoord2d(s, t);
-                glVertex2d(x, y);
-            }
-            glEnd();
+            map.draw();
             session.read_bytes(PICTURE)
         })?;
     }
