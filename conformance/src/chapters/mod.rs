@@ -22,9 +22,11 @@ mod builtin;
 mod color_sum;
 mod combine;
 mod compressed;
+mod computed_pictures;
 mod coverage;
 mod cube;
 mod cube_array;
+mod cube_pictures;
 mod depth_clamp;
 mod depth_test;
 mod env;
@@ -63,6 +65,7 @@ mod provoking;
 mod pyramid;
 mod sampler_object;
 mod samples;
+mod scale_image;
 mod seamless;
 mod second_color;
 mod shading;
@@ -112,7 +115,7 @@ pub const CHAPTERS: &[Chapter] = &[
             swizzle_paths::PATHS,
         ],
     ),
-    ("Mipmaps", &[mipmap::GENERATED, mipmap::FLOATS, mipmap::GLU]),
+    ("Mipmaps", &[mipmap::GENERATED, mipmap::FLOATS, mipmap::GLU, scale_image::SCALE]),
     (
         "Rasterization",
         &[
@@ -341,6 +344,8 @@ pub const CHAPTERS: &[Chapter] = &[
             anisotropic_pictures::AFFINE,
             anisotropic_pictures::PERSPECTIVE,
             picture_formats::FORMATS,
+            cube_pictures::CUBE,
+            computed_pictures::COMPUTED,
         ],
     ),
     ("The lectures", &[lecture::LECTURES]),
