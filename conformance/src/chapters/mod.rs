@@ -32,6 +32,7 @@ mod depth_test;
 mod env;
 mod es_levels;
 mod etc;
+mod evaluator_meshes;
 mod evaluators;
 mod filter;
 mod format;
@@ -306,6 +307,7 @@ pub const CHAPTERS: &[Chapter] = &[
             evaluators::SURFACE,
             evaluators::NORMAL,
             evaluators::GRID,
+            evaluator_meshes::MESH,
             attributes::CURRENT,
             attributes::ARRAYS,
             view_volume::INDICES,
