@@ -22,6 +22,9 @@ struct Known {
     number: Option<u8>,
 }
 
+/// The most axes that are remembered: the work of an instruction.
+const MAX_KNOWN: usize = 64;
+
 /// Marks the lookups whose texels along an axis are kept or reused; returns whether there are any.
 pub(super) fn mark(code: &mut [Inst]) -> bool {
     let mut is_target = vec![false; code.len() + 1];
@@ -37,6 +40,9 @@ pub(super) fn mark(code: &mut [Inst]) -> bool {
         for axis in [0, 1] {
             let Some(of) = AxisOfLookup::of(&code[at], axis) else { continue };
             let Some(found) = known.iter_mut().find(|known| known.of == of) else {
+                if known.len() == MAX_KNOWN {
+                    known.remove(0);
+                }
                 known.push(Known { of, at, number: None });
                 continue;
             };
