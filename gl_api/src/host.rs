@@ -24,6 +24,7 @@ use crate::pixel::transfer::Transfer;
 use rasterizer::driver::{DeviceDesc, DeviceError, Image, RowWriter};
 
 pub use crate::base::refused_result::RefusedResult;
+pub use crate::context::debug::Echo;
 pub use crate::context::mirror::SurfaceMirror;
 pub use crate::entry::current::{call, expect_thread_end, swap_current};
 pub use texunit::lanes::FloatEnv;

@@ -161,9 +161,9 @@ fn they_end_soon_and_the_context_goes_on() {
     }
 }
 
-/// Whoever asked for it is told of a reset.
+/// A context with `GL_LOSE_CONTEXT_ON_RESET` reports it (`ARB_robustness`).
 #[test]
-fn a_robust_context_is_told() {
+fn a_robust_context_reports_a_stopped_draw_as_a_reset() {
     let desc = ContextDesc {
         width: SIZE,
         height: SIZE,

@@ -129,7 +129,8 @@ fn plans(setup: fn(), frame: fn()) -> Result<Vec<String>, ProbeError> {
     Ok(device.take_explanations())
 }
 
-/// The first and the third picture of a feature, with what is left out as it is or with nothing left out.
+/// The first frame of a feature's scene, and the third, for which decisions that follow from the frames before have been
+/// taken; drawn by a device with this setting.
 ///
 /// # Errors
 /// As [`measure`].

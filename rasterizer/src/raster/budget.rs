@@ -1,13 +1,13 @@
 //! How long the shaders of a draw may run.
 //!
 //! The first [`FREE_OPERATIONS`] of each batch are free, so that no draw is stopped for being large, unless it asks for
-//! more than any scene has. What a batch runs beyond them is charged to the budget of its draw. Tiles run in waves of a fixed size; what is left of the budget is
-//! divided among the tiles of a wave that the draw touches, so that what a tile draws depends on no other tile of the
-//! wave, and hence on no thread. A draw that has used up its share in a tile is stopped there, and everywhere from the
-//! next wave on.
+//! more than any scene has. What a batch runs beyond them is charged to the budget of its draw. Tiles run in waves of a
+//! fixed size; what is left of the budget is divided among the tiles of a wave that the draw touches, so that what a
+//! tile draws depends on no other tile of the wave, and hence on no thread. A draw that has used up its share in a tile
+//! is stopped there, and everywhere from the next wave on.
 //!
-//! A draw that is stopped takes what is left of the frame's budget: later draws in the tile, and all from the next wave on,
-//! have [`FREE_WHERE_NOTHING_IS_LEFT`] for a batch and nothing else.
+//! A draw that is stopped takes what is left of the frame's budget: later draws in the tile, and all from the next wave
+//! on, have [`FREE_WHERE_NOTHING_IS_LEFT`] for a batch and nothing else.
 
 /// The operations of a batch that are not charged to its draw: additions of 64 lanes.
 pub const FREE_OPERATIONS: u64 = 1 << 21;
