@@ -179,6 +179,7 @@ pub fn first_surface(context: &mut Context, width: u32, height: u32) {
 /// Notes that the picture is about to be shown, and warns if nothing that was drawn is visible in it.
 pub fn shows_picture(context: &mut Context) {
     visibility::picture(context);
+    crate::draw::pass::end_of_frame(context);
 }
 
 /// Reports a GL error of the call `name`.

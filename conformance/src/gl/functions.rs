@@ -4,7 +4,7 @@
 
 use super::library;
 use super::value::{Answer, Passed};
-use gl_api::entry::Arg;
+use gl_api::Arg;
 use gl_api::*;
 
 /// The functions of an entry point under each of its names.
@@ -21,7 +21,7 @@ macro_rules! function {
         )]
         pub fn $gl<'a>($($param: impl Arg<$ty>),*) $(-> $ret)? {
             let Some(library) = library::chosen() else {
-                return gl_api::entry::$gl($($param),*);
+                return gl_api::$gl($($param),*);
             };
             let Some(address) = library.address(stringify!($gl)) else {
                 return Answer::none();

@@ -7,7 +7,7 @@ use crate::probe::ProbeError;
 use cpu_time::ThreadTime;
 use gl_api::constants::*;
 use gl_api::context::{Context, ContextDesc};
-use gl_api::entry::*;
+use gl_api::*;
 use rasterizer::driver::{Device, DeviceDesc, Explain, LeaveOut};
 use serde::Serialize;
 use std::sync::Arc;

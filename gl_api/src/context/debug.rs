@@ -32,6 +32,7 @@ pub enum Severity {
 
 /// An error or a warning of a context.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Message {
     /// How much it matters.
     pub severity: Severity,

@@ -116,6 +116,7 @@ impl ContextDesc {
 
 /// A context that cannot be made.
 #[derive(Debug, Error)]
+#[non_exhaustive]
 pub enum ContextError {
     /// The default framebuffer cannot have this size.
     #[error("a default framebuffer of {width}×{height} pixels: both sides must be 1 to {limit}")]
