@@ -23,7 +23,7 @@ use std::time::{Duration, Instant};
 #[command(name = "mutants", version)]
 struct Args {
     /// How many mistakes.
-    #[arg(long, default_value_t = 1200)]
+    #[arg(long, default_value_t = 1300)]
     count: usize,
     /// Which of all that are possible.
     #[arg(long, default_value_t = 1)]

@@ -1,7 +1,7 @@
 //! The anisotropic filter as pictures show it: every pixel of whole squares and floors, into bytes.
 
 use super::pictures::{Pictures, Pixel, all};
-use super::texture_pictures::{Lookup, Map, PICTURE, image, mipmapped, repeating};
+use super::texture_pictures::{Given, Lookup, Map, PICTURE, image, mipmapped, repeating};
 use crate::check::{Check, Harness, Tally, Unit};
 use crate::gl::*;
 use crate::mutation::Variant;
@@ -80,7 +80,7 @@ fn affine(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
             session.texture_2d(&image, &sampler)?;
             session.anisotropy(limit)?;
             by.prepare(session)?;
-            map.draw();
+            map.draw([Given::Immediate, Given::Arrays(2)][round / 3 % 2]);
             session.read_bytes(PICTURE)
         })?;
     }

@@ -1,6 +1,8 @@
 //! Textures at coordinates that a shader computes, so that λ comes from differences within quads of pixels.
 
-use super::texture_pictures::{PICTURE, compare_varying, image, mipmapped, repeating};
+use super::texture_pictures::{
+    Given, Lookup, PICTURE, compare_varying, image, mipmapped, repeating,
+};
 use crate::check::{Check, Harness, Tally, Unit};
 use crate::gl::*;
 use crate::oracle::lod::{Filter, Mipmap};
@@ -18,6 +20,17 @@ pub const COMPUTED: Check = Check {
     tolerance: 0.51,
     why: "8-bit colours: half a step; f32 coordinates up to 4, whose differences are off by 2^-13 of a texel; λ may be that of a difference or of a derivative",
     run,
+};
+
+/// Divided coordinates.
+pub const PROJECTED: Check = Check {
+    name: "picture-projective",
+    citation: "GL 2.1, 3.8.8: s/q and t/q of the fixed function; GLSL 1.20, 8.7: texture2DProj",
+    what: "every pixel of trilinear textures whose q varies over the square, in immediate mode and in arrays of 4",
+    unit: Unit::Bytes,
+    tolerance: 0.51,
+    why: "8-bit colours: half a step; f32 coordinates up to 4 texels' widths; λ may be that of a difference or of a derivative",
+    run: projected,
 };
 
 /// `s = a + b x + c x y`, and t alike of y and x; x and y from 0 to 1 over the picture.
@@ -82,6 +95,71 @@ fn run(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
                     glVertex2d(2.0 * x - 1.0, 2.0 * y - 1.0);
                 }
                 glEnd();
+                session.read_bytes(PICTURE)
+            })?;
+        levels_reached.extend(reached);
+    }
+    tally.reach("levels of detail", levels_reached.len(), 3);
+    Ok(())
+}
+
+/// s, t and q as affine functions of the window, x and y from -1 to 1.
+#[derive(Clone, Copy, Debug)]
+struct Projected([[f64; 3]; 3]);
+
+impl Projected {
+    fn random(rng: &mut Rng, side: usize, lambda: f64) -> Self {
+        let scale = lambda.exp2() / side as f64;
+        let mut real = |low: f64, high: f64| f64::from(rng.real(low, high));
+        // A step of a pixel is 2^λ texels where q is 1.
+        let [w, h] = PICTURE.map(|n| scale * n as f64 / 2.0);
+        Self([
+            [real(0.0, 1.0), w * real(0.5, 1.0), h * real(-0.5, 0.5)],
+            [real(0.0, 1.0), w * real(-0.5, 0.5), h * real(0.5, 1.0)],
+            [real(1.0, 1.4), real(-0.3, 0.3), real(-0.3, 0.3)],
+        ])
+    }
+
+    /// s, t, r and q.
+    fn coordinates(&self, [x, y]: [f64; 2]) -> [f64; 4] {
+        let [s, t, q] = self.0.map(|[a, b, c]| a + b * x + c * y);
+        [s, t, 0.0, q]
+    }
+
+    fn st(&self, x: f64, y: f64) -> [f64; 2] {
+        let [w, h] = PICTURE.map(|n| n as f64);
+        let [s, t, _, q] = self.coordinates([2.0 * x / w - 1.0, 2.0 * y / h - 1.0]);
+        [s / q, t / q]
+    }
+}
+
+fn projected(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
+    let mut rng = Rng::named("picture-projective");
+    let filters = mipmapped(Filter::Linear, Mipmap::Linear);
+    let mut levels_reached = BTreeSet::new();
+    for round in 0..harness.cases(24).max(8) {
+        let side = [64, 256][round / 4 % 2];
+        let image = image(&mut rng, [side; 2], filters);
+        let sampler = repeating(&image, filters);
+        let lambda = f64::from(rng.real(-1.0, 3.0));
+        let made = Projected::random(&mut rng, side, lambda);
+        let st = |x: f64, y: f64| made.st(x, y);
+        let by = [Lookup::Fixed, Lookup::Shader][round % 2];
+        let given = [Given::Immediate, Given::Arrays(4)][round / 2 % 2];
+        let scene = (side, made, by, given);
+        let reached =
+            compare_varying(harness, tally, &scene, (&image, &sampler), &st, |session| {
+                session.frame(GL_RGBA8, PICTURE, 0)?;
+                session.texture_2d(&image, &sampler)?;
+                match by {
+                    Lookup::Fixed => by.prepare(session)?,
+                    Lookup::Shader => session.fragment_only(
+                        "uniform sampler2D image;
+                    void main() { gl_FragColor = texture2DProj(image, gl_TexCoord[0]); }",
+                    )?,
+                }
+                let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+                given.draw(corners.map(|at| (made.coordinates(at), at)));
                 session.read_bytes(PICTURE)
             })?;
         levels_reached.extend(reached);

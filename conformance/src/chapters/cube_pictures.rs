@@ -22,6 +22,17 @@ pub const CUBE: Check = Check {
     run,
 };
 
+/// Levels of cube maps.
+pub const LEVELS: Check = Check {
+    name: "picture-cube-levels",
+    citation: "GL 2.1, 3.8.6 and 3.8.8: λ of s and t on the face, of directions that a fragment shader computes or not",
+    what: "every pixel of squares whose directions cross faces, with cube maps of which each level has one value",
+    unit: Unit::Levels,
+    tolerance: 1.5 / (1 << 20) as f64,
+    why: "f32: λ up to 8 is rounded by 2^-22, and so are logarithm and mix; λ may be that of a difference or of a derivative",
+    run: levels,
+};
+
 const PICTURE: Pixel = [67, 45];
 
 const SIDES: [usize; 4] = [16, 5, 1, 8];
@@ -160,5 +171,127 @@ fn run(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
         })?;
     }
     pictures.finish(80, 80);
+    Ok(())
+}
+
+/// Levels of the cube maps whose λ is compared.
+const COUNT: usize = 9;
+
+/// λ at a pixel, by differences within its quad and by derivatives; those of the quad's first pixel, too.
+fn lambdas(directions: &Directions, [x, y]: Pixel, variant: Variant) -> [f64; 3] {
+    let of = |x: f64, y: f64| {
+        let [w, h] = PICTURE.map(|n| n as f64);
+        directions.at((2.0 * x + 1.0) / w - 1.0, (2.0 * y + 1.0) / h - 1.0)
+    };
+    let (x, y) = (x as f64, y as f64);
+    let (x0, y0) = ((x / 2.0).floor() * 2.0, (y / 2.0).floor() * 2.0);
+    let here = of(x, y);
+    let between = |a: [f64; 3], b: [f64; 3]| [0, 1, 2].map(|i| b[i] - a[i]);
+    let side = (1 << (COUNT - 1)) as f64;
+    let lambda = |dx: [f64; 3], dy: [f64; 3]| {
+        let length = |d: [f64; 3]| {
+            let [s, t] = cube::derivative(here, d, variant);
+            (s * side).hypot(t * side)
+        };
+        length(dx).max(length(dy)).log2()
+    };
+    // Directions are affine, so that all differences are the same; what differs is where they are projected.
+    let (dx, dy) = (between(of(x0, y), of(x0 + 1.0, y)), between(of(x, y0), of(x, y0 + 1.0)));
+    let moved = |at: [f64; 3], d: [f64; 3]| {
+        let to = [0, 1, 2].map(|i| at[i] + d[i]);
+        let ((a, from), (b, to)) = (cube::select(at, variant), cube::select(to, variant));
+        (a == b).then(|| [0, 1].map(|i| (to[i] - from[i]) * side))
+    };
+    let length = |[s, t]: [f64; 2]| s.hypot(t);
+    let own = lambda(dx, dy);
+    let step = |x: f64, y: f64| match (moved(of(x0, y), dx), moved(of(x, y0), dy)) {
+        (Some(dx), Some(dy)) => length(dx).max(length(dy)).log2(),
+        (_, _) => own,
+    };
+    [own, step(x, y), step(x0, y0)]
+}
+
+fn levels(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
+    let mut rng = Rng::named("picture-cube-levels");
+    let (mut kept, mut reached) = (0, [0usize; COUNT]);
+    let rounds = harness.cases(24).max(6);
+    for round in 0..rounds {
+        let scale = [1.0, 0.25, 0.05][round % 3];
+        let mut directions = Directions::random(&mut rng);
+        directions.across = directions.across.map(|c| c * scale);
+        directions.up = directions.up.map(|c| c * scale);
+        let in_range = |lambda: f64| (0.0..(COUNT - 1) as f64).contains(&lambda);
+        let pixels: Vec<Pixel> = super::pictures::all(PICTURE)
+            .filter(|pixel| {
+                !is_open(directions.of(*pixel))
+                    && lambdas(&directions, *pixel, Variant::CORRECT).into_iter().all(in_range)
+            })
+            .collect();
+        kept += pixels.len();
+        for pixel in &pixels {
+            reached[lambdas(&directions, *pixel, Variant::CORRECT)[0] as usize] += 1;
+        }
+        let expect = |pixel: &Pixel, variant: Variant| {
+            let off = if variant.has(Mutation::LambdaOffByOne) { 1.0 } else { 0.0 };
+            [lambdas(&directions, *pixel, variant)[0] + off, 0.0, 0.0, 0.0]
+        };
+        let error = |pixel: &Pixel, expected: [f64; 4], found: [f64; 4]| {
+            // λ may be any of several, or between them; a mistake moves all of them.
+            let all = lambdas(&directions, *pixel, Variant::CORRECT);
+            let moved = all.map(|lambda| lambda + expected[0] - all[0]);
+            let low = moved.into_iter().fold(f64::INFINITY, f64::min);
+            let high = moved.into_iter().fold(f64::NEG_INFINITY, f64::max);
+            (low - found[0]).max(found[0] - high).max(0.0)
+        };
+        let is_computed = round % 2 == 1;
+        harness.compare_by(
+            tally,
+            &(directions, is_computed),
+            &pixels,
+            expect,
+            error,
+            |session| {
+                session.frame(GL_RGBA32F, PICTURE, 0)?;
+                let target = GL_TEXTURE_CUBE_MAP;
+                glBindTexture(target, 1);
+                for level in 0..COUNT {
+                    let side = 1usize << (COUNT - 1 - level);
+                    let texels = vec![level as f32; side * side];
+                    for face in GL_TEXTURE_CUBE_MAP_POSITIVE_X..GL_TEXTURE_CUBE_MAP_POSITIVE_X + 6 {
+                        glTexImage2D(
+                            face, level, GL_R32F, side, side, 0, GL_RED, GL_FLOAT, &texels,
+                        );
+                    }
+                }
+                glTexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+                glTexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+                session.fragment_only(if is_computed {
+                    "uniform samplerCube image;
+                void main() {
+                    vec3 r = gl_TexCoord[0].stp;
+                    r = vec3(r.x + r.y, r.y + r.z, r.z + r.x);
+                    r = 0.5 * vec3(r.x - r.y + r.z, r.x + r.y - r.z, r.y + r.z - r.x);
+                    gl_FragColor = vec4(textureCube(image, r).r, 0.0, 0.0, 0.0);
+                }"
+                } else {
+                    "uniform samplerCube image;
+                void main() {
+                    gl_FragColor = vec4(textureCube(image, gl_TexCoord[0].stp).r, 0.0, 0.0, 0.0);
+                }"
+                })?;
+                glBegin(GL_QUADS);
+                for [x, y] in [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]] {
+                    let [s, t, r] = directions.at(x, y);
+                    glTexCoord3d(s, t, r);
+                    glVertex2d(x, y);
+                }
+                glEnd();
+                let picture = session.read_floats(PICTURE)?;
+                Ok(pixels.iter().map(|[x, y]| picture[y * PICTURE[0] + x]).collect())
+            },
+        )?;
+    }
+    tally.reach("pixels compared", kept, rounds * PICTURE[0] * PICTURE[1] / 3);
+    tally.reach("levels of detail", reached.iter().filter(|count| **count > 0).count(), 4);
     Ok(())
 }

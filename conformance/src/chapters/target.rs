@@ -9,9 +9,6 @@ use crate::oracle::wrap::Wrap;
 use crate::probe::ProbeError;
 use crate::rng::Rng;
 
-const WHY: &str = "f32: u up to 32 carries 2^-20 of a texel per axis, and a few roundings of 2^-24";
-const TOLERANCE: f64 = 1.0 / (1 << 17) as f64;
-
 /// Filtered samples.
 pub const FILTERED: Check = Check {
     name: "target-filter",

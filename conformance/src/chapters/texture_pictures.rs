@@ -155,15 +155,13 @@ impl Map {
     }
 
     /// Draws a square with these coordinates, which fills the picture.
-    pub fn draw(&self) {
+    pub fn draw(&self, given: Given) {
         let [w, h] = PICTURE.map(|n| n as f64 / 2.0);
-        glBegin(GL_QUADS);
-        for [x, y] in [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]] {
+        let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+        given.draw(corners.map(|[x, y]| {
             let [s, t] = self.st(x * w, y * h);
-            glTexCoord2d(s, t);
-            glVertex2d(x, y);
-        }
-        glEnd();
+            ([s, t, 0.0, 1.0], [x, y])
+        }));
     }
 }
 
@@ -217,7 +215,7 @@ fn affine(harness: &Harness, tally: &mut Tally, filters: &[Filters]) -> Result<(
             session.frame(GL_RGBA8, PICTURE, 0)?;
             session.texture_2d(&image, &sampler)?;
             by.prepare(session)?;
-            map.draw();
+            map.draw([Given::Immediate, Given::Arrays(2), Given::Arrays(3)][round / 4 % 3]);
             session.read_bytes(PICTURE)
         })?;
     }
@@ -233,6 +231,40 @@ fn is_tied(sampler: &Sampler, lambda: f64) -> bool {
         Mipmap::None => false,
         Mipmap::Nearest => of(lambda - 1e-4) != of(lambda + 1e-4),
         Mipmap::Linear => false,
+    }
+}
+
+/// How the vertices of a square are given.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Given {
+    Immediate,
+    /// Arrays of this many texture coordinates.
+    Arrays(usize),
+}
+
+impl Given {
+    /// Draws a square of these texture coordinates and positions.
+    pub fn draw(self, corners: [([f64; 4], [f64; 2]); 4]) {
+        match self {
+            Self::Immediate => {
+                glBegin(GL_QUADS);
+                for ([s, t, r, q], [x, y]) in corners {
+                    glTexCoord4d(s, t, r, q);
+                    glVertex2d(x, y);
+                }
+                glEnd();
+            }
+            Self::Arrays(components) => {
+                let coordinates = corners.map(|(coordinates, _)| coordinates.map(|c| c as f32));
+                let positions = corners.map(|(_, position)| position.map(|c| c as f32));
+                glEnableClientState(GL_VERTEX_ARRAY);
+                glEnableClientState(GL_TEXTURE_COORD_ARRAY);
+                glVertexPointer(2, GL_FLOAT, 0, positions.as_flattened());
+                let numbers = coordinates.as_flattened();
+                glTexCoordPointer(components as i32, GL_FLOAT, 16, numbers);
+                glDrawArrays(GL_QUADS, 0, 4);
+            }
+        }
     }
 }
 

@@ -14,7 +14,7 @@ use gl_api::constants::*;
 pub const POINTS: Check = Check {
     name: "point-clip",
     citation: "GL 2.1, 2.12: a point outside the view volume is discarded, one inside it is drawn whole",
-    what: "every pixel of points of sizes 1 to 15 in and about a viewport that is smaller than the picture",
+    what: "every pixel of points of sizes 1 to 15 in, about and on the sides of a viewport that is smaller than the picture",
     unit: Unit::Draws,
     tolerance: 0.0,
     why: "a pixel is drawn or not; positions are exact in 1/256 pixels",
@@ -81,27 +81,39 @@ fn points(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
     let mut pictures = Pictures::new(harness, tally, PICTURE);
     let mut outside = 0;
     for _ in 0..harness.cases(48).max(8) {
-        let dots: Vec<Dot> = (0..24)
+        let mut dots: Vec<Dot> = (0..24)
             .map(|_| Dot { at: random_position(&mut rng, 12), size: rng.integer(1, 15) as f64 })
             .collect();
+        // On a side, which belongs to the view volume: x = ±w or y = ±w.
+        let [left, lower, w, h] = VIEWPORT.map(|n| n as f64);
+        for (axis, at) in [(0, left), (0, left + w), (1, lower), (1, lower + h)] {
+            let mut dot = Dot { at: random_position(&mut rng, -1), size: rng.integer(2, 9) as f64 };
+            dot.at[axis] = at;
+            dots.push(dot);
+        }
         outside += dots.iter().filter(|dot| inside(dot.at) < 0.0).count();
         let expect = |pixel: Pixel, variant: Variant| {
             let covers = |dot: &&Dot| {
-                let is_kept = inside(dot.at) > 0.0 || variant.has(Mutation::ClippingIgnored);
+                let is_kept = inside(dot.at) >= 0.0 || variant.has(Mutation::ClippingIgnored);
                 is_kept && dot.covers(pixel, variant)
             };
             Some([dots.iter().filter(covers).count() as f64, 0.0, 0.0, 0.0])
         };
         pictures.compare(&dots[0], expect, |session| {
             session.frame(GL_RGBA32F, PICTURE, 0)?;
-            viewport();
+            let [left, lower, w, h] = VIEWPORT;
+            glViewport(left, lower, w, h);
             glEnable(GL_BLEND);
             glBlendFunc(GL_ONE, GL_ONE);
             glColor4f(1, 0, 0, 0);
             for dot in &dots {
                 glPointSize(dot.size as f32);
                 glBegin(GL_POINTS);
-                glVertex2f(dot.at[0] as f32, dot.at[1] as f32);
+                // Without matrices, so that what is on a side is there exactly.
+                let clip = |axis: usize, low: usize, size: usize| {
+                    (2.0 * (dot.at[axis] - low as f64) / size as f64 - 1.0) as f32
+                };
+                glVertex2f(clip(0, left, w), clip(1, lower, h));
                 glEnd();
             }
             session.read_floats(PICTURE)
