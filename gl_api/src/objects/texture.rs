@@ -3,6 +3,7 @@
 use crate::base::constants::*;
 use crate::base::limits;
 use crate::base::types::*;
+use crate::objects::egl_images::{Siblings, Specified};
 use crate::objects::framebuffers::Planes;
 use crate::objects::sampler::SamplerState;
 pub(crate) use crate::objects::target::TextureTarget;
@@ -39,6 +40,8 @@ pub(crate) struct Texture {
     pub store: DataStore,
     /// The internal format that was asked for, by face and level.
     pub requested: Vec<[GLenum; limits::MAX_TEXTURE_LEVELS]>,
+    /// The EGL images that have its storage too.
+    pub siblings: Siblings,
     /// The sample plan of the last draw, until something changes.
     plan: Option<Planned>,
     /// Whether no draw has used its texels yet.
@@ -163,6 +166,7 @@ impl Texture {
             samples: None,
             store: DataStore::default(),
             requested: vec![[GL_NONE; limits::MAX_TEXTURE_LEVELS]; shape.faces()],
+            siblings: Siblings::default(),
             plan: None,
             is_new: true,
         }
@@ -213,6 +217,11 @@ impl Texture {
         self.immutable = Some(levels);
         self.shown =
             Shown { storage_levels: levels, first_level: 0, levels, first_layer: 0, layers };
+    }
+
+    /// To be called before levels are specified: siblings keep the storage as it is.
+    pub fn specify(&mut self, levels: Specified) {
+        self.siblings.specify(&self.image, levels);
     }
 
     /// To be called after every change except of parameters, which the plan is compared with.

@@ -173,8 +173,8 @@ pub struct InterfaceBlock {
     pub name: Arc<str>,
     /// Whether its members are written with the name of an instance.
     pub is_named: bool,
-    /// Whether there is an array of instances.
-    pub is_array: bool,
+    /// How many dimensions the array of instances has; 0 of one instance.
+    pub dimensions: usize,
     /// The names of its members.
     pub members: Vec<Arc<str>>,
 }
