@@ -425,11 +425,29 @@ fn members_of_one_of_several_blocks_are_captured() {
     let [two, half] = [2.0_f32, 0.5].map(f32::to_bits);
     let rest = [102, -2, 0, -1, 1, -1, 2, -1].map(|word: i32| word as u32);
     assert_eq!(words(&mut c, 1, 10), [&[two, half][..], &rest].concat());
-    for wrong in ["Block[3].v", "Block[0].w", "Block[0].v[0]", "many[0].v"] {
+    for wrong in ["Block[3].v", "Block[0].w", "Block[0].v[0]", "many[0].v", "Block.v", "Block.v[1]"]
+    {
         let names = Names(vec![wrong]);
         c.transform_feedback_varyings(program, 1, names, GL_INTERLEAVED_ATTRIBS);
         c.link_program(program);
         let log = log(&mut c, program);
         assert!(log.contains("cannot capture"), "{wrong}: {log}");
     }
+}
+
+/// Arrays without a size in blocks of arrays of arrays are as long as their largest index needs.
+#[test]
+fn arrays_in_arrays_of_blocks_get_their_size_from_indices() {
+    let mut c = context();
+    let vertex = "#version 150\n#extension GL_ARB_arrays_of_arrays : require\n\
+        out Block { vec2 a[][2]; } many[2][2];\n\
+        void main() { many[1][0].a[2][1] = vec2(3.0, 4.0); gl_Position = vec4(0.0); }";
+    let fragment = "#version 150\n#extension GL_ARB_arrays_of_arrays : require\n\
+        in Block { vec2 a[][2]; } many[2][2];\n\
+        out vec4 color;\n\
+        void main() { color = vec4(many[1][0].a[1][1], many[1][0].a[2][1]); }";
+    let program = shading::use_program(&mut c, vertex, fragment);
+    assert_eq!(log(&mut c, program), "");
+    c.draw_arrays(GL_POINTS, 0, 1);
+    fine(&mut c);
 }

@@ -102,6 +102,9 @@ fn find(
         let stage = stage_name(vertex.stage);
         return Err(format!("the {stage} shader has no such output{near}"));
     };
+    if instance.is_none() && variable.member_of.as_ref().is_some_and(|block| block.dimensions > 0) {
+        return Err("it is in an array of blocks: write which, as `block[0].member`".to_owned());
+    }
     let native = match variable.storage {
         Storage::Output(_) => None,
         Storage::Builtin(Builtin::Varying(first)) => Some(first),
