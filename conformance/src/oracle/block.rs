@@ -66,8 +66,10 @@ pub fn decode(kind: BlockFormat, block: &[u8], at: usize, variant: Variant) -> [
         BlockFormat::Rgtc2 => [unsigned(block), unsigned(&block[8..]), 0.0, 1.0],
         BlockFormat::Rgtc2Signed => [signed(block), signed(&block[8..]), 0.0, 1.0],
         BlockFormat::Bptc => bptc::decode(block, at, variant),
-        BlockFormat::BptcUnsignedFloat => bptc::decode_floats(block, at, false, variant),
-        BlockFormat::BptcSignedFloat => bptc::decode_floats(block, at, true, variant),
+        BlockFormat::BptcUnsignedFloat => {
+            bptc::decode_floats(block, at, bptc::Sign::Unsigned, variant)
+        }
+        BlockFormat::BptcSignedFloat => bptc::decode_floats(block, at, bptc::Sign::Signed, variant),
         BlockFormat::Latc1 => luminance(unsigned(block), 1.0, variant),
         BlockFormat::Latc1Signed => luminance(signed(block), 1.0, variant),
         BlockFormat::Latc2 => luminance(unsigned(block), unsigned(&block[8..]), variant),

@@ -253,13 +253,14 @@ pub fn decode(block: &[u8], at: usize, variant: Variant) -> [f64; 4] {
             end[channel] = reader.take(if channel == 3 { alpha } else { color });
         }
     }
-    let mut p = vec![0; ends.len()];
+    let mut p: Vec<i64> = Vec::new();
     for end in 0..ends.len() {
-        if each == 1 || shared == 1 && end % 2 == 0 {
-            p[end] = reader.take(1);
-        } else if shared == 1 {
-            p[end] = p[end - 1];
-        }
+        p.push(match (each, shared) {
+            (1, _) => reader.take(1),
+            (_, 1) if end % 2 == 0 => reader.take(1),
+            (_, 1) => p[end - 1],
+            (_, _) => 0,
+        });
     }
     for (end, p) in ends.iter_mut().zip(&p) {
         for (channel, value) in end.iter_mut().enumerate() {
@@ -293,6 +294,15 @@ pub fn decode(block: &[u8], at: usize, variant: Variant) -> [f64; 4] {
     texel.map(|value| value as f64 / 255.0)
 }
 
+/// Whether half floats have a sign.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sign {
+    /// They are not below 0.
+    Unsigned,
+    /// They have one.
+    Signed,
+}
+
 /// A number with a sign of so many bits.
 fn signed(number: i64, bits: u32) -> i64 {
     let number = number.rem_euclid(1 << bits);
@@ -300,7 +310,8 @@ fn signed(number: i64, bits: u32) -> i64 {
 }
 
 /// R, G, B and A of texel `at` of a block of half floats.
-pub fn decode_floats(block: &[u8], at: usize, is_signed: bool, variant: Variant) -> [f64; 4] {
+pub fn decode_floats(block: &[u8], at: usize, sign: Sign, variant: Variant) -> [f64; 4] {
+    let is_signed = sign == Sign::Signed;
     let mut reader = Reader::new(block);
     let code = |count: usize| -> String {
         reader.bits[..count].iter().rev().map(|bit| char::from(b'0' + bit)).collect()
@@ -354,7 +365,7 @@ pub fn decode_floats(block: &[u8], at: usize, is_signed: bool, variant: Variant)
             unquantized(if is_signed { signed(whole, first) } else { whole })
         });
         let number = between(pair[0], pair[1], weight);
-        let half = number.abs() * 31 >> if is_signed { 5 } else { 6 };
+        let half = (number.abs() * 31) >> if is_signed { 5 } else { 6 };
         let (exponent, mantissa) = ((half >> 10) as i32, (half & 0x3FF) as f64);
         let size = match exponent {
             0 => mantissa * 2f64.powi(-24),
@@ -385,10 +396,10 @@ mod tests {
         // Mode 3, ends of 10 bits: the largest, and 0; index 15 in texel 1.
         let bits = 3_u128 | 1023 << 35 | 15 << 68;
         let block = bits.to_le_bytes();
-        let of = |at, is_signed| decode_floats(&block, at, is_signed, Variant::CORRECT);
-        assert_eq!(of(0, false), [0.0, 0.0, 0.0, 1.0]);
-        assert_eq!(of(1, false), [65504.0, 0.0, 0.0, 1.0]);
+        let of = |at, sign| decode_floats(&block, at, sign, Variant::CORRECT);
+        assert_eq!(of(0, Sign::Unsigned), [0.0, 0.0, 0.0, 1.0]);
+        assert_eq!(of(1, Sign::Unsigned), [65504.0, 0.0, 0.0, 1.0]);
         // With a sign it is -1 of 511.
-        assert!(of(1, true)[0] < 0.0);
+        assert!(of(1, Sign::Signed)[0] < 0.0);
     }
 }

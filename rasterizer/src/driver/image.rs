@@ -64,8 +64,13 @@ pub struct LevelInfo {
 }
 
 impl Image {
-    fn of(stored: Stored, shares: bool) -> Self {
-        Self(Arc::new(Slot { stored: RwLock::new(stored), shares: AtomicBool::new(shares) }))
+    fn of(stored: Stored) -> Self {
+        Self(Arc::new(Slot { stored: RwLock::new(stored), shares: AtomicBool::new(false) }))
+    }
+
+    /// One whose storage something else has too.
+    fn sharing(stored: Stored) -> Self {
+        Self(Arc::new(Slot { stored: RwLock::new(stored), shares: AtomicBool::new(true) }))
     }
 
     /// An image with these texels.
@@ -76,7 +81,7 @@ impl Image {
     /// An image of one level with several samples a pixel, each with these texels: as many as
     /// [`possible_samples`](crate::plan::possible_samples) says.
     pub fn with_samples(texels: Texels, samples: u8) -> Self {
-        Self::of(Stored::with_samples(texels, samples), false)
+        Self::of(Stored::with_samples(texels, samples))
     }
 
     /// A two-dimensional image of one level of zeros, which takes no memory until it is drawn to or its
@@ -85,13 +90,13 @@ impl Image {
     /// # Errors
     /// When it is too large.
     pub fn blank(format: Format, width: u32, height: u32, samples: u8) -> Result<Self, ImageError> {
-        Ok(Self::of(Stored::blank(format, width, height, samples)?, false))
+        Ok(Self::of(Stored::blank(format, width, height, samples)?))
     }
 
     /// An image that shows texels of this one: it shares them. Their levels have no border.
     pub fn view(&self, desc: ViewDesc) -> Self {
         self.0.shares.store(true, Ordering::Release);
-        Self::of(self.0.stored.read().view(desc), true)
+        Self::sharing(self.0.stored.read().view(desc))
     }
 
     /// Gives it the storage of another image: all handles of it show that from now on.
@@ -111,7 +116,7 @@ impl Image {
 
     /// The same storage behind a handle that stays with it.
     pub(super) fn pinned(&self) -> Self {
-        Self::of(self.stored_now(), self.0.shares.load(Ordering::Acquire))
+        Self::sharing(self.stored_now())
     }
 
     fn stored_now(&self) -> Stored {

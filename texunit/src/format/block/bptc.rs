@@ -98,17 +98,14 @@ pub(super) fn decode_unorm(block: u128, at: u32) -> [u8; 4] {
     };
     let (rotation, selection) = (bits.take(mode.rotation), bits.take(mode.selection));
     let own = subsets.of(at);
-    // Of all ends, those of the texel's subset.
-    let mut ends = [[255_u32; 4]; 2];
-    for channel in 0..4 {
-        let count = if channel == 3 { mode.alpha } else { mode.color };
-        if count == 0 {
-            continue;
-        }
+    // By channel: of all ends, those of the texel's subset.
+    let mut ends = [[255_u32; 2]; 4];
+    let bits_of = |channel: usize| if channel == 3 { mode.alpha } else { mode.color };
+    for (channel, own_ends) in ends.iter_mut().enumerate().filter(|(at, _)| bits_of(*at) > 0) {
         for subset in 0..subsets.count() {
-            let pair = [bits.take(count), bits.take(count)];
+            let pair = [bits.take(bits_of(channel)), bits.take(bits_of(channel))];
             if subset == own {
-                [ends[0][channel], ends[1][channel]] = pair;
+                *own_ends = pair;
             }
         }
     }
@@ -123,13 +120,11 @@ pub(super) fn decode_unorm(block: u128, at: u32) -> [u8; 4] {
             p = pair;
         }
     }
-    for (end, p) in ends.iter_mut().zip(p) {
-        for (channel, value) in end.iter_mut().enumerate() {
-            let count = if channel == 3 { mode.alpha } else { mode.color };
-            *value = match (count, mode.p) {
-                (0, _) => *value,
-                (_, PBits::None) => widened(*value, count),
-                (_, PBits::Shared | PBits::Each) => widened(*value << 1 | p, count + 1),
+    for (channel, pair) in ends.iter_mut().enumerate().filter(|(at, _)| bits_of(*at) > 0) {
+        for (value, p) in pair.iter_mut().zip(p) {
+            *value = match mode.p {
+                PBits::None => widened(*value, bits_of(channel)),
+                PBits::Shared | PBits::Each => widened(*value << 1 | p, bits_of(channel) + 1),
             };
         }
     }
@@ -145,8 +140,8 @@ pub(super) fn decode_unorm(block: u128, at: u32) -> [u8; 4] {
     }
     let [colors, alphas] = weights;
     let mut texel = [0, 1, 2, 3].map(|channel| {
-        let ends = [ends[0][channel] as i32, ends[1][channel] as i32];
-        between(ends, if channel == 3 { alphas } else { colors }) as u8
+        let weight = if channel == 3 { alphas } else { colors };
+        between(ends[channel].map(|end| end as i32), weight) as u8
     });
     if rotation > 0 {
         texel.swap(rotation as usize - 1, 3);

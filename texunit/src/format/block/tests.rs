@@ -297,7 +297,7 @@ fn blocks_of_bptc_have_the_texels_that_follow_by_hand() {
     let float = |format, bits: u128, at| decode(format, &bits.to_le_bytes(), at);
     // Mode 3 of floats: ends of 10 bits as they are.
     let ends = |end: u128| 3 | (0..6).fold(0, |all, at| all | end << (5 + 10 * at));
-    let half = |end: u32| (((end << 16) + 0x8000 >> 10) * 31) >> 6;
+    let half = |end: u32| ((((end << 16) + 0x8000) >> 10) * 31) >> 6;
     for end in [1, 100, 480, 495, 1022] {
         let expected = small_float::decode_half(half(end));
         let found = float(Format::BptcUnsignedFloat, ends(end.into()), 9);
