@@ -108,12 +108,15 @@ fn contexts_of_two_displays_have_a_texture_in_common() {
     }
 }
 
+/// Display, context, target and buffer, the attributes without their end, and the error.
+type Case<'a> = (Handle, Handle, u32, Handle, &'a [i32], i32);
+
 #[test]
 fn what_no_image_is_made_of() {
     let (dpy, _) = display();
     let current = context(dpy);
     let name = texture([0; 4]);
-    let cases: &[(Handle, Handle, u32, Handle, &[i32], i32)] = &[
+    let cases: &[Case<'_>] = &[
         (null_mut(), current, EGL_GL_TEXTURE_2D, buffer(name), &[], EGL_BAD_DISPLAY),
         (dpy, null_mut(), EGL_GL_TEXTURE_2D, buffer(name), &[], EGL_BAD_CONTEXT),
         (dpy, buffer(3), EGL_GL_TEXTURE_2D, buffer(name), &[], EGL_BAD_CONTEXT),
