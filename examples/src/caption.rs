@@ -2,8 +2,8 @@
 
 use crate::font;
 use gl_api::constants::*;
-use gl_api::entry::*;
 use gl_api::types::GLint;
+use gl_api::*;
 
 /// A rectangle of the window: left, bottom, width, height.
 pub(crate) type Area = [i32; 4];

@@ -2,8 +2,8 @@
 
 use crate::window::Window;
 use gl_api::constants::*;
-use gl_api::entry::*;
 use gl_api::types::{GLint, GLuint};
+use gl_api::*;
 
 /// Turns to the fixed function with a texture target of unit 0, and one unit a pixel's width of the
 /// viewport, whose width and height it returns.

@@ -3,8 +3,8 @@
 use crate::font;
 use crate::window::Window;
 use gl_api::constants::*;
-use gl_api::entry::*;
 use gl_api::types::GLint;
+use gl_api::*;
 
 /// Dots from one letter to the next, and from one line to the next.
 const ADVANCE: [i32; 2] = [font::COLUMNS as i32 + 1, font::ROWS as i32 + 2];

@@ -72,9 +72,9 @@ pub mod lecture {
     };
     pub use crate::window::{Program, Window};
     pub use gl_api::constants::*;
-    pub use gl_api::entry::*;
     pub use gl_api::glu::*;
     pub use gl_api::types::*;
+    pub use gl_api::*;
 }
 
 /// The README's program compiles and runs.

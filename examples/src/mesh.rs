@@ -3,9 +3,9 @@
 use crate::matrix::{DMat4, DVec3, dvec3, rotate};
 use bytemuck::{Pod, Zeroable};
 use gl_api::constants::*;
-use gl_api::entry::*;
 use gl_api::glu::angle::sin_cos_degrees;
 use gl_api::types::{GLint, GLuint};
+use gl_api::*;
 use std::mem::{offset_of, size_of};
 
 /// A vertex; the attribute names are those of [`Model::draw`].

@@ -7,8 +7,8 @@ use crate::shader::initShaders;
 use crate::texture::{copy_window, set_filter};
 use crate::window::Window;
 use gl_api::constants::*;
-use gl_api::entry::*;
 use gl_api::types::GLuint;
+use gl_api::*;
 
 /// A ring, a ball in it, and three blocks over a floor.
 pub fn ring_and_blocks() -> Mesh {

@@ -3,8 +3,8 @@
 use crate::matrix::DMat4;
 use crate::window::Window;
 use gl_api::constants::*;
-use gl_api::entry::*;
 use gl_api::types::{GLenum, GLfloat, GLint, GLuint};
+use gl_api::*;
 
 /// The largest size of an info log.
 const LOG: usize = 1 << 16;

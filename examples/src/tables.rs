@@ -3,8 +3,8 @@
 use crate::picture::Picture;
 use crate::texture::set_filter;
 use gl_api::constants::*;
-use gl_api::entry::*;
 use gl_api::types::{GLsizei, GLuint};
+use gl_api::*;
 
 /// The colours of a picture from the bottom row up.
 pub fn texels(picture: &Picture) -> Vec<[f32; 3]> {

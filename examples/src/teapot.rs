@@ -2,8 +2,8 @@
 
 use crate::matrix::{DVec3, dvec3};
 use gl_api::constants::*;
-use gl_api::entry::*;
 use gl_api::types::GLenum;
+use gl_api::*;
 
 /// The 16 control points of a patch, and the rectangle of texture coordinates that it has: s from, t from, s to,
 /// t to. Points of a row follow u.

@@ -4,9 +4,9 @@ use crate::picture::Picture;
 use crate::picture::sky::FACES;
 use crate::window::Window;
 use gl_api::constants::*;
-use gl_api::entry::*;
 use gl_api::glu::gluBuild2DMipmaps;
 use gl_api::types::{GLenum, GLint, GLsizei, GLuint};
+use gl_api::*;
 
 /// Binds a new texture of a picture to a unit, with mipmaps and a trilinear filter, its bottom row at
 /// t = 0; `wrap` is the wrap mode of both axes.

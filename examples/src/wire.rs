@@ -2,7 +2,7 @@
 
 use crate::matrix::{DMat4, DVec3, dvec3};
 use gl_api::constants::*;
-use gl_api::entry::*;
+use gl_api::*;
 
 /// Turns to the fixed function, a matrix and a colour.
 pub fn through(matrix: &DMat4, color: [f32; 3]) {

@@ -9,7 +9,7 @@ use examples::programs::{
 use examples::window::{Program, explain, render};
 use gl_api::constants::*;
 use gl_api::context::{Context, ContextDesc};
-use gl_api::entry::*;
+use gl_api::*;
 use rasterizer::trace::{PixelEvent, Step};
 use texunit::trace::SampleStep;
 

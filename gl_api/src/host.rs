@@ -27,6 +27,7 @@ use rasterizer::driver::{DeviceDesc, DeviceError, Image, RowWriter};
 
 pub use crate::base::refused_result::RefusedResult;
 pub use crate::calls::texture::egl_image::{EglImageError, EglImageSource};
+pub use crate::context::debug::Echo;
 pub use crate::context::mirror::SurfaceMirror;
 pub use crate::entry::current::{call, expect_thread_end, swap_current};
 pub use texunit::lanes::FloatEnv;
@@ -207,6 +208,7 @@ pub fn first_surface(context: &mut Context, width: u32, height: u32) {
 /// Notes that the picture is about to be shown, and warns if nothing that was drawn is visible in it.
 pub fn shows_picture(context: &mut Context) {
     visibility::picture(context);
+    crate::draw::pass::end_of_frame(context);
 }
 
 /// Reports a GL error of the call `name`.

@@ -35,7 +35,7 @@
 //! | `calls` | the commands by subject: each converts its arguments, validates them, and applies the request |
 //! | `record` | display lists, attribute stacks, selection and feedback |
 //! | [`explain`] | how a pixel came to be |
-//! | [`entry`] | the table of entry points: methods of [`Context`] and free functions with GL's names |
+//! | `entry` | the table of entry points: methods of [`Context`] and free functions with GL's names |
 //! | [`glu`] | the utility library over the free functions |
 //! | `host` | what the crate of the C ABI may do with contexts |
 #![forbid(unsafe_code)]
@@ -47,7 +47,7 @@ mod base;
 mod calls;
 pub mod context;
 mod draw;
-pub mod entry;
+mod entry;
 pub mod explain;
 mod generate;
 pub mod glu;

@@ -161,9 +161,9 @@ fn they_end_soon_and_the_context_goes_on() {
     }
 }
 
-/// Whoever asked for it is told of a reset.
+/// A context with `GL_LOSE_CONTEXT_ON_RESET` reports it (`ARB_robustness`).
 #[test]
-fn a_robust_context_is_told() {
+fn a_robust_context_reports_a_stopped_draw_as_a_reset() {
     let desc = ContextDesc {
         width: SIZE,
         height: SIZE,
@@ -179,6 +179,33 @@ fn a_robust_context_is_told() {
     c.finish();
     assert_eq!(c.get_graphics_reset_status(), GL_GUILTY_CONTEXT_RESET);
     assert_eq!(c.get_graphics_reset_status(), GL_NO_ERROR);
+}
+
+/// Instances that scenes may have, of fragments that are shaded at each sample: either all are drawn, or the draw ends.
+#[test]
+fn instances_that_shade_each_sample_end_soon() {
+    for (name, corners) in [
+        ("large", [-1.0_f32, -1.0, 3.0, -1.0, -1.0, 3.0]),
+        ("small", [0.0, 0.0, 0.05, 0.0, 0.0, 0.05]),
+        ("out of the window", [2.0, 2.0, 3.0, 2.0, 2.0, 3.0]),
+    ] {
+        let surface = SurfaceDesc { samples: 4, ..SurfaceDesc::default() };
+        let desc = ContextDesc { width: SIZE, height: SIZE, surface, ..ContextDesc::default() };
+        let mut c = Context::new(desc).expect("a context");
+        buffer(&mut c, 1, &corners.map(f32::to_le_bytes).concat());
+        c.vertex_pointer(2, GL_FLOAT, 0, Data::Offset(0));
+        c.enable_client_state(GL_VERTEX_ARRAY);
+        c.enable(GL_SAMPLE_SHADING);
+        c.min_sample_shading(1.0);
+        c.enable(GL_BLEND);
+        c.blend_func(GL_ONE, GL_ONE);
+        c.color_3f(0.01, 0.0, 0.0);
+        let start = Instant::now();
+        c.draw_arrays_instanced(GL_TRIANGLES, 0, 3, 20_000_000);
+        c.finish();
+        println!("{name}: {:?}, {} stopped", start.elapsed(), stops(&mut c));
+        assert!(start.elapsed() < SOON, "{name}: {:?}", start.elapsed());
+    }
 }
 
 /// A geometry shader makes 256 vertices of each, which nobody sees.
@@ -229,6 +256,165 @@ fn what_is_left_of_a_draw_is_the_same_everywhere() {
         c.draw_arrays(GL_POINTS, 0, MANY);
         let left = picture(&mut c);
         assert_eq!(stops(&mut c), 1);
+        left
+    });
+    let first = all.next().expect("an instruction set");
+    assert!(first.chunks(4).any(|pixel| pixel[0] == 255));
+    assert!(all.all(|other| other == first));
+}
+
+/// Points along a line, as many as the budget lets them, in red on blue.
+fn draw_endless_points(c: &mut Context) {
+    c.enable(GL_BLEND);
+    c.blend_func(GL_ONE, GL_ONE);
+    use_numbers(c, "fract(n * 1e-4), 1e-7 * n");
+    c.draw_arrays(GL_POINTS, 0, MANY);
+    c.disable(GL_BLEND);
+}
+
+/// A loop of some 200,000 operations, which alone is free.
+fn draw_long_loop(c: &mut Context) {
+    use_program(
+        c,
+        "void main() { gl_Position = gl_Vertex; }",
+        "void main() { float s = gl_FragCoord.x; for (int i = 0; i < 20000; i++) s = fract(s * 1.7 + 0.3);
+         gl_FragColor = vec4(1.0, 0.001 * s, 0.0, 1.0); }",
+    );
+    c.rectf(-1.0, -1.0, 1.0, 1.0);
+}
+
+/// A loop that does not end.
+fn draw_endless_loop(c: &mut Context) {
+    use_program(
+        c,
+        "void main() { gl_Position = gl_Vertex; }",
+        "uniform float n; void main() { float s = n; while (s >= 0.0) s = fract(s + 0.3); gl_FragColor = vec4(s); }",
+    );
+    c.rectf(-1.0, -1.0, 1.0, 1.0);
+}
+
+fn clear(c: &mut Context) {
+    c.clear(GL_COLOR_BUFFER_BIT);
+}
+
+/// How many pixels of the picture are red. Reading it ends the frame.
+fn red_pixels(c: &mut Context) -> usize {
+    picture(c).chunks(4).filter(|pixel| pixel[0] == 255).count()
+}
+
+/// A flush gives no draw a new budget; the end of a frame does.
+#[test]
+fn draws_of_a_frame_share_a_budget_across_flushes() {
+    for hostile in [draw_endless_points, draw_endless_loop] {
+        let mut c = context(2, Isa::best());
+        draw_endless_points(&mut c);
+        let alone = red_pixels(&mut c);
+        assert!(alone > 0);
+        clear(&mut c);
+        hostile(&mut c);
+        c.flush();
+        clear(&mut c);
+        for _ in 0..3 {
+            draw_endless_points(&mut c);
+            c.flush();
+        }
+        assert!(red_pixels(&mut c) < alone / 8, "there was no budget left");
+        // The picture was read, so that the next frame has begun.
+        clear(&mut c);
+        draw_endless_points(&mut c);
+        assert_eq!(red_pixels(&mut c), alone);
+    }
+}
+
+/// Loops that are free in other frames are stopped in one that has spent its budget, in the pass and after it.
+#[test]
+fn a_frame_that_has_spent_its_budget_has_little_for_loops() {
+    let whole = (SIZE * SIZE) as usize;
+    for threads in [1, 4] {
+        let mut c = context(threads, Isa::best());
+        draw_long_loop(&mut c);
+        assert_eq!((red_pixels(&mut c), stops(&mut c)), (whole, 0));
+        clear(&mut c);
+        for _ in 0..8 {
+            draw_endless_loop(&mut c);
+        }
+        draw_long_loop(&mut c);
+        c.flush();
+        draw_long_loop(&mut c);
+        assert_eq!(red_pixels(&mut c), 0);
+        // What takes no loop is drawn, and short loops are.
+        c.use_program(0);
+        c.color_3f(1.0, 0.0, 0.0);
+        c.rectf(-1.0, -1.0, 1.0, 1.0);
+        assert_eq!(red_pixels(&mut c), whole);
+        clear(&mut c);
+        c.finish();
+        draw_long_loop(&mut c);
+        assert_eq!(red_pixels(&mut c), whole);
+    }
+}
+
+/// 200 draws that do not end, each with a flush, take little more than one.
+#[test]
+fn many_endless_draws_end_soon() {
+    for hostile in [draw_endless_points, draw_endless_loop] {
+        let mut c = context(2, Isa::best());
+        let start = Instant::now();
+        for _ in 0..200 {
+            hostile(&mut c);
+            c.flush();
+        }
+        println!("{:?}", start.elapsed());
+        assert!(start.elapsed() < SOON);
+    }
+}
+
+/// Who asked to be told has to ask: until then, the end of a frame brings nothing.
+#[test]
+fn a_robust_context_has_no_budget_until_it_has_asked() {
+    let desc = ContextDesc {
+        width: SIZE,
+        height: SIZE,
+        reset_notification: ResetNotification::LoseContextOnReset,
+        ..ContextDesc::default()
+    };
+    let mut c = Context::new(desc).expect("a context");
+    draw_endless_points(&mut c);
+    let alone = red_pixels(&mut c);
+    for _ in 0..3 {
+        clear(&mut c);
+        c.finish();
+        draw_endless_points(&mut c);
+        assert!(red_pixels(&mut c) < alone / 8);
+    }
+    assert_eq!(c.get_graphics_reset_status(), GL_GUILTY_CONTEXT_RESET);
+    clear(&mut c);
+    draw_endless_points(&mut c);
+    assert_eq!(red_pixels(&mut c), alone);
+}
+
+/// What is left of a frame of hostile draws depends on neither threads nor instruction set.
+#[test]
+fn what_is_left_of_a_frame_is_the_same_everywhere() {
+    let ways = Isa::available().into_iter().flat_map(|isa| [1, 2, 8].map(|threads| (isa, threads)));
+    let mut all = ways.map(|(isa, threads)| {
+        let mut c = context(threads, isa);
+        // Ends at the right only, after a number of iterations that depends on the pixel.
+        use_program(
+            &mut c,
+            "void main() { gl_Position = gl_Vertex; }",
+            "void main() { float s = gl_FragCoord.x * gl_FragCoord.y * 100.0; float t = 0.1;
+             while (s > 0.0) { s -= 1.0; t = fract(t * 1.7 + 0.3); }
+             gl_FragColor = vec4(1.0, t, 0.0, 1.0); }",
+        );
+        for _ in 0..3 {
+            c.rectf(-1.0, -1.0, 0.9, 1.0);
+            c.rectf(-0.9, -1.0, 1.0, 0.9);
+            c.flush();
+        }
+        draw_endless_points(&mut c);
+        let left = picture(&mut c);
+        assert!(stops(&mut c) > 0);
         left
     });
     let first = all.next().expect("an instruction set");

@@ -257,3 +257,32 @@ fn a_context_that_asks_for_notifications_is_told_once_of_a_stopped_draw() {
     assert_eq!(picture(&mut c, 16)[..4], [255, 0, 0, 255]);
     assert_eq!((c.get_graphics_reset_status(), c.get_error()), (GL_NO_ERROR, GL_NO_ERROR));
 }
+
+/// What the first draw compiles takes as little time as what it runs: loops in loops, with arrays that each may write.
+#[test]
+fn programs_of_nested_loops_and_arrays_are_compiled_soon() {
+    for (depth, length, stores) in [(100, 4, 1), (60, 4000, 4), (100, 30_000, 1), (20, 16_000, 20)]
+    {
+        let mut body = "s += 1.0;".to_owned();
+        for level in 0..depth {
+            let stores: String = (0..stores)
+                .map(|at| format!("a[i{level} + {at}] = s; s += a[i{level} * {at}];"))
+                .collect();
+            body =
+                format!("for (int i{level} = 0; i{level} < n; i{level}++) {{ {stores} {body} }}");
+        }
+        let fragment = format!(
+            "uniform int n; void main() {{ float a[{length}]; float s = 0.0; a[n] = 1.0; {body} gl_FragColor = vec4(s, 1.0, 0.0, 1.0); }}"
+        );
+        let mut c = context(8, 2, Isa::best(), None);
+        let start = Instant::now();
+        use_shaders(&mut c, "void main() { gl_Position = gl_Vertex; }", &fragment);
+        let linked = start.elapsed();
+        draw(&mut c);
+        c.finish();
+        let all = start.elapsed();
+        println!("{depth} loops, {length} words, {stores} stores: link {linked:?}, all {all:?}");
+        assert!(all < SOON, "{depth} loops, {length} words: link {linked:?}, all {all:?}");
+        assert_eq!(picture(&mut c, 8)[..4], [0, 255, 0, 255]);
+    }
+}

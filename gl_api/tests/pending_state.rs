@@ -4,7 +4,7 @@
 
 use gl_api::constants::*;
 use gl_api::context::{Context, ContextDesc};
-use gl_api::entry::*;
+use gl_api::*;
 use rasterizer::driver::{Device, DeviceDesc, LeaveOut};
 use std::sync::Arc;
 

@@ -13,7 +13,7 @@ pub use complete::{Incomplete, Levels};
 pub use error::ImageError;
 pub use level::Level;
 pub use limits::{FACES, MAX_LAYERS, MAX_LEVEL_BYTES, MAX_LEVELS, MAX_SIZE, MAX_SIZE_3D, PADDING};
-pub use memory::{Memory, TexelSource, zeroed};
+pub use memory::{Memory, TexelSource, copied, zeroed};
 pub use shape::Shape;
 
 use std::sync::Arc;

@@ -14,6 +14,7 @@ const PENDING: &[&str] = &[];
 const WITHOUT_TABLE: &[(&str, &str)] = &[
     ("examples", "programs side by side, each of which is read alone"),
     ("architecture", "its documentation has the steps in their order"),
+    ("fuzz-run", "one file, and what the fuzz targets run"),
     ("mutants", "its documentation has the steps in their order"),
 ];
 

@@ -21,7 +21,8 @@ pub struct Built {
     pub mutants: Vec<Mutant>,
 }
 
-/// Plants the mistakes and builds the copy in `copy_root`; `say` is told what happens.
+/// Plants the mistakes and builds the copy in `copy_root`.
+/// Calls `say` with a line of progress for each step.
 ///
 /// # Errors
 /// When the copy does not build without mistakes either.

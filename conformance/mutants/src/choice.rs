@@ -1,8 +1,8 @@
 //! A random choice of mistakes.
 
 use crate::error::MutantsError;
-use crate::places::{Place, places};
-use std::collections::BTreeSet;
+use crate::replacements::{Replacement, replacements};
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
@@ -65,7 +65,7 @@ pub struct Mutant {
     /// The file, relative to the workspace.
     pub file: String,
     /// What becomes of which expression.
-    pub place: Place,
+    pub replacement: Replacement,
 }
 
 /// The source files below [`DRIVER`].
@@ -93,21 +93,22 @@ fn add_files(root: &Path, path: &str, files: &mut BTreeSet<String>) -> Result<()
     Ok(())
 }
 
-/// A generator of random numbers (SplitMix64).
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, end: usize) -> usize {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ z >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ z >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ z >> 31) % end as u64) as usize
-    }
+/// The rank of a mistake in the random order of a seed: a hash (FNV-1a, mixed as SplitMix64 does) of what it is, the
+/// `nth` of its file that reads so. A change of the sources elsewhere leaves it as it is.
+fn rank(seed: u64, file: &str, mistake: &Replacement, nth: u64) -> u64 {
+    let words = [seed, nth].into_iter().flat_map(u64::to_le_bytes);
+    let texts = [file, &mistake.before, &mistake.after];
+    let bytes = words.chain(texts.into_iter().flat_map(|text| text.bytes().chain([0])));
+    let mut z = bytes.fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
+        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
+    });
+    z = (z ^ z >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    z = (z ^ z >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);
+    z ^ z >> 31
 }
 
 /// `count` mistakes of the files whose path contains `only`, or all if there are fewer; the same for the same seed and
-/// sources. Also says how many there are to choose from.
+/// sources, nearly the same after a change of the sources. Also says how many there are to choose from.
 ///
 /// # Errors
 /// When a file cannot be read or does not parse.
@@ -121,22 +122,25 @@ pub fn choose(
     for file in driver_files(root)?.into_iter().filter(|file| file.contains(only)) {
         let path = root.join(&file);
         let text = fs::read_to_string(&path).map_err(MutantsError::io(&path))?;
-        let found = places(&text).map_err(|source| MutantsError::Syntax { path, source })?;
-        all.extend(found.into_iter().map(|place| (file.clone(), place)));
+        let found = replacements(&text).map_err(|source| MutantsError::Syntax { path, source })?;
+        let mut alike: BTreeMap<(String, String), u64> = BTreeMap::new();
+        for mistake in found {
+            let nth = alike.entry((mistake.before.clone(), mistake.after.clone())).or_default();
+            all.push((rank(seed, &file, &mistake, *nth), file.clone(), mistake));
+            *nth += 1;
+        }
     }
     if all.is_empty() {
         return Err(MutantsError::NothingSelected(only.to_owned()));
     }
-    let mut random = Random(seed);
-    let kept = count.min(all.len());
-    for at in 0..kept {
-        let other = at + random.below(all.len() - at);
-        all.swap(at, other);
-    }
     let from = all.len();
-    all.truncate(kept);
-    all.sort_by(|(a, p), (b, q)| (a, p.range.start, &p.after).cmp(&(b, q.range.start, &q.after)));
-    let mutants = (1..).zip(all).map(|(number, (file, place))| Mutant { number, file, place });
+    all.sort_by_key(|(rank, ..)| *rank);
+    all.truncate(count);
+    all.sort_by(|(_, a, p), (_, b, q)| {
+        (a, p.range.start, &p.after).cmp(&(b, q.range.start, &q.after))
+    });
+    let mutants =
+        (1..).zip(all).map(|(number, (_, file, replacement))| Mutant { number, file, replacement });
     Ok((mutants.collect(), from))
 }
 
@@ -156,13 +160,33 @@ mod tests {
     }
 
     #[test]
+    fn mistakes_that_read_the_same_have_ranks_of_their_own() {
+        let mistake = |before: &str| Replacement {
+            line: 7,
+            range: 3..9,
+            before: before.to_owned(),
+            after: "b".to_owned(),
+        };
+        let first = rank(1, "a.rs", &mistake("a"), 0);
+        let moved = Replacement { line: 8, range: 30..36, ..mistake("a") };
+        assert_eq!(rank(1, "a.rs", &moved, 0), first);
+        let others = [
+            rank(2, "a.rs", &mistake("a"), 0),
+            rank(1, "b.rs", &mistake("a"), 0),
+            rank(1, "a.rs", &mistake("c"), 0),
+            rank(1, "a.rs", &mistake("a"), 1),
+        ];
+        assert!(others.into_iter().all(|other| other != first));
+    }
+
+    #[test]
     fn a_seed_chooses_the_same_mistakes_again() {
         let names = |seed| {
             let (mutants, from) = choose(&root(), "texunit", 30, seed).expect("files that parse");
             assert!(from > 1000, "{from}");
             mutants
                 .iter()
-                .map(|m| format!("{}:{}", m.file, m.place.range.start))
+                .map(|m| format!("{}:{}", m.file, m.replacement.range.start))
                 .collect::<Vec<_>>()
         };
         assert_eq!(names(7), names(7));

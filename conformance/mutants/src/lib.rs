@@ -5,7 +5,7 @@
 //!
 //! | module | is |
 //! |---|---|
-//! | [`places`] | finds the expressions of a file that a mistake fits, and what each becomes |
+//! | [`replacements`] | finds the expressions of a file that a mistake fits, and what each becomes |
 //! | [`choice`] | a random choice of them, the same for the same seed |
 //! | [`rewrite`] | the file's text with the chosen mistakes, and which bytes of it belong to which |
 //! | [`tree`] | the copy of the workspace |
@@ -18,7 +18,7 @@
 pub mod build;
 pub mod choice;
 pub mod error;
-pub mod places;
+pub mod replacements;
 pub mod report;
 pub mod rewrite;
 pub mod tree;

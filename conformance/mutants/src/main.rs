@@ -6,14 +6,15 @@ use indicatif::{ProgressBar, ProgressStyle};
 use mutants::build::{Built, build};
 use mutants::choice::{Mutant, choose};
 use mutants::error::MutantsError;
-use mutants::report::{counts, listing, page};
+use mutants::report::{counts, listing, page, survivor_key, survivors};
 use mutants::trial::{Effort, Fate, Trials, output_folder};
-use std::fs;
+use std::fs::{self, File};
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// Plants mistakes in a copy of the driver's sources, all in one build, and runs the checks of conformance with each. The
 /// exit status is 0 when at least the wanted share of those that change something is noticed, 1 when not, 2 for a wrong
@@ -36,6 +37,9 @@ struct Args {
     /// Tries only these, by number.
     #[arg(long, value_delimiter = ',')]
     numbers: Vec<u32>,
+    /// Tries only those that survived by the listing (mutants.txt) of an earlier run.
+    #[arg(long, value_name = "FILE")]
+    survivors: Option<PathBuf>,
     /// Percent of the mistakes that change something which must be noticed.
     #[arg(long, default_value_t = 97.0)]
     least: f64,
@@ -45,7 +49,10 @@ struct Args {
     /// Processes at a time.
     #[arg(long, default_value_t = 2)]
     jobs: usize,
-    /// Seconds, and ten times the usual, that a mistake gets before it counts as endless.
+    /// Ends after so many minutes: what was tried by then is a random part.
+    #[arg(long)]
+    minutes: Option<u64>,
+    /// Seconds, and ten times the usual, that a check gets before it counts as endless.
     #[arg(long, default_value_t = 10)]
     time_limit: u64,
     /// Where the copy, its build and the report are.
@@ -81,9 +88,17 @@ fn run(args: &Args) -> Result<ExitCode, MutantsError> {
     };
     say("running everything without a mistake".to_owned());
     let baseline = trials.baseline()?;
-    let tried = selected(args, &mutants);
-    let fates =
-        try_all(&trials, &tried, args.jobs, &|mutant| trials.try_mutant(mutant, &baseline))?;
+    let tried = selected(args, &mutants)?;
+    let path = out.join("mutants.txt");
+    let mut file = File::create(&path).map_err(MutantsError::io(&path))?;
+    let end = args.minutes.map(|minutes| Instant::now() + Duration::from_secs(60 * minutes));
+    let fates = try_all(
+        &tried,
+        (args.jobs, end),
+        &|mutant| trials.try_mutant(mutant, &baseline),
+        // What ends early has said what it knows.
+        &mut |fate| write!(file, "{}", listing(std::slice::from_ref(fate))),
+    )?;
     let all = counts(&fates);
     let of = format!(
         "{} of {from} possible mistakes were planted (seed {}), {} compile, {} were tried with {} checks, sweeps and \
@@ -109,47 +124,56 @@ fn run(args: &Args) -> Result<ExitCode, MutantsError> {
 }
 
 /// The mistakes that the arguments select.
-fn selected(args: &Args, mutants: &[Mutant]) -> Vec<Mutant> {
+fn selected(args: &Args, mutants: &[Mutant]) -> Result<Vec<Mutant>, MutantsError> {
+    let read = |path: &PathBuf| fs::read_to_string(path).map_err(MutantsError::io(path));
+    let wanted = args.survivors.as_ref().map(read).transpose()?.map(|text| survivors(&text));
     let step = args.sample.map_or(1, |sample| mutants.len().div_ceil(sample.max(1)));
     let chosen = mutants.iter().enumerate().filter(|(at, mutant)| {
-        at % step.max(1) == 0 && (args.numbers.is_empty() || args.numbers.contains(&mutant.number))
+        at % step.max(1) == 0
+            && (args.numbers.is_empty() || args.numbers.contains(&mutant.number))
+            && wanted.as_ref().is_none_or(|wanted| wanted.contains(&survivor_key(mutant)))
     });
-    chosen.map(|(_, mutant)| mutant.clone()).collect()
+    let mut chosen: Vec<Mutant> = chosen.map(|(_, mutant)| mutant.clone()).collect();
+    // In no order of files, so that the first of them are a random part.
+    chosen.sort_by_key(|mutant| mutant.number.wrapping_mul(0x9e37_79b9));
+    Ok(chosen)
 }
 
-/// Tries mistakes on several threads.
+/// Tries mistakes on several threads, up to an end; `note` is called with each fate.
 fn try_all(
-    trials: &Trials,
     mutants: &[Mutant],
-    jobs: usize,
+    (jobs, end): (usize, Option<Instant>),
     try_one: &(dyn Fn(u32) -> Result<Fate, MutantsError> + Sync),
+    note: &mut (dyn FnMut(&(Mutant, Fate)) -> io::Result<()> + Send),
 ) -> Result<Vec<(Mutant, Fate)>, MutantsError> {
-    let bar =
-        ProgressBar::new(mutants.len() as u64).with_message(trials.runner.display().to_string());
+    let bar = ProgressBar::new(mutants.len() as u64);
     if let Ok(style) = ProgressStyle::with_template("{bar:40} {pos}/{len} {eta}") {
         bar.set_style(style);
     }
     let next = AtomicUsize::new(0);
-    let found = Mutex::new(Vec::new());
+    let found = Mutex::new((note, Vec::new()));
     std::thread::scope(|scope| {
         for _ in 0..jobs.max(1) {
             scope.spawn(|| {
                 while let Some(mutant) = mutants.get(next.fetch_add(1, Ordering::Relaxed)) {
-                    let fate = try_one(mutant.number);
+                    if end.is_some_and(|end| Instant::now() > end) {
+                        return;
+                    }
+                    let fate = try_one(mutant.number).map(|fate| (mutant.clone(), fate));
                     bar.inc(1);
                     if let Ok(mut found) = found.lock() {
-                        found.push((mutant.clone(), fate));
+                        let (note, all) = &mut *found;
+                        // The page at the end has it, too.
+                        let _ = fate.as_ref().map(note);
+                        all.push(fate);
                     }
                 }
             });
         }
     });
     bar.finish_and_clear();
-    let found = found.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
-    let mut fates: Vec<(Mutant, Fate)> = Vec::with_capacity(found.len());
-    for (mutant, fate) in found {
-        fates.push((mutant, fate?));
-    }
+    let (_, found) = found.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
+    let mut fates = found.into_iter().collect::<Result<Vec<(Mutant, Fate)>, _>>()?;
     fates.sort_by_key(|(mutant, _)| mutant.number);
     Ok(fates)
 }

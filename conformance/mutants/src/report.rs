@@ -2,7 +2,7 @@
 
 use crate::choice::Mutant;
 use crate::trial::Fate;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
 /// How many mistakes had which fate.
@@ -64,8 +64,8 @@ pub fn page(fates: &[(Mutant, Fate)], of: &str) -> String {
     out += "\n## Survivors\n\n| mistake | line | expression | becomes | what differs |\n|---|---|---|---|---|\n";
     for (mutant, fate) in fates {
         let Fate::Survived(changed) = fate else { continue };
-        let Mutant { number, file, place } = mutant;
-        let (before, after) = (one_line(&place.before), one_line(&place.after));
+        let Mutant { number, file, replacement } = mutant;
+        let (before, after) = (one_line(&replacement.before), one_line(&replacement.after));
         let few: Vec<&str> = changed.iter().take(4).map(String::as_str).collect();
         let more = if changed.len() > few.len() {
             format!(" and {} more", changed.len() - few.len())
@@ -75,25 +75,45 @@ pub fn page(fates: &[(Mutant, Fate)], of: &str) -> String {
         let _ = writeln!(
             out,
             "| {number} | {file}:{} | `{before}` | `{after}` | {}{more} |",
-            place.line,
+            replacement.line,
             few.join(", ")
         );
     }
     out
 }
 
-/// A line for each mistake: number, place, change, fate.
+const SURVIVED: &str = "survived, changes ";
+
+/// Of a listing ([`listing`]), the mistakes that survived: file, expression, and what stands there instead.
+pub fn survivors(listing: &str) -> BTreeSet<[String; 3]> {
+    let rows = listing.lines().filter_map(|line| {
+        let [_, at, before, after, fate] = line.split('\t').collect::<Vec<_>>()[..] else {
+            return None;
+        };
+        let file = at.rsplit_once(':')?.0;
+        fate.starts_with(SURVIVED).then(|| [file, before, after].map(str::to_owned))
+    });
+    rows.collect()
+}
+
+/// What [`survivors`] says of a mistake.
+pub fn survivor_key(mutant: &Mutant) -> [String; 3] {
+    let Mutant { file, replacement, .. } = mutant;
+    [file.clone(), one_line(&replacement.before), one_line(&replacement.after)]
+}
+
+/// A line for each mistake: number, file and line, change, fate.
 pub fn listing(fates: &[(Mutant, Fate)]) -> String {
     let mut out = String::new();
-    for (Mutant { number, file, place }, fate) in fates {
+    for (Mutant { number, file, replacement }, fate) in fates {
         let fate = match fate {
             Fate::Unreached => "unreached".to_owned(),
             Fate::Unchanged => "unchanged".to_owned(),
             Fate::Noticed(by) => format!("noticed by {by}"),
-            Fate::Survived(changed) => format!("survived, changes {}", changed.join(", ")),
+            Fate::Survived(changed) => format!("{SURVIVED}{}", changed.join(", ")),
         };
-        let (before, after) = (one_line(&place.before), one_line(&place.after));
-        let _ = writeln!(out, "{number}\t{file}:{}\t{before}\t{after}\t{fate}", place.line);
+        let (before, after) = (one_line(&replacement.before), one_line(&replacement.after));
+        let _ = writeln!(out, "{number}\t{file}:{}\t{before}\t{after}\t{fate}", replacement.line);
     }
     out
 }
@@ -101,14 +121,14 @@ pub fn listing(fates: &[(Mutant, Fate)]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::places::Place;
+    use crate::replacements::Replacement;
 
     #[test]
     fn survivors_are_named_and_counted() {
         let mutant = |number| Mutant {
             number,
             file: "a/src/b.rs".to_owned(),
-            place: Place {
+            replacement: Replacement {
                 line: 7,
                 range: 0..1,
                 before: "x ||\n y".to_owned(),
@@ -129,6 +149,8 @@ mod tests {
             page.contains("| 4 | a/src/b.rs:7 | `x \\|\\| y` | `y` | picture moon |"),
             "{page}"
         );
-        assert!(listing(&fates).contains("3\ta/src/b.rs:7\tx \\|\\| y\ty\tnoticed by check fog\n"));
+        let listing = listing(&fates);
+        assert!(listing.contains("3\ta/src/b.rs:7\tx \\|\\| y\ty\tnoticed by check fog\n"));
+        assert_eq!(survivors(&listing), BTreeSet::from([survivor_key(&mutant(4))]));
     }
 }

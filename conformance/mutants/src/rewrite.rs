@@ -8,15 +8,15 @@ use std::ops::Range;
 pub struct Rewritten {
     /// The text.
     pub text: String,
-    /// The bytes of it that stand in the place of an expression, and its mistakes; the inner ones after those around.
+    /// The bytes of it that replace an expression, and its mistakes; the inner ones after those around.
     pub parts: Vec<(Range<usize>, Vec<u32>)>,
 }
 
 impl Rewritten {
-    /// The mistakes of the innermost part that contains a place of the text.
-    pub fn at(&self, place: &Range<usize>) -> &[u32] {
+    /// The mistakes of the innermost part that contains these bytes of the text.
+    pub fn at(&self, bytes: &Range<usize>) -> &[u32] {
         let holds =
-            |part: &&(Range<usize>, _)| part.0.start <= place.start && place.end <= part.0.end;
+            |part: &&(Range<usize>, _)| part.0.start <= bytes.start && bytes.end <= part.0.end;
         let parts = self.parts.iter().filter(holds);
         parts.min_by_key(|part| part.0.len()).map_or(&[], |part| &part.1)
     }
@@ -33,12 +33,12 @@ pub fn rewrite(text: &str, mutants: &[&Mutant]) -> Rewritten {
     let mut nodes: Vec<Node> = Vec::new();
     let mut sorted = mutants.to_vec();
     // Outer expressions first.
-    sorted.sort_by_key(|m| (m.place.range.start, usize::MAX - m.place.range.end));
+    sorted.sort_by_key(|m| (m.replacement.range.start, usize::MAX - m.replacement.range.end));
     for mutant in sorted {
         match nodes.last_mut() {
-            Some(node) if node.range == mutant.place.range => node.mutants.push(mutant),
+            Some(node) if node.range == mutant.replacement.range => node.mutants.push(mutant),
             Some(_) | None => {
-                nodes.push(Node { range: mutant.place.range.clone(), mutants: vec![mutant] });
+                nodes.push(Node { range: mutant.replacement.range.clone(), mutants: vec![mutant] });
             }
         }
     }
@@ -60,7 +60,7 @@ fn emit(text: &str, range: Range<usize>, mut nodes: &[Node], out: &mut Rewritten
         for mutant in &node.mutants {
             out.text += &format!("if ::mutant_switch::is({}) {{ ", mutant.number);
             let from = out.text.len();
-            out.text += &mutant.place.after;
+            out.text += &mutant.replacement.after;
             out.parts.push((from..out.text.len(), vec![mutant.number]));
             out.text += " } else ";
         }
@@ -77,15 +77,15 @@ fn emit(text: &str, range: Range<usize>, mut nodes: &[Node], out: &mut Rewritten
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::places::places;
+    use crate::replacements::replacements;
 
     #[test]
     fn mistakes_within_mistakes() {
         let text = "fn f() { g(a + b < c, d) }";
-        let found = places(text).expect("it parses");
+        let found = replacements(text).expect("it parses");
         let mutants: Vec<Mutant> = (1..)
             .zip(found)
-            .map(|(number, place)| Mutant { number, file: String::new(), place })
+            .map(|(number, replacement)| Mutant { number, file: String::new(), replacement })
             .collect();
         let rewritten = rewrite(text, &mutants.iter().collect::<Vec<_>>());
         let expected = "fn f() { g((if ::mutant_switch::is(1) { (a + b) <= (c) } else { \

@@ -6,6 +6,7 @@ use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
+use wait_timeout::ChildExt;
 
 /// What a check, a sweep or a picture shows without a mistake.
 #[derive(Clone, Debug)]
@@ -56,7 +57,7 @@ pub struct Trials {
     pub runner: PathBuf,
     /// Where its output goes.
     pub folder: PathBuf,
-    /// The least time that a run gets.
+    /// The least time that a check, a sweep or a picture gets.
     pub time_limit: Duration,
     /// How many cases.
     pub effort: Effort,
@@ -64,13 +65,17 @@ pub struct Trials {
 
 /// Kilobytes of address space that a run gets.
 const MEMORY: u32 = 6_000_000;
+/// How often a run is looked at.
+const LOOK: Duration = Duration::from_millis(200);
+/// What an item gets of which nothing is known.
+const UNKNOWN: Duration = Duration::from_secs(3600);
 
 impl Trials {
+    /// Runs items, each with the time that it usually takes; all that there are if none is named.
     fn run(
         &self,
         mutant: &str,
-        names: &[&str],
-        limit: Duration,
+        items: &[(&str, f64)],
     ) -> Result<(BTreeMap<String, Shown>, End), MutantsError> {
         let path = self.folder.join(format!("{mutant}.txt"));
         let file = File::create(&path).map_err(MutantsError::io(&path))?;
@@ -78,7 +83,7 @@ impl Trials {
             .args(["-c", &format!("ulimit -v {MEMORY}; exec \"$0\" \"$@\"")])
             .arg(&self.runner)
             .args((self.effort == Effort::Full).then_some("--full"))
-            .args(names)
+            .args(items.iter().map(|(name, _)| name))
             .env("DETGL_MUTANT", mutant)
             .env("DETGL_THREADS", "1")
             .stdin(Stdio::null())
@@ -86,22 +91,26 @@ impl Trials {
             .stderr(Stdio::null())
             .spawn()
             .map_err(|source| MutantsError::Start { program: self.runner.clone(), source })?;
-        let start = Instant::now();
+        let read = || fs::read_to_string(&path).map_err(MutantsError::io(&path));
+        let (mut done, mut since) = (0, Instant::now());
         let end = loop {
-            match child.try_wait().map_err(MutantsError::io(&self.runner))? {
+            match child.wait_timeout(LOOK).map_err(MutantsError::io(&self.runner))? {
                 Some(status) if status.success() => break End::Done,
                 Some(_) => break End::Crashed,
-                None if start.elapsed() > limit => {
-                    child
-                        .kill()
-                        .and_then(|()| child.wait())
-                        .map_err(MutantsError::io(&self.runner))?;
-                    break End::OutOfTime;
-                }
-                None => std::thread::sleep(Duration::from_millis(3)),
+                None => {}
+            }
+            let now = read()?.lines().count();
+            if now != done {
+                (done, since) = (now, Instant::now());
+            }
+            let usual = |&(_, usual): &(&str, f64)| Duration::from_secs_f64(10.0 * usual);
+            let limit = items.get(done).map_or(UNKNOWN, |item| self.time_limit + usual(item));
+            if since.elapsed() > limit {
+                child.kill().and_then(|()| child.wait()).map_err(MutantsError::io(&self.runner))?;
+                break End::OutOfTime;
             }
         };
-        let text = fs::read_to_string(&path).map_err(MutantsError::io(&path))?;
+        let text = read()?;
         fs::remove_file(&path).map_err(MutantsError::io(&path))?;
         Ok((text.lines().filter_map(parse).collect(), end))
     }
@@ -111,7 +120,7 @@ impl Trials {
     /// # Errors
     /// When something fails.
     pub fn baseline(&self) -> Result<BTreeMap<String, Shown>, MutantsError> {
-        let (shown, end) = self.run("record", &[], Duration::from_secs(3600))?;
+        let (shown, end) = self.run("record", &[])?;
         let failing: Vec<&str> = shown
             .iter()
             .filter(|(_, shown)| !shown.passes)
@@ -139,7 +148,9 @@ impl Trials {
                 .filter(|(_, shown)| shown.reached.contains(&number))
                 .map(|(name, shown)| (name.as_str(), shown))
                 .collect();
-            all.sort_by(|(_, a), (_, b)| a.seconds.total_cmp(&b.seconds));
+            // What is quick and reaches little besides is likely to notice it soon.
+            let cost = |shown: &Shown| shown.seconds * shown.reached.len() as f64;
+            all.sort_by(|(_, a), (_, b)| cost(a).total_cmp(&cost(b)));
             all
         };
         let mut changed = Vec::new();
@@ -151,9 +162,9 @@ impl Trials {
             }
             is_reached = true;
             let names: Vec<&str> = items.iter().map(|(name, _)| *name).collect();
-            let usual: f64 = items.iter().map(|(_, shown)| shown.seconds).sum();
-            let limit = self.time_limit + Duration::from_secs_f64(10.0 * usual);
-            let (shown, end) = self.run(&number.to_string(), &names, limit)?;
+            let items: Vec<(&str, f64)> =
+                items.iter().map(|(name, shown)| (*name, shown.seconds)).collect();
+            let (shown, end) = self.run(&number.to_string(), &items)?;
             if let Some((name, _)) = shown.iter().find(|(_, shown)| !shown.passes) {
                 return Ok(Fate::Noticed(name.clone()));
             }

@@ -1,16 +1,12 @@
 //! The anisotropic filter as pictures show it: every pixel of whole squares and floors, into bytes.
 
 use super::pictures::{Pictures, Pixel, all};
-use super::texture_pictures::{Lookup, Map, PICTURE, image, mipmapped};
+use super::texture_pictures::{Lookup, Map, PICTURE, image, mipmapped, repeating};
 use crate::check::{Check, Harness, Tally, Unit};
 use crate::gl::*;
 use crate::mutation::Variant;
 use crate::oracle::anisotropy::{self, footprint, nearest_step};
-use crate::oracle::filter::Addressing;
-use crate::oracle::lod::{Derivatives, Filter, LevelRange, LodState, Mipmap};
-use crate::oracle::sample::Sampler;
-use crate::oracle::texture::Level;
-use crate::oracle::wrap::Wrap;
+use crate::oracle::lod::{Derivatives, Filter, Filters, Mipmap};
 use crate::probe::ProbeError;
 use crate::rng::Rng;
 use gl_api::constants::*;
@@ -45,22 +41,15 @@ const STEP: f64 = 2e-3;
 /// Footprints that are flatter have a `σ₂` that is rounding error.
 const FLATTEST: f64 = 24.0;
 
-fn sampler(image: &[Level]) -> Sampler {
-    Sampler {
-        at: Addressing { wrap: [Wrap::Repeat; 2], border: [0.0; 4] },
-        filters: mipmapped(Filter::Linear, Mipmap::Linear),
-        lod: LodState::default(),
-        range: LevelRange { base: 0, last: image.len() - 1 },
-    }
-}
+const FILTERS: Filters = mipmapped(Filter::Linear, Mipmap::Linear);
 
 fn affine(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
     let mut rng = Rng::named("picture-anisotropic");
     let mut pictures = Pictures::new(harness, tally, PICTURE);
     for round in 0..harness.cases(48).max(12) {
         let size = SIZES[round % SIZES.len()];
-        let image = image(&mut rng, size, mipmapped(Filter::Linear, Mipmap::Linear));
-        let sampler = sampler(&image);
+        let image = image(&mut rng, size, FILTERS);
+        let sampler = repeating(&image, FILTERS);
         let limit = [2.0, 4.0, 8.0, 16.0f32][round / 2 % 4];
         let lambda = f64::from(rng.real(-1.0, 4.0));
         let mut map = Map::random(&mut rng, size, lambda);
@@ -91,14 +80,7 @@ fn affine(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
             session.texture_2d(&image, &sampler)?;
             session.anisotropy(limit)?;
             by.prepare(session)?;
-            let [w, h] = PICTURE.map(|n| n as f64 / 2.0);
-            glBegin(GL_QUADS);
-            for [x, y] in [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]] {
-                let [s, t] = map.st(x * w, y * h);
-                glTexCoord2d(s, t);
-                glVertex2d(x, y);
-            }
-            glEnd();
+            map.draw();
             session.read_bytes(PICTURE)
         })?;
     }
@@ -157,8 +139,8 @@ fn perspective(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
     let mut tried = 0;
     for round in 0..harness.cases(16).max(4) {
         let side = [256, 512, 1024][round % 3];
-        let image = image(&mut rng, [side; 2], mipmapped(Filter::Linear, Mipmap::Linear));
-        let sampler = sampler(&image);
+        let image = image(&mut rng, [side; 2], FILTERS);
+        let sampler = repeating(&image, FILTERS);
         let limit = [2.0, 4.0, 8.0, 16.0f32][round % 4];
         let floor = Floor {
             far: f64::from(rng.dyadic(4.0, 24.0, 0.25)),

@@ -86,8 +86,8 @@ pub const EXTREMES: Check = Check {
     citation: "GLSL 1.30, chapter 8; IEEE 754",
     what: "pow, exp2, log2, sin, cos, atan of huge, denormal and infinite numbers, ±0 and NaN",
     unit: Unit::Ulp,
-    tolerance: 1.0,
-    why: "limits are exact or rounded once",
+    tolerance: 0.5,
+    why: "limits are exact or rounded once: half a ULP",
     run: extremes,
 };
 

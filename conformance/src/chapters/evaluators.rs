@@ -7,12 +7,13 @@ use crate::oracle::bernstein::{curve, grid, normal, parameter, surface};
 use crate::probe::ProbeError;
 use crate::rng::Rng;
 use gl_api::constants::*;
+use gl_api::types::GLenum;
 
 /// Curves.
 pub const CURVE: Check = Check {
     name: "evaluator-curve",
     citation: "GL 2.1, 5.1, equation 5.1: glMap1, glEvalCoord1",
-    what: "texture coordinates of random maps of orders 1 to 8 and random domains, inside and outside",
+    what: "1 to 4 texture coordinates of random maps of orders 1 to 8 and random domains, inside and outside",
     unit: Unit::FullScale,
     tolerance: 1.5 / (1 << 23) as f64,
     why: "f32: values up to 2 outside of the domain, rounded by 2^-24, and the parameter by as much",
@@ -23,7 +24,7 @@ pub const CURVE: Check = Check {
 pub const SURFACE: Check = Check {
     name: "evaluator-surface",
     citation: "GL 2.1, 5.1, equation 5.2: glMap2, glEvalCoord2",
-    what: "texture coordinates of random maps of orders 1 to 6 in u and v",
+    what: "1 to 4 texture coordinates of random maps of orders 1 to 6 in u and v",
     unit: Unit::FullScale,
     tolerance: 1.0 / (1 << 24) as f64,
     why: "values up to 1 that are rounded to f32: 2^-25, and as much on the way",
@@ -60,6 +61,25 @@ fn exact(points: &[[f32; 4]]) -> Vec<[f64; 4]> {
     points.iter().map(|point| point.map(f64::from)).collect()
 }
 
+/// The targets of 1 to 4 texture coordinates.
+const CURVES: [GLenum; 4] = [
+    GL_MAP1_TEXTURE_COORD_1,
+    GL_MAP1_TEXTURE_COORD_2,
+    GL_MAP1_TEXTURE_COORD_3,
+    GL_MAP1_TEXTURE_COORD_4,
+];
+const SURFACES: [GLenum; 4] = [
+    GL_MAP2_TEXTURE_COORD_1,
+    GL_MAP2_TEXTURE_COORD_2,
+    GL_MAP2_TEXTURE_COORD_3,
+    GL_MAP2_TEXTURE_COORD_4,
+];
+
+/// The texture coordinates that a map of `1 + index` components gives: what is missing is 0, 0, 1 (section 2.7).
+fn completed(value: [f64; 4], index: usize) -> [f64; 4] {
+    std::array::from_fn(|i| if i <= index { value[i] } else { [0.0, 0.0, 0.0, 1.0][i] })
+}
+
 fn domain(rng: &mut Rng) -> [f32; 2] {
     let low = rng.real(-1.0, 1.0);
     [low, low + rng.real(0.5, 2.0)]
@@ -69,19 +89,22 @@ fn curves(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
     let mut rng = Rng::named("evaluator-curve");
     for order in 1..=8usize {
         let (control, [low, high]) = (points(&mut rng, order), domain(&mut rng));
+        let index = (order + 3) % 4;
         let cases: Vec<f32> =
             (0..harness.cases(512)).map(|_| low + (high - low) * rng.real(-0.1, 1.1)).collect();
         let expect = |&u: &f32, variant: Variant| {
             let at = parameter([low, high].map(f64::from), f64::from(u), variant);
-            curve(&exact(&control), at, variant)
+            completed(curve(&exact(&control), at, variant), index)
         };
         harness.compare(tally, &(order, low, high), &cases, expect, |session| {
             session.float_target()?;
             session.show_coordinates()?;
+            // What the map does not set has another value from before.
+            glTexCoord4f(0.5, 0.5, 0.5, 0.5);
             let flat = control.as_flattened();
-            glMap1f(GL_MAP1_TEXTURE_COORD_4, low, high, 4, order, flat);
+            glMap1f(CURVES[index], low, high, 4, order, flat);
             glMap1f(GL_MAP1_VERTEX_3, low, high, 3, 1, &[0.0f32; 3]);
-            glEnable(GL_MAP1_TEXTURE_COORD_4);
+            glEnable(CURVES[index]);
             glEnable(GL_MAP1_VERTEX_3);
             session.points(cases.len(), |k| glEvalCoord1f(cases[k]))
         })?;
@@ -102,11 +125,10 @@ fn exact_net(net: &[Vec<[f32; 4]>]) -> Vec<Vec<[f64; 4]>> {
     net.iter().map(|row| exact(row)).collect()
 }
 
-/// Maps texture coordinates by a net, and all vertices to one place.
-fn map_net(net: &[Vec<[f32; 4]>], u: [f32; 2], v: [f32; 2]) {
+/// Maps texture coordinates by a net, and all vertices to one position.
+fn map_net(target: GLenum, net: &[Vec<[f32; 4]>], u: [f32; 2], v: [f32; 2]) {
     let (rows, columns) = (net.len(), net[0].len());
     let numbers = flat(net);
-    let target = GL_MAP2_TEXTURE_COORD_4;
     glMap2f(target, u[0], u[1], 4 * columns as i32, rows, v[0], v[1], 4, columns, &numbers);
     glMap2f(GL_MAP2_VERTEX_3, u[0], u[1], 3, 1, v[0], v[1], 3, 1, &[0.0f32; 3]);
     glEnable(target);
@@ -117,6 +139,7 @@ fn surfaces(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
     let mut rng = Rng::named("evaluator-surface");
     for round in 0..12usize {
         let orders = [1 + round % 6, 1 + (round * 5 + 2) % 6];
+        let index = (round + 3) % 4;
         let (control, u, v) = (net(&mut rng, orders), domain(&mut rng), domain(&mut rng));
         let cases: Vec<[f32; 2]> = (0..harness.cases(512))
             .map(|_| [u, v].map(|[low, high]| low + (high - low) * rng.real(0.0, 1.0)))
@@ -125,12 +148,13 @@ fn surfaces(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
             let at = |i: usize, domain: [f32; 2]| {
                 parameter(domain.map(f64::from), f64::from(case[i]), variant)
             };
-            surface(&exact_net(&control), [at(0, u), at(1, v)], variant)
+            completed(surface(&exact_net(&control), [at(0, u), at(1, v)], variant), index)
         };
         harness.compare(tally, &(orders, u, v), &cases, expect, |session| {
             session.float_target()?;
             session.show_coordinates()?;
-            map_net(&control, u, v);
+            glTexCoord4f(0.5, 0.5, 0.5, 0.5);
+            map_net(SURFACES[index], &control, u, v);
             session.points(cases.len(), |k| glEvalCoord2f(cases[k][0], cases[k][1]))
         })?;
     }
@@ -188,7 +212,7 @@ fn grids(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
         harness.compare(tally, &(counts, ends), &cases, expect, |session| {
             session.float_target()?;
             session.show_coordinates()?;
-            map_net(&control, u, v);
+            map_net(GL_MAP2_TEXTURE_COORD_4, &control, u, v);
             let [[u1, u2], [v1, v2]] = ends;
             glMapGrid2f(counts[0], u1, u2, counts[1], v1, v2);
             session.points(cases.len(), |k| glEvalPoint2(cases[k][0] as i32, cases[k][1] as i32))

@@ -12,8 +12,8 @@ pub const LECTURES: Check = Check {
     citation: "the four lectures: map shapes, bump, bounce, checker, perspective, multitexture",
     what: "each formula that a lecture prints, as a shader, on random arguments",
     unit: Unit::FullScale,
-    tolerance: 1.0 / (1 << 18) as f64,
-    why: "f32: 2^-24 a rounding; the plane equation of 1/z over a ratio of 64 loses 6 bits of it",
+    tolerance: 1.0 / (1 << 19) as f64,
+    why: "f32: 2^-24 a rounding; the plane equation of 1/z over a ratio of 64 loses 6 bits of it; twice the largest error measured is less than that",
     run,
 };
 

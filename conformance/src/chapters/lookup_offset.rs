@@ -17,9 +17,9 @@ pub const LOD: Check = Check {
     citation: "GLSL 3.30, 8.7: textureLodOffset, textureProjLodOffset; GL 3.3, 3.8.11",
     what: "offsets of -8 to 7 texels of the levels that a λ chooses, also with coordinates that are divided",
     unit: Unit::FullScale,
-    tolerance: 6.0 / (1 << 24) as f64,
+    tolerance: 3.5 / (1 << 24) as f64,
     why: "f32: λ and the coordinates, scaled by powers of two, are exact; the mix of four texels of two levels is \
-          rounded twelve times by 2^-25 at most",
+          rounded twelve times by 2^-25 at most; twice the largest error measured is less than that",
     run: |harness, tally| run(harness, tally, LookupForm::Lod),
 };
 
@@ -29,9 +29,9 @@ pub const GRAD: Check = Check {
     citation: "GLSL 3.30, 8.7: textureGradOffset; GL 3.3, 3.8.11",
     what: "offsets of -8 to 7 texels of the levels that random derivatives choose",
     unit: Unit::FullScale,
-    tolerance: 10.0 / (1 << 24) as f64,
+    tolerance: 7.0 / (1 << 24) as f64,
     why: "f32: λ, below 8, is rounded by 2^-22, times a difference of texels up to 1; the mix of four texels of two \
-          levels twelve times by 2^-25 at most",
+          levels twelve times by 2^-25 at most; twice the largest error measured is less than that",
     run: |harness, tally| run(harness, tally, LookupForm::Grad),
 };
 

@@ -147,6 +147,7 @@ fn compare(
     harness.compare(tally, &(enum_name(target), image.size, storage), &cases, expect, |session| {
         let internal = match storage {
             Storage::Bytes => GL_RGBA8,
+            Storage::Shorts => GL_RGBA16,
             Storage::SrgbBytes => GL_SRGB8_ALPHA8,
             Storage::Floats => GL_RGBA32F,
         };

@@ -22,14 +22,17 @@ mod builtin;
 mod color_sum;
 mod combine;
 mod compressed;
+mod computed_pictures;
 mod coverage;
 mod cube;
 mod cube_array;
+mod cube_pictures;
 mod depth_clamp;
 mod depth_test;
 mod env;
 mod es_levels;
 mod etc;
+mod evaluator_meshes;
 mod evaluators;
 mod filter;
 mod format;
@@ -63,6 +66,7 @@ mod provoking;
 mod pyramid;
 mod sampler_object;
 mod samples;
+mod scale_image;
 mod seamless;
 mod second_color;
 mod shading;
@@ -112,7 +116,7 @@ pub const CHAPTERS: &[Chapter] = &[
             swizzle_paths::PATHS,
         ],
     ),
-    ("Mipmaps", &[mipmap::GENERATED, mipmap::FLOATS, mipmap::GLU]),
+    ("Mipmaps", &[mipmap::GENERATED, mipmap::FLOATS, mipmap::GLU, scale_image::SCALE]),
     (
         "Rasterization",
         &[
@@ -303,6 +307,7 @@ pub const CHAPTERS: &[Chapter] = &[
             evaluators::SURFACE,
             evaluators::NORMAL,
             evaluators::GRID,
+            evaluator_meshes::MESH,
             attributes::CURRENT,
             attributes::ARRAYS,
             view_volume::INDICES,
@@ -341,6 +346,8 @@ pub const CHAPTERS: &[Chapter] = &[
             anisotropic_pictures::AFFINE,
             anisotropic_pictures::PERSPECTIVE,
             picture_formats::FORMATS,
+            cube_pictures::CUBE,
+            computed_pictures::COMPUTED,
         ],
     ),
     ("The lectures", &[lecture::LECTURES]),

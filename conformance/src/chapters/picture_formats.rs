@@ -13,7 +13,7 @@ use gl_api::constants::*;
 pub const FORMATS: Check = Check {
     name: "picture-formats",
     citation: "GL 2.1, 3.8.8, tables 3.15 and 3.20; the formats' extensions",
-    what: "every pixel of squares with linear textures of 18 formats, magnified, into floats",
+    what: "every pixel of squares with linear textures of 25 formats, magnified, into floats",
     unit: Unit::FullScale,
     tolerance: 1.0 / (1 << 18) as f64,
     why: "f32 coordinates of up to 32 texels off by 2^-20 in each of two weights, with their planes, of texels up to 1 apart",
@@ -24,7 +24,7 @@ const PICTURE: Pixel = [67, 45];
 
 const SIZE: [usize; 2] = [32, 21];
 
-const TEXELS: [(u32, Base, Encoding); 18] = {
+const TEXELS: [(u32, Base, Encoding); 25] = {
     use Base::{Alpha, Intensity, Luminance, LuminanceAlpha, Red, Rg, Rgb, Rgba};
     use Encoding::{Half, PackedFloat, Single, Srgb, Unorm};
     [
@@ -46,13 +46,20 @@ const TEXELS: [(u32, Base, Encoding); 18] = {
         (GL_R16F, Red, Half),
         (GL_R11F_G11F_B10F, Rgb, PackedFloat),
         (GL_RGBA32F, Rgba, Single),
+        (GL_RGB32F, Rgb, Single),
+        (GL_RG32F, Rg, Single),
+        (GL_R32F, Red, Single),
+        (GL_RGB16F, Rgb, Half),
+        (GL_RGB16, Rgb, Unorm([16; 4])),
+        (GL_RG16, Rg, Unorm([16; 4])),
+        (GL_RGB10_A2, Rgba, Unorm([10, 10, 10, 2])),
     ]
 };
 
 fn run(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
     let mut rng = Rng::named("picture-formats");
     let mut pictures = Pictures::new(harness, tally, PICTURE);
-    for round in 0..harness.cases(54).max(TEXELS.len()) {
+    for round in 0..harness.cases(75).max(TEXELS.len()) {
         let (internal, base, encoding) = TEXELS[round % TEXELS.len()];
         // Numbers that the format has, so that rounding on the way in does not matter.
         let texels: Vec<[f64; 4]> = (0..SIZE[0] * SIZE[1])

@@ -17,8 +17,8 @@ pub const PROJECTIVE: Check = Check {
     citation: "GL 2.1, 3.8.8: s/q, t/q; GLSL 1.20, 8.7",
     what: "texture2DProj of (s, t, r, q), q of either sign",
     unit: Unit::FullScale,
-    tolerance: 1.0 / (1 << 16) as f64,
-    why: "f32: s/q up to 8 is off by 2^-22, times 16 texels, per axis",
+    tolerance: 1.0 / (1 << 17) as f64,
+    why: "f32: s/q up to 8 is off by 2^-22, times 16 texels, in each of two axes: 2^-17",
     run,
 };
 

@@ -16,8 +16,8 @@ pub const DECODE: Check = Check {
     citation: "GL 2.1, 3.8.15",
     what: "linear value of each of the 256 codes of GL_SRGB8_ALPHA8",
     unit: Unit::FullScale,
-    tolerance: 1.0 / (1 << 23) as f64,
-    why: "f32: one rounding is 2^-25; a table of f32 constants needs no more than 2^-23",
+    tolerance: 1.0 / (1 << 25) as f64,
+    why: "f32: a table of constants that are rounded once: 2^-25",
     run,
 };
 

@@ -13,6 +13,8 @@ use crate::oracle::wrap::Wrap;
 use crate::probe::{ProbeError, Session};
 use crate::rng::Rng;
 use gl_api::constants::*;
+use std::collections::BTreeSet;
+use std::fmt::Debug;
 
 /// One level, linear.
 pub const LINEAR: Check = Check {
@@ -142,7 +144,7 @@ impl Map {
         }
     }
 
-    pub fn st(&self, x: f64, y: f64) -> [f64; 2] {
+    fn st(&self, x: f64, y: f64) -> [f64; 2] {
         [0, 1].map(|i| self.at[i] + self.dx[i] * x + self.dy[i] * y)
     }
 
@@ -150,6 +152,18 @@ impl Map {
     pub fn of(&self, [x, y]: Pixel) -> [f64; 2] {
         let [w, h] = PICTURE.map(|n| n as f64);
         self.st(x as f64 + 0.5 - w / 2.0, y as f64 + 0.5 - h / 2.0)
+    }
+
+    /// Draws a square with these coordinates, which fills the picture.
+    pub fn draw(&self) {
+        let [w, h] = PICTURE.map(|n| n as f64 / 2.0);
+        glBegin(GL_QUADS);
+        for [x, y] in [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]] {
+            let [s, t] = self.st(x * w, y * h);
+            glTexCoord2d(s, t);
+            glVertex2d(x, y);
+        }
+        glEnd();
     }
 }
 
@@ -203,14 +217,7 @@ fn affine(harness: &Harness, tally: &mut Tally, filters: &[Filters]) -> Result<(
             session.frame(GL_RGBA8, PICTURE, 0)?;
             session.texture_2d(&image, &sampler)?;
             by.prepare(session)?;
-            let [w, h] = PICTURE.map(|n| n as f64 / 2.0);
-            glBegin(GL_QUADS);
-            for [x, y] in [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]] {
-                let [s, t] = map.st(x * w, y * h);
-                glTexCoord2d(s, t);
-                glVertex2d(x, y);
-            }
-            glEnd();
+            map.draw();
             session.read_bytes(PICTURE)
         })?;
     }
@@ -252,16 +259,11 @@ impl Lookup {
 fn perspective(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
     let mut rng = Rng::named("picture-perspective");
     let filters = mipmapped(Filter::Linear, Mipmap::Linear);
-    let mut levels_reached = std::collections::BTreeSet::new();
+    let mut levels_reached = BTreeSet::new();
     for round in 0..harness.cases(24).max(3) {
         let side = [512, 1024, 2048][round % 3];
         let image = image(&mut rng, [side; 2], filters);
-        let sampler = Sampler {
-            at: Addressing { wrap: [Wrap::Repeat; 2], border: [0.0; 4] },
-            filters,
-            lod: LodState::default(),
-            range: LevelRange { base: 0, last: image.len() - 1 },
-        };
+        let sampler = repeating(&image, filters);
         // A floor: w is linear in y; s/w and t/w are linear in x and y.
         let (near, far) = (1.0, f64::from(rng.dyadic(4.0, 24.0, 0.25)));
         let scale = f64::from(rng.dyadic(0.0625, 0.5, 1.0 / 64.0));
@@ -271,71 +273,96 @@ fn perspective(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
             let z = 1.0 / (1.0 / near + v * (1.0 / far - 1.0 / near));
             [scale * z * (2.0 * x / w - 1.0), scale * z]
         };
-        let centre = |x: usize, y: usize| (x as f64 + 0.5, y as f64 + 0.5);
-        let pixels: Vec<Pixel> = super::pictures::all(PICTURE).collect();
-        let between = |a: [f64; 2], b: [f64; 2]| [b[0] - a[0], b[1] - a[1]];
-        // λ by differences in the quad of the pixel, and by differences over a hundredth of a pixel.
-        let lambdas = |&[x, y]: &Pixel, variant: Variant| {
-            let (cx, cy) = centre(x, y);
-            let e = 0.01;
-            let exact = Derivatives {
-                dx: between(st(cx - e, cy), st(cx + e, cy)).map(|d| d / (2.0 * e)),
-                dy: between(st(cx, cy - e), st(cx, cy + e)).map(|d| d / (2.0 * e)),
-            };
-            let (x0, y0) = centre(x & !1, y & !1);
-            let quad = Derivatives {
-                dx: between(st(x0, cy), st(x0 + 1.0, cy)),
-                dy: between(st(cx, y0), st(cx, y0 + 1.0)),
-            };
-            let first = Derivatives {
-                dx: between(st(x0, y0), st(x0 + 1.0, y0)),
-                dy: between(st(x0, y0), st(x0, y0 + 1.0)),
-            };
-            [exact, quad, first].map(|d| sample::lambda(&image, &sampler, &d, variant))
-        };
-        let value = |pixel: &Pixel, lambda: f64, variant: Variant| {
-            let (cx, cy) = centre(pixel[0], pixel[1]);
-            sample::at_lambda(&image, &sampler, st(cx, cy), lambda, variant)
-        };
-        for pixel in &pixels {
-            levels_reached.insert(lambdas(pixel, Variant::CORRECT)[0].floor() as i64);
-        }
-        let expect = |pixel: &Pixel, variant: Variant| {
-            let lambda = lambdas(pixel, variant)[0];
-            let off = if variant.has(Mutation::LambdaOffForLarge) { 0.5 } else { 0.0 };
-            value(pixel, lambda + off, variant)
-        };
-        let error = |pixel: &Pixel, expected: [f64; 4], found: [f64; 4]| {
-            // Where λ may be any of several, any value between theirs holds; a mistake moves all of them.
-            let others =
-                lambdas(pixel, Variant::CORRECT).map(|l| value(pixel, l, Variant::CORRECT));
-            let moved: [f64; 4] = std::array::from_fn(|i| expected[i] - others[0][i]);
-            let off = |i: usize| {
-                let all = others.map(|other| other[i] + moved[i]);
-                let low = all.into_iter().fold(f64::INFINITY, f64::min);
-                let high = all.into_iter().fold(f64::NEG_INFINITY, f64::max);
-                255.0 * (low - found[i]).max(found[i] - high).max(0.0)
-            };
-            (0..4).map(off).fold(0.0, f64::max)
-        };
         let by = [Lookup::Fixed, Lookup::Shader][round % 2];
         let scene = (side, far, scale, by);
-        harness.compare_by(tally, &scene, &pixels, expect, error, |session| {
-            session.frame(GL_RGBA8, PICTURE, 0)?;
-            session.texture_2d(&image, &sampler)?;
-            by.prepare(session)?;
-            glBegin(GL_QUADS);
-            for ([x, y], z) in
-                [([-1.0, -1.0], near), ([1.0, -1.0], near), ([1.0, 1.0], far), ([-1.0, 1.0], far)]
-            {
-                let [s, t] = [scale * z * x, scale * z];
-                glTexCoord2d(s, t);
-                glVertex4d(x * z, y * z, 0.0, z);
-            }
-            glEnd();
-            session.read_bytes(PICTURE)
-        })?;
+        let reached =
+            compare_varying(harness, tally, &scene, (&image, &sampler), &st, |session| {
+                session.frame(GL_RGBA8, PICTURE, 0)?;
+                session.texture_2d(&image, &sampler)?;
+                by.prepare(session)?;
+                glBegin(GL_QUADS);
+                for ([x, y], z) in [
+                    ([-1.0, -1.0], near),
+                    ([1.0, -1.0], near),
+                    ([1.0, 1.0], far),
+                    ([-1.0, 1.0], far),
+                ] {
+                    let [s, t] = [scale * z * x, scale * z];
+                    glTexCoord2d(s, t);
+                    glVertex4d(x * z, y * z, 0.0, z);
+                }
+                glEnd();
+                session.read_bytes(PICTURE)
+            })?;
+        levels_reached.extend(reached);
     }
     tally.reach("levels of detail", levels_reached.len(), 5);
     Ok(())
+}
+
+/// The state of a texture that repeats and has all its levels.
+pub(super) fn repeating(image: &[Level], filters: Filters) -> Sampler {
+    Sampler {
+        at: Addressing { wrap: [Wrap::Repeat; 2], border: [0.0; 4] },
+        filters,
+        lod: LodState::default(),
+        range: LevelRange { base: 0, last: image.len() - 1 },
+    }
+}
+
+/// Compares every pixel of a picture whose texture coordinates are this function of window coordinates, each pixel with a
+/// λ of its own; the levels of detail that pixels have.
+pub(super) fn compare_varying(
+    harness: &Harness,
+    tally: &mut Tally,
+    scene: &dyn Debug,
+    (image, sampler): (&[Level], &Sampler),
+    st: &dyn Fn(f64, f64) -> [f64; 2],
+    observe: impl FnOnce(&Session) -> Result<Vec<[f64; 4]>, ProbeError>,
+) -> Result<BTreeSet<i64>, ProbeError> {
+    let centre = |x: usize, y: usize| (x as f64 + 0.5, y as f64 + 0.5);
+    let pixels: Vec<Pixel> = super::pictures::all(PICTURE).collect();
+    let between = |a: [f64; 2], b: [f64; 2]| [b[0] - a[0], b[1] - a[1]];
+    // λ by differences in the quad of the pixel, and by differences over a hundredth of a pixel.
+    let lambdas = |&[x, y]: &Pixel, variant: Variant| {
+        let (cx, cy) = centre(x, y);
+        let e = 0.01;
+        let exact = Derivatives {
+            dx: between(st(cx - e, cy), st(cx + e, cy)).map(|d| d / (2.0 * e)),
+            dy: between(st(cx, cy - e), st(cx, cy + e)).map(|d| d / (2.0 * e)),
+        };
+        let (x0, y0) = centre(x & !1, y & !1);
+        let quad = Derivatives {
+            dx: between(st(x0, cy), st(x0 + 1.0, cy)),
+            dy: between(st(cx, y0), st(cx, y0 + 1.0)),
+        };
+        let first = Derivatives {
+            dx: between(st(x0, y0), st(x0 + 1.0, y0)),
+            dy: between(st(x0, y0), st(x0, y0 + 1.0)),
+        };
+        [exact, quad, first].map(|d| sample::lambda(image, sampler, &d, variant))
+    };
+    let value = |pixel: &Pixel, lambda: f64, variant: Variant| {
+        let (cx, cy) = centre(pixel[0], pixel[1]);
+        sample::at_lambda(image, sampler, st(cx, cy), lambda, variant)
+    };
+    let expect = |pixel: &Pixel, variant: Variant| {
+        let lambda = lambdas(pixel, variant)[0];
+        let off = if variant.has(Mutation::LambdaOffForLarge) { 0.5 } else { 0.0 };
+        value(pixel, lambda + off, variant)
+    };
+    let error = |pixel: &Pixel, expected: [f64; 4], found: [f64; 4]| {
+        // Where λ may be any of several, any value between theirs holds; a mistake moves all of them.
+        let others = lambdas(pixel, Variant::CORRECT).map(|l| value(pixel, l, Variant::CORRECT));
+        let moved: [f64; 4] = std::array::from_fn(|i| expected[i] - others[0][i]);
+        let off = |i: usize| {
+            let all = others.map(|other| other[i] + moved[i]);
+            let low = all.into_iter().fold(f64::INFINITY, f64::min);
+            let high = all.into_iter().fold(f64::NEG_INFINITY, f64::max);
+            255.0 * (low - found[i]).max(found[i] - high).max(0.0)
+        };
+        (0..4).map(off).fold(0.0, f64::max)
+    };
+    harness.compare_by(tally, scene, &pixels, expect, error, observe)?;
+    Ok(pixels.iter().map(|p| lambdas(p, Variant::CORRECT)[0].floor() as i64).collect())
 }

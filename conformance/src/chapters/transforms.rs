@@ -11,7 +11,7 @@ use crate::oracle::transform::{
 use crate::probe::{ProbeError, Session};
 use crate::rng::Rng;
 use gl_api::constants::*;
-use gl_api::glu::{gluLookAt, gluPerspective};
+use gl_api::glu::{gluLookAt, gluOrtho2D, gluPerspective};
 
 /// Rotations.
 pub const ROTATE: Check = Check {
@@ -27,14 +27,15 @@ pub const ROTATE: Check = Check {
 /// Projections.
 pub const FRUSTUM: Check = Check {
     name: "matrix-frustum",
-    citation: "GL 2.1, 2.11.2: glFrustum, and gluPerspective of GLU 1.3, 4.2",
-    what: "matrices of random frusta, off centre too, and of random fields of view",
+    citation: "GL 2.1, 2.11.2: glFrustum; GLU 1.3, 4.1 and 4.2: gluPerspective, gluOrtho2D",
+    what: "matrices of random frusta, off centre too, of random fields of view, and of rectangles",
     unit: Unit::Ulp,
     tolerance: 1.0,
     why: "in f64, then rounded once; the elements that are quotients of differences a little more",
     run: |harness, tally| {
         matrices(harness, tally, Maker::Frustum)?;
-        matrices(harness, tally, Maker::Perspective)
+        matrices(harness, tally, Maker::Perspective)?;
+        matrices(harness, tally, Maker::Ortho2D)
     },
 };
 
@@ -100,6 +101,7 @@ enum Maker {
     Frustum,
     Perspective,
     Ortho,
+    Ortho2D,
     LookAt,
     Product,
 }
@@ -116,6 +118,10 @@ fn parameters(rng: &mut Rng, maker: Maker) -> Vec<f64> {
         Maker::Frustum | Maker::Ortho => {
             let [l, b, n] = [real(-3.0, 1.0), real(-3.0, 1.0), real(0.1, 2.0)];
             vec![l, l + real(0.5, 5.0), b, b + real(0.5, 5.0), n, n + real(0.5, 90.0)]
+        }
+        Maker::Ortho2D => {
+            let [l, b] = [real(-3.0, 1.0), real(-3.0, 1.0)];
+            vec![l, l + real(0.5, 5.0), b, b + real(0.5, 5.0), -1.0, 1.0]
         }
         Maker::Perspective => {
             vec![real(5.0, 150.0), real(0.3, 3.0), real(0.1, 2.0), real(3.0, 90.0)]
@@ -149,7 +155,7 @@ fn expected(maker: Maker, p: &[f64], variant: Variant) -> Matrix {
         Maker::Rotate => rotation(p[0], three(p, 1), variant),
         Maker::Frustum => frustum(six(p), variant),
         Maker::Perspective => perspective([p[0], p[1], p[2], p[3]], variant),
-        Maker::Ortho => ortho(six(p), variant),
+        Maker::Ortho | Maker::Ortho2D => ortho(six(p), variant),
         Maker::LookAt => look_at([three(p, 0), three(p, 3), three(p, 6)], variant),
         Maker::Product => {
             let transposed = from_columns(&sixteen(&p[27..]));
@@ -179,6 +185,7 @@ fn make(maker: Maker, p: &[f64]) {
         Maker::Frustum => glFrustum(p[0], p[1], p[2], p[3], p[4], p[5]),
         Maker::Perspective => gluPerspective(p[0], p[1], p[2], p[3]),
         Maker::Ortho => glOrtho(p[0], p[1], p[2], p[3], p[4], p[5]),
+        Maker::Ortho2D => gluOrtho2D(p[0], p[1], p[2], p[3]),
         Maker::LookAt => gluLookAt(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]),
         Maker::Product => {
             glTranslated(p[0], p[1], p[2]);

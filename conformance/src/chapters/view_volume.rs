@@ -17,7 +17,7 @@ pub const POINTS: Check = Check {
     what: "every pixel of points of sizes 1 to 15 in and about a viewport that is smaller than the picture",
     unit: Unit::Draws,
     tolerance: 0.0,
-    why: "a pixel is drawn or not; places are exact in 1/256 pixels",
+    why: "a pixel is drawn or not; positions are exact in 1/256 pixels",
     run: points,
 };
 
@@ -60,14 +60,14 @@ fn viewport() {
     glLoadIdentity();
 }
 
-/// How far a place is inside the viewport; negative outside.
+/// How far a position is inside the viewport; negative outside.
 fn inside([x, y]: [f64; 2]) -> f64 {
     let [left, lower, w, h] = VIEWPORT.map(|n| n as f64);
     (x - left).min(left + w - x).min(y - lower).min(lower + h - y)
 }
 
-/// A place at odd multiples of 1/256 pixel, up to `beyond` pixels outside the viewport.
-fn place(rng: &mut Rng, beyond: i64) -> [f64; 2] {
+/// A position at odd multiples of 1/256 pixel, up to `beyond` pixels outside the viewport.
+fn random_position(rng: &mut Rng, beyond: i64) -> [f64; 2] {
     let [x, y, w, h] = VIEWPORT.map(|n| n as i64);
     let mut along = |from: i64, size: i64| {
         (rng.integer((from - beyond) * 128, (from + size + beyond) * 128 - 1) * 2 + 1) as f64
@@ -82,7 +82,7 @@ fn points(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
     let mut outside = 0;
     for _ in 0..harness.cases(48).max(8) {
         let dots: Vec<Dot> = (0..24)
-            .map(|_| Dot { at: place(&mut rng, 12), size: rng.integer(1, 15) as f64 })
+            .map(|_| Dot { at: random_position(&mut rng, 12), size: rng.integer(1, 15) as f64 })
             .collect();
         outside += dots.iter().filter(|dot| inside(dot.at) < 0.0).count();
         let expect = |pixel: Pixel, variant: Variant| {
@@ -116,7 +116,8 @@ fn lines(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
     let mut rng = Rng::named("line-clip");
     let mut pictures = Pictures::new(harness, tally, PICTURE);
     for _ in 0..harness.cases(96).max(16) {
-        let line = Segment { from: place(&mut rng, 40), to: place(&mut rng, 40) };
+        let line =
+            Segment { from: random_position(&mut rng, 40), to: random_position(&mut rng, 40) };
         let expect = |pixel: Pixel, variant: Variant| {
             let centre = pixel.map(|n| n as f64 + 0.5);
             let exits = || line.exits(pixel.map(|n| n as i64), variant).map(drawn);
@@ -153,7 +154,7 @@ fn indices(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
     let mut pictures = Pictures::new(harness, tally, PICTURE);
     let pixels = PICTURE[0] * PICTURE[1];
     // A vertex for each pixel, each of its own colour.
-    let places: Vec<[f32; 2]> =
+    let positions: Vec<[f32; 2]> =
         super::pictures::all(PICTURE).map(|[x, y]| [x as f32 + 0.5, y as f32 + 0.5]).collect();
     for round in 0..harness.cases(24).max(12) {
         let colors: Vec<[u8; 4]> = (0..pixels).map(|_| [0; 4].map(|_: u8| rng.byte())).collect();
@@ -183,7 +184,7 @@ fn indices(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
             super::pictures::window(PICTURE);
             glEnableClientState(GL_VERTEX_ARRAY);
             glEnableClientState(GL_COLOR_ARRAY);
-            glVertexPointer(2, GL_FLOAT, 0, places.as_flattened());
+            glVertexPointer(2, GL_FLOAT, 0, positions.as_flattened());
             glColorPointer(4, GL_UNSIGNED_BYTE, 0, colors.as_flattened());
             draw(&chosen, ty);
             session.read_bytes(PICTURE)

@@ -4,7 +4,7 @@
 
 use super::library;
 use super::value::{Answer, Passed};
-use gl_api::entry::Arg;
+use gl_api::Arg;
 use gl_api::*;
 
 /// The functions of an entry point under each of its names.
@@ -21,7 +21,7 @@ macro_rules! function {
         )]
         pub fn $gl<'a>($($param: impl Arg<$ty>),*) $(-> $ret)? {
             let Some(library) = library::chosen() else {
-                return gl_api::entry::$gl($($param),*);
+                return gl_api::$gl($($param),*);
             };
             let Some(address) = library.address(stringify!($gl)) else {
                 return Answer::none();
@@ -42,31 +42,4 @@ macro_rules! function {
     (@raw [$ret:ty]) => { <$ret as Answer>::Raw };
 }
 
-/// Applies a macro to both calls of a row of attributes.
-macro_rules! attribute {
-    ($apply:ident [$($lead:ident: $lead_ty:ty)?] $ty:ident ($($param:ident),+)
-        $method:ident $names:tt $vector:ident $vector_names:tt) => {
-        $apply!($method $names ($($lead: $lead_ty,)? $($param: $ty),+) []);
-        $apply!($vector $vector_names ($($lead: $lead_ty,)? v: &'a [$ty]) []);
-    };
-}
-
-/// Applies a macro to each row of the table: `apply!(method [glName …] (parameters) [result])`.
-macro_rules! each_row {
-    ([$apply:ident] $($begin_end:ident in $module:ident { $(
-        $(#[$doc:meta])+
-        $method:ident: $gl:ident $(| $alias:ident)* ($($params:tt)*) $(-> $ret:ty)? $(, $list:ident)?;
-    )* })*) => {
-        $($($apply!($method [$gl $($alias)*] ($($params)*) [$($ret)?]);)*)*
-    };
-    ([$apply:ident] $($doc:literal $lead:tt $slot:expr, $convert:ident { $(
-        $method:ident: $gl:ident $(| $alias:ident)?,
-        $vector:ident: $gl_vector:ident $(| $vector_alias:ident)?,
-        $ty:ident $params:tt;
-    )* })*) => {
-        $($(attribute!($apply $lead $ty $params
-            $method [$gl $($alias)?] $vector [$gl_vector $($vector_alias)?]);)*)*
-    };
-}
-
-entry_points!(each_row function);
+entry_points!(each_function function);

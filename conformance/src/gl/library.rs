@@ -81,7 +81,7 @@ impl Library {
     /// # Errors
     /// When it is not there, or has no display.
     pub fn open(path: &Path) -> Result<&'static Self, LibraryError> {
-        // SAFETY: whoever names the library trusts its initializers.
+        // SAFETY: loading runs the library's initializers; the path is the user's own argument.
         let opened = unsafe { Egl::load_required_from_filename(path) };
         let opened = opened.map_err(|error| LibraryError::Open {
             library: path.display().to_string(),

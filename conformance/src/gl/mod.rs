@@ -16,10 +16,10 @@ pub mod library;
 mod value;
 
 pub use functions::*;
-pub use gl_api::entry::{Arg, BUFFER_OFFSET, Data, DataOut, NULL};
+pub use gl_api::{Arg, BUFFER_OFFSET, Data, DataOut, NULL};
 
 use gl_api::context::{Context, ContextDesc, Message, Severity};
-use gl_api::entry::{Current, with_current};
+use gl_api::{Current, with_current};
 use library::ForeignContext;
 
 /// A context that is current on this thread until it is dropped.

@@ -137,8 +137,8 @@ impl<'a> Passed<'a> for DataOut<'a> {
     }
 }
 
-/// Text with C's final zero; without what follows a zero in it.
-fn terminated(text: &str) -> CString {
+/// A nul-terminated copy, cut at the first nul.
+fn nul_terminated(text: &str) -> CString {
     let text = text.split('\0').next().unwrap_or_default();
     CString::new(text).unwrap_or_default()
 }
@@ -148,7 +148,7 @@ impl<'a> Passed<'a> for &'a str {
     type Held = CString;
 
     fn hold(self, _: &str) -> CString {
-        terminated(self)
+        nul_terminated(self)
     }
 
     fn raw(held: &mut CString) -> *const c_char {
@@ -164,7 +164,7 @@ pub(super) struct Texts {
 
 impl Texts {
     fn new(texts: &[&str]) -> Self {
-        let texts: Vec<CString> = texts.iter().map(|text| terminated(text)).collect();
+        let texts: Vec<CString> = texts.iter().map(|text| nul_terminated(text)).collect();
         let pointers = texts.iter().map(|text| text.as_ptr()).collect();
         Self { _texts: texts, pointers }
     }

@@ -6,8 +6,8 @@ use std::ffi::OsString;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
-use std::time::Instant;
 use thiserror::Error;
+use wait_timeout::ChildExt;
 
 /// Why no library can be judged.
 #[derive(Debug, Error)]
@@ -86,16 +86,10 @@ impl Driver {
         }
         command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
         let mut child = command.spawn().map_err(|error| error.to_string())?;
-        let start = Instant::now();
-        let status = loop {
-            match child.try_wait().map_err(|error| error.to_string())? {
-                Some(status) => break status,
-                None if start.elapsed() > TIME_LIMIT => {
-                    child.kill().and_then(|()| child.wait()).map_err(|error| error.to_string())?;
-                    return Err(format!("no answer in {} s", TIME_LIMIT.as_secs()));
-                }
-                None => std::thread::sleep(std::time::Duration::from_millis(2)),
-            }
+        let waited = child.wait_timeout(TIME_LIMIT).map_err(|error| error.to_string())?;
+        let Some(status) = waited else {
+            child.kill().and_then(|()| child.wait()).map_err(|error| error.to_string())?;
+            return Err(format!("no answer in {} s", TIME_LIMIT.as_secs()));
         };
         let read = |from: Option<&mut dyn Read>| {
             let mut bytes = Vec::new();

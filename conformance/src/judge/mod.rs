@@ -15,8 +15,9 @@ use crate::check::{Check, Effort, Harness, Outcome, Subject, Verdict};
 use crate::mutation::Variant;
 
 /// Checks that ask something that only DetGL has, and what.
-const OWN: [(&str, &str); 3] = [
+const OWN: [(&str, &str); 4] = [
     ("glu-mipmaps", "GLU is a library of its own"),
+    ("glu-scale", "GLU is a library of its own"),
     ("matrix-look-at", "GLU is a library of its own"),
     ("matrix-frustum", "GLU is a library of its own"),
 ];

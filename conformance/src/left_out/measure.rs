@@ -7,7 +7,7 @@ use crate::probe::ProbeError;
 use cpu_time::ThreadTime;
 use gl_api::constants::*;
 use gl_api::context::{Context, ContextDesc};
-use gl_api::entry::*;
+use gl_api::*;
 use rasterizer::driver::{Device, DeviceDesc, Explain, LeaveOut};
 use serde::Serialize;
 use std::sync::Arc;
@@ -129,7 +129,8 @@ fn plans(setup: fn(), frame: fn()) -> Result<Vec<String>, ProbeError> {
     Ok(device.take_explanations())
 }
 
-/// The first and the third picture of a feature, with what is left out as it is or with nothing left out.
+/// The first frame of a feature's scene, and the third, for which decisions that follow from the frames before have been
+/// taken; drawn by a device with this setting.
 ///
 /// # Errors
 /// As [`measure`].

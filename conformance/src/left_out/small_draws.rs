@@ -2,7 +2,7 @@
 
 use super::scene::SIDE;
 use gl_api::constants::*;
-use gl_api::entry::*;
+use gl_api::*;
 
 /// So many small triangles in a frame.
 const SMALL_DRAWS: usize = 400;

@@ -18,6 +18,8 @@ pub struct Volume {
 pub enum Storage {
     /// Bytes, rounded half up.
     Bytes,
+    /// Numbers of 16 bits, rounded half up.
+    Shorts,
     /// Bytes that stand for sRGB-encoded colours, whose light is averaged; alpha is linear.
     SrgbBytes,
     /// `f32`.
@@ -79,11 +81,12 @@ impl Volume {
         let mean = sum.map(|c| c / area);
         match storage {
             Storage::Floats => mean.map(|c| f64::from(c as f32)),
-            Storage::Bytes => mean.map(|c| half_up(c, variant)),
+            Storage::Bytes => mean.map(|c| half_up(c, 255.0, variant)),
+            Storage::Shorts => mean.map(|c| half_up(c, 65535.0, variant)),
             Storage::SrgbBytes => {
                 let encode = |c: f64| if is_light { srgb::encode(c) } else { c };
                 [encode(mean[0]), encode(mean[1]), encode(mean[2]), mean[3]]
-                    .map(|c| half_up(c, variant))
+                    .map(|c| half_up(c, 255.0, variant))
             }
         }
     }
@@ -100,13 +103,10 @@ impl Volume {
     }
 }
 
-/// A fraction of 255 as bytes have it, halves up. What is a half but for the roundings of `f64` is
-/// one.
-fn half_up(c: f64, variant: Variant) -> f64 {
-    if variant.has(Mutation::MipmapTruncates) {
-        return (c * 255.0 + 1e-9).floor() / 255.0;
-    }
-    (c * 255.0 + 0.5 + 1e-9).floor() / 255.0
+/// A fraction as a code of 0 to `last` has it, halves up. What is a half but for the roundings of `f64` is one.
+fn half_up(c: f64, last: f64, variant: Variant) -> f64 {
+    let half = if variant.has(Mutation::MipmapTruncates) { 0.0 } else { 0.5 };
+    (c * last + half + 1e-9).floor() / last
 }
 
 /// The power of two that GLU scales a side to: the nearest, in the sense that 3·2^k goes up.

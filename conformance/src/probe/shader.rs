@@ -110,7 +110,7 @@ impl Session {
     ///
     /// # Errors
     /// With the info log, when it is rejected.
-    pub(super) fn fragment_only(&self, source: &str) -> Result<(), ProbeError> {
+    pub fn fragment_only(&self, source: &str) -> Result<(), ProbeError> {
         let name = glCreateProgram();
         compile(name, GL_FRAGMENT_SHADER, "fragment shader", source)?;
         glLinkProgram(name);

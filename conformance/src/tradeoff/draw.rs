@@ -5,7 +5,7 @@ use super::scene::{Scene, Surface};
 use crate::probe::ProbeError;
 use gl_api::constants::*;
 use gl_api::context::{Context, ContextDesc};
-use gl_api::entry::*;
+use gl_api::*;
 use std::time::Instant;
 
 /// A picture and its time.

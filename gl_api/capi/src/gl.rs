@@ -76,34 +76,7 @@ macro_rules! c_function {
     };
 }
 
-/// Applies a macro to both calls of a row of attributes.
-macro_rules! attribute {
-    ($apply:ident [$($lead:ident: $lead_ty:ty)?] $ty:ident ($($param:ident),+)
-        $method:ident $names:tt $vector:ident $vector_names:tt) => {
-        $apply!($method $names ($($lead: $lead_ty,)? $($param: $ty),+) []);
-        $apply!($vector $vector_names ($($lead: $lead_ty,)? v: &'a [$ty]) []);
-    };
-}
-
-/// Applies a macro to each row of the table: `apply!(method [glName …] (parameters) [result])`.
-macro_rules! each_row {
-    ([$apply:ident] $($begin_end:ident in $module:ident { $(
-        $(#[$doc:meta])+
-        $method:ident: $gl:ident $(| $alias:ident)* ($($params:tt)*) $(-> $ret:ty)? $(, $list:ident)?;
-    )* })*) => {
-        $($($apply!($method [$gl $($alias)*] ($($params)*) [$($ret)?]);)*)*
-    };
-    ([$apply:ident] $($doc:literal $lead:tt $slot:expr, $convert:ident { $(
-        $method:ident: $gl:ident $(| $alias:ident)?,
-        $vector:ident: $gl_vector:ident $(| $vector_alias:ident)?,
-        $ty:ident $params:tt;
-    )* })*) => {
-        $($(attribute!($apply $lead $ty $params
-            $method [$gl $($alias)?] $vector [$gl_vector $($vector_alias)?]);)*)*
-    };
-}
-
-entry_points!(each_row c_function);
+entry_points!(each_function c_function);
 
 /// The name and address of each function.
 pub(crate) fn functions() -> Vec<(&'static str, *const ())> {
@@ -113,7 +86,7 @@ pub(crate) fn functions() -> Vec<(&'static str, *const ())> {
             all.extend([$((stringify!($gl), $gl as *const ())),+]);
         };
     }
-    entry_points!(each_row add);
+    entry_points!(each_function add);
     all
 }
 

@@ -330,6 +330,7 @@ pub struct LinkedPipeline {
 
 /// The result of a link.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Linked {
     /// The program, if there was no error.
     pub program: Option<Program>,

@@ -130,6 +130,7 @@ impl fmt::Debug for Picture {
 
 /// How two pictures of one size and format differ.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Difference {
     /// How many pixels.
     pub count: usize,

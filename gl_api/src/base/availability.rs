@@ -46,6 +46,7 @@ impl fmt::Display for Version {
 
 /// The versions of the core profile that have a command or a format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct CoreVersions {
     /// The first.
     pub from: Version,
@@ -55,6 +56,7 @@ pub struct CoreVersions {
 
 /// An extension that adds a command or a format, and the APIs to which it adds it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Extension {
     /// With `GL_`.
     pub name: &'static str,
@@ -64,6 +66,7 @@ pub struct Extension {
 
 /// Which versions and extensions of each API have a command or a format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Availability {
     /// The first version of OpenGL that has it.
     pub compatibility: Option<Version>,

@@ -22,5 +22,7 @@ pub(crate) fn texture_barrier_nv(context: &mut Context) -> Result<()> {
 }
 
 pub(crate) fn finish(context: &mut Context) -> Result<()> {
-    flush(context)
+    flush(context)?;
+    crate::draw::pass::end_of_frame(context);
+    Ok(())
 }

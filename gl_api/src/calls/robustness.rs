@@ -13,9 +13,13 @@ const SECTION: &str = "KHR_robustness";
 /// What was recorded is executed, so that a draw of a moment ago counts.
 pub(crate) fn get_graphics_reset_status(context: &mut Context) -> Result<GLenum> {
     crate::draw::pass::submit_unlocked(context);
-    Ok(match std::mem::replace(&mut context.resets.status, ResetStatus::NoError) {
+    let status = std::mem::replace(&mut context.resets.status, ResetStatus::NoError);
+    Ok(match status {
         ResetStatus::NoError => GL_NO_ERROR,
-        ResetStatus::Guilty => GL_GUILTY_CONTEXT_RESET,
+        ResetStatus::Guilty => {
+            crate::draw::pass::end_of_frame(context);
+            GL_GUILTY_CONTEXT_RESET
+        }
     })
 }
 

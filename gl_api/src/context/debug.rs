@@ -32,6 +32,7 @@ pub enum Severity {
 
 /// An error or a warning of a context.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Message {
     /// How much it matters.
     pub severity: Severity,
@@ -49,15 +50,26 @@ impl fmt::Display for Message {
     }
 }
 
-/// Whether messages are printed as they come.
+/// Which messages are printed to stderr as they come.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Echo {
-    /// None is, not even what is printed unasked.
+pub enum Echo {
+    /// None, not even what is printed unasked: `DETGL_DEBUG=0`.
     Nothing,
-    /// Only what is printed unasked.
+    /// Only what is printed unasked: `DETGL_DEBUG` is not set.
     Unasked,
-    /// All are.
+    /// All: `DETGL_DEBUG` is anything else.
     All,
+}
+
+impl Echo {
+    /// What the environment variable `DETGL_DEBUG` asks for.
+    pub fn from_env() -> Self {
+        match std::env::var_os("DETGL_DEBUG") {
+            Some(value) if value == "0" => Self::Nothing,
+            Some(_) => Self::All,
+            None => Self::Unasked,
+        }
+    }
 }
 
 /// The error flag, the queue of messages, and the log.
@@ -88,19 +100,22 @@ pub(crate) enum Output {
 }
 
 impl Debug {
-    /// Prints to stderr if `DETGL_DEBUG` is set to anything but 0, first the version. Where it is not set, one line says
-    /// that there are messages.
+    /// Prints what `DETGL_DEBUG` asks for to stderr, first the version. Where it is not set, one line says that there are
+    /// messages.
     pub fn from_env(device: &DeviceDesc) -> Self {
         static GREETED: Once = Once::new();
-        let wanted = std::env::var_os("DETGL_DEBUG");
-        let report = if wanted.is_some() { UnreadReport::Off } else { UnreadReport::Due };
-        let silent = wanted.as_ref().is_some_and(|value| value == "0");
-        if !silent {
-            unoptimized::warn_once(print);
-        }
-        let on = wanted.is_some() && !silent;
-        if on {
-            GREETED.call_once(|| print(&greeting(device)));
+        let echo = Echo::from_env();
+        let report = match echo {
+            Echo::Unasked => UnreadReport::Due,
+            Echo::Nothing | Echo::All => UnreadReport::Off,
+        };
+        match echo {
+            Echo::Nothing => {}
+            Echo::Unasked => unoptimized::warn_once(print),
+            Echo::All => {
+                unoptimized::warn_once(print);
+                GREETED.call_once(|| print(&greeting(device)));
+            }
         }
         let mut debug = Self {
             flag: None,
@@ -109,11 +124,7 @@ impl Debug {
             log: Log::default(),
             output: Output::Off,
             at_first: Output::Off,
-            echo: match (on, silent) {
-                (true, _) => Echo::All,
-                (false, true) => Echo::Nothing,
-                (false, false) => Echo::Unasked,
-            },
+            echo,
             unread: Unread::new(report),
         };
         if !FloatEnv::IS_KNOWN {

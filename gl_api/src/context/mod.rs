@@ -27,8 +27,7 @@ use crate::base::error::{GlError, Result};
 use crate::context::feedback::Feedback;
 use crate::context::immediate::Immediate;
 use crate::context::lists::{Compiling, Lists};
-use crate::context::pending_primitives::PendingPrimitives;
-use crate::context::pending_primitives::PendingState;
+use crate::context::pending_primitives::{PendingPrimitives, PendingState};
 use crate::context::recorder::Recorder;
 use crate::context::sharing::ShareHandle;
 use crate::context::watched_pixel::WatchedPixel;
@@ -117,6 +116,7 @@ impl ContextDesc {
 
 /// A context that cannot be made.
 #[derive(Debug, Error)]
+#[non_exhaustive]
 pub enum ContextError {
     /// The default framebuffer cannot have this size.
     #[error("a default framebuffer of {width}×{height} pixels: both sides must be 1 to {limit}")]

@@ -19,6 +19,7 @@ pub struct SurfaceDesc {
 
 /// The colour buffer of a default framebuffer.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum SurfaceColor {
     /// 8 bits each of red, green, blue and alpha.
     #[default]

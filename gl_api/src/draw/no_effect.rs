@@ -17,8 +17,8 @@ pub(crate) fn leaves_out(context: &Context) -> bool {
     context.recorder.leave_out() == LeaveOut::WithoutEffect
 }
 
-/// The blending by a formula, unless it gives the source: `1·s + 0·d`, also by an alpha that is 1. Buffers of floats and of signed numbers keep it:
-/// zero times infinity is no number, and a sum with zero is no negative zero.
+/// The blending by a formula, unless it gives the source: `1·s + 0·d`, also by an alpha that is 1. Buffers of floats and
+/// of signed numbers keep it: zero times infinity is no number, and a sum with zero is no negative zero.
 pub(crate) fn blend(context: &Context, formula: Formula) -> Option<Blend> {
     let blend = formula.to_driver(context.state.fragment.blend_color);
     let replaces =
@@ -47,6 +47,12 @@ pub(crate) fn shows_back_faces(context: &Context) -> bool {
         Cull::None | Cull::Front => false,
     };
     !is_culled || !leaves_out(context)
+}
+
+/// Whether the fixed function gives back faces, which a draw may show, colours of their own (GL 2.1, section 2.14.1).
+pub(crate) fn lights_two_sides(context: &Context) -> bool {
+    let state = &context.state;
+    state.enables.has(Flag::Lighting) && state.lights.model.two_side && shows_back_faces(context)
 }
 
 /// Whether fog leaves every colour: its factor is `exp(0)` at any distance.

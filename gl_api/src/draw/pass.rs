@@ -2,11 +2,11 @@
 //! of its attachments draws reach.
 
 use crate::context::Context;
-use crate::context::reset::ResetNotification;
+use crate::context::reset::{ResetNotification, ResetStatus};
 use crate::context::window::Region;
 use crate::draw::pending_primitives::draw_pending;
 use crate::state::enable::Flag;
-use rasterizer::driver::{Attachment, Command, Image, PassDesc, Rect};
+use rasterizer::driver::{Attachment, Command, FrameSpending, Image, PassDesc, Rect};
 
 fn same_attachment(a: Option<&Attachment>, b: Option<&Attachment>) -> bool {
     match (a, b) {
@@ -87,13 +87,14 @@ fn execute(context: &mut Context) {
         return;
     }
     context.outdate_mirror();
-    let result = context.recorder.device.submit(&commands);
+    let result = context.recorder.device.submit_in_frame(&commands, context.recorder.spent);
     // Their memory is used again.
     commands.commands.clear();
     context.recorder.commands = commands;
     match result {
         Ok(report) => {
             context.recorder.visibility.add(report.visibility);
+            context.recorder.spent = report.spent;
             if !report.over_budget.is_empty() {
                 stopped(context);
             }
@@ -104,6 +105,15 @@ fn execute(context: &mut Context) {
     context.objects.images_changed(|image| written.iter().any(|other| other.shares_texels(image)));
     // Last: a context that waited finds the textures noted as changed.
     context.recorder.fences.signal();
+}
+
+/// The client waits for what was drawn, so that draws have a budget anew. One that asked to be told of resets has to look
+/// at one first: until then its context counts as lost (`KHR_robustness`).
+pub(crate) fn end_of_frame(context: &mut Context) {
+    match context.resets.status {
+        ResetStatus::NoError => context.recorder.spent = FrameSpending::default(),
+        ResetStatus::Guilty => {}
+    }
 }
 
 /// Reports that a draw was stopped.

@@ -178,12 +178,13 @@ impl FragmentStage {
         clamp: Clamp,
     ) -> Result<Self> {
         context.recorder.is_opaque = false;
-        let enables = &context.state.enables;
         let two_sided = match programs.vertex {
-            Some(_) => enables.has(Flag::VertexProgramTwoSide),
-            None => enables.has(Flag::Lighting) && context.state.lights.model.two_side,
+            Some(_) => {
+                context.state.enables.has(Flag::VertexProgramTwoSide)
+                    && no_effect::shows_back_faces(context)
+            }
+            None => no_effect::lights_two_sides(context),
         };
-        let two_sided = two_sided && no_effect::shows_back_faces(context);
         if let Some(module) = &programs.fragment {
             let textures = programs.textures(context, Stage::Fragment, module)?;
             let alpha = alpha_test(context);

@@ -9,6 +9,7 @@
 
 use crate::base::refused_result::RefusedResult;
 use crate::context::Context;
+use crate::context::debug::Echo;
 use std::cell::Cell;
 use std::fmt;
 use std::marker::PhantomData;
@@ -76,8 +77,7 @@ pub fn call<R: RefusedResult>(name: &str, f: impl FnOnce(&mut Context) -> R) -> 
 #[cold]
 #[inline(never)]
 fn warn(name: &str) {
-    let is_silent = || std::env::var_os("DETGL_DEBUG").is_some_and(|value| value == "0");
-    if !WARNED.replace(true) && !is_silent() {
+    if !WARNED.replace(true) && Echo::from_env() != Echo::Nothing {
         eprintln!(
             "detgl: {name}: ignored, as this thread has no current context: call eglMakeCurrent or OSMesaMakeCurrent \
              before (in Rust, keep what Context::make_current returns)"

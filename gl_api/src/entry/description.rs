@@ -7,6 +7,7 @@ pub use crate::query::state::{StateAvailability, StateDescription, ValueType, st
 
 /// An entry point, under all of its names.
 #[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
 pub struct EntryPoint {
     /// The name that messages have, then its aliases.
     pub names: &'static [Name],
@@ -22,6 +23,7 @@ pub struct EntryPoint {
 
 /// One of the names of an entry point.
 #[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
 pub struct Name {
     /// GL's name.
     pub name: &'static str,
@@ -44,6 +46,7 @@ impl Name {
 
 /// A parameter of an entry point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Parameter {
     /// The registry's name, but where that is a word of Rust's.
     pub name: &'static str,

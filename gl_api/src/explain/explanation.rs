@@ -26,6 +26,7 @@ pub struct OutsideWindow {
 /// How a pixel of the default framebuffer came to be. Its text ([`fmt::Display`]) is a page: what
 /// happened, in order, and beside it the section of the specification.
 #[derive(Debug)]
+#[non_exhaustive]
 pub struct Explanation {
     /// Column and row; row 0 is the lowest.
     pub pixel: [u32; 2],

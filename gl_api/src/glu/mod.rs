@@ -8,25 +8,25 @@
 //! | module | is |
 //! |---|---|
 //! | [`angle`] | sine and cosine with the same bits on every machine |
-//! | [`matrix`] | `gluPerspective`, `gluLookAt`, `gluOrtho2D` |
-//! | [`pixels`] | client memory to numbers and back |
-//! | [`mod@scale`] | the box filter |
-//! | [`image`] | `gluScaleImage`, the pixel store |
-//! | [`mipmap`] | `gluBuild2DMipmaps` and its kin |
-//! | [`project`] | `gluProject`, `gluUnProject`, `gluPickMatrix` |
-//! | [`quadric`] | `gluSphere`, `gluCylinder`, `gluDisk` |
-//! | [`error`] | GLU's error codes, `gluErrorString`, `gluGetString` |
+//! | `matrix` | `gluPerspective`, `gluLookAt`, `gluOrtho2D` |
+//! | `pixels` | client memory to numbers and back |
+//! | `scale` | the box filter |
+//! | `image` | `gluScaleImage`, the pixel store |
+//! | `mipmap` | `gluBuild2DMipmaps` and its kin |
+//! | `project` | `gluProject`, `gluUnProject`, `gluPickMatrix` |
+//! | `quadric` | `gluSphere`, `gluCylinder`, `gluDisk` |
+//! | `error` | GLU's error codes, `gluErrorString`, `gluGetString` |
 #![allow(non_snake_case)]
 
-pub mod error;
-pub mod image;
-pub mod matrix;
-pub mod mipmap;
-pub mod pixels;
-pub mod project;
-pub mod quadric;
+mod error;
+mod image;
+mod matrix;
+mod mipmap;
+mod pixels;
+mod project;
+mod quadric;
 mod revolve;
-pub mod scale;
+mod scale;
 
 pub use crate::base::angle;
 pub use error::*;

@@ -99,6 +99,11 @@ impl BufferObject {
     /// As [`Self::write`].
     pub fn bytes_mut(&mut self, recorder: &mut impl WaitingDraws) -> Result<&mut [u8]> {
         self.take_client_writes(recorder);
+        Ok(self.unshared_bytes(recorder)?)
+    }
+
+    /// Its bytes, which recorded draws do not have.
+    fn unshared_bytes(&mut self, recorder: &mut impl WaitingDraws) -> Result<&mut Vec<u8>> {
         self.note_sharing(recorder);
         self.buffer.unshare().map_err(out_of_memory(SECTION, "a copy of the buffer"))?;
         Ok(self.buffer.bytes_mut())
@@ -141,9 +146,9 @@ impl BufferObject {
         access: GLbitfield,
     ) -> Result<Vec<u8>> {
         if access & GL_MAP_PERSISTENT_BIT == 0 {
-            self.note_sharing(recorder);
-            self.buffer.unshare().map_err(out_of_memory(SECTION, "a copy of the buffer"))?;
-            return Ok(std::mem::take(std::mem::take(&mut self.buffer).bytes_mut()));
+            let bytes = std::mem::take(self.unshared_bytes(recorder)?);
+            self.buffer = Buffer::default();
+            return Ok(bytes);
         }
         copied(self.buffer.bytes()).map_err(out_of_memory(SECTION, "a copy of the buffer"))
     }

@@ -30,10 +30,8 @@ pub(crate) struct Texture {
     pub priority: f32,
     /// Which of depth and stencil is sampled, of images that have both.
     pub depth_stencil: DepthStencilMode,
-    /// The number of its levels, if its storage is immutable (`ARB_texture_storage`).
-    pub immutable: Option<u32>,
-    /// Which part of immutable storage it shows.
-    pub shown: Shown,
+    /// Which part of its storage it shows, if that is immutable (`ARB_texture_storage`).
+    pub immutable: Option<Shown>,
     /// The requested samples of a multisample texture.
     pub samples: Option<Samples>,
     /// The buffer range of a buffer texture.
@@ -162,7 +160,6 @@ impl Texture {
             priority: 1.0,
             depth_stencil: DepthStencilMode::Depth,
             immutable: None,
-            shown: Shown::default(),
             samples: None,
             store: DataStore::default(),
             requested: vec![[GL_NONE; limits::MAX_TEXTURE_LEVELS]; shape.faces()],
@@ -175,7 +172,7 @@ impl Texture {
     /// The sampler state, with base and maximum level clamped to the levels of immutable storage.
     pub fn sampler(&self) -> Sampler {
         let mut sampler = self.state.sampler.clone();
-        if let Some(levels) = self.immutable {
+        if let Some(Shown { levels, .. }) = self.immutable {
             sampler.base_level = sampler.base_level.min(levels - 1);
             sampler.max_level = sampler.max_level.clamp(sampler.base_level, levels - 1);
         }
@@ -214,9 +211,8 @@ impl Texture {
             | TextureTarget::D2Multisample
             | TextureTarget::Buffer => 1,
         };
-        self.immutable = Some(levels);
-        self.shown =
-            Shown { storage_levels: levels, first_level: 0, levels, first_layer: 0, layers };
+        let (storage_levels, first_level, first_layer) = (levels, 0, 0);
+        self.immutable = Some(Shown { storage_levels, first_level, levels, first_layer, layers });
     }
 
     /// To be called before levels are specified: siblings keep the storage as it is.

@@ -179,7 +179,7 @@ pub(crate) fn pop_attrib(context: &mut Context) -> Result<()> {
     }
     for &(bit, flags) in FLAGS {
         if saved.mask & (bit | GL_ENABLE_BIT) != 0 {
-            context.state.enables.take(flags, &saved.enables);
+            context.state.enables.copy_from(flags, &saved.enables);
         }
     }
     if let Some((current, raster_position)) = saved.current.take() {

@@ -37,11 +37,9 @@ pub(crate) fn is_plain(context: &Context, saved: &ServerAttribs) -> bool {
         && same_textures()
 }
 
-/// Puts current values back, each as a call that sets it does.
+/// Puts current values back, each as a call that sets it does: those that are the same change nothing.
 pub(crate) fn restore_current(context: &mut Context, saved: &[[f32; 4]; LOCATIONS]) {
     for (location, value) in saved.iter().enumerate() {
-        if context.state.current[location].map(f32::to_bits) != value.map(f32::to_bits) {
-            set_current(context, location, *value);
-        }
+        set_current(context, location, *value);
     }
 }

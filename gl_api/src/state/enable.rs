@@ -165,8 +165,8 @@ impl Enables {
         self.0 >> flag as u32 & 1 == 1
     }
 
-    /// Takes some flags from others.
-    pub fn take(&mut self, flags: &[Flag], from: &Self) {
+    /// Copies some flags from others.
+    pub fn copy_from(&mut self, flags: &[Flag], from: &Self) {
         let mask = flags.iter().fold(0, |mask, flag| mask | 1 << *flag as u32);
         self.0 = self.0 & !mask | from.0 & mask;
     }

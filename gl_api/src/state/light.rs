@@ -27,15 +27,22 @@ pub(crate) struct Light {
 
 impl Light {
     /// All that is set of it.
-    pub fn numbers(&self) -> [f64; 24] {
-        let mut numbers = [0.0; 24];
-        let singles = [self.ambient, self.diffuse, self.specular].into_iter().flatten();
-        let singles = singles.chain(self.attenuation).chain([self.spot_exponent, self.spot_cutoff]);
-        let doubles = self.position.to_array().into_iter().chain(self.spot_direction.to_array());
-        for (number, value) in numbers.iter_mut().zip(singles.map(f64::from).chain(doubles)) {
-            *number = value;
-        }
-        numbers
+    pub fn numbers(&self) -> impl Iterator<Item = f64> {
+        let Self {
+            ambient,
+            diffuse,
+            specular,
+            position,
+            spot_direction,
+            spot_exponent,
+            spot_cutoff,
+            attenuation,
+            derived: _,
+        } = self;
+        let singles = [*ambient, *diffuse, *specular].into_iter().flatten();
+        let singles = singles.chain(*attenuation).chain([*spot_exponent, *spot_cutoff]);
+        let doubles = position.to_array().into_iter().chain(spot_direction.to_array());
+        singles.map(f64::from).chain(doubles)
     }
 }
 

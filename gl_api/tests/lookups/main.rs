@@ -4,6 +4,7 @@
 
 mod borders;
 mod buffers;
+mod byte_functions;
 mod extensions;
 mod extremes;
 mod formats;

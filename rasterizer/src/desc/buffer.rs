@@ -3,6 +3,7 @@
 
 use std::collections::TryReserveError;
 use std::sync::{Arc, Weak};
+use texunit::image::copied;
 
 /// Bytes that draws read. Cloning shares them.
 #[derive(Clone, Debug, Default)]
@@ -40,10 +41,7 @@ impl Buffer {
     /// If there is no memory for the copy.
     pub fn unshare(&mut self) -> Result<(), TryReserveError> {
         if self.is_shared() {
-            let mut own = Vec::new();
-            own.try_reserve_exact(self.0.len())?;
-            own.extend_from_slice(&self.0);
-            self.0 = Arc::new(own);
+            self.0 = Arc::new(copied(&self.0)?);
         }
         Ok(())
     }

@@ -2,7 +2,7 @@
 
 use super::command::CommandBuffer;
 use super::image::{Attachment, Image};
-use super::report::{DeviceError, SubmitError, SubmitReport};
+use super::report::{DeviceError, FrameSpending, SubmitError, SubmitReport};
 use super::resources::{DeviceDesc, Resources};
 use super::{check, submit};
 use crate::attachment::{RowSpan, RowWriter, StoreContext};
@@ -44,12 +44,24 @@ impl Device {
     /// When a command breaks a rule, or this process was forked from the device's and cannot start
     /// threads; then nothing was run.
     pub fn submit(&self, commands: &CommandBuffer) -> Result<SubmitReport, SubmitError> {
+        self.submit_in_frame(commands, FrameSpending::default())
+    }
+
+    /// As [`Self::submit`], in a frame whose earlier submissions have spent `spent`: [`SubmitReport::spent`] of the last.
+    ///
+    /// # Errors
+    /// As [`Self::submit`].
+    pub fn submit_in_frame(
+        &self,
+        commands: &CommandBuffer,
+        spent: FrameSpending,
+    ) -> Result<SubmitReport, SubmitError> {
         let _float_env = FloatEnv::enter();
         check::check(&commands.commands)?;
         let thread_pool = self.threads.thread_pool().map_err(DeviceError::pool);
         let thread_pool =
             thread_pool.map_err(|error| SubmitError { index: 0, rule: error.to_string() })?;
-        Ok(submit::run(&self.resources, &thread_pool, &commands.commands))
+        Ok(submit::run(&self.resources, &thread_pool, &commands.commands, spent))
     }
 
     /// The thread pool that stores tiles; without threads the caller does it alone.

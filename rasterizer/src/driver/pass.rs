@@ -94,8 +94,6 @@ pub struct Pass<'a> {
     /// The last small draws, which following draws may join in one chunk.
     merged: Option<MergedDraws>,
     bound: BoundState,
-    /// What draws that do not end have run: their budget is one for all of a pass.
-    endless: u64,
     /// The formats of the colour attachments.
     formats: Vec<Option<Format>>,
     /// The most recent plans, newest last: draws alternate between a few states.
@@ -149,7 +147,6 @@ impl<'a> Pass<'a> {
             merged: None,
             bound: BoundState::new(resources.desc.budget),
             desc,
-            endless: 0,
         })
     }
 

@@ -6,6 +6,7 @@ use thiserror::Error;
 
 /// A device that cannot be made.
 #[derive(Debug, Error)]
+#[non_exhaustive]
 pub enum DeviceError {
     /// `DETGL_ISA` is wrong.
     #[error(transparent)]
@@ -30,6 +31,7 @@ impl DeviceError {
 /// A command buffer that breaks a rule. Nothing of it was run.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error("command {index}: {rule}")]
+#[non_exhaustive]
 pub struct SubmitError {
     /// Which command.
     pub index: usize,
@@ -37,12 +39,34 @@ pub struct SubmitError {
     pub rule: String,
 }
 
+/// What draws that are taken for ones that do not end have run since a frame began; all of the budget, once a draw was
+/// stopped. Later draws of the frame have only what is left.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct FrameSpending {
+    pub(super) operations: u64,
+}
+
+impl FrameSpending {
+    /// Takes all that is left of a budget.
+    pub(super) fn exhaust(&mut self, budget: u64) {
+        self.operations = self.operations.max(budget.max(1));
+    }
+
+    /// Adds operations.
+    pub(super) fn add(&mut self, operations: u64) {
+        self.operations = self.operations.saturating_add(operations);
+    }
+}
+
 /// What a submission has to say.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct SubmitReport {
     /// Draws whose shaders ran over their budget, by index of their command. What they would have drawn from there on is
     /// left out.
     pub over_budget: Vec<usize>,
+    /// What the frame has spent of its budget, with what it had before.
+    pub spent: FrameSpending,
     /// Whether anything of its draws may be seen.
     pub visibility: Visibility,
 }

@@ -2,7 +2,9 @@
 
 use super::report::DeviceError;
 use crate::plan::LeaveOut;
-use crate::raster::{Chunk, FIRST_WAVE, FREE_OPERATIONS, ShapeLists, TileRenderer};
+use crate::raster::{
+    Chunk, FIRST_WAVE, FREE_OPERATIONS, ShapeLists, TileRenderer, free_operations,
+};
 use crate::shader::Machine;
 use crate::threads::ObjectPool;
 use crate::vertex::Geometry;
@@ -54,8 +56,14 @@ impl DeviceDesc {
     pub const FREE_OPERATIONS: u64 = FREE_OPERATIONS;
 
     /// The operations of a batch of vertices, of a draw with this budget.
-    pub const fn batch_budget(budget: u64) -> u64 {
-        FREE_OPERATIONS.saturating_add(budget / FIRST_WAVE as u64)
+    pub fn batch_budget(budget: u64) -> u64 {
+        Self::batch_budget_after(budget, 0)
+    }
+
+    /// The operations of a batch of vertices, of a draw with this budget of which draws of its frame have spent some.
+    pub(super) fn batch_budget_after(budget: u64, spent: u64) -> u64 {
+        let left = budget.saturating_sub(spent);
+        free_operations(budget, spent).saturating_add(left / FIRST_WAVE as u64)
     }
 
     /// From `DETGL_ISA`, `DETGL_THREADS`, `DETGL_DRAW_BUDGET`, `DETGL_EXPLAIN` and `DETGL_LEAVE_OUT`, else the widest

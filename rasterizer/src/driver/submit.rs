@@ -2,13 +2,18 @@
 
 use super::command::Command;
 use super::pass::Pass;
-use super::report::SubmitReport;
+use super::report::{FrameSpending, SubmitReport};
 use super::resources::Resources;
 use crate::threads::ThreadPool;
 
 /// Runs checked commands.
-pub fn run(resources: &Resources, thread_pool: &ThreadPool, commands: &[Command]) -> SubmitReport {
-    let mut report = SubmitReport::default();
+pub fn run(
+    resources: &Resources,
+    thread_pool: &ThreadPool,
+    commands: &[Command],
+    spent: FrameSpending,
+) -> SubmitReport {
+    let mut report = SubmitReport { spent, ..SubmitReport::default() };
     let mut pass = None;
     for (index, command) in commands.iter().enumerate() {
         match command {
@@ -73,7 +78,8 @@ mod tests {
                 layers: 1,
             };
             let commands = [Command::BeginPass(pass), clear(0), clear(1), Command::EndPass];
-            run(&Resources::new(desc), &ThreadPool::CALLER_ONLY, &commands);
+            let resources = Resources::new(desc);
+            run(&resources, &ThreadPool::CALLER_ONLY, &commands, FrameSpending::default());
         }
         for image in &images {
             let texels = image.texels();

@@ -28,6 +28,7 @@
 //! [`Module::validate`] checks all of this; the rest of the crate relies on it.
 
 mod build;
+mod byte_table;
 mod geometry;
 mod interface;
 mod module;
@@ -42,6 +43,7 @@ mod visit;
 mod word;
 
 pub use build::Builder;
+pub use byte_table::ByteTable;
 pub use geometry::{
     GeometryInput, GeometryInterface, GeometryOutput, MAX_GEOMETRY_COMPONENTS,
     MAX_GEOMETRY_VERTICES,

@@ -1,10 +1,12 @@
 //! A module: expressions, statements, variables.
 
+use super::byte_table::ByteTable;
 use super::geometry::GeometryInterface;
 use super::interface::{Input, Interpolation, Output, Stage};
 use super::ops::Op;
 use super::texture::{Access, Lod, Sample, TextureDecl};
 use super::types::{Axis, Ty, Value, Var};
+use std::sync::Arc;
 
 /// The definition of a value.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -58,6 +60,13 @@ pub enum Expr {
         axis: Axis,
         /// Of what.
         value: Value,
+    },
+    /// A function of bytes.
+    OfByte {
+        /// An `f32`.
+        value: Value,
+        /// Its words.
+        table: Arc<ByteTable>,
     },
     /// A texture access. Has four results, taken apart by [`Expr::Component`]; no type of its own.
     Sample(Box<Sample>),
@@ -186,6 +195,7 @@ impl Module {
             | Expr::Load(_)
             | Expr::LoadAt { .. }
             | Expr::Derivative { .. }
+            | Expr::OfByte { .. }
             | Expr::Component { .. } => false,
         })
     }
@@ -229,6 +239,7 @@ impl Module {
             | Expr::LoadAt { .. }
             | Expr::Op { .. }
             | Expr::Derivative { .. }
+            | Expr::OfByte { .. }
             | Expr::Sample(_)
             | Expr::Component { .. } => None,
         }
@@ -245,7 +256,7 @@ impl Module {
                 Expr::Sample(sample) => self.component_ty(sample),
                 _ => Ty::F32,
             },
-            Expr::Derivative { .. } | Expr::Sample(_) => Ty::F32,
+            Expr::Derivative { .. } | Expr::OfByte { .. } | Expr::Sample(_) => Ty::F32,
         }
     }
 

@@ -93,6 +93,7 @@ fn expr(f: &mut Formatter<'_>, module: &Module, value: Value) -> Result {
         Some(Expr::Derivative { axis: Axis::Y, value }) => {
             write!(f, "d/dy {}", Operand(module, *value))
         }
+        Some(Expr::OfByte { value, .. }) => write!(f, "table of byte {}", Operand(module, *value)),
         Some(Expr::Sample(sample)) => self::sample(f, module, sample),
         Some(Expr::Component { sample, component }) => write!(f, "%{}.{component}", sample.0),
     }

@@ -1,6 +1,7 @@
 //! Walking over a module: the operands of an expression, the blocks of a statement.
 
 use super::{Block, Expr, Lod, Module, Sample, Stmt, Value};
+use std::sync::Arc;
 
 impl Expr {
     /// The same expression over other operands.
@@ -22,6 +23,9 @@ impl Expr {
                 Self::Op { op: *op, args: mapped }
             }
             Self::Derivative { axis, value } => Self::Derivative { axis: *axis, value: f(*value) },
+            Self::OfByte { value, table } => {
+                Self::OfByte { value: f(*value), table: Arc::clone(table) }
+            }
             Self::Sample(sample) => Self::Sample(Box::new(Sample {
                 texture: sample.texture,
                 access: sample.access,
@@ -61,6 +65,7 @@ impl Expr {
             | Self::LoadAt { .. }
             | Self::Op { .. }
             | Self::Derivative { .. }
+            | Self::OfByte { .. }
             | Self::Sample(_)
             | Self::Component { .. } => false,
         }

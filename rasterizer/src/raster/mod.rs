@@ -33,7 +33,7 @@ mod tile;
 mod watched;
 mod window_blocks;
 
-pub use budget::{DrawBudget, FIRST_WAVE, FREE_OPERATIONS, WAVE};
+pub use budget::{DrawBudget, FIRST_WAVE, FREE_OPERATIONS, WAVE, free_operations};
 pub use clear::ClearJob;
 pub use job::{Chunk, DrawJob, PassJob, ShapeLists, TileCommand, TileJob};
 pub use tile::TileRenderer;

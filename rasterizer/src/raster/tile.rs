@@ -61,6 +61,7 @@ pub struct TileRenderer {
 impl TileRenderer {
     /// Runs all commands of a tile.
     pub fn run(&mut self, pass: &PassJob, tile: &mut TileJob) {
+        self.shader.budget.begin_tile();
         let cover = TileCover::last(pass, tile);
         let commands = std::mem::take(&mut tile.commands);
         for (number, command) in commands.into_iter().enumerate() {

@@ -4,6 +4,7 @@
 //! Only which values are 0 or 1 matters, not what the others are, so that a uniform that changes from draw to draw
 //! needs few programs.
 
+use super::optimize::byte_functions;
 use super::preamble::Preamble;
 use crate::ir::{Access, Expr, Module, Op, Stmt, TRUE, Ty, Value};
 use std::sync::Arc;
@@ -24,9 +25,13 @@ struct Source {
     ty: Ty,
 }
 
-/// The values of a module that facts are of.
+/// What facts of a module are of.
 #[derive(Debug, Default)]
-pub(crate) struct FactSources(Vec<Source>);
+pub(crate) struct FactSources {
+    values: Vec<Source>,
+    /// The texture slots of which the module computes functions that could be tables, bit by slot.
+    function_slots: u64,
+}
 
 /// What is known of a draw.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -37,12 +42,15 @@ pub(crate) struct Facts {
     fractions: u64,
     /// The texture slots whose alpha is 1, bit by slot.
     opaque: u64,
+    /// The texture slots whose lookups give bytes over 255, of those that the module computes functions of; bit by slot.
+    bytes: u64,
 }
 
 impl FactSources {
     /// Those of a module, of which the preamble has the words.
     pub(super) fn of(module: &Module, preamble: &Preamble) -> Self {
-        let mut sources = Self::default();
+        let function_slots = byte_functions::slots(module);
+        let mut sources = Self { function_slots, values: Vec::new() };
         module
             .body
             .iter()
@@ -77,12 +85,12 @@ impl FactSources {
     }
 
     fn add_value(&mut self, module: &Module, preamble: &Preamble, value: Value) {
-        let is_known = self.0.iter().any(|source| source.value == value);
-        if is_known || self.0.len() == MAX_SOURCES || module.constant(value).is_some() {
+        let is_known = self.values.iter().any(|source| source.value == value);
+        if is_known || self.values.len() == MAX_SOURCES || module.constant(value).is_some() {
             return;
         }
         if let Some(word) = preamble.word_of(value) {
-            self.0.push(Source { value, word, ty: module.ty(value) });
+            self.values.push(Source { value, word, ty: module.ty(value) });
         }
     }
 
@@ -102,12 +110,18 @@ impl FactSources {
             };
             (bits == 0 || bits == one).then_some(bits)
         };
-        let mut facts = Facts { words: self.0.iter().map(known).collect(), ..Facts::NONE };
+        let mut facts = Facts { words: self.values.iter().map(known).collect(), ..Facts::NONE };
         for &slot in slots.iter().filter(|slot| **slot < u64::BITS) {
             let plan = textures.get(slot as usize).and_then(Option::as_ref);
             let LookupFacts { components, alpha } =
                 plan.map_or(LookupFacts::OF_INCOMPLETE, |plan| plan.lookup_facts());
-            facts.fractions |= u64::from(components == ComponentsFact::Fractions) << slot;
+            let (is_fraction, is_byte) = match components {
+                ComponentsFact::Bytes => (true, true),
+                ComponentsFact::Fractions => (true, false),
+                ComponentsFact::Any => (false, false),
+            };
+            facts.fractions |= u64::from(is_fraction) << slot;
+            facts.bytes |= u64::from(is_byte) << slot & self.function_slots;
             facts.opaque |= u64::from(alpha == AlphaFact::One) << slot;
         }
         facts
@@ -116,7 +130,7 @@ impl FactSources {
     /// The module with the values that are known as constants.
     pub fn apply(&self, facts: &Facts, module: &Module) -> Module {
         let mut module = module.clone();
-        for (source, bits) in self.0.iter().zip(&facts.words) {
+        for (source, bits) in self.values.iter().zip(&facts.words) {
             if let Some(bits) = *bits {
                 module.values[source.value.0 as usize] = Expr::Const { bits, ty: source.ty };
             }
@@ -127,11 +141,11 @@ impl FactSources {
 
 impl Facts {
     /// Nothing is known.
-    pub const NONE: Self = Self { words: Vec::new(), fractions: 0, opaque: 0 };
+    pub const NONE: Self = Self { words: Vec::new(), fractions: 0, opaque: 0, bytes: 0 };
 
     /// Whether nothing is known that a program could be compiled for.
     pub fn is_empty(&self) -> bool {
-        self.opaque == 0 && self.words.iter().all(Option::is_none)
+        self.opaque == 0 && self.bytes == 0 && self.words.iter().all(Option::is_none)
     }
 
     /// In words.
@@ -140,16 +154,24 @@ impl Facts {
             self.words.iter().flatten().filter(|word| (**word == 0) == (bits == 0)).count()
         };
         format!(
-            "compiled for {} uniform values that are 0, {} that are 1, {} textures whose alpha is 1",
+            "compiled for {} uniform values that are 0, {} that are 1, {} textures whose alpha is 1, {} whose texels are \
+             bytes",
             known(0),
             known(1),
-            self.opaque.count_ones()
+            self.opaque.count_ones(),
+            self.bytes.count_ones()
         )
     }
 
     /// Whether a value is component 3 of a lookup whose alpha is 1.
     pub fn is_opaque_alpha(&self, module: &Module, sample: Value, component: u8) -> bool {
         component == 3 && self.is_filtered_of(module, sample, self.opaque)
+    }
+
+    /// Whether a value is a component of a lookup that gives bytes over 255.
+    pub fn is_byte(&self, module: &Module, value: Value) -> bool {
+        let Expr::Component { sample, .. } = module.expr(value) else { return false };
+        self.is_filtered_of(module, *sample, self.bytes)
     }
 
     /// Whether a sample is a filtered lookup in one of some slots, bit by slot.
@@ -189,6 +211,7 @@ impl Facts {
             | Expr::Load(_)
             | Expr::LoadAt { .. }
             | Expr::Derivative { .. }
+            | Expr::OfByte { .. }
             | Expr::Sample(_) => None,
         };
         bound.filter(|bound| bound.is_finite())

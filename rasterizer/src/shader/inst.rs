@@ -6,9 +6,10 @@
 //! their target. So a join is a union of two masks, and nothing is ever recomputed.
 
 use super::compute::{Compute, OPERANDS};
-use crate::ir::{Access, Axis};
+use crate::ir::{Access, Axis, ByteTable};
 use std::sync::Arc;
 use texunit::plan::SamplePlan;
+use texunit::sample::AxisTexels;
 
 /// A register. While lowering: a virtual one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -41,6 +42,8 @@ pub(super) enum Inst {
     UniformAt { out: Reg, base: u32, len: u32, index: Reg },
     /// All lanes.
     Derivative { axis: Axis, out: Reg, from: Reg },
+    /// All lanes.
+    OfByte { out: Reg, from: Reg, table: Arc<ByteTable> },
     /// All lanes.
     Sample(Box<SampleInst>),
     /// Jumps to `to` when this is 0: a uniform branch.
@@ -106,6 +109,8 @@ pub(super) struct SampleInst {
     pub out: [Option<Reg>; 4],
     /// Its number among the lookups that may reuse texel addresses ([`super::repeated_lookups`]).
     pub repeat: Option<u8>,
+    /// Whether the texels along the first two axes are computed ([`super::shared_axes`]).
+    pub axes: [AxisTexels; 2],
 }
 
 /// The source of a sample's level of detail.
@@ -135,7 +140,8 @@ impl Inst {
             }
             Self::Move { out, from }
             | Self::Store { out, from }
-            | Self::Derivative { out, from, .. } => {
+            | Self::Derivative { out, from, .. }
+            | Self::OfByte { out, from, .. } => {
                 f(from, Role::Read);
                 f(out, Role::Write);
             }
@@ -201,7 +207,7 @@ impl Inst {
     /// instructions alone can run for several register files at once.
     pub fn is_straight(&self) -> bool {
         let moves = matches!(self, Self::Move { .. } | Self::Derivative { .. });
-        moves || matches!(self, Self::Compute { .. } | Self::Sample(_))
+        moves || matches!(self, Self::Compute { .. } | Self::OfByte { .. } | Self::Sample(_))
     }
 
     /// About how many additions of 64 lanes it takes as long as. The textures are those of the draw.
@@ -220,6 +226,7 @@ impl Inst {
             Self::Zero { len, .. } => DISPATCH + len,
             Self::EmitVertex(values) => DISPATCH + values.len() as u32,
             Self::EndPrimitive => BY_LANE,
+            Self::OfByte { .. } => DISPATCH + ByteTable::COST,
             Self::Move { .. }
             | Self::Store { .. }
             | Self::Derivative { .. }
@@ -261,6 +268,7 @@ impl Inst {
             | Self::StoreAt { .. }
             | Self::UniformAt { .. }
             | Self::Derivative { .. }
+            | Self::OfByte { .. }
             | Self::EmitVertex(_)
             | Self::EndPrimitive
             | Self::Sample(_) => false,
@@ -285,6 +293,7 @@ impl Inst {
             | Self::StoreAt { .. }
             | Self::UniformAt { .. }
             | Self::Derivative { .. }
+            | Self::OfByte { .. }
             | Self::Sample(_)
             | Self::Join { .. }
             | Self::Open { .. }
@@ -314,6 +323,7 @@ impl Inst {
             | Self::StoreAt { .. }
             | Self::UniformAt { .. }
             | Self::Derivative { .. }
+            | Self::OfByte { .. }
             | Self::Sample(_)
             | Self::Join { .. }
             | Self::Open { .. }

@@ -13,6 +13,8 @@ use super::preamble::Preamble;
 use super::uniformity::Uniformity;
 use crate::ir::{Access, Expr, Input, Lod, Module, Output, Sample, Stage, Ty, Value, Var};
 use flow::{LoopPosition, OpenLoop, OpenScope};
+use std::sync::Arc;
+use texunit::sample::AxisTexels;
 
 /// What a virtual register holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -261,6 +263,10 @@ impl Lowering<'_> {
                 let (from, out) = (self.value(*of), self.value(value));
                 self.emit(Inst::Derivative { axis: *axis, out, from });
             }
+            Expr::OfByte { value: of, table } => {
+                let (from, out) = (self.value(*of), self.value(value));
+                self.emit(Inst::OfByte { out, from, table: Arc::clone(table) });
+            }
             Expr::Sample(sample) => self.sample(value, sample),
             Expr::Component { sample, component } => {
                 let regs = self.samples[sample.0 as usize];
@@ -307,7 +313,9 @@ impl Lowering<'_> {
             (Access::Filter { .. } | Access::Fetch { .. }, Ty::I32 | Ty::U32 | Ty::Bool) => 1,
         };
         let repeat = None;
-        let inst = SampleInst { texture, access, coords, layer, reference, lod, one, out, repeat };
+        let axes = [AxisTexels::Compute; 2];
+        let inst =
+            SampleInst { texture, access, coords, layer, reference, lod, one, out, repeat, axes };
         self.emit(Inst::Sample(Box::new(inst)));
     }
 }

@@ -20,7 +20,7 @@ use super::inst::{Reg, Slot, Target};
 use super::mask::{Extent, Mask, blend};
 use super::preamble::uniform_at;
 use super::{Invocation, OverBudget, Prepared, Program};
-use crate::ir::Axis;
+use crate::ir::{Axis, ByteTable};
 use texunit::lanes::{F32s, LANES, QUADS, U32s};
 use texunit::sample::LookupScratch;
 
@@ -67,7 +67,7 @@ impl Machine {
         if self.slots.len() < program.slots as usize {
             self.slots.resize_with(program.slots as usize, Mask::default);
         }
-        self.scratch_stride = usize::from(!program.repeats.is_empty());
+        self.scratch_stride = usize::from(program.keeps_lookup_scratch);
         let count = 1 + self.scratch_stride * (program.files - 1);
         if self.lookup_scratch.len() < count {
             self.lookup_scratch.resize_with(count, LookupScratch::default);
@@ -222,6 +222,17 @@ impl Machine {
             }
         }
         self.registers[file + out.0 as usize] = *difference.as_u32();
+    }
+
+    /// A function of bytes.
+    #[inline(always)]
+    fn of_byte(&mut self, file: usize, table: &ByteTable, out: Reg, from: Reg) {
+        let from = self.registers[file + from.0 as usize].as_f32();
+        let mut words = U32s::ZERO;
+        for lane in 0..LANES {
+            words[lane] = table.word(from[lane]);
+        }
+        self.registers[file + out.0 as usize] = words;
     }
 
     /// Ends an iteration of a loop whose last instruction is before `pc`. Gives the head of the loop, or `pc` if no lane

@@ -49,6 +49,7 @@ impl MasklessStores {
                     | Expr::UniformAt { .. }
                     | Expr::Op { .. }
                     | Expr::Derivative { .. }
+                    | Expr::OfByte { .. }
                     | Expr::Sample(_)
                     | Expr::Component { .. } => {}
                 },

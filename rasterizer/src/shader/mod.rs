@@ -14,6 +14,7 @@
 //! | [`schedule`] | order of instructions |
 //! | [`allocate`] | virtual → real registers |
 //! | [`repeated_lookups`] | lookups with the operands of the lookup before |
+//! | [`shared_axes`] | lookups in one column or row |
 //! | [`product`] | programs that need no interpreter: products of texels |
 //! | [`attribute_dependencies`] | which attributes an output of the vertex stage depends on |
 //! | [`program`] | the compiled stage, and its per-draw values |
@@ -43,6 +44,7 @@ mod product;
 mod program;
 mod repeated_lookups;
 mod schedule;
+mod shared_axes;
 mod uniformity;
 
 pub(crate) use attribute_dependencies::AttributeSet;

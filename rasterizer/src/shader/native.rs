@@ -127,6 +127,7 @@ fn translate(block: &mut Block, inst: &Inst) -> Option<()> {
         | Inst::StoreAt { .. }
         | Inst::UniformAt { .. }
         | Inst::Derivative { .. }
+        | Inst::OfByte { .. }
         | Inst::Sample(_)
         | Inst::Unless { .. }
         | Inst::Jump { .. }

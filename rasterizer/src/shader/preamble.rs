@@ -53,6 +53,7 @@ impl Preamble {
             | Expr::Load(_)
             | Expr::LoadAt { .. }
             | Expr::Derivative { .. }
+            | Expr::OfByte { .. }
             | Expr::Sample(_)
             | Expr::Component { .. } => return None,
         };
@@ -88,6 +89,7 @@ impl Preamble {
             | Expr::LoadAt { .. }
             | Expr::Op { .. }
             | Expr::Derivative { .. }
+            | Expr::OfByte { .. }
             | Expr::Sample(_)
             | Expr::Component { .. } => self.of_value.get(&value).copied(),
         }

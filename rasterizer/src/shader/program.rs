@@ -8,7 +8,9 @@ use super::preamble::Preamble;
 use super::product::TexelProduct;
 use super::repeated_lookups::Repeat;
 use super::{FactSources, Facts};
-use super::{allocate, constant_outputs, fuse, lower, optimize, repeated_lookups, schedule};
+use super::{
+    allocate, constant_outputs, fuse, lower, optimize, repeated_lookups, schedule, shared_axes,
+};
 use crate::ir::{Block, GeometryInterface, Input, Module, Output, Stmt};
 use std::fmt::Write;
 use std::sync::Arc;
@@ -41,6 +43,7 @@ pub struct Program {
     /// Of a geometry program: its primitives, and what its vertices hold.
     pub(super) geometry: Option<GeometryInterface>,
     pub(super) discards: bool,
+    cost_without_textures: u64,
     pub(super) queries_lod: bool,
     pub(super) reads_uniforms: bool,
     /// Whether it matters which lanes execute.
@@ -52,6 +55,8 @@ pub struct Program {
     pub(super) product: Option<TexelProduct>,
     /// The lookups that may reuse texel addresses of the one before.
     pub(super) repeats: Vec<Repeat>,
+    /// Whether lookups reuse what others leave in their scratch.
+    pub(super) keeps_lookup_scratch: bool,
 }
 
 /// The most register files: batches that run together.
@@ -235,7 +240,10 @@ impl Program {
             statements: [self.statements[0], statements(&module)],
             ..Self::lowered(&module, Fusing::On)
         };
-        (program.code.len() < self.code.len() || program.ones != self.ones).then_some(program)
+        let has_tables = program.code.iter().any(|inst| matches!(inst, Inst::OfByte { .. }));
+        let is_better =
+            program.code.len() < self.code.len() || program.ones != self.ones || has_tables;
+        is_better.then_some(program)
     }
 
     /// The facts of a draw with these prepared values, where the program depends on uniform words, and textures.
@@ -261,6 +269,8 @@ impl Program {
         let outputs = lowered.outputs.iter().map(|&(output, _)| output);
         let product = TexelProduct::of(&lowered.code, &mut layout, outputs);
         let repeats = repeated_lookups::find(&mut lowered.code);
+        let keeps_axes = shared_axes::mark(&mut lowered.code);
+        let cost_without_textures = lowered.code.iter().map(|inst| u64::from(inst.cost(&[]))).sum();
         Self {
             id: identity(),
             statements: [0; 2],
@@ -282,7 +292,9 @@ impl Program {
             discards: lowered.discards,
             queries_lod: lowered.queries_lod,
             reads_uniforms: lowered.reads_uniforms,
+            keeps_lookup_scratch: keeps_axes || !repeats.is_empty(),
             repeats,
+            cost_without_textures,
         }
     }
 
@@ -342,6 +354,11 @@ impl Program {
     /// the draw.
     pub fn cost(&self, textures: &[Option<Arc<SamplePlan>>]) -> u64 {
         self.costs(textures).sum()
+    }
+
+    /// [`Self::cost`] as if no texture were bound; at least 1.
+    pub(crate) fn cost_without_textures(&self) -> u64 {
+        self.cost_without_textures.max(1)
     }
 
     /// By instruction.

@@ -170,6 +170,8 @@ pub enum Expression {
     Apply(Op, Vec<Self>),
     /// The difference to the pixel's neighbour in its quad.
     Derivative(Axis, Operand),
+    /// A function of a byte, from a table.
+    OfByte(Operand),
 }
 
 /// A step of the shader.

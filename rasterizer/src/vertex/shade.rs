@@ -61,8 +61,11 @@ pub enum Placement {
     Nowhere,
 }
 
-/// Batches that are not worth another thread.
-const PIECE: usize = 8;
+/// Batches that are not worth another thread, however long their program is.
+const LEAST_BATCHES: usize = 8;
+
+/// Operations, in additions of 64 lanes, that take about as long as waking another thread and waiting for it.
+const WORTH_A_THREAD: u64 = 1 << 14;
 
 /// Shades the vertices `ids` of instances, one behind the other, in parallel where there are many. They begin at a
 /// vertex of a geometry, which has at least those before it.
@@ -175,8 +178,10 @@ fn shade_all(
         }
     };
     let stopped = AtomicBool::new(false);
+    let least =
+        LEAST_BATCHES.max((WORTH_A_THREAD / stage.program.cost_without_textures()) as usize);
     let borrow = || stage.machines.borrow();
-    stage.thread_pool.for_each_chunk(batches, PIECE, borrow, |machine, batches| {
+    stage.thread_pool.for_each_chunk(batches, least, borrow, |machine, batches| {
         let machine = machine.get();
         machine.begin(stage.program);
         for batch in batches {

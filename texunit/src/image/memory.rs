@@ -5,6 +5,7 @@
 //! write then replaces it, and interrupts every processor to flush its TLB, page by page. So blank levels are not read.
 
 use crate::lanes::{Simd, U32s};
+use std::collections::TryReserveError;
 use std::fmt::Debug;
 use std::ops::{Deref, DerefMut};
 use std::sync::{Arc, OnceLock};
@@ -51,10 +52,8 @@ impl Memory {
         match &self.0 {
             Store::Rows { bytes, is_blank: true } => Self::zeroed(bytes.len()),
             Store::Rows { bytes, is_blank: false } => {
-                let mut own = Vec::new();
-                own.try_reserve_exact(bytes.len()).ok()?;
-                own.extend_from_slice(bytes);
-                Some(Self(Store::Rows { bytes: own, is_blank: false }))
+                let bytes = copied(bytes).ok()?;
+                Some(Self(Store::Rows { bytes, is_blank: false }))
             }
             Store::Elsewhere { .. } => Some(self.clone()),
         }
@@ -166,6 +165,17 @@ impl Eq for Memory {}
 pub fn zeroed(bytes: usize) -> Option<Vec<u8>> {
     // `vec!` aborts if the allocation fails.
     bytemuck::allocation::try_zeroed_slice_box(bytes).ok().map(Vec::from)
+}
+
+/// A copy.
+///
+/// # Errors
+/// If the allocation fails.
+pub fn copied<T: Copy>(from: &[T]) -> Result<Vec<T>, TryReserveError> {
+    let mut to = Vec::new();
+    to.try_reserve_exact(from.len())?;
+    to.extend_from_slice(from);
+    Ok(to)
 }
 
 #[cfg(test)]

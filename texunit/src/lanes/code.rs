@@ -13,12 +13,16 @@ mod block;
 mod compile;
 #[cfg(all(target_arch = "x86_64", not(miri)))]
 mod encode;
+#[cfg(all(test, target_arch = "x86_64", not(miri)))]
+mod safety;
 #[cfg(test)]
 mod tests;
 
 pub use block::{Binary, Block, Compare, Rounding, Step, Unary, Value};
 
 use super::{Isa, U32s};
+#[cfg(all(target_arch = "x86_64", not(miri)))]
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// The instruction set that code is made for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,11 +43,50 @@ impl Target {
     }
 }
 
+/// The memory that holds code.
+#[cfg(all(target_arch = "x86_64", not(miri)))]
+#[derive(Debug)]
+struct Mapping(memmap2::Mmap);
+
+/// The mappings of a process that hold code. Beyond, there is no code: Linux lets a process have 65,530, and without them
+/// its allocator fails. Neighbours are one to the system only until one between them goes.
+#[cfg(all(target_arch = "x86_64", not(miri)))]
+const MAX_MAPPINGS: usize = 1 << 14;
+
+#[cfg(all(target_arch = "x86_64", not(miri)))]
+static MAPPINGS: AtomicUsize = AtomicUsize::new(0);
+
+#[cfg(all(target_arch = "x86_64", not(miri)))]
+impl Mapping {
+    /// Memory with these bytes, which can be executed and no longer be written.
+    fn of(bytes: &[u8]) -> Option<Self> {
+        let count = |mappings| (mappings < MAX_MAPPINGS).then_some(mappings + 1);
+        MAPPINGS.fetch_update(Ordering::Relaxed, Ordering::Relaxed, count).ok()?;
+        let map = || {
+            let mut memory = memmap2::MmapMut::map_anon(bytes.len().max(1)).ok()?;
+            memory.get_mut(..bytes.len())?.copy_from_slice(bytes);
+            memory.make_exec().ok()
+        };
+        let made = map().map(Self);
+        if made.is_none() {
+            MAPPINGS.fetch_sub(1, Ordering::Relaxed);
+        }
+        made
+    }
+}
+
+#[cfg(all(target_arch = "x86_64", not(miri)))]
+impl Drop for Mapping {
+    fn drop(&mut self) {
+        MAPPINGS.fetch_sub(1, Ordering::Relaxed);
+    }
+}
+
 /// Machine code of several blocks.
 #[derive(Debug)]
 pub struct Code {
     #[cfg(all(target_arch = "x86_64", not(miri)))]
-    memory: memmap2::Mmap,
+    memory: Mapping,
     /// By block: where its code begins.
     #[cfg(all(target_arch = "x86_64", not(miri)))]
     entries: Vec<u32>,
@@ -55,7 +98,8 @@ pub struct Code {
 
 impl Code {
     /// The code of `blocks` for this processor; `None` where there is no code generator for the instruction set, where
-    /// the system refuses executable memory, or where a block needs more vector registers than can be spilled.
+    /// the system refuses executable memory, where a process has code in very many places, or where a block needs more
+    /// vector registers than can be spilled.
     #[cfg(all(target_arch = "x86_64", not(miri)))]
     pub fn compile(isa: Isa, blocks: &[Block]) -> Option<Self> {
         let target = Target::of(isa)?;
@@ -65,10 +109,8 @@ impl Code {
             entries.push(u32::try_from(bytes.len()).ok()?);
             compile::compile(block, target, &mut bytes)?;
         }
-        let mut memory = memmap2::MmapMut::map_anon(bytes.len().max(1)).ok()?;
-        memory.get_mut(..bytes.len())?.copy_from_slice(&bytes);
         Some(Self {
-            memory: memory.make_exec().ok()?,
+            memory: Mapping::of(&bytes)?,
             entries,
             registers: blocks.iter().map(Block::registers).max().unwrap_or(0),
             splats: blocks.iter().map(Block::splats).max().unwrap_or(0),
@@ -97,7 +139,7 @@ impl Code {
             // instruction set that this processor has. It addresses `self.registers` registers and `self.splats`
             // splats, which are there, and one mask; it keeps all that the calling convention asks for.
             unsafe {
-                let entry: Entry = std::mem::transmute(self.memory.as_ptr().add(entry));
+                let entry: Entry = std::mem::transmute(self.memory.0.as_ptr().add(entry));
                 entry(registers.as_mut_ptr(), splats.as_ptr(), mask);
             }
         }

@@ -1,6 +1,7 @@
 //! Gathers: the largest index of the batch is checked once, then 64 words are read unchecked.
 
 pub(super) mod rows;
+pub(super) mod sixteen;
 mod sources;
 #[cfg(target_arch = "x86_64")]
 pub(super) mod x86;

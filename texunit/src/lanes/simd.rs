@@ -73,6 +73,12 @@ pub trait Simd: Copy + private::Sealed {
         gather::rows::scalar(bytes, apart, rows, numbers)
     }
 
+    /// Number `numbers` of a table; of it, the lowest four bits are read.
+    #[inline(always)]
+    fn select_from_sixteen(table: &[f32; 16], numbers: &U32s) -> F32s {
+        gather::sixteen::scalar(table, numbers)
+    }
+
     /// [`Simd::gather_pairs_inline`] at each byte offset, and `apart` bytes further: the 2×2 texels of a linear filter.
     ///
     /// # Panics

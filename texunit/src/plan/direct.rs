@@ -6,9 +6,19 @@ use crate::format::Component;
 use crate::sampler::{Filter, Swizzle};
 
 /// A nearest lookup of one level of a plane, without border, whose texels are one word each.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct DirectNearest {
-    pub level: u32,
+    pub level: usize,
+    /// Texels across and up.
+    pub size: [u32; 2],
+    /// Border texels on either side, across and up.
+    pub border: [u32; 2],
+    /// Texels per unit of s and t.
+    pub scale: [f32; 2],
+    /// Bytes of a texel, and of a row.
+    pub bytes: [u32; 2],
+    /// The byte offset of the first texel.
+    pub origin: u32,
     pub class: TexelClass,
     /// Red, green, blue and alpha.
     pub components: [Component; 4],
@@ -34,7 +44,21 @@ impl DirectNearest {
             && texture.compare.is_none()
             && !texture.reaches_border(Filter::Nearest);
         let components = swizzled(format.base().components(), texture.swizzle);
-        is_direct.then_some(Self { level, class, components })
+        let level = level as usize;
+        let of = texture.levels[0].get(level).filter(|_| is_direct)?;
+        let (size, [border_s, border_t, _]) = ([of.width, of.height], of.border);
+        let scale = size.map(|size| texture.shape.scale(size));
+        Some(Self {
+            level,
+            size,
+            border: [border_s, border_t],
+            scale,
+            // The offsets of a level's texels are 32 bits wide.
+            bytes: [format.bytes() as u32, of.row_bytes() as u32],
+            origin: of.origin() as u32,
+            class,
+            components,
+        })
     }
 }
 

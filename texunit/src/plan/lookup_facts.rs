@@ -1,9 +1,9 @@
 //! What is known of the results of filtered lookups, whatever their coordinates: shaders leave out by it what they would
 //! compute of them.
 
-use super::{Alpha, Texture};
+use super::{Alpha, Anisotropy, LevelSelection, Texture};
 use crate::format::{BaseFormat, Block, Encoding};
-use crate::sampler::{Filter, Swizzle};
+use crate::sampler::{Filter, Mipmap, Swizzle};
 
 /// What is known of the results of filtered lookups.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -17,6 +17,8 @@ pub struct LookupFacts {
 /// What is known of every component.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ComponentsFact {
+    /// They are k/255, k from 0 to 255: of one texel each, or 0 or 1.
+    Bytes,
     /// They are numbers from 0 to 1, and none is a negative zero.
     Fractions,
     /// Nothing.
@@ -35,7 +37,7 @@ pub enum AlphaFact {
 impl LookupFacts {
     /// Of incomplete textures: (0, 0, 0, 1).
     pub const OF_INCOMPLETE: Self =
-        Self { components: ComponentsFact::Fractions, alpha: AlphaFact::One };
+        Self { components: ComponentsFact::Bytes, alpha: AlphaFact::One };
 }
 
 impl Texture {
@@ -59,6 +61,19 @@ impl Texture {
             | Encoding::Uint
             | Encoding::Sint => ComponentsFact::Any,
         };
+        let is_one_texel = match &self.level_selection {
+            LevelSelection::Fixed { filter, .. } => *filter == Filter::Nearest,
+            LevelSelection::PerLane { min, mag, range, anisotropy } => {
+                [*min, *mag] == [Filter::Nearest; 2]
+                    && range.mipmap != Mipmap::Linear
+                    && *anisotropy == Anisotropy::Off
+            }
+        };
+        let is_byte = is_one_texel
+            && self.compare.is_none()
+            && self.format.is_bytes()
+            && !self.reaches_border(Filter::Nearest);
+        let components = if is_byte { ComponentsFact::Bytes } else { components };
         let has_border = [Filter::Nearest, Filter::Linear].map(|by| self.reaches_border(by));
         let is_integer = match self.format.info().encoding {
             Encoding::Uint | Encoding::Sint => true,

@@ -4,13 +4,13 @@
 #[cfg(test)]
 mod tests;
 
-use super::fast::{byte_offsets, bytes_of_texel, channel_of_texel, nearest_texels};
-use super::level_view::LevelView;
-use super::uniform_levels::plane_view;
+use super::fast::{bytes_of_texel, channel_of_texel, nearest_along};
+use super::scratch::{AxisTexels, KEPT_AXES, KeptAxes, TexelSpan};
+use super::wrap::Axis;
+use crate::format::convert::byte_channel;
 use crate::format::{Component, Format};
 use crate::lanes::{F32s, Kernel, LANES, Simd, U32s, lane_x, lane_y};
 use crate::plan::{DirectNearest, TexelClass, Texture};
-use crate::sampler::Filter;
 
 /// Lanes at the corners of the 8×8 pixels of a batch.
 const CORNERS: [usize; 4] = [0, 19, 44, 63];
@@ -33,6 +33,9 @@ pub(crate) struct DirectLookup<'a> {
     pub registers: &'a mut [U32s],
     /// The registers of s and t.
     pub coords: [usize; 2],
+    /// Whether the texels along s and t are computed.
+    pub axes: [AxisTexels; 2],
+    pub kept: &'a mut KeptAxes,
     /// The registers of the components that are used.
     pub out: [Option<usize>; 4],
 }
@@ -42,10 +45,23 @@ impl Kernel for DirectLookup<'_> {
 
     #[inline(always)]
     fn run<S: Simd>(self) {
-        let Self { texture, nearest, registers, coords: [s, t], out } = self;
-        let view = plane_view(texture, Filter::Nearest, nearest.level);
-        let words = words::<S>(&view, [registers[s].as_f32(), registers[t].as_f32()]);
+        let Self { texture, nearest, registers, coords: [s, t], axes, kept, out } = self;
+        let columns = span::<S>(texture, nearest, 0, registers[s].as_f32(), axes[0], kept);
+        let rows = span::<S>(texture, nearest, 1, registers[t].as_f32(), axes[1], kept);
+        let texels: &[u8] = &texture.levels[0][nearest.level].texels;
         let [r, g, b, a] = nearest.components;
+        let is_bytes = nearest.class == TexelClass::Bytes && nearest.bytes[0] == 4;
+        let has_square = columns.last.max(rows.last) < SQUARE_SIDE
+            && columns.first + SQUARE_SIDE <= nearest.size[0];
+        if is_bytes && has_square {
+            let square = TexelSquare::new(texels, nearest, &columns, &rows);
+            square.write::<S>(registers, out[0], r);
+            square.write::<S>(registers, out[1], g);
+            square.write::<S>(registers, out[2], b);
+            square.write::<S>(registers, out[3], a);
+            return;
+        }
+        let words = words::<S>(texels, nearest, &columns, &rows);
         match nearest.class {
             // Not in a loop, out of which the channels that are not used would be moved.
             TexelClass::Bytes => {
@@ -63,6 +79,44 @@ impl Kernel for DirectLookup<'_> {
             }
         }
     }
+}
+
+/// The nearest texels along an axis.
+#[inline(always)]
+fn span<S: Simd>(
+    texture: &Texture,
+    nearest: &DirectNearest,
+    axis: usize,
+    at: &F32s,
+    texels: AxisTexels,
+    kept: &mut KeptAxes,
+) -> TexelSpan {
+    let along = Axis {
+        wrap: texture.wrap[axis],
+        size: nearest.size[axis],
+        border: nearest.border[axis],
+        scale: nearest.scale[axis],
+    };
+    match texels {
+        AxisTexels::Compute => computed_span::<S>(along, at),
+        AxisTexels::Keep(number) => {
+            let kept = &mut kept.0[usize::from(number) % KEPT_AXES];
+            *kept = computed_span::<S>(along, at);
+            *kept
+        }
+        AxisTexels::Reuse(number) => kept.0[usize::from(number) % KEPT_AXES],
+    }
+}
+
+#[inline(always)]
+fn computed_span<S: Simd>(along: Axis, at: &F32s) -> TexelSpan {
+    let mut texels = nearest_along::<S>(along, at);
+    let [a, b, c, d] = CORNERS;
+    let first = texels[a].min(texels[b]).min(texels[c]).min(texels[d]);
+    for lane in 0..LANES {
+        texels[lane] = texels[lane].wrapping_sub(first);
+    }
+    TexelSpan { last: S::largest(&texels), texels, first }
 }
 
 /// Writes a component of texels whose channels are bytes, if it is used.
@@ -111,26 +165,92 @@ impl Kernel for WriteChannels<'_> {
     }
 }
 
-/// The words of the nearest texels.
-#[inline(always)]
-fn words<S: Simd>(view: &LevelView<'_>, at: [&F32s; 2]) -> U32s {
-    let texels = nearest_texels::<S>(view, at);
-    let ([x, y], level) = (&texels, view.level);
-    if S::SELECTS_FROM_ROWS && level.format.bytes() == 4 && level.width >= SIDE {
-        let left = CORNERS.map(|lane| x[lane]).into_iter().fold(level.width - SIDE, u32::min);
-        let bottom = CORNERS.map(|lane| y[lane]).into_iter().fold(level.height - 1, u32::min);
-        let (mut outside, mut numbers) = (U32s::ZERO, U32s::ZERO);
+/// A square of texels that has those of all lanes: magnified lookups read few.
+struct TexelSquare {
+    /// Row by row, little-endian.
+    words: [[u32; SQUARE_SIDE as usize]; SQUARE_SIDE as usize],
+    /// By lane: its texel.
+    numbers: U32s,
+}
+
+/// Texels along a side of it.
+const SQUARE_SIDE: u32 = 4;
+
+const SQUARE_TEXELS: usize = (SQUARE_SIDE * SQUARE_SIDE) as usize;
+
+impl TexelSquare {
+    /// The one at the first column and row, with four columns.
+    #[inline(always)]
+    fn new(texels: &[u8], nearest: &DirectNearest, columns: &TexelSpan, rows: &TexelSpan) -> Self {
+        let mut numbers = U32s::ZERO;
         for lane in 0..LANES {
-            let (column, row) = (x[lane].wrapping_sub(left), y[lane].wrapping_sub(bottom));
-            outside[lane] = column | row;
-            numbers[lane] = row.wrapping_mul(SIDE).wrapping_add(column);
+            numbers[lane] = rows.texels[lane] * SQUARE_SIDE + columns.texels[lane];
         }
-        if S::below(&outside, SIDE) {
-            let apart = level.row_bytes();
-            let first = level.origin() + bottom as usize * apart + 4 * left as usize;
-            let rows = (level.height - bottom).min(SIDE);
-            return S::select_from_rows(&level.texels[first..], apart, rows, &numbers);
+        let first = nearest.origin + 4 * columns.first;
+        let mut words = [[0; SQUARE_SIDE as usize]; SQUARE_SIDE as usize];
+        for (row, words) in words.iter_mut().enumerate() {
+            // Rows beyond the last are in no lane.
+            let row = (rows.first + row as u32).min(nearest.size[1] - 1);
+            let at = (first + row * nearest.bytes[1]) as usize;
+            let bytes: &[u8; 4 * SQUARE_SIDE as usize] = texels[at..].first_chunk().expect("a row");
+            *words = bytemuck::cast(*bytes);
+        }
+        Self { words, numbers }
+    }
+
+    /// Writes a component, if it is used.
+    #[inline(always)]
+    fn write<S: Simd>(
+        &self,
+        registers: &mut [U32s],
+        register: Option<usize>,
+        component: Component,
+    ) {
+        let Some(register) = register else { return };
+        let out = registers[register].as_f32_mut();
+        match component {
+            Component::Stored(channel) => {
+                let mut fractions = [0.0; SQUARE_TEXELS];
+                for (fraction, word) in fractions.iter_mut().zip(self.words.as_flattened()) {
+                    *fraction = byte_channel(u32::from_le(*word), channel);
+                }
+                *out = S::select_from_sixteen(&fractions, &self.numbers);
+            }
+            Component::Zero => *out = F32s::ZERO,
+            Component::One => *out = F32s::splat(1.0),
         }
     }
-    S::gather_inline(&level.texels, &byte_offsets(level, &texels))
+}
+
+/// The words of the nearest texels.
+#[inline(always)]
+fn words<S: Simd>(
+    texels: &[u8],
+    nearest: &DirectNearest,
+    columns: &TexelSpan,
+    rows: &TexelSpan,
+) -> U32s {
+    let ([width, height], [bytes, row_bytes]) = (nearest.size, nearest.bytes);
+    let mut numbers = U32s::ZERO;
+    if S::SELECTS_FROM_ROWS && bytes == 4 && width >= SIDE {
+        // At the end of a row the eight columns begin before the first one.
+        let left = columns.first.min(width - SIDE);
+        let before = columns.first - left;
+        if columns.last.saturating_add(before) < SIDE && rows.last < SIDE {
+            for lane in 0..LANES {
+                numbers[lane] = rows.texels[lane] * SIDE + columns.texels[lane] + before;
+            }
+            let first = (nearest.origin + rows.first * row_bytes + 4 * left) as usize;
+            let count = (height - rows.first).min(SIDE);
+            return S::select_from_rows(&texels[first..], row_bytes as usize, count, &numbers);
+        }
+    }
+    let first = nearest.origin + rows.first * row_bytes + columns.first * bytes;
+    for lane in 0..LANES {
+        let [column, row] = [columns.texels[lane], rows.texels[lane]];
+        numbers[lane] = first
+            .wrapping_add(row.wrapping_mul(row_bytes))
+            .wrapping_add(column.wrapping_mul(bytes));
+    }
+    S::gather_inline(texels, &numbers)
 }

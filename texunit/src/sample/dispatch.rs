@@ -11,7 +11,7 @@ use super::lookup::{Lod, Points};
 use super::prefetch::{self, LevelHint};
 use super::recorder::{LaneRecorder, NoRecorder};
 use super::scattered::ScatteredCall;
-use super::scratch::{LevelScratch, LookupScratch, QuadScratch, SelectedLevels};
+use super::scratch::{AxisTexels, LevelScratch, LookupScratch, QuadScratch, SelectedLevels};
 use super::texel_fetch::Fetch;
 use super::uniform::{Outcome, UniformCall};
 use super::uniform_levels::{self, UniformLevels};
@@ -57,7 +57,7 @@ impl SamplePlan {
         addresses: Addresses,
         scratch: &mut LookupScratch,
     ) {
-        let LookupScratch { lanes: out, quads, levels } = scratch;
+        let LookupScratch { lanes: out, quads, levels, axes: _ } = scratch;
         match self.texture() {
             Some(texture) => {
                 let (recorder, footprints) = (&mut NoRecorder, PhantomData::<IsotropicAndProbes>);
@@ -109,7 +109,7 @@ impl SamplePlan {
     }
 
     /// A lookup without offset within a kernel, from coordinates in `registers` to components in `registers`, those that
-    /// are used. Same bits as [`SamplePlan::sample_offset`].
+    /// are used. Same bits as [`SamplePlan::sample_offset`]. `axes` says of s and t whether texels are computed.
     ///
     /// # Errors
     /// When lookups with this plan are not of that form: nothing is written.
@@ -118,12 +118,14 @@ impl SamplePlan {
         &self,
         registers: &mut [U32s],
         coords: [usize; 2],
+        (axes, scratch): ([AxisTexels; 2], &mut LookupScratch),
         out: [Option<usize>; 4],
     ) -> Result<(), NotDirect> {
         match self.texture() {
             Some(texture) if S::WIDE => {
                 let Some(nearest) = &texture.direct else { return Err(NotDirect) };
-                S::outlined(DirectLookup { texture, nearest, registers, coords, out });
+                let kept = &mut scratch.axes;
+                S::outlined(DirectLookup { texture, nearest, registers, coords, axes, kept, out });
                 Ok(())
             }
             Some(_) | None => Err(NotDirect),

@@ -41,5 +41,6 @@ pub use fast::Addresses;
 pub use fused::{FilteredTexels, TexelConsumer};
 pub use lookup::{Lod, Points};
 pub use prefetch::LevelHint;
+pub use scratch::{AxisTexels, KEPT_AXES};
 pub use scratch::{LookupScratch, SelectedLevels};
 pub use uniform_levels::UniformLevels;

@@ -3,7 +3,23 @@
 use super::fast::{Addresses, TexelQuad};
 use super::row_scan::RoundQuad;
 use super::uniform_levels::UniformLevels;
-use crate::lanes::F32s;
+use crate::lanes::{F32s, U32s};
+
+/// The most axes of lookups whose texels are kept for other lookups.
+pub const KEPT_AXES: usize = 16;
+
+/// Whether the texels of a lookup along an axis are computed, kept for other lookups, or reused from one. Only nearest
+/// lookups of which all but the coordinates is known before keep and reuse them ([`crate::plan::SamplePlan::sample_registers`]).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum AxisTexels {
+    /// Computed.
+    #[default]
+    Compute,
+    /// Computed, and kept under this number, below [`KEPT_AXES`].
+    Keep(u8),
+    /// Those that were kept under this number: by a lookup with the same plan and the same coordinate along the axis.
+    Reuse(u8),
+}
 
 /// Result and scratch of a lookup. The next lookup may reuse texel addresses and levels ([`Addresses::Reuse`]).
 #[derive(Clone, Debug, Default)]
@@ -12,6 +28,28 @@ pub struct LookupScratch {
     pub lanes: [F32s; 4],
     pub(crate) quads: QuadScratch,
     pub(crate) levels: LevelScratch,
+    pub(crate) axes: KeptAxes,
+}
+
+/// The texels along axes, by the numbers of [`AxisTexels`].
+#[derive(Clone, Debug)]
+pub(crate) struct KeptAxes(pub [TexelSpan; KEPT_AXES]);
+
+/// Texels along an axis.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct TexelSpan {
+    /// How far each lane's is from the first.
+    pub texels: U32s,
+    /// The first one, of the lanes at the corners of a batch.
+    pub first: u32,
+    /// The largest of `texels`: beyond the size if a lane's comes before the first.
+    pub last: u32,
+}
+
+impl Default for KeptAxes {
+    fn default() -> Self {
+        Self([TexelSpan { texels: U32s::ZERO, first: 0, last: 0 }; KEPT_AXES])
+    }
 }
 
 /// The texel quads of one level, or of two.

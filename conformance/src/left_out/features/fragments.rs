@@ -3,7 +3,7 @@
 use crate::left_out::feature::{Feature, Reason};
 use crate::left_out::scene::*;
 use gl_api::constants::*;
-use gl_api::entry::*;
+use gl_api::*;
 
 /// Colours whose alpha is a uniform that is 1.
 fn opaque_uniform() {

@@ -3,7 +3,7 @@
 use crate::left_out::feature::{Feature, Reason};
 use crate::left_out::scene::*;
 use gl_api::constants::*;
-use gl_api::entry::*;
+use gl_api::*;
 
 fn parameter(name: u32, value: impl Into<i32>) {
     glTexParameteri(GL_TEXTURE_2D, name, value.into());

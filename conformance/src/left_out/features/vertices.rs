@@ -3,7 +3,7 @@
 use crate::left_out::feature::{Feature, Reason};
 use crate::left_out::scene::*;
 use gl_api::constants::*;
-use gl_api::entry::*;
+use gl_api::*;
 
 pub(super) const LIST: &[Feature] = &[
     Feature::state(

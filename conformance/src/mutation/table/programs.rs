@@ -12,6 +12,8 @@ pub(super) const ROWS: &[MutationRow] = {
         row(ParametersSwapped, "evaluator-surface", "u and v change places"),
         row(CrossReversed, "evaluator-normal", "the normal is dp/dv × dp/du"),
         row(GridOneLess, "evaluator-grid", "a grid of n steps has n + 1"),
+        row(GridOneLess, "evaluator-mesh", "a grid of n steps has n + 1"),
+        row(ParametersSwapped, "evaluator-mesh", "u and v change places"),
         row(AxisNotNormalized, "matrix-rotate", "the axis is taken as it is"),
         row(RotationReversed, "matrix-rotate", "clockwise"),
         row(AlwaysCentred, "matrix-frustum", "frusta are symmetrical"),

@@ -139,6 +139,8 @@ pub(super) const ROWS: &[MutationRow] = {
         row(OddTexelDropped, "mipmap-float", "two texels a side, the last of an odd side dropped"),
         row(PowerRoundedDown, "glu-mipmaps", "sizes are rounded down to powers of two"),
         row(MipmapTruncates, "glu-mipmaps", "means are truncated"),
+        row(MipmapTruncates, "glu-scale", "means are truncated"),
+        row(MipmapOfOneTexel, "glu-scale", "one pixel instead of the mean"),
         row(CubeEdgesClamped, "cube-seamless", "edge texels are repeated beyond the edge"),
         row(CubeCornerClamped, "cube-seamless", "some texel stands beyond a corner"),
         row(LayerFloored, "cube-array", "a layer is floored, not rounded"),

@@ -80,6 +80,11 @@ pub(super) const ROWS: &[MutationRow] = {
         row(HalfTexelOff, "picture-formats", "texel centres lie on whole coordinates"),
         row(SrgbUndecoded, "picture-formats", "sRGB texels are not decoded"),
         row(IntensityAsLuminance, "picture-formats", "the alpha of intensity is 1"),
+        row(OneLevelForTwo, "picture-computed", "the second level is left out"),
+        row(LambdaOffForLarge, "picture-computed", "lambda + 1/2"),
+        row(CubeTopFlipped, "picture-cube", "t of the faces of y runs the other way"),
+        row(HalfTexelOff, "picture-cube", "texel centres lie on whole coordinates"),
+        row(WeightsSwapped, "picture-cube", "alpha and beta change places"),
         row(BlendFactorsSwapped, "blend-usual", "the factors change places"),
         row(DestinationAlphaIsOne, "blend-separate", "the alpha of the destination is 1"),
     ]

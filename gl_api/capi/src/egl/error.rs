@@ -4,6 +4,7 @@ use super::constants::*;
 use super::raw::Int;
 use super::thread::thread;
 use crate::guard::enter_computing;
+use gl_api::host::Echo;
 
 /// EGL's name of a value, or its digits.
 pub(super) fn name_of(value: impl TryInto<i64>) -> String {
@@ -105,7 +106,7 @@ impl<T> Answer for *mut T {
 
 /// Prints a message if `DETGL_DEBUG` asks for them.
 pub(super) fn say(severity: &str, text: &str) {
-    if std::env::var_os("DETGL_DEBUG").is_some_and(|value| value != "0") {
+    if Echo::from_env() == Echo::All {
         eprintln!("detgl: {severity}: {text}");
     }
 }

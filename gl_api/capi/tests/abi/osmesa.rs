@@ -236,3 +236,53 @@ fn memory_that_the_client_may_have_freed_is_not_written_to() {
         OSMesaDestroyContext(other);
     }
 }
+
+/// The buffers of a context go on in other memory of the same type and size, whose own bytes are not read; those of
+/// another type or size are new.
+#[test]
+fn other_memory_gets_the_picture_of_the_memory_before() {
+    let [mut first, mut second] = [(); 2].map(|()| Memory::new());
+    let byte = GL_UNSIGNED_BYTE;
+    let pixel = |memory: &Memory, at: usize| memory.0[4 * at..4 * at + 4].to_vec();
+    let [red, green, blue] = [[255, 0, 0, 255], [0, 255, 0, 255], [0, 0, 255, 255]];
+    // SAFETY: the memory has up to 8×8 pixels, and stays.
+    unsafe {
+        let context = OSMesaCreateContextExt(GL_RGBA, 24, 8, 0, null_mut());
+        assert_eq!(OSMesaMakeCurrent(context, first.at(), byte, 4, 4), 1);
+        fill([1.0, 0.0, 0.0]);
+        glFinish();
+        assert!((0..16).all(|at| pixel(&first, at) == red));
+        // A pixel that is drawn, and not flushed.
+        glEnable(gl_api::GL_SCISSOR_TEST);
+        glScissor(0, 0, 1, 1);
+        fill([0.0, 1.0, 0.0]);
+        glDisable(gl_api::GL_SCISSOR_TEST);
+        assert_eq!(OSMesaMakeCurrent(context, second.at(), byte, 4, 4), 1);
+        assert_eq!(pixel(&second, 0), [Memory::UNTOUCHED; 4], "nothing is copied before a flush");
+        let mut read = [0_u8; 4];
+        glReadPixels(1, 1, 1, 1, GL_RGBA, byte, read.as_mut_ptr().cast());
+        assert_eq!(read, red, "the memory is not read");
+        glFinish();
+        assert_eq!((pixel(&first, 0), pixel(&second, 0)), (red.to_vec(), green.to_vec()));
+        assert!((1..16).all(|at| pixel(&second, at) == red));
+        // Back in the first memory: what was drawn meanwhile is there.
+        glEnable(gl_api::GL_SCISSOR_TEST);
+        glScissor(1, 0, 1, 1);
+        fill([0.0, 0.0, 1.0]);
+        glDisable(gl_api::GL_SCISSOR_TEST);
+        assert_eq!(OSMesaMakeCurrent(context, first.at(), byte, 4, 4), 1);
+        glFinish();
+        assert_eq!([0, 1, 2].map(|at| pixel(&first, at)), [green, blue, red].map(|p| p.to_vec()));
+        assert_eq!(pixel(&second, 1), red, "memory that another replaced is not touched");
+        // Another size, and another type: zero.
+        assert_eq!(OSMesaMakeCurrent(context, second.at(), byte, 8, 8), 1);
+        glFinish();
+        assert!(second.0.iter().all(|&byte| byte == 0));
+        let mut floats = [7.0_f32; 8 * 8 * 4];
+        assert_eq!(OSMesaMakeCurrent(context, floats.as_mut_ptr().cast(), GL_FLOAT, 8, 8), 1);
+        glFinish();
+        assert_eq!(floats, [0.0; 8 * 8 * 4]);
+        assert_eq!(OSMesaMakeCurrent(null_mut(), null_mut(), 0, 0, 0), 1);
+        OSMesaDestroyContext(context);
+    }
+}

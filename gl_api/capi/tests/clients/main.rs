@@ -6,6 +6,7 @@
 #![cfg(all(unix, not(target_vendor = "apple")))]
 
 mod c;
+mod deb;
 mod demon;
 mod doctor;
 mod frameworks;

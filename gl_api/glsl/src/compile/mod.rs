@@ -51,6 +51,7 @@ impl Shader {
 
 /// The result of a compilation.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Compiled {
     /// The shader, if there was no error.
     pub shader: Option<Shader>,

@@ -48,6 +48,7 @@ pub struct Suggestion {
 
 /// One error or warning.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Diagnostic {
     /// Its severity.
     pub severity: Severity,

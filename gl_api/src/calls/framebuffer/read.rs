@@ -215,6 +215,7 @@ impl ReadPixelsRequest {
         } = self;
         crate::draw::pass::submit_draws_to(context, &attachment.image);
         visibility::picture(context);
+        crate::draw::pass::end_of_frame(context);
         let (device, isa) = (context.recorder.device(), context.recorder.isa());
         let transfer = context.state.transfer;
         // Pixels outside are left as they are.

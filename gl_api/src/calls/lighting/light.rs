@@ -7,7 +7,7 @@ use crate::base::query_value::{QueryValue, float, unit};
 use crate::base::types::*;
 use crate::calls::parameter_forms::{parameter_calls, parameter_queries};
 use crate::context::Context;
-use crate::state::light::{COLOR_CONTROL, Derived, Light, index};
+use crate::state::light::{COLOR_CONTROL, Derived, index};
 use glam::{DMat3, DVec4};
 
 const SECTION: &str = "GL 2.1, section 2.14.1";
@@ -88,8 +88,8 @@ fn set_light(context: &mut Context, light: GLenum, pname: GLenum, params: &Param
             light.attenuation[term] = at_least_zero(SECTION, pname, value)?;
         }
     }
-    let bits = |light: &Light| light.numbers().map(f64::to_bits);
-    if bits(&light) == bits(&context.state.lights.lights[index]) {
+    let now = &context.state.lights.lights[index];
+    if light.numbers().map(f64::to_bits).eq(now.numbers().map(f64::to_bits)) {
         context.state_changes.no_change();
     } else {
         context.leave_plain_state();

@@ -157,7 +157,7 @@ fn set(
     let texture = texture.get_mut(context);
     let before = texture.state.clone();
     // The levels of immutable storage bound these parameters (ARB_texture_storage, section 3.8.X).
-    let last = texture.immutable.map(|levels| levels - 1);
+    let last = texture.immutable.map(|shown| shown.levels - 1);
     let sampler = &mut texture.state.sampler;
     match parameter {
         Parameter::Sampler(parameter) => texture.state.set(Some(target), parameter, value)?,

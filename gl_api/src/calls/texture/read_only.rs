@@ -40,15 +40,17 @@ pub(super) const READ_ONLY: Table<ReadOnly> = Table {
 impl ReadOnly {
     /// What it is of a texture.
     pub fn of(self, texture: &Texture) -> GLuint {
+        // What is not immutable has no levels and layers to show.
+        let shown = texture.immutable.unwrap_or_default();
         match self {
             Self::Resident => 1,
             Self::Target => TARGET.encode(texture.target),
             Self::IsImmutable => texture.immutable.is_some().into(),
-            Self::StorageLevels => texture.shown.storage_levels,
-            Self::FirstLevel => texture.shown.first_level,
-            Self::Levels => texture.shown.levels,
-            Self::FirstLayer => texture.shown.first_layer,
-            Self::Layers => texture.shown.layers,
+            Self::StorageLevels => shown.storage_levels,
+            Self::FirstLevel => shown.first_level,
+            Self::Levels => shown.levels,
+            Self::FirstLayer => shown.first_layer,
+            Self::Layers => shown.layers,
         }
     }
 }

@@ -104,17 +104,19 @@ fn check_layers(target: TextureTarget, asked: GLuint, layers: u32) -> Result<()>
     }
 }
 
-/// The texture that is shown, if it has its storage for good.
-fn origin(context: &Context, name: GLuint) -> Result<&Texture> {
-    match context.objects.shared.textures.get(name) {
-        Some(texture) if texture.immutable.is_some() => Ok(texture),
-        Some(_) => invalid_operation(
+/// The texture that is viewed, and what it shows of its storage, which must be immutable.
+fn origin(context: &Context, name: GLuint) -> Result<(&Texture, Shown)> {
+    let Some(texture) = context.objects.shared.textures.get(name) else {
+        return invalid_value(SECTION, format!("origtexture = {name} is no texture"));
+    };
+    match texture.immutable {
+        Some(shown) => Ok((texture, shown)),
+        None => invalid_operation(
             SECTION,
             format!(
                 "origtexture = {name} has no immutable storage: give it some with glTexStorage2D"
             ),
         ),
-        None => invalid_value(SECTION, format!("origtexture = {name} is no texture")),
     }
 }
 
@@ -153,7 +155,7 @@ pub(crate) fn texture_view(
     numlayers: GLuint,
 ) -> Result<()> {
     check_name(context, texture)?;
-    let of = origin(context, origtexture)?;
+    let (of, shown) = origin(context, origtexture)?;
     let possible = targets_of_views(of.target);
     let Some(target) = TARGET.get(target).filter(|target| possible.contains(target)) else {
         let possible: Vec<String> =
@@ -168,17 +170,16 @@ pub(crate) fn texture_view(
             ),
         );
     };
-    let shown = of.shown;
     let names = ["minlevel", "numlevels"];
     let levels = checked_part(names, (minlevel, numlevels), shown.levels)?;
     let names = ["minlayer", "numlayers"];
     let layers = checked_part(names, (minlayer, numlayers), shown.layers)?;
     check_layers(target, numlayers, layers)?;
     let stored = of.internal(0, 0);
-    let is_viewed = viewed_as(stored).contains(&internalformat);
+    let possible = viewed_as(&stored);
+    let is_viewed = possible.contains(&internalformat);
     let Some(format) = formats::find(internalformat).filter(|_| is_viewed) else {
-        let possible: Vec<String> =
-            viewed_as(stored).iter().map(|internal| enum_name(*internal)).collect();
+        let possible: Vec<String> = possible.iter().map(|internal| enum_name(*internal)).collect();
         return invalid_operation(
             SECTION,
             format!(
@@ -209,14 +210,13 @@ pub(crate) fn texture_view(
     view.image = image;
     view.state.sampler.depth_mode = context.profile.depth_mode();
     view.samples = of.samples;
-    view.immutable = Some(levels);
-    view.shown = Shown {
+    view.immutable = Some(Shown {
         storage_levels: shown.storage_levels,
         first_level: shown.first_level + minlevel,
         levels,
         first_layer: shown.first_layer + minlayer,
         layers,
-    };
+    });
     let last = (levels as usize).min(limits::MAX_TEXTURE_LEVELS);
     for requested in &mut view.requested {
         requested[..last].fill(internalformat);

@@ -7,9 +7,8 @@ use crate::base::topology::topology;
 use crate::base::types::*;
 use crate::calls::buffer::map::take_client_writes;
 use crate::calls::vertex::array_objects::require_vertex_array;
-use crate::calls::vertex::draws::{
-    IndexRequest, Instances, draw_indexed, draw_range, refuse_in_list,
-};
+use crate::calls::vertex::draws::{Instances, draw_range, refuse_in_list};
+use crate::calls::vertex::elements::{IndexRequest, draw_indexed};
 use crate::calls::vertex::indices::INDEX_TYPE;
 use crate::context::Context;
 

@@ -5,6 +5,7 @@ pub(crate) mod arrays;
 pub(crate) mod bindings;
 pub(crate) mod counted;
 pub(crate) mod draws;
+pub(crate) mod elements;
 pub(crate) mod immediate;
 pub(crate) mod indices;
 pub(crate) mod indirect;

@@ -6,9 +6,8 @@ use crate::base::error::{Result, invalid_operation, not_negative};
 use crate::base::topology::topology;
 use crate::base::types::*;
 use crate::calls::vertex::array_objects::require_vertex_array;
-use crate::calls::vertex::draws::{
-    IndexRequest, Instances, SECTION, check_arrays, draw_arrays, draw_indexed, has_positions,
-};
+use crate::calls::vertex::draws::{Instances, SECTION, check_arrays, draw_arrays, has_positions};
+use crate::calls::vertex::elements::{IndexRequest, draw_indexed};
 use crate::calls::vertex::indices::{INDEX_TYPE, check_indices};
 use crate::context::Context;
 

@@ -23,8 +23,8 @@ use crate::generate::fixed::FixedModules;
 use crate::objects::buffers::WaitingDraws;
 use crate::objects::syncs::PendingFences;
 use rasterizer::driver::{
-    Command, CommandBuffer, Counter, Device, Image, LeaveOut, PassDesc, Pipeline, PipelineDesc,
-    ShaderModule, VertexBinding, Visibility,
+    Command, CommandBuffer, Counter, Device, FrameSpending, Image, LeaveOut, PassDesc, Pipeline,
+    PipelineDesc, ShaderModule, VertexBinding, Visibility,
 };
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -42,6 +42,8 @@ pub(crate) struct Recorder {
     pub device: Arc<Device>,
     /// How long the shaders of a draw may run, if not as long as the device lets them.
     pub draw_budget: Option<u64>,
+    /// What stopped draws have run in this frame.
+    pub spent: FrameSpending,
     /// The number of the first primitive of the draws to come: not 0 after a primitive restart.
     pub first_primitive: u32,
     pub commands: CommandBuffer,
@@ -105,6 +107,7 @@ impl Recorder {
         Self {
             device,
             draw_budget: None,
+            spent: FrameSpending::default(),
             first_primitive: 0,
             commands: CommandBuffer::new(),
             fences: PendingFences::default(),

@@ -89,7 +89,7 @@ fn lighting_key(context: &Context, vertices: &[VertexBinding]) -> Option<Lightin
     }
     let materials = [Side::Front, Side::Back].map(|side| varying(context, vertices, side));
     let model = &state.lights.model;
-    let two_sided = model.two_side && no_effect::shows_back_faces(context);
+    let two_sided = no_effect::lights_two_sides(context);
     let sides: &[Side] = if two_sided { &[Side::Front, Side::Back] } else { &[Side::Front] };
     let has_specular = sides.iter().zip(&materials).any(|(&side, varying)| {
         varying.specular.is_some() || is_colored(material(context, side).specular)
@@ -187,7 +187,7 @@ pub(crate) fn fragment_key(
     FragmentKey {
         base,
         shade_model: state.raster.shade_model,
-        two_sided: lit && model.two_side && no_effect::shows_back_faces(context),
+        two_sided: vertices.is_some() && no_effect::lights_two_sides(context),
         color_sum,
         fog: (state.enables.has(Flag::Fog) && !no_effect::fog(context) && !facts.is_before_fog)
             .then_some(FogKey { mode: state.fog.mode, source }),

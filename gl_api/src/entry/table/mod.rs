@@ -105,6 +105,32 @@ macro_rules! entry_points {
     };
 }
 
+/// To be applied to the rows of every chapter: `entry_points!(each_function apply)` gives
+/// `apply!(method [glName …] (parameters) [result])` for each function, of a row of attributes for both calls.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! each_function {
+    ([$apply:ident] $($begin_end:ident in $module:ident { $(
+        $(#[$doc:meta])+
+        $method:ident: $gl:ident $(| $alias:ident)* ($($params:tt)*) $(-> $ret:ty)? $(, $list:ident)?;
+    )* })*) => {
+        $($($apply!($method [$gl $($alias)*] ($($params)*) [$($ret)?]);)*)*
+    };
+    ([$apply:ident] $($doc:literal $lead:tt $slot:expr, $convert:ident { $(
+        $method:ident: $gl:ident $(| $alias:ident)?,
+        $vector:ident: $gl_vector:ident $(| $vector_alias:ident)?,
+        $ty:ident $params:tt;
+    )* })*) => {
+        $($($crate::each_function!(@attribute $apply $lead $ty $params
+            $method [$gl $($alias)?] $vector [$gl_vector $($vector_alias)?]);)*)*
+    };
+    (@attribute $apply:ident [$($lead:ident: $lead_ty:ty)?] $ty:ident ($($param:ident),+)
+        $method:ident $names:tt $vector:ident $vector_names:tt) => {
+        $apply!($method $names ($($lead: $lead_ty,)? $($param: $ty),+) []);
+        $apply!($vector $vector_names ($($lead: $lead_ty,)? v: &'a [$ty]) []);
+    };
+}
+
 /// The rows of every chapter.
 #[allow(
     unused_qualifications,

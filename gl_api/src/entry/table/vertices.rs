@@ -5,8 +5,8 @@ use crate::base::args::{Data, DataOut, Pointers};
 use crate::base::types::*;
 use crate::calls::buffer::{clear as buffer_clear, data as buffers, map as buffer_map};
 use crate::calls::vertex::{
-    array_objects as vertex_arrays, arrays, bindings, counted, draws as calls, immediate, indirect,
-    interleaved, locked, rect, restart, runs,
+    array_objects as vertex_arrays, arrays, bindings, counted, draws as calls, elements, immediate,
+    indirect, interleaved, locked, rect, restart, runs,
 };
 use crate::query::arrays as query_arrays;
 
@@ -202,15 +202,21 @@ macro_rules! entry_points_vertices {
         draw_arrays_instanced: glDrawArraysInstanced | glDrawArraysInstancedARB
                 | glDrawArraysInstancedEXT
             (mode: GLenum, first: GLint, count: GLsizei, instancecount: GLsizei), not_compiled;
+    }
+    Refused in elements {
         /// Draws vertices of the arrays by index many times; `gl_InstanceID` counts.
         draw_elements_instanced: glDrawElementsInstanced | glDrawElementsInstancedARB
                 | glDrawElementsInstancedEXT (
             mode: GLenum, count: GLsizei, ty: GLenum, indices: Data<'a>, instancecount: GLsizei
         ), not_compiled;
+    }
+    Refused in calls {
         /// As `glDrawArraysInstanced`; arrays with a divisor begin at element `baseinstance`.
         draw_arrays_instanced_base_instance: glDrawArraysInstancedBaseInstance (
             mode: GLenum, first: GLint, count: GLsizei, instancecount: GLsizei, baseinstance: GLuint
         ), not_compiled;
+    }
+    Refused in elements {
         /// Draws vertices of the arrays by index; `basevertex` is added to each.
         draw_elements_base_vertex: glDrawElementsBaseVertex (
             mode: GLenum, count: GLsizei, ty: GLenum, indices: Data<'a>, basevertex: GLint

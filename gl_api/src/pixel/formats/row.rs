@@ -55,6 +55,7 @@ pub enum Renderable {
 
 /// An internal format.
 #[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
 pub struct InternalFormat {
     /// GL's value.
     pub name: GLenum,

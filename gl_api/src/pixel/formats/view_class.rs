@@ -3,6 +3,7 @@
 
 use crate::base::constants::*;
 use crate::base::types::*;
+use std::slice;
 
 const CLASSES: &[(GLenum, &[GLenum])] = &[
     (GL_VIEW_CLASS_128_BITS, &[GL_RGBA32F, GL_RGBA32UI, GL_RGBA32I]),
@@ -87,15 +88,18 @@ const CLASSES: &[(GLenum, &[GLenum])] = &[
     ),
 ];
 
+fn row(internal: GLenum) -> Option<&'static (GLenum, &'static [GLenum])> {
+    CLASSES.iter().find(|(_, formats)| formats.contains(&internal))
+}
+
 /// The class of an internal format, if it has one: others are compatible with themselves alone.
 pub(crate) fn view_class(internal: GLenum) -> Option<GLenum> {
-    CLASSES.iter().find(|(_, formats)| formats.contains(&internal)).map(|(class, _)| *class)
+    row(internal).map(|(class, _)| *class)
 }
 
 /// The internal formats that a view of texels of this one may have.
-pub(crate) fn viewed_as(internal: GLenum) -> Vec<GLenum> {
-    let class = CLASSES.iter().find(|(_, formats)| formats.contains(&internal));
-    class.map_or(vec![internal], |(_, formats)| formats.to_vec())
+pub(crate) fn viewed_as(internal: &GLenum) -> &[GLenum] {
+    row(*internal).map_or(slice::from_ref(internal), |(_, formats)| formats)
 }
 
 #[cfg(test)]

@@ -116,6 +116,7 @@ pub enum ValueType {
 
 /// What the table says of a name of state.
 #[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
 pub struct StateDescription {
     /// GL's name.
     pub name: &'static str,

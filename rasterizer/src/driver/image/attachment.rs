@@ -34,7 +34,7 @@ impl Attachment {
 
     /// Which face it names, if its image is of this shape, and which slice.
     pub fn face_and_slice(&self, shape: Shape) -> (usize, usize) {
-        face_and_slice(shape, self.face)
+        face_and_slice(shape, self.face.into())
     }
 }
 

@@ -43,31 +43,31 @@ pub(super) struct Subresource {
     pub level: usize,
 }
 
-/// A slice of a level, and what its texels are taken for.
+/// A slice of a level, and the format that its texels are taken for: that of the image, or of a view.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Place {
+pub(super) struct TypedSubresource {
     pub at: Subresource,
     pub format: Format,
 }
 
-impl Place {
+impl TypedSubresource {
     /// Whether it is what is attached.
     pub fn is_of(self, attached: &Attached) -> bool {
         attached.at == self.at && attached.surface.format == self.format
     }
 }
 
-/// Which face of an image of a shape an attachment's number names, and which slice.
-pub(super) fn face_and_slice(shape: Shape, number: u16) -> (usize, usize) {
+/// The face and the slice of a layer of an image of a shape.
+pub(super) fn face_and_slice(shape: Shape, layer: usize) -> (usize, usize) {
     match shape {
-        Shape::Cube => (number.into(), 0),
+        Shape::Cube => (layer, 0),
         Shape::D1
         | Shape::D2
         | Shape::D3
         | Shape::Rect
         | Shape::D1Array
         | Shape::D2Array
-        | Shape::CubeArray => (0, number.into()),
+        | Shape::CubeArray => (0, layer),
     }
 }
 
@@ -145,17 +145,18 @@ impl State {
         Some(texels)
     }
 
-    /// The surface of a place: a copy of it, or made from its rows.
-    pub fn surface(&mut self, place: Place) -> Option<Surface> {
-        if let Some(attached) = self.attached.as_ref().filter(|attached| place.is_of(attached)) {
+    /// The surface of a slice: a copy of it, or made from its rows.
+    pub fn surface(&mut self, stored: TypedSubresource) -> Option<Surface> {
+        if let Some(attached) = self.attached.as_ref().filter(|attached| stored.is_of(attached)) {
             return Some(attached.surface.clone());
         }
         self.resolve(&ThreadPool::CALLER_ONLY);
-        self.loaded(place, &ThreadPool::CALLER_ONLY)
+        self.loaded(stored, &ThreadPool::CALLER_ONLY)
     }
 
-    /// A place in the attachment layout, from its rows.
-    pub fn loaded(&self, Place { at, format }: Place, thread_pool: &ThreadPool) -> Option<Surface> {
+    /// A slice in the attachment layout, from its rows.
+    pub fn loaded(&self, stored: TypedSubresource, thread_pool: &ThreadPool) -> Option<Surface> {
+        let TypedSubresource { at, format } = stored;
         let level = self.texels.level(at.face, at.level)?;
         Some(Surface::from_level_as(format, level, self.slices(at), self.samples, thread_pool))
     }

@@ -1,6 +1,6 @@
 //! What an image has: storage, which views and other images may have too, and how its texels are reached.
 
-use super::state::{Attached, Blank, Place, State, Subresource, face_and_slice};
+use super::state::{Attached, Blank, State, Subresource, TypedSubresource, face_and_slice};
 use super::view::{View, ViewDesc};
 use super::{AttachmentInfo, LevelInfo, MultisampleStorage};
 use crate::attachment::{RowSpan, RowWriter, Slices, StoreContext, Surface};
@@ -8,6 +8,7 @@ use crate::plan::possible_samples;
 use crate::sizes::MAX_SAMPLES;
 use crate::threads::ThreadPool;
 use parking_lot::Mutex;
+use std::borrow::Cow;
 use std::num::NonZeroU64;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -92,37 +93,42 @@ impl Stored {
         NonZeroU64::new(self.storage.version())
     }
 
-    /// Where something lies in what is stored, if it exists.
-    fn place(&self, state: &State, at: Subresource) -> Option<Place> {
+    /// Where a slice lies in what is stored, and what is known of its level, if it exists.
+    fn find(&self, state: &State, at: Subresource) -> Option<(TypedSubresource, LevelInfo)> {
         match &self.view {
             Some(view) => {
-                let place = view.place(state.texels.shape(), at)?;
-                state.info(place.at).map(|_| place)
+                let stored = view.stored(state.texels.shape(), at)?;
+                Some((stored, view.info(state.info(stored.at)?)))
             }
-            None => state.info(at).map(|info| Place { at, format: info.format }),
+            None => {
+                let info = state.info(at)?;
+                Some((TypedSubresource { at, format: info.format }, info))
+            }
         }
+    }
+
+    /// Where a slice lies in what is stored, if it exists.
+    fn stored(&self, state: &State, at: Subresource) -> Option<TypedSubresource> {
+        self.find(state, at).map(|(stored, _)| stored)
     }
 
     /// What an attachment's number names.
     fn named(&self, state: &State, number: u16, level: u8) -> Subresource {
-        let (face, slice) = match &self.view {
-            Some(view) => view.face_and_slice(number),
-            None => face_and_slice(state.texels.shape(), number),
-        };
+        let shape = self.view.as_ref().map_or(state.texels.shape(), |view| view.desc.shape);
+        let (face, slice) = face_and_slice(shape, number.into());
         Subresource { face, slice, level: level.into() }
     }
 
     /// What is known of a level.
     fn info(&self, state: &State, at: Subresource) -> Option<LevelInfo> {
-        let info = state.info(self.place(state, at)?.at)?;
-        Some(self.view.as_ref().map_or(info, |view| view.info(info)))
+        self.find(state, at).map(|(_, info)| info)
     }
 
     /// The texels; the rows are up to date.
-    fn rows(&self, state: &State) -> Texels {
+    fn rows<'a>(&self, state: &'a State) -> Cow<'a, Texels> {
         match &self.view {
-            Some(view) => view.texels(state, self.storage.version()),
-            None => state.texels.clone(),
+            Some(view) => Cow::Owned(view.texels(state, self.storage.version())),
+            None => Cow::Borrowed(&state.texels),
         }
     }
 
@@ -136,7 +142,7 @@ impl Stored {
         let _float_env = FloatEnv::enter();
         let mut state = self.storage.state.lock();
         state.resolve(thread_pool);
-        self.rows(&state)
+        self.rows(&state).into_owned()
     }
 
     /// As [`Stored::texels_with`], for lookups that compare depths: of an image of one level that was drawn to, they may be gathered
@@ -159,8 +165,7 @@ impl Stored {
         if self.view.is_some() || state.blank.is_some() {
             state.resolve(&ThreadPool::CALLER_ONLY);
         }
-        let view = self.view.as_ref().map(|_| self.rows(&state));
-        view.as_ref().unwrap_or(&state.texels).completeness(sampler)
+        self.rows(&state).completeness(sampler)
     }
 
     /// Whether texels of [`crate::driver::Device::compared_texels`] read the tiles, which a pass that draws to the image would
@@ -209,12 +214,11 @@ impl Stored {
         let at = self.named(&state, face, level);
         if state.storage == MultisampleStorage::Resolved {
             state.resolve(context.thread_pool);
-            let view = self.view.as_ref().map(|_| self.rows(&state));
-            let texels = view.as_ref().unwrap_or(&state.texels);
-            return Some((Arc::clone(texels.level(at.face, at.level)?), at.slice));
+            let level = Arc::clone(self.rows(&state).level(at.face, at.level)?);
+            return Some((level, at.slice));
         }
-        let place = self.place(&state, at)?;
-        let surface = state.surface(place)?;
+        let stored = self.stored(&state, at)?;
+        let surface = state.surface(stored)?;
         let mut level = Level::new(surface.format, surface.width, surface.height).ok()?;
         surface.store(&mut level, Slices::One(0), context);
         Some((Arc::new(level), 0))
@@ -231,8 +235,8 @@ impl Stored {
         context: StoreContext<'_>,
     ) {
         let state = self.storage.state.lock();
-        let place = self.place(&state, self.named(&state, face, level));
-        let is_drawn = |of: &&Attached| of.drawn && place.is_some_and(|place| place.is_of(of));
+        let stored = self.stored(&state, self.named(&state, face, level));
+        let is_drawn = |of: &&Attached| of.drawn && stored.is_some_and(|stored| stored.is_of(of));
         let drawn = state.attached.as_ref().filter(is_drawn);
         if let Some(Attached { surface, .. }) = drawn {
             return surface.read(span, rows, writer, context);
@@ -248,8 +252,8 @@ impl Stored {
     pub fn each_sample(&self, face: u16, level: u8) -> Option<Level> {
         let _float_env = FloatEnv::enter();
         let mut state = self.storage.state.lock();
-        let place = self.place(&state, self.named(&state, face, level))?;
-        let surface = state.surface(place)?;
+        let stored = self.stored(&state, self.named(&state, face, level))?;
+        let surface = state.surface(stored)?;
         let size = [surface.width, surface.height, surface.samples.into()];
         let mut level = Level::with_size(surface.format, size, [0; 3]).ok()?;
         // Nothing is resolved.
@@ -269,9 +273,9 @@ impl Stored {
             Surface::from_level(samples, Slices::Each(0), count, &ThreadPool::CALLER_ONLY);
         surface.change_all();
         let mut state = self.storage.state.lock();
-        let place = self.place(&state, self.named(&state, face, level));
+        let stored = self.stored(&state, self.named(&state, face, level));
         // What it replaces need not be brought to its rows.
-        state.attached.take_if(|attached| place.is_some_and(|place| place.at == attached.at));
+        state.attached.take_if(|attached| stored.is_some_and(|stored| stored.at == attached.at));
         drop(state);
         self.detach(face, level, surface, isa);
     }
@@ -293,16 +297,16 @@ impl Stored {
     /// Takes a slice of a level out in the attachment layout; `None` if it does not exist.
     pub fn attach(&self, face: u16, level: u8, thread_pool: &ThreadPool) -> Option<Surface> {
         let mut state = self.storage.state.lock();
-        let place = self.place(&state, self.named(&state, face, level))?;
-        if let Some(attached) = state.attached.take_if(|attached| place.is_of(attached)) {
+        let stored = self.stored(&state, self.named(&state, face, level))?;
+        if let Some(attached) = state.attached.take_if(|attached| stored.is_of(attached)) {
             return Some(attached.surface);
         }
         if let Some(Blank { width, height, .. }) = state.blank {
-            return Some(Surface::zeros(place.format, width, height, state.samples));
+            return Some(Surface::zeros(stored.format, width, height, state.samples));
         }
         state.resolve(&ThreadPool::CALLER_ONLY);
         state.attached = None;
-        state.loaded(place, thread_pool)
+        state.loaded(stored, thread_pool)
     }
 
     /// Puts back what [`Stored::attach`] took, drawn to by a device of this instruction set.
@@ -314,15 +318,13 @@ impl Stored {
         }
         let at = self.named(&state, face, level);
         // Another context may have given the level another format or size meanwhile.
-        let is_of = |info: LevelInfo| {
-            let LevelInfo { format, size: [width, height, _], samples, .. } = info;
+        let is_of = |(_, info): &(_, LevelInfo)| {
+            let LevelInfo { format, size: [width, height, _], samples, .. } = *info;
             (format, width, height, samples)
                 == (surface.format, surface.width, surface.height, surface.samples)
         };
-        if let Some(place) = self.place(&state, at)
-            && self.info(&state, at).is_some_and(is_of)
-        {
-            state.attached = Some(Attached { at: place.at, surface, isa, drawn: true });
+        if let Some((stored, _)) = self.find(&state, at).filter(is_of) {
+            state.attached = Some(Attached { at: stored.at, surface, isa, drawn: true });
             self.storage.changed();
         }
     }

@@ -6,7 +6,7 @@
 //! keeps copies while nothing changes.
 
 use super::LevelInfo;
-use super::state::{Place, State, Subresource, face_and_slice};
+use super::state::{State, Subresource, TypedSubresource, face_and_slice};
 use parking_lot::Mutex;
 use std::ops::Range;
 use std::sync::Arc;
@@ -42,13 +42,13 @@ struct Built {
 }
 
 /// Layers of a level of the image, or slices of a volume.
-struct Part {
+struct LayerRange {
     layers: Range<usize>,
     level: usize,
 }
 
 /// Slices of a level that lie together.
-struct Slices {
+struct SliceRun {
     face: usize,
     first: usize,
     count: usize,
@@ -69,8 +69,8 @@ impl View {
         ViewDesc { levels, layers: within(&self.desc.layers, &desc.layers), ..desc }
     }
 
-    /// Where something lies in the image, if the view shows it.
-    pub fn place(&self, shape: Shape, at: Subresource) -> Option<Place> {
+    /// Where a slice of the view lies in the image, which has this shape, if the view shows it.
+    pub fn stored(&self, shape: Shape, at: Subresource) -> Option<TypedSubresource> {
         let ViewDesc { levels, layers, format, .. } = &self.desc;
         let level = levels.start + at.level;
         let (face, slice) = match self.desc.shape {
@@ -86,12 +86,12 @@ impl View {
                 if !layers.contains(&layer) {
                     return None;
                 }
-                layer_of(shape, layer)
+                face_and_slice(shape, layer)
             }
         };
         levels
             .contains(&level)
-            .then_some(Place { at: Subresource { face, slice, level }, format: *format })
+            .then_some(TypedSubresource { at: Subresource { face, slice, level }, format: *format })
     }
 
     /// What is known of a level, from what is known of the image's.
@@ -105,13 +105,8 @@ impl View {
         LevelInfo { format: self.desc.format, size: [width, height, depth], ..info }
     }
 
-    /// Which face and slice an attachment's number names.
-    pub fn face_and_slice(&self, number: u16) -> (usize, usize) {
-        face_and_slice(self.desc.shape, number)
-    }
-
     /// The layers of the image that are a level of a face.
-    fn part(&self, state: &State, face: usize, level: usize) -> Option<Part> {
+    fn layers(&self, state: &State, face: usize, level: usize) -> Option<LayerRange> {
         let ViewDesc { shape, levels, layers, .. } = &self.desc;
         let level = levels.start + level;
         let layers = match shape {
@@ -124,7 +119,7 @@ impl View {
             | Shape::D2Array
             | Shape::CubeArray => layers.clone(),
         };
-        Some(Part { layers, level })
+        Some(LayerRange { layers, level })
     }
 
     /// The texels, of an image whose rows are up to date. A level for which there is no memory is missing.
@@ -156,18 +151,18 @@ impl View {
     }
 
     fn level(&self, state: &State, face: usize, level: usize) -> Option<Arc<Level>> {
-        let part = self.part(state, face, level)?;
-        if let Some(level) = self.shared(state, &part) {
+        let shown = self.layers(state, face, level)?;
+        if let Some(level) = self.shared(state, &shown) {
             return Some(Arc::clone(level));
         }
-        let runs = part.runs(state);
-        let first = state.texels.level(runs.first()?.face, part.level)?;
+        let runs = shown.runs(state);
+        let first = state.texels.level(runs.first()?.face, shown.level)?;
         let depth = runs.iter().map(|run| run.count).sum::<usize>() as u32;
         let size = [first.width, first.height, depth];
         let mut level = Level::with_size(self.desc.format, size, [0; 3]).ok()?;
         let mut at = 0;
         for run in runs {
-            let stored = state.texels.level(run.face, part.level)?;
+            let stored = state.texels.level(run.face, shown.level)?;
             let (slice, bytes) = (stored.slice_bytes(), run.count * stored.slice_bytes());
             if !stored.texels.is_blank() {
                 let from = stored.texels.get(run.first * slice..run.first * slice + bytes)?;
@@ -179,10 +174,10 @@ impl View {
     }
 
     /// The level of the image, where it is what the view shows.
-    fn shared<'a>(&self, state: &'a State, part: &Part) -> Option<&'a Arc<Level>> {
-        let runs = part.runs(state);
+    fn shared<'a>(&self, state: &'a State, shown: &LayerRange) -> Option<&'a Arc<Level>> {
+        let runs = shown.runs(state);
         let [run] = &runs[..] else { return None };
-        let level = state.texels.level(run.face, part.level)?;
+        let level = state.texels.level(run.face, shown.level)?;
         let is_all = run.first == 0 && run.count == level.depth as usize;
         (is_all && level.format == self.desc.format).then_some(level)
     }
@@ -216,17 +211,18 @@ impl View {
 
     /// Writes a level that has changed to the image.
     fn write_back(&self, state: &mut State, (face, level): (usize, usize), texels: &Arc<Level>) {
-        let Some(part) = self.part(state, face, level) else { return };
-        let runs = part.runs(state);
-        let shared = self.shared(state, &part).is_some_and(|stored| stored.size() == texels.size());
+        let Some(shown) = self.layers(state, face, level) else { return };
+        let runs = shown.runs(state);
+        let shared =
+            self.shared(state, &shown).is_some_and(|stored| stored.size() == texels.size());
         if let (true, Some(run)) = (shared, runs.first()) {
             // It has the size and the format of what it replaces.
-            let _ = state.texels.set_shared(run.face, part.level, Arc::clone(texels));
+            let _ = state.texels.set_shared(run.face, shown.level, Arc::clone(texels));
             return;
         }
         let mut at = 0;
         for run in runs {
-            let Some(stored) = state.texels.level_mut(run.face, part.level) else { return };
+            let Some(stored) = state.texels.level_mut(run.face, shown.level) else { return };
             let (slice, bytes) = (stored.slice_bytes(), run.count * stored.slice_bytes());
             let to = stored.texels.get_mut(run.first * slice..run.first * slice + bytes);
             if let (Some(to), Some(from)) = (to, texels.texels.get(at..at + bytes)) {
@@ -237,29 +233,15 @@ impl View {
     }
 }
 
-impl Part {
+impl LayerRange {
     /// Where its layers lie, in their order.
-    fn runs(&self, state: &State) -> Vec<Slices> {
+    fn runs(&self, state: &State) -> Vec<SliceRun> {
         let samples = state.slices_of_a_layer();
         let layers = self.layers.clone();
         if state.texels.shape() == Shape::Cube {
-            return layers.map(|face| Slices { face, first: 0, count: 1 }).collect();
+            return layers.map(|face| SliceRun { face, first: 0, count: 1 }).collect();
         }
         let (first, count) = (layers.start * samples, layers.len() * samples);
-        vec![Slices { face: 0, first, count }]
-    }
-}
-
-/// The face and the slice of a layer of an image of a shape.
-fn layer_of(shape: Shape, layer: usize) -> (usize, usize) {
-    match shape {
-        Shape::Cube => (layer, 0),
-        Shape::D1
-        | Shape::D2
-        | Shape::D3
-        | Shape::Rect
-        | Shape::D1Array
-        | Shape::D2Array
-        | Shape::CubeArray => (0, layer),
+        vec![SliceRun { face: 0, first, count }]
     }
 }

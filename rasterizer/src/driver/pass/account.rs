@@ -27,7 +27,7 @@ const SHORT_PROGRAM: u64 = 1 << 10;
 /// The vertices that a run of primitives takes as long as.
 const RUN_VERTICES: u64 = 64;
 /// The operations of a draw that asks for no more than what is allowed.
-const ALLOWED_OPERATIONS: u64 = 1 << 32;
+const ALLOWED_OPERATIONS: u64 = 1 << 31;
 /// The batches of vertices that the budget of a draw beyond is divided among.
 const BATCHES: u64 = 1 << 10;
 
@@ -35,8 +35,10 @@ const BATCHES: u64 = 1 << 10;
 const VERTEX: u64 = 4;
 /// Operations of a primitive: clipping, culling, binning.
 const PRIMITIVE: u64 = 8;
-/// Operations of a batch of fragments beside its program.
+/// Operations of a batch of fragments beside its program, at each sample.
 const FRAGMENTS: u64 = 8;
+/// Operations of a batch that is shaded at one of its samples, beside its program: its planes are moved there.
+const FRAGMENTS_OF_SAMPLE: u64 = 96;
 
 /// What a draw asks for, by what holds it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,13 +47,13 @@ pub enum Extent {
     Held,
     /// A number alone, no larger than scenes have.
     Allowed,
-    /// A number alone that no scene has: the draw is taken for one that does not end. Those of a pass share a budget.
+    /// A number alone that no scene has: the draw is taken for one that does not end. Those of a frame share a budget.
     Endless,
 }
 
 impl Extent {
-    /// That of a draw of so many vertices of each instance.
-    pub fn of(vertices: u32, state: &DrawState<'_>) -> Self {
+    /// That of a draw of so many vertices of each instance, in a frame that has something left or not.
+    pub fn of(vertices: u32, state: &DrawState<'_>, left: u64) -> Self {
         let instances = state.instances.len() as u64;
         let runs = instances.div_ceil(state.instances_per_chunk().into())
             * u64::from(state.primitives.len.div_ceil(state.run_len()));
@@ -81,18 +83,18 @@ impl Extent {
         let weight = state.batch_cost().div_ceil(SHORT_PROGRAM).max(1);
         if asked <= held * VERTICES_OF_ELEMENT {
             Self::Held
-        } else if asked.saturating_mul(weight) <= ALLOWED_VERTICES {
+        } else if left > 0 && asked.saturating_mul(weight) <= ALLOWED_VERTICES {
             Self::Allowed
         } else {
             Self::Endless
         }
     }
 
-    /// What a batch of its vertices may run.
-    pub fn batch_budget(self, budget: u64) -> u64 {
+    /// What a batch of its vertices may run, of the budget of a frame that has spent some.
+    pub fn batch_budget(self, budget: u64, spent: u64) -> u64 {
         match self {
-            Self::Held | Self::Allowed => DeviceDesc::batch_budget(budget),
-            Self::Endless => budget / BATCHES,
+            Self::Held | Self::Allowed => DeviceDesc::batch_budget_after(budget, spent),
+            Self::Endless => budget.saturating_sub(spent) / BATCHES,
         }
     }
 
@@ -131,13 +133,16 @@ impl Account {
             Extent::Endless => budget,
         };
         let fragment = plan.pipeline.compiled().fragment.cost(&plan.textures);
-        let samples = if plan.samples.is_shaded_each() { plan.samples.count as u64 } else { 1 };
+        let samples = plan.samples.count as u64;
         Some(Self {
             left,
             spent: 0,
             vertices: vertices.into(),
             vertex_batch: state.batch_cost(),
-            fragment_batch: FRAGMENTS + samples * fragment,
+            fragment_batch: match plan.samples.is_shaded_each() {
+                true => samples * (FRAGMENTS_OF_SAMPLE + fragment),
+                false => samples * FRAGMENTS + fragment,
+            },
         })
     }
 

@@ -98,7 +98,7 @@ impl Pass<'_> {
         let mut state = DrawState {
             draw,
             isa: self.job.isa,
-            budget: DeviceDesc::batch_budget(self.bound.budget),
+            budget: DeviceDesc::batch_budget_after(self.bound.budget, report.spent.operations),
             thread_pool: self.thread_pool,
             machines: &self.resources.machines,
             geometries: &self.resources.geometries,
@@ -140,6 +140,7 @@ impl Pass<'_> {
             false => self.draw_in_own_chunks(&mut state, count, report),
         };
         let Ok(is_visible) = drawn else {
+            report.spent.exhaust(self.bound.budget);
             self.job.draws[draw..].iter_mut().for_each(|job| job.budget.is_stopped = true);
             return;
         };
@@ -188,22 +189,17 @@ impl Pass<'_> {
         if state.primitives.len == 0 {
             return Ok(false);
         }
-        let extent = Extent::of(count, state);
-        let budget = match extent {
-            Extent::Held | Extent::Allowed => self.bound.budget,
-            Extent::Endless => self.bound.budget.saturating_sub(self.endless),
-        };
-        state.budget = extent.batch_budget(budget);
+        let (budget, spent) = (self.bound.budget, report.spent.operations);
+        let left = budget.saturating_sub(spent);
+        let extent = Extent::of(count, state, left.max((spent == 0).into()));
+        state.budget = extent.batch_budget(budget, spent);
         let jobs = &mut self.job.draws[state.draw..];
         jobs.iter_mut().for_each(|job| job.budget = extent.fragment_budget(budget));
         let plan = &self.job.draws[state.draw].plan;
-        let mut account = Account::new(extent, budget, count, state, plan);
+        let mut account = Account::new(extent, left, count, state, plan);
         let drawn = self.draw_chunks(state, account.as_mut(), report);
         if let (Extent::Endless, Some(account)) = (extent, account) {
-            self.endless = self.endless.saturating_add(match drawn {
-                Ok(_) => account.spent(),
-                Err(OverBudget) => budget,
-            });
+            report.spent.add(account.spent());
         }
         drawn
     }

@@ -4,7 +4,7 @@ use super::{LayerSurfaces, Pass, SMALL_DRAW};
 use crate::attachment::{DepthFormat, Surface};
 use crate::driver::chunk::TileBin;
 use crate::driver::image::Attachment;
-use crate::driver::report::SubmitReport;
+use crate::driver::report::{FrameSpending, SubmitReport};
 use crate::primitive::Shape;
 use crate::raster::{
     Chunk, ClearJob, FIRST_WAVE, Formats, TileCommand, TileJob, WAVE, WatchedPixel,
@@ -117,7 +117,7 @@ impl Pass<'_> {
     }
 
     /// Divides the budget of each draw among those tiles of a wave that it touches.
-    fn divide_budgets(&mut self, wave: &[TileJob]) {
+    fn divide_budgets(&mut self, wave: &[TileJob], spent: FrameSpending) {
         // By draw: how many tiles, and the last of them.
         let mut touched = vec![(0, usize::MAX); self.job.draws.len()];
         for (at, tile) in wave.iter().enumerate() {
@@ -130,6 +130,7 @@ impl Pass<'_> {
             }
         }
         for (draw, (tiles, _)) in self.job.draws.iter_mut().zip(touched) {
+            draw.budget.share_frame(spent.operations);
             draw.budget.divide(tiles);
         }
     }
@@ -193,11 +194,13 @@ impl Pass<'_> {
                 let count = FIRST_WAVE.min(tiles.len());
                 let (first, rest) = tiles.split_at_mut(count);
                 for wave in std::iter::once(first).chain(rest.chunks_mut(WAVE)) {
-                    self.divide_budgets(wave);
+                    self.divide_budgets(wave, report.spent);
                     self.run_wave(wave, least);
                     for charge in wave.iter_mut().flat_map(|tile| tile.charges.drain(..)) {
                         self.job.draws[charge.draw].budget.deduct(&charge);
                     }
+                    let stopped = self.job.draws.iter().filter(|draw| draw.budget.is_stopped);
+                    stopped.for_each(|draw| report.spent.exhaust(draw.budget.frame()));
                 }
             }
         }

@@ -119,6 +119,9 @@ impl Kernel for Interpreter<'_> {
                 Inst::Derivative { axis, out, from } => {
                     files().for_each(|file| m.derivative(file, axis, out, from));
                 }
+                Inst::OfByte { out, from, ref table } => {
+                    files().for_each(|file| m.of_byte(file, table, out, from));
+                }
                 Inst::Sample(ref sample) => {
                     (0..count).for_each(|file| m.sample::<S>(file, invocation, sample));
                 }

@@ -18,14 +18,15 @@ impl Machine {
     ) {
         let plan = invocation.textures.get(sample.texture as usize).and_then(Option::as_ref);
         let registers = &mut self.registers[file * self.file..];
+        let scratch = &mut self.lookup_scratch[file * self.scratch_stride];
         if let (Access::Filter { offset: [0, 0, 0] }, Some(plan)) = (sample.access, plan) {
             let [s, t, _] = sample.coords.map(|reg| reg.0 as usize);
             let out = sample.out.map(|reg| reg.map(|reg| reg.0 as usize));
-            if plan.sample_registers::<S>(registers, [s, t], out).is_ok() {
+            let axes = (sample.axes, &mut *scratch);
+            if plan.sample_registers::<S>(registers, [s, t], axes, out).is_ok() {
                 return;
             }
         }
-        let scratch = &mut self.lookup_scratch[file * self.scratch_stride];
         match plan.filter(|plan| plan.incomplete().is_none()) {
             Some(plan) => {
                 let reg = |reg: Reg| registers[reg.0 as usize].as_f32();

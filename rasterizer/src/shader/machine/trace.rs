@@ -138,6 +138,7 @@ impl Machine {
                 | Inst::StoreAt { .. }
                 | Inst::UniformAt { .. }
                 | Inst::Derivative { .. }
+                | Inst::OfByte { .. }
                 | Inst::Sample(_)
                 | Inst::Unless { .. }
                 | Inst::Jump { .. }
@@ -188,6 +189,10 @@ impl Machine {
             Inst::Derivative { axis, out, from } => {
                 let expression =
                     Expression::Derivative(*axis, tracer.operand(self, *from, Ty::F32));
+                OperandsBefore::Value { out: *out, ty: Ty::F32, expression }
+            }
+            Inst::OfByte { out, from, .. } => {
+                let expression = Expression::OfByte(tracer.operand(self, *from, Ty::F32));
                 OperandsBefore::Value { out: *out, ty: Ty::F32, expression }
             }
             Inst::Move { out, from } | Inst::Store { out, from } => {
@@ -317,7 +322,7 @@ impl Step {
 impl Expression {
     fn rename(&mut self, renamed: &impl Fn(Name) -> Name) {
         match self {
-            Self::Operand(operand) | Self::Derivative(_, operand) => {
+            Self::Operand(operand) | Self::Derivative(_, operand) | Self::OfByte(operand) => {
                 operand.name = renamed(operand.name);
             }
             Self::Apply(_, args) => args.iter_mut().for_each(|arg| arg.rename(renamed)),

@@ -142,6 +142,7 @@ impl<'a> Search<'a> {
                 | Expr::LoadAt { .. }
                 | Expr::Op { .. }
                 | Expr::Derivative { .. }
+                | Expr::OfByte { .. }
                 | Expr::Sample(_)
                 | Expr::Component { .. } => {}
             }

@@ -9,6 +9,7 @@
 //! | [`flatten`] | small branches become selects |
 //! | [`stores`] | stores that are overwritten before anybody reads them go |
 //! | [`dead`] | what no output depends on goes |
+//! | [`byte_functions`] | functions of the bytes of a texel become tables, where a draw's textures are known |
 //! | [`affine`] | what fragments make of varyings by affine maps moves to the vertices |
 //! | [`gradients`] | the level of detail of a varying's lookup from the varying's planes |
 //!
@@ -16,6 +17,7 @@
 
 mod affine;
 mod arrays;
+pub(super) mod byte_functions;
 mod common;
 mod dead;
 mod flatten;
@@ -61,6 +63,7 @@ pub(super) fn specialize(module: &mut Module, facts: &Facts) {
         }
     }
     stores::run(module);
+    byte_functions::run(module, facts);
     dead::run(module);
 }
 

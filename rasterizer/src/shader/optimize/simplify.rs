@@ -212,6 +212,7 @@ impl Walk<'_> {
             | Expr::Input(_)
             | Expr::Uniform { .. }
             | Expr::Derivative { .. }
+            | Expr::OfByte { .. }
             | Expr::Sample(_)
             | Expr::Component { .. } => expr,
         };

@@ -138,6 +138,7 @@ where
             | Expr::UniformAt { .. }
             | Expr::LoadAt { .. }
             | Expr::Derivative { .. }
+            | Expr::OfByte { .. }
             | Expr::Sample(_)
             | Expr::Component { .. } => self.value(value),
         }

@@ -1,7 +1,11 @@
 //! Programs that are compiled for uniform values of 0 and 1.
 
+use super::super::inst::Inst;
 use super::{check, specialized};
-use crate::ir::{Builder, Input, Interpolation, Module, Op, Output, Stage, Stmt, TRUE, Ty, Var};
+use crate::ir::{
+    Builder, Input, Interpolation, Lod, Module, Op, Output, Stage, Stmt, TRUE, TextureDecl, Ty, Var,
+};
+use texunit::image::Shape;
 
 /// A module with one varying, two uniform words and one output.
 fn fragment() -> (Builder, Var) {
@@ -71,4 +75,30 @@ fn products_and_sums_are_left_out_where_they_change_no_bit() {
             assert_eq!(is_smaller, factor == one, "{factor:x} {offset:x}");
         }
     }
+}
+
+/// `pow(texel, exponent)` and `pow(texel, texel)`, of one lookup.
+fn powers_of_texels() -> (Module, usize) {
+    let (mut b, out) = fragment();
+    let s = b.input(Input::Varying(0));
+    let texture = b.texture(TextureDecl::color(Shape::D2));
+    let [texel, ..] = b.sample(texture, [s; 3], None, Lod::Implicit { bias: None });
+    let exponents = [b.float(2.2), b.float(0.3), texel, s];
+    let mut sum = texel;
+    for exponent in exponents {
+        let power = b.op(Op::Pow, &[texel, exponent]);
+        sum = b.op(Op::Add, &[sum, power]);
+    }
+    b.store(out, sum);
+    // That of `s` is none of the texel alone.
+    (b.finish(), exponents.len() - 1)
+}
+
+#[test]
+fn powers_of_bytes_are_tables() {
+    let (module, tables) = powers_of_texels();
+    // A slot without a texture gives 0 and 1.
+    let program = specialized(&module, &[]).expect("it is another program");
+    let found = program.code.iter().filter(|inst| matches!(inst, Inst::OfByte { .. })).count();
+    assert_eq!(found, tables);
 }

@@ -91,6 +91,7 @@ impl<F: Fn(Input) -> u32> Lane<'_, F> {
                 }
                 op.eval(words)
             }
+            Expr::OfByte { value, table } => table.word(f32::from_bits(self.get(*value))),
             Expr::Derivative { .. } | Expr::Sample(_) | Expr::Component { .. } => {
                 unreachable!("a lane has no neighbours here")
             }

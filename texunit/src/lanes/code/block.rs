@@ -151,7 +151,21 @@ impl Block {
     }
 
     /// The value of a step; the same for equal steps.
+    ///
+    /// # Panics
+    /// When a splat is none of the block's: a program addresses no others.
     pub fn value(&mut self, step: Step) -> Value {
+        match step {
+            Step::Register(register) => {
+                self.registers = self.registers.max(register.saturating_add(1))
+            }
+            Step::Splat(splat) => assert!(splat < self.splats, "splat {splat} of {}", self.splats),
+            Step::Constant(_)
+            | Step::Mask
+            | Step::Unary(..)
+            | Step::Binary(..)
+            | Step::Select(..) => {}
+        }
         let Self { steps, numbers, .. } = self;
         *numbers.entry(step).or_insert_with(|| {
             steps.push(step);
@@ -167,7 +181,6 @@ impl Block {
         if let Some(value) = self.held.get(&register) {
             return *value;
         }
-        self.registers = self.registers.max(register + 1);
         let value = self.value(Step::Register(register));
         self.held.insert(register, value);
         value
@@ -176,7 +189,7 @@ impl Block {
     /// Puts a value into a register, which holds no splat.
     pub fn write(&mut self, register: u32, value: Value) {
         assert!(register >= self.splats, "register {register} holds a splat");
-        self.registers = self.registers.max(register + 1);
+        self.registers = self.registers.max(register.saturating_add(1));
         self.held.insert(register, value);
         self.writes.push(Write { after: self.steps.len(), register, value });
     }

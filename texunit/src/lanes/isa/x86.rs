@@ -49,6 +49,11 @@ impl Simd for Avx2 {
     }
     rounding_instructions!();
     #[inline(always)]
+    fn select_from_sixteen(table: &[f32; 16], numbers: &U32s) -> F32s {
+        // SAFETY: this type is reached only through `run_avx2`.
+        unsafe { gather::sixteen::avx2(table, numbers) }
+    }
+    #[inline(always)]
     fn gather_inline(bytes: &[u8], offsets: &U32s) -> U32s {
         // SAFETY: this type is reached only through `run_avx2`.
         unsafe { gather::x86::avx2::<1>(bytes, offsets) }
@@ -132,6 +137,11 @@ impl Simd for Avx512 {
     fn select_from_rows(bytes: &[u8], apart: usize, rows: u32, numbers: &U32s) -> U32s {
         // SAFETY: this type is reached only through `run_avx512`.
         unsafe { gather::rows::avx512(bytes, apart, rows, numbers) }
+    }
+    #[inline(always)]
+    fn select_from_sixteen(table: &[f32; 16], numbers: &U32s) -> F32s {
+        // SAFETY: this type is reached only through `run_avx512`.
+        unsafe { gather::sixteen::avx512(table, numbers) }
     }
     #[inline(always)]
     fn gather_fours(bytes: &[u8], offsets: &U32s) -> [U32s; 4] {

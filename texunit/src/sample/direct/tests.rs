@@ -4,13 +4,15 @@ use crate::format::Format;
 use crate::image::{Image, Level, Shape};
 use crate::lanes::{F32s, Isa, Kernel, LANES, Simd, U32s, lane_x, lane_y};
 use crate::plan::SamplePlan;
-use crate::sample::{Lod, NotDirect};
+use crate::sample::{AxisTexels, Lod, LookupScratch, NotDirect};
 use crate::sampler::{Filter, Mipmap, Sampler, Swizzle, Wrap};
 
 /// Registers, of which the first two are s and t.
 struct Lookup<'a> {
     plan: &'a SamplePlan,
     registers: &'a mut [U32s],
+    axes: [AxisTexels; 2],
+    scratch: &'a mut LookupScratch,
     out: [Option<usize>; 4],
 }
 
@@ -19,7 +21,8 @@ impl Kernel for Lookup<'_> {
 
     #[inline(always)]
     fn run<S: Simd>(self) -> Self::Output {
-        self.plan.sample_registers::<S>(self.registers, [0, 1], self.out)
+        let Self { plan, registers, axes, scratch, out } = self;
+        plan.sample_registers::<S>(registers, [0, 1], (axes, scratch), out)
     }
 }
 
@@ -63,12 +66,30 @@ fn sampled(plan: &SamplePlan, isa: Isa, at: &[F32s; 2]) -> Option<([U32s; 4], [F
     registers[1] = *at[1].as_u32();
     // An output may be the register of a coordinate.
     let numbers = [4, 0, 6, 1];
-    let lookup = Lookup { plan, registers: &mut registers, out: numbers.map(Some) };
-    isa.run(lookup).ok()?;
+    let scratch = &mut LookupScratch::default();
+    let mut look_up = |registers: &mut [U32s], axes| {
+        isa.run(Lookup { plan, registers, axes, scratch, out: numbers.map(Some) }).ok()?;
+        Some(numbers.map(|number| registers[number]))
+    };
+    let given = registers.clone();
+    let first = look_up(&mut registers, [AxisTexels::Compute; 2])?;
+    // Texels that are kept, then reused instead of coordinates that lie elsewhere.
+    let [s, t] = [2, 15];
+    let [keep, reuse] = [AxisTexels::Keep, AxisTexels::Reuse].map(|axis| [axis(s), axis(t)]);
+    let mut elsewhere = given.clone();
+    elsewhere[..2].fill(U32s::splat(0.6_f32.to_bits()));
+    for (mut registers, axes) in [
+        (given.clone(), keep),
+        (elsewhere.clone(), reuse),
+        ([&elsewhere[..1], &given[1..]].concat(), [reuse[0], AxisTexels::Compute]),
+        ([&given[..1], &elsewhere[1..]].concat(), [AxisTexels::Compute, reuse[1]]),
+    ] {
+        assert_eq!(look_up(&mut registers, axes)?, first, "{axes:?}");
+    }
     let mut want = [F32s::ZERO; 4];
     let coords = [&at[0], &at[1], &F32s::ZERO];
     plan.general().sample(isa, coords, None, Lod::Implicit { bias: None }, &mut want);
-    Some((numbers.map(|number| registers[number]), want))
+    Some((first, want))
 }
 
 #[test]
@@ -130,8 +151,9 @@ fn components_that_are_not_used_are_not_written() {
         SamplePlan::new(&image(Shape::D2, Format::Rgba8, [8, 8], 0), &sampler([Wrap::Repeat; 2]));
     for isa in Isa::available().into_iter().filter(|isa| isa.is_wide()) {
         let mut registers = vec![U32s::splat(7); 6];
-        let lookup =
-            Lookup { plan: &plan, registers: &mut registers, out: [None, Some(3), None, None] };
+        let (axes, scratch) = ([AxisTexels::Compute; 2], &mut LookupScratch::default());
+        let out = [None, Some(3), None, None];
+        let lookup = Lookup { plan: &plan, registers: &mut registers, axes, scratch, out };
         assert_eq!(isa.run(lookup), Ok(()));
         let changed: Vec<_> = (0..6).filter(|&at| registers[at] != U32s::splat(7)).collect();
         assert_eq!(changed, [3]);
@@ -148,8 +170,9 @@ fn lookups_that_select_levels_or_filters_are_not_direct() {
         let plan = SamplePlan::new(&image, &sampler);
         for isa in Isa::available() {
             let mut registers = vec![U32s::ZERO; 6];
-            let lookup =
-                Lookup { plan: &plan, registers: &mut registers, out: [Some(2), None, None, None] };
+            let (axes, scratch) = ([AxisTexels::Compute; 2], &mut LookupScratch::default());
+            let out = [Some(2), None, None, None];
+            let lookup = Lookup { plan: &plan, registers: &mut registers, axes, scratch, out };
             assert_eq!(isa.run(lookup), Err(NotDirect));
         }
     }

@@ -11,6 +11,7 @@ use crate::plan::{Alpha, TexelClass};
 use crate::sample::compare::compare;
 use crate::sample::interpolate::mean;
 use crate::sample::level_view::LevelView;
+use crate::sample::wrap::Axis;
 use crate::sampler::{Compare, Filter};
 
 /// The nearest texel; `false` where the fast path does not apply.
@@ -45,27 +46,26 @@ fn texel_offsets<S: Simd>(view: &LevelView<'_>, at: [&F32s; 3]) -> Option<U32s> 
     if view.texture.reaches_border(Filter::Nearest) {
         return None;
     }
-    Some(byte_offsets(view.level, &nearest_texels::<S>(view, [at[0], at[1]])))
+    let texels = [nearest_along::<S>(view.axis(0), at[0]), nearest_along::<S>(view.axis(1), at[1])];
+    Some(byte_offsets(view.level, &texels))
 }
 
-/// Columns and rows of the nearest texels, where no border is reached.
+/// The nearest texels along an axis, where no border is reached.
 #[inline(always)]
-pub fn nearest_texels<S: Simd>(view: &LevelView<'_>, at: [&F32s; 2]) -> [U32s; 2] {
-    let (s, t) = (view.axis(0), view.axis(1));
-    let (u, v) = (s.texel_coordinate::<S>(at[0]), t.texel_coordinate::<S>(at[1]));
-    let (last_s, last_t) = ((s.size - 1) as f32, (t.size - 1) as f32);
-    let mut texels = [U32s::ZERO; 2];
+pub fn nearest_along<S: Simd>(axis: Axis, at: &F32s) -> U32s {
+    let u = axis.texel_coordinate::<S>(at);
+    let last = (axis.size - 1) as f32;
+    let mut texels = U32s::ZERO;
     for lane in 0..LANES {
         // A coordinate may be rounded up to the size.
-        texels[0][lane] = index(u[lane], last_s);
-        texels[1][lane] = index(v[lane], last_t);
+        texels[lane] = index(u[lane], last);
     }
     texels
 }
 
 /// Byte offsets of texels by column and row.
 #[inline(always)]
-pub fn byte_offsets(level: &Level, [x, y]: &[U32s; 2]) -> U32s {
+fn byte_offsets(level: &Level, [x, y]: &[U32s; 2]) -> U32s {
     let (bytes, row) = (level.format.bytes() as u32, level.row_bytes() as u32);
     let origin = level.origin() as u32;
     let mut offsets = U32s::ZERO;

@@ -15,6 +15,6 @@ mod quad_position;
 mod tests;
 
 pub use channels::{bytes_of_texel, channel_of_texel, channels_of_quad, channels_of_texel};
-pub use filter::{LinearCompared, byte_offsets, linear, nearest, nearest_texels, texels};
+pub use filter::{LinearCompared, linear, nearest, nearest_along, texels};
 pub use offsets::{add_offsets, word_offsets};
 pub use quad::{Addresses, QuadLoad, TexelQuad, load_quad};

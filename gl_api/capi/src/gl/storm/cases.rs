@@ -73,6 +73,6 @@ pub(super) fn cases() -> Vec<Case> {
             });
         };
     }
-    entry_points!(each_row add);
+    entry_points!(each_function add);
     all
 }

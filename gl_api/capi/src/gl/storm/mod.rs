@@ -183,7 +183,7 @@ fn storm(mut c: Context, seed: u64, company: Company) -> Context {
         let begin = Instant::now();
         (case.run)(&slots, &random, counts);
         let took = begin.elapsed();
-        assert!(took < Duration::from_secs(10), "{} took {took:?}", case.name);
+        assert!(took < Duration::from_secs(10), "seed {seed}: {} took {took:?}", case.name);
         // What begins a primitive or a list would swallow most of the rest.
         if number % 16 == 0 {
             with_current(|c| {

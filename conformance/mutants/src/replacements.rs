@@ -6,39 +6,39 @@ use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
 use syn::{Attribute, BinOp, Expr, ExprBinary, ExprMethodCall, ItemFn, Lit, UnOp};
 
-/// A mistake: what an expression becomes.
+/// A mistake: an expression of a file, and what stands there instead.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Place {
+pub struct Replacement {
     /// The line where the expression begins, from 1.
     pub line: usize,
     /// Its bytes in the file.
     pub range: Range<usize>,
     /// Its text.
     pub before: String,
-    /// The text in its place.
+    /// The text that stands there instead.
     pub after: String,
 }
 
 /// Functions whose results are read by people.
 const DESCRIBING: [&str; 4] = ["fmt", "describe", "explain", "name"];
 
-/// Every mistake that fits somewhere in a file, in the order of the text.
+/// Every mistake that fits an expression of a file, in the order of the text.
 ///
 /// # Errors
 /// When the text does not parse.
-pub fn places(text: &str) -> Result<Vec<Place>, syn::Error> {
+pub fn replacements(text: &str) -> Result<Vec<Replacement>, syn::Error> {
     let file = syn::parse_file(text)?;
     let mut finder = Finder { text, found: Vec::new() };
     if !is_test(&file.attrs) {
         finder.visit_file(&file);
     }
-    finder.found.sort_by_key(|place| place.range.start);
+    finder.found.sort_by_key(|found| found.range.start);
     Ok(finder.found)
 }
 
 struct Finder<'a> {
     text: &'a str,
-    found: Vec<Place>,
+    found: Vec<Replacement>,
 }
 
 /// Whether it is compiled for tests only.
@@ -113,7 +113,7 @@ impl Finder<'_> {
     fn add(&mut self, at: Span, after: String) {
         let range = at.byte_range();
         let before = self.text[range.clone()].to_owned();
-        self.found.push(Place { line: at.start().line, range, before, after });
+        self.found.push(Replacement { line: at.start().line, range, before, after });
     }
 
     fn binary(&mut self, expr: &ExprBinary) {
@@ -259,11 +259,11 @@ impl<'ast> Visit<'ast> for Finder<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::places;
+    use super::replacements;
 
     fn after(text: &str) -> Vec<String> {
-        let found = places(text).expect("it parses");
-        found.into_iter().map(|place| format!("{} -> {}", place.before, place.after)).collect()
+        let found = replacements(text).expect("it parses");
+        found.into_iter().map(|found| format!("{} -> {}", found.before, found.after)).collect()
     }
 
     #[test]

@@ -1,0 +1,164 @@
+//! Cube maps over whole pictures, which cross faces and their edges, of every size of texel.
+
+use super::pictures::{Pictures, Pixel};
+use crate::check::{Check, Harness, Tally, Unit};
+use crate::gl::*;
+use crate::mutation::{Mutation, Variant};
+use crate::oracle::cube;
+use crate::oracle::format::{Base, Encoding, linear, stored};
+use crate::oracle::wrap::{self, Index, Wrap};
+use crate::probe::ProbeError;
+use crate::rng::Rng;
+use gl_api::constants::*;
+
+/// Linear filters of cube maps.
+pub const CUBE: Check = Check {
+    name: "picture-cube",
+    citation: "GL 2.1, 3.8.6 and 3.8.8: GL_LINEAR on the face, by the wrap modes of s and t",
+    what: "every pixel of squares whose directions cross faces, with linear cube maps of 9 formats and 3 wrap modes, into floats",
+    unit: Unit::FullScale,
+    tolerance: 1.0 / (1 << 18) as f64,
+    why: "f32 directions: s and t of up to 16 texels off by 2^-20 in each of two weights, of texels up to 1 apart",
+    run,
+};
+
+const PICTURE: Pixel = [67, 45];
+
+const SIDES: [usize; 4] = [16, 5, 1, 8];
+
+const WRAPS: [(u32, Wrap); 3] = [
+    (GL_CLAMP_TO_EDGE, Wrap::ClampToEdge),
+    (GL_REPEAT, Wrap::Repeat),
+    (GL_MIRRORED_REPEAT, Wrap::MirroredRepeat),
+];
+
+const TEXELS: [(u32, Base, Encoding); 9] = {
+    use Base::{LuminanceAlpha, Red, Rg, Rgb, Rgba};
+    use Encoding::{Half, Single, Srgb, Unorm};
+    [
+        (GL_RGBA8, Rgba, Unorm([8; 4])),
+        (GL_RGB8, Rgb, Unorm([8; 4])),
+        (GL_RG8, Rg, Unorm([8; 4])),
+        (GL_R8, Red, Unorm([8; 4])),
+        (GL_LUMINANCE8_ALPHA8, LuminanceAlpha, Unorm([8; 4])),
+        (GL_RGB5_A1, Rgba, Unorm([5, 5, 5, 1])),
+        (GL_SRGB8, Rgb, Srgb),
+        (GL_RGBA16F, Rgba, Half),
+        (GL_RGBA32F, Rgba, Single),
+    ]
+};
+
+/// Nearer to an edge of the cube than this, rounding decides between two faces.
+const EDGE: f64 = 0.999;
+
+/// Directions as an affine function of window coordinates from -1 to 1.
+#[derive(Clone, Copy, Debug)]
+struct Directions {
+    middle: [f64; 3],
+    across: [f64; 3],
+    up: [f64; 3],
+}
+
+impl Directions {
+    fn random(rng: &mut Rng) -> Self {
+        let mut vector = |length: f64| [0; 3].map(|_: i32| f64::from(rng.real(-length, length)));
+        Self { middle: vector(1.0), across: vector(1.5), up: vector(1.5) }
+    }
+
+    fn at(&self, x: f64, y: f64) -> [f64; 3] {
+        [0, 1, 2].map(|i| self.middle[i] + x * self.across[i] + y * self.up[i])
+    }
+
+    fn of(&self, [x, y]: Pixel) -> [f64; 3] {
+        let [w, h] = PICTURE.map(|n| n as f64);
+        self.at((2 * x + 1) as f64 / w - 1.0, (2 * y + 1) as f64 / h - 1.0)
+    }
+}
+
+/// Whether rounding may choose another face, or moves the place on it by more than the tolerance allows.
+fn is_open(direction: [f64; 3]) -> bool {
+    let mut sorted = direction.map(f64::abs);
+    sorted.sort_by(f64::total_cmp);
+    sorted[1] > EDGE * sorted[2] || sorted[2] < 0.2
+}
+
+fn run(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
+    let mut rng = Rng::named("picture-cube");
+    let mut pictures = Pictures::new(harness, tally, PICTURE);
+    for round in 0..harness.cases(54).max(TEXELS.len()) {
+        let (internal, base, encoding) = TEXELS[round % TEXELS.len()];
+        let side = SIDES[round / 2 % SIDES.len()];
+        let (names, wraps): (Vec<u32>, Vec<Wrap>) = (0..2).map(|_| rng.pick(&WRAPS)).unzip();
+        // Numbers that the format has, so that rounding on the way in does not matter.
+        let faces: Vec<Vec<[f64; 4]>> = (0..6)
+            .map(|_| {
+                let texel = |_| {
+                    let given = [0; 4].map(|_: i32| f64::from(rng.real(0.0, 1.0)));
+                    base.queried(stored(base, encoding, given, Variant::CORRECT), Variant::CORRECT)
+                };
+                (0..side * side).map(texel).collect()
+            })
+            .collect();
+        let directions = Directions::random(&mut rng);
+        let expect = |pixel: Pixel, variant: Variant| {
+            let direction = directions.of(pixel);
+            if is_open(direction) {
+                return None;
+            }
+            let (face, [s, t]) = cube::select(direction, variant);
+            let read = |i: Index, j: Index| match (i, j) {
+                (Index::Texel(i), Index::Texel(j)) => {
+                    let texel = faces[face as usize][j * side + i];
+                    let codes = stored(base, encoding, texel, Variant::CORRECT);
+                    base.sampled(linear(base, encoding, codes, variant), variant)
+                }
+                // With weight 0.
+                (Index::Border, _) | (_, Index::Border) => [0.0; 4],
+            };
+            let (i, a) = wrap::linear(wraps[0], s, side, variant);
+            let (j, b) = wrap::linear(wraps[1], t, side, variant);
+            let (a, b) = if variant.has(Mutation::WeightsSwapped) { (b, a) } else { (a, b) };
+            let corners = [read(i[0], j[0]), read(i[1], j[0]), read(i[0], j[1]), read(i[1], j[1])];
+            let weights = [(1.0 - a) * (1.0 - b), a * (1.0 - b), (1.0 - a) * b, a * b];
+            Some(std::array::from_fn(|c| (0..4).map(|k| weights[k] * corners[k][c]).sum()))
+        };
+        let scene = (enum_name(internal), side, &wraps, directions);
+        pictures.compare(&scene, expect, |session| {
+            session.frame(GL_RGBA32F, PICTURE, 0)?;
+            let target = GL_TEXTURE_CUBE_MAP;
+            glBindTexture(target, 1);
+            for (face, texels) in (GL_TEXTURE_CUBE_MAP_POSITIVE_X..).zip(&faces) {
+                let numbers: Vec<f32> = texels.as_flattened().iter().map(|&c| c as f32).collect();
+                glTexImage2D(face, 0, internal, side, side, 0, GL_RGBA, GL_FLOAT, &numbers);
+            }
+            for (name, value) in [
+                (GL_TEXTURE_MIN_FILTER, GL_LINEAR),
+                (GL_TEXTURE_MAG_FILTER, GL_LINEAR),
+                (GL_TEXTURE_WRAP_S, names[0]),
+                (GL_TEXTURE_WRAP_T, names[1]),
+            ] {
+                glTexParameteri(target, name, value);
+            }
+            glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
+            if round % 2 == 0 {
+                glEnable(target);
+            } else {
+                session.fragment_only(
+                    "uniform samplerCube image;
+                    void main() { gl_FragColor = textureCube(image, gl_TexCoord[0].stp); }",
+                )?;
+            }
+            session.check("preparing a cube map")?;
+            glBegin(GL_QUADS);
+            for [x, y] in [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]] {
+                let [s, t, r] = directions.at(x, y);
+                glTexCoord3d(s, t, r);
+                glVertex2d(x, y);
+            }
+            glEnd();
+            session.read_floats(PICTURE)
+        })?;
+    }
+    pictures.finish(80, 80);
+    Ok(())
+}
