@@ -5,8 +5,9 @@
 
 use crate::base::constants::*;
 use crate::base::error::{ErrorCode, GlError};
-use crate::base::types::{GLenum, GLint, GLuint};
+use crate::base::types::{GLeglImageOES, GLenum, GLint, GLuint};
 use crate::calls::framebuffer::read::{ClientRows, RowOrder, read_rows};
+use crate::calls::texture::egl_image;
 use crate::context::debug::Output;
 use crate::context::reset::ResetNotification;
 use crate::context::sharing::CallScope;
@@ -14,6 +15,7 @@ use crate::context::window::{Visible, Window, base_level_attachment, format_of};
 use crate::context::{Context, ContextDesc, ContextError, SurfaceDesc, sharing};
 use crate::draw::warnings::visibility;
 use crate::glu::{GLUquadric, GLUquadricCallback};
+use crate::objects::egl_images;
 use crate::objects::programs::ShaderOrProgram;
 use crate::pixel::client::Pixel;
 use crate::pixel::client::format::LuminanceOf;
@@ -24,6 +26,7 @@ use crate::pixel::transfer::Transfer;
 use rasterizer::driver::{DeviceDesc, DeviceError, Image, RowWriter};
 
 pub use crate::base::refused_result::RefusedResult;
+pub use crate::calls::texture::egl_image::{EglImageError, EglImageSource};
 pub use crate::context::debug::Echo;
 pub use crate::context::mirror::SurfaceMirror;
 pub use crate::entry::current::{call, expect_thread_end, swap_current};
@@ -154,6 +157,32 @@ pub fn new_context(
 /// What a new context needs to share this one's objects. Takes no lock, whatever thread has the context current.
 pub fn share(context: &Context) -> ShareHandle {
     ShareHandle(context.share())
+}
+
+/// An EGL image, by its handle for GL: until it is dropped.
+#[derive(Debug)]
+pub struct EglImage(usize);
+
+impl EglImage {
+    /// An image that shares the texels of an object of contexts.
+    ///
+    /// # Errors
+    /// EGL's.
+    pub fn new(of: &ShareHandle, source: EglImageSource) -> Result<Self, EglImageError> {
+        egl_image::make(&of.0, source).map(Self)
+    }
+
+    /// The argument of `glEGLImageTargetTexture2DOES`.
+    pub fn handle(&self) -> GLeglImageOES {
+        std::ptr::without_provenance_mut(self.0)
+    }
+}
+
+/// Its targets keep the texels.
+impl Drop for EglImage {
+    fn drop(&mut self) {
+        egl_images::withdraw(self.0);
+    }
 }
 
 /// What it reports of stopped draws.

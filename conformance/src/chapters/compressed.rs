@@ -7,12 +7,12 @@ use crate::probe::ProbeError;
 use crate::rng::Rng;
 use gl_api::constants::*;
 
-/// S3TC, RGTC and LATC.
+/// S3TC, RGTC, LATC and BPTC.
 pub const COMPRESSED: Check = Check {
     name: "compressed",
     citation: "EXT_texture_compression_s3tc, EXT_texture_sRGB, ARB_texture_compression_rgtc, \
-               EXT_texture_compression_latc",
-    what: "each texel of random blocks of 16 compressed formats, uploaded and sampled",
+               EXT_texture_compression_latc, ARB_texture_compression_bptc",
+    what: "each texel of random blocks of 20 compressed formats, uploaded and sampled",
     unit: Unit::Ulp,
     tolerance: 1.0,
     why: "one rounding of the exact fraction to f32 is 0.5 ULP; the table of sRGB one more",
@@ -20,7 +20,7 @@ pub const COMPRESSED: Check = Check {
 };
 
 /// Format, how it decodes, and whether it is sRGB-encoded.
-const FORMATS: [(u32, BlockFormat, bool); 16] = [
+const FORMATS: [(u32, BlockFormat, bool); 20] = [
     (GL_COMPRESSED_RGB_S3TC_DXT1_EXT, BlockFormat::Dxt1Rgb, false),
     (GL_COMPRESSED_RGBA_S3TC_DXT1_EXT, BlockFormat::Dxt1Rgba, false),
     (GL_COMPRESSED_RGBA_S3TC_DXT3_EXT, BlockFormat::Dxt3, false),
@@ -37,6 +37,10 @@ const FORMATS: [(u32, BlockFormat, bool); 16] = [
     (GL_COMPRESSED_SIGNED_LUMINANCE_LATC1_EXT, BlockFormat::Latc1Signed, false),
     (GL_COMPRESSED_LUMINANCE_ALPHA_LATC2_EXT, BlockFormat::Latc2, false),
     (GL_COMPRESSED_SIGNED_LUMINANCE_ALPHA_LATC2_EXT, BlockFormat::Latc2Signed, false),
+    (GL_COMPRESSED_RGBA_BPTC_UNORM, BlockFormat::Bptc, false),
+    (GL_COMPRESSED_SRGB_ALPHA_BPTC_UNORM, BlockFormat::Bptc, true),
+    (GL_COMPRESSED_RGB_BPTC_UNSIGNED_FLOAT, BlockFormat::BptcUnsignedFloat, false),
+    (GL_COMPRESSED_RGB_BPTC_SIGNED_FLOAT, BlockFormat::BptcSignedFloat, false),
 ];
 
 /// Blocks in a row of the texture.
@@ -49,6 +53,11 @@ fn run(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
         let size = [4 * ACROSS, 4 * rows];
         let mut bytes: Vec<u8> = (0..ACROSS * rows * kind.bytes()).map(|_| rng.byte()).collect();
         for block in bytes.chunks_exact_mut(kind.bytes()) {
+            // Of half of the blocks all modes are as frequent.
+            if matches!(kind, BlockFormat::Bptc) && rng.integer(0, 1) == 0 {
+                block[0] = 1 << rng.integer(0, 7);
+                continue;
+            }
             // Every other block has the larger of its ends first, some have equal ones.
             match rng.integer(0, 3) {
                 0 => block[..2].sort_unstable(),

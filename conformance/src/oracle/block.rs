@@ -1,7 +1,7 @@
 //! Compressed blocks of 4×4 texels (EXT_texture_compression_s3tc, EXT_texture_sRGB,
 //! ARB_texture_compression_rgtc, EXT_texture_compression_latc), decoded with the formulas of their texts in exact fractions.
 
-use super::srgb;
+use super::{bptc, srgb};
 use crate::mutation::{Mutation, Variant};
 
 /// A block format.
@@ -20,6 +20,9 @@ pub enum BlockFormat {
     Latc1Signed,
     Latc2,
     Latc2Signed,
+    Bptc,
+    BptcUnsignedFloat,
+    BptcSignedFloat,
 }
 
 impl BlockFormat {
@@ -29,6 +32,7 @@ impl BlockFormat {
             Self::Dxt1Rgb | Self::Dxt1Rgba => 8,
             Self::Rgtc1 | Self::Rgtc1Signed | Self::Latc1 | Self::Latc1Signed => 8,
             Self::Dxt3 | Self::Dxt5 => 16,
+            Self::Bptc | Self::BptcUnsignedFloat | Self::BptcSignedFloat => 16,
             Self::Rgtc2 | Self::Rgtc2Signed | Self::Latc2 | Self::Latc2Signed => 16,
         }
     }
@@ -61,6 +65,11 @@ pub fn decode(kind: BlockFormat, block: &[u8], at: usize, variant: Variant) -> [
         BlockFormat::Rgtc1Signed => [signed(block), 0.0, 0.0, 1.0],
         BlockFormat::Rgtc2 => [unsigned(block), unsigned(&block[8..]), 0.0, 1.0],
         BlockFormat::Rgtc2Signed => [signed(block), signed(&block[8..]), 0.0, 1.0],
+        BlockFormat::Bptc => bptc::decode(block, at, variant),
+        BlockFormat::BptcUnsignedFloat => {
+            bptc::decode_floats(block, at, bptc::Sign::Unsigned, variant)
+        }
+        BlockFormat::BptcSignedFloat => bptc::decode_floats(block, at, bptc::Sign::Signed, variant),
         BlockFormat::Latc1 => luminance(unsigned(block), 1.0, variant),
         BlockFormat::Latc1Signed => luminance(signed(block), 1.0, variant),
         BlockFormat::Latc2 => luminance(unsigned(block), unsigned(&block[8..]), variant),

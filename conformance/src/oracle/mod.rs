@@ -9,6 +9,7 @@ pub mod bernstein;
 pub mod blend;
 pub mod blit;
 pub mod block;
+pub mod bptc;
 pub mod builtin;
 pub mod combine;
 pub mod compare;

@@ -36,7 +36,7 @@ unsafe extern "C" fn get_platform_display(
 }
 
 extern "C" fn supports_api(api: u32) -> u32 {
-    u32::from(api as Int == EGL_OPENGL_API)
+    u32::from([EGL_OPENGL_API, EGL_OPENGL_ES_API].contains(&(api as Int)))
 }
 
 extern "C" fn vendor_string(name: c_int) -> *const c_char {

@@ -251,6 +251,9 @@ pub struct Program {
     /// What it reads per vertex: generic attributes, then the conventional ones, whose locations
     /// begin at [`ATTRIB_VERTEX`](crate::interface::ATTRIB_VERTEX).
     pub attributes: Vec<Attribute>,
+    /// The names of the integers that its vertex stage reads and no array holds: `gl_VertexID` and `gl_InstanceID`, which are
+    /// active attributes too (GL 3.3 section 2.11.3).
+    pub vertex_numbers: Vec<String>,
     /// What the application sets.
     pub uniforms: Vec<Uniform>,
     /// The locations that `layout(location = n)` gives, also to uniforms that are not active.

@@ -110,6 +110,7 @@ pub(crate) fn load(text: &str, target: Target) -> Parsed<Loaded> {
         geometry: None,
         fragment,
         attributes: Vec::new(),
+        vertex_numbers: Vec::new(),
         uniforms: Vec::new(),
         explicit_locations: Vec::new(),
         members: Vec::new(),

@@ -34,6 +34,8 @@ pub type GLclampd = f64;
 pub type GLchar = std::ffi::c_char;
 /// A fence.
 pub type GLsync = *mut GLvoid;
+/// An EGL image.
+pub type GLeglImageOES = *mut GLvoid;
 /// 64 bits, signed.
 pub type GLint64 = i64;
 /// 64 bits.

@@ -6,6 +6,7 @@ pub(crate) mod blocks;
 pub(crate) mod bound;
 pub(crate) mod buffers;
 pub(crate) mod color_buffers;
+pub(crate) mod egl_images;
 pub(crate) mod framebuffers;
 pub(crate) mod lists;
 pub(crate) mod name_table;

@@ -3,6 +3,7 @@
 use crate::base::constants::*;
 use crate::base::error::Table;
 use crate::base::types::*;
+use crate::objects::egl_images::Siblings;
 use crate::objects::framebuffers::Planes;
 use crate::pixel::formats;
 use crate::pixel::formats::{InternalFormat, Renderable};
@@ -20,13 +21,16 @@ pub(crate) struct Renderbuffer {
     pub format: &'static InternalFormat,
     /// One level, once there is a size.
     pub image: Image,
+    /// The EGL images that have its storage too.
+    pub siblings: Siblings,
 }
 
 impl Renderbuffer {
     /// One without storage, that says it has an internal format.
     pub(crate) fn new(internal: GLenum) -> Self {
         let format = formats::find(internal).expect("a row of the table");
-        Self { format, image: Image::new(Texels::new(Shape::D2)) }
+        let image = Image::new(Texels::new(Shape::D2));
+        Self { format, image, siblings: Siblings::default() }
     }
 
     pub(crate) fn level(&self) -> Option<LevelInfo> {

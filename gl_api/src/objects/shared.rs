@@ -83,8 +83,9 @@ pub(crate) struct ShareGroup(Arc<Group>);
 #[derive(Debug, Default)]
 struct Group {
     objects: Arc<Mutex<SharedObjects>>,
-    /// Whether a second context has ever joined.
-    joined: AtomicBool,
+    /// Whether others may change what is in the objects: a second context has ever joined, or an EGL image has ever had
+    /// the storage of one.
+    has_others: AtomicBool,
     /// Whether a buffer may be mapped persistently. It changes under the lock of the objects, and is read without.
     has_persistent: AtomicBool,
 }
@@ -92,12 +93,18 @@ struct Group {
 impl ShareGroup {
     /// The group, for a further context.
     pub fn join(&self) -> Self {
-        self.0.joined.store(true, Ordering::Release);
+        self.shared_with_others();
         self.clone()
     }
 
+    /// Notes that others may change what is in the objects from now on.
+    pub fn shared_with_others(&self) {
+        self.0.has_others.store(true, Ordering::Release);
+    }
+
+    /// Its objects, for whoever is in no call of a context of the group.
     #[inline(never)]
-    fn lock(&self) -> ArcMutexGuard<RawMutex, SharedObjects> {
+    pub fn lock(&self) -> ArcMutexGuard<RawMutex, SharedObjects> {
         self.0.objects.lock_arc()
     }
 }
@@ -117,9 +124,10 @@ impl GroupAccess {
         &self.group
     }
 
-    /// Whether no other context has ever joined the group: nobody else changes its objects.
+    /// Whether nobody else changes its objects: no other context has ever joined the group, and no EGL image was made
+    /// or used in it.
     pub fn is_exclusive(&self) -> bool {
-        !self.group.0.joined.load(Ordering::Acquire)
+        !self.group.0.has_others.load(Ordering::Acquire)
     }
 
     /// Notes that a buffer has been mapped persistently.

@@ -3,6 +3,7 @@
 use crate::base::constants::*;
 use crate::base::limits;
 use crate::base::types::*;
+use crate::objects::egl_images::{Siblings, Specified};
 use crate::objects::framebuffers::Planes;
 use crate::objects::sampler::SamplerState;
 pub(crate) use crate::objects::target::TextureTarget;
@@ -37,6 +38,8 @@ pub(crate) struct Texture {
     pub store: DataStore,
     /// The internal format that was asked for, by face and level.
     pub requested: Vec<[GLenum; limits::MAX_TEXTURE_LEVELS]>,
+    /// The EGL images that have its storage too.
+    pub siblings: Siblings,
     /// The sample plan of the last draw, until something changes.
     plan: Option<Planned>,
     /// Whether no draw has used its texels yet.
@@ -160,6 +163,7 @@ impl Texture {
             samples: None,
             store: DataStore::default(),
             requested: vec![[GL_NONE; limits::MAX_TEXTURE_LEVELS]; shape.faces()],
+            siblings: Siblings::default(),
             plan: None,
             is_new: true,
         }
@@ -209,6 +213,11 @@ impl Texture {
         };
         let (storage_levels, first_level, first_layer) = (levels, 0, 0);
         self.immutable = Some(Shown { storage_levels, first_level, levels, first_layer, layers });
+    }
+
+    /// To be called before levels are specified: siblings keep the storage as it is.
+    pub fn specify(&mut self, levels: Specified) {
+        self.siblings.specify(&self.image, levels);
     }
 
     /// To be called after every change except of parameters, which the plan is compared with.

@@ -68,6 +68,15 @@ const SIZED: &[(GLenum, GLenum, &[GLenum])] = &[
     (GL_DEPTH32F_STENCIL8, GL_DEPTH_STENCIL, &[GL_FLOAT_32_UNSIGNED_INT_24_8_REV]),
 ];
 
+/// Formats of blocks that pixels are compressed to (`EXT_texture_compression_bptc`).
+#[rustfmt::skip]
+const COMPRESSED: &[(GLenum, GLenum, &[GLenum])] = &[
+    (GL_COMPRESSED_RGBA_BPTC_UNORM, GL_RGBA, &[GL_UNSIGNED_BYTE]),
+    (GL_COMPRESSED_SRGB_ALPHA_BPTC_UNORM, GL_RGBA, &[GL_UNSIGNED_BYTE]),
+    (GL_COMPRESSED_RGB_BPTC_SIGNED_FLOAT, GL_RGB, &[GL_HALF_FLOAT, GL_FLOAT]),
+    (GL_COMPRESSED_RGB_BPTC_UNSIGNED_FLOAT, GL_RGB, &[GL_HALF_FLOAT, GL_FLOAT]),
+];
+
 /// Unsized internal formats, whose `format` is the same (table 3.3; `OES_texture_float`, `OES_texture_half_float`,
 /// `EXT_texture_rg`, `OES_depth_texture`, `OES_packed_depth_stencil`, `EXT_texture_type_2_10_10_10_REV`,
 /// `EXT_texture_format_BGRA8888`): the `type`, and what is stored.
@@ -117,7 +126,7 @@ pub(crate) fn plain_type(ty: GLenum) -> GLenum {
 /// it does not have.
 pub(crate) fn stored(internal: GLenum, format: GLenum, ty: GLenum) -> Result<Format> {
     let ty = plain_type(ty);
-    if let Some(row) = SIZED.iter().find(|row| row.0 == internal) {
+    if let Some(row) = SIZED.iter().chain(COMPRESSED).find(|row| row.0 == internal) {
         check_sized(row, format, ty)?;
         return match formats::texture_format(internal) {
             Some(stored) => Ok(stored),
@@ -218,7 +227,7 @@ mod tests {
 
     #[test]
     fn every_sized_format_of_the_table_is_one_of_textures() {
-        for (internal, format, types) in SIZED {
+        for (internal, format, types) in SIZED.iter().chain(COMPRESSED) {
             for ty in *types {
                 assert!(stored(*internal, *format, *ty).is_ok(), "{}", enum_name(*internal));
             }

@@ -130,6 +130,7 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     "GL_EXT_texture_integer",
     "GL_EXT_timer_query",
     "GL_EXT_transform_feedback",
+    "GL_OES_EGL_image",
     // 2008
     "GL_ARB_copy_buffer",
     "GL_ARB_depth_buffer_float",
@@ -183,6 +184,7 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     "GL_ARB_shader_bit_encoding",
     "GL_ARB_shader_stencil_export",
     "GL_ARB_texture_buffer_object_rgb32",
+    "GL_ARB_texture_compression_bptc",
     "GL_ARB_texture_rgb10_a2ui",
     "GL_ARB_timer_query",
     "GL_ARB_transform_feedback2",
@@ -259,6 +261,7 @@ const ALSO_OF_CORE: &[&str] = &[
     "GL_EXT_transform_feedback",
     "GL_EXT_vertex_array_bgra",
     "GL_NV_conditional_render",
+    "GL_OES_EGL_image",
 ];
 
 /// Those of core contexts.

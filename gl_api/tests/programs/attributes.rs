@@ -67,3 +67,35 @@ fn generic_attributes_keep_their_order_in_lists() {
     assert_eq!(pixel, [0, 255, 0, 255]);
     no_error(&mut c);
 }
+
+/// `gl_VertexID` and `gl_InstanceID` are active attributes without a location where they are read (GL 3.3, section 2.11.3;
+/// OpenGL ES 3.0, section 2.12.4).
+#[test]
+fn numbers_of_vertices_and_instances_are_active_attributes() {
+    let es = ContextDesc { api: Api::Es2, ..ContextDesc::default() };
+    for (mut c, version) in [(context(), "150"), (Context::new(es).expect("a device"), "300 es")] {
+        let body = |sum: &str| {
+            format!(
+                "#version {version}\nin vec4 a;\nvoid main() {{ gl_Position = a + vec4({sum}); }}"
+            )
+        };
+        let fragment = format!(
+            "#version {version}\nprecision highp float;\nout vec4 color;\nvoid main() {{ color = vec4(1.0); }}"
+        );
+        let both = linked(&mut c, &[&body("gl_VertexID + gl_InstanceID")], &[&fragment]);
+        let mut found = attributes(&mut c, both);
+        found.sort();
+        let of = |name: &str, ty| (name.to_owned(), ty);
+        let expected =
+            [of("a", GL_FLOAT_VEC4), of("gl_InstanceID", GL_INT), of("gl_VertexID", GL_INT)];
+        assert_eq!(found, expected);
+        let longest = "gl_InstanceID".len() as GLint + 1;
+        assert_eq!(asked(&mut c, both, GL_ACTIVE_ATTRIBUTE_MAX_LENGTH), longest);
+        for name in ["gl_VertexID", "gl_InstanceID"] {
+            assert_eq!(c.get_attrib_location(both, name), -1);
+        }
+        let none = linked(&mut c, &[&body("1.0")], &[&fragment]);
+        assert_eq!(attributes(&mut c, none), [of("a", GL_FLOAT_VEC4)]);
+        no_error(&mut c);
+    }
+}

@@ -11,6 +11,7 @@ mod blends;
 mod buffer_textures;
 mod coverage;
 mod direct_state;
+mod egl_images;
 mod fixed;
 mod fragments;
 mod framebuffers;
@@ -72,6 +73,7 @@ fn each_refusal_sets_its_flag_says_why_and_changes_nothing_and_each_call_has_one
         buffer_textures::run,
         direct_state::run,
         blends::run,
+        egl_images::run,
         fixed::run,
         fragments::run,
         framebuffers::run,

@@ -14,6 +14,7 @@ mod clip_control;
 mod conditional;
 mod cull_distances;
 mod depth_clamp;
+mod egl_images;
 mod evaluators;
 mod feedback;
 mod fragments;

@@ -1,6 +1,6 @@
 //! What draws write to buffers, and what the queries count.
 
-use super::{UNTOUCHED, buffer, capturing, context, fine, floats, words};
+use super::{UNTOUCHED, buffer, capturing, context, fine, floats, log, shading, words};
 use gl_api::*;
 
 /// Hands on the number of the vertex.
@@ -343,4 +343,111 @@ fn one_buffer_is_enough_for_interleaved_varyings_and_may_go() {
     c.end_query(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN);
     c.end_transform_feedback();
     assert_eq!(result(&mut c, 1), 0);
+}
+
+/// What the geometry stage gives each vertex besides: layer, viewport and number of the primitive, whether or not there
+/// are such (GLSL 1.50, section 7.1.3; ARB_viewport_array).
+#[test]
+fn layers_viewports_and_numbers_of_primitives_are_captured() {
+    let mut c = context();
+    let vertex = "#version 150\nvoid main() { gl_Position = vec4(0.0, 0.0, 0.0, 1.0); }";
+    let program = shading::use_program(&mut c, vertex, "");
+    let geometry = c.create_shader(GL_GEOMETRY_SHADER);
+    let source = "#version 150\n#extension GL_ARB_viewport_array : require\n\
+        layout(points) in; layout(points, max_vertices = 2) out;\n\
+        void main() {\n\
+          for (int i = 0; i < 2; i++) {\n\
+            gl_Position = gl_in[0].gl_Position; gl_Layer = -70000 + i; gl_ViewportIndex = 3 * i;\n\
+            gl_PrimitiveID = 65537 * gl_PrimitiveIDIn + i; EmitVertex();\n\
+          }\n\
+        }";
+    c.shader_source(geometry, 1, Strings(vec![source]), &[]);
+    c.compile_shader(geometry);
+    c.attach_shader(program, geometry);
+    let names = ["gl_Layer", "gl_PrimitiveID", "gl_ViewportIndex"];
+    c.transform_feedback_varyings(program, 3, Names(names.to_vec()), GL_INTERLEAVED_ATTRIBS);
+    c.link_program(program);
+    assert_eq!(log(&mut c, program), "");
+    c.use_program(program);
+    for (index, name) in names.into_iter().enumerate() {
+        let (mut size, mut ty, mut found) = ([0], [0], String::new());
+        let out = TextOut::String(&mut found);
+        c.get_transform_feedback_varying(
+            program,
+            index as GLuint,
+            64,
+            &mut [],
+            &mut size,
+            &mut ty,
+            out,
+        );
+        assert_eq!((&*found, size[0], ty[0]), (name, 1, GL_INT));
+    }
+    buffer(&mut c, 1, 0, 18);
+    c.enable(GL_RASTERIZER_DISCARD);
+    c.begin_transform_feedback(GL_POINTS);
+    c.draw_arrays(GL_POINTS, 0, 3);
+    c.end_transform_feedback();
+    let of = |n: i32, i: i32| [-70_000 + i, 65_537 * n + i, 3 * i].map(|word| word as u32);
+    let expected: Vec<u32> = (0..3).flat_map(|n| (0..2).flat_map(move |i| of(n, i))).collect();
+    assert_eq!(words(&mut c, 1, 18), expected);
+    // A vertex shader has none of them.
+    let other = shading::use_program(&mut c, vertex, "");
+    let of_vertex = Names(vec!["gl_PrimitiveID"]);
+    c.transform_feedback_varyings(other, 1, of_vertex, GL_INTERLEAVED_ATTRIBS);
+    c.link_program(other);
+    assert!(log(&mut c, other).contains("cannot capture `gl_PrimitiveID`"));
+}
+
+/// Members of arrays of blocks are named with the number of the instance (GL 3.2, section 2.11.4).
+#[test]
+fn members_of_one_of_several_blocks_are_captured() {
+    let mut c = context();
+    let vertex = "#version 150\nout Block { vec2 v; flat ivec2 n[3]; } many[3];\n\
+        void main() {\n\
+          gl_Position = vec4(0.0);\n\
+          for (int i = 0; i < 3; i++) {\n\
+            many[i].v = vec2(i, 0.5);\n\
+            for (int j = 0; j < 3; j++) many[i].n[j] = ivec2(100 * i + j, -1 - i);\n\
+          }\n\
+        }";
+    let names = ["Block[2].v", "Block[1].n[2]", "Block[0].n"];
+    let program = capturing(&mut c, vertex, &names, GL_INTERLEAVED_ATTRIBS);
+    let (mut size, mut ty, mut name) = ([0], [0], String::new());
+    let out = TextOut::String(&mut name);
+    c.get_transform_feedback_varying(program, 2, 64, &mut [], &mut size, &mut ty, out);
+    assert_eq!((&*name, size[0], ty[0]), ("Block[0].n", 3, GL_INT_VEC2));
+    buffer(&mut c, 1, 0, 10);
+    c.enable(GL_RASTERIZER_DISCARD);
+    c.begin_transform_feedback(GL_POINTS);
+    c.draw_arrays(GL_POINTS, 0, 1);
+    c.end_transform_feedback();
+    let [two, half] = [2.0_f32, 0.5].map(f32::to_bits);
+    let rest = [102, -2, 0, -1, 1, -1, 2, -1].map(|word: i32| word as u32);
+    assert_eq!(words(&mut c, 1, 10), [&[two, half][..], &rest].concat());
+    for wrong in ["Block[3].v", "Block[0].w", "Block[0].v[0]", "many[0].v", "Block.v", "Block.v[1]"]
+    {
+        let names = Names(vec![wrong]);
+        c.transform_feedback_varyings(program, 1, names, GL_INTERLEAVED_ATTRIBS);
+        c.link_program(program);
+        let log = log(&mut c, program);
+        assert!(log.contains("cannot capture"), "{wrong}: {log}");
+    }
+}
+
+/// Arrays without a size in blocks of arrays of arrays are as long as their largest index needs.
+#[test]
+fn arrays_in_arrays_of_blocks_get_their_size_from_indices() {
+    let mut c = context();
+    let vertex = "#version 150\n#extension GL_ARB_arrays_of_arrays : require\n\
+        out Block { vec2 a[][2]; } many[2][2];\n\
+        void main() { many[1][0].a[2][1] = vec2(3.0, 4.0); gl_Position = vec4(0.0); }";
+    let fragment = "#version 150\n#extension GL_ARB_arrays_of_arrays : require\n\
+        in Block { vec2 a[][2]; } many[2][2];\n\
+        out vec4 color;\n\
+        void main() { color = vec4(many[1][0].a[1][1], many[1][0].a[2][1]); }";
+    let program = shading::use_program(&mut c, vertex, fragment);
+    assert_eq!(log(&mut c, program), "");
+    c.draw_arrays(GL_POINTS, 0, 1);
+    fine(&mut c);
 }

@@ -1,6 +1,6 @@
 //! What a link finds: blocks and their uniforms, and what does not fit together.
 
-use super::{BEGIN, context, fine, of_block, of_uniform, shading};
+use super::{BEGIN, context, draw, fine, floats, of_block, of_uniform, shading};
 use gl_api::glsl::{Bindings, Options, Stage, compile, link};
 use gl_api::*;
 
@@ -234,4 +234,48 @@ fn without_the_extension_there_are_none() {
     }
     let names = "float std140, shared, column_major; void main() {}";
     assert!(compile(Stage::Fragment, names, &Options::default()).shader.is_some());
+}
+
+/// Each block of an array of arrays has a name and a buffer of its own (`ARB_arrays_of_arrays`).
+#[test]
+fn blocks_of_arrays_of_arrays_have_buffers_of_their_own() {
+    let mut c = context();
+    let vertex = "#version 150\n#extension GL_ARB_arrays_of_arrays : require\n\
+        uniform Block { float a[2]; } many[2][3];\n\
+        out float found[6]; out ivec2 lengths;\n\
+        void main() {\n\
+          found = float[6](many[0][0].a[1], many[0][1].a[1], many[0][2].a[1],\n\
+                           many[1][0].a[1], many[1][1].a[1], many[1][2].a[1]);\n\
+          lengths = ivec2(many.length(), many[1].length()); gl_Position = vec4(0.0);\n\
+        }";
+    let program = shading::use_program(&mut c, &vertex.replace("out ivec2", "flat out ivec2"), "");
+    let names = Names(vec!["found", "lengths"]);
+    c.transform_feedback_varyings(program, 2, names, GL_INTERLEAVED_ATTRIBS);
+    c.link_program(program);
+    c.use_program(program);
+    fine(&mut c);
+    for outer in 0..2 {
+        for inner in 0..3 {
+            let name = format!("Block[{outer}][{inner}]");
+            let index = c.get_uniform_block_index(program, &*name);
+            let binding = 3 * outer + inner + 1;
+            c.uniform_block_binding(program, index, binding);
+            floats(&mut c, binding, &[0.0, 0.0, 0.0, 0.0, binding as f32, 0.0, 0.0, 0.0]);
+            c.bind_buffer_base(GL_UNIFORM_BUFFER, binding, binding);
+        }
+    }
+    fine(&mut c);
+    let found = draw(&mut c, 8);
+    let expected: Vec<u32> = (1..7).map(|value| (value as f32).to_bits()).chain([2, 3]).collect();
+    assert_eq!(found, expected);
+    for (wrong, words) in [
+        ("many[0].a[1]", "an index is missing before the member"),
+        ("many[0][1][2].a[1]", "no array of them"),
+        ("float(many[0][1].length())", "no array of them"),
+    ] {
+        let vertex = vertex.replace("float[6](many[0][0].a[1]", &format!("float[6]({wrong}"));
+        let compiled = compile(Stage::Vertex, &vertex, &Options::default());
+        let log = compiled.log;
+        assert!(compiled.shader.is_none() && log.contains(words), "{wrong}: {log}");
+    }
 }

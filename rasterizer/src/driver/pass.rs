@@ -79,7 +79,7 @@ fn within(mut area: [[i32; 2]; 2], viewport: &Viewport) -> [[i32; 2]; 2] {
 pub struct Pass<'a> {
     resources: &'a Resources,
     thread_pool: &'a ThreadPool,
-    desc: &'a PassDesc,
+    desc: PassDesc,
     colors: Vec<Option<Surface>>,
     depth: Option<Surface>,
     /// The attachments of the layers behind the first, from when something is drawn to them.
@@ -106,8 +106,9 @@ impl<'a> Pass<'a> {
     pub fn begin(
         resources: &'a Resources,
         thread_pool: &'a ThreadPool,
-        desc: &'a PassDesc,
+        desc: &PassDesc,
     ) -> Option<Self> {
+        let desc = desc.pinned();
         let across = desc.width.div_ceil(TILE);
         let tiles = across as usize * desc.height.div_ceil(TILE) as usize;
         let attached = desc.colors.iter().map(|color| {
@@ -117,15 +118,14 @@ impl<'a> Pass<'a> {
         let colors: Vec<Option<Surface>> = attached.collect();
         let depth = desc.depth.as_ref();
         let depth = depth.and_then(|a| a.image.attach(a.face, a.level, thread_pool));
-        if !fits(desc, &colors, &depth) {
-            detach(desc, 0, LayerSurfaces { colors, depth }, resources.desc.isa);
+        if !fits(&desc, &colors, &depth) {
+            detach(&desc, 0, LayerSurfaces { colors, depth }, resources.desc.isa);
             return None;
         }
         let format = |surface: &Option<Surface>| surface.as_ref().map(|s| s.format);
         Some(Self {
             resources,
             thread_pool,
-            desc,
             formats: colors.iter().map(format).collect(),
             recent: Vec::new(),
             colors,
@@ -146,6 +146,7 @@ impl<'a> Pass<'a> {
             shapes: 0,
             merged: None,
             bound: BoundState::new(resources.desc.budget),
+            desc,
         })
     }
 
@@ -250,10 +251,10 @@ impl<'a> Pass<'a> {
     pub fn end(mut self, report: &mut SubmitReport) {
         self.run_tiles(report);
         let isa = self.resources.desc.isa;
-        detach(self.desc, 0, LayerSurfaces { colors: self.colors, depth: self.depth }, isa);
+        detach(&self.desc, 0, LayerSurfaces { colors: self.colors, depth: self.depth }, isa);
         for (layer, surfaces) in (1..).zip(self.more_layers) {
             if let Some(surfaces) = surfaces {
-                detach(self.desc, layer, surfaces, isa);
+                detach(&self.desc, layer, surfaces, isa);
             }
         }
     }

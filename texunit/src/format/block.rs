@@ -1,11 +1,12 @@
-//! Blocks of 4×4 texels: S3TC (`EXT_texture_compression_s3tc`, `EXT_texture_sRGB`) and RGTC
-//! (`ARB_texture_compression_rgtc`).
+//! Blocks of 4×4 texels: S3TC (`EXT_texture_compression_s3tc`, `EXT_texture_sRGB`), RGTC
+//! (`ARB_texture_compression_rgtc`) and BPTC (`ARB_texture_compression_bptc`).
 //!
 //! Texels stay compressed; a fetch decodes the one it needs. Every decoded value is a fraction of
 //! small integers, so it is computed as such and divided once: the nearest `f32` to the
 //! specification's formula (`quotient`). sRGB blocks are decoded first and made linear afterwards, by tables
 //! over all fractions that there are.
 
+mod bptc;
 mod encode;
 mod interpolated;
 mod quotient;
@@ -17,8 +18,9 @@ use quotient::{quotient, reciprocal};
 
 pub(crate) use super::properties::is_srgb_block;
 use super::words::{expand, words_of};
-use super::{Block, Format, srgb};
+use super::{Block, Encoding, Format, small_float, srgb};
 use crate::lanes::{F32s, LANES, Simd, U32s};
+use bptc::FloatSign;
 
 impl Block {
     /// How a channel is written, and the first word of its part of the block.
@@ -39,6 +41,9 @@ impl Block {
             (Self::Rgtc1Snorm | Self::Rgtc2Snorm, _) => {
                 (ChannelCode::Interpolated(Signed), 2 * (channel & 1))
             }
+            (Self::Bptc | Self::BptcUnsignedFloat | Self::BptcSignedFloat, _) => {
+                (ChannelCode::OfWholeTexels, 0)
+            }
         }
     }
 }
@@ -54,6 +59,8 @@ enum ChannelCode {
     Explicit,
     /// On the line between two bytes.
     Interpolated(Signedness),
+    /// In bits of the whole block: all channels are decoded together.
+    OfWholeTexels,
 }
 
 /// Which codes the two bits of a texel stand for.
@@ -189,6 +196,12 @@ pub fn decode_channel<S: Simd>(
                 out[lane] = interpolated(low[lane], high[lane], within[lane] & 15, signedness);
             }
         }
+        ChannelCode::OfWholeTexels => {
+            for lane in 0..LANES {
+                let block = [0, 1, 2, 3].map(|word| words[word][lane]);
+                out[lane] = whole_texel(format, block, within[lane] & 15)[channel];
+            }
+        }
     }
     out
 }
@@ -201,9 +214,89 @@ pub fn decode_lanes<S: Simd>(
     within: &U32s,
     out: &mut [F32s; 4],
 ) {
+    if is_decoded_whole(format) {
+        for lane in 0..LANES {
+            let block = [0, 1, 2, 3].map(|word| words[word][lane]);
+            let texel = whole_texel(format, block, within[lane] & 15);
+            for (out, channel) in out.iter_mut().zip(texel).take(format.channels()) {
+                out[lane] = channel;
+            }
+        }
+        return;
+    }
     for (channel, out) in out.iter_mut().enumerate().take(format.channels()) {
         *out = decode_channel::<S>(format, channel, words, within);
     }
+}
+
+/// Whether all channels of a texel are decoded together, which takes long: levels of such formats are decoded before they
+/// are sampled.
+pub(crate) const fn is_decoded_whole(format: Format) -> bool {
+    matches!(format.block(), Some(Block::Bptc | Block::BptcUnsignedFloat | Block::BptcSignedFloat))
+}
+
+/// The format with the colours of texels of a format that is decoded whole.
+pub(crate) const fn decoded_format(format: Format) -> Option<Format> {
+    match format.info().encoding {
+        Encoding::Block(Block::Bptc) => Some(Format::Rgba8),
+        Encoding::SrgbBlock(Block::Bptc) => Some(Format::Srgb8A8),
+        Encoding::Block(Block::BptcUnsignedFloat | Block::BptcSignedFloat) => Some(Format::Rgb16F),
+        Encoding::Block(
+            Block::Dxt1
+            | Block::Dxt3
+            | Block::Dxt5
+            | Block::Rgtc1
+            | Block::Rgtc1Snorm
+            | Block::Rgtc2
+            | Block::Rgtc2Snorm,
+        )
+        | Encoding::SrgbBlock(_)
+        | Encoding::Unorm
+        | Encoding::Snorm
+        | Encoding::Srgb
+        | Encoding::Float
+        | Encoding::SharedExponent
+        | Encoding::Uint
+        | Encoding::Sint => None,
+    }
+}
+
+/// The bits of a block, the lowest first.
+fn bits_of(words: [u32; 4]) -> u128 {
+    words.iter().rev().fold(0, |bits, word| bits << 32 | u128::from(*word))
+}
+
+/// The texel of a block in [`decoded_format`]: its bytes, little end first.
+pub(crate) fn decoded_bytes(format: Format, words: [u32; 4], at: u32) -> [u8; 6] {
+    let mut bytes = [0; 6];
+    let block = bits_of(words);
+    let sign = match format.block() {
+        Some(Block::BptcUnsignedFloat) => FloatSign::Unsigned,
+        Some(Block::BptcSignedFloat) => FloatSign::Signed,
+        _ => {
+            bytes[..4].copy_from_slice(&bptc::decode_unorm(block, at));
+            return bytes;
+        }
+    };
+    for (to, half) in bytes.chunks_exact_mut(2).zip(bptc::decode_floats(block, at, sign)) {
+        to.copy_from_slice(&(half as u16).to_le_bytes());
+    }
+    bytes
+}
+
+/// The stored channels of a texel of a format that is decoded whole.
+fn whole_texel(format: Format, words: [u32; 4], at: u32) -> [f32; 4] {
+    const BYTE: [f32; 2] = reciprocal(255);
+    let bytes = decoded_bytes(format, words, at);
+    if format.block() == Some(Block::Bptc) {
+        return [0, 1, 2, 3].map(|channel| match format.is_srgb_channel(channel) {
+            true => srgb::DECODE[usize::from(bytes[channel])],
+            false => quotient(f32::from(bytes[channel]), BYTE),
+        });
+    }
+    let half = |at: usize| u32::from(bytes[at]) | u32::from(bytes[at + 1]) << 8;
+    let [red, green, blue] = [0, 2, 4].map(|at| small_float::decode_half(half(at)));
+    [red, green, blue, 0.0]
 }
 
 /// The stored channels of one texel of a block; unused ones 0.
@@ -211,6 +304,9 @@ pub(crate) fn decode_channels(format: Format, words: [u32; 4], within: u32) -> [
     let mut out = [0.0; 4];
     let Some(block) = format.block() else { return out };
     let at = within & 15;
+    if is_decoded_whole(format) {
+        return whole_texel(format, words, at);
+    }
     for (channel, out) in out.iter_mut().enumerate().take(format.channels()) {
         let (code, first) = block.channel_code(channel);
         let (low, high) = (words[first], words[first + 1]);
@@ -226,6 +322,7 @@ pub(crate) fn decode_channels(format: Format, words: [u32; 4], within: u32) -> [
             ChannelCode::Punched => punched(low, high, at),
             ChannelCode::Explicit => explicit(low, high, at),
             ChannelCode::Interpolated(signedness) => interpolated(low, high, at, signedness),
+            ChannelCode::OfWholeTexels => whole_texel(format, words, at)[channel],
         };
     }
     out

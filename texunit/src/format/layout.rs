@@ -17,6 +17,12 @@ pub enum Block {
     Rgtc2,
     /// The same, signed.
     Rgtc2Snorm,
+    /// Colours on one to three lines, in eight modes.
+    Bptc,
+    /// The same of half floats without a sign.
+    BptcUnsignedFloat,
+    /// The same of half floats.
+    BptcSignedFloat,
 }
 
 impl Block {
@@ -26,7 +32,10 @@ impl Block {
             Self::Dxt1 => 1,
             Self::Dxt3 => 4,
             Self::Dxt5 => 8,
-            Self::Rgtc1 | Self::Rgtc1Snorm | Self::Rgtc2 | Self::Rgtc2Snorm => return 8,
+            Self::Rgtc1 | Self::Rgtc1Snorm | Self::Rgtc2 | Self::Rgtc2Snorm | Self::Bptc => {
+                return 8;
+            }
+            Self::BptcUnsignedFloat | Self::BptcSignedFloat => return 16,
         };
         [5, 6, 5, alpha][channel]
     }

@@ -52,6 +52,22 @@ impl Format {
         }
     }
 
+    /// Whether volumes may be of it: of any format without blocks, and of BPTC.
+    pub const fn has_volumes(self) -> bool {
+        match self.block() {
+            None | Some(Block::Bptc | Block::BptcUnsignedFloat | Block::BptcSignedFloat) => true,
+            Some(
+                Block::Dxt1
+                | Block::Dxt3
+                | Block::Dxt5
+                | Block::Rgtc1
+                | Block::Rgtc1Snorm
+                | Block::Rgtc2
+                | Block::Rgtc2Snorm,
+            ) => false,
+        }
+    }
+
     /// How many texels wide and high a unit of storage is: 4 of a compressed format, else 1.
     pub const fn block_side(self) -> u32 {
         if self.block().is_some() { 4 } else { 1 }
@@ -73,6 +89,7 @@ impl Format {
             Self::SrgbDxt1Rgba => Self::Dxt1Rgba,
             Self::SrgbDxt3 => Self::Dxt3,
             Self::SrgbDxt5 => Self::Dxt5,
+            Self::SrgbBptc => Self::Bptc,
             other => other,
         }
     }

@@ -1,6 +1,9 @@
 //! The table: one row per format, `Name: layout(base, encoding, …)`.
 
-use super::layout::Block::{Dxt1, Dxt3, Dxt5, Rgtc1, Rgtc1Snorm, Rgtc2, Rgtc2Snorm};
+use super::layout::Block::{
+    Bptc, BptcSignedFloat, BptcUnsignedFloat, Dxt1, Dxt3, Dxt5, Rgtc1, Rgtc1Snorm, Rgtc2,
+    Rgtc2Snorm,
+};
 use super::{BaseFormat, Encoding, Field, FormatInfo};
 use BaseFormat::{Alpha, Intensity, Luminance, LuminanceAlpha, Red, Rg, Rgb, Rgba};
 use Encoding::{Block, Float, SharedExponent, Sint, Snorm, Srgb, SrgbBlock, Uint, Unorm};
@@ -307,4 +310,12 @@ formats! {
     Latc2: Row::blocks(LuminanceAlpha, Block(Rgtc2), 16),
     /// RGTC's blocks as signed luminance and alpha.
     Latc2Snorm: Row::blocks(LuminanceAlpha, Block(Rgtc2Snorm), 16),
+    /// BPTC of bytes (`ARB_texture_compression_bptc`).
+    Bptc: Row::blocks(Rgba, Block(Bptc), 16),
+    /// sRGB-encoded BPTC of bytes.
+    SrgbBptc: Row::blocks(Rgba, SrgbBlock(Bptc), 16),
+    /// BPTC of half floats.
+    BptcSignedFloat: Row::blocks(Rgb, Block(BptcSignedFloat), 16),
+    /// BPTC of half floats without a sign.
+    BptcUnsignedFloat: Row::blocks(Rgb, Block(BptcUnsignedFloat), 16),
 }

@@ -1,6 +1,8 @@
 //! Compressed levels: decoding a row of texels, compressing a whole level.
 
 use super::Level;
+use crate::format::block::{decoded_bytes, decoded_format};
+use crate::format::convert::words_of;
 use crate::lanes::{F32s, Isa, Kernel, LANES, Simd, U32s};
 
 /// Bytes of a colour of four `f32`.
@@ -14,6 +16,28 @@ impl Level {
     /// When there is no such texel.
     pub fn channels_of_row_span(&self, isa: Isa, at: [u32; 3], out: &mut [F32s; 4]) {
         isa.run(FetchRowSpan { level: self, at, out });
+    }
+
+    /// The texels of a level that is decoded whole, in a format without blocks; `None` of others, and where there is no
+    /// memory.
+    pub(crate) fn decoded(&self) -> Option<Self> {
+        let format = decoded_format(self.format)?;
+        let mut level = Self::with_size(format, self.size(), [0; 3]).ok()?;
+        let (bytes, row) = (format.bytes(), level.row_bytes());
+        if level.row_bytes() == 0 || self.texels.is_blank() {
+            return Some(level);
+        }
+        let rows = level.texels.chunks_exact_mut(row).enumerate();
+        for (number, texels) in rows {
+            let (y, z) = (number as u32 % self.height, number as u32 / self.height);
+            for (x, texel) in (0..).zip(texels.chunks_exact_mut(bytes).take(self.width as usize)) {
+                let words = words_of(self.format, self.texel_at([x, y as i32, z as i32]));
+                let within = x as u32 % 4 + 4 * (y % 4);
+                let decoded = decoded_bytes(self.format, words, within);
+                texel.copy_from_slice(&decoded[..bytes]);
+            }
+        }
+        Some(level)
     }
 
     /// [`Level::fill`] of a level without border from colours of four `f32` each, tightly packed, as many as it has

@@ -47,9 +47,14 @@ impl Texture {
         let components = match self.format.info().encoding {
             Encoding::Unorm | Encoding::Srgb | Encoding::SrgbBlock(_) => ComponentsFact::Fractions,
             Encoding::Block(
-                Block::Dxt1 | Block::Dxt3 | Block::Dxt5 | Block::Rgtc1 | Block::Rgtc2,
+                Block::Dxt1 | Block::Dxt3 | Block::Dxt5 | Block::Rgtc1 | Block::Rgtc2 | Block::Bptc,
             ) => ComponentsFact::Fractions,
-            Encoding::Block(Block::Rgtc1Snorm | Block::Rgtc2Snorm)
+            Encoding::Block(
+                Block::Rgtc1Snorm
+                | Block::Rgtc2Snorm
+                | Block::BptcUnsignedFloat
+                | Block::BptcSignedFloat,
+            )
             | Encoding::Snorm
             | Encoding::Float
             | Encoding::SharedExponent

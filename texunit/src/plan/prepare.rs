@@ -6,6 +6,7 @@ use super::texel_class::TexelClass;
 use super::texture::{
     Alpha, Anisotropy, LevelSelection, SampleKernel, TexelPath, Texture, WhyGeneral,
 };
+use crate::format::block::is_decoded_whole;
 use crate::format::{BaseFormat, Block, Encoding, Format, shared_exponent, small_float};
 use crate::image::{FACES, Image, Incomplete, Level, Shape};
 use crate::lanes::math::clamp;
@@ -24,6 +25,9 @@ impl Texture {
         let mut levels = levels(image, reached.base, level_selection.last_level());
         if sampler.srgb == SrgbRead::AsIs {
             levels.iter_mut().flatten().for_each(without_srgb);
+        }
+        if let Some(decoded) = decoded(&levels) {
+            levels = decoded;
         }
         if shape == Shape::CubeArray {
             // Kernels index levels by face; `LevelView::slice` selects the slice of the face.
@@ -128,9 +132,11 @@ fn border_channel(format: Format, channel: usize, border: Border, from: usize) -
         Encoding::Unorm
         | Encoding::Srgb
         | Encoding::SrgbBlock(_)
-        | Encoding::Block(Block::Dxt1 | Block::Dxt3 | Block::Dxt5 | Block::Rgtc1 | Block::Rgtc2) => {
-            clamp(number, 0.0, 1.0)
-        }
+        | Encoding::Block(
+            Block::Dxt1 | Block::Dxt3 | Block::Dxt5 | Block::Rgtc1 | Block::Rgtc2 | Block::Bptc,
+        ) => clamp(number, 0.0, 1.0),
+        Encoding::Block(Block::BptcUnsignedFloat) => clamp(number, 0.0, f32::MAX),
+        Encoding::Block(Block::BptcSignedFloat) => clamp(number, f32::MIN, f32::MAX),
         Encoding::Float => small_float::clamp_to_range(number, info.fields[channel].bits),
         // `clamp` gives the lower bound where the number is NaN.
         Encoding::SharedExponent => clamp(number, 0.0, shared_exponent::LARGEST),
@@ -143,6 +149,16 @@ fn without_srgb(level: &mut Arc<Level>) {
         let format = level.format.without_srgb();
         *level = Arc::new(Level { format, ..Level::clone(level) });
     }
+}
+
+/// Levels whose texels take long to decode, as plain texels; `None` if they are others, or there is no memory.
+fn decoded(levels: &[Vec<Arc<Level>>]) -> Option<Vec<Vec<Arc<Level>>>> {
+    let is_slow = |level: &Arc<Level>| is_decoded_whole(level.format);
+    if !levels.iter().flatten().any(is_slow) {
+        return None;
+    }
+    let faces = levels.iter();
+    faces.map(|face| face.iter().map(|level| level.decoded().map(Arc::new)).collect()).collect()
 }
 
 /// The levels of each face from `base` on: `last` more, and the consistent levels after them.

@@ -13,8 +13,9 @@ const CLIENT_EXTENSIONS: &CStr = c"EGL_EXT_client_extensions EGL_EXT_device_base
 /// Extensions of every display.
 const EXTENSIONS: &CStr = c"EGL_EXT_create_context_robustness EGL_KHR_config_attribs \
     EGL_KHR_create_context EGL_KHR_create_context_no_error EGL_KHR_fence_sync \
-    EGL_KHR_get_all_proc_addresses EGL_KHR_no_config_context EGL_KHR_surfaceless_context \
-    EGL_KHR_wait_sync";
+    EGL_KHR_get_all_proc_addresses EGL_KHR_gl_renderbuffer_image EGL_KHR_gl_texture_2D_image \
+    EGL_KHR_gl_texture_3D_image EGL_KHR_gl_texture_cubemap_image EGL_KHR_image_base \
+    EGL_KHR_no_config_context EGL_KHR_surfaceless_context EGL_KHR_wait_sync";
 /// `EGL_EXT_device_query_name`, which the registry does not have yet.
 const EGL_RENDERER_EXT: Int = 0x335F;
 /// Extensions of the device.
@@ -83,6 +84,7 @@ pub(super) fn terminate(dpy: Handle) -> Result<u32> {
     let mut registry = registry();
     registry.initialized.retain(|&other| other != id);
     registry.syncs.retain(|_, display| *display != id);
+    registry.images.retain(|_, (display, _)| *display != id);
     let contexts: Vec<_> = registry.contexts.iter().filter(|row| row.1.display == id).collect();
     let contexts: Vec<_> = contexts.into_iter().map(|row| *row.0).collect();
     for context in contexts {

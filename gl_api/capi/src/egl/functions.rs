@@ -1,8 +1,8 @@
 //! The table of EGL's functions: C's name and parameters, and what does the work.
 
-use super::error::{Code, call, fail};
+use super::error::{Code, call};
 use super::raw::{Attrib, Handle, Int, attributes, int_attributes};
-use super::{choose, constants, context, current, display, registry, surface, sync, thread};
+use super::{choose, constants, context, current, display, image, surface, sync, thread};
 use std::ffi::c_char;
 
 macro_rules! functions {
@@ -127,15 +127,12 @@ functions! {
     eglGetSyncAttribKHR(dpy: Handle, sync: Handle, attribute: Int, value: *mut Int) -> u32
         => sync::get_attrib(dpy, sync, attribute, value);
 
-    eglCreateImage(dpy: Handle, _context: Handle, _target: u32, _buffer: Handle, _list: *const Attrib)
-        -> Handle => {
-            registry::registry().display(dpy)?;
-            fail(Code::BadParameter, "target: there are no images")
-        };
-    eglDestroyImage(dpy: Handle, _image: Handle) -> u32 => {
-        registry::registry().display(dpy)?;
-        fail(Code::BadParameter, "image is none: there are no images")
-    };
+    eglCreateImage(dpy: Handle, context: Handle, target: u32, buffer: Handle, list: *const Attrib)
+        -> Handle => image::create(dpy, context, target, buffer, &attributes(list));
+    eglCreateImageKHR(dpy: Handle, context: Handle, target: u32, buffer: Handle, list: *const Int)
+        -> Handle => image::create(dpy, context, target, buffer, &int_attributes(list));
+    eglDestroyImage(dpy: Handle, image: Handle) -> u32 => image::destroy(dpy, image);
+    eglDestroyImageKHR(dpy: Handle, image: Handle) -> u32 => image::destroy(dpy, image);
 }
 
 /// `EGLAttrib`, as what an `EGLint` fits into.

@@ -11,13 +11,14 @@
 //! | [`thread`] | what belongs to a thread |
 //! | [`error`] | refusals, and `eglGetError` |
 //! | [`config`] | the table of configs |
-//! | [`registry`] | displays, contexts, surfaces and syncs by handle |
+//! | [`registry`] | displays, contexts, surfaces, syncs and images by handle |
 //! | [`choose`] | `eglChooseConfig` |
 //! | [`display`] | platforms, devices, `eglInitialize`, `eglQueryString` |
 //! | [`surface`] | pbuffers |
 //! | [`context`] | `eglCreateContext` and its attributes |
 //! | [`current`] | `eglMakeCurrent` |
 //! | [`sync`] | fences |
+//! | [`image`] | EGL images |
 //! | [`functions`] | the table of functions |
 
 mod choose;
@@ -28,6 +29,7 @@ pub(crate) mod current;
 pub(crate) mod display;
 pub(crate) mod error;
 mod functions;
+mod image;
 pub(crate) mod raw;
 pub(crate) mod registry;
 mod surface;

@@ -1,10 +1,10 @@
-//! Displays, contexts, surfaces and syncs by handle.
+//! Displays, contexts, surfaces, syncs and images by handle.
 
 use super::config::Config;
 use super::error::{Code, Result, fail};
 use super::raw::{Handle, Id};
 use super::thread::{Api, ThreadId};
-use gl_api::host::{self, ShareHandle, Surface};
+use gl_api::host::{self, EglImage, ShareHandle, Surface};
 use gl_api::{Context, ResetNotification};
 use std::collections::BTreeMap;
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -123,6 +123,8 @@ pub(crate) struct Registry {
     pub surfaces: BTreeMap<Id, SurfaceEntry>,
     /// Fences, and the display of each.
     pub syncs: BTreeMap<Id, Id>,
+    /// Images, and the display of each.
+    pub images: BTreeMap<Id, (Id, EglImage)>,
 }
 
 static REGISTRY: Mutex<Registry> = Mutex::new(Registry {
@@ -131,6 +133,7 @@ static REGISTRY: Mutex<Registry> = Mutex::new(Registry {
     contexts: BTreeMap::new(),
     surfaces: BTreeMap::new(),
     syncs: BTreeMap::new(),
+    images: BTreeMap::new(),
 });
 
 /// Locks the registry. Nothing is half done in it when a panic lets go of it.

@@ -6,6 +6,7 @@ mod current;
 mod glu;
 mod glx;
 mod handles;
+mod images;
 mod info;
 mod lengths;
 mod memory;

@@ -23,8 +23,8 @@ const SECTION: &str = "4.3.7";
 pub(super) struct Instance {
     /// The block's name.
     pub block: Arc<str>,
-    /// Whether there is an array of instances.
-    pub is_array: bool,
+    /// How many dimensions the array of instances has; 0 of one instance.
+    pub dimensions: usize,
     /// Its members.
     pub members: InstanceMembers,
 }
@@ -38,6 +38,17 @@ pub(super) enum InstanceMembers {
     Uniform(VarRef),
     /// The built-in variables of the vertices that the geometry stage takes: `gl_in`.
     PerVertex,
+}
+
+/// An expression without the indices behind it, and these.
+fn taken_apart(mut base: &ast::Expr) -> (&ast::Expr, Vec<&ast::Expr>) {
+    let mut indices = Vec::new();
+    while let ast::ExprKind::Index(array, index) = &base.kind {
+        indices.push(&**index);
+        base = array;
+    }
+    indices.reverse();
+    (base, indices)
 }
 
 impl Checker<'_> {
@@ -89,10 +100,10 @@ impl Checker<'_> {
         let block = Arc::new(InterfaceBlock {
             name: name.text.clone(),
             is_named: instance.is_some(),
-            is_array: !array.is_empty(),
+            dimensions: array.len(),
             members: members.iter().flat_map(|m| &m.names).map(|m| m.name.text.clone()).collect(),
         });
-        if (self.stage, way) == (Stage::Geometry, Qualifier::In) && !block.is_array {
+        if (self.stage, way) == (Stage::Geometry, Qualifier::In) && block.dimensions == 0 {
             let message = "a block of inputs of the geometry stage is an array, with an element for \
                            each vertex";
             let problem = Diagnostic::error(name.span, message).rule(self.rule("4.3.4"));
@@ -111,7 +122,7 @@ impl Checker<'_> {
         }
         let per_vertex = (self.stage, way) == (Stage::Geometry, Qualifier::In);
         if let Some(first) = location {
-            if block.is_array && !per_vertex {
+            if block.dimensions > 0 && !per_vertex {
                 let message = "an array of blocks has no location";
                 let problem = Diagnostic::error(name.span, message);
                 self.log.push(problem.rule("ARB_separate_shader_objects"));
@@ -121,7 +132,7 @@ impl Checker<'_> {
         let Some(instance) = instance else { return };
         self.check_new(&instance.name);
         let members = InstanceMembers::Variables(variables);
-        self.add_instance(&instance.name, &block.name, block.is_array, members);
+        self.add_instance(&instance.name, &block.name, block.dimensions, members);
     }
 
     /// Gives the members of a block consecutive locations from `next` on. Where `per_vertex`, they are arrays with an
@@ -218,11 +229,11 @@ impl Checker<'_> {
         &mut self,
         name: &ast::Name,
         block: &Arc<str>,
-        is_array: bool,
+        dimensions: usize,
         members: InstanceMembers,
     ) {
         let index = self.instances.len() as u32;
-        self.instances.push(Instance { block: block.clone(), is_array, members });
+        self.instances.push(Instance { block: block.clone(), dimensions, members });
         self.scopes.add(name.text.clone(), Symbol::Instance(index));
     }
 
@@ -233,30 +244,26 @@ impl Checker<'_> {
             Some(Symbol::Instance(index)) => self.instances.get(*index as usize).cloned(),
             None if &**name == "gl_in" && self.stage == Stage::Geometry => Some(Instance {
                 block: "gl_PerVertex".into(),
-                is_array: true,
+                dimensions: 1,
                 members: InstanceMembers::PerVertex,
             }),
             Some(_) | None => None,
         }
     }
 
-    /// `instance.member` or `instance[i].member`; `None` if `base` is something else.
+    /// `instance.member`, `instance[i].member` or `instance[i][j].member`; `None` if `base` is something else.
     pub(super) fn instance_member(
         &mut self,
         base: &ast::Expr,
         name: &ast::Name,
         span: Span,
     ) -> Option<Expr> {
-        let (root, index) = if let ast::ExprKind::Index(root, index) = &base.kind {
-            (&**root, Some(&**index))
-        } else {
-            (base, None)
-        };
+        let (root, indices) = taken_apart(base);
         let instance = self.instance_named(root)?;
-        if instance.is_array != index.is_some() {
-            let message = match index {
-                None => "this is an array of blocks: an index is missing before the member",
-                Some(_) => "this is one block, and no array of them",
+        if instance.dimensions != indices.len() {
+            let message = match indices.len() < instance.dimensions {
+                true => "this is an array of blocks: an index is missing before the member",
+                false => "this is one block, and no array of them",
             };
             self.error(base.span, SECTION, message);
             return Some(Expr::error(span));
@@ -291,30 +298,30 @@ impl Checker<'_> {
         self.note_use(var);
         let ty = self.variable(var).ty.clone();
         let whole = Expr { ty, span: base.span, constant: false, kind: ExprKind::Var(var) };
-        let element = match index {
-            None => whole,
-            Some(index) => {
-                let index = self.expr(index);
-                let is_uniform = matches!(instance.members, InstanceMembers::Uniform(_));
-                if is_uniform && !index.constant && !index.is_error() {
-                    let message = "blocks of uniforms are indexed by constant expressions only";
-                    self.error(index.span, SECTION, message);
-                }
-                self.indexed(whole, index, span)
+        let mut element = whole;
+        for index in indices {
+            let index = self.expr(index);
+            let is_uniform = matches!(instance.members, InstanceMembers::Uniform(_));
+            if is_uniform && !index.constant && !index.is_error() {
+                let message = "blocks of uniforms are indexed by constant expressions only";
+                self.error(index.span, SECTION, message);
             }
-        };
+            element = self.indexed(element, index, span);
+        }
         Some(match &instance.members {
             InstanceMembers::Variables(_) | InstanceMembers::PerVertex => element,
             InstanceMembers::Uniform(_) => self.member_of(element, name, span),
         })
     }
 
-    /// `instances.length()`; `None` if the name is no instance.
+    /// `instances.length()` or `instances[i].length()`; `None` if the name is no instance.
     pub(super) fn instance_count(&mut self, base: &ast::Expr, span: Span) -> Option<Expr> {
-        let instance = self.instance_named(base)?;
+        let (root, indices) = taken_apart(base);
+        let instance = self.instance_named(root)?;
         let var = match &instance.members {
             InstanceMembers::Uniform(var) => Some(*var),
             InstanceMembers::Variables(all) => all.first().map(|(_, var)| *var),
+            InstanceMembers::PerVertex if !indices.is_empty() => None,
             InstanceMembers::PerVertex => {
                 let vertices = self.unit.geometry.input.map(|input| input.vertices().into());
                 let Some(vertices) = vertices else {
@@ -326,11 +333,18 @@ impl Checker<'_> {
                 return Some(super::expr::word(span, INT, vertices));
             }
         };
-        let ty = var.map(|var| self.variable(var).ty.clone());
-        if let (true, Some(Type::Array(_, Some(len)))) = (instance.is_array, ty) {
+        let mut ty = var.map(|var| self.variable(var).ty.clone());
+        for _ in &indices {
+            ty = match ty {
+                Some(Type::Array(element, _)) => Some(*element),
+                Some(_) | None => None,
+            };
+        }
+        let is_array = indices.len() < instance.dimensions;
+        if let (true, Some(Type::Array(_, Some(len)))) = (is_array, ty) {
             return Some(super::expr::word(span, INT, len));
         }
-        let message = match instance.is_array {
+        let message = match is_array {
             true => "the number of instances is not known here",
             false => "this is one block, and no array of them",
         };

@@ -34,7 +34,7 @@ impl Checker<'_> {
             (Stage::Vertex, false) => instance.is_none(),
             (Stage::Geometry, false) => instance.is_none(),
             (Stage::Geometry, true) => instance.is_some_and(|instance| {
-                &*instance.name.text == "gl_in" && !instance.array.is_empty()
+                &*instance.name.text == "gl_in" && instance.array.len() == 1
             }),
             (Stage::Vertex, true) | (Stage::Fragment, _) => {
                 let way = if is_input { "input" } else { "output" };

@@ -187,10 +187,8 @@ pub(super) fn settle_arrays(variables: &mut [Variable]) {
             variable.ty = Type::Array(element.clone(), Some(variable.min_len.max(1)));
             variable.implicitly_sized = true;
         }
-        let inner_len = variable.inner_min_len.max(1);
-        if let Type::Array(element, _) = &mut variable.ty
-            && let Type::Array(_, len @ None) = &mut **element
-        {
+        let (inner_len, depth) = (variable.inner_min_len.max(1), variable.inner_depth());
+        if let Some(len @ None) = variable.ty.inner_size_mut(depth) {
             *len = Some(inner_len);
             variable.inner_implicitly_sized = true;
         }

@@ -115,10 +115,8 @@ impl Checker<'_> {
             self.log.push(Diagnostic::error(span, message).rule(rule));
         } else if let (ExprKind::Var(var), Type::Array(..)) = (&base.kind, &base.ty) {
             self.note_constant_index(*var, value + 1);
-        } else if let ExprKind::Index(array, _) = &base.kind
-            && let (ExprKind::Var(var), None) = (&array.kind, len)
-        {
-            let variable = self.variable_mut(*var);
+        } else if let (ExprKind::Index(..), Some(var), None) = (&base.kind, base.root(), len) {
+            let variable = self.variable_mut(var);
             variable.inner_min_len = variable.inner_min_len.max(value + 1);
         }
     }

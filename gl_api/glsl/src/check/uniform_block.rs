@@ -178,7 +178,7 @@ impl Checker<'_> {
             }
             self.check_new(&instance.name);
             let members = InstanceMembers::Uniform(var);
-            self.add_instance(&instance.name, &block.name, !instance.array.is_empty(), members);
+            self.add_instance(&instance.name, &block.name, instance.array.len(), members);
         }
         let binding = qualifiers.iter().find_map(|&(qualifier, span)| {
             if let Qualifier::Binding(binding) = qualifier { Some((binding, span)) } else { None }

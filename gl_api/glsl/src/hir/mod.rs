@@ -173,8 +173,8 @@ pub struct InterfaceBlock {
     pub name: Arc<str>,
     /// Whether its members are written with the name of an instance.
     pub is_named: bool,
-    /// Whether there is an array of instances.
-    pub is_array: bool,
+    /// How many dimensions the array of instances has; 0 of one instance.
+    pub dimensions: usize,
     /// The names of its members.
     pub members: Vec<Arc<str>>,
 }
@@ -198,7 +198,7 @@ pub struct Variable {
     pub dynamically_indexed: bool,
     /// Of an array: one more than the largest constant index.
     pub min_len: u32,
-    /// The same of an array in an array.
+    /// The same of an array in an array ([`Variable::inner_depth`]).
     pub inner_min_len: u32,
     /// How many references to it there are.
     pub references: u32,
@@ -223,6 +223,12 @@ pub struct Variable {
 }
 
 impl Variable {
+    /// How many arrays are around the inner array whose size may come from its indices: those of a block's instances, or the
+    /// vertices.
+    pub fn inner_depth(&self) -> usize {
+        self.member_of.as_ref().map_or(1, |block| block.dimensions.max(1))
+    }
+
     /// A variable without references, declared at `span`.
     pub fn new(name: Arc<str>, ty: Type, storage: Storage, span: Span) -> Self {
         Self {

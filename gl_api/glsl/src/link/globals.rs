@@ -125,11 +125,12 @@ fn unify_inner_sizes<'a>(units: &mut [Arc<Unit>], key: impl Fn(&Unit, &Variable)
     for (unit, global) in implicit {
         let len = longest.get(&key(&units[unit], &units[unit].globals[global])).copied();
         let variable = &mut Arc::make_mut(&mut units[unit]).globals[global];
-        if let Type::Array(inner, Some(count)) = &mut variable.ty
-            && let (Type::Array(element, size), Some(len)) = (&mut **inner, len)
-            && element.scalars().saturating_mul(len).saturating_mul(*count) <= MAX_SCALARS
-        {
-            *size = Some(len);
+        let mut longer = variable.ty.clone();
+        if let (Some(size), Some(_)) = (longer.inner_size_mut(variable.inner_depth()), len) {
+            *size = len;
+        }
+        if longer.scalars() <= MAX_SCALARS {
+            variable.ty = longer;
         }
     }
 }

@@ -108,6 +108,14 @@ fn conventional(vertex: &StageUnits<'_>) -> Vec<Attribute> {
     vertex.used.iter().filter_map(attribute).collect()
 }
 
+/// The names of the integers that the stage reads and no array holds.
+pub fn vertex_numbers(vertex: &StageUnits<'_>) -> Vec<String> {
+    let is_number = |variable: &&&Variable| {
+        [Builtin::VertexId, Builtin::InstanceId].map(Storage::Builtin).contains(&variable.storage)
+    };
+    vertex.used.iter().filter(is_number).map(|variable| variable.name.to_string()).collect()
+}
+
 /// Gives the outputs of the fragment stage their colour attachments: name and attachment of each.
 pub fn targets(
     fragment: &StageUnits<'_>,

@@ -97,6 +97,7 @@ fn build(
         Some(vertex) => locations::attributes(vertex, bindings, &mut in_vertex, log),
         None => Vec::new(),
     };
+    let vertex_numbers = vertex.as_ref().map_or_else(Vec::new, locations::vertex_numbers);
     if let Some(geometry) = &geometry {
         let stages = (vertex.as_ref(), Some(geometry));
         let next = varyings::varyings(stages, [&mut in_vertex, &mut in_geometry], matching, log);
@@ -142,6 +143,7 @@ fn build(
         geometry,
         fragment,
         attributes,
+        vertex_numbers,
         uniforms: uniforms.list,
         explicit_locations: uniforms.explicit,
         members: blocks.members,

@@ -13,7 +13,7 @@ use crate::program::{BufferMode, Capture, CaptureRequest, Captured, CapturedItem
 use crate::text::diagnostics::{Diagnostic, Log};
 use crate::text::spelling::closest;
 use crate::types::Type;
-use rasterizer::ir::{Output, Ty};
+use rasterizer::ir::{Output, Stage, Ty};
 
 const RULE: &str = "GL 3.0 section 2.15";
 
@@ -84,7 +84,15 @@ fn find(
     in_vertex: &mut BindingMap,
 ) -> Result<Captured, String> {
     let Some(vertex) = vertex else { return Err("there is no vertex shader".to_owned()) };
-    let named = |variable: &&Variable| *variable.public_name() == *wanted;
+    // Of an array of blocks, `block[i].member` is named (GL 3.2 section 2.11.4).
+    let (name, instance) = match of_instance(wanted) {
+        Some((name, instance)) => (name, Some(instance)),
+        None => (wanted.to_owned(), None),
+    };
+    let named = |variable: &&Variable| {
+        let is_array = variable.member_of.as_ref().is_some_and(|block| block.dimensions == 1);
+        *variable.public_name() == *name && (instance.is_none() || is_array)
+    };
     let is_output = |variable: &&Variable| matches!(variable.storage, Storage::Output(_));
     let declared = vertex.declared().filter(is_output).find(named);
     let Some(variable) = declared.or_else(|| vertex.used.iter().copied().find(named)) else {
@@ -94,6 +102,9 @@ fn find(
         let stage = stage_name(vertex.stage);
         return Err(format!("the {stage} shader has no such output{near}"));
     };
+    if instance.is_none() && variable.member_of.as_ref().is_some_and(|block| block.dimensions > 0) {
+        return Err("it is in an array of blocks: write which, as `block[0].member`".to_owned());
+    }
     let native = match variable.storage {
         Storage::Output(_) => None,
         Storage::Builtin(Builtin::Varying(first)) => Some(first),
@@ -102,8 +113,11 @@ fn find(
             | Builtin::PointSize
             | Builtin::ClipVertex
             | Builtin::ClipDistance
-            | Builtin::CullDistance,
+            | Builtin::CullDistance
+            | Builtin::Layer
+            | Builtin::ViewportIndex,
         ) => None,
+        Storage::Builtin(Builtin::PrimitiveId) if vertex.stage == Stage::Geometry => None,
         Storage::Builtin(
             Builtin::InstanceId
             | Builtin::VertexId
@@ -113,8 +127,6 @@ fn find(
             | Builtin::PointCoord
             | Builtin::PrimitiveId
             | Builtin::PrimitiveIdIn
-            | Builtin::Layer
-            | Builtin::ViewportIndex
             | Builtin::Incoming(_)
             | Builtin::FragColor
             | Builtin::FragData
@@ -158,25 +170,35 @@ fn find(
         }
     });
     let mut scalars = scalars(&types, first);
-    let (element_ty, mut size) = match &variable.ty {
+    let mut captured = &variable.ty;
+    for index in instance.into_iter().chain(element) {
+        let Type::Array(element, size) = captured else {
+            return Err("it is no array".to_owned());
+        };
+        let size = size.unwrap_or(0);
+        if index >= size {
+            return Err(format!("the array has {size} elements"));
+        }
+        let each = element.scalars() as usize;
+        scalars = scalars.split_off(index as usize * each);
+        scalars.truncate(each);
+        captured = element;
+    }
+    let (element_ty, size) = match captured {
         Type::Array(element, size) => (&**element, size.unwrap_or(0)),
         ty => (ty, 1),
     };
-    if let Some(element) = element {
-        if !matches!(variable.ty, Type::Array(..)) {
-            return Err("it is no array".to_owned());
-        }
-        if element >= size {
-            return Err(format!("the array has {size} elements"));
-        }
-        let each = element_ty.scalars() as usize;
-        scalars = scalars.split_off(element as usize * each);
-        scalars.truncate(each);
-        size = 1;
-    }
     let Some(ty) = element_ty.data_type() else { return Err(format!("it is of {element_ty}")) };
     let name = wanted.to_owned();
     Ok(Captured { name, item: CapturedItem::Varying(ty), size, scalars })
+}
+
+/// `block[i].member` as `block.member` and `i`.
+fn of_instance(name: &str) -> Option<(String, u32)> {
+    let (block, rest) = name.split_once('[')?;
+    let (index, member) = rest.split_once("].")?;
+    let is_number = index.bytes().all(|byte| byte.is_ascii_digit());
+    is_number.then(|| Some((format!("{block}.{member}"), index.parse().ok()?))).flatten()
 }
 
 /// The outputs of scalars of these types, from a slot on.

@@ -280,15 +280,18 @@ fn different_blocks(
     read: &InterfaceBlock,
     reader: Stage,
 ) -> Option<&'static str> {
-    let reads_array = match reader {
-        // One dimension is that of the vertices, and blocks have no more.
-        Stage::Geometry => false,
-        Stage::Vertex | Stage::Fragment => read.is_array,
+    let dimensions = match reader {
+        // One is that of the vertices.
+        Stage::Geometry => read.dimensions.saturating_sub(1),
+        Stage::Vertex | Stage::Fragment => read.dimensions,
     };
     if written.members != read.members {
         Some("has other members, or in another order, in the next stage")
-    } else if written.is_array != reads_array {
-        Some("is an array of instances in one stage only")
+    } else if written.dimensions != dimensions {
+        Some(match written.dimensions == 0 || dimensions == 0 {
+            true => "is an array of instances in one stage only",
+            false => "is an array of instances of other dimensions in the next stage",
+        })
     } else {
         None
     }

@@ -196,6 +196,20 @@ impl Type {
         matches!(self, Self::Array(element, len) if len.is_none() || element.is_unsized())
     }
 
+    /// The size of the array that is this many arrays inside of it.
+    pub fn inner_size_mut(&mut self, depth: usize) -> Option<&mut Option<u32>> {
+        match self {
+            Self::Array(_, size) if depth == 0 => Some(size),
+            Self::Array(element, _) => element.inner_size_mut(depth - 1),
+            Self::Void
+            | Self::Vector(..)
+            | Self::Matrix(..)
+            | Self::Sampler(_)
+            | Self::Struct(_)
+            | Self::Error => None,
+        }
+    }
+
     /// Itself, with the sizes of `other` in its unsized dimensions, if that makes it `other`.
     pub fn sized_as(self, other: &Self) -> Self {
         if self.is_unsized() && self.fits(other) { other.clone() } else { self }

@@ -13,7 +13,7 @@ use crate::objects::framebuffers::{
 };
 use crate::objects::target::{FACE_TARGET, TextureTarget};
 use crate::pixel::component_bits::{Component, component_bits};
-use texunit::format::{Encoding, Format};
+use texunit::format::{Block, Encoding, Format};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Property {
@@ -82,6 +82,7 @@ fn component_type(context: &Context, format: Format, point: AttachmentPoint) -> 
         Encoding::Snorm => GL_SIGNED_NORMALIZED,
         Encoding::Uint => GL_UNSIGNED_INT,
         Encoding::Sint => GL_INT,
+        Encoding::Block(Block::BptcUnsignedFloat | Block::BptcSignedFloat) => GL_FLOAT,
         Encoding::Unorm | Encoding::Srgb | Encoding::Block(_) | Encoding::SrgbBlock(_) => {
             GL_UNSIGNED_NORMALIZED
         }

@@ -11,6 +11,7 @@ use crate::calls::framebuffer::attach::detach;
 use crate::context::Context;
 use crate::context::window::texels;
 use crate::objects::bound::Bound;
+use crate::objects::egl_images::Specified;
 use crate::objects::name_table::{Sweep, listed};
 use crate::objects::renderbuffers::{RENDERBUFFER_TARGET, Renderbuffer};
 use crate::pixel::component_bits::{Component, component_bits};
@@ -199,8 +200,10 @@ impl StorageRequest {
         let image = object(context, &renderbuffer)?.image.clone();
         // What was recorded draws to the image as it was.
         crate::draw::pass::submit_draws_to(context, &image);
+        let renderbuffer = object(context, &renderbuffer)?;
+        renderbuffer.siblings.specify(&image, Specified::All);
         image.replace(texels, samples, MultisampleStorage::Resolved);
-        object(context, &renderbuffer)?.format = format;
+        renderbuffer.format = format;
         Ok(())
     }
 }

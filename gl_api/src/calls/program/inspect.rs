@@ -12,7 +12,7 @@ use crate::calls::program::similar_names::NamedResource;
 use crate::calls::program::uniform::{at_location, element_words};
 use crate::calls::program::varyings::BUFFER_MODE;
 use crate::context::Context;
-use crate::glsl::{DataType, FragmentOutput, Member, Scalar, Separable};
+use crate::glsl::{DataType, FragmentOutput, Member, Program, Scalar, Separable};
 use crate::interface::MAX_VERTEX_ATTRIBS;
 use crate::objects::programs::{Linked, ProgramObject};
 use crate::objects::shaders::{c_length, put_text};
@@ -84,7 +84,6 @@ pub(crate) fn get_programiv(
     let object = program(context, name)?;
     let property = PROPERTY.decode("pname", pname)?;
     let linked = object.linked().map(|linked| &linked.program);
-    let attributes = linked.map_or(&[][..], |linked| &linked.attributes);
     let captured = linked.map_or(&[][..], |linked| &linked.captured);
     let blocks = linked.map_or(&[][..], |linked| &linked.blocks);
     let value = match property {
@@ -96,9 +95,12 @@ pub(crate) fn get_programiv(
         Property::Separable => (object.separable == Separable::Yes).into(),
         Property::LogLength => c_length(&object.log),
         Property::AttachedShaders => object.attached.len() as GLint,
-        Property::ActiveAttributes => attributes.len() as GLint,
+        Property::ActiveAttributes => {
+            linked.map_or(0, |linked| active_attributes(linked).count()) as GLint
+        }
         Property::ActiveAttributeMaxLength => {
-            attributes.iter().map(|attribute| c_length(&attribute.name)).max().unwrap_or(0)
+            let names = linked.into_iter().flat_map(active_attributes);
+            names.map(|(name, ..)| c_length(name)).max().unwrap_or(0)
         }
         Property::ActiveUniforms => active_uniforms(object).count() as GLint,
         Property::ActiveUniformMaxLength => {
@@ -271,15 +273,25 @@ pub(crate) fn get_active_attrib(
     out: TextOut<'_>,
 ) -> Result<()> {
     let object = program(context, name)?;
-    let attributes = object.linked().map_or(&[][..], |linked| &linked.program.attributes);
-    let Some(attribute) = attributes.get(index as usize) else {
+    let linked = object.linked().map(|linked| &linked.program);
+    let mut attributes = linked.into_iter().flat_map(active_attributes);
+    let Some(attribute) = attributes.nth(index as usize) else {
+        let count = linked.map_or(0, |linked| active_attributes(linked).count());
         return invalid_value(
             SECTION,
-            format!("index = {index} must be below GL_ACTIVE_ATTRIBUTES, {}", attributes.len()),
+            format!("index = {index} must be below GL_ACTIVE_ATTRIBUTES, {count}"),
         );
     };
-    let elements = attribute.array.unwrap_or(1);
-    put_variable((&attribute.name, attribute.ty, elements), max_length, length, size, ty, out)
+    put_variable(attribute, max_length, length, size, ty, out)
+}
+
+/// Name, type and elements of what the vertex stage reads of each vertex.
+fn active_attributes(program: &Program) -> impl Iterator<Item = (&str, DataType, u32)> {
+    let int = DataType::Vector(Scalar::Int, 1);
+    let attributes = program.attributes.iter();
+    let attributes =
+        attributes.map(|attribute| (&*attribute.name, attribute.ty, attribute.array.unwrap_or(1)));
+    attributes.chain(program.vertex_numbers.iter().map(move |name| (&**name, int, 1)))
 }
 
 /// A name with an index at its end, taken apart: `a[2]` is `a` and 2.

@@ -159,12 +159,19 @@ fn are_compatible(a: Format, b: Format) -> bool {
         (Some(_), None) => same_size && is_in_a_view_class(b),
         (None, Some(_)) => same_size && is_in_a_view_class(a),
         // Signed or not.
-        (Some(_), Some(_)) => is_rgtc(a) && is_rgtc(b) && same_size,
+        (Some(_), Some(_)) => {
+            let alike = |of: fn(Format) -> bool| of(a) && of(b);
+            (alike(is_rgtc) || alike(is_bptc_of_floats)) && same_size
+        }
     }
 }
 
 fn is_rgtc(format: Format) -> bool {
     matches!(format, Format::Rgtc1 | Format::Rgtc1Snorm | Format::Rgtc2 | Format::Rgtc2Snorm)
+}
+
+fn is_bptc_of_floats(format: Format) -> bool {
+    matches!(format, Format::BptcSignedFloat | Format::BptcUnsignedFloat)
 }
 
 /// A checked `glCopyImageSubData`.

@@ -280,6 +280,9 @@ impl Supported {
             (_, Encoding::Snorm | Encoding::Sint) if bits <= 16 => GL_SHORT,
             (_, Encoding::Snorm | Encoding::Sint) => GL_INT,
             (_, Encoding::Block(Block::Rgtc1Snorm | Block::Rgtc2Snorm)) => GL_BYTE,
+            (_, Encoding::Block(Block::BptcUnsignedFloat | Block::BptcSignedFloat)) => {
+                GL_HALF_FLOAT
+            }
             (_, Encoding::Block(_) | Encoding::SrgbBlock(_)) => GL_UNSIGNED_BYTE,
             (_, Encoding::Unorm | Encoding::Srgb | Encoding::Uint) if bits <= 8 => GL_UNSIGNED_BYTE,
             (_, Encoding::Unorm | Encoding::Srgb | Encoding::Uint) if bits <= 16 => {
@@ -374,7 +377,7 @@ fn fits(format: &InternalFormat, target: TextureTarget) -> bool {
     let (has_blocks, is_depth) = (format.stored.block().is_some(), format.stored.is_depth());
     match target {
         TextureTarget::D1 | TextureTarget::D1Array | TextureTarget::Rect => !has_blocks,
-        TextureTarget::D3 => !has_blocks && !is_depth,
+        TextureTarget::D3 => format.stored.has_volumes() && !is_depth,
         TextureTarget::D2Multisample | TextureTarget::D2MultisampleArray => {
             format.is_for_multisampling()
         }

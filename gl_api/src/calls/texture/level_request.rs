@@ -5,6 +5,7 @@ use crate::base::error::{Result, invalid_operation, invalid_value, not_negative}
 use crate::base::types::*;
 use crate::calls::texture::bound::ChosenTexture;
 use crate::context::Context;
+use crate::objects::egl_images::Specified;
 use crate::objects::target::{FaceTarget, ImageTarget, TextureTarget, checked_level};
 use crate::objects::texture::{Proxy, Samples};
 use crate::pixel::storage_error::storage_error;
@@ -53,7 +54,7 @@ impl LevelDesc {
             return invalid_operation(SECTION, "three-dimensional textures have no depth formats");
         }
         if format.block().is_some() {
-            checked_blocks(target, border)?;
+            checked_blocks(target, format, border)?;
         }
         let borders = target.level_box(target.shape().border(border));
         let (limits, axes) = (target.limits(), target.shape().axes());
@@ -222,6 +223,7 @@ impl LevelRequest {
         crate::draw::pass::submit_draws_to(context, &image);
         let isa = context.recorder.isa();
         let texture = texture.get_mut(context);
+        texture.specify(Specified::One { face, level });
         texture
             .image
             .update(|image| image.set_level(face, level, texels))
@@ -232,10 +234,12 @@ impl LevelRequest {
     }
 }
 
-/// Blocks are of two dimensions and have no border.
-fn checked_blocks(target: TextureTarget, border: u32) -> Result<()> {
+/// Blocks are of two dimensions, so that volumes are made of BPTC alone, slice by slice (GL 4.2, table 3.14), and have no
+/// border.
+fn checked_blocks(target: TextureTarget, format: Format, border: u32) -> Result<()> {
     const SECTION: &str = "EXT_texture_compression_s3tc, section 3.8.3";
     match target {
+        TextureTarget::D3 if format.has_volumes() && border == 0 => Ok(()),
         TextureTarget::D2
         | TextureTarget::Cube
         | TextureTarget::D2Array

@@ -7,6 +7,7 @@ use crate::base::limits;
 use crate::base::types::*;
 use crate::calls::texture::bound::ChosenTexture;
 use crate::context::Context;
+use crate::objects::egl_images::Specified;
 use crate::objects::target::TARGET;
 use crate::objects::texture::Texture;
 use crate::pixel::es_texels;
@@ -27,6 +28,9 @@ enum Faces {
 fn generate(isa: Isa, texture: &mut Texture, faces: Faces) -> Result<()> {
     let Sampler { base_level: base, max_level: max, .. } = texture.sampler();
     let max = max.min(limits::MAX_TEXTURE_LEVELS as u32 - 1);
+    if !has_all_levels(texture, base as usize, max as usize) {
+        texture.specify(Specified::All);
+    }
     let made = texture.image.update(|image| match faces {
         Faces::All => image.generate_mipmaps(isa, base, max),
         Faces::One(face) => image.generate_face_mipmaps(isa, face, base, max),
@@ -44,6 +48,24 @@ fn generate(isa: Isa, texture: &mut Texture, faces: Faces) -> Result<()> {
     }
     texture.texels_changed();
     Ok(())
+}
+
+/// Whether the levels that are made exist already: then only their texels change (`EGL_KHR_gl_image`).
+fn has_all_levels(texture: &Texture, base: usize, max: usize) -> bool {
+    let shape = texture.target.shape();
+    (0..shape.faces()).all(|face| {
+        let Some(first) = texture.image.level(face, base) else { return false };
+        let largest = first.size[..shape.axes()].iter().fold(1, |most, side| most.max(*side));
+        let last = max.min(base + largest.ilog2() as usize);
+        let mut size = first.size;
+        (base..=last).all(|level| {
+            let found = texture.image.level(face, level);
+            let is_there =
+                found.is_some_and(|info| (info.size, info.format) == (size, first.format));
+            size = shape.halved(size);
+            is_there
+        })
+    })
 }
 
 /// With `GL_GENERATE_MIPMAP` set, a new base level of a face brings new mipmaps, if its texels

@@ -6,6 +6,7 @@ pub(crate) mod clear_image;
 pub(crate) mod compressed;
 pub(crate) mod copy;
 pub(crate) mod copy_image;
+pub(crate) mod egl_image;
 pub(crate) mod environment;
 pub(crate) mod format_properties;
 pub(crate) mod get;

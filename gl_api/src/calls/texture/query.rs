@@ -139,6 +139,7 @@ pub(super) fn kind(format: Format) -> GLenum {
         Encoding::Snorm | Encoding::Block(Block::Rgtc1Snorm | Block::Rgtc2Snorm) => {
             GL_SIGNED_NORMALIZED
         }
+        Encoding::Block(Block::BptcUnsignedFloat | Block::BptcSignedFloat) => GL_FLOAT,
         Encoding::Unorm | Encoding::Srgb | Encoding::Block(_) | Encoding::SrgbBlock(_) => {
             GL_UNSIGNED_NORMALIZED
         }

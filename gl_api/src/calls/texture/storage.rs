@@ -8,6 +8,7 @@ use crate::calls::texture::level_request::{
     Destination, ImageRequest, LevelDesc, LevelRequest, ProxyRequest,
 };
 use crate::context::Context;
+use crate::objects::egl_images::Specified;
 use crate::objects::target::{FaceTarget, ImageTarget, TextureTarget};
 use crate::pixel::etc;
 use crate::pixel::formats::{InternalFormat, sized_format};
@@ -177,6 +178,7 @@ fn store(
     let image = texture.get(context).image.clone();
     crate::draw::pass::submit_draws_to(context, &image);
     let texture = texture.get_mut(context);
+    texture.specify(Specified::All);
     texture.image.update(|image| *image = all);
     for requested in &mut texture.requested {
         requested.fill(GL_NONE);

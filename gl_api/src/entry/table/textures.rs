@@ -3,8 +3,9 @@
 use crate::base::args::{Data, DataOut};
 use crate::base::types::*;
 use crate::calls::texture::{
-    buffer, clear_image, compressed, copy, copy_image, environment as env, get, get_sub, mipmap,
-    multisample, names as textures, parameter, query, samplers, specify, storage, sub, view,
+    buffer, clear_image, compressed, copy, copy_image, egl_image, environment as env, get, get_sub,
+    mipmap, multisample, names as textures, parameter, query, samplers, specify, storage, sub,
+    view,
 };
 
 #[doc(hidden)]
@@ -97,6 +98,14 @@ macro_rules! entry_points_textures {
             texture: GLuint, target: GLenum, origtexture: GLuint, internalformat: GLenum,
             minlevel: GLuint, numlevels: GLuint, minlayer: GLuint, numlayers: GLuint
         ), not_compiled;
+    }
+    Refused in egl_image {
+        /// Makes an EGL image the only level of a 2D texture: both have the same texels, in all contexts.
+        egl_image_target_texture_2d: glEGLImageTargetTexture2DOES
+            (target: GLenum, image: GLeglImageOES), not_compiled;
+        /// Makes an EGL image the storage of a renderbuffer.
+        egl_image_target_renderbuffer_storage: glEGLImageTargetRenderbufferStorageOES
+            (target: GLenum, image: GLeglImageOES), not_compiled;
     }
     Refused in sub {
         /// Replaces a run of a level.

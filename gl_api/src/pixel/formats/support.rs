@@ -20,6 +20,8 @@ pub(super) const TEXTURE_BUFFER_OBJECT_RGB32: &[Extension] =
     &[of("GL_ARB_texture_buffer_object_rgb32", DESKTOP)];
 pub(super) const TEXTURE_COMPRESSION_3DC: &[Extension] =
     &[of("GL_ATI_texture_compression_3dc", COMPATIBILITY)];
+pub(super) const TEXTURE_COMPRESSION_BPTC: &[Extension] =
+    &[of("GL_ARB_texture_compression_bptc", DESKTOP), of("GL_EXT_texture_compression_bptc", ES)];
 pub(super) const TEXTURE_COMPRESSION_LATC: &[Extension] =
     &[of("GL_EXT_texture_compression_latc", COMPATIBILITY)];
 pub(super) const TEXTURE_COMPRESSION_RGTC: &[Extension] =

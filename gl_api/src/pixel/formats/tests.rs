@@ -149,6 +149,9 @@ fn columns_agree_with_what_is_stored() {
             Encoding::Unorm if format.renderable == Renderable::Stencil => ComponentType::Uint,
             Encoding::Unorm | Encoding::Srgb | Encoding::SrgbBlock(_) => ComponentType::Unorm,
             Encoding::Block(Block::Rgtc1Snorm | Block::Rgtc2Snorm) => ComponentType::Snorm,
+            Encoding::Block(Block::BptcUnsignedFloat | Block::BptcSignedFloat) => {
+                ComponentType::Float
+            }
             Encoding::Block(_) => ComponentType::Unorm,
             Encoding::Snorm => ComponentType::Snorm,
             Encoding::Float | Encoding::SharedExponent => ComponentType::Float,

@@ -54,3 +54,18 @@ pub struct PassDesc {
     /// the first, but where a geometry program says another; clears go to all.
     pub layers: u16,
 }
+
+impl PassDesc {
+    /// The same attachments, whatever storage their images get until the pass has ended.
+    pub(crate) fn pinned(&self) -> Self {
+        let pinned = |attachment: &Attachment| Attachment {
+            image: attachment.image.pinned(),
+            ..attachment.clone()
+        };
+        Self {
+            colors: self.colors.iter().map(|color| color.as_ref().map(pinned)).collect(),
+            depth: self.depth.as_ref().map(pinned),
+            ..*self
+        }
+    }
+}

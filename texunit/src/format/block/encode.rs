@@ -5,10 +5,11 @@
 //! quick, exact for a block of one colour that the format holds, and no match for an offline
 //! compressor.
 
+use super::bptc::{self, FloatSign};
 use super::interpolated::{self, Signedness};
 use super::{CHANNELS, ChannelCode, Palette, SIXTHS, color_sixths, color_weights, is_srgb_block};
 use crate::format::words::bytes_of;
-use crate::format::{Format, srgb};
+use crate::format::{Block, Format, srgb};
 use crate::lanes::math::{clamp, round_even};
 
 /// The block of 16 colours (column plus 4 times row), in its first [`Format::bytes`] bytes. All 0
@@ -16,6 +17,25 @@ use crate::lanes::math::{clamp, round_even};
 pub fn encode(format: Format, texels: &[[f32; 4]; 16]) -> [u8; 16] {
     let mut words = [0_u32; 4];
     let Some(block) = format.block() else { return [0; 16] };
+    let whole = match block {
+        Block::Bptc if is_srgb_block(format) => Some(bptc::encode_unorm(&texels.map(|texel| {
+            let [r, g, b] = [0, 1, 2].map(|c| f32::from(srgb::encode(texel[c])) / 255.0);
+            [r, g, b, texel[3]]
+        }))),
+        Block::Bptc => Some(bptc::encode_unorm(texels)),
+        Block::BptcUnsignedFloat => Some(bptc::encode_floats(texels, FloatSign::Unsigned)),
+        Block::BptcSignedFloat => Some(bptc::encode_floats(texels, FloatSign::Signed)),
+        Block::Dxt1
+        | Block::Dxt3
+        | Block::Dxt5
+        | Block::Rgtc1
+        | Block::Rgtc1Snorm
+        | Block::Rgtc2
+        | Block::Rgtc2Snorm => None,
+    };
+    if let Some(block) = whole {
+        return block.to_le_bytes();
+    }
     let sources = format.base().sources();
     let mut has_colors = None;
     for (channel, &source) in sources.iter().enumerate() {
@@ -23,8 +43,8 @@ pub fn encode(format: Format, texels: &[[f32; 4]; 16]) -> [u8; 16] {
         let (code, first) = block.channel_code(channel);
         match code {
             ChannelCode::Color(_, palette) => has_colors = Some((palette, first)),
-            // Among the colours' codes.
-            ChannelCode::Punched => {}
+            // Among the colours' codes; encoded above.
+            ChannelCode::Punched | ChannelCode::OfWholeTexels => {}
             ChannelCode::Explicit => {
                 for (at, value) in values.into_iter().enumerate() {
                     words[first + at / 8] |= to_integer(value, 15.0) << (4 * (at % 8));
