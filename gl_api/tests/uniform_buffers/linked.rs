@@ -257,7 +257,7 @@ fn blocks_of_arrays_of_arrays_have_buffers_of_their_own() {
     for outer in 0..2 {
         for inner in 0..3 {
             let name = format!("Block[{outer}][{inner}]");
-            let index = c.get_uniform_block_index(program, &*name);
+            let index = c.get_uniform_block_index(program, &name);
             let binding = 3 * outer + inner + 1;
             c.uniform_block_binding(program, index, binding);
             floats(&mut c, binding, &[0.0, 0.0, 0.0, 0.0, binding as f32, 0.0, 0.0, 0.0]);
