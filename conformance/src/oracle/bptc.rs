@@ -200,10 +200,12 @@ impl Reader {
         Self { bits, at: 0 }
     }
 
+    /// A number of so many bits; beyond the block, which only mistaken readers reach, they are 0.
     fn take(&mut self, count: u32) -> i64 {
-        let taken = &self.bits[self.at..self.at + count as usize];
-        self.at += count as usize;
-        taken.iter().rev().fold(0, |number, bit| 2 * number + i64::from(*bit))
+        let bits = self.at..self.at + count as usize;
+        self.at = bits.end;
+        let bit = |at: usize| self.bits.get(at).map_or(0, |bit| i64::from(*bit));
+        bits.rev().fold(0, |number, at| 2 * number + bit(at))
     }
 
     /// The indices of 16 texels.

@@ -149,9 +149,9 @@ fn range(row: &InternalFormat, component: usize) -> [f64; 2] {
         }
         // (2^9 - 1) / 2^9 · 2^16
         ComponentType::Float if bits("RGB9_E5") => [0.0, 511.0 / 512.0 * 65536.0],
-        ComponentType::Float if bits("16F") => {
+        ComponentType::Float if bits("16F") || bits("BPTC") => {
             let largest = (2.0 - 2_f64.powi(-10)) * 2_f64.powi(15);
-            [-largest, largest]
+            [if bits("UNSIGNED") { 0.0 } else { -largest }, largest]
         }
         ComponentType::Float => [f64::NEG_INFINITY, f64::INFINITY],
     }

@@ -26,6 +26,8 @@ impl Texture {
         if sampler.srgb == SrgbRead::AsIs {
             levels.iter_mut().flatten().for_each(without_srgb);
         }
+        // Blocks hold fewer numbers than what they are decoded to.
+        let stored = levels[0][0].format;
         if let Some(decoded) = decoded(&levels) {
             levels = decoded;
         }
@@ -46,7 +48,7 @@ impl Texture {
         }
         let mut border = [0.0; 4];
         for (channel, (to, &from)) in border.iter_mut().zip(format.base().sources()).enumerate() {
-            *to = border_channel(format, channel, sampler.border, from);
+            *to = border_channel(stored, channel, sampler.border, from);
         }
         let texel_path = TexelPath::new(shape, format, compare);
         let mut texture = Self {
@@ -135,8 +137,11 @@ fn border_channel(format: Format, channel: usize, border: Border, from: usize) -
         | Encoding::Block(
             Block::Dxt1 | Block::Dxt3 | Block::Dxt5 | Block::Rgtc1 | Block::Rgtc2 | Block::Bptc,
         ) => clamp(number, 0.0, 1.0),
-        Encoding::Block(Block::BptcUnsignedFloat) => clamp(number, 0.0, f32::MAX),
-        Encoding::Block(Block::BptcSignedFloat) => clamp(number, f32::MIN, f32::MAX),
+        // Half floats.
+        Encoding::Block(Block::BptcUnsignedFloat) => {
+            clamp(small_float::clamp_to_range(number, 16), 0.0, f32::INFINITY)
+        }
+        Encoding::Block(Block::BptcSignedFloat) => small_float::clamp_to_range(number, 16),
         Encoding::Float => small_float::clamp_to_range(number, info.fields[channel].bits),
         // `clamp` gives the lower bound where the number is NaN.
         Encoding::SharedExponent => clamp(number, 0.0, shared_exponent::LARGEST),

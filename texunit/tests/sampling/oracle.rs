@@ -403,10 +403,11 @@ fn wrapped(wrap: Wrap, s: f64, n: f64) -> f64 {
 
 /// The border colour as texels of a format can have it.
 fn border(format: Format, color: [f32; 4]) -> [f64; 4] {
-    let is_number = matches!(format.info().encoding, Encoding::Float | Encoding::SharedExponent);
     let name = format!("{format:?}");
+    let is_number = matches!(format.info().encoding, Encoding::Float | Encoding::SharedExponent)
+        || (name.contains("Bptc") && name.contains("Float"));
     // Floats of 11, 10 and 9 bits have no sign; every format of numbers has what a test's border is otherwise.
-    let has_sign = !name.contains("R11G11B10F") && !name.contains("Rgb9E5");
+    let has_sign = !["R11G11B10F", "Rgb9E5", "Unsigned"].iter().any(|part| name.contains(part));
     let least = if name.contains("Snorm") { -1.0 } else { 0.0 };
     color.map(f64::from).map(|c| match (is_number, has_sign) {
         (true, true) => c,
