@@ -46,7 +46,7 @@ pub enum MultisampleStorage {
     /// What the samples are resolved to.
     Resolved,
     /// The samples: each has a slice, those of a layer lie together. The shape is
-    /// [`Shape::D2Array`].
+    /// [`texunit::image::Shape::D2Array`].
     EachSample,
 }
 
