@@ -6,13 +6,12 @@
     python3 package/build_deb.py              # into dist/
 """
 
-import argparse
 import os
 import subprocess
 import tempfile
 from pathlib import Path
 
-from build_libraries import MACHINES, VERSION, Build, read_elf
+from build_libraries import MACHINES, VERSION, Build, parser_of, read_elf
 from build_tarball import fill
 
 # Debian's names of instruction sets.
@@ -21,12 +20,8 @@ PREFIX = "opt/detgl"
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--target", help="builds for another machine: aarch64-unknown-linux-gnu")
-    parser.add_argument("--native", action="store_true", help="links with this machine's linker and its glibc")
-    parser.add_argument("--prebuilt", metavar="DIR", help="builds nothing: libdetgl.so and detgl are in DIR")
+    parser = parser_of(__doc__)
     parser.add_argument("--compress", default="6", metavar="LEVEL", help="xz's level: 0 is fast")
-    parser.add_argument("--out", default="dist", metavar="DIR")
     arguments = parser.parse_args()
     build = Build(arguments.target, arguments.prebuilt, arguments.native)
     with tempfile.TemporaryDirectory() as folder:

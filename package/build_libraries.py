@@ -1,5 +1,6 @@
 """Builds the libraries and the command with cargo, and reads what they need of a machine."""
 
+import argparse
 import json
 import os
 import re
@@ -53,6 +54,16 @@ def licences(target):
     parts = [f"{', '.join(names)}:\n\n{text}" for text, names in texts.items()]
     rule = "\n\n" + "-" * 80 + "\n\n"
     return rule.join(["DetGL's library has these crates in it:\n\n" + "\n".join(terms), *parts]) + "\n"
+
+
+def parser_of(doc):
+    """The options of a script that packages a Build: its three arguments, and where it writes."""
+    parser = argparse.ArgumentParser(description=doc, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--target", help="builds for another machine: aarch64-unknown-linux-gnu")
+    parser.add_argument("--native", action="store_true", help="links with this machine's linker and its glibc")
+    parser.add_argument("--prebuilt", metavar="DIR", help="builds nothing: libdetgl.so and detgl are in DIR")
+    parser.add_argument("--out", default="dist", metavar="DIR")
+    return parser
 
 
 class Build:

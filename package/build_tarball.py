@@ -6,7 +6,6 @@ files for pkg-config and CMake, which find each other wherever it is unpacked. T
     python3 package/build_tarball.py          # into dist/
 """
 
-import argparse
 import gzip
 import io
 import shutil
@@ -16,7 +15,9 @@ import tempfile
 from pathlib import Path
 
 import headers
-from build_libraries import MACHINES, ROOT, VERSION, Build, exports, licences, packages, platform_of, read_elf
+from build_libraries import (
+    MACHINES, ROOT, VERSION, Build, exports, licences, packages, parser_of, platform_of, read_elf,
+)
 
 LIBRARIES = ["EGL", "GL", "OpenGL", "GLESv2", "OSMesa"]
 # Names as pkg-config knows them, with what each library is.
@@ -31,12 +32,8 @@ PKG_CONFIG = {
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--target", help="builds for another machine: aarch64-unknown-linux-gnu")
-    parser.add_argument("--native", action="store_true", help="links with this machine's linker and its glibc")
-    parser.add_argument("--prebuilt", metavar="DIR", help="builds nothing: libdetgl.so and detgl are in DIR")
+    parser = parser_of(__doc__)
     parser.add_argument("--compress", default="19", metavar="LEVEL", help="zstd's level: 1 is fast")
-    parser.add_argument("--out", default="dist", metavar="DIR")
     arguments = parser.parse_args()
     build = Build(arguments.target, arguments.prebuilt, arguments.native)
     with tempfile.TemporaryDirectory() as folder:

@@ -161,16 +161,20 @@ fn they_end_soon_and_the_context_goes_on() {
     }
 }
 
-/// A context with `GL_LOSE_CONTEXT_ON_RESET` reports it (`ARB_robustness`).
-#[test]
-fn a_robust_context_reports_a_stopped_draw_as_a_reset() {
+/// A context with `GL_LOSE_CONTEXT_ON_RESET` (`ARB_robustness`).
+fn robust_context() -> Context {
     let desc = ContextDesc {
         width: SIZE,
         height: SIZE,
         reset_notification: ResetNotification::LoseContextOnReset,
         ..ContextDesc::default()
     };
-    let mut c = Context::new(desc).expect("a context");
+    Context::new(desc).expect("a context")
+}
+
+#[test]
+fn a_robust_context_reports_a_stopped_draw_as_a_reset() {
+    let mut c = robust_context();
     use_numbers(&mut c, "2.0, 2.0");
     c.draw_arrays(GL_POINTS, 0, 1 << 20);
     c.finish();
@@ -368,16 +372,10 @@ fn many_endless_draws_end_soon() {
     }
 }
 
-/// Who asked to be told has to ask: until then, the end of a frame brings nothing.
+/// After a stopped draw, the end of a frame gives no budget until `glGetGraphicsResetStatus` was called.
 #[test]
 fn a_robust_context_has_no_budget_until_it_has_asked() {
-    let desc = ContextDesc {
-        width: SIZE,
-        height: SIZE,
-        reset_notification: ResetNotification::LoseContextOnReset,
-        ..ContextDesc::default()
-    };
-    let mut c = Context::new(desc).expect("a context");
+    let mut c = robust_context();
     draw_endless_points(&mut c);
     let alone = red_pixels(&mut c);
     for _ in 0..3 {
@@ -392,7 +390,7 @@ fn a_robust_context_has_no_budget_until_it_has_asked() {
     assert_eq!(red_pixels(&mut c), alone);
 }
 
-/// What is left of a frame of hostile draws depends on neither threads nor instruction set.
+/// The picture of a frame of hostile draws depends on neither threads nor instruction set.
 #[test]
 fn what_is_left_of_a_frame_is_the_same_everywhere() {
     let ways = Isa::available().into_iter().flat_map(|isa| [1, 2, 8].map(|threads| (isa, threads)));

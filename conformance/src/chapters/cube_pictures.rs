@@ -84,6 +84,17 @@ impl Directions {
         let [w, h] = PICTURE.map(|n| n as f64);
         self.at((2 * x + 1) as f64 / w - 1.0, (2 * y + 1) as f64 / h - 1.0)
     }
+
+    /// The whole picture as a square with these texture coordinates.
+    fn draw(&self) {
+        glBegin(GL_QUADS);
+        for [x, y] in [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]] {
+            let [s, t, r] = self.at(x, y);
+            glTexCoord3d(s, t, r);
+            glVertex2d(x, y);
+        }
+        glEnd();
+    }
 }
 
 /// Whether rounding may choose another face, or moves the place on it by more than the tolerance allows.
@@ -160,13 +171,7 @@ fn run(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
                 )?;
             }
             session.check("preparing a cube map")?;
-            glBegin(GL_QUADS);
-            for [x, y] in [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]] {
-                let [s, t, r] = directions.at(x, y);
-                glTexCoord3d(s, t, r);
-                glVertex2d(x, y);
-            }
-            glEnd();
+            directions.draw();
             session.read_floats(PICTURE)
         })?;
     }
@@ -279,13 +284,7 @@ fn levels(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
                     gl_FragColor = vec4(textureCube(image, gl_TexCoord[0].stp).r, 0.0, 0.0, 0.0);
                 }"
                 })?;
-                glBegin(GL_QUADS);
-                for [x, y] in [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]] {
-                    let [s, t, r] = directions.at(x, y);
-                    glTexCoord3d(s, t, r);
-                    glVertex2d(x, y);
-                }
-                glEnd();
+                directions.draw();
                 let picture = session.read_floats(PICTURE)?;
                 Ok(pixels.iter().map(|[x, y]| picture[y * PICTURE[0] + x]).collect())
             },

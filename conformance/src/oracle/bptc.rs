@@ -200,7 +200,7 @@ impl Reader {
         Self { bits, at: 0 }
     }
 
-    /// A number of so many bits; beyond the block, which only mistaken readers reach, they are 0.
+    /// Reads a number of `count` bits. Bits beyond the block are 0: readers with a planted mistake read them.
     fn take(&mut self, count: u32) -> i64 {
         let bits = self.at..self.at + count as usize;
         self.at = bits.end;

@@ -102,7 +102,7 @@ impl ShareGroup {
         self.0.has_others.store(true, Ordering::Release);
     }
 
-    /// Its objects, for whoever is in no call of a context of the group.
+    /// Its objects, for callers outside of the calls of its contexts.
     #[inline(never)]
     pub fn lock(&self) -> ArcMutexGuard<RawMutex, SharedObjects> {
         self.0.objects.lock_arc()

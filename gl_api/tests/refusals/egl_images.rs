@@ -31,7 +31,7 @@ fn prepared() -> (Context, EglImage, EglImage) {
 
 type Images = (GLeglImageOES, GLeglImageOES);
 
-/// A call, what must be bound before, and what comes of it.
+/// A call, the object that must be bound before it, and its error.
 type Case = (fn(&mut Context), fn(&mut Context, Images), GLenum, &'static str);
 
 const CASES: &[Case] = &[

@@ -39,8 +39,8 @@ pub struct SubmitError {
     pub rule: String,
 }
 
-/// What draws that are taken for ones that do not end have run since a frame began; all of the budget, once a draw was
-/// stopped. Later draws of the frame have only what is left.
+/// The operations that endless draws have run since a frame began; the whole budget, once a draw was stopped. Later draws
+/// of the frame have the difference to the budget.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct FrameSpending {
     pub(super) operations: u64,

@@ -176,12 +176,7 @@ impl Facts {
 
     /// Whether a sample is a filtered lookup in one of some slots, bit by slot.
     fn is_filtered_of(&self, module: &Module, sample: Value, slots: u64) -> bool {
-        let Expr::Sample(sample) = module.expr(sample) else { return false };
-        // Facts are of numbers; components of integers are bits.
-        let is_filtered = matches!(sample.access, Access::Filter { .. })
-            && module.component_ty(sample) == Ty::F32;
-        let slot = sample.texture.0;
-        is_filtered && slot < u64::BITS && slots >> slot & 1 == 1
+        filtered_slot(module, sample).is_some_and(|slot| slots >> slot & 1 == 1)
     }
 
     /// A bound of a value that is known to be a number from +0 to it: no infinity, no NaN, no negative zero.
@@ -216,6 +211,15 @@ impl Facts {
         };
         bound.filter(|bound| bound.is_finite())
     }
+}
+
+/// The texture slot of a sample that is a filtered lookup of numbers, below 64.
+pub(super) fn filtered_slot(module: &Module, sample: Value) -> Option<u32> {
+    let Expr::Sample(sample) = module.expr(sample) else { return None };
+    // Facts are of numbers; components of integers are bits.
+    let is_filtered =
+        matches!(sample.access, Access::Filter { .. }) && module.component_ty(sample) == Ty::F32;
+    Some(sample.texture.0).filter(|slot| is_filtered && *slot < u64::BITS)
 }
 
 /// So deep are expressions looked through.

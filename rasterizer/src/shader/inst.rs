@@ -128,6 +128,15 @@ pub(super) enum Role {
     Write,
 }
 
+/// By instruction, and for the end of the code: whether any instruction can jump there.
+pub(super) fn jump_targets(code: &[Inst]) -> Vec<bool> {
+    let mut is_target = vec![false; code.len() + 1];
+    for Target(to) in code.iter().filter_map(Inst::target) {
+        is_target[to as usize] = true;
+    }
+    is_target
+}
+
 impl Inst {
     /// Visits every register operand, those that are read first.
     pub fn operands(&mut self, f: &mut impl FnMut(&mut Reg, Role)) {

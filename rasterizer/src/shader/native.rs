@@ -6,7 +6,7 @@
 //! interpreter, which defines what every instruction computes.
 
 use super::compute::{Compute, OPERANDS, OperandStorage, Tree};
-use super::inst::{Inst, Reg, Role};
+use super::inst::{Inst, Reg, Role, jump_targets};
 use super::program::Program;
 use crate::ir::Op;
 use std::sync::OnceLock;
@@ -57,10 +57,7 @@ impl NativeCode {
         let code = &program.code;
         let splats = program.layout.splats.len() as u32;
         let live = Liveness::of(program)?;
-        let mut is_target = vec![false; code.len() + 1];
-        for target in code.iter().filter_map(Inst::target) {
-            is_target[target.0 as usize] = true;
-        }
+        let is_target = jump_targets(code);
         let (mut runs, mut blocks) = (Vec::new(), Vec::new());
         let mut start = 0;
         while start < code.len() {

@@ -6,7 +6,7 @@
 //! that follow ([`WINDOW`]: what is computed earlier than it is needed takes a register meanwhile, and of more than
 //! sixteen some alias in the store buffer, see `compute.rs`).
 
-use super::inst::{Inst, Reg, Role, Target};
+use super::inst::{Inst, Reg, Role, jump_targets};
 use super::lower::{Lowered, RegisterContent};
 use crate::ir::{ByteTable, Op};
 use std::ops::Range;
@@ -35,10 +35,7 @@ pub(super) fn run(lowered: &mut Lowered) {
 
 /// The straight runs of code whose instructions may be reordered.
 fn straight_runs(code: &[Inst]) -> Vec<Range<usize>> {
-    let mut is_target = vec![false; code.len() + 1];
-    for Target(to) in code.iter().filter_map(Inst::target) {
-        is_target[to as usize] = true;
-    }
+    let is_target = jump_targets(code);
     let mut runs = Vec::new();
     let mut start = 0;
     for (at, inst) in code.iter().enumerate() {

@@ -1,7 +1,7 @@
 //! Lookups in one texture with the same s, or the same t: the taps of a filter are columns times rows. The texels along an
 //! axis are computed once.
 
-use super::inst::{Inst, Reg, Role};
+use super::inst::{Inst, Reg, Role, jump_targets};
 use crate::ir::Access;
 use texunit::sample::{AxisTexels, KEPT_AXES};
 
@@ -27,10 +27,7 @@ const MAX_KNOWN: usize = 64;
 
 /// Marks the lookups whose texels along an axis are kept or reused; returns whether there are any.
 pub(super) fn mark(code: &mut [Inst]) -> bool {
-    let mut is_target = vec![false; code.len() + 1];
-    for target in code.iter().filter_map(Inst::target) {
-        is_target[target.0 as usize] = true;
-    }
+    let is_target = jump_targets(code);
     let mut known: Vec<Known> = Vec::new();
     let mut numbers = 0..KEPT_AXES as u8;
     for at in 0..code.len() {

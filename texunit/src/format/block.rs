@@ -232,7 +232,10 @@ pub fn decode_lanes<S: Simd>(
 /// Whether all channels of a texel are decoded together, which takes long: levels of such formats are decoded before they
 /// are sampled.
 pub(crate) const fn is_decoded_whole(format: Format) -> bool {
-    matches!(format.block(), Some(Block::Bptc | Block::BptcUnsignedFloat | Block::BptcSignedFloat))
+    match format.block() {
+        Some(block) => block.is_bptc(),
+        None => false,
+    }
 }
 
 /// The format with the colours of texels of a format that is decoded whole.

@@ -26,6 +26,20 @@ pub enum Block {
 }
 
 impl Block {
+    /// Whether it is BPTC, of bytes or of floats.
+    pub(super) const fn is_bptc(self) -> bool {
+        match self {
+            Self::Bptc | Self::BptcUnsignedFloat | Self::BptcSignedFloat => true,
+            Self::Dxt1
+            | Self::Dxt3
+            | Self::Dxt5
+            | Self::Rgtc1
+            | Self::Rgtc1Snorm
+            | Self::Rgtc2
+            | Self::Rgtc2Snorm => false,
+        }
+    }
+
     /// Bits of a channel's end points.
     pub(super) const fn channel_bits(self, channel: usize) -> u32 {
         let alpha = match self {

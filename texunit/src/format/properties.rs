@@ -55,16 +55,8 @@ impl Format {
     /// Whether volumes may be of it: of any format without blocks, and of BPTC.
     pub const fn has_volumes(self) -> bool {
         match self.block() {
-            None | Some(Block::Bptc | Block::BptcUnsignedFloat | Block::BptcSignedFloat) => true,
-            Some(
-                Block::Dxt1
-                | Block::Dxt3
-                | Block::Dxt5
-                | Block::Rgtc1
-                | Block::Rgtc1Snorm
-                | Block::Rgtc2
-                | Block::Rgtc2Snorm,
-            ) => false,
+            None => true,
+            Some(block) => block.is_bptc(),
         }
     }
 

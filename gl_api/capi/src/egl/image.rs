@@ -7,19 +7,19 @@ use super::raw::{Attrib, Handle, Int, handle};
 use super::registry::registry;
 use gl_api::host::{EglImage, EglImageError, EglImageSource};
 
-/// What a level of an image's source is, by the attributes.
+/// The attributes of an image: which level and slice of a texture it is made from.
 #[derive(Default)]
-struct Asked {
+struct LevelAttributes {
     level: u32,
     slice: u32,
 }
 
-impl Asked {
-    /// Checks that the attributes are there for a target: a level of textures, a slice of volumes.
+impl LevelAttributes {
+    /// Checks that a target has these attributes: textures have a level, volumes a slice.
     fn new(target: u32, attributes: &[(Int, Attrib)]) -> Result<Self> {
         let is_texture = target as Int != EGL_GL_RENDERBUFFER;
         let is_volume = target as Int == EGL_GL_TEXTURE_3D;
-        let mut asked = Self::default();
+        let mut level = Self::default();
         for &(name, value) in attributes {
             let at = || match u32::try_from(value) {
                 Ok(value) => Ok(value),
@@ -29,7 +29,7 @@ impl Asked {
                 }
             };
             match name {
-                // They always are.
+                // Texels are preserved whatever the value.
                 EGL_IMAGE_PRESERVED if [0, 1].contains(&value) => {}
                 EGL_IMAGE_PRESERVED => {
                     let rule =
@@ -37,10 +37,10 @@ impl Asked {
                     return fail(Code::BadParameter, rule);
                 }
                 EGL_GL_TEXTURE_LEVEL if is_texture => {
-                    // A level that there is not is another error than a number that is none.
-                    asked.level = u32::try_from(value).unwrap_or(u32::MAX);
+                    // A level that does not exist is EGL_BAD_MATCH, whatever its number.
+                    level.level = u32::try_from(value).unwrap_or(u32::MAX);
                 }
-                EGL_GL_TEXTURE_ZOFFSET if is_volume => asked.slice = at()?,
+                EGL_GL_TEXTURE_ZOFFSET if is_volume => level.slice = at()?,
                 _ => {
                     let (name, target) = (name_of(name), name_of(target));
                     let rule = format!("attrib_list: no attribute {name} of images of {target}");
@@ -48,7 +48,7 @@ impl Asked {
                 }
             }
         }
-        Ok(asked)
+        Ok(level)
     }
 }
 
@@ -75,7 +75,7 @@ fn source(target: u32, buffer: Handle, attributes: &[(Int, Attrib)]) -> Result<E
             ),
         );
     }
-    let Asked { level, slice } = Asked::new(target, attributes)?;
+    let LevelAttributes { level, slice } = LevelAttributes::new(target, attributes)?;
     let object = match u32::try_from(buffer.addr()) {
         Ok(0) => {
             let rule =

@@ -90,7 +90,7 @@ struct TextureLevel {
 }
 
 impl TextureLevel {
-    /// What `other` has to be besides to be that level, if it is a texture's.
+    /// The level that a source is; the name of a renderbuffer if it is one.
     fn of(source: EglImageSource) -> std::result::Result<Self, GLuint> {
         let at = |face: u8, level: u32, slice: u32| SourceLevel {
             face: face.into(),
@@ -277,7 +277,7 @@ pub(crate) fn egl_image_target_texture_2d(
         );
     }
     check_format(context, SECTION, image.internal, "textures", |row| row.is_for_textures())?;
-    let storage = take_in(context, chosen.get(context).image.clone());
+    let storage = prepare_to_share(context, chosen.get(context).image.clone());
     let internal = image.internal;
     let texture = chosen.get_mut(context);
     texture.siblings.show(&storage, image);
@@ -310,7 +310,7 @@ pub(crate) fn egl_image_target_renderbuffer_storage(
         let is_listed = if is_es { row.is_drawn_to_in_es() } else { row.is_for_renderbuffers() };
         is_listed && row.renderable != Renderable::No && !row.is_compressed()
     })?;
-    let storage = take_in(context, storage);
+    let storage = prepare_to_share(context, storage);
     let format = formats::find(image.internal);
     if let (Some(renderbuffer), Some(format)) =
         (context.objects.shared.renderbuffers.bound_mut(&bound), format)
@@ -321,9 +321,9 @@ pub(crate) fn egl_image_target_renderbuffer_storage(
     Ok(())
 }
 
-/// Before other storage: what was recorded draws to the image as it was. Draws to the new storage, and what reads it, come
-/// from other contexts too.
-fn take_in(context: &mut Context, storage: Image) -> Image {
+/// Prepares an object for the storage of an EGL image: draws that were recorded to its own are submitted, and the share
+/// group notes that other groups draw to its images and read them. Returns `storage`.
+fn prepare_to_share(context: &mut Context, storage: Image) -> Image {
     crate::draw::pass::submit_draws_to(context, &storage);
     context.objects.shared.group().shared_with_others();
     storage

@@ -150,7 +150,7 @@ pub(crate) fn draw_elements(
     ty: GLenum,
     indices: Data<'_>,
 ) -> Result<()> {
-    draw_indexed(context, mode, IndexRequest { count, ty, indices, base_vertex: 0 }, Instances::ONE)
+    draw_elements_base_vertex(context, mode, count, ty, indices, 0)
 }
 
 pub(crate) fn draw_elements_instanced(
@@ -161,13 +161,7 @@ pub(crate) fn draw_elements_instanced(
     indices: Data<'_>,
     instances: GLsizei,
 ) -> Result<()> {
-    refuse_in_list(context)?;
-    draw_indexed(
-        context,
-        mode,
-        IndexRequest { count, ty, indices, base_vertex: 0 },
-        Instances::new(instances),
-    )
+    draw_elements_instanced_base_vertex(context, mode, count, ty, indices, instances, 0)
 }
 
 pub(crate) fn draw_elements_base_vertex(

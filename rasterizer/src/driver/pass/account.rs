@@ -53,8 +53,8 @@ pub enum Extent {
 }
 
 impl Extent {
-    /// That of a draw of so many vertices of each instance, in a frame that has something left or not.
-    pub fn of(vertices: u32, state: &DrawState<'_>, left: u64) -> Self {
+    /// That of a draw of so many vertices of each instance.
+    pub fn of(vertices: u32, state: &DrawState<'_>) -> Self {
         let instances = state.instances.len() as u64;
         let runs = instances.div_ceil(state.instances_per_chunk().into())
             * u64::from(state.primitives.len.div_ceil(state.run_len()));
@@ -84,10 +84,18 @@ impl Extent {
         let weight = state.batch_cost().div_ceil(SHORT_PROGRAM).max(1);
         if asked <= held * VERTICES_OF_ELEMENT {
             Self::Held
-        } else if left > 0 && asked.saturating_mul(weight) <= ALLOWED_VERTICES {
+        } else if asked.saturating_mul(weight) <= ALLOWED_VERTICES {
             Self::Allowed
         } else {
             Self::Endless
+        }
+    }
+
+    /// In a frame that has spent its budget, each number alone is one that no scene has.
+    pub fn in_spent_frame(self) -> Self {
+        match self {
+            Self::Held => Self::Held,
+            Self::Allowed | Self::Endless => Self::Endless,
         }
     }
 

@@ -191,7 +191,10 @@ impl Pass<'_> {
         }
         let (budget, spent) = (self.bound.budget, report.spent.operations);
         let left = budget.saturating_sub(spent);
-        let extent = Extent::of(count, state, left.max((spent == 0).into()));
+        let extent = match Extent::of(count, state) {
+            extent if spent > 0 && left == 0 => extent.in_spent_frame(),
+            extent => extent,
+        };
         state.budget = extent.batch_budget(budget, spent);
         let jobs = &mut self.job.draws[state.draw..];
         jobs.iter_mut().for_each(|job| job.budget = extent.fragment_budget(budget));

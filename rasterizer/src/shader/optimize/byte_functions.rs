@@ -2,7 +2,8 @@
 //! one texel of bytes. The table is computed by the operations that it replaces.
 
 use super::super::Facts;
-use crate::ir::{Access, ByteTable, Expr, Module, Op, Stmt, Ty, Value};
+use super::super::facts::filtered_slot;
+use crate::ir::{ByteTable, Expr, Module, Op, Stmt, Ty, Value};
 use std::sync::Arc;
 
 /// Functions of more values stay.
@@ -15,9 +16,9 @@ const MAX_TABLES: usize = 8;
 pub(in super::super) fn slots(module: &Module) -> u64 {
     let mut slots = 0;
     evaluated(module, |value| {
-        let is_source = |value| filtered_slot(module, value).is_some();
-        if let Some(function) = Function::of(module, value, is_source) {
-            slots |= filtered_slot(module, function.source).map_or(0, |slot| 1 << slot);
+        let slot = |value| slot_of_component(module, value);
+        if let Some(function) = Function::of(module, value, |value| slot(value).is_some()) {
+            slots |= slot(function.source).map_or(0, |slot| 1 << slot);
         }
     });
     slots
@@ -59,12 +60,9 @@ fn evaluated(module: &Module, mut f: impl FnMut(Value)) {
 }
 
 /// The texture slot of a component of a filtered lookup.
-fn filtered_slot(module: &Module, value: Value) -> Option<u32> {
+fn slot_of_component(module: &Module, value: Value) -> Option<u32> {
     let Expr::Component { sample, .. } = module.expr(value) else { return None };
-    let Expr::Sample(sample) = module.expr(*sample) else { return None };
-    let is_filtered =
-        matches!(sample.access, Access::Filter { .. }) && module.component_ty(sample) == Ty::F32;
-    (is_filtered && sample.texture.0 < u64::BITS).then_some(sample.texture.0)
+    filtered_slot(module, *sample)
 }
 
 /// A value that a function computes.
