@@ -8,8 +8,9 @@ use texunit::lanes::{Isa, Kernel, LANES, QUADS, Simd, U32s};
 pub enum BatchLayout<'a> {
     /// All of one block.
     Block(usize),
-    /// The block and quad of each of its quads.
-    Quads(&'a [u8], &'a [u8]),
+    /// Of each quad: its block times 64 and its quad there; and these blocks, bit by block. Unused quads hold any valid
+    /// index. A quad may occur twice, with other pixels each time.
+    Quads(&'a [u16; QUADS], u64),
     /// Each pixel by itself: its block times 64 and its lane there; and these blocks, bit by block. No pixel occurs
     /// twice; unused lanes hold any valid index.
     Pixels(&'a [u16; LANES], u64),
@@ -28,7 +29,7 @@ pub enum LoadOp {
 }
 
 /// Lets `change` see the words of a batch's pixels as lanes. It returns a result and the lanes that it has changed,
-/// which are put back. (A quad may be in a batch more than once, with other pixels each time.)
+/// which are put back.
 pub fn with_words<R>(
     isa: Isa,
     plane: &mut WordPlane,
@@ -84,7 +85,7 @@ pub fn with_texels(
 fn load(isa: Isa, plane: &mut WordPlane, layout: &BatchLayout<'_>) -> U32s {
     match *layout {
         BatchLayout::Block(block) => plane.block(block),
-        BatchLayout::Quads(of, quads) => gather(plane.blocks_mut(set_of(of)), of, quads),
+        BatchLayout::Quads(at, of) => isa.run(GatherQuads { blocks: plane.blocks_mut(of), at }),
         BatchLayout::Pixels(at, of) => isa.run(Gather { blocks: plane.blocks_mut(of), at }),
     }
 }
@@ -92,41 +93,52 @@ fn load(isa: Isa, plane: &mut WordPlane, layout: &BatchLayout<'_>) -> U32s {
 fn store(plane: &mut WordPlane, layout: &BatchLayout<'_>, mask: u64, words: &U32s) {
     match *layout {
         BatchLayout::Block(block) => *plane.block_mut(block) = *words,
-        BatchLayout::Quads(of, quads) => {
-            scatter(plane.blocks_mut(set_of(of)), of, quads, mask, words)
-        }
+        BatchLayout::Quads(at, of) => scatter_quads(plane.blocks_mut(of), at, mask, words),
         BatchLayout::Pixels(at, of) => scatter_pixels(plane.blocks_mut(of), at, mask, words),
     }
 }
 
-/// Blocks as a set, bit by block.
-fn set_of(blocks: &[u8]) -> u64 {
-    blocks.iter().fold(0, |set, &block| set | 1 << (usize::from(block) % BLOCKS))
+/// The words of quads.
+struct GatherQuads<'a> {
+    blocks: &'a [U32s],
+    at: &'a [u16; QUADS],
 }
 
-fn gather(blocks: &[U32s], of: &[u8], quads: &[u8]) -> U32s {
-    let mut words = U32s::ZERO;
-    for (at, (&block, &quad)) in of.iter().zip(quads).enumerate() {
-        let from = &blocks[usize::from(block)];
+impl Kernel for GatherQuads<'_> {
+    type Output = U32s;
+    #[inline(always)]
+    fn run<S: Simd>(self) -> U32s {
+        let mut offsets = U32s::ZERO;
         for e in 0..4 {
-            words[e * QUADS + at] = from[e * QUADS + usize::from(quad)];
+            for at in 0..QUADS {
+                let first = u32::from(self.at[at]) % PIXELS as u32;
+                offsets[e * QUADS + at] = (first + (e * QUADS) as u32) * 4;
+            }
         }
+        S::gather(bytemuck::cast_slice(self.blocks), &offsets)
     }
-    words
 }
 
-fn scatter(blocks: &mut [U32s], of: &[u8], quads: &[u8], mask: u64, words: &U32s) {
-    for (at, (&block, &quad)) in of.iter().zip(quads).enumerate() {
-        // One bit of each quarter of the mask.
-        let lanes = mask >> at & 0x0001_0001_0001_0001;
+fn scatter_quads(blocks: &mut [U32s], at: &[u16; QUADS], mask: u64, words: &U32s) {
+    /// The lanes of the first quad: one bit of each quarter of the mask.
+    const QUAD: u64 = 0x0001_0001_0001_0001;
+    for (quad, &at) in at.iter().enumerate() {
+        let lanes = mask >> quad & QUAD;
         if lanes == 0 {
             continue;
         }
-        let to = &mut blocks[usize::from(block)];
-        for e in 0..4 {
-            let to = &mut to[e * QUADS + usize::from(quad)];
-            let is_stored = lanes >> (e * QUADS) & 1 == 1;
-            *to = if is_stored { words[e * QUADS + at] } else { *to };
+        let (block, first) = (usize::from(at) / LANES, usize::from(at) % QUADS);
+        let Some(to) = blocks.get_mut(block) else { continue };
+        if lanes == QUAD {
+            for e in 0..4 {
+                to[e * QUADS + first] = words[e * QUADS + quad];
+            }
+        } else {
+            for e in 0..4 {
+                let to = &mut to[e * QUADS + first];
+                let is_stored = lanes >> (e * QUADS) & 1 == 1;
+                *to = if is_stored { words[e * QUADS + quad] } else { *to };
+            }
         }
     }
 }

@@ -5,7 +5,7 @@ use crate::attachment::{BLOCKS, BatchLayout};
 use crate::desc::Facing;
 use crate::plan::{Packing, SampleMasks};
 use crate::sizes::MAX_SAMPLES;
-use texunit::lanes::{F32s, QUADS};
+use texunit::lanes::{F32s, LANES, QUADS};
 
 /// Fragments that are shaded together.
 #[derive(Clone, Copy)]
@@ -98,7 +98,7 @@ impl<'a> Batch<'a> {
         match self.pixels {
             BatchPixels::Block(of) => BatchLayout::Block(of.block),
             BatchPixels::Packed(packed) => {
-                BatchLayout::Quads(&packed.blocks[..packed.len], &packed.quads[..packed.len])
+                BatchLayout::Quads(&packed.positions, packed.blocks)
             }
             BatchPixels::Pixels(pixels) => pixels.layout(),
         }
@@ -126,10 +126,10 @@ pub struct Packed {
     len: usize,
     masks: SampleMasks,
     tested: u64,
-    /// Which block of the tile each quad is in.
-    blocks: [u8; QUADS],
-    /// Which quad of its block each is.
-    quads: [u8; QUADS],
+    /// Of each quad: its block times 64 and its quad there.
+    positions: [u16; QUADS],
+    /// These blocks, bit by block.
+    blocks: u64,
     /// Its first pixel within the block.
     pub dx: [f32; QUADS],
     pub dy: [f32; QUADS],
@@ -151,8 +151,8 @@ impl Default for Packed {
             len: 0,
             masks: SampleMasks::none(1),
             tested: 0,
-            blocks: [0; QUADS],
-            quads: [0; QUADS],
+            positions: [0; QUADS],
+            blocks: 0,
             dx: [0.0; QUADS],
             dy: [0.0; QUADS],
             x: [0.0; QUADS],
@@ -204,11 +204,13 @@ impl Packed {
     /// Removes all quads, and prepares for a draw with these numbers of planes and samples.
     pub fn clear(&mut self, planes: usize, samples: usize) {
         for pending in self.pending.iter_mut().take(self.masks.iter().len()) {
-            for &block in &self.blocks[..self.len] {
-                pending[usize::from(block)] = 0;
+            let mut left = self.blocks;
+            while left != 0 {
+                pending[left.trailing_zeros() as usize % BLOCKS] = 0;
+                left &= left - 1;
             }
         }
-        self.len = 0;
+        (self.len, self.blocks) = (0, 0);
         self.masks = SampleMasks::none(samples);
         self.tested = 0;
         if self.planes.len() != planes {
@@ -221,8 +223,8 @@ impl Packed {
     pub fn push(&mut self, of: &BlockOf<'_>, quad: usize, from: usize, masks: &SampleMasks) {
         let at = self.len % QUADS;
         self.len += 1;
-        self.blocks[at] = of.block as u8;
-        self.quads[at] = quad as u8;
+        self.positions[at] = (of.block * LANES + quad) as u16;
+        self.blocks |= 1 << of.block;
         self.dx[at] = QUAD_X[quad % QUADS];
         self.dy[at] = QUAD_Y[quad % QUADS];
         self.x[at] = of.x as f32;

@@ -78,15 +78,14 @@ impl WatchedPixel {
     pub fn lane_of(&self, layout: BatchLayout<'_>, lanes: u64) -> Option<usize> {
         let lane = match layout {
             BatchLayout::Block(block) => (block == self.block).then_some(self.lane)?,
-            BatchLayout::Quads(blocks, quads) => {
+            BatchLayout::Quads(positions, _) => {
                 // Its quad may be there more than once, the pixel may not.
                 let first = self.lane / QUADS * QUADS;
-                let covering_lane = |(at, (&block, &quad)): (usize, (&u8, &u8))| {
-                    let is_same =
-                        usize::from(block) == self.block && usize::from(quad) == self.lane % QUADS;
-                    (is_same && lanes >> (first + at) & 1 == 1).then_some(first + at)
+                let quad = self.block * LANES + self.lane % QUADS;
+                let is_covered = |&at: &usize| {
+                    usize::from(positions[at]) == quad && lanes >> (first + at) & 1 == 1
                 };
-                blocks.iter().zip(quads).enumerate().find_map(covering_lane)?
+                first + (0..QUADS).find(is_covered)?
             }
             BatchLayout::Pixels(at, _) => {
                 let index = self.block * LANES + self.lane;
