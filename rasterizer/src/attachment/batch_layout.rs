@@ -82,7 +82,8 @@ pub fn with_texels(
     }
 }
 
-fn load(isa: Isa, plane: &mut WordPlane, layout: &BatchLayout<'_>) -> U32s {
+/// The words of a batch's pixels.
+pub fn load(isa: Isa, plane: &mut WordPlane, layout: &BatchLayout<'_>) -> U32s {
     match *layout {
         BatchLayout::Block(block) => plane.block(block),
         BatchLayout::Quads(at, of) => isa.run(GatherQuads { blocks: plane.blocks_mut(of), at }),
@@ -90,7 +91,8 @@ fn load(isa: Isa, plane: &mut WordPlane, layout: &BatchLayout<'_>) -> U32s {
     }
 }
 
-fn store(plane: &mut WordPlane, layout: &BatchLayout<'_>, mask: u64, words: &U32s) {
+/// Puts back the words of the lanes of a mask; those of a block whole.
+pub fn store(plane: &mut WordPlane, layout: &BatchLayout<'_>, mask: u64, words: &U32s) {
     match *layout {
         BatchLayout::Block(block) => *plane.block_mut(block) = *words,
         BatchLayout::Quads(at, of) => scatter_quads(plane.blocks_mut(of), at, mask, words),

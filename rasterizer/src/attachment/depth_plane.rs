@@ -1,4 +1,4 @@
-//! The depths of one shape over a tile: a plane, from which the words of any pixel follow (GL 2.1, section 3.5.1).
+//! Depths of shapes over the blocks of a tile: planes, from which the words of any pixel follow (GL 2.1, section 3.5.1).
 
 use super::depth_format::{DepthFormat, depth_words};
 use texunit::lanes::{F32s, Isa, Kernel, LANES, Simd, U32s, lane_x, lane_y};
@@ -40,25 +40,29 @@ impl Kernel for BlockDepth {
     }
 }
 
-/// The depths of one shape in each block of a tile, and how they are stored.
+/// A plane of depths for each block of a tile, and how depths are stored.
 #[derive(Clone, Debug)]
-pub struct DepthPlane {
-    /// The instruction set that evaluates it.
+pub struct DepthPlanes {
+    /// The instruction set that evaluates them.
     pub isa: Isa,
     /// How depths are stored.
     pub format: DepthFormat,
-    /// The depth at the first pixel of each block.
-    pub corners: F32s,
-    /// Per pixel across, per pixel up.
-    pub steps: [f32; 2],
     /// The least and the largest depth.
     pub depths: [f32; 2],
+    /// By block: the depth at its first pixel, per pixel across, per pixel up.
+    pub planes: [F32s; 3],
 }
 
-impl DepthPlane {
+impl DepthPlanes {
+    /// The plane of a block.
+    #[inline(always)]
+    fn plane(&self, block: usize) -> [f32; 3] {
+        self.planes.each_ref().map(|of| of[block % LANES])
+    }
+
     /// The words of a block.
     pub fn block(&self, block: usize) -> U32s {
-        self.isa.run(BlockWords { plane: self, block })
+        self.isa.run(BlockWords { planes: self, block })
     }
 
     /// The words of a row of a block.
@@ -75,50 +79,45 @@ impl DepthPlane {
     /// The word of the pixel so far across and up from the first of a block.
     #[inline(always)]
     fn word_at(&self, block: usize, at: [f32; 2]) -> u32 {
-        let ([a, b], [low, high]) = (self.steps, self.depths);
-        let depth = value_at([self.corners[block % LANES], a, b], at);
+        let [low, high] = self.depths;
+        let depth = value_at(self.plane(block), at);
         self.format.word(texunit::lanes::math::clamp(depth, low, high))
     }
 
-    /// The words of pixels: the block times 64 and the lane there of each.
+    /// The words of pixels: lane by lane the plane of its block, and the block times 64 and the lane there of each.
     #[inline(always)]
-    pub fn gather<S: Simd>(&self, places: &U32s) -> U32s {
-        let [a, b] = self.steps;
-        let (mut blocks, mut depth, mut words) = (U32s::ZERO, F32s::ZERO, U32s::ZERO);
-        for lane in 0..LANES {
-            blocks[lane] = places[lane] / LANES as u32 % LANES as u32;
-        }
-        let corners = S::gather_f32(&self.corners.0, &blocks);
+    pub fn words_at<S: Simd>(&self, [corners, a, b]: &[F32s; 3], places: &U32s) -> U32s {
+        let (mut depth, mut words) = (F32s::ZERO, U32s::ZERO);
         for lane in 0..LANES {
             let place = places[lane];
             // As `lane_x` and `lane_y`.
             let x = (place & 3) << 1 | place >> 4 & 1;
             let y = (place >> 2 & 3) << 1 | place >> 5 & 1;
-            depth[lane] = value_at([corners[lane], a, b], [x as f32, y as f32]);
+            depth[lane] = value_at([corners[lane], a[lane], b[lane]], [x as f32, y as f32]);
         }
         clamp_depth(&mut depth, self.depths);
         depth_words(self.format, &depth, &mut words);
         words
     }
 
-    /// Whether `new OP stored` holds for every pixel of the tile where all of them store this word; `false` where that is
-    /// not sure.
-    pub fn passes_everywhere(&self, test: Compare, stored: u32) -> bool {
-        let Some([least, largest]) = self.isa.run(Range(self)) else { return false };
-        match test {
-            Compare::Always => true,
-            Compare::Less => largest < stored,
-            Compare::LessEqual => largest <= stored,
-            Compare::Greater => least > stored,
-            Compare::GreaterEqual => least >= stored,
-            Compare::NotEqual => largest < stored || least > stored,
-            Compare::Never | Compare::Equal => false,
+    /// Whether words are those of these planes if they are stored with them.
+    pub fn are_stored_as(&self, other: &Self) -> bool {
+        self.format == other.format
+            && self.depths.map(f32::to_bits) == other.depths.map(f32::to_bits)
+    }
+
+    /// Replaces the planes of some blocks, bit by block.
+    pub fn replace(&mut self, blocks: u64, by: &Self) {
+        for block in (0..LANES).filter(|block| blocks >> block & 1 == 1) {
+            for (plane, by) in self.planes.iter_mut().zip(&by.planes) {
+                plane[block] = by[block];
+            }
         }
     }
 }
 
 struct BlockWords<'a> {
-    plane: &'a DepthPlane,
+    planes: &'a DepthPlanes,
     block: usize,
 }
 
@@ -126,42 +125,130 @@ impl Kernel for BlockWords<'_> {
     type Output = U32s;
     #[inline(always)]
     fn run<S: Simd>(self) -> U32s {
-        let Self { plane: &DepthPlane { format, ref corners, steps: [a, b], depths, .. }, block } =
-            self;
-        let depth = BlockDepth { plane: [corners[block % LANES], a, b], depths }.run::<S>();
+        let Self { planes: of @ &DepthPlanes { format, depths, .. }, block } = self;
+        let depth = BlockDepth { plane: of.plane(block), depths }.run::<S>();
         let mut words = U32s::ZERO;
         depth_words(format, &depth, &mut words);
         words
     }
 }
 
-/// The least and the largest word of a tile; `None` where numbers are infinite or NaN.
+/// For which blocks a depth test has one outcome, bit by block.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct BlockOutcomes {
+    /// Every pixel passes.
+    pub pass: u64,
+    /// Every pixel fails.
+    pub fail: u64,
+}
+
+/// Whether `new OP stored` holds for every pixel, or for none, of each block of a tile.
+pub struct CompareBlocks<'a> {
+    /// The comparison.
+    pub test: Compare,
+    /// What is compared.
+    pub new: &'a DepthPlanes,
+    /// The blocks that store planes, bit by block, and these, stored as `new` is.
+    pub planes: Option<(u64, &'a DepthPlanes)>,
+    /// The word that all other blocks store.
+    pub word: u32,
+}
+
+impl Kernel for CompareBlocks<'_> {
+    type Output = BlockOutcomes;
+    #[inline(always)]
+    fn run<S: Simd>(self) -> BlockOutcomes {
+        let Self { test, new, planes, word } = self;
+        let of_new = Ranges::of(new);
+        let mut stored =
+            Ranges { low: U32s::splat(word), high: U32s::splat(word), is_known: U32s::splat(!0) };
+        let mut is_same = U32s::ZERO;
+        if let Some((blocks, old)) = planes {
+            let of_old = Ranges::of(old);
+            let has_plane = expand_bits(blocks);
+            for lane in 0..LANES {
+                let is_old = has_plane[lane];
+                stored.low[lane] = of_old.low[lane] & is_old | stored.low[lane] & !is_old;
+                stored.high[lane] = of_old.high[lane] & is_old | stored.high[lane] & !is_old;
+                stored.is_known[lane] &= of_old.is_known[lane] | !is_old;
+                let mut differ = 0;
+                for (new, old) in new.planes.iter().zip(&old.planes) {
+                    differ |= new[lane].to_bits() ^ old[lane].to_bits();
+                }
+                is_same[lane] = if differ == 0 { is_old } else { 0 };
+            }
+        }
+        let (mut below, mut above, mut at_most, mut at_least) =
+            (U32s::ZERO, U32s::ZERO, U32s::ZERO, U32s::ZERO);
+        for lane in 0..LANES {
+            let known = of_new.is_known[lane] & stored.is_known[lane];
+            let (low, high) = (of_new.low[lane], of_new.high[lane]);
+            let (old_low, old_high) = (stored.low[lane], stored.high[lane]);
+            below[lane] = if high < old_low { known } else { 0 };
+            above[lane] = if low > old_high { known } else { 0 };
+            // The words of equal planes are equal.
+            at_most[lane] = if high <= old_low { known } else { is_same[lane] };
+            at_least[lane] = if low >= old_high { known } else { is_same[lane] };
+        }
+        let [below, above] = [S::nonzero(&below), S::nonzero(&above)];
+        let [at_most, at_least] = [S::nonzero(&at_most), S::nonzero(&at_least)];
+        let equal = S::nonzero(&is_same);
+        let (pass, fail) = match test {
+            Compare::Always => (!0, 0),
+            Compare::Never => (0, !0),
+            Compare::Less => (below, at_least),
+            Compare::LessEqual => (at_most, above),
+            Compare::Greater => (above, at_most),
+            Compare::GreaterEqual => (at_least, below),
+            Compare::Equal => (equal, below | above),
+            Compare::NotEqual => (below | above, equal),
+        };
+        BlockOutcomes { pass, fail }
+    }
+}
+
+/// All bits of the words of a set.
+#[inline(always)]
+fn expand_bits(set: u64) -> U32s {
+    let (low, high) = (set as u32, (set >> 32) as u32);
+    let mut out = U32s::ZERO;
+    for lane in 0..LANES {
+        let half = if lane < 32 { low } else { high };
+        out[lane] = 0_u32.wrapping_sub(half >> (lane % 32) & 1);
+    }
+    out
+}
+
+/// The least and the largest word of each block.
 ///
 /// All operations of [`value_at`], the clamp and the rounding to words keep order in each argument, so that the extremes of
 /// a block are at its corner pixels.
-struct Range<'a>(&'a DepthPlane);
+struct Ranges {
+    low: U32s,
+    high: U32s,
+    /// Zero where numbers are infinite or NaN.
+    is_known: U32s,
+}
 
-impl Kernel for Range<'_> {
-    type Output = Option<[u32; 2]>;
+impl Ranges {
     #[inline(always)]
-    fn run<S: Simd>(self) -> Option<[u32; 2]> {
-        let &DepthPlane { format, ref corners, steps: [a, b], depths, .. } = self.0;
-        let last = |step: f32, up: bool| if (step > 0.0) == up { 7.0 } else { 0.0 };
-        let (lowest, highest) = ([last(a, false), last(b, false)], [last(a, true), last(b, true)]);
-        let (mut low, mut high, mut unknown) = (F32s::ZERO, F32s::ZERO, U32s::ZERO);
+    fn of(planes: &DepthPlanes) -> Self {
+        let &DepthPlanes { format, depths, planes: [ref corners, ref a, ref b], .. } = planes;
+        let (mut lowest, mut highest, mut is_known) = (F32s::ZERO, F32s::ZERO, U32s::ZERO);
         for lane in 0..LANES {
-            low[lane] = value_at([corners[lane], a, b], lowest);
-            high[lane] = value_at([corners[lane], a, b], highest);
-            unknown[lane] = if corners[lane].is_finite() { 0 } else { !0 };
+            let (corner, a, b) = (corners[lane], a[lane], b[lane]);
+            let last = |step: f32, up: bool| if (step > 0.0) == up { 7.0 } else { 0.0 };
+            lowest[lane] = value_at([corner, a, b], [last(a, false), last(b, false)]);
+            highest[lane] = value_at([corner, a, b], [last(a, true), last(b, true)]);
+            let is_finite = |value: f32| value.abs() < f32::INFINITY;
+            let is_all = is_finite(corner) & is_finite(7.0 * a) & is_finite(7.0 * b);
+            is_known[lane] = if is_all { !0 } else { 0 };
         }
-        if !(7.0 * a).is_finite() || !(7.0 * b).is_finite() || S::any(&unknown) {
-            return None;
-        }
-        clamp_depth(&mut low, depths);
-        clamp_depth(&mut high, depths);
-        let (mut least, mut largest) = (U32s::ZERO, U32s::ZERO);
-        depth_words(format, &low, &mut least);
-        depth_words(format, &high, &mut largest);
-        Some([S::smallest(&least), S::largest(&largest)])
+        clamp_depth(&mut lowest, depths);
+        clamp_depth(&mut highest, depths);
+        let (mut low, mut high) = (U32s::ZERO, U32s::ZERO);
+        depth_words(format, &lowest, &mut low);
+        depth_words(format, &highest, &mut high);
+        Self { low, high, is_known }
     }
 }

@@ -9,9 +9,9 @@ mod resolve;
 mod surface;
 mod words;
 
-pub use batch_layout::{BatchLayout, LoadOp, with_texels, with_words};
+pub use batch_layout::{BatchLayout, LoadOp, load, store, with_texels, with_words};
 pub use depth_format::{DepthFormat, depth_words};
-pub use depth_plane::{BlockDepth, DepthPlane, clamp_depth, value_at};
+pub use depth_plane::{BlockDepth, DepthPlanes, clamp_depth, value_at};
 pub use encode::{decode_color, encode_color, texel_color, texel_words};
 pub use plane::{BLOCKS, WordPlane};
 pub use surface::{RowSpan, RowWriter, Slices, StoreContext, Surface, TileTarget};

@@ -1,11 +1,12 @@
 //! A plane: one word of every pixel of a tile.
 //!
-//! A clear stores one word, and a triangle that covers the tile stores its plane of depths; a block gets words of its own
-//! when something else is drawn to it.
+//! A clear stores one word, and a triangle that covers a block whole may store its plane of depths there; a block gets words
+//! of its own when something else is drawn to it.
 
 use super::batch_layout::LoadOp;
-use super::depth_plane::DepthPlane;
-use texunit::lanes::{LANES, Simd, U32s, prefetch};
+use super::depth_plane::{BlockOutcomes, CompareBlocks, DepthPlanes};
+use texunit::lanes::{U32s, prefetch};
+use texunit::sampler::Compare;
 
 /// Blocks of 8×8 pixels in a tile.
 pub const BLOCKS: usize = 64;
@@ -15,19 +16,14 @@ pub const BLOCKS: usize = 64;
 pub struct WordPlane {
     /// [`BLOCKS`] blocks, row by row, each in lane order; none where nothing was ever drawn.
     words: Vec<U32s>,
-    /// What the blocks hold that have no words of their own.
-    fill: Fill,
-    /// The blocks without words of their own, bit by block.
+    /// What the blocks hold that have neither words nor a plane of their own.
+    word: u32,
+    /// The blocks that hold `word`, bit by block.
     filled: u64,
-}
-
-/// What blocks without words of their own hold.
-#[derive(Clone, Debug)]
-enum Fill {
-    /// This word: that of a clear.
-    Word(u32),
-    /// The depths of a triangle that covers the tile.
-    Depth(Box<DepthPlane>),
+    /// The planes of depths of the blocks in `with_depths`.
+    depths: Option<Box<DepthPlanes>>,
+    /// The blocks that hold a plane of depths, bit by block; none of `filled`.
+    with_depths: u64,
 }
 
 /// What a block holds.
@@ -37,62 +33,82 @@ pub enum BlockTexels<'a> {
     Words(&'a U32s),
     /// This word in every pixel.
     Uniform(u32),
-    /// The depths of a plane.
-    Depth(&'a DepthPlane),
+    /// The depths of its plane of these.
+    Depth(&'a DepthPlanes),
 }
 
 impl WordPlane {
     /// The same word everywhere.
     pub fn cleared(word: u32) -> Self {
-        Self { words: Vec::new(), fill: Fill::Word(word), filled: !0 }
+        Self { words: Vec::new(), word, filled: !0, depths: None, with_depths: 0 }
     }
 
     /// [`BLOCKS`] blocks, row by row, each in lane order.
     pub fn of(words: Vec<U32s>) -> Self {
         debug_assert_eq!(words.len(), BLOCKS);
-        Self { words, fill: Fill::Word(0), filled: 0 }
+        Self { words, word: 0, filled: 0, depths: None, with_depths: 0 }
     }
 
     /// Becomes the same word everywhere. The memory stays, for what is drawn next.
     pub fn clear(&mut self, word: u32) {
-        (self.fill, self.filled) = (Fill::Word(word), !0);
+        (self.word, self.filled, self.with_depths) = (word, !0, 0);
     }
 
-    /// Puts the depths of a plane into the blocks without words of their own, and returns these blocks.
-    pub fn fill_with(&mut self, depths: DepthPlane) -> u64 {
-        self.fill = Fill::Depth(Box::new(depths));
-        self.filled
-    }
-
-    /// The word of the blocks without words of their own, if there are any and it is the same in all of them.
-    pub fn fill_word(&self) -> Option<u32> {
-        match self.fill {
-            Fill::Word(word) if self.filled != 0 => Some(word),
-            Fill::Word(_) | Fill::Depth(_) => None,
+    /// Tests the depths of planes against `blocks`, bit by block, as far as their outcome is the same for all pixels of a
+    /// block and follows without its words. Blocks of `replaced` where all pass store the plane.
+    pub fn test_blocks(
+        &mut self,
+        test: Compare,
+        new: &DepthPlanes,
+        blocks: u64,
+        replaced: u64,
+    ) -> BlockOutcomes {
+        let old = self.depths.as_deref().filter(|_| self.with_depths != 0);
+        let is_alike = old.is_none_or(|old| old.are_stored_as(new));
+        let planes = old.filter(|_| is_alike).map(|old| (self.with_depths, old));
+        let known = blocks & (self.filled | planes.map_or(0, |(of, _)| of));
+        if known == 0 {
+            return BlockOutcomes::default();
         }
+        let outcomes = new.isa.run(CompareBlocks { test, new, planes, word: self.word });
+        let BlockOutcomes { pass, fail } =
+            BlockOutcomes { pass: outcomes.pass & known, fail: outcomes.fail & known };
+        let stored = pass & replaced;
+        if stored == 0 {
+            return BlockOutcomes { pass, fail };
+        }
+        if !is_alike {
+            return BlockOutcomes { pass: pass & !replaced, fail };
+        }
+        match &mut self.depths {
+            Some(old) if self.with_depths != 0 => old.replace(stored, new),
+            Some(old) => old.as_mut().clone_from(new),
+            None => self.depths = Some(Box::new(new.clone())),
+        }
+        self.with_depths |= stored;
+        self.filled &= !stored;
+        BlockOutcomes { pass, fail }
     }
 
     /// The word of the clear, if all blocks still hold it.
     pub fn cleared_word(&self) -> Option<u32> {
-        match self.fill {
-            Fill::Word(word) if self.filled == !0 => Some(word),
-            Fill::Word(_) | Fill::Depth(_) => None,
-        }
+        (self.filled == !0).then_some(self.word)
     }
 
-    /// Whether a block has no words of its own.
+    /// The blocks without words of their own, bit by block.
     #[inline]
-    fn is_filled(&self, block: usize) -> bool {
-        self.filled >> block & 1 == 1
+    pub fn without_words(&self) -> u64 {
+        self.filled | self.with_depths
     }
 
     /// What a block holds.
     #[inline(always)]
     pub fn texels(&self, block: usize) -> BlockTexels<'_> {
-        match &self.fill {
-            _ if !self.is_filled(block) => BlockTexels::Words(&self.words[block]),
-            Fill::Word(word) => BlockTexels::Uniform(*word),
-            Fill::Depth(depths) => BlockTexels::Depth(depths),
+        let is_in = |blocks: u64| blocks >> block & 1 == 1;
+        match &self.depths {
+            Some(depths) if is_in(self.with_depths) => BlockTexels::Depth(depths),
+            Some(_) | None if is_in(self.filled) => BlockTexels::Uniform(self.word),
+            Some(_) | None => BlockTexels::Words(&self.words[block]),
         }
     }
 
@@ -106,43 +122,6 @@ impl WordPlane {
         }
     }
 
-    /// The word of a pixel: its block times 64 and its lane there.
-    pub fn word(&self, place: u32) -> u32 {
-        let (block, lane) = (place as usize / LANES % BLOCKS, place as usize % LANES);
-        match self.texels(block) {
-            BlockTexels::Words(words) => words[lane],
-            BlockTexels::Uniform(word) => word,
-            BlockTexels::Depth(depths) => depths.word(block, lane),
-        }
-    }
-
-    /// The words of pixels: the block times 64 and the lane there of each.
-    #[inline(always)]
-    pub fn gather<S: Simd>(&self, places: &U32s) -> U32s {
-        let fill = match &self.fill {
-            _ if self.filled == 0 => U32s::ZERO,
-            Fill::Word(word) => U32s::splat(*word),
-            Fill::Depth(depths) => depths.gather::<S>(places),
-        };
-        if self.filled == !0 {
-            return fill;
-        }
-        let mut offsets = U32s::ZERO;
-        for lane in 0..LANES {
-            offsets[lane] = places[lane] % (BLOCKS * LANES) as u32 * 4;
-        }
-        let mut words = S::gather(bytemuck::cast_slice(&self.words), &offsets);
-        if self.filled != 0 {
-            let [low, high] = [self.filled as u32, (self.filled >> 32) as u32];
-            for lane in 0..LANES {
-                let block = places[lane] / LANES as u32;
-                let half = if block & 32 == 0 { low } else { high };
-                words[lane] = if half >> (block & 31) & 1 == 1 { fill[lane] } else { words[lane] };
-            }
-        }
-        words
-    }
-
     /// A block, for writing.
     #[inline]
     pub fn block_mut(&mut self, block: usize) -> &mut U32s {
@@ -153,7 +132,7 @@ impl WordPlane {
     /// Gives a block words of its own: what it holds, or any words with [`LoadOp::DontCare`].
     #[inline]
     pub fn materialize(&mut self, block: usize, old: LoadOp) {
-        if self.is_filled(block) {
+        if self.without_words() >> block & 1 == 1 {
             self.fill(block, old);
         }
     }
@@ -167,6 +146,7 @@ impl WordPlane {
             self.words[block] = self.block(block);
         }
         self.filled &= !(1 << block);
+        self.with_depths &= !(1 << block);
     }
 
     /// The words of all blocks. Those of blocks without words of their own are undefined before [`Self::materialize`].
@@ -178,9 +158,9 @@ impl WordPlane {
     /// All blocks, for writing to those of `blocks`, bit by block.
     #[inline]
     pub fn blocks_mut(&mut self, blocks: u64) -> &mut [U32s] {
-        let filled = self.filled & blocks;
-        if filled != 0 {
-            self.fill_all(filled);
+        let without_words = self.without_words() & blocks;
+        if without_words != 0 {
+            self.fill_all(without_words);
         }
         &mut self.words
     }

@@ -6,7 +6,9 @@
 mod bytes;
 mod texels;
 
-pub use bytes::{BlockColors, Color, WriteBytes, pack_colors};
+pub use bytes::{
+    BlockColors, BlockOfPlanes, Color, StoreSamples, WriteBytes, WriteSampledBytes, pack_colors,
+};
 pub use texels::WriteTexels;
 
 use super::mask::expand_mask;

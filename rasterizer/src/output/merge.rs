@@ -1,10 +1,16 @@
 //! Fragments into the attachments of a tile: the tests, then the colours.
 
-use super::color::{BlockColors, ColorClass, ColorPlan, WriteBytes, WriteTexels};
+use super::color::{
+    BlockColors, BlockOfPlanes, ColorClass, ColorPlan, StoreSamples, WriteBytes, WriteSampledBytes,
+    WriteTexels,
+};
 use super::depth::{DepthPlan, DepthTest};
 use super::stencil::{Reference, StencilPlan, StencilTest, StencilUpdate};
-use crate::attachment::{BatchLayout, LoadOp, TileTarget, WordPlane, with_texels, with_words};
+use crate::attachment::{
+    BatchLayout, LoadOp, TileTarget, WordPlane, load, store, with_texels, with_words,
+};
 use crate::desc::{DepthWrite, StencilOp};
+use crate::sizes::MAX_SAMPLES;
 use texunit::lanes::{F32s, Isa, Kernel, Simd, U32s};
 
 /// The tests of a draw.
@@ -122,8 +128,81 @@ impl Kernel for StencilDepthTest<'_> {
     }
 }
 
+/// Writes the colours of fragments into the planes of their samples: the lanes of `masks`, by sample. The block of the
+/// colours, and their mask, are not read.
+pub fn write_samples(
+    isa: Isa,
+    plan: &ColorPlan,
+    target: &mut TileTarget,
+    layout: &BatchLayout<'_>,
+    colors: BlockColors<'_>,
+    masks: &[u64],
+) {
+    if let (ColorClass::Bytes, [_, _, ..]) = (plan.class, masks) {
+        write_sampled_bytes(isa, plan, &mut target.planes, layout, colors, masks);
+        return;
+    }
+    for (sample, &mask) in masks.iter().enumerate() {
+        if mask != 0 {
+            write(isa, plan, target, sample, layout, BlockColors { mask, ..colors });
+        }
+    }
+}
+
+/// Writes the colours of fragments of several samples, of which each has a plane.
+fn write_sampled_bytes(
+    isa: Isa,
+    plan: &ColorPlan,
+    planes: &mut [WordPlane],
+    layout: &BatchLayout<'_>,
+    colors: BlockColors<'_>,
+    masks: &[u64],
+) {
+    if let BatchLayout::Block(block) = *layout {
+        materialize_samples(plan, planes, block, masks);
+        let words = BlockOfPlanes { planes, block };
+        isa.run(WriteSampledBytes { plan, colors, masks, words });
+        return;
+    }
+    let mut words = [U32s::ZERO; MAX_SAMPLES];
+    if plan.load_op() == LoadOp::Load {
+        for ((plane, &mask), words) in planes.iter_mut().zip(masks).zip(&mut words) {
+            if mask != 0 {
+                *words = load(isa, plane, layout);
+            }
+        }
+    }
+    isa.run(WriteSampledBytes { plan, colors, masks, words: &mut words });
+    for ((plane, &mask), words) in planes.iter_mut().zip(masks).zip(&words) {
+        if mask != 0 {
+            store(plane, layout, mask, words);
+        }
+    }
+}
+
+/// Stores words, which several samples share, in a block of the plane of each sample.
+pub fn store_samples(
+    isa: Isa,
+    plan: &ColorPlan,
+    target: &mut TileTarget,
+    (block, word): (usize, &U32s),
+    masks: &[u64],
+) {
+    materialize_samples(plan, &mut target.planes, block, masks);
+    let words = BlockOfPlanes { planes: &mut target.planes, block };
+    isa.run(StoreSamples { plan, word, masks, words });
+}
+
+fn materialize_samples(plan: &ColorPlan, planes: &mut [WordPlane], block: usize, masks: &[u64]) {
+    for (plane, &mask) in planes.iter_mut().zip(masks) {
+        if mask != 0 {
+            plane.materialize(block, plan.load_op_for_mask(mask));
+        }
+    }
+}
+
 /// Writes the colours of fragments into the planes of a sample; their block is that of the layout.
-pub fn write(
+fn write(
     isa: Isa,
     plan: &ColorPlan,
     target: &mut TileTarget,

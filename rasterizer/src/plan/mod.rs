@@ -225,8 +225,13 @@ impl DrawPlan {
         };
         let is_whole = samples.count == 1 && !inputs.contains(&FragmentInput::Coverage);
         let is_without_helper_lanes = is_whole && !fragment.reads_neighbours(needs_lod);
+        let centroids = inputs.iter().any(within);
         // With nothing left to decide once they are shaded.
-        let is_plain = is_whole && shading == Shading::On && !late;
+        let is_plain = samples.share_colors()
+            && !centroids
+            && !inputs.contains(&FragmentInput::Coverage)
+            && shading == Shading::On
+            && !late;
         let blocks_per_group = if is_plain { fragment.register_files() } else { 1 };
         let may_multiply = blocks_per_group > 1 && colors.len() == 1 && colors[0].target == 0;
         Self {
@@ -238,7 +243,7 @@ impl DrawPlan {
             blocks_per_group,
             shades_depth: late || inputs.contains(&FragmentInput::Depth),
             packing: if is_without_helper_lanes { Packing::Pixels } else { Packing::Quads },
-            centroids: inputs.iter().any(within),
+            centroids,
             reads_coverage: inputs.contains(&FragmentInput::Coverage),
             prepared: fragment.prepare(input.isa, input.uniforms, &input.textures),
             textures: input.textures,

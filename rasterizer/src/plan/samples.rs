@@ -54,6 +54,15 @@ impl SampleMasks {
         };
     }
 
+    /// Whether any lane of a sample is in both.
+    #[inline]
+    pub fn intersects(&self, other: &Self) -> bool {
+        match self.count {
+            0 | 1 => self.lanes[0] & other.lanes[0] != 0,
+            _ => self.lanes.iter().zip(&other.lanes).any(|(a, b)| a & b != 0),
+        }
+    }
+
     /// The lanes of one sample.
     pub fn only(&self, sample: usize) -> Self {
         let mut only = Self::none(self.count);
@@ -188,6 +197,15 @@ impl Samples {
         !self.positions.is_empty()
     }
 
+    /// Whether the samples of a fragment get its colour and nothing else is decided for each: not whether it is kept, its
+    /// alpha, or where it is shaded.
+    pub fn share_colors(&self) -> bool {
+        !self.is_shaded_each()
+            && self.alpha.is_none()
+            && self.mask.is_none()
+            && self.alpha_to_one == AlphaToOne::Off
+    }
+
     /// Whether a fragment is shaded at each covered sample.
     pub fn is_shaded_each(&self) -> bool {
         self.shading == SampleShading::Each
@@ -201,6 +219,11 @@ impl Samples {
     /// Whether coverage value and mask keep a sample.
     pub fn keeps(&self, sample: usize) -> bool {
         self.kept >> sample & 1 == 1
+    }
+
+    /// Whether coverage value and mask keep every sample.
+    pub fn keeps_all(&self) -> bool {
+        (0..self.count).all(|sample| self.keeps(sample))
     }
 
     /// Removes what coverage value and mask do not keep, and the lanes that are not `inside`.

@@ -97,9 +97,7 @@ impl<'a> Batch<'a> {
     pub fn layout(&self) -> BatchLayout<'a> {
         match self.pixels {
             BatchPixels::Block(of) => BatchLayout::Block(of.block),
-            BatchPixels::Packed(packed) => {
-                BatchLayout::Quads(&packed.positions, packed.blocks)
-            }
+            BatchPixels::Packed(packed) => BatchLayout::Quads(&packed.positions, packed.blocks),
             BatchPixels::Pixels(pixels) => pixels.layout(),
         }
     }
@@ -265,7 +263,7 @@ pub fn moved_quad(lanes: u64, from: usize, to: usize) -> u64 {
 }
 
 /// Quads of a block from which on it is shaded by itself rather than packed with others.
-const DENSE_QUADS: u32 = 12;
+const DENSE_QUADS: u32 = 5;
 /// Pixels of one, where these need not be quads.
 const DENSE_PIXELS: u32 = 30;
 

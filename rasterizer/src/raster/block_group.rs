@@ -6,9 +6,10 @@
 use super::batch::{BlockOf, EarlyTests};
 use super::block::BlockAt;
 use crate::desc::Facing;
+use crate::plan::SampleMasks;
 use crate::shader::MAX_REGISTER_FILES;
 
-/// Blocks of shapes of one draw, whose early tests are done. No pixel is in two of them.
+/// Blocks of shapes of one draw, whose early tests are done. No sample of a pixel is in two of them.
 #[derive(Debug, Default)]
 pub struct BlockGroup {
     /// The planes of the first block, then those of the next.
@@ -43,7 +44,7 @@ impl UniformOverShape {
 struct BlockLanes {
     block: u8,
     facing: Facing,
-    lanes: u64,
+    masks: SampleMasks,
 }
 
 impl BlockGroup {
@@ -52,13 +53,13 @@ impl BlockGroup {
         self.len
     }
 
-    /// Whether a fragment in these lanes of a block is pending: later fragments of its pixel must follow it.
+    /// Whether a fragment of any of these samples of a block is pending: later fragments of a sample must follow it.
     #[inline(always)]
-    pub fn has_pending(&self, block: usize, lanes: u64) -> bool {
-        let pending_lanes = |covered: &BlockLanes| {
-            if usize::from(covered.block) == block { covered.lanes } else { 0 }
+    pub fn has_pending(&self, block: usize, masks: &SampleMasks) -> bool {
+        let is_pending = |covered: &BlockLanes| {
+            usize::from(covered.block) == block && covered.masks.intersects(masks)
         };
-        self.blocks.iter().take(self.len).any(|covered| pending_lanes(covered) & lanes != 0)
+        self.blocks.iter().take(self.len).any(is_pending)
     }
 
     /// What is uniform over the shape that all blocks belong to; nothing if they belong to several.
@@ -111,7 +112,7 @@ impl BlockGroup {
         self.len = 0;
     }
 
-    /// Adds a block of a shape with the lanes that passed the early tests, at most [`MAX_REGISTER_FILES`] blocks.
+    /// Adds a block of a shape with the lanes that passed the early tests, by sample, at most [`MAX_REGISTER_FILES`] blocks.
     /// `uniform` says what is uniform over the shape.
     #[inline]
     pub fn push(
@@ -119,12 +120,12 @@ impl BlockGroup {
         planes: impl Iterator<Item = [f32; 3]>,
         facing: Facing,
         block: usize,
-        lanes: u64,
+        masks: &SampleMasks,
         uniform: UniformOverShape,
     ) {
         self.uniform = if self.len == 0 { uniform } else { self.uniform.intersection(uniform) };
         self.planes.extend(planes);
-        self.blocks[self.len] = BlockLanes { block: block as u8, facing, lanes };
+        self.blocks[self.len] = BlockLanes { block: block as u8, facing, masks: *masks };
         self.len += 1;
     }
 
@@ -151,10 +152,10 @@ impl BlockGroup {
         self.blocks[..self.len].iter().map(|covered| usize::from(covered.block))
     }
 
-    /// The block of a register file and its lanes.
+    /// The block of a register file and its lanes, by sample.
     #[inline]
-    pub fn covered(&self, file: usize) -> (usize, u64) {
-        let BlockLanes { block, lanes, .. } = self.blocks[file];
-        (usize::from(block), lanes)
+    pub fn covered(&self, file: usize) -> (usize, &SampleMasks) {
+        let BlockLanes { block, masks, .. } = &self.blocks[file];
+        (usize::from(*block), masks)
     }
 }

@@ -1,17 +1,14 @@
-//! A triangle that covers many blocks of a tile: its coverage and its planes in each block, computed with one lane per
-//! block. The numbers are those of [`super::edge_functions::block`] and [`PlaneGroup::at`].
+//! A triangle that covers many blocks of a tile: its coverage of each block, computed with one lane per block. The numbers
+//! are those of [`super::edge_functions::block`].
 
 use super::batch::is_dense;
 use super::edge_functions::{Edge, TileEdges, edges};
-use super::fragment_depth::TestBlocks;
-use super::plane_group::PlaneGroup;
-use crate::attachment::{BLOCKS, DepthPlane, WordPlane};
-use crate::desc::DepthWrite;
-use crate::output::DepthPlan;
+use super::tile_planes::ComputePlanes;
+use crate::attachment::BLOCKS;
 use crate::plan::Packing;
 use crate::sizes::TILE;
 use std::ops::Range;
-use texunit::lanes::{F32s, Isa, Kernel, LANES, Simd, U32s};
+use texunit::lanes::{Isa, Kernel, LANES, Simd, U32s};
 
 /// The least number of blocks in the bounds of a triangle for which they are computed together.
 pub const MIN_BLOCKS: i32 = 3;
@@ -23,7 +20,7 @@ const _: () = assert!(
     "lanes are the blocks of a tile"
 );
 
-/// The coverage and the planes of a large triangle in each block of a tile.
+/// The coverage of each block of a tile by a large triangle.
 #[derive(Debug)]
 pub struct LargeTriangle {
     /// The blocks of which it covers any pixel, bit by block.
@@ -32,12 +29,11 @@ pub struct LargeTriangle {
     pub dense: u64,
     /// The covered lanes of each touched block.
     pub covered: [u64; BLOCKS],
-    planes: Vec<TilePlane>,
 }
 
 impl Default for LargeTriangle {
     fn default() -> Self {
-        Self { touched: 0, dense: 0, covered: [0; BLOCKS], planes: Vec::new() }
+        Self { touched: 0, dense: 0, covered: [0; BLOCKS] }
     }
 }
 
@@ -51,27 +47,16 @@ pub fn bits(mut set: u64) -> impl Iterator<Item = usize> {
     })
 }
 
-/// A plane over the tile.
-#[derive(Clone, Debug)]
-struct TilePlane {
-    /// At the first pixel of each block.
-    corners: F32s,
-    /// Per pixel across, per pixel up.
-    steps: [f32; 2],
-}
-
 impl LargeTriangle {
-    /// Computes those `rows` of blocks that the triangle's bounds reach of the tile whose first pixel is `tile`,
-    /// given its corners and the lane of the group that holds its planes.
+    /// Computes what the triangle of these `corners` covers of the rows of blocks for which `planes` are computed, and these.
     pub fn compute(
         &mut self,
         isa: Isa,
-        tile: [i32; 2],
-        (corners, rows): (&[[i32; 2]; 3], Range<usize>),
+        corners: &[[i32; 2]; 3],
         packing: Packing,
-        (group, lane): (&PlaneGroup, usize),
+        planes: ComputePlanes<'_>,
     ) {
-        isa.run(ComputeBlocks { tile, corners, rows, packing, group, lane, out: self });
+        isa.run(ComputeBlocks { corners, packing, planes, out: self });
     }
 
     /// Removes the lanes outside an area; `inside` gives the lanes of a block inside it.
@@ -97,69 +82,12 @@ impl LargeTriangle {
         self.touched |= u64::from(lanes != 0) << block;
         self.dense |= u64::from(is_dense(packing, lanes)) << block;
     }
-
-    /// Tests the depth of some blocks, bit by block, by the plane `of`; lanes that fail are removed.
-    pub fn test(
-        &mut self,
-        isa: Isa,
-        plan: DepthPlan,
-        (of, depths): (usize, [f32; 2]),
-        stored: &mut WordPlane,
-        blocks: u64,
-    ) {
-        let &TilePlane { ref corners, steps } = &self.planes[of];
-        let mut left = blocks;
-        let covers_tile = blocks == !0 && self.covered.iter().all(|lanes| *lanes == !0);
-        if covers_tile
-            && plan.write == DepthWrite::On
-            && let Some(word) = stored.fill_word()
-        {
-            // Blocks that were only cleared store the plane instead of its words.
-            let plane = DepthPlane { isa, format: plan.format, corners: *corners, steps, depths };
-            if plane.passes_everywhere(plan.test, word) {
-                left = !stored.fill_with(plane);
-            }
-        }
-        if left != 0 {
-            let (words, lanes) = (stored.blocks_mut(left), &mut self.covered);
-            isa.run(TestBlocks { plan, depths, corners, steps, words, blocks: left, lanes });
-        }
-    }
-
-    /// Writes the steps of the planes, equal in all blocks, to `out`; the first values there are kept.
-    pub fn write_steps(&self, out: &mut [[f32; 3]]) {
-        for ([_, a, b], plane) in out.iter_mut().zip(&self.planes) {
-            [*a, *b] = plane.steps;
-        }
-    }
-
-    /// The planes of a block.
-    #[inline(always)]
-    pub fn at(&self, block: usize) -> impl Iterator<Item = [f32; 3]> + Clone {
-        let block = block % BLOCKS;
-        self.planes.iter().map(move |plane| {
-            let [a, b] = plane.steps;
-            [plane.corners[block], a, b]
-        })
-    }
-
-    /// Writes the values of the planes at the first pixel of a block to `out`; the steps there are kept.
-    #[inline]
-    pub fn write_first_values(&self, block: usize, out: &mut [[f32; 3]]) {
-        let block = block % BLOCKS;
-        for ([corner, ..], plane) in out.iter_mut().zip(&self.planes) {
-            *corner = plane.corners[block];
-        }
-    }
 }
 
 struct ComputeBlocks<'a> {
-    tile: [i32; 2],
     corners: &'a [[i32; 2]; 3],
-    rows: Range<usize>,
     packing: Packing,
-    group: &'a PlaneGroup,
-    lane: usize,
+    planes: ComputePlanes<'a>,
     out: &'a mut LargeTriangle,
 }
 
@@ -167,29 +95,10 @@ impl Kernel for ComputeBlocks<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: Simd>(self) {
-        let Self { tile, corners, rows, packing, group, lane, out } = self;
-        out.cover::<S>(&edges(corners, tile[0], tile[1]), rows.clone(), packing);
-        let origin = group.origin(lane);
-        // From the planes' origin to the first pixel of each column and row of blocks.
-        let along = |axis: usize| {
-            let mut along = [0.0; TILE_BLOCKS];
-            for (number, along) in along.iter_mut().enumerate() {
-                *along = f64::from(tile[axis] + 8 * number as i32) + 0.5 - origin[axis];
-            }
-            along
-        };
-        let (dx, dy) = (along(0), along(1));
-        const NONE: TilePlane = TilePlane { corners: F32s::ZERO, steps: [0.0; 2] };
-        out.planes.resize(group.len(), NONE);
-        for ([a, b, c], out) in group.of(lane).zip(&mut out.planes) {
-            out.steps = [a as f32, b as f32];
-            for row in rows.clone() {
-                let up = dy[row] * b;
-                for (column, dx) in dx.iter().enumerate() {
-                    out.corners[row * TILE_BLOCKS + column] = ((dx * a + up) + c) as f32;
-                }
-            }
-        }
+        let Self { corners, packing, planes, out } = self;
+        let (tile, rows) = (planes.tile, planes.rows.clone());
+        out.cover::<S>(&edges(corners, tile[0], tile[1]), rows, packing);
+        planes.run::<S>();
     }
 }
 
@@ -240,9 +149,7 @@ pub fn blocks<S: Simd>(edges: &[Edge; 3], rows: Range<usize>) -> [u64; 2] {
 mod tests {
     use super::super::edge_functions::{block, edges};
     use super::*;
-    use crate::attachment::DepthFormat;
     use proptest::prelude::*;
-    use texunit::sampler::Compare;
 
     struct CoverOf<'a>(&'a [Edge; 3], Packing);
 
@@ -275,74 +182,6 @@ mod tests {
                     prop_assert_eq!(is_in(triangle.dense), is_dense(packing, want), "{} block {}", isa.name(), at);
                 }
             }
-        }
-    }
-
-    proptest! {
-        /// A tile that is filled by a plane of depths has the words of one that is tested block by block, block by block and
-        /// row by row.
-        #[test]
-        fn a_tile_filled_by_a_plane_has_the_words_of_tested_blocks(
-            corner in prop_oneof![-0.5..1.5f32, Just(f32::NAN), Just(f32::INFINITY)],
-            steps in prop::array::uniform2(prop_oneof![-0.02..0.02f32, Just(0.0), -1e38..1e38f32]),
-            stored in prop_oneof![0.0..=1.0f32, Just(1.0)],
-            drawn in prop_oneof![Just(0u64), any::<u64>()],
-            format in prop::sample::select(vec![DepthFormat::D16, DepthFormat::D24, DepthFormat::D32F]),
-            test in prop::sample::select(vec![
-                Compare::Never, Compare::Less, Compare::Equal, Compare::LessEqual,
-                Compare::Greater, Compare::NotEqual, Compare::GreaterEqual, Compare::Always,
-            ]),
-        ) {
-            let [a, b] = steps;
-            let corners = F32s::from_fn(|block| {
-                let [x, y] = [block % TILE_BLOCKS * 8, block / TILE_BLOCKS * 8].map(|at| at as f32);
-                (corner + x * a) + y * b
-            });
-            let plan = DepthPlan { format, test, write: DepthWrite::On };
-            let word = format.word(stored);
-            for isa in Isa::available() {
-                let run = |stored: &mut WordPlane| {
-                    let mut triangle = LargeTriangle {
-                        touched: !0,
-                        dense: !0,
-                        covered: [!0; BLOCKS],
-                        planes: vec![TilePlane { corners, steps }],
-                    };
-                    triangle.test(isa, plan, (0, [0.0, 1.0]), stored, !0);
-                    triangle.covered
-                };
-                let mut filled = WordPlane::cleared(word);
-                let mut tested = WordPlane::of(vec![U32s::splat(word); BLOCKS]);
-                for block in bits(drawn) {
-                    let words = U32s::from_fn(|lane| format.word((lane * block % 97) as f32 / 97.0));
-                    *filled.block_mut(block) = words;
-                    *tested.block_mut(block) = words;
-                }
-                prop_assert_eq!(run(&mut filled), run(&mut tested));
-                for block in 0..BLOCKS {
-                    let want = tested.block(block);
-                    prop_assert_eq!(filled.block(block), want);
-                    prop_assert_eq!(*filled.clone().block_mut(block), want);
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn a_triangle_before_a_clear_fills_the_tile_without_words() {
-        let plan =
-            DepthPlan { format: DepthFormat::D24, test: Compare::Less, write: DepthWrite::On };
-        let (corners, steps) = (F32s::splat(0.5), [0.001, -0.002]);
-        for (cleared, is_filled) in [(1.0, true), (0.5, false)] {
-            let mut triangle = LargeTriangle {
-                touched: !0,
-                dense: !0,
-                covered: [!0; BLOCKS],
-                planes: vec![TilePlane { corners, steps }],
-            };
-            let mut stored = WordPlane::cleared(DepthFormat::D24.word(cleared));
-            triangle.test(Isa::best(), plan, (0, [0.0, 1.0]), &mut stored, !0);
-            assert_eq!(stored.materialized_blocks().is_empty(), is_filled);
         }
     }
 }

@@ -30,6 +30,7 @@ mod shape_lanes;
 mod small_triangles;
 mod texel_product;
 mod tile;
+mod tile_planes;
 mod watched;
 mod window_blocks;
 

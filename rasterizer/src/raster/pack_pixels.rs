@@ -8,10 +8,11 @@ use super::large_triangles::LargeTriangle;
 use super::pixel_batch::Pixels;
 use super::plane_group::PlaneGroup;
 use super::shape_lanes::ShapeLanes;
+use super::tile_planes::TilePlanes;
 use super::window_blocks::{WindowBlock, WindowBlocks};
 use crate::attachment::BLOCKS;
 use crate::desc::Facing;
-use crate::plan::Packing;
+use crate::plan::{Packing, SampleMasks};
 use texunit::lanes::{Kernel, Simd};
 
 /// Why packing stopped.
@@ -55,7 +56,7 @@ impl Kernel for Pack<'_> {
             if pixels.is_full() || pixels.has_pending(block, lanes) {
                 break Stop::Pixels;
             }
-            if block_group.has_pending(block, lanes) {
+            if block_group.has_pending(block, &SampleMasks::one(lanes)) {
                 break Stop::Blocks;
             }
             let planes = group.in_window(shape, index);
@@ -71,6 +72,7 @@ impl Kernel for Pack<'_> {
 /// that have unpacked pixels.
 pub struct PackLargeTriangle<'a> {
     pub triangle: &'a mut LargeTriangle,
+    pub planes: &'a TilePlanes,
     pub facing: Facing,
     pub blocks: u64,
     pub pixels: &'a mut Pixels,
@@ -81,11 +83,11 @@ impl Kernel for PackLargeTriangle<'_> {
 
     #[inline(always)]
     fn run<S: Simd>(self) -> u64 {
-        let Self { triangle, facing, blocks, pixels } = self;
+        let Self { triangle, planes, facing, blocks, pixels } = self;
         let mut left = blocks;
         while left != 0 && !pixels.is_full() {
             let block = left.trailing_zeros() as usize % BLOCKS;
-            let rest = pixels.push(block, triangle.covered[block], facing, triangle.at(block));
+            let rest = pixels.push(block, triangle.covered[block], facing, planes.at(block));
             triangle.covered[block] = rest;
             left &= !(u64::from(rest == 0) << block);
         }

@@ -41,6 +41,18 @@ impl SampledTriangle {
         self.touched.iter().fold(0, |all, touched| all | touched)
     }
 
+    /// The blocks of which it covers any pixel at a sample, bit by block, and the covered lanes of each.
+    pub fn sample_mut(&mut self, sample: usize) -> (u64, &mut [u64; BLOCKS]) {
+        (self.touched[sample], &mut self.covered[sample])
+    }
+
+    /// Removes the lanes of a touched block that `kept` does not give for a sample.
+    pub fn keep(&mut self, block: usize, kept: impl Fn(usize) -> u64) {
+        for (sample, covered) in self.covered.iter_mut().enumerate() {
+            covered[block] &= kept(sample);
+        }
+    }
+
     /// Writes the lanes of a block that are covered, by sample.
     #[inline]
     pub fn write_masks(&self, block: usize, masks: &mut SampleMasks) {

@@ -7,17 +7,18 @@ use super::budget::TileBudget;
 use super::fragment_depth::BatchDepth;
 use super::inputs::{Interpolate, InterpolateGroup};
 use super::job::{DrawJob, PassJob, TileJob};
-use super::texel_product::{Multiply, Products, Words};
+use super::texel_product::{Multiply, Products, WordSlot, Words};
 use super::watched::{Shaded, Tested};
 use crate::attachment::{BatchLayout, BlockDepth, TileTarget, clamp_depth};
 use crate::desc::{AlphaToOne, Facing};
 use crate::output::{
-    BlockColors, ColorClass, ColorPlan, Fragments, Reference, test, write, write_blocks,
+    BlockColors, ColorClass, ColorPlan, Fragments, Reference, store_samples, test, write_blocks,
+    write_samples,
 };
 use crate::plan::{DrawPlan, SampleMasks, ShaderTestOutputs, Shading, TestTiming, moved};
 use crate::shader::{Invocation, MAX_REGISTER_FILES, Machine, OverBudget, TexelProduct};
 use crate::trace::{Fate, When};
-use texunit::lanes::{F32s, Isa, Kernel, Simd};
+use texunit::lanes::{F32s, Isa, Kernel, Simd, U32s};
 
 /// The early tests of a whole block of one shape.
 pub fn early_tests(
@@ -59,13 +60,21 @@ fn write_group<'a>(
     for plan in &job.plan.colors {
         let Some(target) = tile.colors[plan.target].as_mut() else { continue };
         let colors_of = |file: usize| {
-            let (block, mask) = blocks.covered(file);
+            let (block, masks) = blocks.covered(file);
             let of = |component| color_of(file, plan, component);
             // Not `map`, which stays a call for each.
             let color = [of(0), of(1), of(2), of(3)];
             let second = plan.second_color(|output| machine.output_of(file, output).as_f32());
-            BlockColors { block, color, second, mask }
+            BlockColors { block, color, second, mask: masks.any() }
         };
+        if job.plan.samples.count > 1 {
+            for file in 0..blocks.len() {
+                let (block, masks) = blocks.covered(file);
+                let layout = &BatchLayout::Block(block);
+                write_samples(isa, plan, target, layout, colors_of(file), masks);
+            }
+            continue;
+        }
         // Entries beyond the last repeat the last and are not read. Written out, so that none is copied.
         let last = blocks.len().saturating_sub(1);
         let colors: [_; MAX_REGISTER_FILES] =
@@ -82,6 +91,8 @@ pub struct Shader {
     /// How long the current draw may run in the current tile.
     pub budget: TileBudget,
     products: Products,
+    /// The words of the blocks of a group, of attachments with several samples.
+    sampled_words: Box<[U32s; MAX_REGISTER_FILES]>,
     depth: F32s,
     /// The sample at which the batch is shaded and its planes are; none where fragments are shaded once.
     pub(super) sample: Option<usize>,
@@ -149,8 +160,7 @@ impl Shader {
         };
         if done.is_ok() {
             for file in 0..blocks.len() {
-                let (_, lanes) = blocks.covered(file);
-                job.count(&[lanes]);
+                job.count(blocks.covered(file).1);
             }
         }
         match (done, product) {
@@ -178,24 +188,41 @@ impl Shader {
         blocks: &BlockGroup,
         tile: &mut TileJob,
     ) {
-        let Self { machine, products, .. } = self;
+        let Self { machine, products, sampled_words, .. } = self;
         let plan = &job.plan;
         let mut words = None;
+        // Those of several samples are computed before they are stored in each.
+        let mut sampled = None;
         if let [color] = &plan.colors[..]
             && color.class == ColorClass::Bytes
             && color.blend.is_none()
             && let Some(target) = tile.colors[color.target].as_mut()
-            && let [plane] = target.sample(0)
         {
-            for file in 0..blocks.len() {
-                let (block, mask) = blocks.covered(file);
-                plane.materialize(block, color.load_op_for_mask(mask));
+            let mut slots = [WordSlot::default(); MAX_REGISTER_FILES];
+            if plan.samples.count > 1 {
+                for (file, slot) in slots.iter_mut().enumerate() {
+                    *slot = WordSlot { at: file, mask: !0 };
+                }
+                words = Some(Words { color, blocks: &mut sampled_words[..], slots });
+                sampled = Some((color, target));
+            } else if let [plane] = target.sample(0) {
+                for (file, slot) in slots.iter_mut().enumerate().take(blocks.len()) {
+                    let (block, masks) = blocks.covered(file);
+                    *slot = WordSlot { at: block, mask: masks.any() };
+                    plane.materialize(block, color.load_op_for_mask(slot.mask));
+                }
+                words = Some(Words { color, blocks: plane.materialized_blocks(), slots });
             }
-            words = Some(Words { color, blocks: plane.materialized_blocks() });
         }
         let is_done = words.is_some();
         isa.run(Multiply { isa, plan, product, machine, block_group: blocks, products, words });
         products.finish_group(blocks);
+        if let Some((color, target)) = sampled {
+            for (file, word) in sampled_words.iter().enumerate().take(blocks.len()) {
+                let (block, masks) = blocks.covered(file);
+                store_samples(isa, color, target, (block, word), masks);
+            }
+        }
         if !is_done {
             let Self { machine, products, .. } = &*self;
             write_group(isa, job, blocks, tile, machine, |file, _, component| {
@@ -342,12 +369,8 @@ impl Shader {
             if let (AlphaToOne::On, Some(second)) = (samples.alpha_to_one, &mut second) {
                 second[3] = color.unwritten(3);
             }
-            for (sample, &mask) in masks.iter().enumerate() {
-                if mask != 0 {
-                    let colors = BlockColors { block: 0, color: rgba, second, mask };
-                    write(isa, color, target, sample, layout, colors);
-                }
-            }
+            let colors = BlockColors { block: 0, color: rgba, second, mask: 0 };
+            write_samples(isa, color, target, layout, colors, masks);
             if let (Some(shaded), Some(before)) = (&mut *shaded, before) {
                 shaded.written(
                     color,

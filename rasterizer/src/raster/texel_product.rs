@@ -185,8 +185,19 @@ pub struct Multiply<'a> {
 /// The destination of colours of four bytes a pixel that are not blended.
 pub struct Words<'a> {
     pub color: &'a ColorPlan,
-    /// The attachment's words.
+    /// The attachment's words, or others.
     pub blocks: &'a mut [U32s],
+    /// Those of each register file.
+    pub slots: [WordSlot; MAX_REGISTER_FILES],
+}
+
+/// The destination of the words of a register file.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct WordSlot {
+    /// Which block.
+    pub at: usize,
+    /// The lanes that are stored.
+    pub mask: u64,
 }
 
 impl Kernel for Multiply<'_> {
@@ -234,9 +245,9 @@ impl Kernel for Multiply<'_> {
                     factors: if at == 0 { run_factors } else { before.each_ref() },
                     factors_are_one: factors_are_one && at == 0,
                     to: match &mut words {
-                        Some(Words { color, blocks }) if is_last => {
-                            let (block, mask) = block_group.covered(file);
-                            ProductTarget::Words { color, stored: &mut blocks[block], mask }
+                        Some(Words { color, blocks, slots }) if is_last => {
+                            let WordSlot { at, mask } = slots[file];
+                            ProductTarget::Words { color, stored: &mut blocks[at], mask }
                         }
                         _ if is_last => ProductTarget::Lanes(colors),
                         _ => ProductTarget::Lanes(after),

@@ -1,6 +1,7 @@
 //! A tile: everything of a pass that touches its 64×64 pixels, in order.
 
 mod fill;
+mod fill_large;
 
 use super::batch::{EarlyTests, Packed};
 use super::block::BlockAt;
@@ -18,6 +19,7 @@ use super::shading::Shader;
 use super::shape_cover::Cover;
 use super::shape_lanes::ShapeLanes;
 use super::small_triangles::Windows;
+use super::tile_planes::TilePlanes;
 use super::window_blocks::{DivideWindows, WindowBlock, WindowBlocks};
 use crate::plan::{FragmentInput, Packing, SampleMasks};
 use crate::primitive::{ConstantDirection, DepthSetup};
@@ -43,6 +45,8 @@ pub struct TileRenderer {
     windows: Box<Windows>,
     window_blocks: Box<WindowBlocks>,
     large_triangle: LargeTriangle,
+    /// The planes of the current large triangle.
+    tile_planes: TilePlanes,
     sampled_triangle: Box<SampledTriangle>,
     /// Of the current block: each plane's value at its first pixel and steps.
     planes: Vec<[f32; 3]>,
@@ -155,12 +159,11 @@ impl TileRenderer {
         if self.pending_quads.has_pending(block, masks) {
             self.flush_quads(pass, job, tile);
         }
-        // Draws with several samples have only pending quads.
-        let lanes = masks.any();
-        if self.pending_pixels.has_pending(block, lanes) {
+        // Draws with several samples have no pending pixels.
+        if self.pending_pixels.has_pending(block, masks.any()) {
             self.flush_pixels(pass, job, tile);
         }
-        if self.pending_blocks.has_pending(block, lanes) {
+        if self.pending_blocks.has_pending(block, masks) {
             self.flush_blocks(pass, job, tile);
         }
     }

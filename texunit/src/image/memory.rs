@@ -12,7 +12,8 @@ use std::sync::{Arc, OnceLock};
 
 /// The texels of a level of four bytes a texel, without border, that are stored otherwise than in rows.
 pub trait TexelSource: Debug + Send + Sync {
-    /// The words at these byte offsets in the rows of the level; each is that of a texel.
+    /// The words at these byte offsets in the rows of the level; each is that of a texel, but for the stencil beside a depth,
+    /// which no lookup reads.
     fn gather(&self, offsets: &U32s) -> U32s;
     /// The rows, and [`super::PADDING`] bytes.
     fn rows(&self) -> Vec<u8>;

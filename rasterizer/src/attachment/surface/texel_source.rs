@@ -1,20 +1,18 @@
 //! Texels of a surface as a source for lookups: a shadow map is sampled from its tiles, as most of its texels are never
 //! read, and tiles that one triangle covers, or that were cleared only, have no words.
 
-use super::{Slices, StoreContext, Surface, WordPlane};
+use super::{BLOCKS, BlockTexels, Slices, StoreContext, Surface};
+use crate::attachment::DepthPlanes;
 use crate::sizes::TILE;
 use crate::threads::ThreadPool;
 use std::sync::Arc;
 use texunit::format::Format;
 use texunit::image::{Level, TexelSource};
-use texunit::lanes::{Isa, Kernel, LANES, Simd, U32s};
+use texunit::lanes::{F32s, Isa, Kernel, LANES, Simd, U32s};
 
 /// The fewest pixels for which a surface is sampled from its tiles: of a smaller one most texels are read, and lookups in
 /// tiles take longer than lookups in rows.
 const WORTH_TILES: u64 = 1 << 22;
-
-/// At most this many tiles of a gather are gathered from over lanes; the lanes in other tiles read one by one.
-const GATHERED_TILES: usize = 8;
 
 /// The tiles of a surface of one sample.
 #[derive(Debug)]
@@ -86,46 +84,74 @@ impl Kernel for Gather<'_> {
             places[lane] = block << 6 | (y & 1) << 5 | (x & 1) << 4 | quad;
         }
         let mut words = U32s::ZERO;
-        let mut left = !0_u64;
-        for _ in 0..GATHERED_TILES {
-            if left == 0 {
-                return words;
+        let mut planes = PlanesOfLanes::default();
+        for lane in 0..LANES {
+            let plane = &surface.tiles[tiles[lane] as usize][0];
+            let (block, at) =
+                (places[lane] as usize / LANES % BLOCKS, places[lane] as usize % LANES);
+            match plane.texels(block) {
+                BlockTexels::Words(of) => words[lane] = of[at],
+                BlockTexels::Uniform(word) => words[lane] = word,
+                BlockTexels::Depth(depths) if planes.is_stored_alike(depths) => {
+                    planes.set(lane, depths, block);
+                }
+                BlockTexels::Depth(depths) => words[lane] = depths.word(block, at),
             }
-            let tile = tiles[left.trailing_zeros() as usize % LANES];
-            let mut other = U32s::ZERO;
-            for lane in 0..LANES {
-                other[lane] = tiles[lane] ^ tile;
-            }
-            let others = S::nonzero(&other);
-            let found = gather_from::<S>(&surface.tiles[tile as usize], &places);
-            for lane in 0..LANES {
-                words[lane] = if other[lane] == 0 { found[lane] } else { words[lane] };
-            }
-            left &= others;
         }
-        while left != 0 {
-            let lane = left.trailing_zeros() as usize % LANES;
-            left &= left - 1;
-            let planes = &surface.tiles[tiles[lane] as usize];
-            let word = |plane: &WordPlane| plane.word(places[lane]);
-            words[lane] =
-                word_of_planes([word(&planes[0]), planes.get(1).map_or(0, word)], planes.len());
+        if planes.lanes != 0 {
+            planes.evaluate::<S>(&places, &mut words);
+        }
+        if surface.tiles[0].len() > 1 {
+            for lane in 0..LANES {
+                words[lane] <<= 8;
+            }
         }
         words
     }
 }
 
-/// A texel's word in rows from its words in tiles: depth, and depth with stencil.
-#[inline(always)]
-fn word_of_planes([depth, stencil]: [u32; 2], planes: usize) -> u32 {
-    if planes == 1 { depth } else { depth << 8 | stencil & 0xFF }
+/// The planes of depths at lanes whose blocks have no words.
+struct PlanesOfLanes<'a> {
+    /// Those of the first of these lanes, for how depths are stored.
+    first: Option<&'a DepthPlanes>,
+    /// The lanes, bit by lane.
+    lanes: u64,
+    /// Of each: the depth at the first pixel of its block, per pixel across, per pixel up.
+    planes: [F32s; 3],
 }
 
-/// The words of texels of one tile.
-#[inline(always)]
-fn gather_from<S: Simd>(planes: &[WordPlane], places: &U32s) -> U32s {
-    let depths = planes[0].gather::<S>(places);
-    let Some(stencils) = planes.get(1) else { return depths };
-    let stencils = stencils.gather::<S>(places);
-    U32s::from_fn(|lane| word_of_planes([depths[lane], stencils[lane]], 2))
+impl Default for PlanesOfLanes<'_> {
+    fn default() -> Self {
+        Self { first: None, lanes: 0, planes: [F32s::ZERO; 3] }
+    }
+}
+
+impl<'a> PlanesOfLanes<'a> {
+    /// Whether planes store depths as the first ones do.
+    #[inline(always)]
+    fn is_stored_alike(&mut self, depths: &'a DepthPlanes) -> bool {
+        let first = *self.first.get_or_insert(depths);
+        std::ptr::eq(first, depths) || first.are_stored_as(depths)
+    }
+
+    /// Sets the plane of a lane to that of a block.
+    #[inline(always)]
+    fn set(&mut self, lane: usize, depths: &DepthPlanes, block: usize) {
+        self.lanes |= 1 << lane;
+        for (to, from) in self.planes.iter_mut().zip(&depths.planes) {
+            to[lane] = from[block];
+        }
+    }
+
+    /// The words of the lanes at their places.
+    #[inline(always)]
+    fn evaluate<S: Simd>(&self, places: &U32s, words: &mut U32s) {
+        let Some(first) = self.first else { return };
+        let of_planes = first.words_at::<S>(&self.planes, places);
+        let [low, high] = [self.lanes as u32, (self.lanes >> 32) as u32];
+        for lane in 0..LANES {
+            let half = if lane < 32 { low } else { high };
+            words[lane] = if half >> (lane % 32) & 1 == 1 { of_planes[lane] } else { words[lane] };
+        }
+    }
 }

@@ -2,7 +2,9 @@
 
 use super::super::blend;
 use super::{ColorPlan, store_masked};
+use crate::attachment::WordPlane;
 use crate::desc::{Blend, BlendEquation, BlendFactor};
+use crate::sizes::MAX_SAMPLES;
 use texunit::format::convert::byte_channel;
 use texunit::format::{Encoding, Format};
 use texunit::lanes::{F32s, Kernel, LANES, PerLane, Simd, U32s, math};
@@ -42,6 +44,108 @@ impl Kernel for WriteBytes<'_> {
                 Some(state) => blended_bytes(state, plan.format, (color, second), stored),
             };
             store_masked(stored, &word, mask, plan.write_of(0));
+        }
+    }
+}
+
+/// The words of an attachment at 64 fragments, by sample.
+pub trait SampleWords {
+    /// Those of a sample.
+    fn sample(&mut self, sample: usize) -> &mut U32s;
+}
+
+/// Words that were loaded.
+impl SampleWords for &mut [U32s; MAX_SAMPLES] {
+    #[inline(always)]
+    fn sample(&mut self, sample: usize) -> &mut U32s {
+        &mut self[sample % MAX_SAMPLES]
+    }
+}
+
+/// A block of the plane of each sample.
+pub struct BlockOfPlanes<'a> {
+    /// The planes by sample.
+    pub planes: &'a mut [WordPlane],
+    /// Which block: one with words of its own in the planes of all samples that are written.
+    pub block: usize,
+}
+
+impl SampleWords for BlockOfPlanes<'_> {
+    #[inline(always)]
+    fn sample(&mut self, sample: usize) -> &mut U32s {
+        &mut self.planes[sample].materialized_blocks()[self.block]
+    }
+}
+
+/// Blends, packs and writes the samples of 64 fragments, which share colours: the words are computed once, and again only
+/// where a sample stores other words than the one before.
+pub struct WriteSampledBytes<'a, W> {
+    /// What is done.
+    pub plan: &'a ColorPlan,
+    /// The colours.
+    pub colors: BlockColors<'a>,
+    /// Which fragments there are, by sample.
+    pub masks: &'a [u64],
+    /// The attachment's words.
+    pub words: W,
+}
+
+impl<W: SampleWords> Kernel for WriteSampledBytes<'_, W> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Simd>(self) {
+        let Self { plan, colors: BlockColors { color, second, .. }, masks, mut words } = self;
+        let (mut before, mut word) = (U32s::ZERO, U32s::ZERO);
+        let mut is_computed = false;
+        for (sample, &mask) in masks.iter().enumerate() {
+            if mask == 0 {
+                continue;
+            }
+            let stored = words.sample(sample);
+            let is_same = is_computed && (plan.blend.is_none() || are_equal::<S>(&before, stored));
+            if !is_same {
+                before = *stored;
+                word = match &plan.blend {
+                    None => pack(|lane, channel| color[channel][lane]),
+                    Some(state) => blended_bytes(state, plan.format, (color, second), stored),
+                };
+                is_computed = true;
+            }
+            store_masked(stored, &word, mask, plan.write_of(0));
+        }
+    }
+}
+
+#[inline(always)]
+fn are_equal<S: Simd>(a: &U32s, b: &U32s) -> bool {
+    let mut differ = U32s::ZERO;
+    for lane in 0..LANES {
+        differ[lane] = a[lane] ^ b[lane];
+    }
+    !S::any(&differ)
+}
+
+/// Stores words of 64 fragments in each of their samples.
+pub struct StoreSamples<'a> {
+    /// What is done.
+    pub plan: &'a ColorPlan,
+    /// The words.
+    pub word: &'a U32s,
+    /// Which fragments there are, by sample.
+    pub masks: &'a [u64],
+    /// The attachment's words.
+    pub words: BlockOfPlanes<'a>,
+}
+
+impl Kernel for StoreSamples<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Simd>(self) {
+        let Self { plan, word, masks, mut words } = self;
+        for (sample, &mask) in masks.iter().enumerate() {
+            if mask != 0 {
+                store_masked(words.sample(sample), word, mask, plan.write_of(0));
+            }
         }
     }
 }

@@ -3,17 +3,14 @@
 
 use super::super::batch::{Batch, BlockOf, EarlyTests, is_dense, moved_quad, quads_of};
 use super::super::block::BlockAt;
-use super::super::block_group::UniformOverShape;
 use super::super::edge_functions;
 use super::super::job::{Chunk, DrawJob, PassJob, TileJob};
-use super::super::large_triangles::{self, bits};
-use super::super::pack_pixels::PackLargeTriangle;
+use super::super::large_triangles;
 use super::super::shading::early_tests;
 use super::super::shape_cover::Cover;
 use super::super::small_triangles::Window;
 use super::TileRenderer;
 use crate::desc::Facing;
-use crate::output::Tests;
 use crate::plan::{DrawPlan, Packing, SampleMasks, Shading, TestTiming};
 use crate::primitive::{Shape, ShapeKind};
 use crate::sizes::TILE;
@@ -86,15 +83,18 @@ impl TileRenderer {
         let Some(range) = block_range(shape, tile.x, tile.y) else { return };
         let first = [tile.x, tile.y];
         let blocks = (range[1][0] - range[0][0] + 1) * (range[1][1] - range[0][1] + 1);
+        let is_sampled = shape.kind == ShapeKind::Triangle && plan.samples.is_each();
         let is_large = blocks >= large_triangles::MIN_BLOCKS
             && shape.kind == ShapeKind::Triangle
-            && plan.covers_by_outline()
             && tile.watched.is_none();
-        if is_large {
+        if is_large && plan.covers_by_outline() {
             self.fill_large_triangle(pass, tile, job, shape, (lane, range));
             return;
         }
-        let is_sampled = shape.kind == ShapeKind::Triangle && plan.samples.is_each();
+        if is_large && is_sampled && plan.stipple.is_none() && !plan.reads_coverage {
+            self.fill_large_sampled_triangle(pass, tile, job, shape, (lane, range));
+            return;
+        }
         let touched = if is_sampled {
             let positions = plan.samples.positions();
             self.sampled_triangle.compute(pass.isa, &shape.corners, first, range, positions);
@@ -153,157 +153,6 @@ impl TileRenderer {
                     self.fill_block(pass, tile, job, shape_block, &mut masks);
                 }
             }
-        }
-    }
-
-    /// Fills a triangle that may cover many blocks, of the only sample.
-    fn fill_large_triangle(
-        &mut self,
-        pass: &PassJob,
-        tile: &mut TileJob,
-        job: &DrawJob,
-        shape: &Shape,
-        (lane, range): (usize, [[i32; 2]; 2]),
-    ) {
-        let (plan, first) = (&job.plan, [tile.x, tile.y]);
-        let rows = range[0][1] as usize..range[1][1] as usize + 1;
-        self.large_triangle.compute(
-            pass.isa,
-            first,
-            (&shape.corners, rows),
-            plan.packing,
-            (&self.group, lane),
-        );
-        if !edge_functions::is_inside_area(&job.area, tile.x, tile.y, TILE as i32) {
-            let inside =
-                |block| edge_functions::inside_area(&job.area, BlockAt::numbered(first, block));
-            self.large_triangle.clip_to_area(plan.packing, inside);
-        }
-        // Pending fragments of other shapes are shaded first, as in `flush_overlapping`. Blocks of one shape do not overlap.
-        if !self.pending_quads.is_empty()
-            && self.large_triangle.overlaps_pending(|of, lanes| {
-                self.pending_quads.has_pending(of, &SampleMasks::one(lanes))
-            })
-        {
-            self.flush_quads(pass, job, tile);
-        }
-        if !self.pending_pixels.is_empty()
-            && self
-                .large_triangle
-                .overlaps_pending(|of, lanes| self.pending_pixels.has_pending(of, lanes))
-        {
-            self.flush_pixels(pass, job, tile);
-        }
-        if self.pending_blocks.len() > 0
-            && self
-                .large_triangle
-                .overlaps_pending(|of, lanes| self.pending_blocks.has_pending(of, lanes))
-        {
-            self.flush_blocks(pass, job, tile);
-        }
-        let tested = self.test_large_triangle(pass, job, tile);
-        if plan.shading == Shading::Off && tested == self.large_triangle.touched {
-            bits(tested).for_each(|block| job.count(&[self.large_triangle.covered[block]]));
-            return;
-        }
-        let mut left = self.large_triangle.touched;
-        if plan.packing == Packing::Pixels && plan.shading == Shading::On {
-            left = self.large_triangle.dense;
-            self.pack_large_triangle(pass, job, tile, shape.facing);
-        }
-        let ready =
-            if plan.timing == TestTiming::Never { self.large_triangle.dense } else { tested };
-        self.uniform = self.uniform_over_shape(plan, lane);
-        self.large_triangle.write_steps(&mut self.planes);
-        for block in bits(left) {
-            let lanes = self.large_triangle.covered[block];
-            let is_ready = ready >> block & 1 == 1;
-            if is_ready && plan.blocks_per_group > 1 && is_shaded_as_block(plan.packing, lanes) {
-                self.pending_blocks.push(
-                    self.large_triangle.at(block),
-                    shape.facing,
-                    block,
-                    lanes,
-                    self.uniform,
-                );
-                if self.pending_blocks.len() == plan.blocks_per_group {
-                    self.flush_blocks(pass, job, tile);
-                }
-            } else if lanes != 0 {
-                let at = BlockAt::numbered(first, block);
-                let tests = if is_ready { EarlyTests::Done } else { EarlyTests::Due };
-                let shape_block = ShapeBlock { at, facing: shape.facing, tests };
-                self.large_triangle.write_first_values(block, &mut self.planes);
-                self.fill_block(pass, tile, job, shape_block, &mut SampleMasks::one(lanes));
-            }
-        }
-        self.uniform = UniformOverShape::default();
-    }
-
-    /// Packs the pixels of the blocks that a large triangle covers sparsely into the pending batch.
-    fn pack_large_triangle(
-        &mut self,
-        pass: &PassJob,
-        job: &DrawJob,
-        tile: &mut TileJob,
-        facing: Facing,
-    ) {
-        let mut left = self.large_triangle.touched & !self.large_triangle.dense;
-        while left != 0 {
-            if self.pending_pixels.is_full() {
-                self.flush_pixels(pass, job, tile);
-            }
-            let Self { large_triangle, pending_pixels: pixels, .. } = self;
-            left = pass.isa.run(PackLargeTriangle {
-                triangle: large_triangle,
-                facing,
-                blocks: left,
-                pixels,
-            });
-        }
-    }
-
-    /// Runs the early depth test of the blocks of a large triangle that are shaded as blocks, in one kernel if depth is
-    /// the only test. Returns these blocks.
-    fn test_large_triangle(&mut self, pass: &PassJob, job: &DrawJob, tile: &mut TileJob) -> u64 {
-        let plan = &job.plan;
-        let Tests { stencil: None, depth: Some(test) } = plan.tests else { return 0 };
-        let (TestTiming::Early, Some(plane), None) =
-            (plan.timing, plan.depth_plane, plan.samples.offset(0))
-        else {
-            return 0;
-        };
-        let Some([stored, ..]) = tile.depth.as_mut().map(|target| target.sample(0)) else {
-            return 0;
-        };
-        let blocks = match plan.shading {
-            Shading::On => self.large_triangle.dense,
-            Shading::Off => self.large_triangle.touched,
-        };
-        if blocks != 0 {
-            self.large_triangle.test(
-                pass.isa,
-                test,
-                (plane, plan.viewport.depths()),
-                stored,
-                blocks,
-            );
-        }
-        blocks
-    }
-
-    /// What is uniform over the shape in this lane of the group, under a number that no other shape has. Runs of its
-    /// blocks then need no comparison of planes.
-    fn uniform_over_shape(&mut self, plan: &DrawPlan, lane: usize) -> UniformOverShape {
-        let Some(product) = &plan.product else { return UniformOverShape::default() };
-        self.shape_count += 1;
-        let (number, group, by) = (Some(self.shape_count), &self.group, plan.denominator_plane);
-        let factors = product.factor_planes.as_ref();
-        let lods = product.lod_planes.as_ref();
-        UniformOverShape {
-            factors: number
-                .filter(|_| factors.is_some_and(|of| group.has_uniform_factors(lane, of, by))),
-            lods: number.filter(|_| lods.is_some_and(|of| group.has_uniform_slopes(lane, of, by))),
         }
     }
 
@@ -382,7 +231,7 @@ impl TileRenderer {
                 self.shader.shade(pass, job, &Batch::of_block(&of, masks), tile);
             } else {
                 let planes = self.planes.iter().copied();
-                self.pending_blocks.push(planes, facing, block, masks.any(), self.uniform);
+                self.pending_blocks.push(planes, facing, block, masks, self.uniform);
                 if self.pending_blocks.len() == plan.blocks_per_group {
                     self.flush_blocks(pass, job, tile);
                 }
@@ -403,7 +252,7 @@ impl TileRenderer {
 }
 
 /// Whether lanes that are not packed as pixels are shaded as a block, rather than quad by quad with others.
-fn is_shaded_as_block(packing: Packing, lanes: u64) -> bool {
+pub(super) fn is_shaded_as_block(packing: Packing, lanes: u64) -> bool {
     lanes != 0 && (packing == Packing::Pixels || is_dense(packing, lanes))
 }
 
