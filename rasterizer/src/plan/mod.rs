@@ -115,8 +115,10 @@ pub struct DrawPlan {
 /// How fragments of sparsely covered blocks are put into batches.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Packing {
-    /// By quads: what is computed depends on neighbours, or pixels have several samples or parts.
+    /// By quads: what is computed depends on neighbours, or on the fraction of a pixel that is covered.
     Quads,
+    /// By quads whose pixels have several samples.
+    SampledQuads,
     /// By pixels.
     Pixels,
 }
@@ -242,7 +244,11 @@ impl DrawPlan {
             },
             blocks_per_group,
             shades_depth: late || inputs.contains(&FragmentInput::Depth),
-            packing: if is_without_helper_lanes { Packing::Pixels } else { Packing::Quads },
+            packing: match samples.count {
+                1 if is_without_helper_lanes => Packing::Pixels,
+                1 => Packing::Quads,
+                _ => Packing::SampledQuads,
+            },
             centroids,
             reads_coverage: inputs.contains(&FragmentInput::Coverage),
             prepared: fragment.prepare(input.isa, input.uniforms, &input.textures),

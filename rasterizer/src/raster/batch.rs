@@ -263,7 +263,9 @@ pub fn moved_quad(lanes: u64, from: usize, to: usize) -> u64 {
 }
 
 /// Quads of a block from which on it is shaded by itself rather than packed with others.
-const DENSE_QUADS: u32 = 5;
+const DENSE_QUADS: u32 = 12;
+/// The same of several samples, of which every word is gathered and scattered for a quad in a packed batch.
+const DENSE_SAMPLED_QUADS: u32 = 5;
 /// Pixels of one, where these need not be quads.
 const DENSE_PIXELS: u32 = 30;
 
@@ -272,6 +274,7 @@ const DENSE_PIXELS: u32 = 30;
 pub fn is_dense(packing: Packing, lanes: u64) -> bool {
     match packing {
         Packing::Quads => quads_of(lanes).count_ones() >= DENSE_QUADS,
+        Packing::SampledQuads => quads_of(lanes).count_ones() >= DENSE_SAMPLED_QUADS,
         Packing::Pixels => lanes.count_ones() >= DENSE_PIXELS,
     }
 }

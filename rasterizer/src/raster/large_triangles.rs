@@ -170,7 +170,7 @@ mod tests {
                 prop_oneof![-8_000..24_000i32, -8_388_608..=8_388_608i32])),
         ) {
             let edges = edges(&corners, 0, 0);
-            let packings = [Packing::Pixels, Packing::Quads];
+            let packings = [Packing::Pixels, Packing::Quads, Packing::SampledQuads];
             for (isa, packing) in Isa::available().into_iter().flat_map(|isa| packings.map(|by| (isa, by))) {
                 let triangle = isa.run(CoverOf(&edges, packing));
                 for at in 0..LANES {

@@ -65,7 +65,7 @@ pub enum Placement {
 const LEAST_BATCHES: usize = 8;
 
 /// Operations, in additions of 64 lanes, that take about as long as waking another thread and waiting for it.
-const WORTH_A_THREAD: u64 = 1 << 14;
+const WORTH_A_THREAD: u64 = 1 << 16;
 
 /// Shades the vertices `ids` of instances, one behind the other, in parallel where there are many. They begin at a
 /// vertex of a geometry, which has at least those before it.

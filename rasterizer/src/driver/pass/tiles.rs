@@ -1,18 +1,27 @@
 //! Binning, and running the tiles of a pass.
 
-use super::{LayerSurfaces, Pass, SMALL_DRAW};
+use super::{LayerSurfaces, Pass};
 use crate::attachment::{DepthFormat, Surface};
 use crate::driver::chunk::TileBin;
 use crate::driver::image::Attachment;
 use crate::driver::report::{FrameSpending, SubmitReport};
+use crate::plan::Shading;
 use crate::primitive::Shape;
 use crate::raster::{
     Chunk, ClearJob, FIRST_WAVE, Formats, TileCommand, TileJob, WAVE, WatchedPixel,
 };
 use crate::sizes::TILE;
+use texunit::lanes::LANES;
 
-/// Pixels that a short program shades before another thread would wake.
-const SMALL_WORK_PIXELS: u64 = 1 << 14;
+/// Work of tiles, in additions of 64 lanes, that is not shared with another thread: waking one, and its waiting for more
+/// work, takes about as much processor time.
+const WORTH_A_THREAD: u64 = 1 << 16;
+
+/// About how many additions of 64 lanes a shape takes besides its pixels.
+const SHAPE_COST: u64 = 16;
+
+/// About how many additions of 64 lanes coverage, tests and output of 64 pixels take, for each sample.
+const BATCH_COST: u64 = 32;
 
 /// The surfaces of colours, and that of depths.
 type Surfaces<'a> = (&'a mut Vec<Option<Surface>>, &'a mut Option<Surface>);
@@ -96,18 +105,24 @@ impl Pass<'_> {
         }
     }
 
-    /// Whether the tiles finish before another thread would wake: whole clears, and shapes of few pixels.
+    /// Whether the tiles are not worth another thread: whole clears, and shapes of few pixels.
     fn is_small_work(&self) -> bool {
         let Self { job, shapes, .. } = self;
         let writes_all = |clear: &ClearJob| clear.writes_all(job.width, job.height);
         let cost = |chunk: &Chunk| {
+            let plan = &job.draws[chunk.draw].plan;
+            let program = match plan.shading {
+                Shading::On => plan.pipeline.compiled().fragment.cost(&plan.textures),
+                Shading::Off => 0,
+            };
             let pixels: u64 = chunk.lists.shapes.iter().map(Shape::pixels).sum();
-            // What runs by itself is long.
-            if job.draws[chunk.draw].plan.blocks_per_group > 1 { pixels } else { 16 * pixels }
+            let batch = BATCH_COST * plan.samples.count as u64 + program;
+            pixels.div_ceil(LANES as u64).saturating_mul(batch)
         };
-        *shapes <= SMALL_DRAW
+        let of_shapes = SHAPE_COST * *shapes as u64;
+        of_shapes <= WORTH_A_THREAD
             && job.clears.iter().all(writes_all)
-            && job.chunks.iter().map(cost).sum::<u64>() <= SMALL_WORK_PIXELS
+            && job.chunks.iter().map(cost).fold(of_shapes, u64::saturating_add) <= WORTH_A_THREAD
     }
 
     /// Whether the fragment program of a draw in the bins has loops.
