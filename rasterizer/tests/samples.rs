@@ -430,3 +430,100 @@ fn every_instruction_set_and_number_of_threads_gives_the_same_bits() {
         }
     }
 }
+
+/// A triangle of one depth and one colour, in bytes.
+#[derive(Clone, Debug)]
+struct Flat {
+    corners: [[i64; 2]; 3],
+    depth: f32,
+    color: [u8; 4],
+    blend: Option<Blend>,
+}
+
+/// Draws triangles with a depth test; their corners are moved by `by`, in 256ths of pixels.
+fn draw_flat(device: &Device, target: &Image, depth: &Image, triangles: &[Flat], by: [i64; 2]) {
+    let area = Rect { x: 0, y: 0, width: SIZE, height: SIZE };
+    let value = ClearValue::Color { target: 0, value: [0.0; 4], mask: [true; 4] };
+    let raster = RasterState { multisample: each(), ..RasterState::default() };
+    let mut commands = vec![
+        pass(target, Some(depth), SIZE, SIZE),
+        Command::Clear { value, area },
+        Command::Clear { value: ClearValue::Depth(1.0), area },
+        viewport(SIZE, SIZE),
+        Command::SetRaster(Arc::new(raster)),
+    ];
+    for Flat { corners, depth, color, blend } in triangles {
+        let clip = |v: i64| v as f32 / (128.0 * SIZE as f32) - 1.0;
+        let vertices: Vec<f32> = corners
+            .iter()
+            .flat_map(|c| [clip(c[0] + by[0]), clip(c[1] + by[1]), *depth, 1.0])
+            .collect();
+        let mut desc = constant(color.map(|byte| f32::from(byte) / 255.0));
+        desc.depth = Some(DepthState { test: Compare::LessEqual, write: DepthWrite::On });
+        desc.colors[0].blend = *blend;
+        commands.extend([
+            Command::BindPipeline(Pipeline::new(desc).expect("valid")),
+            Command::BindVertices(bindings(&vertices, 1)),
+            Command::Draw { first: 0, count: 3, instances: 0..1 },
+        ]);
+    }
+    commands.push(Command::EndPass);
+    device.submit(&CommandBuffer { commands }).expect("legal");
+}
+
+/// A sample is what the only sample of a picture is whose triangles are moved: whatever way the blocks of a triangle take,
+/// alone, in groups, or quad by quad with others.
+#[test]
+fn a_sample_is_a_picture_of_one_sample_that_was_moved() {
+    let over = Blend {
+        equation: [BlendEquation::Add; 2],
+        src: [BlendFactor::SrcAlpha; 2],
+        dst: [BlendFactor::OneMinusSrcAlpha; 2],
+        constant: [0.0; 4],
+    };
+    let (mut state, mut edges) = (7, 0);
+    for round in 0..24 {
+        let triangles: Vec<Flat> = (0..1 + random(&mut state, 8))
+            .map(|_| {
+                let reach = if random(&mut state, 3) == 0 { 2_000 } else { 12_000 };
+                let at = [0; 2].map(|_| random(&mut state, 8_192));
+                let corner = |state: &mut u64| at.map(|at| at + random(state, reach) - reach / 2);
+                Flat {
+                    corners: [0; 3].map(|_| corner(&mut state)),
+                    depth: random(&mut state, 100) as f32 / 50.0 - 1.0,
+                    // The mean of four is a byte.
+                    color: [0; 4].map(|_| 4 * random(&mut state, 64) as u8),
+                    blend: (round % 2 == 1 && random(&mut state, 2) == 0).then_some(over),
+                }
+            })
+            .collect();
+        let moved: Vec<Vec<u8>> = FOUR
+            .iter()
+            .map(|position| {
+                let (target, depth) =
+                    (image(Format::Rgba8, SIZE, SIZE), image(Format::D24, SIZE, SIZE));
+                let by = position.map(|at| 128 - at);
+                draw_flat(&device(Isa::best(), 1), &target, &depth, &triangles, by);
+                bytes(&target)
+            })
+            .collect();
+        for isa in Isa::executions() {
+            let (target, depth) = (multisampled(Format::Rgba8, 4), multisampled(Format::D24, 4));
+            draw_flat(&device(isa, 2), &target, &depth, &triangles, [0; 2]);
+            for (at, &got) in bytes(&target).iter().enumerate() {
+                let samples = [0, 1, 2, 3].map(|sample: usize| moved[sample][at]);
+                let sum: i32 = samples.iter().map(|byte| i32::from(*byte)).sum();
+                // A mean of blended bytes may lie half way.
+                let most = if round % 2 == 1 { 2 } else { 0 };
+                let difference = (4 * i32::from(got) - sum).abs();
+                assert!(
+                    difference <= most,
+                    "{} round {round} byte {at}: {got} of {samples:?}",
+                    isa.name()
+                );
+                edges += usize::from(samples.iter().any(|sample| *sample != samples[0]));
+            }
+        }
+    }
+    assert!(edges > 10_000, "{edges} bytes whose samples differ");
+}

@@ -86,7 +86,7 @@ impl DepthPlanes {
 
     /// The words of pixels: lane by lane the plane of its block, and the block times 64 and the lane there of each.
     #[inline(always)]
-    pub fn words_at<S: Simd>(&self, [corners, a, b]: &[F32s; 3], places: &U32s) -> U32s {
+    pub fn words_at(&self, [corners, a, b]: &[F32s; 3], places: &U32s) -> U32s {
         let (mut depth, mut words) = (F32s::ZERO, U32s::ZERO);
         for lane in 0..LANES {
             let place = places[lane];

@@ -99,7 +99,7 @@ impl Kernel for Gather<'_> {
             }
         }
         if planes.lanes != 0 {
-            planes.evaluate::<S>(&places, &mut words);
+            planes.evaluate(&places, &mut words);
         }
         if surface.tiles[0].len() > 1 {
             for lane in 0..LANES {
@@ -145,9 +145,9 @@ impl<'a> PlanesOfLanes<'a> {
 
     /// The words of the lanes at their places.
     #[inline(always)]
-    fn evaluate<S: Simd>(&self, places: &U32s, words: &mut U32s) {
+    fn evaluate(&self, places: &U32s, words: &mut U32s) {
         let Some(first) = self.first else { return };
-        let of_planes = first.words_at::<S>(&self.planes, places);
+        let of_planes = first.words_at(&self.planes, places);
         let [low, high] = [self.lanes as u32, (self.lanes >> 32) as u32];
         for lane in 0..LANES {
             let half = if lane < 32 { low } else { high };
