@@ -9,7 +9,9 @@ use crate::calls::texture::bound::ChosenTexture;
 use crate::calls::texture::read_only::{READ_ONLY, ReadOnly};
 use crate::calls::texture::samplers::clamped;
 use crate::context::Context;
-use crate::objects::sampler::{Answer, SAMPLER_PARAMETER, SamplerParameter, Values, needs_vector};
+use crate::objects::sampler::{
+    Answer, SAMPLER_PARAMETER, SamplerParameter, SamplerState, Values, needs_vector,
+};
 use crate::objects::target::{TARGET, TextureTarget};
 use crate::objects::texture::{DepthStencilMode, Texture};
 use texunit::sampler::{DepthMode, Swizzle};
@@ -143,26 +145,58 @@ fn parameter_of(texture: &ChosenTexture, pname: GLenum) -> Result<Parameter> {
     Ok(parameter)
 }
 
+/// What `glTexParameter` sets.
+#[derive(Clone, Debug, PartialEq)]
+struct Parameters {
+    state: SamplerState,
+    priority: f32,
+    depth_stencil: DepthStencilMode,
+    generate_mipmap: bool,
+}
+
+impl Parameters {
+    fn of(texture: &Texture) -> Self {
+        let &Texture { ref state, priority, depth_stencil, generate_mipmap, .. } = texture;
+        Self { state: state.clone(), priority, depth_stencil, generate_mipmap }
+    }
+
+    /// Makes these the parameters of a texture. What is set again leaves vertices pending.
+    fn set(self, context: &mut Context, texture: &ChosenTexture) {
+        if self == Self::of(texture.get(context)) {
+            context.state_changes.no_change();
+            return;
+        }
+        context.leave_plain_state();
+        let texture = texture.get_mut(context);
+        if texture.depth_stencil != self.depth_stencil {
+            texture.changed();
+        }
+        let Self { state, priority, depth_stencil, generate_mipmap } = self;
+        (texture.state, texture.priority) = (state, priority);
+        (texture.depth_stencil, texture.generate_mipmap) = (depth_stencil, generate_mipmap);
+    }
+}
+
 /// Sets a parameter of one number.
 fn set(
     context: &mut Context,
-    texture: &ChosenTexture,
+    chosen: &ChosenTexture,
     pname: GLenum,
     parameter: Parameter,
     values: &Values,
 ) -> Result<()> {
     let value = values.one(SECTION, pname)?;
     let symbol = symbol(value as f32);
-    let target = texture.target;
-    let texture = texture.get_mut(context);
-    let before = texture.state.clone();
+    let target = chosen.target;
+    let texture = chosen.get(context);
     // The levels of immutable storage bound these parameters (ARB_texture_storage, section 3.8.X).
     let last = texture.immutable.map(|shown| shown.levels - 1);
-    let sampler = &mut texture.state.sampler;
+    let mut new = Parameters::of(texture);
+    let sampler = &mut new.state.sampler;
     match parameter {
-        Parameter::Sampler(parameter) => texture.state.set(Some(target), parameter, value)?,
+        Parameter::Sampler(parameter) => new.state.set(Some(target), parameter, value)?,
         Parameter::Priority => {
-            texture.priority = unit(values.fraction(SECTION, pname)?.into()) as f32;
+            new.priority = unit(values.fraction(SECTION, pname)?.into()) as f32;
         }
         Parameter::BaseLevel => {
             sampler.base_level = level_number(target, pname, value)?.min(last.unwrap_or(u32::MAX));
@@ -174,14 +208,9 @@ fn set(
         }
         Parameter::DepthMode => sampler.depth_mode = DEPTH_MODE.decode("param", symbol)?,
         Parameter::DepthStencilMode => {
-            let mode = DEPTH_STENCIL_MODE.decode("param", symbol)?;
-            if texture.depth_stencil != mode {
-                texture.depth_stencil = mode;
-                texture.changed();
-                return Ok(());
-            }
+            new.depth_stencil = DEPTH_STENCIL_MODE.decode("param", symbol)?;
         }
-        Parameter::GenerateMipmap => texture.generate_mipmap = value != 0.0,
+        Parameter::GenerateMipmap => new.generate_mipmap = value != 0.0,
         Parameter::Swizzle(component) => {
             sampler.swizzle[usize::from(component)] = SWIZZLE.decode("param", symbol)?;
         }
@@ -192,10 +221,7 @@ fn set(
             return invalid_enum(SECTION, format!("pname = {} can only be read", enum_name(pname)));
         }
     }
-    let is_sampling = !matches!(parameter, Parameter::Priority | Parameter::GenerateMipmap);
-    if is_sampling && texture.state == before {
-        context.state_changes.no_change();
-    }
+    new.set(context, chosen);
     Ok(())
 }
 
@@ -219,18 +245,16 @@ pub(crate) fn vector(
 ) -> Result<()> {
     check_target(texture)?;
     let parameter = parameter_of(texture, pname)?;
+    let mut new = Parameters::of(texture.get(context));
     match parameter {
-        Parameter::BorderColor => {
-            let color = values.four(SECTION, pname)?;
-            texture.get_mut(context).state.sampler.border = color;
-        }
+        Parameter::BorderColor => new.state.sampler.border = values.four(SECTION, pname)?,
         Parameter::Swizzles => {
             values.four(SECTION, pname)?;
             let mut swizzle = Swizzle::IDENTITY;
             for (component, &value) in swizzle.iter_mut().zip(&values.plain()) {
                 *component = SWIZZLE.decode("params", symbol(value as f32))?;
             }
-            texture.get_mut(context).state.sampler.swizzle = swizzle;
+            new.state.sampler.swizzle = swizzle;
         }
         Parameter::Sampler(_)
         | Parameter::Priority
@@ -244,6 +268,7 @@ pub(crate) fn vector(
             return set(context, texture, pname, parameter, values);
         }
     }
+    new.set(context, texture);
     Ok(())
 }
 

@@ -221,7 +221,7 @@ macro_rules! entry_points_textures {
             y: GLint, width: GLsizei, height: GLsizei
         );
     }
-    Refused in parameter {
+    Setter in parameter {
         /// Sets a parameter of a texture.
         tex_parameteri: glTexParameteri (target: GLenum, pname: GLenum, param: GLint);
         /// Sets a parameter of a texture.
@@ -230,6 +230,8 @@ macro_rules! entry_points_textures {
         tex_parameteriv: glTexParameteriv (target: GLenum, pname: GLenum, params: &'a [GLint]);
         /// Sets a parameter of a texture.
         tex_parameterfv: glTexParameterfv (target: GLenum, pname: GLenum, params: &'a [GLfloat]);
+    }
+    Refused in parameter {
         /// Reads a parameter of a texture.
         get_tex_parameteriv: glGetTexParameteriv
             (target: GLenum, pname: GLenum, params: &'a mut [GLint]);
