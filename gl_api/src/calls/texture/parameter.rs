@@ -154,24 +154,21 @@ fn set(
     let value = values.one(SECTION, pname)?;
     let symbol = symbol(value as f32);
     let target = texture.target;
+    if let Parameter::Sampler(parameter) = parameter
+        && let Some(symbol) = parameter.symbol(value)
+    {
+        context.profile.check_value("param", symbol)?;
+    }
     let texture = texture.get_mut(context);
     let before = texture.state.clone();
-    // The levels of immutable storage bound these parameters (ARB_texture_storage, section 3.8.X).
-    let last = texture.immutable.map(|shown| shown.levels - 1);
     let sampler = &mut texture.state.sampler;
     match parameter {
         Parameter::Sampler(parameter) => texture.state.set(Some(target), parameter, value)?,
         Parameter::Priority => {
             texture.priority = unit(values.fraction(SECTION, pname)?.into()) as f32;
         }
-        Parameter::BaseLevel => {
-            sampler.base_level = level_number(target, pname, value)?.min(last.unwrap_or(u32::MAX));
-        }
-        Parameter::MaxLevel => {
-            let level = level_number(target, pname, value)?;
-            let base = sampler.base_level;
-            sampler.max_level = last.map_or(level, |last| level.clamp(base.min(last), last));
-        }
+        Parameter::BaseLevel => sampler.base_level = level_number(target, pname, value)?,
+        Parameter::MaxLevel => sampler.max_level = level_number(target, pname, value)?,
         Parameter::DepthMode => sampler.depth_mode = DEPTH_MODE.decode("param", symbol)?,
         Parameter::DepthStencilMode => {
             let mode = DEPTH_STENCIL_MODE.decode("param", symbol)?;
@@ -318,7 +315,8 @@ fn get(texture: &Texture, parameter: Parameter) -> Answer {
         Parameter::Sampler(parameter) => texture.state.get(parameter).into(),
         Parameter::Priority => return Answer::Fraction(texture.priority),
         Parameter::ReadOnly(read) => read.of(texture).into(),
-        Parameter::BaseLevel => sampler.base_level.into(),
+        // Bounded by the levels of immutable storage (ARB_texture_storage, section 3.8.X).
+        Parameter::BaseLevel => texture.sampler().base_level.into(),
         Parameter::MaxLevel => sampler.max_level.into(),
         Parameter::DepthMode => DEPTH_MODE.encode(sampler.depth_mode).into(),
         Parameter::DepthStencilMode => DEPTH_STENCIL_MODE.encode(texture.depth_stencil).into(),
