@@ -56,9 +56,12 @@ impl SamplePlan {
         }
     }
 
-    /// Whether [`Self::sample_fused`] may be called: the image is complete, and there is no depth compare.
+    /// Whether [`Self::sample_fused`] may be called: the image is complete, there is no depth compare, and texels are
+    /// numbers to multiply. A product with 1 keeps them, but not the bits of an integer that are those of a signalling NaN.
     pub fn samples_color(&self) -> bool {
-        self.0.as_ref().is_ok_and(|texture| texture.compare.is_none())
+        let is_color =
+            |texture: &Texture| texture.compare.is_none() && !texture.format.is_integer();
+        self.0.as_ref().is_ok_and(is_color)
     }
 
     /// What is known of the results of lookups, whatever their coordinates.

@@ -12,8 +12,35 @@ use crate::state::enable::{CAPABILITY, CLIENT_ARRAY, Capability, Flag, Switch};
 use crate::state::evaluators::MAP;
 use crate::state::fragment::MORE_SCISSOR_TESTS;
 
-/// A capability of any kind.
-pub(crate) fn capability(cap: GLenum) -> Result<Capability> {
+/// A capability of any kind that contexts of the profile have.
+pub(crate) fn capability(context: &Context, cap: GLenum) -> Result<Capability> {
+    let capability = capability_of_opengl(cap)?;
+    match capability {
+        Capability::Texture(_) if !context.profile.is_compatibility() => {
+            let rule = format!(
+                "cap = {}: without a fixed function, shaders sample what is bound, without glEnable",
+                enum_name(cap)
+            );
+            invalid_enum("GL 3.3, appendix E.2.2", rule)
+        }
+        // By what it is: GL_LIGHT0 has the value of GL_COLOR_BUFFER_BIT, which every profile has.
+        Capability::TexGen(_) | Capability::Light(_) | Capability::Map(_)
+            if !context.profile.is_compatibility() =>
+        {
+            let rule = format!("cap = {cap:#06x} is of the fixed function, which shaders replace");
+            invalid_enum("GL 3.3, appendix E.2.2", rule)
+        }
+        Capability::Flag(_)
+        | Capability::Texture(_)
+        | Capability::TexGen(_)
+        | Capability::Light(_)
+        | Capability::Map(_)
+        | Capability::ClipPlane(_)
+        | Capability::DebugOutput => Ok(capability),
+    }
+}
+
+fn capability_of_opengl(cap: GLenum) -> Result<Capability> {
     if let Some(map) = MAP.get(cap) {
         return Ok(Capability::Map(map));
     }
@@ -56,15 +83,8 @@ fn is_already(context: &Context, capability: Capability, to: Switch) -> bool {
 
 fn switch(context: &mut Context, cap: GLenum, to: Switch) -> Result<()> {
     let on = to == Switch::On;
-    let capability = capability(cap)?;
+    let capability = capability(context, cap)?;
     if let Capability::Texture(_) = capability {
-        if !context.profile.is_compatibility() {
-            let rule = format!(
-                "cap = {}: without a fixed function, shaders sample what is bound, without glEnable",
-                enum_name(cap)
-            );
-            return invalid_enum("GL 3.3, appendix E.2.2", rule);
-        }
         let active = u32::from(context.state.units.active);
         context.units_switched |= 1u8.checked_shl(active).unwrap_or(0);
     }

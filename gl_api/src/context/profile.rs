@@ -1,9 +1,10 @@
 //! The API, version and profile of a context.
 
-use crate::base::availability::Api;
+use crate::base::availability::{Api, REMOVED_VALUES, VALUES_OUTSIDE_ES, Version};
 use crate::base::constants::*;
-use crate::base::core_profile::{self, Argument, InCore};
-use crate::base::es_profile::{self, InEs};
+use crate::base::core_profile::{self, Argument, InCore, removed_value};
+use crate::base::error::{ErrorCode, Result};
+use crate::base::es_profile::{self, InEs, foreign_value};
 use crate::base::types::GLenum;
 use crate::base::version;
 use crate::context::{Context, ContextDesc, ContextError};
@@ -38,7 +39,7 @@ impl Profile {
     ///
     /// # Errors
     /// If there is no such API or version.
-    pub fn of(desc: &ContextDesc) -> Result<Self, ContextError> {
+    pub fn of(desc: &ContextDesc) -> std::result::Result<Self, ContextError> {
         let ContextDesc { api, version: asked, forward_compatible, .. } = *desc;
         let most = version::reported();
         match api {
@@ -79,6 +80,14 @@ impl Profile {
         self != Self::Core(ForwardCompatible::Yes)
     }
 
+    /// The version that `glGet` reports.
+    pub fn version(self) -> Version {
+        match self {
+            Self::Compatibility(_) | Self::Core(_) => version::reported(),
+            Self::Es => version::IMPLEMENTED_ES,
+        }
+    }
+
     /// `GL_CONTEXT_PROFILE_MASK` (GL 3.2, table 6.51).
     pub fn mask(self) -> GLenum {
         match self {
@@ -98,6 +107,16 @@ impl Profile {
                 GL_CONTEXT_FLAG_FORWARD_COMPATIBLE_BIT
             }
         }
+    }
+
+    /// Checks that it has a value of an enum, whatever the type of the call's argument.
+    pub fn check_value(self, argument: &str, value: GLenum) -> Result<()> {
+        let error = match self {
+            Self::Core(_) if REMOVED_VALUES.binary_search(&value).is_ok() => removed_value,
+            Self::Es if VALUES_OUTSIDE_ES.binary_search(&value).is_ok() => foreign_value,
+            Self::Compatibility(_) | Self::Core(_) | Self::Es => return Ok(()),
+        };
+        Err(error(argument, value, ErrorCode::InvalidEnum))
     }
 
     /// What depth textures are read as at first: core profiles and OpenGL ES have no `GL_DEPTH_TEXTURE_MODE`, and read red.

@@ -12,7 +12,7 @@ use crate::state::multisample::Multisample;
 use rasterizer::driver::{
     AlphaToCoverage, AlphaToOne, Antialiasing, LineState, LineStipple, MultisampleState, PointSize,
     PointState, PolygonMode, PolygonOffset, PolygonState, RasterState, SampleCoverage, SampleRule,
-    SampleShading, Topology, VertexBinding, VertexSource,
+    SampleShading, Topology, VertexBinding, VertexSource, ViewSides,
 };
 
 /// What the primitives of a draw are rasterized as.
@@ -77,6 +77,9 @@ pub(crate) fn raster_state(
 ) -> RasterState {
     let RasterizedAs { points, lines, polygons } = rasterized_as(context, topology);
     let mut state = RasterState::default();
+    if context.profile.is_es() {
+        state.sides = ViewSides::Bound;
+    }
     if polygons {
         state.polygon = polygon_state(context, vertices);
     }

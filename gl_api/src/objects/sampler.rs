@@ -102,6 +102,21 @@ pub(crate) const SAMPLER_PARAMETER: Table<SamplerParameter> = Table {
     ],
 };
 
+impl SamplerParameter {
+    /// Its value as an enum, if it is one.
+    pub fn symbol(self, value: f64) -> Option<GLenum> {
+        match self {
+            Self::Wrap(_)
+            | Self::MinFilter
+            | Self::MagFilter
+            | Self::CompareMode
+            | Self::CompareFunc
+            | Self::SrgbDecode => Some(symbol(value as f32)),
+            Self::MinLod | Self::MaxLod | Self::LodBias | Self::MaxAnisotropy => None,
+        }
+    }
+}
+
 /// The sampler state of a texture or sampler object.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct SamplerState {

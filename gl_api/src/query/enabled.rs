@@ -19,10 +19,12 @@ pub(crate) fn is_on(context: &Context, cap: GLenum) -> Result<bool> {
     if cap == GL_PRIMITIVE_RESTART_NV {
         return Ok(context.state.enables.has(Flag::PrimitiveRestart));
     }
-    if let Some(location) = CLIENT_ARRAY.get(cap) {
+    if let Some(location) = CLIENT_ARRAY.get(cap)
+        && context.profile.is_compatibility()
+    {
         return Ok(context.state.arrays.by_location[client_location(context, location)].enabled);
     }
-    Ok(match capability(cap)? {
+    Ok(match capability(context, cap)? {
         Capability::Flag(flag) => context.state.enables.has(flag),
         Capability::Texture(target) => context.state.units.active().enabled[target as usize],
         Capability::DebugOutput => context.debug.output == Output::On,

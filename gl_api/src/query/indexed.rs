@@ -29,11 +29,21 @@ enum Read {
     Formula,
     /// A number that is checked for its index here.
     Number(fn(&Context, GLuint) -> Result<GLint64>),
-    /// Of a viewport, whose number is checked here; OpenGL ES has but one.
+    /// Of a viewport, whose number is checked here.
     Value(fn(&Context, GLuint) -> Result<QueryValue>),
 }
 
-const ROWS: &[(GLenum, Read)] = &[
+/// Of indexed buffers; OpenGL ES 3.0 has no other (section 6.1.1).
+const ROWS_OF_BUFFERS: &[(GLenum, Read)] = &[
+    (GL_TRANSFORM_FEEDBACK_BUFFER_BINDING, Number(|c, i| name(c, Numbered::TransformFeedback, i))),
+    (GL_TRANSFORM_FEEDBACK_BUFFER_START, Number(|c, i| start(c, Numbered::TransformFeedback, i))),
+    (GL_TRANSFORM_FEEDBACK_BUFFER_SIZE, Number(|c, i| size(c, Numbered::TransformFeedback, i))),
+    (GL_UNIFORM_BUFFER_BINDING, Number(|c, i| name(c, Numbered::Uniform, i))),
+    (GL_UNIFORM_BUFFER_START, Number(|c, i| start(c, Numbered::Uniform, i))),
+    (GL_UNIFORM_BUFFER_SIZE, Number(|c, i| size(c, Numbered::Uniform, i))),
+];
+
+const ROWS_OF_OPENGL: &[(GLenum, Read)] = &[
     (GL_BLEND, Flag(|buffer| buffer.blend)),
     (GL_SCISSOR_TEST, Value(|context, index| flag(masks::is_on(context, GL_SCISSOR_TEST, index)?))),
     (
@@ -72,12 +82,6 @@ const ROWS: &[(GLenum, Read)] = &[
             Ok((context.state.raster.multisample.mask as GLint).into())
         }),
     ),
-    (GL_TRANSFORM_FEEDBACK_BUFFER_BINDING, Number(|c, i| name(c, Numbered::TransformFeedback, i))),
-    (GL_TRANSFORM_FEEDBACK_BUFFER_START, Number(|c, i| start(c, Numbered::TransformFeedback, i))),
-    (GL_TRANSFORM_FEEDBACK_BUFFER_SIZE, Number(|c, i| size(c, Numbered::TransformFeedback, i))),
-    (GL_UNIFORM_BUFFER_BINDING, Number(|c, i| name(c, Numbered::Uniform, i))),
-    (GL_UNIFORM_BUFFER_START, Number(|c, i| start(c, Numbered::Uniform, i))),
-    (GL_UNIFORM_BUFFER_SIZE, Number(|c, i| size(c, Numbered::Uniform, i))),
     (GL_SAMPLER_BINDING, Number(|c, i| Ok(unit(c, i)?.sampler.name().into()))),
     (GL_TEXTURE_BINDING_1D, Number(|c, i| texture(c, i, TextureTarget::D1))),
     (GL_TEXTURE_BINDING_1D_ARRAY, Number(|c, i| texture(c, i, TextureTarget::D1Array))),
@@ -151,9 +155,8 @@ impl Indexed {
 
 fn indexed_state(context: &Context, target: GLenum, index: GLuint) -> Result<Indexed> {
     let buffer = || Ok(&context.state.fragment.buffers[buffer_index("index", index)?]);
-    let is_of_viewports = |row: &Read| matches!(row, Value(_));
-    let is_there = |row: &Read| !is_of_viewports(row) || !context.profile.is_es();
-    let row = ROWS.iter().find(|row| row.0 == target && is_there(&row.1));
+    let more = if context.profile.is_es() { &[] } else { ROWS_OF_OPENGL };
+    let row = ROWS_OF_BUFFERS.iter().chain(more).find(|row| row.0 == target);
     Ok(Indexed::Value(match row.map(|row| &row.1) {
         Some(Flag(read)) => QueryValue::Bools(vec![read(buffer()?)]),
         Some(Flags(read)) => QueryValue::Bools(read(buffer()?).to_vec()),

@@ -208,6 +208,16 @@ impl Default for MultisampleState {
     }
 }
 
+/// What the left, right, lower and upper side of the view volume do to lines and points.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum ViewSides {
+    /// They clip lines, which are as wide outside, and drop points whose centre is outside (GL 2.1, section 2.12).
+    #[default]
+    Clip,
+    /// They clip neither (OpenGL ES 3.0, section 2.17); nothing is drawn outside the viewport.
+    Bound,
+}
+
 /// All raster state.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RasterState {
@@ -217,6 +227,8 @@ pub struct RasterState {
     pub line: LineState,
     /// Points, and polygons drawn as points.
     pub point: PointState,
+    /// The sides of the view volume, for lines and points.
+    pub sides: ViewSides,
     /// The samples of pixels.
     pub multisample: MultisampleState,
 }
@@ -234,6 +246,7 @@ impl Default for RasterState {
                 origin: SpriteOrigin::UpperLeft,
                 fade: None,
             },
+            sides: ViewSides::default(),
             multisample: MultisampleState::default(),
         }
     }

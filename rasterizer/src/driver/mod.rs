@@ -22,7 +22,7 @@ pub use crate::desc::{
     PipelineError, PixelMask, PointSize, PointState, PolygonMode, PolygonOffset, PolygonState,
     Provoking, RasterState, Rect, SampleCoverage, SampleRule, SampleShading, ScissoredViewport,
     ShaderModule, SpriteOrigin, SrgbWrite, StencilFace, StencilOp, StencilState, Stipple, Topology,
-    Version, VertexBinding, VertexFormat, VertexSource, VertexType, Viewport,
+    Version, VertexBinding, VertexFormat, VertexSource, VertexType, ViewSides, Viewport,
 };
 pub use crate::plan::LeaveOut;
 pub use crate::plan::{Pipeline, possible_samples, same_textures, sample_positions};

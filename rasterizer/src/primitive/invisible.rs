@@ -103,10 +103,12 @@ impl Setup<'_> {
         if any & Outcode::INVALID != 0 {
             return InvisibleReason::NotFinite;
         }
-        if let Some((_, side)) = SIDES.into_iter().find(|(bit, _)| every & bit != 0) {
+        let outside =
+            if vertices.len() < 3 { self.outside_for_outlines() } else { Outcode::OUTSIDE };
+        if let Some((_, side)) = SIDES.into_iter().find(|(bit, _)| every & outside & bit != 0) {
             return InvisibleReason::Outside(side);
         }
-        if every & Outcode::REJECT != 0 {
+        if every & Outcode::CULLED != 0 {
             return InvisibleReason::Cut;
         }
         let whole: Vec<_>;

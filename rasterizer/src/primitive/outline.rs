@@ -5,7 +5,9 @@ use super::clip::{Corner, Edge};
 use super::line::LineFragments;
 use super::planes::depth_offset;
 use super::setup::{Clipping, EMPTY_BOUNDS, Scratch, Setup, Shape, ShapeKind, bounds, snap};
-use crate::desc::{Antialiasing, Facing, LineState, MAX_POINT_SIZE, PointState, PolygonMode};
+use crate::desc::{
+    Antialiasing, Facing, LineState, MAX_POINT_SIZE, PointState, PolygonMode, ViewSides,
+};
 use crate::sizes::SUBPIXEL;
 use crate::vertex::{EdgeFlags, Geometry, Outcode};
 
@@ -109,6 +111,14 @@ impl Setup<'_> {
         sum as f32
     }
 
+    /// The sides of the view volume beyond which nothing is seen of lines and points.
+    pub(super) fn outside_for_outlines(&self) -> u32 {
+        match self.raster.sides {
+            ViewSides::Clip => Outcode::OUTSIDE,
+            ViewSides::Bound => Outcode::NEAR | Outcode::FAR | Outcode::BEHIND,
+        }
+    }
+
     /// A line.
     pub(super) fn line(
         &self,
@@ -120,7 +130,7 @@ impl Setup<'_> {
         let ends = [line.vertices[0], line.vertices[1]];
         let [a, b] = ends.map(|v| geometry.outcode(v).0);
         let (any, every) = (a | b, a & b);
-        if every & Outcode::OUTSIDE != 0 || any & Outcode::INVALID != 0 {
+        if every & self.outside_for_outlines() != 0 || any & Outcode::INVALID != 0 {
             return;
         }
         let mut corners = ends.map(|v| geometry.snapped[v as usize]);
@@ -145,7 +155,9 @@ impl Setup<'_> {
     fn segment(&self, shape: Shape, out: &mut Vec<Shape>) {
         let [a, b, _] = shape.corners;
         let mut ends = [a, b];
-        if self.raster.line.antialiasing == Antialiasing::Smooth {
+        if self.raster.line.antialiasing == Antialiasing::Smooth
+            && self.raster.sides == ViewSides::Clip
+        {
             let Some(cut) = self.cut_to_view(ends) else { return };
             ends = cut;
         }
@@ -196,14 +208,18 @@ impl Setup<'_> {
         (enters < leaves).then(|| [enters, leaves].map(|part| at(part).map(|v| v.round() as i32)))
     }
 
-    /// The pixels that a line may cover. A line that ends at a side of the view volume is as wide
+    /// The pixels that a line may cover. A line that ends at a side of the view volume which clips is as wide
     /// outside it as inside (section 2.12), so along its minor axis more than the viewport counts; but
     /// of the columns only those whose middle is inside.
     fn line_bounds(&self, [a, b]: [[i32; 2]; 2]) -> Option<[[u16; 2]; 2]> {
         let state = &self.raster.line;
         let width = state.drawn_width();
+        let sides = self.raster.sides;
         let extend = |mut area: [[i32; 2]; 2], axis: usize| {
-            let margin = (width * 0.5).ceil() as i32;
+            let margin = match sides {
+                ViewSides::Clip => (width * 0.5).ceil() as i32,
+                ViewSides::Bound => 0,
+            };
             area[0][axis] = (area[0][axis] - margin).max(self.drawable_area[0][axis]);
             area[1][axis] = (area[1][axis] + margin).min(self.drawable_area[1][axis]);
             area
@@ -219,7 +235,7 @@ impl Setup<'_> {
                 let [view, end] = self.viewport.pixels().map(|pixel| pixel[minor]);
                 let is_inside = |p: [i32; 2]| (view..end).contains(&p[minor].div_euclid(SUBPIXEL));
                 let mut columns = [run.first, run.last];
-                if !(is_inside(a) && is_inside(b)) {
+                if sides == ViewSides::Clip && !(is_inside(a) && is_inside(b)) {
                     columns = LineFragments::new(a, b, 1).columns_within(columns, view..end)?;
                 }
                 let [first, last] = columns;
@@ -250,7 +266,7 @@ impl Setup<'_> {
         }
     }
 
-    /// A point. It is drawn whole if its centre is in the view volume (section 2.12).
+    /// A point. Where the sides of the view volume clip, it is drawn whole if its centre is inside (section 2.12).
     pub(super) fn point(
         &self,
         geometry: &Geometry,
@@ -259,7 +275,8 @@ impl Setup<'_> {
         bias: f32,
         out: &mut Vec<Shape>,
     ) {
-        let dropped = Outcode::OUTSIDE | Outcode::INVALID | Outcode::GUARD | Outcode::USER;
+        let dropped =
+            self.outside_for_outlines() | Outcode::INVALID | Outcode::GUARD | Outcode::USER;
         if geometry.outcode(vertex).0 & dropped != 0 {
             return;
         }
@@ -293,7 +310,11 @@ impl Setup<'_> {
             Antialiasing::Aliased => [[low[0], low[1] + 1], [high[0] - 1, high[1]]],
             Antialiasing::Smooth => [low, high],
         };
-        let Some(bounds) = bounds(&corners, antialiasing, &self.drawable_area) else { return };
+        let area = match self.raster.sides {
+            ViewSides::Clip => &self.drawable_area,
+            ViewSides::Bound => &self.area_in_viewport,
+        };
+        let Some(bounds) = bounds(&corners, antialiasing, area) else { return };
         out.push(Shape { bounds, ..point });
     }
 }

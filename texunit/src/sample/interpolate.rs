@@ -74,9 +74,14 @@ pub fn divide(format: Format, means: &mut [F32s; 4]) {
     }
 }
 
-/// Mixes two levels. Inf and NaN of a second level without weight have no effect.
+/// Mixes two levels. Inf and NaN of a second level without weight have no effect. Without any weight, as of integer texels,
+/// which are never mixed, bits stay: a compiler may make a sum of a selection, and a sum makes a signalling NaN quiet.
 #[inline(always)]
 pub fn mix(first: &F32s, second: &F32s, weight: &F32s, out: &mut F32s) {
+    if !has_weight(weight) {
+        *out = *first;
+        return;
+    }
     for lane in 0..LANES {
         let mean = lerp(first[lane], second[lane], weight[lane]);
         out[lane] = if weight[lane] > 0.0 { mean } else { first[lane] };
@@ -86,6 +91,15 @@ pub fn mix(first: &F32s, second: &F32s, weight: &F32s, out: &mut F32s) {
             out[lane] = lerp_of_any(first[lane], second[lane], max(weight[lane], 0.0));
         }
     }
+}
+
+#[inline(always)]
+fn has_weight(weight: &F32s) -> bool {
+    let mut any = false;
+    for lane in 0..LANES {
+        any |= weight[lane] > 0.0;
+    }
+    any
 }
 
 /// `a` to `b`, exact where they are equal and where `t` is 0.
@@ -115,5 +129,20 @@ mod tests {
         }
         assert!(lerp_of_any(INF, -INF, 0.5).is_nan());
         assert!(lerp_of_any(0.5, f32::NAN, 0.5).is_nan());
+    }
+
+    #[test]
+    fn bits_that_are_not_mixed_stay() {
+        // A signalling NaN, -0 and infinity: as integers, numbers like others.
+        let bits = [0x7F80_0001, 0xFFB8_1234, 0x8000_0000, 0x7F80_0000, 1];
+        let mut first = F32s::ZERO;
+        for lane in 0..LANES {
+            first[lane] = f32::from_bits(bits[lane % bits.len()]);
+        }
+        let mut out = F32s::ZERO;
+        mix(&first, &first, &F32s::ZERO, &mut out);
+        for lane in 0..LANES {
+            assert_eq!(out[lane].to_bits(), first[lane].to_bits(), "lane {lane}");
+        }
     }
 }

@@ -202,6 +202,15 @@ pub(crate) fn attach_layer(
     let object = slice.texture(context)?;
     let of = FaceTarget { target: object.target, face: 0 };
     let (of, slice) = match of.target {
+        TextureTarget::Cube if context.profile.is_es() => {
+            return invalid_operation(
+                "OpenGL ES 3.0, section 4.4.2.4",
+                format!(
+                    "texture {texture} is a GL_TEXTURE_CUBE_MAP, which has no layers; attach a face with \
+                     glFramebufferTexture2D"
+                ),
+            );
+        }
         // Its faces are layers (GL 4.5, section 9.2.8), as Mesa has them in every version.
         TextureTarget::Cube => match u8::try_from(layer) {
             Ok(face) if usize::from(face) < FACES => {

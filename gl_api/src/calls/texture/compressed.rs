@@ -14,7 +14,7 @@ use crate::context::Context;
 use crate::objects::target::{Dimensions, ImageTarget, TextureTarget, any_bound, checked_level};
 use crate::pixel::convert;
 use crate::pixel::etc::{self, EtcFormat};
-use crate::pixel::formats::COMPRESSED;
+use crate::pixel::formats::{COMPRESSED, COMPRESSED_IN_ES};
 use crate::pixel::scratch::scratch;
 use texunit::format::Format;
 use texunit::image::Level;
@@ -49,7 +49,8 @@ fn compressed_tex_image(
         let box_ = (image, level, given);
         return etc_image(context, format, box_, (image_size, data));
     }
-    let format = COMPRESSED.decode("internalformat", internal)?.stored;
+    let formats = if context.profile.is_es() { &COMPRESSED_IN_ES } else { &COMPRESSED };
+    let format = formats.decode("internalformat", internal)?.stored;
     if border != 0 {
         return invalid_value(SECTION, format!("border = {border} of compressed images must be 0"));
     }

@@ -148,8 +148,10 @@ const PROPERTIES: &[(GLenum, Property)] = &[
 
 const TARGET_IN_ES: Table<()> = Table { section: SECTION, rows: &[(GL_RENDERBUFFER, ())] };
 
-const DRAWN_TO_IN_ES: FormatSet = FormatSet::new("OpenGL ES 3.0, table 3.13", |format| {
-    format.is_for_renderbuffers_in_es() && is_drawn_to(format)
+/// The unsized formats are drawn to as well, though no renderbuffer has them (OpenGL ES 3.0, section 4.4.4).
+const DRAWN_TO_IN_ES: FormatSet = FormatSet::new("OpenGL ES 3.0, section 4.4.4", |format| {
+    matches!(format.name, GL_RGB | GL_RGBA)
+        || format.is_for_renderbuffers_in_es() && is_drawn_to(format)
 });
 
 fn is_drawn_to(format: &InternalFormat) -> bool {

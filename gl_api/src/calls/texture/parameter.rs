@@ -188,24 +188,20 @@ fn set(
     let value = values.one(SECTION, pname)?;
     let symbol = symbol(value as f32);
     let target = chosen.target;
-    let texture = chosen.get(context);
-    // The levels of immutable storage bound these parameters (ARB_texture_storage, section 3.8.X).
-    let last = texture.immutable.map(|shown| shown.levels - 1);
-    let mut new = Parameters::of(texture);
+    if let Parameter::Sampler(parameter) = parameter
+        && let Some(symbol) = parameter.symbol(value)
+    {
+        context.profile.check_value("param", symbol)?;
+    }
+    let mut new = Parameters::of(chosen.get(context));
     let sampler = &mut new.state.sampler;
     match parameter {
         Parameter::Sampler(parameter) => new.state.set(Some(target), parameter, value)?,
         Parameter::Priority => {
             new.priority = unit(values.fraction(SECTION, pname)?.into()) as f32;
         }
-        Parameter::BaseLevel => {
-            sampler.base_level = level_number(target, pname, value)?.min(last.unwrap_or(u32::MAX));
-        }
-        Parameter::MaxLevel => {
-            let level = level_number(target, pname, value)?;
-            let base = sampler.base_level;
-            sampler.max_level = last.map_or(level, |last| level.clamp(base.min(last), last));
-        }
+        Parameter::BaseLevel => sampler.base_level = level_number(target, pname, value)?,
+        Parameter::MaxLevel => sampler.max_level = level_number(target, pname, value)?,
         Parameter::DepthMode => sampler.depth_mode = DEPTH_MODE.decode("param", symbol)?,
         Parameter::DepthStencilMode => {
             new.depth_stencil = DEPTH_STENCIL_MODE.decode("param", symbol)?;
@@ -343,7 +339,8 @@ fn get(texture: &Texture, parameter: Parameter) -> Answer {
         Parameter::Sampler(parameter) => texture.state.get(parameter).into(),
         Parameter::Priority => return Answer::Fraction(texture.priority),
         Parameter::ReadOnly(read) => read.of(texture).into(),
-        Parameter::BaseLevel => sampler.base_level.into(),
+        // Bounded by the levels of immutable storage (ARB_texture_storage, section 3.8.X).
+        Parameter::BaseLevel => texture.sampler().base_level.into(),
         Parameter::MaxLevel => sampler.max_level.into(),
         Parameter::DepthMode => DEPTH_MODE.encode(sampler.depth_mode).into(),
         Parameter::DepthStencilMode => DEPTH_STENCIL_MODE.encode(texture.depth_stencil).into(),

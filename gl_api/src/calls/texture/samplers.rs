@@ -103,10 +103,25 @@ fn parameter(pname: GLenum) -> Result<Option<SamplerParameter>> {
     }
 }
 
-fn scalar(context: &mut Context, sampler: GLuint, pname: GLenum, value: f64) -> Result<()> {
+/// Sets a parameter of one number.
+fn set(
+    context: &mut Context,
+    sampler: GLuint,
+    parameter: SamplerParameter,
+    value: f64,
+) -> Result<()> {
+    let profile = context.profile;
     let state = found(context, sampler)?;
+    if let Some(symbol) = parameter.symbol(value) {
+        profile.check_value("param", symbol)?;
+    }
+    state.set(None, parameter, value)
+}
+
+fn scalar(context: &mut Context, sampler: GLuint, pname: GLenum, value: f64) -> Result<()> {
+    found(context, sampler)?;
     match parameter(pname)? {
-        Some(parameter) => state.set(None, parameter, value),
+        Some(parameter) => set(context, sampler, parameter, value),
         None => needs_vector(SECTION, pname, "glSamplerParameter"),
     }
 }
@@ -114,7 +129,7 @@ fn scalar(context: &mut Context, sampler: GLuint, pname: GLenum, value: f64) -> 
 fn vector(context: &mut Context, sampler: GLuint, pname: GLenum, values: &Values) -> Result<()> {
     let state = found(context, sampler)?;
     match parameter(pname)? {
-        Some(parameter) => state.set(None, parameter, values.one(SECTION, pname)?),
+        Some(parameter) => set(context, sampler, parameter, values.one(SECTION, pname)?),
         None => {
             state.sampler.border = values.four(SECTION, pname)?;
             Ok(())

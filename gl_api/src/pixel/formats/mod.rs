@@ -50,6 +50,12 @@ pub(crate) const COMPRESSED: FormatSet = FormatSet {
     contains: |format| format.is_compressed() && format.is_for_textures(),
 };
 
+/// Those of OpenGL ES; of ETC2 and EAC knows the module of their blocks.
+pub(crate) const COMPRESSED_IN_ES: FormatSet = FormatSet {
+    section: "OpenGL ES 3.0, section 3.8.6",
+    contains: |format| format.is_compressed() && format.is_for_textures_in_es(),
+};
+
 impl FormatSet {
     /// The formats for which `contains` holds.
     pub const fn new(section: &'static str, contains: fn(&InternalFormat) -> bool) -> Self {

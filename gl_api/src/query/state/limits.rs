@@ -6,13 +6,12 @@ use crate::base::assembly_limits::{MAX_PROGRAM_MATRICES, MAX_PROGRAM_MATRIX_STAC
 use crate::base::constants::*;
 use crate::base::limits;
 use crate::base::types::*;
-use crate::base::version;
 use crate::context::Context;
 use crate::glsl::limits::{MAX_CULL_DISTANCES, MAX_VIEWPORTS};
 use crate::glsl::{GATHER_OFFSETS, MAX_UNIFORM_LOCATIONS, TEXEL_OFFSETS};
 use crate::interface::*;
 use crate::pixel::etc;
-use crate::pixel::formats::general_purpose_formats;
+use crate::pixel::formats::{COMPRESSED_IN_ES, general_purpose_formats};
 use crate::query::extensions::extensions_of;
 use crate::state::matrix::{MAX_MODELVIEW_STACK_DEPTH, MAX_STACK_DEPTH};
 use crate::state::multisample::MAX_SAMPLE_MASK_WORDS;
@@ -24,12 +23,27 @@ const COMBINED_UNIFORM_COMPONENTS: i32 = limits::MAX_UNIFORM_COMPONENTS
 
 /// The values of `GL_COMPRESSED_TEXTURE_FORMATS`; in OpenGL ES all formats of blocks are listed (3.0, section 3.8.6).
 pub(crate) fn compressed_formats(context: &Context) -> Vec<GLenum> {
-    if context.profile.is_es() { etc::names().collect() } else { general_purpose_formats() }
+    if context.profile.is_es() {
+        etc::names().chain(COMPRESSED_IN_ES.values()).collect()
+    } else {
+        general_purpose_formats()
+    }
+}
+
+/// What a stage hands to the next one. GLSL ES has the limit in vectors, `gl_MaxVertexOutputVectors`, with the value of
+/// `GL_MAX_VARYING_VECTORS`.
+fn stage_components(context: &Context) -> i32 {
+    let limit = if context.profile.is_es() {
+        limits::MAX_VARYING_FLOATS
+    } else {
+        limits::MAX_STAGE_COMPONENTS.into()
+    };
+    saturated(limit)
 }
 
 pub(super) const ROWS: &[Row] = rows! {
-    GL_MAJOR_VERSION: Integer(|_| saturated(version::reported().major));
-    GL_MINOR_VERSION: Integer(|_| saturated(version::reported().minor));
+    GL_MAJOR_VERSION: Integer(|c| saturated(c.profile.version().major));
+    GL_MINOR_VERSION: Integer(|c| saturated(c.profile.version().minor));
     GL_NUM_EXTENSIONS: Integer(|c| saturated(extensions_of(c).len()));
 
     GL_MAX_LIGHTS: Integer(|_| saturated(MAX_LIGHTS));
@@ -99,8 +113,8 @@ pub(super) const ROWS: &[Row] = rows! {
     GL_MAX_GEOMETRY_OUTPUT_VERTICES: Integer(|_| saturated(limits::MAX_GEOMETRY_OUTPUT_VERTICES));
     GL_MAX_GEOMETRY_TOTAL_OUTPUT_COMPONENTS:
         Integer(|_| saturated(limits::MAX_GEOMETRY_TOTAL_OUTPUT_COMPONENTS));
-    GL_MAX_VERTEX_OUTPUT_COMPONENTS: Integer(|_| saturated(limits::MAX_STAGE_COMPONENTS));
-    GL_MAX_FRAGMENT_INPUT_COMPONENTS: Integer(|_| saturated(limits::MAX_STAGE_COMPONENTS));
+    GL_MAX_VERTEX_OUTPUT_COMPONENTS: Integer(stage_components);
+    GL_MAX_FRAGMENT_INPUT_COMPONENTS: Integer(stage_components);
     GL_MAX_VARYING_FLOATS: Integer(|_| saturated(limits::MAX_VARYING_FLOATS));
     GL_MAX_VARYING_VECTORS: Integer(|_| saturated(limits::MAX_VARYING_FLOATS / 4));
     GL_SHADER_COMPILER: Flag(|_| true);
