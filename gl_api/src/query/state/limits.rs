@@ -27,6 +27,15 @@ pub(crate) fn compressed_formats(context: &Context) -> Vec<GLenum> {
     if context.profile.is_es() { etc::names().collect() } else { general_purpose_formats() }
 }
 
+/// How many scalars pass from the vertex to the fragment stage: in OpenGL ES four times `gl_MaxVertexOutputVectors`
+/// (GLSL ES 3.00 section 7.3).
+fn stage_components(context: &Context) -> i32 {
+    match context.profile.is_es() {
+        true => limits::MAX_VARYING_FLOATS,
+        false => limits::MAX_STAGE_COMPONENTS.into(),
+    }
+}
+
 pub(super) const ROWS: &[Row] = rows! {
     GL_MAJOR_VERSION: Integer(|_| saturated(version::reported().major));
     GL_MINOR_VERSION: Integer(|_| saturated(version::reported().minor));
@@ -99,8 +108,8 @@ pub(super) const ROWS: &[Row] = rows! {
     GL_MAX_GEOMETRY_OUTPUT_VERTICES: Integer(|_| saturated(limits::MAX_GEOMETRY_OUTPUT_VERTICES));
     GL_MAX_GEOMETRY_TOTAL_OUTPUT_COMPONENTS:
         Integer(|_| saturated(limits::MAX_GEOMETRY_TOTAL_OUTPUT_COMPONENTS));
-    GL_MAX_VERTEX_OUTPUT_COMPONENTS: Integer(|_| saturated(limits::MAX_STAGE_COMPONENTS));
-    GL_MAX_FRAGMENT_INPUT_COMPONENTS: Integer(|_| saturated(limits::MAX_STAGE_COMPONENTS));
+    GL_MAX_VERTEX_OUTPUT_COMPONENTS: Integer(|c| saturated(stage_components(c)));
+    GL_MAX_FRAGMENT_INPUT_COMPONENTS: Integer(|c| saturated(stage_components(c)));
     GL_MAX_VARYING_FLOATS: Integer(|_| saturated(limits::MAX_VARYING_FLOATS));
     GL_MAX_VARYING_VECTORS: Integer(|_| saturated(limits::MAX_VARYING_FLOATS / 4));
     GL_SHADER_COMPILER: Flag(|_| true);
