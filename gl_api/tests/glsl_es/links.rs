@@ -144,11 +144,13 @@ fn programs_of_es_100() {
     assert!(wrong.is_empty(), "{wrong}");
 }
 
+/// The declarations of attributes, what is bound, whether a shader of GLSL ES 3.00 links.
+type BoundRow = (&'static str, &'static [(&'static str, u8)], Expected);
+
 /// Several attributes at the same location: OpenGL ES has them only of shaders of GLSL ES 1.00 (3.0, section 2.11.5).
 #[test]
 fn attributes_at_the_same_location() {
-    // The declarations, what is bound, whether a shader of GLSL ES 3.00 links.
-    let rows: &[(&str, &[(&str, u8)], Expected)] = &[
+    let rows: &[BoundRow] = &[
         ("in vec4 a; in vec4 b;", &[("a", 3), ("b", 4)], Links),
         ("in vec4 a; in vec4 b;", &[("a", 3), ("b", 3)], Fails("`b`, 3,")),
         ("in mat3 a; in vec4 b;", &[("a", 2), ("b", 4)], Fails("`b`, 4,")),
