@@ -64,6 +64,8 @@ pub const MAX_WORK: u64 = 1 << 21;
 /// How many errors are reported before the compiler gives up.
 pub const MAX_ERRORS: usize = 20;
 
+/// How many characters a name of GLSL ES 3.00 may have (section 3.8).
+pub const MAX_NAME_ES_300: usize = 1024;
 /// How many tokens the macros of a shader may produce together.
 pub const MAX_EXPANDED_TOKENS: usize = 1 << 20;
 /// How deep calls of macros may nest in their arguments.

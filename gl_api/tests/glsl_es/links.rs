@@ -70,13 +70,17 @@ const ROWS_300: &[Pair] = &[
 ];
 
 fn linked(vertex: &str, fragment: &str) -> Result<(), String> {
+    linked_with(vertex, fragment, &Bindings::default())
+}
+
+fn linked_with(vertex: &str, fragment: &str, bindings: &Bindings) -> Result<(), String> {
     let options = Options { context: ContextLanguage::Es30, ..Options::default() };
     let shader = |stage, source: &str| -> Shader {
         let compiled = compile(stage, source, &options);
         compiled.shader.unwrap_or_else(|| panic!("{source}\n{}", compiled.log))
     };
     let shaders = [shader(Stage::Vertex, vertex), shader(Stage::Fragment, fragment)];
-    let linked = link(&shaders.iter().collect::<Vec<_>>(), &Bindings::default());
+    let linked = link(&shaders.iter().collect::<Vec<_>>(), bindings);
     linked.program.map(drop).ok_or(linked.log)
 }
 
@@ -136,6 +140,48 @@ fn programs_of_es_100() {
     for (vertex, globals, value, expected) in rows {
         let fragment = format!("{globals} void main() {{ gl_FragColor = vec4({value}); }}");
         check([vertex, &fragment], &expected, &mut wrong);
+    }
+    assert!(wrong.is_empty(), "{wrong}");
+}
+
+/// The declarations of attributes, what is bound, whether a shader of GLSL ES 3.00 links.
+type BoundRow = (&'static str, &'static [(&'static str, u8)], Expected);
+
+/// Several attributes at the same location: OpenGL ES has them only of shaders of GLSL ES 1.00 (3.0, section 2.11.5).
+#[test]
+fn attributes_at_the_same_location() {
+    let rows: &[BoundRow] = &[
+        ("in vec4 a; in vec4 b;", &[("a", 3), ("b", 4)], Links),
+        ("in vec4 a; in vec4 b;", &[("a", 3), ("b", 3)], Fails("`b`, 3,")),
+        ("in mat3 a; in vec4 b;", &[("a", 2), ("b", 4)], Fails("`b`, 4,")),
+        ("in mat3 a; in vec4 b;", &[("a", 2), ("b", 5)], Links),
+        ("layout(location = 3) in vec4 a; in vec4 b;", &[("a", 5), ("b", 5)], Links),
+        ("layout(location = 3) in vec4 a; in vec4 b;", &[("b", 3)], Fails("`b`, 3,")),
+    ];
+    let mut wrong = String::new();
+    for (declarations, bound, expected) in rows {
+        let mut bindings = Bindings::default();
+        bindings.attributes.extend(bound.iter().map(|&(name, at)| (name.to_owned(), at)));
+        let body = "void main() { gl_Position = vec4(float(a[0])) + b; }";
+        let linked = linked_with(
+            &format!("#version 300 es\n{declarations}\n{body}"),
+            "#version 300 es\nvoid main() {}",
+            &bindings,
+        );
+        let fits = match (&linked, expected) {
+            (Ok(()), Links) => true,
+            (Err(log), Fails(words)) => log.contains(words),
+            (Ok(()), Fails(_)) | (Err(_), Links) => false,
+        };
+        if !fits {
+            let _ = writeln!(wrong, "{declarations} {bound:?}: {linked:?}");
+        }
+        if !declarations.contains("layout") {
+            let old = format!("{}\n{body}", declarations.replace("in ", "attribute "));
+            if let Err(log) = linked_with(&old, "void main() {}", &bindings) {
+                let _ = writeln!(wrong, "{old}: {log}");
+            }
+        }
     }
     assert!(wrong.is_empty(), "{wrong}");
 }

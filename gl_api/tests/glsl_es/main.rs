@@ -1,5 +1,6 @@
 //! GLSL ES 1.00 and 3.00 in contexts of OpenGL ES: which shaders are accepted, by section of the specification.
 
+mod limits;
 mod links;
 mod rows_100;
 mod rows_300;
@@ -84,11 +85,39 @@ fn versions_of_opengl_es() {
         ("3.3", Vertex, Accepted, "#version 300 es\nvoid main() {}"),
         ("3.3", Vertex, Refused, "#version 300\nvoid main() {}"),
         ("3.3", Vertex, Refused, "#version 100 es\nvoid main() {}"),
+        ("3.3", Vertex, Refused, "#version 0100\nvoid main() {}"),
+        ("9", Vertex, Refused, ""),
+        ("9", Vertex, Refused, "#version 300 es\n// Nothing but a comment\n#define A 1"),
+        ("9", Vertex, Accepted, "#version 300 es\nint a;"),
         ("3.3", Vertex, Refused, "#version 310 es\nvoid main() {}"),
         ("3.3", Vertex, Refused, "#version 330\nvoid main() {}"),
         ("3.3", Vertex, Refused, "precision highp float;\n#version 300 es\nvoid main() {}"),
         ("3.3", Vertex, Refused, "#version 300 es core\nvoid main() {}"),
     ];
     check("", rows, &mut wrong);
+    assert!(wrong.is_empty(), "{wrong}");
+}
+
+/// A name of GLSL ES 3.00 has at most 1024 characters (section 3.8); the other versions set no limit.
+#[test]
+fn lengths_of_names() {
+    let mut wrong = String::new();
+    let name = |length| "n".repeat(length);
+    for declared in
+        ["int NAME;", "struct S { int NAME; };", "struct NAME { int a; };", "void NAME() {}"]
+    {
+        for (version, length, expected) in [
+            ("#version 300 es\n", 1024, Accepted),
+            ("#version 300 es\n", 1025, Refused),
+            ("", 1025, Accepted),
+        ] {
+            let text = format!("{}\nvoid main() {{}}", declared.replace("NAME", &name(length)));
+            let options = Options { context: ContextLanguage::Es30, ..Options::default() };
+            let compiled = compile(Vertex, &format!("{version}{text}"), &options);
+            if compiled.shader.is_some() != (expected == Accepted) {
+                let _ = writeln!(wrong, "{version}{declared}, {length}: {}", compiled.log);
+            }
+        }
+    }
     assert!(wrong.is_empty(), "{wrong}");
 }

@@ -72,9 +72,9 @@ pub const ROWS_300: &[Row] = &[
     ("4.2.2", Fragment, Refused, "void f(int a) { int a; }\nvoid main() {}"),
     ("4.2.2", Fragment, Accepted, "int a;\nvoid main() { int a = 1; { float a = 1.0; } }"),
     (
-        "4.2.2",
+        "4.2.3",
         Fragment,
-        Refused,
+        Accepted,
         "int f(int a);\nint f(int a);\nint f(int a) { return a; }\nvoid main() {}",
     ),
     ("4.2.2", Fragment, Refused, "void f() {}\nint f;\nvoid main() {}"),
@@ -128,6 +128,18 @@ pub const ROWS_300: &[Row] = &[
         Refused,
         "uniform B { int a; } b[2];\nvoid main() { int i = 1; int a = b[i].a; }",
     ),
+    // 4.3.8: the words of layouts are case sensitive, and a variable has one location
+    ("4.3.8", Vertex, Refused, "layout(STD140) uniform B { vec4 a; };\nvoid main() {}"),
+    ("4.3.8", Vertex, Refused, "layout(Row_Major) uniform;\nvoid main() {}"),
+    ("4.3.8", Vertex, Refused, "layout(LOCATION = 0) in vec4 a;\nvoid main() {}"),
+    ("4.3.8", Vertex, Refused, "layout(location = 0, location = 0) in vec4 a;\nvoid main() {}"),
+    ("4.3.8", Fragment, Refused, "layout(location = 0, location = 1) out vec4 a;\nvoid main() {}"),
+    (
+        "4.3.8",
+        Vertex,
+        Accepted,
+        "layout(std140, std140, shared) uniform B { vec4 a; };\nvoid main() {}",
+    ),
     // 4.5 Precision
     ("4.5.3", Fragment, Accepted, "lowp float a; mediump vec2 b; highp mat2 c;\nvoid main() {}"),
     ("4.5.3", Fragment, Refused, "lowp bool a;\nvoid main() {}"),
@@ -148,6 +160,8 @@ pub const ROWS_300: &[Row] = &[
     // 4.6 Invariance
     ("4.6.1", Vertex, Accepted, "invariant gl_Position;\ninvariant out vec4 a;\nvoid main() {}"),
     ("4.6.1", Fragment, Refused, "invariant in vec4 a;\nvoid main() {}"),
+    ("4.6.1", Fragment, Refused, "invariant gl_FragCoord;\nvoid main() {}"),
+    ("4.6.1", Fragment, Accepted, "invariant gl_FragDepth;\nvoid main() {}"),
     // 4.7 Order
     ("4.7", Vertex, Refused, "out flat int a;\nvoid main() {}"),
     ("4.7", Vertex, Refused, "out highp invariant vec4 a;\nvoid main() {}"),
@@ -289,6 +303,12 @@ pub const ROWS_300: &[Row] = &[
     ("3.1", Vertex, Accepted, "void main() { int ab\\\nc = 1; abc = 2; }"),
     ("3.1", Vertex, Accepted, "// a comment \\\n that goes on\nvoid main() {}"),
     ("3.1", Vertex, Refused, "void main() { // a comment \\\n }"),
+    // 3.7: names that GLSL 1.30 reserves and GLSL ES 3.00 does not
+    ("3.7", Vertex, Accepted, "void main() { int packed = 1, row_major = 2, std140 = 3; }"),
+    ("3.7", Vertex, Accepted, "void main() { int image1DShadow = 1, image2DArrayShadow = 2; }"),
+    ("3.7", Vertex, Accepted, "void main() { int image2DRect = 1, imageCubeArray = 2; }"),
+    ("3.7", Vertex, Refused, "void main() { int image2DArray = 1; }"),
+    ("3.7", Vertex, Refused, "uniform B { vec4 gl_a; } b;\nvoid main() {}"),
     // 3.4: the size 0 of an array is an error, so these check values
     (
         "3.4",
@@ -301,6 +321,8 @@ pub const ROWS_300: &[Row] = &[
     ("3.4", Vertex, Accepted, "#if 0\n#if b c\n#else d\n#endif e\n#endif\nvoid main() {}"),
     ("3.4", Vertex, Refused, "#if 0\n#else d\n#endif\nvoid main() {}"),
     ("3.4", Vertex, Refused, "void main() {}\n#extension all : disable"),
+    ("3.4", Vertex, Accepted, "#line 010\nint a[__LINE__ == 8 ? 1 : 0];\nvoid main() {}"),
+    ("3.4", Vertex, Accepted, "#line 9\nint a[__LINE__ == 9 ? 1 : 0];\nvoid main() {}"),
     ("3.4", Vertex, Refused, "#pragma debug(1.5)\nvoid main() {}"),
     ("3.4", Vertex, Refused, "#pragma optimize\nvoid main() {}"),
     ("3.4", Vertex, Refused, "#pragma \u{a4}\nvoid main() {}"),

@@ -6,8 +6,26 @@ use gl_api::{Names, Strings, TextOut, with_current};
 use std::borrow::Cow;
 use std::ffi::{CStr, c_char};
 
-/// Text of C's; bytes that are no UTF-8 become question marks, so that lengths stay. Empty if there is no memory for it.
-fn utf8(bytes: &[u8]) -> String {
+/// What stands for a byte that is no UTF-8, so that lengths stay.
+#[derive(Clone, Copy)]
+enum Replacement {
+    /// A question mark, for eyes.
+    QuestionMark,
+    /// The control character SUB, which no shading language has outside of comments, as the byte itself.
+    Substitute,
+}
+
+impl Replacement {
+    fn character(self) -> char {
+        match self {
+            Self::QuestionMark => '?',
+            Self::Substitute => '\u{1a}',
+        }
+    }
+}
+
+/// Text of C's; empty if there is no memory for it.
+fn utf8(bytes: &[u8], replacement: Replacement) -> String {
     let mut text = String::new();
     if text.try_reserve_exact(bytes.len()).is_err() {
         return text;
@@ -15,7 +33,11 @@ fn utf8(bytes: &[u8]) -> String {
     match std::str::from_utf8(bytes) {
         Ok(valid) => text.push_str(valid),
         Err(_) => {
-            text.extend(bytes.iter().map(|&b| if b.is_ascii() { char::from(b) } else { '?' }))
+            let shown = |&b: &u8| match b.is_ascii() {
+                true => char::from(b),
+                false => replacement.character(),
+            };
+            text.extend(bytes.iter().map(shown));
         }
     }
     text
@@ -25,7 +47,7 @@ fn utf8(bytes: &[u8]) -> String {
 ///
 /// # Safety
 /// A pointer that is not null has that length.
-unsafe fn text(raw: *const c_char, length: usize) -> Cow<'static, str> {
+unsafe fn text(raw: *const c_char, length: usize, replacement: Replacement) -> Cow<'static, str> {
     if raw.is_null() {
         return Cow::Borrowed("");
     }
@@ -37,7 +59,7 @@ unsafe fn text(raw: *const c_char, length: usize) -> Cow<'static, str> {
             memory::bytes(raw.cast(), length)
         }
     };
-    Cow::Owned(utf8(bytes))
+    Cow::Owned(utf8(bytes, replacement))
 }
 
 impl<'a> Param<'a> for &'a str {
@@ -51,7 +73,7 @@ impl<'a> Param<'a> for &'a str {
 
     unsafe fn hold(raw: *const c_char, length: usize, _: &Arguments<'_>) -> Cow<'static, str> {
         // SAFETY: promised by the caller.
-        unsafe { text(raw, length) }
+        unsafe { text(raw, length, Replacement::QuestionMark) }
     }
 
     fn lend(held: &'a mut Cow<'static, str>) -> &'a str {
@@ -89,7 +111,10 @@ impl<'a> Param<'a> for Strings<'a> {
                 (raw.add(at).read_unaligned(), length)
             };
             // SAFETY: so many bytes, or a negative length, which says that a zero ends it.
-            unsafe { self::text(text, usize::try_from(length).unwrap_or(TERMINATED)) }
+            unsafe {
+                let length = usize::try_from(length).unwrap_or(TERMINATED);
+                self::text(text, length, Replacement::Substitute)
+            }
         })
     }
 
@@ -132,7 +157,9 @@ impl<'a> Param<'a> for Names<'a> {
             return Vec::new();
         }
         // SAFETY: promised by the caller: `length` pointers to texts that zeros end.
-        collect(length, |at| unsafe { text(raw.add(at).read_unaligned(), TERMINATED) })
+        collect(length, |at| unsafe {
+            text(raw.add(at).read_unaligned(), TERMINATED, Replacement::QuestionMark)
+        })
     }
 
     fn lend(held: &'a mut Vec<Cow<'static, str>>) -> Self {

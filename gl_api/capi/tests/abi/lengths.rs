@@ -3,17 +3,18 @@
 
 use super::*;
 use gl_api::{
-    GL_ARRAY_BUFFER, GL_COMPILE, GL_DEBUG_SEVERITY_HIGH, GL_DEBUG_SOURCE_APPLICATION,
-    GL_DEBUG_TYPE_OTHER, GL_FLOAT, GL_FRAGMENT_SHADER, GL_INVALID_OPERATION, GL_INVALID_VALUE,
-    GL_NO_ERROR, GL_PIXEL_UNPACK_BUFFER, GL_READ_WRITE, GL_RGBA, GL_STATIC_DRAW, GL_TEXTURE,
-    GL_TEXTURE_2D, GL_TRIANGLES, GL_UNIFORM_BLOCK_DATA_SIZE, GL_UNSIGNED_BYTE, GL_UNSIGNED_INT,
-    GL_UNSIGNED_SHORT, GL_VERTEX_ARRAY, GL_VERTEX_SHADER,
+    GL_ARRAY_BUFFER, GL_COMPILE, GL_COMPILE_STATUS, GL_DEBUG_SEVERITY_HIGH,
+    GL_DEBUG_SOURCE_APPLICATION, GL_DEBUG_TYPE_OTHER, GL_FLOAT, GL_FRAGMENT_SHADER,
+    GL_INVALID_OPERATION, GL_INVALID_VALUE, GL_NO_ERROR, GL_PIXEL_UNPACK_BUFFER, GL_READ_WRITE,
+    GL_RGBA, GL_STATIC_DRAW, GL_TEXTURE, GL_TEXTURE_2D, GL_TRIANGLES, GL_UNIFORM_BLOCK_DATA_SIZE,
+    GL_UNSIGNED_BYTE, GL_UNSIGNED_INT, GL_UNSIGNED_SHORT, GL_VERTEX_ARRAY, GL_VERTEX_SHADER,
 };
 use std::ptr::{null, without_provenance};
 
 unsafe extern "C" {
     fn glCreateShader(ty: GLenum) -> u32;
     fn glCompileShader(shader: u32);
+    fn glGetShaderiv(shader: u32, pname: GLenum, value: *mut i32);
     fn glCreateProgram() -> u32;
     fn glAttachShader(program: u32, shader: u32);
     fn glLinkProgram(program: u32);
@@ -264,6 +265,29 @@ fn base_vertices_wrap_in_client_arrays() {
                 assert_eq!(glGetError(), GL_NO_ERROR, "{base}");
             }
             assert_eq!(pixel(), [255, 0, 0, 255], "{base}");
+        }
+    });
+}
+
+/// A byte that is no UTF-8 is no character of the language, outside of comments, in which any byte may stand.
+#[test]
+fn bytes_of_shaders_that_are_no_text() {
+    with_contexts(|| {
+        for (source, expected) in [
+            (&b"void main() { int a = true \xa4 1 : 2; }"[..], 0),
+            (&b"void main() { int a = 1; } // \xa4"[..], 1),
+        ] {
+            let mut compiled = -1;
+            // SAFETY: a string with its length, and room for one value.
+            unsafe {
+                let shader = glCreateShader(GL_VERTEX_SHADER);
+                let (text, length) = (source.as_ptr().cast::<c_char>(), source.len() as i32);
+                glShaderSource(shader, 1, &raw const text, &raw const length);
+                glCompileShader(shader);
+                glGetShaderiv(shader, GL_COMPILE_STATUS, &raw mut compiled);
+                assert_eq!(glGetError(), GL_NO_ERROR);
+            }
+            assert_eq!(compiled, expected, "{}", source.escape_ascii());
         }
     });
 }

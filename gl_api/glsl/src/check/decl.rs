@@ -6,7 +6,7 @@ use crate::ast::{self, TypeBase};
 use crate::builtins::variable;
 use crate::hir::{Expr, ExprKind, InterfaceQualifiers, Storage, VarRef, Variable};
 use crate::language::{Availability, Extension, Version};
-use crate::limits::{MAX_DIMENSIONS, MAX_SCALARS, MAX_STRUCT_DEPTH};
+use crate::limits::{MAX_DIMENSIONS, MAX_NAME_ES_300, MAX_SCALARS, MAX_STRUCT_DEPTH};
 use crate::text::diagnostics::Diagnostic;
 use crate::text::source::Span;
 use crate::text::spelling::closest;
@@ -175,12 +175,18 @@ impl Checker<'_> {
         Type::Struct(structure)
     }
 
-    /// Reports a name that is reserved.
-    fn check_reserved(&mut self, name: &ast::Name) {
+    /// Reports a name that is reserved, or too long.
+    pub(super) fn check_reserved(&mut self, name: &ast::Name) {
+        let rule = format!("{} section 3.7", self.version.title());
         if name.text.starts_with("gl_") {
             let message = format!("`{}`: names that begin with gl_ are reserved", name.text);
-            let rule = format!("{} section 3.7", self.version.title());
             self.log.push(Diagnostic::error(name.span, message).rule(rule));
+        } else if self.version == Version::Es300 && name.text.len() > MAX_NAME_ES_300 {
+            let message = format!(
+                "a name of {} characters, of which it may have {MAX_NAME_ES_300}",
+                name.text.len()
+            );
+            self.log.push(Diagnostic::error(name.span, message).rule("GLSL ES 3.00 section 3.8"));
         }
     }
 

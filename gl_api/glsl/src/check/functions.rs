@@ -135,9 +135,7 @@ impl Checker<'_> {
             self.declared_already(name, &symbol);
             return None;
         }
-        if name.text.starts_with("gl_") {
-            self.check_new(name);
-        }
+        self.check_reserved(name);
         let is_builtin = || function::find(&name.text, self.stage, self.language).next().is_some();
         if self.version == Version::Es300 && is_builtin() {
             let message = format!("`{}` is built in, and cannot be overloaded", name.text);
@@ -162,8 +160,12 @@ impl Checker<'_> {
                 Some(("differs from its declaration", &*name.text))
             } else if other.body.is_some() && declared.body.is_some() {
                 Some(("is defined already,", &*signature))
-            } else if self.version.is_es() && other.body.is_none() && declared.body.is_none() {
-                // GLSL ES allows one prototype besides the definition (section 4.2.7).
+            } else if self.version == Version::Es100
+                && other.body.is_none()
+                && declared.body.is_none()
+            {
+                // GLSL ES 1.00 allows one prototype besides the definition (section 4.2.7); GLSL ES 3.00 any number
+                // (section 4.2.3).
                 Some(("is declared already,", &*signature))
             } else {
                 None

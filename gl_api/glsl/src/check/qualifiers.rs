@@ -3,7 +3,7 @@
 
 use super::Checker;
 use crate::ast::{self, Qualifier};
-use crate::builtins::variable::Invariance;
+use crate::builtins::variable::{Builtin, Invariance};
 use crate::hir::{InterfaceQualifiers, Storage};
 use crate::language::{Availability, Extension, Version};
 use crate::text::diagnostics::Diagnostic;
@@ -112,7 +112,11 @@ impl Checker<'_> {
                     continue;
                 }
                 Qualifier::Location(location) => {
-                    interface_qualifiers.location = Some(location);
+                    let second = interface_qualifiers.location.replace(location).is_some();
+                    if second && self.version == Version::Es300 {
+                        let message = "a second location of the same variable";
+                        self.log.push(Diagnostic::error(span, message).rule(self.rule("4.3.8")));
+                    }
                     continue;
                 }
                 Qualifier::Index(index) => {
@@ -276,7 +280,9 @@ impl Checker<'_> {
         let fits = match storage {
             Storage::Output(_) => true,
             // GLSL ES 3.00 section 4.6.1: outputs alone.
-            Storage::Input(_) => self.version != Version::Es300,
+            Storage::Input(_) | Storage::Builtin(Builtin::FragCoord | Builtin::PointCoord) => {
+                self.version != Version::Es300
+            }
             Storage::FragmentOutput => later,
             Storage::Builtin(builtin) => match builtin.invariance() {
                 Invariance::Allowed => true,

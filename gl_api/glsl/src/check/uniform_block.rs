@@ -147,6 +147,8 @@ impl Checker<'_> {
                 } else if fields.iter().any(|(other, _)| *other == member.name.text) {
                     let message = format!("a second member `{}`", member.name.text);
                     self.against(member.name.span, BLOCKS, message);
+                } else {
+                    self.check_reserved(&member.name);
                 }
                 fields.push((member.name.text.clone(), ty));
                 precisions.push(precision);

@@ -52,15 +52,15 @@ pub fn attributes(
         if let Some(first) = bound {
             let end = usize::from(first) + columns(variable);
             match taken.get_mut(usize::from(first)..end) {
-                // Only shaders of version 1.00 may have several attributes at a location.
+                // Only shaders of GLSL ES 1.00 may give several attributes the same location.
                 Some(range) if is_es_300 && range.contains(&true) => {
                     let message = format!(
-                        "the location of attribute `{}` is that of another one",
+                        "the location of attribute `{}`, {first}, is that of another one",
                         variable.name
                     );
                     let rule = match explicit {
                         Some(_) => "GLSL ES 3.00 section 4.3.8.1",
-                        None => "OpenGL ES 3.0 section 2.12.5",
+                        None => "OpenGL ES 3.0 section 2.11.5, `glBindAttribLocation`",
                     };
                     log.push(Diagnostic::link_error(message).rule(rule));
                 }

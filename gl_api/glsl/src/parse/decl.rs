@@ -130,8 +130,14 @@ impl Parser<'_> {
         loop {
             // `packed` is a reserved word elsewhere.
             let span = self.span();
-            // The words are not case sensitive before GLSL 4.20 (GLSL 1.50 section 4.3.8).
-            let word = self.token().word().map(|word| word.to_ascii_lowercase());
+            // The words are not case sensitive before GLSL 4.20 (GLSL 1.50 section 4.3.8), but in OpenGL ES they are
+            // (GLSL ES 3.00 section 4.3.8).
+            let is_es = self.version.is_es();
+            let folded = |word: &str| match is_es {
+                true => word.to_owned(),
+                false => word.to_ascii_lowercase(),
+            };
+            let word = self.token().word().map(|word| folded(word));
             let layout = word.as_deref().and_then(|word| {
                 let block = keywords::block_layout(word, self.language).map(Qualifier::Block);
                 let depth = || keywords::depth_layout(word, self.language).map(Qualifier::Depth);
@@ -153,7 +159,7 @@ impl Parser<'_> {
             let has_index =
                 !self.version.is_es() || self.language.enabled(Extension::EsBlendFuncExtended);
             let geometry = self.language.has(Availability::V150);
-            let qualifier = match &*name.text.to_ascii_lowercase() {
+            let qualifier = match &*folded(&name.text) {
                 "origin_upper_left" if conventions => Some(Qualifier::OriginUpperLeft),
                 "pixel_center_integer" if conventions => Some(Qualifier::PixelCenterInteger),
                 "location" if locations => self.layout_number()?.map(Qualifier::Location),

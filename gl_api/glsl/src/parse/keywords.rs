@@ -159,15 +159,25 @@ const RESERVED_ES_100: [&str; 9] = [
     "sampler2DRectShadow", "switch",
 ];
 
-/// Words that GLSL ES 3.00 reserves beside those of GLSL 1.30 (section 3.8).
+/// Words that GLSL ES 3.00 reserves beside those of GLSL 1.30 (section 3.7).
 #[rustfmt::skip]
-const RESERVED_ES_300: [&str; 38] = [
+const RESERVED_ES_300: [&str; 30] = [
     "attribute", "varying", "coherent", "restrict", "readonly", "writeonly", "resource", "atomic_uint",
-    "noperspective", "patch", "sample", "subroutine", "image2DRect", "iimage2DRect", "uimage2DRect",
-    "iimage1DShadow", "sampler1D", "sampler1DShadow", "sampler1DArray", "sampler1DArrayShadow", "isampler1D",
-    "isampler1DArray", "usampler1D", "usampler1DArray", "isampler2DRect", "usampler2DRect", "isamplerBuffer",
-    "usamplerBuffer", "sampler2DMS", "isampler2DMS", "usampler2DMS", "sampler2DMSArray", "isampler2DMSArray",
-    "usampler2DMSArray", "image2DMS", "imageCubeArray", "samplerCubeArray", "samplerCubeArrayShadow",
+    "noperspective", "patch", "sample", "subroutine", "sampler1D", "sampler1DShadow", "sampler1DArray",
+    "sampler1DArrayShadow", "isampler1D", "isampler1DArray", "usampler1D", "usampler1DArray", "isampler2DRect",
+    "usampler2DRect", "isamplerBuffer", "usamplerBuffer", "sampler2DMS", "isampler2DMS", "usampler2DMS",
+    "sampler2DMSArray", "isampler2DMSArray", "usampler2DMSArray",
+];
+
+/// Words that GLSL 1.30 reserves and GLSL ES 3.00 does not (section 3.7): the names of layouts, and the images with
+/// comparison, which its sixth revision has struck out.
+const FREE_IN_ES_300: [&str; 6] = [
+    "packed",
+    "row_major",
+    "image1DShadow",
+    "image2DShadow",
+    "image1DArrayShadow",
+    "image2DArrayShadow",
 ];
 
 /// The class of a word in a version.
@@ -180,10 +190,10 @@ pub fn classify(word: &str, language: Language) -> WordClass {
     if keyword {
         return WordClass::Keyword;
     }
-    // GLSL ES 3.00 reserves all but one of the words of GLSL 1.30 (section 3.8).
-    let later = language.version >= Version::V130
-        && RESERVED_130.contains(&word)
-        && (word, language.version) != ("row_major", Version::Es300);
+    if language.version == Version::Es300 && FREE_IN_ES_300.contains(&word) {
+        return WordClass::Name;
+    }
+    let later = language.version >= Version::V130 && RESERVED_130.contains(&word);
     let early = |row: &(&str, Version, Version)| {
         row.0 == word && (row.1..=row.2).contains(&language.version)
     };

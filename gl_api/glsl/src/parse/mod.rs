@@ -38,6 +38,12 @@ pub fn parse(tokens: &[Token], language: Language, log: &mut Log) -> Vec<Item> {
     let version = language.version;
     let mut parser = Parser { tokens, at: 0, language, version, log, depth: 0, aborted: false };
     let mut items = Vec::new();
+    // An error of the preprocessor ends the text.
+    if version.is_es() && parser.kind() == &TokenKind::End && !parser.log.has_errors() {
+        let problem = Diagnostic::error(parser.span(), "the shader declares nothing");
+        let rule = format!("{} chapter 9, `translation_unit`", version.title());
+        parser.log.push(problem.rule(rule).help("write at least `void main() {}`"));
+    }
     while parser.kind() != &TokenKind::End && !parser.log.is_full() && !parser.aborted {
         let start = parser.at;
         match parser.item() {

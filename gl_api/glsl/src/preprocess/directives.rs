@@ -27,9 +27,12 @@ const NAMES: [&str; 13] = [
     "line",
 ];
 
-/// The value of a decimal number.
+/// The value of a decimal number; one that begins with 0 is octal.
 fn number(token: &Token) -> Option<i64> {
     let TokenKind::Number(number) = &token.kind else { return None };
+    if number.len() > 1 && number.starts_with('0') {
+        return None;
+    }
     number.parse::<u32>().ok().map(i64::from)
 }
 
@@ -306,9 +309,9 @@ impl Preprocessor<'_> {
                 return;
             }
         };
-        // Versions before 3.30 number the line of the directive itself, so that the next one is
-        // `line + 1` (GLSL 1.30 section 3.3).
-        let after = i64::from(version < Version::V330);
+        // Versions of OpenGL before 3.30 number the line of the directive itself, so that the next one is
+        // `line + 1` (GLSL 1.30 section 3.3). In OpenGL ES it is `line` (GLSL ES 3.00 section 3.4).
+        let after = i64::from(version < Version::V330 && !version.is_es());
         match self.numbers(span, &expanded).as_deref() {
             Some([line]) => self.source.renumber(span.start, line + after, None),
             Some([line, string]) => self.source.renumber(span.start, line + after, Some(*string)),
