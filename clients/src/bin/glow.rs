@@ -27,7 +27,7 @@ void main() { color = texture(layers, place); }";
 
 /// A texel of a layer: a board whose squares are larger in each layer.
 fn texel(x: usize, y: usize, layer: usize) -> [u8; 4] {
-    let is_light = ((x >> layer) + (y >> layer)) % 2 == 0;
+    let is_light = ((x >> layer) + (y >> layer)).is_multiple_of(2);
     let mut texel = if is_light { [240, 240, 230, 255] } else { [40, 50, 60, 255] };
     texel[layer] = 200;
     texel
