@@ -8,7 +8,8 @@ use speedy2d::shape::Rectangle;
 
 /// 8×8 RGB texels that are all different.
 fn texels() -> Vec<u8> {
-    let texel = |at: u8| [at * 4, 255 - at * 4, if (at + at / 8) % 2 == 0 { 220 } else { 40 }];
+    let texel =
+        |at: u8| [at * 4, 255 - at * 4, if (at + at / 8).is_multiple_of(2) { 220 } else { 40 }];
     (0..64).flat_map(texel).collect()
 }
 

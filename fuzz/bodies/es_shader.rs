@@ -225,6 +225,19 @@ pub enum Fate {
     Drawn,
 }
 
+/// Gives the uniforms of the grammar values that differ, and `image` texels that do.
+fn set_uniforms(c: &mut Context, program: GLuint) {
+    let [u, n, m] = ["u", "n", "m"].map(|name| c.get_uniform_location(program, name));
+    c.uniform_4fv(u, 1, &[0.25, -1.5, 2.5, 0.75]);
+    c.uniform_1i(n, 4);
+    c.uniform_matrix_3fv(m, 1, false, &[0.5, 0.25, -1.0, 2.0, 0.75, 0.0, -0.5, 1.0, 1.5]);
+    const SIDE: GLsizei = 4;
+    let texels: Vec<u8> = (0..SIDE * SIDE * 4).map(|at| (at * 73 % 251) as u8).collect();
+    let (rgba, data) = (GL_RGBA as GLint, Data::Bytes(&texels));
+    c.tex_image_2d(GL_TEXTURE_2D, 0, rgba, SIDE, SIDE, 0, GL_RGBA, GL_UNSIGNED_BYTE, data);
+    c.generate_mipmap(GL_TEXTURE_2D);
+}
+
 /// Compiles a fragment shader in a context of OpenGL ES, links and draws with it; it is refused with a log, or the draw ends.
 pub fn draw(c: &mut Context, fragment: &str) -> Fate {
     let vertex = if fragment.starts_with("#version 300 es") {
@@ -252,6 +265,7 @@ pub fn draw(c: &mut Context, fragment: &str) -> Fate {
         return Fate::Refused;
     }
     c.use_program(program);
+    set_uniforms(c, program);
     let corners = [-1.0_f32, -1.0, 0.0, 1.0, 3.0, -1.0, 0.5, 1.0, -1.0, 3.0, 0.0, 1.0];
     c.enable_vertex_attrib_array(0);
     c.vertex_attrib_pointer(0, 4, GL_FLOAT, false, 0, corners[..].arg());

@@ -1,9 +1,13 @@
 //! Shaders that do not end: the draw is left out soon, the same pixels on every machine, and the context goes on.
 
+#[path = "common/cpu_time.rs"]
+mod cpu_time;
+
+use cpu_time::CpuTime;
 use gl_api::*;
 use rasterizer::driver::{Device, DeviceDesc};
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 use texunit::lanes::Isa;
 
 /// Half a second of two cores where it is compiled for speed; here, others run at the same time.
@@ -125,7 +129,7 @@ fn they_end_soon_at_every_size() {
             }
             c.clear(GL_COLOR_BUFFER_BIT);
             c.finish();
-            let start = Instant::now();
+            let start = CpuTime::begin();
             draw(&mut c);
             c.finish();
             let elapsed = start.elapsed();
@@ -142,7 +146,7 @@ fn they_end_soon_at_every_size() {
         while (s < 2.0) s = fract(s + gl_Vertex.x * 0.37); gl_Position.x += s; }";
     let mut c = context(64, 2, Isa::best(), None);
     use_shaders(&mut c, endless, "void main() { gl_FragColor = vec4(1.0); }");
-    let start = Instant::now();
+    let start = CpuTime::begin();
     draw(&mut c);
     c.finish();
     let elapsed = start.elapsed();
@@ -201,7 +205,7 @@ fn long_loops_are_drawn() {
         let mut c = context(size, 2, Isa::best(), budget);
         c.tex_parameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR as GLint);
         use_shaders(&mut c, VERTEX, &source);
-        let start = Instant::now();
+        let start = CpuTime::begin();
         draw(&mut c);
         c.finish();
         println!("{steps} steps at {size}: {:?}", start.elapsed());
@@ -275,7 +279,7 @@ fn programs_of_nested_loops_and_arrays_are_compiled_soon() {
             "uniform int n; void main() {{ float a[{length}]; float s = 0.0; a[n] = 1.0; {body} gl_FragColor = vec4(s, 1.0, 0.0, 1.0); }}"
         );
         let mut c = context(8, 2, Isa::best(), None);
-        let start = Instant::now();
+        let start = CpuTime::begin();
         use_shaders(&mut c, "void main() { gl_Position = gl_Vertex; }", &fragment);
         let linked = start.elapsed();
         draw(&mut c);

@@ -1,27 +1,33 @@
 //! Shaders that are short and expand to more than any machine computes: the compiler or the linker ends soon, with an
 //! error that names the limit.
 
+#[path = "common/cpu_time.rs"]
+mod cpu_time;
+
+use cpu_time::CpuTime;
 use gl_api::glsl::{Bindings, Options, Stage, compile, link};
 use std::fmt::Write as _;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// Half a second where it is compiled for speed.
 const SOON: Duration =
     if cfg!(debug_assertions) { Duration::from_secs(5) } else { Duration::from_millis(500) };
 
+/// What `work` returns, which takes little time of the processors.
+fn soon<R>(name: &str, work: impl FnOnce() -> R) -> R {
+    let start = CpuTime::begin();
+    let result = work();
+    let elapsed = start.elapsed();
+    println!("{name}: {elapsed:?}");
+    assert!(elapsed < SOON, "{name}: {elapsed:?}");
+    result
+}
+
 /// The log of a shader that is not compiled or not linked.
 fn refused(name: &str, source: &str) -> String {
-    let start = Instant::now();
-    let compiled = compile(Stage::Fragment, source, &Options::default());
-    let elapsed = start.elapsed();
-    println!("{name}: compiled in {elapsed:?}");
-    assert!(elapsed < SOON, "{name}: compiled in {elapsed:?}");
+    let compiled = soon(name, || compile(Stage::Fragment, source, &Options::default()));
     let Some(shader) = compiled.shader else { return compiled.log };
-    let start = Instant::now();
-    let linked = link(&[&shader], &Bindings::default());
-    let elapsed = start.elapsed();
-    println!("{name}: linked in {elapsed:?}");
-    assert!(elapsed < SOON, "{name}: linked in {elapsed:?}");
+    let linked = soon(name, || link(&[&shader], &Bindings::default()));
     assert!(linked.program.is_none(), "{name} is linked");
     linked.log
 }
@@ -176,7 +182,7 @@ fn many_loops_and_lookups() {
         ("loops", shader("for (int j = 2 - 2; j < 9; j++) s = s * s + u;\n", 3000)),
         ("lookups", shader("s += texture(t, s.xy);\n", 5000)),
     ] {
-        let start = Instant::now();
+        let start = CpuTime::begin();
         let compiled = compile(Stage::Fragment, &source, &Options::default());
         let shader = compiled.shader.unwrap_or_else(|| panic!("{name}: {}", compiled.log));
         let linked = link(&[&shader], &Bindings::default());

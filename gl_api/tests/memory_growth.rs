@@ -117,11 +117,11 @@ fn thousands_of_objects_leave_the_process_as_large_as_the_first_ones_did() {
         return;
     }
     let cases: &[Case] = &[
-        ("contexts", contexts, 2_000),
+        ("contexts", contexts, 10_000),
         ("textures", textures, 10_000),
         ("buffers", buffers, 10_000),
         ("lists", lists, 10_000),
-        ("programs", programs, 1_000),
+        ("programs", programs, 10_000),
     ];
     for (kind, make, count) in cases {
         // The first ones fill caches, and give the allocator the most memory that is in use at once.

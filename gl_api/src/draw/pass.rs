@@ -4,6 +4,7 @@
 use crate::context::Context;
 use crate::context::reset::{ResetNotification, ResetStatus};
 use crate::context::window::Region;
+use crate::draw::completeness::draw_pass;
 use crate::draw::pending_primitives::draw_pending;
 use crate::state::enable::Flag;
 use rasterizer::driver::{Attachment, Command, FrameSpending, Image, PassDesc, Rect};
@@ -58,6 +59,15 @@ fn submit_readers_of_tiles(context: &mut Context, pass: &PassDesc) {
     }
 }
 
+/// Charges work on the whole framebuffer that is drawn to, where a list runs that is charged.
+pub(crate) fn charge_surface(context: &mut Context) {
+    if context.lists.is_charged()
+        && let Ok(pass) = draw_pass(context)
+    {
+        context.lists.charge_pixels(u64::from(pass.width) * u64::from(pass.height));
+    }
+}
+
 /// Submits what was recorded, if it writes to an image that is about to be read or changed.
 pub(crate) fn submit_draws_to(context: &mut Context, image: &Image) {
     if context.recorder.written.iter().any(|written| written.shares_texels(image)) {
@@ -95,6 +105,7 @@ fn execute(context: &mut Context) {
         Ok(report) => {
             context.recorder.visibility.add(report.visibility);
             context.recorder.spent = report.spent;
+            context.lists.charge_batches(report.batches);
             if !report.over_budget.is_empty() {
                 stopped(context);
             }

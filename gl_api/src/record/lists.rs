@@ -8,6 +8,7 @@ use crate::context::Context;
 use crate::context::lists::primitives::join;
 use crate::context::lists::{Compiling, List, ListMode};
 use crate::context::warnings::DrawWarning;
+use crate::draw::pass::submit;
 use std::sync::Arc;
 
 const SECTION: &str = "GL 2.1, section 5.4";
@@ -141,8 +142,13 @@ pub(crate) fn call_list(context: &mut Context, list: GLuint) -> Result<()> {
     if list != 0 && !context.objects.shared.lists.contains(list) {
         not_there(context, list);
     }
-    let charge = if begin_outermost(context) { Charge::Free } else { Charge::Cost };
-    run_list(context, list, charge)
+    let is_outermost = begin_outermost(context, 1);
+    let charge = if is_outermost { Charge::Free } else { Charge::Cost };
+    run_list(context, list, charge)?;
+    if is_outermost {
+        end_outermost(context);
+    }
+    Ok(())
 }
 
 /// Whether a list is charged to the budget of the outermost call.
@@ -155,12 +161,36 @@ enum Charge {
 }
 
 /// Gives an outermost call its budget; returns whether this is one.
-fn begin_outermost(context: &mut Context) -> bool {
+fn begin_outermost(context: &mut Context, free_depth: usize) -> bool {
     let lists = &mut context.lists;
     if lists.depth == 0 {
         lists.budget = Some(BUDGET);
+        lists.free_depth = free_depth;
     }
     lists.depth == 0
+}
+
+/// Says if the lists of an outermost call have spent its budget.
+fn end_outermost(context: &mut Context) {
+    if context.lists.budget.is_none() {
+        context.debug.warn(format!(
+            "glCallList: the outermost call has called lists of {BUDGET} commands, or draws, copies and uploads that \
+             take as long: the rest is left out; do the lists call each other?"
+        ));
+    }
+}
+
+/// Submits what nested lists have drawn where it may cover very many pixels, so that it is charged before more is drawn.
+fn submit_many(context: &mut Context, shapes: u64) {
+    const PIXELS: u64 = 1 << 31;
+    let lists = &mut context.lists;
+    lists.waiting_shapes = lists.waiting_shapes.saturating_add(shapes);
+    let Some(pass) = &context.recorder.pass else { return };
+    let area = u64::from(pass.width) * u64::from(pass.height);
+    if lists.waiting_shapes.saturating_mul(area) >= PIXELS && context.immediate.is_none() {
+        lists.waiting_shapes = 0;
+        submit(context);
+    }
 }
 
 #[cold]
@@ -192,14 +222,7 @@ fn run_list(context: &mut Context, list: GLuint, charge: Charge) -> Result<()> {
         && let Some(left) = lists.budget
     {
         lists.budget = left.checked_sub(found.cost);
-        if lists.budget.is_none() {
-            context.debug.warn(format!(
-                "glCallList: the outermost call has called lists of {BUDGET} commands: the rest is left out; do the \
-                 lists call each other?"
-            ));
-        }
     }
-    let lists = &mut context.lists;
     if lists.budget.is_none() {
         return Ok(());
     }
@@ -208,6 +231,9 @@ fn run_list(context: &mut Context, list: GLuint, charge: Charge) -> Result<()> {
     let compiling = context.compiling.take();
     for step in &found.steps {
         context.run_step(step);
+        if context.lists.is_charged() {
+            submit_many(context, step.shapes());
+        }
         if context.lists.budget.is_none() {
             break;
         }
@@ -237,10 +263,13 @@ pub(crate) fn call_lists(
             format!("n = {n} names of {size} bytes each, but lists has {} bytes", bytes.len()),
         );
     };
-    begin_outermost(context);
+    let is_outermost = begin_outermost(context, 0);
     for name in bytes.chunks_exact(size) {
         let name = context.lists.base.wrapping_add(ty.read(name));
         run_list(context, name, Charge::Cost)?;
+    }
+    if is_outermost {
+        end_outermost(context);
     }
     Ok(())
 }

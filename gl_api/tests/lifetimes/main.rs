@@ -2,6 +2,8 @@
 //! so do the bindings of the context that deletes; what other contexts have bound, and containers that
 //! are not bound, goes on with the object.
 
+#[path = "../common/cpu_time.rs"]
+mod cpu_time;
 #[path = "../common/shading.rs"]
 mod shading;
 

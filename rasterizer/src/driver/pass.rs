@@ -91,6 +91,8 @@ pub struct Pass<'a> {
     /// The command of each draw.
     commands: Vec<usize>,
     shapes: usize,
+    /// Of all shapes of the pass ([`SubmitReport::batches`]).
+    batches: u64,
     /// The last small draws, which following draws may join in one chunk.
     merged: Option<MergedDraws>,
     bound: BoundState,
@@ -144,6 +146,7 @@ impl<'a> Pass<'a> {
             },
             commands: Vec::new(),
             shapes: 0,
+            batches: 0,
             merged: None,
             bound: BoundState::new(resources.desc.budget),
             desc,
@@ -250,6 +253,7 @@ impl<'a> Pass<'a> {
     /// Runs what is left and gives the attachments back.
     pub fn end(mut self, report: &mut SubmitReport) {
         self.run_tiles(report);
+        report.batches = report.batches.saturating_add(self.batches);
         let isa = self.resources.desc.isa;
         detach(&self.desc, 0, LayerSurfaces { colors: self.colors, depth: self.depth }, isa);
         for (layer, surfaces) in (1..).zip(self.more_layers) {

@@ -69,4 +69,6 @@ pub struct SubmitReport {
     pub spent: FrameSpending,
     /// Whether anything of its draws may be seen.
     pub visibility: Visibility,
+    /// About how many batches of 64 fragments the bounds of its shapes hold.
+    pub batches: u64,
 }

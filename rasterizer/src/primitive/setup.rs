@@ -3,7 +3,9 @@
 use super::clip::{Corner, Edge, clip, planes};
 use super::outline::{Line, PolygonTriangle, stipple_around};
 use super::triangles::Triangles;
-use crate::desc::{Antialiasing, Cull, Facing, FrontFace, PolygonMode, RasterState, Viewport};
+use crate::desc::{
+    Antialiasing, Cull, Facing, FrontFace, LineState, PolygonMode, RasterState, Viewport,
+};
 use crate::sizes::SUBPIXEL;
 use crate::vertex::{EdgeFlags, Geometry, Outcode, Primitive, Primitives, VertexList};
 use std::ops::Range;
@@ -76,6 +78,24 @@ impl Shape {
         let [low, high] = self.bounds;
         let along = |axis: usize| (u64::from(high[axis]) + 1).saturating_sub(low[axis].into());
         along(0) * along(1)
+    }
+
+    /// About how many batches of fragments it is: of a polygon or a point by the area of its bounds, of a line as long as
+    /// they are, times its width.
+    pub fn batches(&self, line: &LineState) -> u64 {
+        const BLOCK: u64 = LANES.isqrt() as u64;
+        let [low, high] = self.bounds;
+        let along = |axis: usize| (u64::from(high[axis]) + 1).saturating_sub(low[axis].into());
+        let [across, down] = [0, 1].map(|axis| along(axis).div_ceil(BLOCK));
+        match self.kind {
+            ShapeKind::Line { .. } => {
+                let width = (line.drawn_width() as u64).div_ceil(BLOCK);
+                ((across + down) * width).min(across * down)
+            }
+            ShapeKind::Triangle | ShapeKind::Point { .. } => {
+                self.pixels().div_ceil(LANES as u64).max(across).max(down)
+            }
+        }
     }
 
     /// Where the centre of a point is in the window.

@@ -6,12 +6,14 @@ use crate::base::types::*;
 use crate::calls::evaluate::coord::point;
 use crate::calls::vertex::immediate::{begin, end};
 use crate::context::Context;
-use crate::state::evaluators::{Dimension, GridSteps};
+use crate::state::evaluators::{Dimension, EvaluatorKind, GridSteps, name};
 
 const SECTION: &str = "GL 2.1, section 5.1";
 
-/// A mesh of more points is refused.
-const MAX_POINTS: u64 = 1 << 24;
+/// A mesh of more terms is refused: of control points times components, for each point of the mesh.
+const MAX_TERMS: u64 = 1 << 28;
+/// The terms that a point takes as long as, beside its own.
+const TERMS_OF_POINT: u64 = 64;
 
 impl GridSteps {
     /// The parameter of a grid line; the last one is the end of the domain to the bit.
@@ -100,15 +102,34 @@ fn length([first, last]: [GLint; 2]) -> u64 {
     (i64::from(last) - i64::from(first) + 1).max(0) as u64
 }
 
-fn checked(ranges: [[GLint; 2]; 2]) -> Result<()> {
+/// What the evaluators of a point add up.
+fn terms(context: &Context, dimension: Dimension) -> u64 {
+    let evaluators = &context.state.evaluators;
+    let names = EvaluatorKind::ALL.map(|kind| name(dimension, kind));
+    let enabled = names.into_iter().filter(|name| evaluators.has(*name));
+    let terms = enabled.map(|name| {
+        let map = context.evaluators.get(name);
+        map.order[0] * map.order[1] * map.components
+    });
+    TERMS_OF_POINT + terms.sum::<usize>() as u64
+}
+
+fn checked(context: &mut Context, dimension: Dimension, ranges: [[GLint; 2]; 2]) -> Result<()> {
     let points = length(ranges[0]).saturating_mul(length(ranges[1]));
-    if points <= MAX_POINTS {
+    let terms = terms(context, dimension);
+    let all = points.saturating_mul(terms);
+    if all <= MAX_TERMS {
+        context.lists.charge(all / TERMS_OF_POINT);
         return Ok(());
     }
+    let most = MAX_TERMS / terms;
     Err(GlError::new(
         ErrorCode::OutOfMemory,
         SECTION,
-        format!("a mesh of {points} points: at most {MAX_POINTS} are drawn"),
+        format!(
+            "a mesh of {points} points: with the orders of the enabled evaluators, at most {most} are drawn; draw it in \
+             parts"
+        ),
     ))
 }
 
@@ -117,7 +138,7 @@ pub(crate) fn eval_mesh1(context: &mut Context, mode: GLenum, i1: GLint, i2: GLi
         Mesh::Points => GL_POINTS,
         Mesh::Lines | Mesh::Filled => GL_LINE_STRIP,
     };
-    checked([[i1, i2], [0, 0]])?;
+    checked(context, Dimension::One, [[i1, i2], [0, 0]])?;
     begin(context, primitives)?;
     for i in i1..=i2 {
         eval_point1(context, i)?;
@@ -147,7 +168,7 @@ pub(crate) fn eval_mesh2(
     j2: GLint,
 ) -> Result<()> {
     let mesh = MESH_2.decode("mode", mode)?;
-    checked([[i1, i2], [j1, j2]])?;
+    checked(context, Dimension::Two, [[i1, i2], [j1, j2]])?;
     if i1 > i2 || j1 > j2 {
         return Ok(());
     }

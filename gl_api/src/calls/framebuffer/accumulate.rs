@@ -102,6 +102,7 @@ pub(crate) fn accum(context: &mut Context, op: GLenum, value: GLfloat) -> Result
     if context.feedback.mode != RenderMode::Render || context.queries.discards() {
         return Ok(());
     }
+    context.lists.charge_pixels(u64::from(area.width) * u64::from(area.height));
     match operation {
         Operation::Accumulate => colors(context, area, value, |sum, color| *sum += color),
         Operation::Load => colors(context, area, value, |sum, color| *sum = color),

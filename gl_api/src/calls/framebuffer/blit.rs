@@ -339,6 +339,7 @@ pub(crate) fn blit(
         );
     }
     let filter = FILTER.decode("filter", filter)?;
+    crate::draw::pass::charge_surface(context);
     if filter == Filter::Linear && mask & !GL_COLOR_BUFFER_BIT != 0 {
         return invalid_operation(
             SECTION,

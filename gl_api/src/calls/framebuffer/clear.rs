@@ -79,6 +79,8 @@ fn record(context: &mut Context, framebuffer: GLuint, pass: PassDesc, clears: Ve
             }
         }
     }
+    let pixels = u64::from(area.width) * u64::from(area.height);
+    context.lists.charge_pixels(pixels.saturating_mul(u64::from(pass.layers.max(1))));
     let watched = crate::draw::watched_pixel::is_watched(context, &pass);
     crate::draw::pass::begin_pass(context, pass);
     if watched {

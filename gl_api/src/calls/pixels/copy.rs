@@ -124,6 +124,7 @@ pub(crate) fn copy_pixels(
     let width = not_negative(SECTION, "width", width.into())?;
     let height = not_negative(SECTION, "height", height.into())?;
     let kind = BUFFER.decode("type", ty)?;
+    crate::draw::pass::charge_surface(context);
     let region = Region::new(x, y, width, height);
     CopyPixelsRequest::new(context, kind, region)?.apply(context)
 }

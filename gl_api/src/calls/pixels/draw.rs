@@ -158,5 +158,6 @@ pub(crate) fn draw_pixels(
     let height = not_negative(SECTION, "height", height.into())?;
     check_numbers(format)?;
     let pixel = Pixel::new(format, ty)?;
+    crate::draw::pass::charge_surface(context);
     DrawPixelsRequest::new(context, pixel, [width, height], pixels)?.apply(context)
 }

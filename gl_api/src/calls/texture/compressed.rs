@@ -45,6 +45,7 @@ fn compressed_tex_image(
     (image_size, data): (GLsizei, Data<'_>),
 ) -> Result<()> {
     let image = dimensions.image(target)?;
+    context.lists.charge_image(given);
     if let Some(format) = of_es(context, internal) {
         let box_ = (image, level, given);
         return etc_image(context, format, box_, (image_size, data));
@@ -175,6 +176,7 @@ pub(crate) fn replace_blocks(
     format: GLenum,
     (image_size, data): (GLsizei, Data<'_>),
 ) -> Result<()> {
+    context.lists.charge_image(size);
     if let Some(format) = of_es(context, format) {
         return etc_sub_image(context, format, (image, level, offset, size), (image_size, data));
     }

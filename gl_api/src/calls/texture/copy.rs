@@ -167,6 +167,7 @@ fn copy_tex_image(
         Some(format) => format.stored,
         None => UNCOMPRESSED.decode("internalformat", internal)?.stored,
     };
+    context.lists.charge_image(size);
     let desc = LevelDesc::new(image, level, internal, format, size, border)?;
     match desc.request(context)? {
         ImageRequest::Texture(level) => {
@@ -204,6 +205,7 @@ pub(crate) fn copy_to(
     [width, height]: [GLsizei; 2],
 ) -> Result<()> {
     let area = BoxRequest::new(context, image, level, offset, [width, height, 1])?;
+    context.lists.charge_image([width, height, 1]);
     let region = Region::new(x, y, width as usize, height as usize);
     let requested = area.internal(context);
     if context.profile.is_es() {

@@ -114,6 +114,7 @@ fn tex_image(
     pixels: Pixels<'_>,
 ) -> Result<()> {
     let image = dimensions.image(target)?;
+    context.lists.charge_image(given);
     let internal = internal as GLenum;
     let (format, pixel) = if context.profile.is_es() {
         let pixel = Pixel::new_in_es(pixels.format, pixels.ty)?;

@@ -267,6 +267,7 @@ pub(crate) fn replace_box(
     let is_es = context.profile.is_es();
     let pixel = if is_es { Pixel::new_in_es(format, ty) } else { Pixel::new(format, ty) }?;
     let area = BoxRequest::new(context, image, level, offset, size)?;
+    context.lists.charge_image(size);
     let internal = area.internal(context);
     kinds_match(pixel, area.format, internal)?;
     if is_es {

@@ -75,6 +75,19 @@ impl List {
 }
 
 impl Step {
+    /// How many shapes it may draw, more or less.
+    pub fn shapes(&self) -> u64 {
+        match self {
+            Self::Attribute(..) => 0,
+            Self::Call { .. } => 1,
+            Self::Primitives(primitives) => primitives.count as u64,
+            Self::Arrays(draw) => {
+                let (count, instances) = draw.elements.counts();
+                u64::from(count) * instances.len() as u64
+            }
+        }
+    }
+
     /// What it costs beside a command that sets state.
     fn cost(&self) -> u64 {
         const DRAW: u64 = 8;
@@ -100,9 +113,43 @@ pub(crate) struct Lists {
     pub depth: usize,
     /// What the lists that the outermost call calls may still cost ([`List::cost`]); `None` once one has cost more.
     pub budget: Option<u64>,
+    /// How deep the calls are that are free: that of the list that `glCallList` names, none of `glCallLists`.
+    pub free_depth: usize,
+    /// Shapes of these lists that are drawn and may not be submitted yet.
+    pub waiting_shapes: u64,
 }
 
 impl Lists {
+    /// Whether a list runs that is charged to the budget of the outermost call.
+    pub fn is_charged(&self) -> bool {
+        self.depth > self.free_depth
+    }
+
+    /// Charges commands to the budget of the outermost call, where a list runs that is charged.
+    pub fn charge(&mut self, commands: u64) {
+        if self.is_charged() {
+            self.budget = self.budget.and_then(|left| left.checked_sub(commands));
+        }
+    }
+
+    /// Charges work on so many pixels or texels.
+    pub fn charge_pixels(&mut self, pixels: u64) {
+        const PIXELS_OF_A_COMMAND: u64 = 256;
+        self.charge(pixels / PIXELS_OF_A_COMMAND);
+    }
+
+    /// Charges work on an image of this size, as it is asked for.
+    pub fn charge_image(&mut self, size: [GLsizei; 3]) {
+        let sides = size.map(|side| u64::try_from(side).unwrap_or(0));
+        self.charge_pixels(sides.into_iter().fold(1, u64::saturating_mul));
+    }
+
+    /// Charges draws that so many batches of fragments may have been shaded for.
+    pub fn charge_batches(&mut self, batches: u64) {
+        const BATCHES_OF_A_COMMAND: u64 = 64;
+        self.charge(batches / BATCHES_OF_A_COMMAND);
+    }
+
     /// `GL_LIST_BASE`.
     pub fn base(&self) -> GLuint {
         self.base

@@ -5,10 +5,11 @@
 //! is decided by what it asks for, before it begins; what it has run is a sum over its vertices, pixels and loops. Both
 //! depend on the draw alone, so that what is left out is the same on every machine.
 
-use crate::desc::{VertexBinding, VertexSource};
+use crate::desc::{Antialiasing, RasterState, VertexBinding, VertexSource};
 use crate::driver::chunk::DrawState;
 use crate::driver::resources::DeviceDesc;
 use crate::plan::DrawPlan;
+use crate::primitive::ShapeKind;
 use crate::raster::{Chunk, DrawBudget};
 use crate::shader::OverBudget;
 use crate::vertex::VertexIds;
@@ -26,8 +27,9 @@ const ALLOWED_VERTICES: u64 = 1 << 28;
 const SHORT_PROGRAM: u64 = 1 << 10;
 /// The vertices that a run of primitives takes as long as.
 const RUN_VERTICES: u64 = 64;
-/// The operations of a draw that asks for no more than what is allowed.
-const ALLOWED_OPERATIONS: u64 = 1 << 32;
+/// The operations of a draw that asks for no more than what is allowed: so many times the budget, and at least so many.
+const ALLOWED_BUDGETS: u64 = 64;
+const ALLOWED_OPERATIONS: u64 = 1 << 26;
 /// The batches of vertices that the budget of a draw beyond is divided among.
 const BATCHES: u64 = 1 << 10;
 
@@ -40,6 +42,13 @@ const FRAGMENTS: u64 = 8;
 /// Operations of a batch that is shaded at one of its samples, beside its program: its planes are moved there, and few of
 /// its lanes are covered where shapes are small.
 const FRAGMENTS_OF_SAMPLE: u64 = 256;
+/// Operations of a shape at each sample, beside those of its batches: where shapes lie on each other, each has a batch for
+/// itself, however few lanes it covers.
+const SHAPE: u64 = 192;
+/// Operations of a batch of fragments of a line, which covers few of its lanes.
+const FRAGMENTS_OF_LINE: u64 = 64;
+/// Operations of a batch of fragments whose part of each pixel is computed (smooth points, lines, polygons).
+const FRAGMENTS_OF_SMOOTH: u64 = 256;
 
 /// What a draw asks for, by what holds it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -125,6 +134,9 @@ pub struct Account {
     /// What programs cost a batch of vertices, with each loop run once, unless loops are counted.
     vertex_batch: u64,
     fragment_batch: u64,
+    shape: u64,
+    /// What each batch of fragments takes beside, of triangles, lines and points.
+    beside: [u64; 3],
 }
 
 impl Account {
@@ -138,11 +150,17 @@ impl Account {
     ) -> Option<Self> {
         let left = match extent {
             Extent::Held => return None,
-            Extent::Allowed => ALLOWED_OPERATIONS,
+            Extent::Allowed => budget.saturating_mul(ALLOWED_BUDGETS).max(ALLOWED_OPERATIONS),
             Extent::Endless => budget,
         };
         let fragment = plan.pipeline.compiled().fragment.cost(&plan.textures);
         let samples = plan.samples.count as u64;
+        let RasterState { polygon, line, point, .. } = &*plan.raster;
+        // Where there are several samples, each is covered or not.
+        let coverage = |of| match of {
+            Antialiasing::Smooth if samples == 1 => FRAGMENTS_OF_SMOOTH,
+            Antialiasing::Smooth | Antialiasing::Aliased => 0,
+        };
         Some(Self {
             left,
             spent: 0,
@@ -152,6 +170,12 @@ impl Account {
                 true => samples * (FRAGMENTS_OF_SAMPLE + fragment),
                 false => samples * FRAGMENTS + fragment,
             },
+            shape: samples * SHAPE,
+            beside: [
+                coverage(polygon.antialiasing),
+                FRAGMENTS_OF_LINE + coverage(line.antialiasing),
+                coverage(point.antialiasing),
+            ],
         })
     }
 
@@ -165,11 +189,20 @@ impl Account {
         primitives: Range<u32>,
         chunks: impl Iterator<Item = &'a Chunk>,
     ) -> Result<(), OverBudget> {
-        let (mut emitted, mut pixels) = (0, 0_u64);
+        let (mut emitted, mut fragments) = (0, 0_u64);
+        let [triangle, line, point] = self.beside.map(|beside| beside + self.fragment_batch);
+        let line_state = &state.setup.raster.line;
         for chunk in chunks {
             emitted += if state.geometry.is_some() { chunk.geometry.len() as u64 } else { 0 };
-            for shape in &chunk.lists.shapes {
-                pixels = pixels.saturating_add(shape.pixels().div_ceil(LANES as u64));
+            for shape in chunk.lists.shapes.iter().filter(|shape| shape.has_pixels()) {
+                let batch = match shape.kind {
+                    ShapeKind::Triangle => triangle,
+                    ShapeKind::Line { .. } => line,
+                    ShapeKind::Point { .. } => point,
+                };
+                let batches = shape.batches(line_state);
+                let operations = batches.saturating_mul(batch).saturating_add(self.shape);
+                fragments = fragments.saturating_add(operations);
             }
         }
         let (run, all) = (primitives.len() as u64, u64::from(state.primitives.len.max(1)));
@@ -180,7 +213,7 @@ impl Account {
             .saturating_add(run * instances * PRIMITIVE)
             .saturating_add(batches)
             .saturating_add(state.operations.swap(0, Ordering::Relaxed))
-            .saturating_add(pixels.saturating_mul(self.fragment_batch));
+            .saturating_add(fragments);
         self.spend(operations)
     }
 

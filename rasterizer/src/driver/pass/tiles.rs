@@ -87,6 +87,9 @@ impl Pass<'_> {
                 self.resources.give_back(chunk);
                 continue;
             }
+            let line = &self.job.draws[chunk.draw].plan.raster.line;
+            let batches = chunk.lists.shapes.iter().map(|shape| shape.batches(line));
+            self.batches = batches.fold(self.batches, u64::saturating_add);
             let index = self.job.chunks.len() as u32;
             for TileBin { layer, tile: [x, y], first, end } in runs {
                 let bin = &mut self.bins[layer as usize * tiles + (y * self.across + x) as usize];
