@@ -202,6 +202,16 @@ const SHAPES: &[Row] = &[
         End::Stopped,
     ),
     (
+        "outlines out of the window",
+        1,
+        |c| {
+            c.polygon_mode(GL_FRONT_AND_BACK, GL_LINE);
+            corners(c, &[3.0, 3.0, 4.0, 3.0, 3.0, 4.0]);
+            instances(c, GL_TRIANGLES, FEWER / 4);
+        },
+        End::Stopped,
+    ),
+    (
         "six clip planes",
         1,
         |c| {

@@ -5,7 +5,7 @@
 //! is decided by what it asks for, before it begins; what it has run is a sum over its vertices, pixels and loops. Both
 //! depend on the draw alone, so that what is left out is the same on every machine.
 
-use crate::desc::{Antialiasing, RasterState, VertexBinding, VertexSource};
+use crate::desc::{Antialiasing, PolygonMode, RasterState, VertexBinding, VertexSource};
 use crate::driver::chunk::DrawState;
 use crate::driver::resources::DeviceDesc;
 use crate::plan::DrawPlan;
@@ -37,6 +37,8 @@ const BATCHES: u64 = 1 << 10;
 const VERTEX: u64 = 4;
 /// Operations of a primitive: clipping, culling, binning.
 const PRIMITIVE: u64 = 8;
+/// The same of a polygon that is drawn as lines or points, whether these are seen or not.
+const OUTLINED_POLYGON: u64 = 256;
 /// Operations of a batch of fragments beside its program, at each sample.
 const FRAGMENTS: u64 = 8;
 /// Operations of a batch that is shaded at one of its samples, beside its program: its planes are moved there, and few of
@@ -134,6 +136,7 @@ pub struct Account {
     /// What programs cost a batch of vertices, with each loop run once, unless loops are counted.
     vertex_batch: u64,
     fragment_batch: u64,
+    primitive: u64,
     shape: u64,
     /// What each batch of fragments takes beside, of triangles, lines and points.
     beside: [u64; 3],
@@ -169,6 +172,10 @@ impl Account {
             fragment_batch: match plan.samples.is_shaded_each() {
                 true => samples * (FRAGMENTS_OF_SAMPLE + fragment),
                 false => samples * FRAGMENTS + fragment,
+            },
+            primitive: match polygon.mode {
+                [PolygonMode::Fill, PolygonMode::Fill] => PRIMITIVE,
+                [_, _] => OUTLINED_POLYGON,
             },
             shape: samples * SHAPE,
             beside: [
@@ -210,7 +217,7 @@ impl Account {
         let vertices = (run * self.vertices).div_ceil(all).saturating_mul(instances);
         let batches = vertices.div_ceil(LANES as u64).saturating_mul(self.vertex_batch);
         let operations = (vertices.saturating_add(RUN_VERTICES).saturating_add(emitted) * VERTEX)
-            .saturating_add(run * instances * PRIMITIVE)
+            .saturating_add(run.saturating_mul(instances).saturating_mul(self.primitive))
             .saturating_add(batches)
             .saturating_add(state.operations.swap(0, Ordering::Relaxed))
             .saturating_add(fragments);
