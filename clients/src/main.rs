@@ -34,15 +34,11 @@ fn draw() -> Result<image::RgbaImage, Box<dyn Error>> {
     };
     assert_eq!(error, gl::NO_ERROR, "a client left a GL error; DETGL_DEBUG=1 says which");
     pixels.iter_mut().skip(3).step_by(4).for_each(|alpha| *alpha = 255);
-    let picture = image::RgbaImage::from_raw(width, height, pixels).ok_or("as many as needed")?;
-    Ok(image::imageops::flip_vertical(&picture))
+    detgl_clients::picture(SIZE, pixels)
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let path = std::env::args().nth(1).unwrap_or_else(|| "clients.png".into());
-    draw()?.save(&path)?;
-    println!("{path}");
-    Ok(())
+    detgl_clients::save(&draw()?, "clients.png")
 }
 
 #[cfg(test)]

@@ -9,7 +9,7 @@ mod shading;
 
 use cpu_time::CpuTime;
 use gl_api::*;
-use shading::use_program;
+use shading::{use_program, use_stages};
 use std::time::Duration;
 
 /// Processor time: half a second where it is compiled for speed and nothing else runs.
@@ -62,7 +62,6 @@ fn instances(c: &mut Context, mode: GLenum, count: GLsizei) {
 }
 
 fn geometry(c: &mut Context, output: &str, body: &str) {
-    let program = c.create_program();
     let geometry = format!(
         "#version 150 compatibility\nlayout(points) in; layout({output}, max_vertices = 200) out;
          void main() {{ for (int i = 0; i < 200; i++) {{ {body} EmitVertex(); }} }}"
@@ -73,14 +72,7 @@ fn geometry(c: &mut Context, output: &str, body: &str) {
         (GL_GEOMETRY_SHADER, &geometry),
         (GL_FRAGMENT_SHADER, FRAGMENT),
     ];
-    for (stage, source) in stages {
-        let shader = c.create_shader(stage);
-        c.shader_source(shader, 1, Strings(vec![source]), &[]);
-        c.compile_shader(shader);
-        c.attach_shader(program, shader);
-    }
-    c.link_program(program);
-    c.use_program(program);
+    use_stages(c, &stages);
     c.disable_client_state(GL_VERTEX_ARRAY);
     c.enable(GL_PROGRAM_POINT_SIZE);
 }

@@ -9,7 +9,7 @@ mod shading;
 use cpu_time::CpuTime;
 use gl_api::*;
 use rasterizer::driver::{Device, DeviceDesc};
-use shading::use_program;
+use shading::{use_program, use_stages};
 use std::sync::Arc;
 use std::time::Duration;
 use texunit::lanes::Isa;
@@ -218,7 +218,6 @@ fn instances_that_shade_each_sample_end() {
 #[test]
 fn what_a_geometry_shader_makes_of_many_ends_soon() {
     let mut c = context(2, Isa::best());
-    let program = c.create_program();
     let sources = [
         (GL_VERTEX_SHADER, "#version 150 compatibility\nvoid main() { gl_Position = vec4(2.0); }"),
         (
@@ -228,14 +227,7 @@ fn what_a_geometry_shader_makes_of_many_ends_soon() {
         ),
         (GL_FRAGMENT_SHADER, FRAGMENT),
     ];
-    for (stage, source) in sources {
-        let shader = c.create_shader(stage);
-        c.shader_source(shader, 1, Strings(vec![source]), &[]);
-        c.compile_shader(shader);
-        c.attach_shader(program, shader);
-    }
-    c.link_program(program);
-    c.use_program(program);
+    use_stages(&mut c, &sources);
     c.disable_client_state(GL_VERTEX_ARRAY);
     let start = CpuTime::begin();
     c.draw_arrays(GL_POINTS, 0, MANY);

@@ -2,10 +2,13 @@
 
 #[path = "common/cpu_time.rs"]
 mod cpu_time;
+#[path = "common/shading.rs"]
+mod shading;
 
 use cpu_time::CpuTime;
 use gl_api::*;
 use rasterizer::driver::{Device, DeviceDesc};
+use shading::use_program;
 use std::sync::Arc;
 use std::time::Duration;
 use texunit::lanes::Isa;
@@ -39,19 +42,6 @@ fn context(size: u32, threads: usize, isa: Isa, draw_budget: Option<u64>) -> Con
     }
     c.clear_color(0.0, 0.0, 1.0, 1.0);
     c
-}
-
-fn use_shaders(c: &mut Context, vertex: &str, fragment: &str) {
-    let program = c.create_program();
-    for (stage, source) in [(GL_VERTEX_SHADER, vertex), (GL_FRAGMENT_SHADER, fragment)] {
-        let shader = c.create_shader(stage);
-        c.shader_source(shader, 1, Strings(vec![source]), &[]);
-        c.compile_shader(shader);
-        c.attach_shader(program, shader);
-    }
-    c.link_program(program);
-    c.use_program(program);
-    assert_eq!(c.get_error(), GL_NO_ERROR, "{:?}", c.messages());
 }
 
 fn draw(c: &mut Context) {
@@ -123,7 +113,7 @@ fn they_end_soon_at_every_size() {
     for (name, source) in ENDLESS {
         for size in [64, 512, 1024] {
             let mut c = context(size, 2, Isa::best(), None);
-            use_shaders(&mut c, VERTEX, &source.replace("SIZE", &format!("{size}.0")));
+            use_program(&mut c, VERTEX, &source.replace("SIZE", &format!("{size}.0")));
             if name.contains("anisotropic") {
                 c.tex_parameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, 16.0);
             }
@@ -137,7 +127,7 @@ fn they_end_soon_at_every_size() {
             assert!(elapsed < SOON, "{name}, {size}: {elapsed:?}");
             assert!(c.messages().iter().any(|m| m.text.contains(STOPPED)), "{name}, {size}");
             // The context goes on.
-            use_shaders(&mut c, VERTEX, "void main() { gl_FragColor = vec4(0.0, 1.0, 0.0, 1.0); }");
+            use_program(&mut c, VERTEX, "void main() { gl_FragColor = vec4(0.0, 1.0, 0.0, 1.0); }");
             draw(&mut c);
             assert!(picture(&mut c, size).chunks(4).all(|pixel| pixel == [0, 255, 0, 255]));
         }
@@ -145,7 +135,7 @@ fn they_end_soon_at_every_size() {
     let endless = "void main() { gl_Position = gl_Vertex; float s = 0.0;
         while (s < 2.0) s = fract(s + gl_Vertex.x * 0.37); gl_Position.x += s; }";
     let mut c = context(64, 2, Isa::best(), None);
-    use_shaders(&mut c, endless, "void main() { gl_FragColor = vec4(1.0); }");
+    use_program(&mut c, endless, "void main() { gl_FragColor = vec4(1.0); }");
     let start = CpuTime::begin();
     draw(&mut c);
     c.finish();
@@ -174,10 +164,10 @@ fn what_is_left_of_a_draw_is_the_same_everywhere() {
         c.clear(GL_COLOR_BUFFER_BIT);
         c.enable(GL_BLEND);
         c.blend_func(GL_ONE, GL_ONE);
-        use_shaders(&mut c, VERTEX, source);
+        use_program(&mut c, VERTEX, source);
         draw(&mut c);
         draw(&mut c);
-        use_shaders(&mut c, VERTEX, "void main() { gl_FragColor = vec4(0.125); }");
+        use_program(&mut c, VERTEX, "void main() { gl_FragColor = vec4(0.125); }");
         draw(&mut c);
         all.push(picture(&mut c, SIZE));
         assert!(c.messages().iter().any(|m| m.text.contains(STOPPED)));
@@ -204,7 +194,7 @@ fn long_loops_are_drawn() {
     for budget in [None, Some(0)] {
         let mut c = context(size, 2, Isa::best(), budget);
         c.tex_parameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR as GLint);
-        use_shaders(&mut c, VERTEX, &source);
+        use_program(&mut c, VERTEX, &source);
         let start = CpuTime::begin();
         draw(&mut c);
         c.finish();
@@ -221,7 +211,7 @@ fn a_context_has_its_own_budget() {
     for (budget, is_drawn) in [(0, false), (u64::MAX, true)] {
         let mut c = context(8, 1, Isa::best(), Some(budget));
         c.clear(GL_COLOR_BUFFER_BIT);
-        use_shaders(&mut c, VERTEX, source);
+        use_program(&mut c, VERTEX, source);
         draw(&mut c);
         let white = picture(&mut c, 8).chunks(4).all(|pixel| pixel == [255; 4]);
         assert_eq!(white, is_drawn);
@@ -249,7 +239,7 @@ fn a_context_that_asks_for_notifications_is_told_once_of_a_stopped_draw() {
     assert_eq!(strategy[0] as GLenum, GL_NO_RESET_NOTIFICATION);
     assert_eq!(c.get_graphics_reset_status(), GL_NO_ERROR);
     for (context, told) in [(&mut c, GL_GUILTY_CONTEXT_RESET), (&mut other, GL_NO_ERROR)] {
-        use_shaders(context, VERTEX, ENDLESS[0].1);
+        use_program(context, VERTEX, ENDLESS[0].1);
         draw(context);
         assert_eq!(context.get_graphics_reset_status(), told);
         assert_eq!(context.get_graphics_reset_status(), GL_NO_ERROR);
@@ -280,7 +270,7 @@ fn programs_of_nested_loops_and_arrays_are_compiled_soon() {
         );
         let mut c = context(8, 2, Isa::best(), None);
         let start = CpuTime::begin();
-        use_shaders(&mut c, "void main() { gl_Position = gl_Vertex; }", &fragment);
+        use_program(&mut c, "void main() { gl_Position = gl_Vertex; }", &fragment);
         let linked = start.elapsed();
         draw(&mut c);
         c.finish();

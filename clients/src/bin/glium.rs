@@ -113,15 +113,11 @@ fn draw() -> Result<image::RgbaImage, Box<dyn Error>> {
     frame.draw(&vertices, indices, &program, &uniform! { turned: turned }, &parameters)?;
     frame.finish()?;
     let picture: glium::texture::RawImage2d<u8> = display.0.read_front_buffer()?;
-    let picture = image::RgbaImage::from_raw(width, height, picture.data.into_owned());
-    Ok(image::imageops::flip_vertical(&picture.ok_or("as many as needed")?))
+    detgl_clients::picture([width, height], picture.data.into_owned())
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let path = std::env::args().nth(1).unwrap_or_else(|| "glium.png".into());
-    draw()?.save(&path)?;
-    println!("{path}");
-    Ok(())
+    detgl_clients::save(&draw()?, "glium.png")
 }
 
 #[cfg(test)]

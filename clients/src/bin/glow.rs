@@ -73,15 +73,11 @@ fn draw() -> Result<image::RgbaImage, Box<dyn Error>> {
         gl.read_pixels(0, 0, width as i32, height as i32, glow::RGBA, glow::UNSIGNED_BYTE, out);
         assert_eq!(gl.get_error(), glow::NO_ERROR, "DETGL_DEBUG=1 says which call");
     }
-    let picture = image::RgbaImage::from_raw(width, height, pixels).ok_or("as many as needed")?;
-    Ok(image::imageops::flip_vertical(&picture))
+    detgl_clients::picture([width, height], pixels)
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let path = std::env::args().nth(1).unwrap_or_else(|| "glow.png".into());
-    draw()?.save(&path)?;
-    println!("{path}");
-    Ok(())
+    detgl_clients::save(&draw()?, "glow.png")
 }
 
 #[cfg(test)]

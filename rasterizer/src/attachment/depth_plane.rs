@@ -1,6 +1,7 @@
 //! Depths of shapes over the blocks of a tile: planes, from which the words of any pixel follow (GL 2.1, section 3.5.1).
 
 use super::depth_format::{DepthFormat, depth_words};
+use super::mask::expand_mask;
 use texunit::lanes::{F32s, Isa, Kernel, LANES, Simd, U32s, lane_x, lane_y};
 use texunit::sampler::Compare;
 
@@ -165,7 +166,7 @@ impl Kernel for CompareBlocks<'_> {
         let mut is_same = U32s::ZERO;
         if let Some((blocks, old)) = planes {
             let of_old = Ranges::of(old);
-            let has_plane = expand_bits(blocks);
+            let has_plane = expand_mask(blocks);
             for lane in 0..LANES {
                 let is_old = has_plane[lane];
                 stored.low[lane] = of_old.low[lane] & is_old | stored.low[lane] & !is_old;
@@ -205,18 +206,6 @@ impl Kernel for CompareBlocks<'_> {
         };
         BlockOutcomes { pass, fail }
     }
-}
-
-/// All bits of the words of a set.
-#[inline(always)]
-fn expand_bits(set: u64) -> U32s {
-    let (low, high) = (set as u32, (set >> 32) as u32);
-    let mut out = U32s::ZERO;
-    for lane in 0..LANES {
-        let half = if lane < 32 { low } else { high };
-        out[lane] = 0_u32.wrapping_sub(half >> (lane % 32) & 1);
-    }
-    out
 }
 
 /// The least and the largest word of each block.

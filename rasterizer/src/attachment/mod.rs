@@ -4,6 +4,7 @@ mod batch_layout;
 mod depth_format;
 mod depth_plane;
 mod encode;
+mod mask;
 mod plane;
 mod resolve;
 mod surface;
@@ -13,6 +14,7 @@ pub use batch_layout::{BatchLayout, LoadOp, load, store, with_texels, with_words
 pub use depth_format::{DepthFormat, depth_words};
 pub use depth_plane::{BlockDepth, DepthPlanes, clamp_depth, value_at};
 pub use encode::{decode_color, encode_color, texel_color, texel_words};
+pub use mask::{are_equal, expand_mask};
 pub use plane::{BLOCKS, WordPlane};
 pub use surface::{RowSpan, RowWriter, Slices, StoreContext, Surface, TileTarget};
 pub(crate) use words::is_attachable;

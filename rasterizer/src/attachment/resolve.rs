@@ -2,6 +2,7 @@
 //! their mean; depth, stencil and integers are those of the first sample.
 
 use super::encode::{decode_color, encode_color};
+use super::mask::are_equal;
 use super::plane::{BLOCKS, BlockTexels, WordPlane};
 use super::words::attachment_words;
 use std::ops::Range;
@@ -66,13 +67,7 @@ impl Kernel for IsEqual<'_> {
         let Some((first, rest)) = samples.split_first() else { return true };
         first.iter().enumerate().all(|(word, plane)| {
             rest.iter().all(|sample| match (plane.texels(block), sample[word].texels(block)) {
-                (BlockTexels::Words(a), BlockTexels::Words(b)) => {
-                    let mut differ = U32s::ZERO;
-                    for lane in 0..LANES {
-                        differ[lane] = a[lane] ^ b[lane];
-                    }
-                    S::nonzero(&differ) == 0
-                }
+                (BlockTexels::Words(a), BlockTexels::Words(b)) => are_equal::<S>(a, b),
                 (BlockTexels::Uniform(a), BlockTexels::Uniform(b)) => a == b,
                 (
                     BlockTexels::Words(_) | BlockTexels::Uniform(_) | BlockTexels::Depth(_),

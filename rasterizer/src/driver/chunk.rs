@@ -9,7 +9,7 @@ pub use binning::TileBin;
 use binning::{sort_by_layer, sort_by_tile};
 pub use emitted::GeometryProgram;
 
-use crate::desc::{Topology, VertexBinding};
+use crate::desc::{LineState, Topology, VertexBinding};
 use crate::plan::{Pipeline, Textures};
 use crate::primitive::{InvisibleReasons, Setup, Shape, reasons, setup, stipple_lines};
 use crate::raster::{Chunk, ShapeLists};
@@ -94,9 +94,9 @@ impl MergedDraws {
         self.len() >= CHUNK as usize || self.geometry.len() >= 4 * CHUNK as usize
     }
 
-    /// The chunk.
-    pub fn finish(self, layers: u32) -> (Chunk, Vec<TileBin>) {
-        chunk_of(self.draw, Arc::new(self.geometry), self.lists, layers)
+    /// The chunk; `line` is the state of the draws.
+    pub fn finish(self, layers: u32, line: &LineState) -> (Chunk, Vec<TileBin>) {
+        chunk_of(self.draw, Arc::new(self.geometry), self.lists, (layers, line))
     }
 }
 
@@ -105,13 +105,15 @@ fn chunk_of(
     draw: usize,
     geometry: Arc<Geometry>,
     mut lists: ShapeLists,
-    layers: u32,
+    (layers, line): (u32, &LineState),
 ) -> (Chunk, Vec<TileBin>) {
     let bins = match geometry.has_layers() {
         false => sort_by_tile(&mut lists),
         true => sort_by_layer(&geometry, &mut lists, layers),
     };
-    (Chunk { draw, geometry, lists }, bins)
+    let batches = lists.shapes.iter().map(|shape| shape.batches(line));
+    let batches = batches.fold(0, u64::saturating_add);
+    (Chunk { draw, geometry, lists, batches }, bins)
 }
 
 impl DrawState<'_> {
@@ -201,13 +203,13 @@ impl DrawState<'_> {
             Ok((geometry.clone(), lists))
         };
         let is_strip = self.is_strip();
-        let (draw, layers) = (self.draw, self.layers);
-        let is_stippled = self.setup.raster.line.stipple.is_some();
+        let (draw, layers, line) = (self.draw, self.layers, &self.setup.raster.line);
+        let is_stippled = line.stipple.is_some();
         let chunk = |(geometry, mut lists): (Arc<Geometry>, ShapeLists)| {
             if is_stippled {
                 lists.shapes.retain(Shape::has_pixels);
             }
-            chunk_of(draw, geometry, lists, layers)
+            chunk_of(draw, geometry, lists, (layers, line))
         };
         if range.len() <= CHUNK as usize {
             let mut one = shapes_of(range.start)?;

@@ -11,8 +11,7 @@ pub use bytes::{
 };
 pub use texels::WriteTexels;
 
-use super::mask::expand_mask;
-use crate::attachment::{LoadOp, WordMask, all_bits};
+use crate::attachment::{LoadOp, WordMask, all_bits, expand_mask};
 use crate::desc::{Blend, LogicOp};
 use texunit::format::{BaseFormat, Encoding, Format};
 use texunit::lanes::{F32s, LANES, U32s};

@@ -1,7 +1,6 @@
 //! The depth test (GL 2.1, section 4.1.6), on the words that the attachment holds.
 
-use super::mask::expand_mask;
-use crate::attachment::{DepthFormat, depth_words};
+use crate::attachment::{DepthFormat, depth_words, expand_mask};
 use crate::desc::DepthWrite;
 use texunit::lanes::{F32s, Kernel, LANES, Simd, U32s};
 use texunit::sampler::Compare;

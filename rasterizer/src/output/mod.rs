@@ -5,13 +5,11 @@ mod blend;
 mod color;
 mod depth;
 mod logic;
-mod mask;
 mod merge;
 mod stencil;
 
 pub use blend::factors as blend_factors;
 pub use color::{BlockColors, Color, ColorClass, ColorPlan, pack_colors, store_masked};
 pub use depth::{DepthPlan, DepthTest};
-pub use mask::expand_mask;
 pub use merge::{Fragments, Tests, store_samples, test, write_blocks, write_samples};
 pub use stencil::{Reference, StencilPlan};

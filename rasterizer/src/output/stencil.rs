@@ -1,7 +1,7 @@
 //! The stencil test and the operations that follow it (GL 2.1, section 4.1.5), on the words that
 //! the attachment holds.
 
-use super::mask::expand_mask;
+use crate::attachment::expand_mask;
 use crate::desc::{StencilFace, StencilOp, StencilState};
 use texunit::lanes::{Kernel, LANES, Simd, U32s};
 use texunit::sampler::Compare;

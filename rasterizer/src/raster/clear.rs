@@ -4,7 +4,7 @@ use super::block::BlockAt;
 use super::edge_functions;
 use super::job::{PassJob, TileJob};
 use crate::attachment::WordMask;
-use crate::output::expand_mask;
+use crate::attachment::expand_mask;
 use crate::sizes::TILE;
 use crate::trace::Cleared;
 use texunit::lanes::LANES;

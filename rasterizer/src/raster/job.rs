@@ -61,6 +61,8 @@ pub struct Chunk {
     pub geometry: Arc<Geometry>,
     /// Its shapes.
     pub lists: ShapeLists,
+    /// About how many batches of fragments they are together.
+    pub batches: u64,
 }
 
 /// The shapes of a chunk, and their order by tiles.

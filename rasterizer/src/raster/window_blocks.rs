@@ -3,7 +3,7 @@
 
 use super::small_triangles::{WINDOW_BLOCKS, Windows};
 use crate::attachment::BLOCKS;
-use crate::output::expand_mask;
+use crate::attachment::expand_mask;
 use crate::sizes::TILE;
 use texunit::lanes::{Kernel, LANES, Simd, U32s};
 

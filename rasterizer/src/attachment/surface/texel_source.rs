@@ -1,8 +1,8 @@
 //! Texels of a surface as a source for lookups: a shadow map is sampled from its tiles, as most of its texels are never
-//! read, and tiles that one triangle covers, or that were cleared only, have no words.
+//! read, and blocks that one triangle covers, or that were cleared only, have no words.
 
 use super::{BLOCKS, BlockTexels, Slices, StoreContext, Surface};
-use crate::attachment::DepthPlanes;
+use crate::attachment::{DepthPlanes, expand_mask};
 use crate::sizes::TILE;
 use crate::threads::ThreadPool;
 use std::sync::Arc;
@@ -148,10 +148,9 @@ impl<'a> PlanesOfLanes<'a> {
     fn evaluate(&self, places: &U32s, words: &mut U32s) {
         let Some(first) = self.first else { return };
         let of_planes = first.words_at(&self.planes, places);
-        let [low, high] = [self.lanes as u32, (self.lanes >> 32) as u32];
+        let has_plane = expand_mask(self.lanes);
         for lane in 0..LANES {
-            let half = if lane < 32 { low } else { high };
-            words[lane] = if half >> (lane % 32) & 1 == 1 { of_planes[lane] } else { words[lane] };
+            words[lane] = of_planes[lane] & has_plane[lane] | words[lane] & !has_plane[lane];
         }
     }
 }

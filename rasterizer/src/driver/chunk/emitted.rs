@@ -84,7 +84,8 @@ impl DrawState<'_> {
             if let Some((input, _)) = own {
                 self.geometries.give(input);
             }
-            Ok(chunk_of(self.draw, Arc::new(geometry), lists, self.layers))
+            let line = &self.setup.raster.line;
+            Ok(chunk_of(self.draw, Arc::new(geometry), lists, (self.layers, line)))
         };
         let starts = range.clone().step_by(self.chunk_len() as usize);
         let chunks = self.thread_pool.map(starts, 1, chunk).into_iter().collect();

@@ -126,7 +126,8 @@ impl DrawState<'_> {
             let mut lists: ShapeLists = self.lists.take();
             lists.shapes.clear();
             lists.shapes.extend(run.iter().map(|&(_, shape)| shape));
-            chunks.push(chunk_of(self.draw + viewport, geometry.clone(), lists, self.layers));
+            let by = (self.layers, &self.setup.raster.line);
+            chunks.push(chunk_of(self.draw + viewport, geometry.clone(), lists, by));
         }
     }
 }

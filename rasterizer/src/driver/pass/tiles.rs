@@ -87,9 +87,7 @@ impl Pass<'_> {
                 self.resources.give_back(chunk);
                 continue;
             }
-            let line = &self.job.draws[chunk.draw].plan.raster.line;
-            let batches = chunk.lists.shapes.iter().map(|shape| shape.batches(line));
-            self.batches = batches.fold(self.batches, u64::saturating_add);
+            self.batches = self.batches.saturating_add(chunk.batches);
             let index = self.job.chunks.len() as u32;
             for TileBin { layer, tile: [x, y], first, end } in runs {
                 let bin = &mut self.bins[layer as usize * tiles + (y * self.across + x) as usize];
@@ -104,7 +102,8 @@ impl Pass<'_> {
     /// Puts small draws into bins.
     pub(super) fn bin_merged(&mut self) {
         if let Some(all) = self.merged.take() {
-            self.bin_chunks(vec![all.finish(self.desc.layers.into())]);
+            let line = &self.job.draws[all.draw].plan.raster.line;
+            self.bin_chunks(vec![all.finish(self.desc.layers.into(), line)]);
         }
     }
 

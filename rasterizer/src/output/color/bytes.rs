@@ -2,7 +2,7 @@
 
 use super::super::blend;
 use super::{ColorPlan, store_masked};
-use crate::attachment::WordPlane;
+use crate::attachment::{WordPlane, are_equal};
 use crate::desc::{Blend, BlendEquation, BlendFactor};
 use crate::sizes::MAX_SAMPLES;
 use texunit::format::convert::byte_channel;
@@ -39,12 +39,22 @@ impl Kernel for WriteBytes<'_> {
         let Self { plan, colors, blocks } = self;
         for &BlockColors { block, color, second, mask } in colors {
             let stored = &mut blocks[block];
-            let word = match &plan.blend {
-                None => pack(|lane, channel| color[channel][lane]),
-                Some(state) => blended_bytes(state, plan.format, (color, second), stored),
-            };
+            let word = word(plan, (color, second), stored);
             store_masked(stored, &word, mask, plan.write_of(0));
         }
+    }
+}
+
+/// What fragments store over what is stored.
+#[inline(always)]
+fn word(
+    plan: &ColorPlan,
+    (color, second): ([&F32s; 4], Option<[&F32s; 4]>),
+    stored: &U32s,
+) -> U32s {
+    match &plan.blend {
+        None => pack(|lane, channel| color[channel][lane]),
+        Some(state) => blended_bytes(state, plan.format, (color, second), stored),
     }
 }
 
@@ -95,7 +105,7 @@ impl<W: SampleWords> Kernel for WriteSampledBytes<'_, W> {
     #[inline(always)]
     fn run<S: Simd>(self) {
         let Self { plan, colors: BlockColors { color, second, .. }, masks, mut words } = self;
-        let (mut before, mut word) = (U32s::ZERO, U32s::ZERO);
+        let (mut before, mut new) = (U32s::ZERO, U32s::ZERO);
         let mut is_computed = false;
         for (sample, &mask) in masks.iter().enumerate() {
             if mask == 0 {
@@ -105,24 +115,12 @@ impl<W: SampleWords> Kernel for WriteSampledBytes<'_, W> {
             let is_same = is_computed && (plan.blend.is_none() || are_equal::<S>(&before, stored));
             if !is_same {
                 before = *stored;
-                word = match &plan.blend {
-                    None => pack(|lane, channel| color[channel][lane]),
-                    Some(state) => blended_bytes(state, plan.format, (color, second), stored),
-                };
+                new = word(plan, (color, second), stored);
                 is_computed = true;
             }
-            store_masked(stored, &word, mask, plan.write_of(0));
+            store_masked(stored, &new, mask, plan.write_of(0));
         }
     }
-}
-
-#[inline(always)]
-fn are_equal<S: Simd>(a: &U32s, b: &U32s) -> bool {
-    let mut differ = U32s::ZERO;
-    for lane in 0..LANES {
-        differ[lane] = a[lane] ^ b[lane];
-    }
-    !S::any(&differ)
 }
 
 /// Stores words of 64 fragments in each of their samples.

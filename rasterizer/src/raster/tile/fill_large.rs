@@ -11,7 +11,7 @@ use super::super::tile_planes::{ComputePlanes, PlaneStorage};
 use super::TileRenderer;
 use super::fill::{ShapeBlock, is_shaded_as_block};
 use crate::desc::Facing;
-use crate::output::Tests;
+use crate::output::{DepthPlan, Tests};
 use crate::plan::{DrawPlan, Packing, SampleMasks, Shading, TestTiming};
 use crate::primitive::Shape;
 use crate::sizes::TILE;
@@ -73,28 +73,37 @@ impl TileRenderer {
         self.uniform = self.uniform_over_shape(plan, lane);
         self.tile_planes.write_steps(&mut self.planes);
         for block in bits(left) {
-            let lanes = self.large_triangle.covered[block];
-            let is_ready = ready >> block & 1 == 1;
-            if is_ready && plan.blocks_per_group > 1 && is_shaded_as_block(plan.packing, lanes) {
-                self.pending_blocks.push(
-                    self.tile_planes.at(block),
-                    shape.facing,
-                    block,
-                    &SampleMasks::one(lanes),
-                    self.uniform,
-                );
-                if self.pending_blocks.len() == plan.blocks_per_group {
-                    self.flush_blocks(pass, job, tile);
-                }
-            } else if lanes != 0 {
-                let at = BlockAt::numbered(first, block);
-                let tests = if is_ready { EarlyTests::Done } else { EarlyTests::Due };
-                let shape_block = ShapeBlock { at, facing: shape.facing, tests };
-                self.tile_planes.write_first_values(block, &mut self.planes);
-                self.fill_block(pass, tile, job, shape_block, &mut SampleMasks::one(lanes));
-            }
+            let mut masks = SampleMasks::one(self.large_triangle.covered[block]);
+            let shape_block = block_of(first, block, shape.facing, ready);
+            self.fill_large_block(pass, tile, job, shape_block, &mut masks);
         }
         self.uniform = UniformOverShape::default();
+    }
+
+    /// Shades what a large triangle covers of a block, whose planes are those of the tile.
+    fn fill_large_block(
+        &mut self,
+        pass: &PassJob,
+        tile: &mut TileJob,
+        job: &DrawJob,
+        shape_block: ShapeBlock,
+        masks: &mut SampleMasks,
+    ) {
+        let plan = &job.plan;
+        let (block, lanes) = (shape_block.at.number(), masks.any());
+        let is_grouped = shape_block.tests == EarlyTests::Done
+            && plan.blocks_per_group > 1
+            && is_shaded_as_block(plan.packing, lanes);
+        if is_grouped {
+            let planes = self.tile_planes.at(block);
+            self.pending_blocks.push(planes, shape_block.facing, block, masks, self.uniform);
+            if self.pending_blocks.len() == plan.blocks_per_group {
+                self.flush_blocks(pass, job, tile);
+            }
+        } else if lanes != 0 {
+            self.tile_planes.write_first_values(block, &mut self.planes);
+            self.fill_block(pass, tile, job, shape_block, masks);
+        }
     }
 
     /// Packs the pixels of the blocks that a large triangle covers sparsely into the pending batch.
@@ -125,19 +134,13 @@ impl TileRenderer {
     /// the only test. Returns these blocks.
     fn test_large_triangle(&mut self, pass: &PassJob, job: &DrawJob, tile: &mut TileJob) -> u64 {
         let plan = &job.plan;
-        let Tests { stencil: None, depth: Some(test) } = plan.tests else { return 0 };
-        let (TestTiming::Early, Some(plane), None) =
-            (plan.timing, plan.depth_plane, plan.samples.offset(0))
+        let of = [self.large_triangle.touched, self.large_triangle.dense];
+        let (Some((test, plane, blocks)), Some(target)) =
+            (early_depth_test(plan, of), tile.depth.as_mut())
         else {
             return 0;
         };
-        let Some([stored, ..]) = tile.depth.as_mut().map(|target| target.sample(0)) else {
-            return 0;
-        };
-        let blocks = match plan.shading {
-            Shading::On => self.large_triangle.dense,
-            Shading::Off => self.large_triangle.touched,
-        };
+        let [stored, ..] = target.sample(0) else { return 0 };
         if blocks != 0 {
             let (plane, covered) =
                 (self.tile_planes.plane(plane), &mut self.large_triangle.covered);
@@ -196,31 +199,17 @@ impl TileRenderer {
             // Pending fragments of other shapes are shaded first. Blocks of one shape do not overlap.
             self.flush_overlapping(pass, job, tile, block, &masks);
         }
-        let tested = self.test_large_sampled_triangle(pass, job, tile, (touched, dense));
+        let tested = self.test_large_sampled_triangle(pass, job, tile, [touched, dense]);
         let ready = if plan.timing == TestTiming::Never { dense } else { tested };
         self.uniform = self.uniform_over_shape(plan, lane);
         self.tile_planes.write_steps(&mut self.planes);
         for block in bits(touched) {
             self.sampled_triangle.write_masks(block, &mut masks);
-            let lanes = masks.any();
-            let is_ready = ready >> block & 1 == 1;
-            if is_ready && plan.shading == Shading::Off {
+            let shape_block = block_of(first, block, shape.facing, ready);
+            if shape_block.tests == EarlyTests::Done && plan.shading == Shading::Off {
                 job.count(&masks);
-            } else if is_ready
-                && plan.blocks_per_group > 1
-                && is_shaded_as_block(plan.packing, lanes)
-            {
-                let planes = self.tile_planes.at(block);
-                self.pending_blocks.push(planes, shape.facing, block, &masks, self.uniform);
-                if self.pending_blocks.len() == plan.blocks_per_group {
-                    self.flush_blocks(pass, job, tile);
-                }
-            } else if lanes != 0 {
-                let at = BlockAt::numbered(first, block);
-                let tests = if is_ready { EarlyTests::Done } else { EarlyTests::Due };
-                let shape_block = ShapeBlock { at, facing: shape.facing, tests };
-                self.tile_planes.write_first_values(block, &mut self.planes);
-                self.fill_block(pass, tile, job, shape_block, &mut masks);
+            } else {
+                self.fill_large_block(pass, tile, job, shape_block, &mut masks);
             }
         }
         self.uniform = UniformOverShape::default();
@@ -232,18 +221,13 @@ impl TileRenderer {
         pass: &PassJob,
         job: &DrawJob,
         tile: &mut TileJob,
-        (touched, dense): (u64, u64),
+        of: [u64; 2],
     ) -> u64 {
         let plan = &job.plan;
-        let Tests { stencil: None, depth: Some(test) } = plan.tests else { return 0 };
-        let (TestTiming::Early, Some(plane), Some(target)) =
-            (plan.timing, plan.depth_plane, tile.depth.as_mut())
+        let (Some((test, plane, blocks)), Some(target)) =
+            (early_depth_test(plan, of), tile.depth.as_mut())
         else {
             return 0;
-        };
-        let blocks = match plan.shading {
-            Shading::On => dense,
-            Shading::Off => touched,
         };
         let plane = self.tile_planes.plane(plane);
         for sample in 0..plan.samples.count {
@@ -259,6 +243,28 @@ impl TileRenderer {
         }
         blocks
     }
+}
+
+/// A block of a large triangle in the tile whose first pixel is `first`; the early tests of the blocks in `ready`, bit by
+/// block, are done.
+fn block_of(first: [i32; 2], block: usize, facing: Facing, ready: u64) -> ShapeBlock {
+    let tests = if ready >> block & 1 == 1 { EarlyTests::Done } else { EarlyTests::Due };
+    ShapeBlock { at: BlockAt::numbered(first, block), facing, tests }
+}
+
+/// The depth test of a large triangle, which plane is its depth, and the blocks to test, of those that are touched and
+/// dense, bit by block; `None` unless depth is the only test, and early.
+fn early_depth_test(
+    plan: &DrawPlan,
+    [touched, dense]: [u64; 2],
+) -> Option<(DepthPlan, usize, u64)> {
+    let Tests { stencil: None, depth: Some(test) } = plan.tests else { return None };
+    let (TestTiming::Early, Some(plane)) = (plan.timing, plan.depth_plane) else { return None };
+    let blocks = match plan.shading {
+        Shading::On => dense,
+        Shading::Off => touched,
+    };
+    Some((test, plane, blocks))
 }
 
 /// How the depths of large triangles are stored.
