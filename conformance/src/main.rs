@@ -13,6 +13,7 @@ use conformance::peers;
 use conformance::peers::process::Task;
 use conformance::report::{Count, Layout, Machine, NOISY, PageName, bar, closing, listed};
 use conformance::sweep::{SWEEPS, Sweep, SweepOutcome};
+use conformance::tradeoff::choices::{CHOICES, Choice, ChoiceOutcome};
 use conformance::tradeoff::{self, Scene, functions};
 use conformance::{filter_pictures, report, self_test};
 use failure::{Failure, finish};
@@ -80,7 +81,7 @@ enum Command {
     All,
     /// Builds each known mistake into its formula, one at a time: every one must be noticed.
     SelfTest,
-    /// Error of every way to sample against the exact area integral, and what it takes.
+    /// Error and time of every way to sample, and of the other choices: mipmaps, formats, edges, shadows, …
     ErrorVsTime,
     /// Sweeps to where arithmetic breaks, with bounds on the error.
     Extremes,
@@ -124,6 +125,7 @@ fn main() -> ExitCode {
 #[derive(Serialize)]
 struct Tradeoff<'a> {
     scenes: &'a [tradeoff::Row],
+    choices: &'a [ChoiceOutcome],
     functions: &'a [functions::FunctionRow],
 }
 
@@ -285,15 +287,25 @@ impl Args {
             scenes.iter().filter(|scene| self.is_selected(&[scene.name, scene.what])).collect();
         let calls: Vec<&str> =
             functions::names().filter(|name| self.is_selected(&[name])).collect();
-        if chosen.is_empty() && calls.is_empty() {
-            let names = scenes.iter().map(|scene| scene.name).chain(functions::names());
+        let choices: Vec<&Choice> =
+            CHOICES.iter().filter(|choice| self.is_selected(&[choice.name, choice.what])).collect();
+        if chosen.is_empty() && choices.is_empty() && calls.is_empty() {
+            let names = scenes.iter().map(|scene| scene.name);
+            let names = names.chain(CHOICES.iter().map(|choice| choice.name));
+            let names = names.chain(functions::names());
             return Err(self.no_match(names.collect()));
         }
-        let bar = bar(chosen.len() + 1);
+        let bar = bar(chosen.len() + choices.len() + 1);
         let measured = tradeoff::measure(side, chosen, |scene| {
             bar.set_message(scene.name);
             bar.inc(1);
         })?;
+        let mut chosen = Vec::with_capacity(choices.len());
+        for choice in choices {
+            bar.set_message(choice.name);
+            chosen.push(choice.measure(side / 2)?);
+            bar.inc(1);
+        }
         bar.set_message("functions");
         let functions = functions::measure(&calls)?;
         bar.finish_and_clear();
@@ -303,19 +315,25 @@ impl Args {
             let layout = self.layout();
             let tables = [
                 (!measured.rows.is_empty()).then(|| report::tradeoff_table(layout, &rows)),
+                (!chosen.is_empty()).then(|| report::choices_table(layout, &chosen)),
                 (!functions.is_empty()).then(|| report::functions_table(layout, &functions)),
             ];
             tables.into_iter().flatten().collect::<Vec<_>>().join("\n")
         };
-        self.print(table, &Tradeoff { scenes: &measured.rows, functions: &functions })?;
+        self.print(
+            table,
+            &Tradeoff { scenes: &measured.rows, choices: &chosen, functions: &functions },
+        )?;
         if !self.json {
             let page = self.page("error-vs-time");
-            report::tradeoff_page(&self.out, &page, &measured, &functions)?;
+            report::tradeoff_page(&self.out, &page, &measured, &chosen, &functions)?;
             self.print_path(&page);
         }
         let noisy = measured.rows.iter().filter(|row| row.spread() > NOISY).count();
-        self.warn(noisy, measured.rows.len());
-        let all = measured.rows.len() + functions.len();
+        let noisy = noisy + chosen.iter().filter(|choice| choice.spread() > NOISY).count();
+        self.warn(noisy, measured.rows.len() + chosen.len());
+        let of_choices: usize = chosen.iter().map(|choice| choice.rows.len()).sum();
+        let all = measured.rows.len() + of_choices + functions.len();
         Ok(vec![Count { passed: all, all, what: "times measured" }])
     }
 

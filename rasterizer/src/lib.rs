@@ -7,6 +7,7 @@
 //!
 //! | layer | is |
 //! |---|---|
+//! | [`kernels`] | which ways ran: a log for tests |
 //! | `sizes` | sizes that every stage agrees on: tile, subpixel, guard band, samples, clip distances |
 //! | `threads` | the thread pool, pools of reusable objects, stacks for deep recursion |
 //! | [`ir`] | what a shader is: modules of typed expressions and structured statements |
@@ -26,6 +27,7 @@ mod attachment;
 mod desc;
 pub mod driver;
 pub mod ir;
+pub mod kernels;
 mod output;
 mod plan;
 mod primitive;

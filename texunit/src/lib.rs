@@ -7,6 +7,7 @@
 //!
 //! | module | contents |
 //! |---|---|
+//! | [`kernels`] | which kernels ran: a log for tests |
 //! | [`lanes`] | batches of 64 lanes, instruction-set dispatch, gathers, exact math; the only `unsafe` |
 //! | [`format`](mod@format) | the table of texel formats, and conversions to and from `f32` |
 //! | [`pixel`] | pixels in client memory and texels as numbers, 64 at a time: upload, read-back, copy |
@@ -22,6 +23,7 @@
 
 pub mod format;
 pub mod image;
+pub mod kernels;
 pub mod lanes;
 pub mod mipmap;
 pub mod pixel;

@@ -6,6 +6,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use mutants::build::{Built, build};
 use mutants::choice::{Mutant, choose};
 use mutants::error::MutantsError;
+use mutants::replacements::Replacement;
 use mutants::report::{counts, listing, page, survivor_key, survivors};
 use mutants::trial::{Effort, Fate, Trials, output_folder};
 use std::fs::{self, File};
@@ -55,6 +56,9 @@ struct Args {
     /// Seconds, and ten times the usual, that a check gets before it counts as endless.
     #[arg(long, default_value_t = 10)]
     time_limit: u64,
+    /// Lists the mistakes that are chosen, and ends.
+    #[arg(long)]
+    list: bool,
     /// Where the copy, its build and the report are.
     #[arg(long, value_name = "DIR", default_value = "target/mutants")]
     out: PathBuf,
@@ -77,6 +81,13 @@ fn run(args: &Args) -> Result<ExitCode, MutantsError> {
     fs::create_dir_all(&args.out).map_err(MutantsError::io(&args.out))?;
     let out = args.out.canonicalize().map_err(MutantsError::io(&args.out))?;
     let (mutants, from) = choose(&root, &args.only, args.count, args.seed)?;
+    if args.list {
+        for Mutant { number, file, replacement } in &mutants {
+            let Replacement { line, before, after, .. } = replacement;
+            println!("{number}\t{file}:{line}\t{before}\t{after}");
+        }
+        return Ok(ExitCode::SUCCESS);
+    }
     let planted = mutants.len();
     let say = |what: String| eprintln!("{what}");
     let Built { runner, mutants } = build(&root, &out.join("tree"), mutants, &say)?;

@@ -4,9 +4,12 @@ use super::pictures::{Pictures, Pixel, all};
 use super::texture_pictures::{Given, Lookup, Map, PICTURE, image, mipmapped, repeating};
 use crate::check::{Check, Harness, Tally, Unit};
 use crate::gl::*;
-use crate::mutation::Variant;
+use crate::mutation::{Mutation, Variant};
 use crate::oracle::anisotropy::{self, footprint, nearest_step};
 use crate::oracle::lod::{Derivatives, Filter, Filters, Mipmap};
+use crate::oracle::sample::Sampler;
+use crate::oracle::texture::{Level, level_count, level_size};
+use crate::oracle::wrap::Wrap;
 use crate::probe::ProbeError;
 use crate::rng::Rng;
 use gl_api::constants::*;
@@ -15,7 +18,7 @@ use gl_api::constants::*;
 pub const AFFINE: Check = Check {
     name: "picture-anisotropic",
     citation: "EXT_texture_filter_anisotropic (scheme: DetGL's, oracle/anisotropy.rs)",
-    what: "every pixel of turned and stretched squares, round footprints among them, under limits 2 to 16, of six sizes",
+    what: "every pixel of turned and stretched squares, round footprints among them, under limits 2 to 16, of six sizes and three wrap modes",
     unit: Unit::Bytes,
     tolerance: 0.56,
     why: "8-bit colours: half a step; weights of 2^-14, places of rows of 2^-16 texels: 2^-13 of 255; f32 coordinates 2^-13",
@@ -33,6 +36,28 @@ pub const PERSPECTIVE: Check = Check {
     run: perspective,
 };
 
+/// Other kinds of texels.
+pub const OF_FORMATS: Check = Check {
+    name: "picture-anisotropic-formats",
+    citation: "EXT_texture_filter_anisotropic (scheme: DetGL's, oracle/anisotropy.rs); tables 3.15 and 3.16",
+    what: "every pixel of stretched squares under a limit of 8, and of round footprints without one, of black and white texels in 7 formats",
+    unit: Unit::Bytes,
+    tolerance: 0.56,
+    why: "as of bytes: every format has 0 and 1 exactly",
+    run: formats,
+};
+
+/// Textures of layers.
+pub const ARRAYS: Check = Check {
+    name: "picture-anisotropic-arrays",
+    citation: "EXT_texture_filter_anisotropic: N probes along the line of anisotropy, about the sample's place",
+    what: "every pixel of array textures whose texels are linear in s and t: probes that lie evenly about a place give its value",
+    unit: Unit::FullScale,
+    tolerance: 1.0 / (1 << 20) as f64,
+    why: "f32: places of up to 16 probes and their mean, below 1, are rounded by 2^-25 each, as are two weights of 256 texels by 2^-17 of 1/256",
+    run: probes,
+};
+
 const SIZES: [[usize; 2]; 6] = [[256, 256], [1024, 128], [64, 64], [512, 512], [33, 65], [16, 512]];
 
 /// Nearer to a step of the filter than this, rounding decides between two texels.
@@ -41,15 +66,28 @@ const STEP: f64 = 2e-3;
 /// Footprints that are flatter have a `σ₂` that is rounding error.
 const FLATTEST: f64 = 24.0;
 
+const WRAPS: [Wrap; 3] = [Wrap::Repeat, Wrap::ClampToEdge, Wrap::MirroredRepeat];
+
 const FILTERS: Filters = mipmapped(Filter::Linear, Mipmap::Linear);
+
+/// Whether a place is so far beyond an edge that goes on that only the texels of the edge are read: where rows begin does not
+/// matter there, and DetGL moves them.
+fn is_far(sampler: &Sampler, size: [usize; 2], st: [f64; 2]) -> bool {
+    (0..2).any(|i| {
+        let n = size[i] as f64;
+        sampler.at.wrap[i] == Wrap::ClampToEdge && !(-40.0..n + 40.0).contains(&(st[i] * n))
+    })
+}
 
 fn affine(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
     let mut rng = Rng::named("picture-anisotropic");
     let mut pictures = Pictures::new(harness, tally, PICTURE);
     for round in 0..harness.cases(48).max(12) {
         let size = SIZES[round % SIZES.len()];
-        let image = image(&mut rng, size, FILTERS);
-        let sampler = repeating(&image, FILTERS);
+        let filters = if round % 8 == 4 { Filters::only(Filter::Linear) } else { FILTERS };
+        let image = image(&mut rng, size, filters);
+        let mut sampler = repeating(&image, filters);
+        sampler.at.wrap = [0, 1].map(|axis| WRAPS[(round / 2 + axis * (round / 6)) % 3]);
         let limit = [2.0, 4.0, 8.0, 16.0f32][round / 2 % 4];
         let lambda = f64::from(rng.real(-1.0, 4.0));
         let mut map = Map::random(&mut rng, size, lambda);
@@ -69,13 +107,13 @@ fn affine(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
             let correct = of(Variant::CORRECT);
             // Of round ones rows and columns give the same.
             let is_open = stretch > 1.0 && nearest_step(&image, &sampler, st, &correct) < STEP;
-            if correct.ratio > FLATTEST || is_open {
+            if correct.ratio > FLATTEST || is_open || is_far(&sampler, size, st) {
                 return None;
             }
             Some(anisotropy::sample(&image, &sampler, st, &footprint, variant))
         };
         let by = [Lookup::Fixed, Lookup::Shader][round / 4 % 2];
-        pictures.compare(&(size, map, limit, by), expect, |session| {
+        pictures.compare(&(size, sampler.at.wrap, map, limit, by), expect, |session| {
             session.frame(GL_RGBA8, PICTURE, 0)?;
             session.texture_2d(&image, &sampler)?;
             session.anisotropy(limit)?;
@@ -84,7 +122,160 @@ fn affine(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
             session.read_bytes(PICTURE)
         })?;
     }
+    pictures.finish(45, 45);
+    Ok(())
+}
+
+/// Formats whose texels are read by other kernels than bytes are; blocks of DXT1 are made here.
+const FORMATS: [u32; 7] = [
+    GL_RGBA16F,
+    GL_RGBA32F,
+    GL_SRGB8_ALPHA8,
+    GL_RGB565,
+    GL_RGBA4,
+    GL_RGB16F,
+    GL_COMPRESSED_RGB_S3TC_DXT1_EXT,
+];
+
+/// Black and white texels, which every format has exactly.
+fn black_and_white(rng: &mut Rng, side: usize) -> Vec<Level> {
+    let sizes = (0..level_count([side; 2])).map(|level| level_size([side; 2], level));
+    sizes
+        .map(|[w, h]| {
+            let bits: Vec<u8> = (0..w * h).map(|_| rng.byte()).collect();
+            Level::from_fn(w, h, |i, j| {
+                let c = if bits[j * w + i] < 128 { 0 } else { 255 };
+                [c, c, c, 255]
+            })
+        })
+        .collect()
+}
+
+/// The blocks of a black and white level: of two colours, white and black, a bit pair a texel.
+fn dxt1(level: &Level) -> Vec<u8> {
+    let (columns, rows) = (level.width.div_ceil(4), level.height.div_ceil(4));
+    let blocks = (0..rows).flat_map(|y| (0..columns).map(move |x| [x, y]));
+    blocks
+        .flat_map(|[x, y]| {
+            let mut codes = 0u32;
+            for (number, [i, j]) in (0..16).map(|k| [k % 4, k / 4]).enumerate() {
+                let (i, j) = (4 * x + i, 4 * y + j);
+                let is_in = i < level.width && j < level.height;
+                let black = is_in && level.texels[j * level.width + i][0] == 0;
+                codes |= u32::from(black) << (2 * number);
+            }
+            let [a, b, c, d] = codes.to_le_bytes();
+            [0xff, 0xff, 0, 0, a, b, c, d]
+        })
+        .collect()
+}
+
+fn formats(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
+    let mut rng = Rng::named("picture-anisotropic-formats");
+    let mut pictures = Pictures::new(harness, tally, PICTURE);
+    for round in 0..harness.cases(42).max(2 * FORMATS.len()) {
+        let internal = FORMATS[round % FORMATS.len()];
+        let side = [64, 128][round / 2 % 2];
+        let image = black_and_white(&mut rng, side);
+        let sampler = repeating(&image, FILTERS);
+        // Without anisotropy only round footprints have one ρ by all formulas.
+        let limit = [1.0, 8.0][round / FORMATS.len() % 2];
+        let lambda = f64::from(rng.real(-1.0, 2.5));
+        let mut map = Map::random(&mut rng, [side; 2], lambda);
+        map.dy = [-map.dx[1], map.dx[0]];
+        if limit > 1.0 {
+            let stretch = f64::from(rng.real(1.5, 7.0));
+            map.dx = map.dx.map(|d| d * stretch);
+        }
+        let d = Derivatives { dx: map.dx, dy: map.dy };
+        let of = |variant| footprint(&d, [side; 2], limit, variant);
+        let expect = |pixel: Pixel, variant: Variant| {
+            let st = map.of(pixel);
+            let is_open = nearest_step(&image, &sampler, st, &of(Variant::CORRECT)) < STEP;
+            if limit > 1.0 && is_open {
+                return None;
+            }
+            Some(anisotropy::sample(&image, &sampler, st, &of(variant), variant))
+        };
+        pictures.compare(&(enum_name(internal), side, map, limit), expect, |session| {
+            session.frame(GL_RGBA8, PICTURE, 0)?;
+            session.texture_2d(&image, &sampler)?;
+            for (number, level) in image.iter().enumerate() {
+                let (target, w, h) = (GL_TEXTURE_2D, level.width, level.height);
+                if internal == GL_COMPRESSED_RGB_S3TC_DXT1_EXT {
+                    let blocks = dxt1(level);
+                    glCompressedTexImage2D(
+                        target,
+                        number,
+                        internal,
+                        w,
+                        h,
+                        0,
+                        blocks.len(),
+                        &blocks,
+                    );
+                } else {
+                    let texels = level.texels.as_flattened();
+                    let (format, ty) = (GL_RGBA, GL_UNSIGNED_BYTE);
+                    glTexImage2D(target, number, internal, w, h, 0, format, ty, texels);
+                }
+            }
+            session.anisotropy(limit as f32)?;
+            session.show_textures(1)?;
+            map.draw(Given::Immediate);
+            session.read_bytes(PICTURE)
+        })?;
+    }
     pictures.finish(60, 60);
+    Ok(())
+}
+
+fn probes(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
+    const SIDE: usize = 256;
+    let mut rng = Rng::named("picture-anisotropic-arrays");
+    let mut pictures = Pictures::new(harness, tally, PICTURE);
+    for round in 0..harness.cases(16).max(4) {
+        let limit = [2.0, 4.0, 8.0, 16.0f32][round % 4];
+        let lambda = f64::from(rng.real(-1.0, 0.0));
+        let mut map = Map::random(&mut rng, [SIDE; 2], lambda);
+        let stretch = f64::from(rng.real(1.0, 6.0));
+        // The middle of the texture, so that no footprint meets its edge.
+        let scale = 0.2 / (map.dx.iter().map(|d| d.abs()).fold(0.0, f64::max) * 50.0 * stretch);
+        map.dx = map.dx.map(|d| d * stretch * scale.min(1.0));
+        map.dy = map.dy.map(|d| d * scale.min(1.0));
+        map.place([0.5; 2]);
+        let expect = |pixel: Pixel, variant: Variant| {
+            let half = if variant.has(Mutation::HalfTexelOff) { 0.5 / SIDE as f64 } else { 0.0 };
+            let [s, t] = map.of(pixel);
+            Some([s + half, t + half, 0.0, 1.0])
+        };
+        pictures.compare(&(map, limit), expect, |session| {
+            session.frame(GL_RGBA32F, PICTURE, 0)?;
+            let target = GL_TEXTURE_2D_ARRAY;
+            glBindTexture(target, 1);
+            for level in 0..level_count([SIDE; 2]) {
+                let side = SIDE >> level;
+                let place = |i: usize| (i as f32 + 0.5) / side as f32;
+                let texels: Vec<f32> = (0..side * side)
+                    .flat_map(|k| [place(k % side), place(k / side), 0.0, 1.0])
+                    .collect();
+                let (format, ty) = (GL_RGBA, GL_FLOAT);
+                glTexImage3D(target, level, GL_RGBA32F, side, side, 1, 0, format, ty, &texels);
+            }
+            glTexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+            glTexParameteri(target, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+            glTexParameteri(target, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+            glTexParameterf(target, GL_TEXTURE_MAX_ANISOTROPY_EXT, limit);
+            session.fragment_only(
+                "#version 130
+                uniform sampler2DArray image;
+                void main() { gl_FragColor = texture(image, vec3(gl_TexCoord[0].xy, 0.0)); }",
+            )?;
+            map.draw(Given::Immediate);
+            session.read_floats(PICTURE)
+        })?;
+    }
+    pictures.finish(100, 100);
     Ok(())
 }
 

@@ -17,7 +17,7 @@ pub const LEVELS: Check = Check {
            MAX_LOD, beyond what there is and in the wrong order among them",
     unit: Unit::Levels,
     tolerance: 1.0 / (1 << 21) as f64,
-    why: "f32: λ + base, up to 16, is rounded by 2^-21; the mix of two numbers of levels, up to 8, by 2^-22; twice the largest error measured is less than that",
+    why: "f32: λ + base and the mix of two numbers of levels, both below 8 where they are mixed, are rounded by 2^-22 each",
     run,
 };
 

@@ -24,7 +24,7 @@ pub const DEPTH: Check = Check {
     what: "gl_FragCoord.z at each pixel centre, under three depth ranges",
     unit: Unit::FullScale,
     tolerance: 2.5 / (1 << 24) as f64,
-    why: "f32: a corner value and two slopes, each rounded at 2^-24; twice the largest error measured is less than that",
+    why: "f32: the value at a block's first pixel, up to 2 outside of the triangle, by 2^-24; two sums by 2^-25; two products and two slopes of at most half of it by 2^-26: twice the root of the sum of their squares is 2.6 · 2^-24",
     run: |harness, tally| run(harness, tally, Quantity::Depth),
 };
 

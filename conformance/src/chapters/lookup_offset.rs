@@ -19,7 +19,7 @@ pub const LOD: Check = Check {
     unit: Unit::FullScale,
     tolerance: 3.5 / (1 << 24) as f64,
     why: "f32: λ and the coordinates, scaled by powers of two, are exact; the mix of four texels of two levels is \
-          rounded twelve times by 2^-25 at most; twice the largest error measured is less than that",
+          rounded twelve times by 2^-25: twice the root of the sum of their squares is 3.5 · 2^-24",
     run: |harness, tally| run(harness, tally, LookupForm::Lod),
 };
 
@@ -30,8 +30,8 @@ pub const GRAD: Check = Check {
     what: "offsets of -8 to 7 texels of the levels that random derivatives choose",
     unit: Unit::FullScale,
     tolerance: 7.0 / (1 << 24) as f64,
-    why: "f32: λ, below 8, is rounded by 2^-22, times a difference of texels up to 1; the mix of four texels of two \
-          levels twelve times by 2^-25 at most; twice the largest error measured is less than that",
+    why: "f32: ρ and λ, below 8, are rounded by 2^-22, times a difference of filtered texels of 1/2; the mix of four \
+          texels of two levels twelve times by 2^-25: twice the root of the sum of squares is 6.6 · 2^-24",
     run: |harness, tally| run(harness, tally, LookupForm::Grad),
 };
 

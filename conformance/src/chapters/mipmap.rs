@@ -92,7 +92,25 @@ fn run(harness: &Harness, tally: &mut Tally, generator: Generator) -> Result<(),
     for (&(target, size), &storage) in
         sizes.iter().flat_map(|s| storages.iter().map(move |k| (s, k)))
     {
-        compare(harness, tally, generator, target, random(&mut rng, size), storage)?;
+        let image = random(&mut rng, size);
+        compare(harness, tally, generator, target, image, (storage, GL_RGBA))?;
+    }
+    if generator == Generator::Glu {
+        // Fewer components, of the sizes that are halved without being scaled before, and of others.
+        for (target, size) in [(GL_TEXTURE_2D, [16, 8, 1]), (GL_TEXTURE_2D, [5, 7, 1])] {
+            for format in [GL_LUMINANCE, GL_LUMINANCE_ALPHA, GL_RGB] {
+                let mut image = random(&mut rng, size);
+                for [r, g, b, a] in &mut image.texels {
+                    if format != GL_RGB {
+                        (*g, *b) = (*r, *r);
+                    }
+                    if format != GL_LUMINANCE_ALPHA {
+                        *a = 1.0;
+                    }
+                }
+                compare(harness, tally, generator, target, image, (Storage::Bytes, format))?;
+            }
+        }
     }
     Ok(())
 }
@@ -104,7 +122,7 @@ fn floats(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
         for texel in &mut image.texels {
             *texel = [0; 4].map(|_: i32| f64::from(rng.real(0.0, 1000.0)));
         }
-        compare(harness, tally, Generator::Gl, target, image, Storage::Floats)?;
+        compare(harness, tally, Generator::Gl, target, image, (Storage::Floats, GL_RGBA))?;
     }
     Ok(())
 }
@@ -115,7 +133,7 @@ fn compare(
     generator: Generator,
     target: u32,
     image: Volume,
-    storage: Storage,
+    (storage, format): (Storage, u32),
 ) -> Result<(), ProbeError> {
     let levels = |variant: Variant| match generator {
         Generator::Gl => image.chain(storage, variant),
@@ -144,22 +162,28 @@ fn compare(
         let level = all.get(case.level - first);
         level.and_then(|level| level.texels.get(case.texel)).copied().unwrap_or([f64::NAN; 4])
     };
-    harness.compare(tally, &(enum_name(target), image.size, storage), &cases, expect, |session| {
-        let internal = match storage {
-            Storage::Bytes => GL_RGBA8,
-            Storage::Shorts => GL_RGBA16,
-            Storage::SrgbBytes => GL_SRGB8_ALPHA8,
-            Storage::Floats => GL_RGBA32F,
-        };
-        let request = MipmapRequest { target, internal, image: &image };
-        match generator {
-            Generator::Gl => session.generate_mipmaps(&request)?,
-            Generator::Glu => session.glu_mipmaps(&request)?,
-        }
-        let mut values = Vec::new();
-        for (level, number) in truth.iter().zip(first..) {
-            values.extend(session.level_texels(target, number, level.size)?);
-        }
-        Ok(values)
-    })
+    harness.compare(
+        tally,
+        &(enum_name(target), image.size, storage, enum_name(format)),
+        &cases,
+        expect,
+        |session| {
+            let internal = match storage {
+                Storage::Bytes => GL_RGBA8,
+                Storage::Shorts => GL_RGBA16,
+                Storage::SrgbBytes => GL_SRGB8_ALPHA8,
+                Storage::Floats => GL_RGBA32F,
+            };
+            let request = MipmapRequest { target, internal, format, image: &image };
+            match generator {
+                Generator::Gl => session.generate_mipmaps(&request)?,
+                Generator::Glu => session.glu_mipmaps(&request)?,
+            }
+            let mut values = Vec::new();
+            for (level, number) in truth.iter().zip(first..) {
+                values.extend(session.level_texels(target, number, level.size)?);
+            }
+            Ok(values)
+        },
+    )
 }

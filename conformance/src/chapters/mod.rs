@@ -21,6 +21,7 @@ mod buffers;
 mod builtin;
 mod color_sum;
 mod combine;
+mod combined_pictures;
 mod compressed;
 mod computed_pictures;
 mod coverage;
@@ -46,8 +47,11 @@ mod interpolation;
 mod layers;
 mod lecture;
 mod level;
+mod line_ties;
 mod lines;
 mod lod;
+mod lod_query;
+mod lod_segments;
 mod lookup;
 mod lookup_offset;
 mod meshes;
@@ -64,6 +68,7 @@ mod polygons;
 mod projection;
 mod provoking;
 mod pyramid;
+mod sample_shading;
 mod sampler_object;
 mod samples;
 mod scale_image;
@@ -74,6 +79,7 @@ mod shadow;
 mod shadow_array;
 mod small_floats;
 mod srgb;
+mod stiff_matrices;
 mod stores;
 mod swizzle_paths;
 mod target;
@@ -145,6 +151,8 @@ pub const CHAPTERS: &[Chapter] = &[
             lines::SMOOTH,
             lines::VALUES,
             lines::JOINTS,
+            line_ties::TIES,
+            line_ties::WIDE_VALUES,
             meshes::MESH,
             meshes::DEPTH,
             view_volume::POINTS,
@@ -168,6 +176,9 @@ pub const CHAPTERS: &[Chapter] = &[
             cube_array::FILTER,
             lod::LOD,
             lod::BIAS_CLAMP,
+            lod_query::QUERY,
+            lod_segments::LINES,
+            lod_segments::POINTS,
             lookup::LOD,
             lookup::GRAD,
             lookup_offset::LOD,
@@ -202,6 +213,7 @@ pub const CHAPTERS: &[Chapter] = &[
             vertex_arrays::PACKED,
             uniform_block::STD140,
             vertex::TEXGEN,
+            stiff_matrices::EYE_PLANES,
             vertex::LIGHTING,
         ],
     ),
@@ -252,6 +264,7 @@ pub const CHAPTERS: &[Chapter] = &[
         &[
             buffers::DEPTH_FORMATS,
             buffers::DEPTH_MASK,
+            sample_shading::DEPTH_ONLY,
             buffers::STENCIL_FACES,
             buffers::STENCIL_CLEAR,
             buffers::QUERY,
@@ -268,6 +281,7 @@ pub const CHAPTERS: &[Chapter] = &[
             multisample::LINES,
             multisample::POINTS,
             multisample::FADE,
+            sample_shading::SHADING,
         ],
     ),
     (
@@ -346,11 +360,15 @@ pub const CHAPTERS: &[Chapter] = &[
             texture_pictures::PERSPECTIVE,
             anisotropic_pictures::AFFINE,
             anisotropic_pictures::PERSPECTIVE,
+            anisotropic_pictures::OF_FORMATS,
+            anisotropic_pictures::ARRAYS,
             picture_formats::FORMATS,
             cube_pictures::CUBE,
             cube_pictures::LEVELS,
             computed_pictures::COMPUTED,
             computed_pictures::PROJECTED,
+            combined_pictures::MODULATED,
+            combined_pictures::TWO_TEXTURES,
         ],
     ),
     ("The lectures", &[lecture::LECTURES]),

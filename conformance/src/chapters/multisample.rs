@@ -88,7 +88,7 @@ pub const FADE: Check = Check {
     what: "samples and alpha of every pixel of points of sizes 0.2 to 12, by the state, attenuated, and by a program",
     unit: Unit::FullScale,
     tolerance: 2.25 / (1 << 24) as f64,
-    why: "f32: ten roundings by 2^-25 (root, quotients, square, product) of 3/4 are 3.75 · 2^-24 if all agree; twice the largest error measured is less than that",
+    why: "f32: nine roundings by 2^-25 (sums and products of the attenuation, root, quotients, square, product) of 3/4: twice the root of the sum of their squares",
     run: fade,
 };
 

@@ -154,6 +154,17 @@ impl Map {
         self.st(x as f64 + 0.5 - w / 2.0, y as f64 + 0.5 - h / 2.0)
     }
 
+    /// Moves the middle of the picture to this place of the texture.
+    pub fn place(&mut self, at: [f64; 2]) {
+        self.at = at;
+    }
+
+    /// s and t of a corner of pixels.
+    pub fn at_corner(&self, [x, y]: Pixel) -> [f64; 2] {
+        let [w, h] = PICTURE.map(|n| n as f64);
+        self.st(x as f64 - w / 2.0, y as f64 - h / 2.0)
+    }
+
     /// Draws a square with these coordinates, which fills the picture.
     pub fn draw(&self, given: Given) {
         let [w, h] = PICTURE.map(|n| n as f64 / 2.0);

@@ -316,6 +316,11 @@ pub enum Mutation {
     LineEndsRound,
     StippleRowsFromTop,
     SlopeOfX,
+    TiesMovedUp,
+    WideValuesAcross,
+    LodOfSegmentAsPolygon,
+    LodOfPointIsNone,
+    SecondUnitIsFirst,
 }
 
 /// Whether the oracles are correct or have one mistake.

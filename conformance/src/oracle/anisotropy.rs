@@ -12,6 +12,7 @@
 use super::lod::{self, Derivatives, Levels};
 use super::sample::Sampler;
 use super::texture::Level;
+use super::wrap::Wrap;
 use crate::mutation::{Mutation, Variant};
 
 /// How a footprint crosses the texels.
@@ -74,7 +75,7 @@ pub fn footprint(d: &Derivatives, size: [usize; 2], limit: f64, variant: Variant
     }
 }
 
-/// The filtered colour of an image that repeats.
+/// The filtered colour of an image that repeats, is mirrored, or goes on as its edge.
 pub fn sample(
     image: &[Level],
     sampler: &Sampler,
@@ -83,7 +84,8 @@ pub fn sample(
     variant: Variant,
 ) -> [f64; 4] {
     let base = &image[sampler.range.base];
-    let read = |level: usize| rows(base, &image[level], st, footprint, variant).0;
+    let wrap = sampler.at.wrap;
+    let read = |level: usize| rows((base, &image[level]), wrap, st, footprint, variant).0;
     match lod::levels(footprint.lambda, sampler.filters, sampler.range, variant) {
         Levels::One(level, _) => read(level),
         Levels::Two(levels, weight, _) => {
@@ -102,7 +104,9 @@ pub fn nearest_step(
     footprint: &Footprint,
 ) -> f64 {
     let base = &image[sampler.range.base];
-    let near = |level: usize| rows(base, &image[level], st, footprint, Variant::CORRECT).1;
+    let levels = |level: usize| (base, &image[level]);
+    let wrap = sampler.at.wrap;
+    let near = |level: usize| rows(levels(level), wrap, st, footprint, Variant::CORRECT).1;
     let near = match lod::levels(footprint.lambda, sampler.filters, sampler.range, Variant::CORRECT)
     {
         Levels::One(level, _) => near(level),
@@ -111,10 +115,30 @@ pub fn nearest_step(
     near.min(footprint.lead)
 }
 
+/// The texel that stands for one beyond the edges: footprints go on there as if the image did (section 3.8.7).
+fn wrapped(wrap: Wrap, i: i64, size: usize) -> usize {
+    let n = size as i64;
+    let inside = match wrap {
+        Wrap::Repeat => i.rem_euclid(n),
+        Wrap::MirroredRepeat => {
+            let twice = i.rem_euclid(2 * n);
+            twice.min(2 * n - 1 - twice)
+        }
+        // With a border, other than these, DetGL's filter is one of probes, which no oracle has.
+        Wrap::ClampToEdge
+        | Wrap::Clamp
+        | Wrap::ClampToBorder
+        | Wrap::MirrorClamp
+        | Wrap::MirrorClampToEdge
+        | Wrap::MirrorClampToBorder => i.clamp(0, n - 1),
+    };
+    inside as usize
+}
+
 /// The mean of a level's rows, and how near a row comes to a texel's centre.
 fn rows(
-    base: &Level,
-    level: &Level,
+    (base, level): (&Level, &Level),
+    wrap: [Wrap; 2],
     st: [f64; 2],
     footprint: &Footprint,
     variant: Variant,
@@ -140,8 +164,8 @@ fn rows(
         let right = footprint.even + (1.0 - 2.0 * footprint.even) * (x - x.floor());
         for (i, part) in [(x.floor(), 1.0 - right), (x.floor() + 1.0, right)] {
             let mut at = [0; 2];
-            at[along] = (row as i64).rem_euclid(size[along] as i64) as usize;
-            at[across] = (i as i64).rem_euclid(size[across] as i64) as usize;
+            at[along] = wrapped(wrap[along], row as i64, size[along]);
+            at[across] = wrapped(wrap[across], i as i64, size[across]);
             let texel = level.texel(at[0], at[1]);
             (0..4).for_each(|c| sum[c] += weight * part * texel[c]);
         }
@@ -162,7 +186,13 @@ mod tests {
         assert_eq!((got.along, got.excess, got.slope, got.even), (0, 15.0, 0.0, 0.0));
         let image = [Level::from_fn(64, 64, |i, _| [if i < 3 { 255 } else { 0 }; 4])];
         // Four columns about the middle of texel 1: half of texel -1, three, and half of texel 3.
-        let (mean, _) = rows(&image[0], &image[0], [1.5 / 64.0; 2], &got, Variant::CORRECT);
+        let (mean, _) = rows(
+            (&image[0], &image[0]),
+            [Wrap::Repeat; 2],
+            [1.5 / 64.0; 2],
+            &got,
+            Variant::CORRECT,
+        );
         assert!((mean[0] - 0.75).abs() < 1e-12, "{mean:?}");
     }
 
@@ -172,8 +202,13 @@ mod tests {
         let got = footprint(&d, [64, 64], 16.0, Variant::CORRECT);
         assert_eq!((got.excess, got.slope, got.even, got.lambda), (0.0, 0.0, 0.0, 1.0));
         let image = [Level::from_fn(64, 64, |i, j| [(i * 3 + j) as u8; 4])];
-        let (mean, _) =
-            rows(&image[0], &image[0], [10.7 / 64.0, 9.1 / 64.0], &got, Variant::CORRECT);
+        let (mean, _) = rows(
+            (&image[0], &image[0]),
+            [Wrap::Repeat; 2],
+            [10.7 / 64.0, 9.1 / 64.0],
+            &got,
+            Variant::CORRECT,
+        );
         assert!((mean[0] * 255.0 - (10.2 * 3.0 + 8.6)).abs() < 1e-9, "{mean:?}");
     }
 }

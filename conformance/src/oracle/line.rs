@@ -49,6 +49,32 @@ impl Segment {
         Some(near < half && (end > half || variant.has(Mutation::LastPixelDrawn)))
     }
 
+    /// Whether the segment exits the diamond of a pixel, ties included: both ends are moved by (-ε, -ε²) (section 3.4.1).
+    /// Coordinates are multiples of 1/256 below 256. In units of 2^-48 pixels ε is 2^20 and ε² is 1: small enough, as
+    /// without it distances that differ do so by more than 2^-23 pixels, and large enough to be exact.
+    pub fn exits_perturbed(&self, [x, y]: [i64; 2], variant: Variant) -> bool {
+        const ONE: i128 = 1 << 48;
+        let sign = if variant.has(Mutation::TiesMovedUp) { 1 } else { -1 };
+        let moved = |[x, y]: [f64; 2]| {
+            let exact = |c: f64| (c * 256.0) as i128 * (ONE / 256);
+            [exact(x) + sign * (1 << 20), exact(y) + sign]
+        };
+        let (a, b) = (moved(self.from), moved(self.to));
+        let centre = [x, y].map(|c| i128::from(c) * ONE + ONE / 2);
+        let d = [b[0] - a[0], b[1] - a[1]];
+        // |x| + |y| from the centre at the share n/m of the segment, times m; it is convex, and linear between these.
+        let distance = |(n, m): (i128, i128)| -> (i128, i128) {
+            ((0..2).map(|i| ((a[i] - centre[i]) * m + d[i] * n).abs()).sum(), m)
+        };
+        let crossing = |i: usize| {
+            let (n, m) = ((centre[i] - a[i]) * d[i].signum(), d[i].abs());
+            if m == 0 { (0, 1) } else { (n.clamp(0, m), m) }
+        };
+        let is_inside = |(sum, m): (i128, i128)| 2 * sum < ONE * m;
+        let touches = [(0, 1), (1, 1), crossing(0), crossing(1)].map(distance).map(is_inside);
+        touches.contains(&true) && !is_inside(distance((1, 1)))
+    }
+
     /// Whether the aliased line of this width covers a pixel; `None` on a tie.
     pub fn covers(&self, pixel: [i64; 2], width: f64, variant: Variant) -> Option<bool> {
         let rounded = width.round().max(1.0);
@@ -158,6 +184,20 @@ mod tests {
         // It ends beyond the diamond of the last pixel, but within the pixel.
         let longer = Segment { to: [3.96, 0.7], ..line };
         assert_eq!(longer.exits([3, 0], TRUE), Some(true));
+    }
+
+    #[test]
+    fn ties_go_down_and_to_the_left() {
+        let of = |from: [f64; 2], to: [f64; 2]| {
+            let line = Segment { from, to };
+            let all = (0..4).flat_map(|y| (0..4).map(move |x| [x, y]));
+            all.filter(|&pixel| line.exits_perturbed(pixel, TRUE)).collect::<Vec<_>>()
+        };
+        // Between two rows: the lower; between two columns: the left.
+        assert_eq!(of([0.5, 2.0], [2.5, 2.0]), [[0, 1], [1, 1]]);
+        assert_eq!(of([2.0, 0.5], [2.0, 2.5]), [[1, 0], [1, 1]]);
+        // To the left by ε raises a line of positive slope by more than ε² lowers it.
+        assert_eq!(of([0.0, 1.0], [2.0, 3.0]), [[0, 1], [1, 2]]);
     }
 
     #[test]

@@ -14,6 +14,8 @@ pub struct MipmapRequest<'a> {
     pub target: u32,
     /// The internal format.
     pub internal: u32,
+    /// `GL_LUMINANCE` to `GL_RGBA`: the components that GLU gets. The others are as GL makes them of these.
+    pub format: u32,
     /// The base level.
     pub image: &'a Volume,
 }
@@ -50,7 +52,7 @@ impl Session {
     /// # Errors
     /// When a call sets the error flag.
     pub fn generate_mipmaps(&self, request: &MipmapRequest<'_>) -> Result<(), ProbeError> {
-        let MipmapRequest { target, internal, image } = *request;
+        let MipmapRequest { target, internal, image, format: _ } = *request;
         glBindTexture(target, 1);
         if image.size[0] % 2 == 0 {
             glTexParameteri(target, GL_GENERATE_MIPMAP, 1);
@@ -67,12 +69,21 @@ impl Session {
     /// # Errors
     /// When a call sets the error flag or GLU reports an error.
     pub fn glu_mipmaps(&self, request: &MipmapRequest<'_>) -> Result<(), ProbeError> {
-        let MipmapRequest { target, internal, image } = *request;
+        let MipmapRequest { target, internal, image, format } = *request;
         glBindTexture(target, 1);
+        glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
         let [w, h, d] = image.size;
+        let components: &[usize] = match format {
+            GL_LUMINANCE => &[0],
+            GL_LUMINANCE_ALPHA => &[0, 3],
+            GL_RGB => &[0, 1, 2],
+            _ => &[0, 1, 2, 3],
+        };
+        let of = |texel: &[f64; 4], i: &usize| (texel[*i] * 255.0).round() as u8;
+        let texels = image.texels.iter();
         let bytes: Vec<u8> =
-            image.texels.as_flattened().iter().map(|c| (c * 255.0).round() as u8).collect();
-        let (format, ty) = (GL_RGBA, GL_UNSIGNED_BYTE);
+            texels.flat_map(|texel| components.iter().map(move |i| of(texel, i))).collect();
+        let ty = GL_UNSIGNED_BYTE;
         let code = match target {
             GL_TEXTURE_1D => gluBuild1DMipmaps(target, internal, w, format, ty, &bytes),
             GL_TEXTURE_3D => gluBuild3DMipmaps(target, internal, w, h, d, format, ty, &bytes),

@@ -118,6 +118,20 @@ impl Session {
         self.check("using a fragment shader")
     }
 
+    /// Lets the samplers of the program in use read the units 0, 1, … in this order.
+    ///
+    /// # Errors
+    /// When a call sets the error flag.
+    pub fn sampler_units(&self, names: &[&str]) -> Result<(), ProbeError> {
+        let mut program = [0i32; 1];
+        glGetIntegerv(GL_CURRENT_PROGRAM, &mut program);
+        for (unit, name) in (0..).zip(names) {
+            let unit: i32 = unit;
+            glUniform1i(glGetUniformLocation(program[0], *name), unit);
+        }
+        self.check("choosing the units of samplers")
+    }
+
     /// Links a program whose shaders are attached.
     pub(super) fn link_program(&self, name: u32) -> Result<(), ProbeError> {
         glLinkProgram(name);

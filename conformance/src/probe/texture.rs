@@ -61,6 +61,21 @@ impl Session {
         self.check("specifying a 2D texture")
     }
 
+    /// Binds a mipmapped image with this state to unit 1.
+    ///
+    /// # Errors
+    /// When a call sets the error flag.
+    pub fn second_texture_2d(&self, image: &[Level], sampler: &Sampler) -> Result<(), ProbeError> {
+        glActiveTexture(GL_TEXTURE1);
+        glBindTexture(GL_TEXTURE_2D, 2);
+        for (number, level) in image.iter().enumerate() {
+            upload(GL_TEXTURE_2D, number, GL_RGBA8, level);
+        }
+        set_sampler(GL_TEXTURE_2D, sampler);
+        glActiveTexture(GL_TEXTURE0);
+        self.check("specifying a second 2D texture")
+    }
+
     /// Binds a cube map of these faces, in GL's order, with this state to unit 0.
     ///
     /// # Errors

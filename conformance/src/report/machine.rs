@@ -50,7 +50,7 @@ impl Machine {
             format!("{noisy} of {of} rows spread by more than {percent:.0} % over their rounds")
         });
         let warnings: Vec<String> = self.busy().into_iter().chain(spread).collect();
-        (!warnings.is_empty()).then(|| format!("noisy times: {}", warnings.join("; ")))
+        (!warnings.is_empty()).then(|| format!("noisy times: {}", warnings.join(";\n  ")))
     }
 }
 
@@ -76,6 +76,7 @@ mod tests {
         assert_eq!(machine(Some(0.0)).warnings(0, 9), None);
         let said = machine(Some(1e6)).warnings(2, 9).unwrap_or_default();
         assert!(said.contains("busy") && said.contains("2 of 9 rows"), "{said}");
+        assert!(said.lines().all(|line| line.len() <= 100), "{said}");
         assert_eq!(machine(None).to_string(), "x86_64; avx2, 2 threads");
     }
 }

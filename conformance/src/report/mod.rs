@@ -17,5 +17,7 @@ pub use left_out::{left_out_page, left_out_table};
 pub use machine::{Machine, NOISY};
 pub use page::{PageError, PageName};
 pub use pages::{checks_page, sweeps_page, tradeoff_page, trials_page};
-pub use tables::{functions_table, json, sweeps_table, table, tradeoff_table, trials_table};
+pub use tables::{
+    choices_table, functions_table, json, sweeps_table, table, tradeoff_table, trials_table,
+};
 pub use terminal::{bar, listed};

@@ -9,8 +9,9 @@ use crate::check::{Outcome, Reach, Verdict};
 use crate::plot::{Caption, Line, log_log};
 use crate::self_test::Trial;
 use crate::sweep::{Series, SweepOutcome};
+use crate::tradeoff::choices::ChoiceOutcome;
 use crate::tradeoff::functions::FunctionRow;
-use crate::tradeoff::{Measured, Picture, Row, lines, overall};
+use crate::tradeoff::{Measured, Picture, Row, lines, overall, scene_advice};
 use std::fmt::Write;
 use std::path::Path;
 
@@ -135,30 +136,42 @@ pub fn tradeoff_page(
     folder: &Path,
     name: &PageName,
     measured: &Measured,
+    choices: &[ChoiceOutcome],
     functions: &[FunctionRow],
 ) -> Result<(), PageError> {
-    let all = overall(&measured.rows);
-    let plot = work_precision("Error against run time, all scenes", &all)?;
-    write(folder, &name.with_ending(".svg"), &plot)?;
-    let mut body = format!(
-        "<p>Against the exact area integral of the bilinearly reconstructed texture. Bytes alone \
-         cost an RMS error of 0.0011. Of supersampling, the time is that of all samples.</p>{plot}{}",
-        rows_table(&all)
+    create(folder)?;
+    let mut body = String::from(
+        "<p>Each table's pictures are drawn in turns, 9 rounds, one thread; times are the processor's, the median of the \
+         rounds and their quartiles. A star marks what no other row has: at most its error at at most its cost. The advice \
+         follows from the table: of these, the least product of error and cost.</p>",
     );
-    let mut names: Vec<&str> = measured.rows.iter().map(|row| row.scene).collect();
-    names.dedup();
-    for scene in names {
-        let rows: Vec<Row> =
-            measured.rows.iter().filter(|row| row.scene == scene).cloned().collect();
-        let _ = write!(body, "<h2>{}</h2>{}", escaped(scene), work_precision(scene, &rows)?);
-        body.push_str(&rows_table(&rows));
-        body.push_str("<details><summary>pictures, and 4 times the difference</summary>");
+    if !measured.rows.is_empty() {
+        let all = overall(&measured.rows);
+        let plot = work_precision("Error against run time, all scenes", &all)?;
+        write(folder, &name.with_ending(".svg"), &plot)?;
+        let _ = write!(
+            body,
+            "<h2>Filters, all scenes</h2><p>Against the exact area integral of the bilinearly reconstructed texture. Bytes \
+             alone cost an RMS error of 0.0011. Of supersampling, the time is that of all samples.</p>{plot}{}{}",
+            rows_table(&all),
+            sentence(&scene_advice(&all)),
+        );
+    }
+    for choice in choices {
+        body.push_str(&choice_section(folder, choice)?);
+    }
+    for rows in measured.rows.chunk_by(|a, b| a.scene == b.scene) {
+        let scene = rows[0].scene;
+        let _ = write!(
+            body,
+            "<h2>Filters, {}</h2>{}{}{}",
+            escaped(scene),
+            work_precision(scene, rows)?,
+            rows_table(rows),
+            sentence(&scene_advice(rows)),
+        );
         let of = measured.pictures.iter().filter(|p| p.name.starts_with(&format!("{scene}-")));
-        for picture in of {
-            write_picture(folder, picture)?;
-            body.push_str(&figure(&picture.name));
-        }
-        body.push_str("</details>");
+        body.push_str(&strip(folder, of)?);
     }
     body.push_str("<h2>Built-in functions</h2>");
     let points = functions.iter().filter(|row| row.ulp > 0.0 && row.nanoseconds > 0.0).map(|row| {
@@ -182,22 +195,88 @@ pub fn tradeoff_page(
     name.write(folder, &page("Error against run time", &body))
 }
 
+/// A sentence of advice.
+fn sentence(advice: &str) -> String {
+    let mut letters = escaped(advice).chars().collect::<Vec<_>>();
+    if let Some(first) = letters.first_mut() {
+        first.make_ascii_uppercase();
+    }
+    format!("<p><b>{}.</b></p>", letters.into_iter().collect::<String>())
+}
+
+/// Pictures beside each other, to be opened.
+fn strip<'a>(
+    folder: &Path,
+    pictures: impl Iterator<Item = &'a Picture>,
+) -> Result<String, PageError> {
+    let mut text = String::from("<details><summary>pictures, and 4 times the difference</summary>");
+    for picture in pictures {
+        write_picture(folder, picture)?;
+        text.push_str(&figure(&picture.name));
+    }
+    text.push_str("</details>");
+    Ok(text)
+}
+
+/// The plot, table, advice and pictures of a choice.
+fn choice_section(folder: &Path, choice: &ChoiceOutcome) -> Result<String, PageError> {
+    let has_bytes = choice.rows.iter().any(|row| row.bytes.is_some());
+    let points = choice.rows.iter().map(|row| Line {
+        name: row.alternative.clone(),
+        points: vec![(row.bytes.unwrap_or(row.quartiles[1]), row.rms)],
+    });
+    let x = if has_bytes { "bytes a texel" } else { "nanoseconds a pixel" };
+    let plot = log_log(
+        Caption { title: choice.choice, x, y: "RMS error" },
+        &points.collect::<Vec<_>>(),
+        None,
+    )?;
+    let mut text = format!(
+        "<h2>{}</h2><p>{}.</p>{plot}<table><tr><th>alternative<th><th>RMS<th>max<th>median, ns a pixel<th>quartiles{}",
+        escaped(choice.choice),
+        escaped(choice.what),
+        if has_bytes { "<th>bytes a texel" } else { "" },
+    );
+    for row in &choice.rows {
+        let [low, median, high] = row.quartiles;
+        let _ = write!(
+            text,
+            "<tr><td>{}<td>{}<td class=n>{:.4}<td class=n>{:.3}<td class=n>{median:.1}<td class=n>{low:.1}–{high:.1}",
+            escaped(&row.alternative),
+            star(row.is_on_front),
+            row.rms,
+            row.max,
+        );
+        if let Some(bytes) = row.bytes {
+            let _ = write!(text, "<td class=n>{bytes}");
+        }
+    }
+    let _ = write!(text, "</table>{}", sentence(&choice.advice));
+    text.push_str(&strip(folder, choice.pictures.iter())?);
+    Ok(text)
+}
+
+/// Marks what nothing else beats.
+fn star(is_on_front: bool) -> &'static str {
+    if is_on_front { "★" } else { "" }
+}
+
 fn rows_table(rows: &[Row]) -> String {
     let mut text = String::from(
-        "<table><tr><th>mode<th>mean<th>RMS<th>max<th>ꟻLIP\
-                                 <th>ns a pixel<th>median<th>quartiles",
+        "<table><tr><th>mode<th><th>mean<th>RMS<th>max<th>ꟻLIP\
+                                 <th>median, ns a pixel<th>quartiles",
     );
     for row in rows {
         let _ = write!(
             text,
-            "<tr><td>{}<td class=n>{:.4}<td class=n>{:.4}<td class=n>{:.3}<td class=n>{:.3}<td class=n>{:.1}\
+            "<tr><td>{}<td>{}<td class=n>{:.4}<td class=n>{:.4}<td class=n>{:.3}<td class=n>{:.3}\
              <td class=n>{:.1}<td class=n>{:.1}–{:.1}",
             escaped(&row.mode),
+            star(row.is_on_front),
             row.mean,
             row.rms,
             row.max,
             row.flip,
-            row.nanoseconds,
             row.quartiles[1],
             row.quartiles[0],
             row.quartiles[2],

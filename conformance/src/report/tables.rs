@@ -1,11 +1,12 @@
 //! Text tables and JSON.
 
-use super::layout::{Layout, right, short};
+use super::layout::{Layout, NARROW, right, short};
 use crate::check::{Outcome, Verdict};
 use crate::self_test::Trial;
 use crate::sweep::SweepOutcome;
-use crate::tradeoff::Row;
+use crate::tradeoff::choices::ChoiceOutcome;
 use crate::tradeoff::functions::FunctionRow;
+use crate::tradeoff::{Row, scene_advice};
 use comfy_table::{Attribute, Cell, Color};
 use serde::Serialize;
 
@@ -76,26 +77,83 @@ pub fn trials_table(layout: Layout, trials: &[Trial]) -> String {
     table.to_string()
 }
 
-/// Error and time of each mode on each scene.
+/// A star where nothing else is as good and as cheap.
+fn star(is_on_front: bool) -> &'static str {
+    if is_on_front { "*" } else { "" }
+}
+
+/// Error and time of each mode on each scene, and a sentence of advice for each.
 pub fn tradeoff_table(layout: Layout, rows: &[Row]) -> String {
     let headings =
-        ["scene", "mode", "mean", "RMS", "max", "FLIP", "ns/pixel", "median", "quartiles"];
+        ["scene", "mode", "", "mean", "RMS", "max", "FLIP", "median, ns/pixel", "quartiles"];
     let mut table = layout.table(headings);
     for row in rows {
         let [low, median, high] = row.quartiles;
         table.add_row([
             Cell::new(row.scene),
             Cell::new(&row.mode),
+            Cell::new(star(row.is_on_front)),
             right(format!("{:.4}", row.mean)),
             right(format!("{:.4}", row.rms)),
             right(format!("{:.3}", row.max)),
             right(format!("{:.3}", row.flip)),
-            right(format!("{:.1}", row.nanoseconds)),
             right(format!("{median:.1}")),
             right(format!("{low:.1}–{high:.1}")),
         ]);
     }
-    table.to_string()
+    let mut text = table.to_string();
+    text.push_str("\n* no other mode has at most its error in at most its time\n");
+    for of in rows.chunk_by(|a, b| a.scene == b.scene) {
+        text.push_str(&wrapped(&format!("{}: {}.", of[0].scene, scene_advice(of))));
+    }
+    text
+}
+
+/// Error, time and memory of the alternatives of each choice, and a sentence of advice for each.
+pub fn choices_table(layout: Layout, choices: &[ChoiceOutcome]) -> String {
+    let headings =
+        ["choice", "alternative", "", "RMS", "max", "median, ns/pixel", "quartiles", "bytes/texel"];
+    let mut table = layout.table(headings);
+    for choice in choices {
+        for row in &choice.rows {
+            let [low, median, high] = row.quartiles;
+            table.add_row([
+                Cell::new(choice.choice),
+                Cell::new(&row.alternative),
+                Cell::new(star(row.is_on_front)),
+                right(format!("{:.4}", row.rms)),
+                right(format!("{:.3}", row.max)),
+                right(format!("{median:.1}")),
+                right(format!("{low:.1}–{high:.1}")),
+                right(row.bytes.map_or_else(String::new, |bytes| format!("{bytes}"))),
+            ]);
+        }
+    }
+    let mut text = table.to_string();
+    text.push_str("\n* no other alternative has at most its error at at most its cost\n");
+    for choice in choices {
+        text.push_str(&wrapped(&format!("{}: {}.", choice.choice, choice.advice)));
+    }
+    text
+}
+
+/// A text in lines that a terminal shows whole.
+fn wrapped(text: &str) -> String {
+    let (mut out, mut column) = (String::new(), 0);
+    for word in text.split(' ') {
+        let length = word.chars().count() + 1;
+        if column > 0 && column + length > usize::from(NARROW) {
+            out.push_str("\n ");
+            column = 1;
+        }
+        if column > 0 {
+            out.push(' ');
+        }
+        out.push_str(word);
+        column += length;
+    }
+    out.push('\n');
+    out
 }
 
 /// Error and time of each function.
@@ -184,6 +242,13 @@ mod tests {
             assert!(text.contains(part), "{part} in {text}");
         }
         assert!(!table(Layout::Narrow, &[outcome(Verdict::Pass)]).contains("worst"));
+    }
+
+    #[test]
+    fn texts_are_wrapped() {
+        let text = wrapped(&"words ".repeat(60));
+        assert!(text.lines().count() > 3);
+        assert!(text.lines().all(|line| line.chars().count() <= NARROW.into()), "{text}");
     }
 
     #[test]

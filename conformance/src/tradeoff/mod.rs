@@ -1,13 +1,16 @@
 //! Error and run time of every way to sample a texture on every scene, compared with the exact area
-//! integral.
+//! integral; and of the other [`choices`] that trade one for the other.
 //!
 //! Errors are those of R, G and B in [0, 1]. The driver writes bytes, whose rounding alone causes an
 //! RMS error of 0.0011, which is the lower limit of every mode.
 
+pub mod choices;
 mod draw;
+pub mod front;
 pub mod functions;
 mod mode;
 mod scene;
+mod stage;
 mod texture;
 
 pub use mode::Mode;
@@ -16,7 +19,10 @@ pub use scene::{Scene, scenes};
 use crate::plot::Line;
 use crate::probe::ProbeError;
 use crate::reference::flip;
+use draw::Drawer;
+use front::Weighed;
 use serde::Serialize;
+use stage::{Stage, Times};
 
 /// One mode on one scene.
 #[derive(Clone, Debug, Serialize)]
@@ -40,6 +46,8 @@ pub struct Row {
     pub nanoseconds: f64,
     /// The first quartile, the median and the third quartile of the rounds.
     pub quartiles: [f64; 3],
+    /// Whether no other mode of the scene has at most its error and at most its time.
+    pub is_on_front: bool,
 }
 
 /// A picture of the report's pages.
@@ -80,6 +88,7 @@ pub fn measure<'a>(
     mut progress: impl FnMut(&Scene),
 ) -> Result<Measured, ProbeError> {
     let mut measured = Measured { rows: Vec::new(), pictures: Vec::new() };
+    let device = stage::one_thread()?;
     for scene in scenes {
         progress(scene);
         let reference: Vec<[f64; 4]> = (0..side * side)
@@ -93,32 +102,57 @@ pub fn measure<'a>(
             pixels: reference.clone(),
             side,
         });
+        let mut drawers = Vec::with_capacity(Mode::ALL.len());
         for mode in Mode::ALL {
-            let mut drawn = draw::draw(scene, mode, side)?;
-            for (p, pixel) in drawn.pixels.iter_mut().enumerate() {
+            drawers.push(Drawer::new(&device, scene, mode, side)?);
+        }
+        let mut stages: Vec<&mut Stage> = drawers.iter_mut().filter_map(Drawer::stage).collect();
+        let mut times = stage::interleaved(&mut stages)?.into_iter();
+        for (mode, drawer) in Mode::ALL.into_iter().zip(&mut drawers) {
+            let mut pixels = drawer.picture()?;
+            let Some(times) = drawer.own_times().or_else(|| times.next()) else { continue };
+            for (p, pixel) in pixels.iter_mut().enumerate() {
                 if !scene.counts([p % side, p / side], side) {
                     *pixel = [0.0; 4];
                 }
             }
-            measured.rows.push(row(scene, mode, &reference, &drawn, side));
-            let difference = reference.iter().zip(&drawn.pixels).map(|(a, b)| {
-                let d = |c: usize| (4.0 * (a[c] - b[c]).abs()).min(1.0);
-                [d(0), d(1), d(2), 1.0]
-            });
+            measured.rows.push(row(scene, mode, &reference, (&pixels[..], times), side));
             let name = format!("{}-{}", scene.name, mode.name());
-            let difference =
-                Picture { name: format!("{name}-difference"), pixels: difference.collect(), side };
-            measured.pictures.push(Picture { name, pixels: drawn.pixels, side });
-            measured.pictures.push(difference);
+            measured.pictures.extend(with_difference(name, &reference, pixels, side));
         }
+        let first = measured.rows.len() - Mode::ALL.len();
+        mark_front(&mut measured.rows[first..]);
     }
     Ok(measured)
 }
 
-fn row(scene: &Scene, mode: Mode, reference: &[[f64; 4]], drawn: &draw::Drawn, side: usize) -> Row {
+/// A picture, and 4 times its difference from the reference.
+fn with_difference(
+    name: String,
+    reference: &[[f64; 4]],
+    pixels: Vec<[f64; 4]>,
+    side: usize,
+) -> [Picture; 2] {
+    let difference = reference.iter().zip(&pixels).map(|(a, b)| {
+        let d = |c: usize| (4.0 * (a[c] - b[c]).abs()).min(1.0);
+        [d(0), d(1), d(2), 1.0]
+    });
+    let difference =
+        Picture { name: format!("{name}-difference"), pixels: difference.collect(), side };
+    [Picture { name, pixels, side }, difference]
+}
+
+fn row(
+    scene: &Scene,
+    mode: Mode,
+    reference: &[[f64; 4]],
+    (drawn, times): (&[[f64; 4]], Times),
+    side: usize,
+) -> Row {
+    let to_nanoseconds = 1e9 / (side * side) as f64;
     let errors: Vec<f64> = reference
         .iter()
-        .zip(&drawn.pixels)
+        .zip(drawn)
         .enumerate()
         .filter(|(p, _)| scene.counts([p % side, p / side], side))
         .flat_map(|(_, (a, b))| [0, 1, 2].map(|c: usize| (a[c] - b[c]).abs()))
@@ -135,9 +169,10 @@ fn row(scene: &Scene, mode: Mode, reference: &[[f64; 4]], drawn: &draw::Drawn, s
         mean: errors.iter().sum::<f64>() / count,
         rms: (errors.iter().map(|e| e * e).sum::<f64>() / count).sqrt(),
         max: errors.iter().copied().fold(0.0, f64::max),
-        flip: flip::mean(&picture(reference), &picture(&drawn.pixels)),
-        nanoseconds: drawn.nanoseconds,
-        quartiles: drawn.quartiles,
+        flip: flip::mean(&picture(reference), &picture(drawn)),
+        nanoseconds: times.fastest * to_nanoseconds,
+        quartiles: times.quartiles.map(|seconds| seconds * to_nanoseconds),
+        is_on_front: false,
     }
 }
 
@@ -162,9 +197,28 @@ pub fn overall(rows: &[Row]) -> Vec<Row> {
                 mean(|row| row.quartiles[1]),
                 mean(|row| row.quartiles[2]),
             ],
+            is_on_front: false,
         });
     }
+    mark_front(&mut all);
     all
+}
+
+/// What the advice weighs of the modes of a scene.
+fn weighed(rows: &[Row]) -> Vec<Weighed> {
+    let of = |row: &Row| Weighed { name: row.mode.clone(), error: row.rms, cost: row.quartiles[1] };
+    rows.iter().map(of).collect()
+}
+
+/// Marks the modes of a scene that no other one beats.
+fn mark_front(rows: &mut [Row]) {
+    let fronts = front::is_on_front(&weighed(rows));
+    rows.iter_mut().zip(fronts).for_each(|(row, is_on_front)| row.is_on_front = is_on_front);
+}
+
+/// One sentence about the modes of a scene.
+pub fn scene_advice(rows: &[Row]) -> String {
+    front::advice(&weighed(rows), "time")
 }
 
 /// The work-precision lines of some rows: RMS error over nanoseconds a pixel, a line a family.

@@ -4,7 +4,7 @@ mod entry;
 mod page;
 mod table;
 
-use entry::Entry;
+use entry::{Entry, Explained};
 
 use crate::arguments::{WRONG_ARGUMENT, folder, picture_file, side, takes_no_picture};
 use crate::picture::{self, Picture};
@@ -142,11 +142,42 @@ fn draw(arguments: &Arguments, image: Option<&Picture>) -> Result<Vec<Entry>, Bo
         bar.tick();
         let size = arguments.size as usize;
         let rendered = render(&program, size, image.cloned(), &desc)?;
-        entries.push(Entry { program, rendered, plans: device.take_explanations() });
+        let plans = device.take_explanations();
+        let explained = if arguments.json { None } else { explained(&program, image)? };
+        entries.push(Entry { program, rendered, plans, explained });
         bar.inc(1);
     }
     bar.finish_and_clear();
     Ok(entries)
+}
+
+/// The side of the pictures of which a pixel is explained: a quarter of the usual one, as they are drawn once more.
+const EXPLAINED_SIZE: usize = 256;
+
+/// What an explanation cites where a texture was looked up.
+const LOOKUP: &str = "3.8.8";
+
+/// One pixel of a program's picture: the first of a few that shows a texture, else the one of which most is to be said.
+fn explained(
+    program: &Program,
+    image: Option<&Picture>,
+) -> Result<Option<Explained>, Box<dyn Error>> {
+    let (size, desc) = (EXPLAINED_SIZE, ContextDesc::default());
+    let [width, height] = program.sides(size);
+    let mut best: Option<Explained> = None;
+    // Off the middle, where panels meet.
+    for [x, y] in [[5, 7], [11, 9], [4, 12]] {
+        let pixel = [width * x / 16, height * y / 16];
+        let (_, explanation) = explain(program, size, image.cloned(), &desc, pixel)?;
+        let text = explanation.to_string();
+        if best.as_ref().is_none_or(|best| text.len() > best.text.len()) {
+            best = Some(Explained { size, pixel, text });
+        }
+        if best.as_ref().is_some_and(|best| best.text.contains(LOOKUP)) {
+            break;
+        }
+    }
+    Ok(best)
 }
 
 /// A device that keeps the plans of its draws; if `DETGL_EXPLAIN` is set, it prints them.
@@ -156,4 +187,17 @@ fn device() -> Result<Arc<Device>, DeviceError> {
         desc.explain = Explain::Keep;
     }
     Device::new(desc).map(Arc::new)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_explained_pixel_shows_a_texture() {
+        let program = programs::ALL.iter().find(|program| program.name == "textured_square");
+        let explained = explained(program.expect("a program"), None).expect("a context");
+        let text = explained.expect("an explanation").text;
+        assert!(text.contains(LOOKUP), "{text}");
+    }
 }

@@ -1,6 +1,6 @@
 //! `index.html`: the pictures with their programs.
 
-use super::entry::Entry;
+use super::entry::{Entry, Explained};
 use crate::lectures::{Item, PAGE, lectures};
 
 const HEAD: &str = r#"<!DOCTYPE html>
@@ -113,7 +113,7 @@ fn turn(to: Option<&Entry>, word: &str) -> String {
 
 fn section(
     page: &mut String,
-    Entry { program, rendered, plans }: &Entry,
+    Entry { program, rendered, plans, explained }: &Entry,
     [before, after]: [Option<&Entry>; 2],
 ) {
     let (name, lecture) = (program.name, escape(program.lecture));
@@ -143,6 +143,11 @@ fn section(
     ));
     if !messages.is_empty() {
         details(page, "What it says", " open", &messages);
+    }
+    if let Some(Explained { size, pixel: [x, y], text }) = explained {
+        let summary =
+            format!("One pixel explained: column {x}, row {y} of the picture with --size {size}");
+        details(page, &summary, "", text);
     }
     if !plans.is_empty() {
         details(page, "What the draws ran, and what they left out", "", &plans.join("\n"));

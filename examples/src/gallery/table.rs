@@ -30,7 +30,7 @@ pub fn table(entries: &[Entry]) -> Table {
 
 /// An object for each picture; times in milliseconds.
 pub fn json(entries: &[Entry]) -> Value {
-    let object = |Entry { program, rendered, plans }: &Entry| {
+    let object = |Entry { program, rendered, plans, explained: _ }: &Entry| {
         json!({
             "name": program.name,
             "lecture": program.lecture,

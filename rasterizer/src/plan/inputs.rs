@@ -272,6 +272,30 @@ pub fn draws_lines(desc: &PipelineDesc, raster: &RasterState) -> bool {
     }
 }
 
+/// Whether a draw draws points, and nothing else, that have the same varyings everywhere: no sprites.
+pub fn draws_plain_points(desc: &PipelineDesc, raster: &RasterState) -> bool {
+    let is_plain = sprite_slots(desc, raster).is_empty();
+    is_plain
+        && match desc.drawn() {
+            Topology::Points => true,
+            Topology::Lines
+            | Topology::LineStrip
+            | Topology::LineLoop
+            | Topology::LinesAdjacency
+            | Topology::LineStripAdjacency => false,
+            Topology::Triangles
+            | Topology::TrianglesAdjacency
+            | Topology::TriangleStripAdjacency
+            | Topology::TriangleStrip
+            | Topology::TriangleFan
+            | Topology::Quads
+            | Topology::QuadStrip
+            | Topology::Polygon => {
+                raster.polygon.mode.iter().all(|mode| *mode == PolygonMode::Point)
+            }
+        }
+}
+
 /// The first slots of the varyings that points of a draw replace, where it draws any.
 pub fn sprite_slots<'a>(desc: &PipelineDesc, raster: &'a RasterState) -> &'a [u16] {
     let points = match desc.drawn() {

@@ -12,7 +12,9 @@ mod product;
 mod samples;
 mod stipple;
 
-pub use inputs::{FilledInput, FragmentInput, PlaneSource, draws_lines, sprite_slots};
+pub use inputs::{
+    FilledInput, FragmentInput, PlaneSource, draws_lines, draws_plain_points, sprite_slots,
+};
 use inputs::{InputPlanes, InputPlanner};
 pub use leave_out::LeaveOut;
 pub use pipeline::Pipeline;

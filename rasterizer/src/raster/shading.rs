@@ -1,7 +1,7 @@
 //! Shading: runs the program over batches of fragments, runs their late tests, and writes
 //! their colours.
 
-use super::batch::{Batch, BlockOf};
+use super::batch::{Batch, BatchPixels, BlockOf};
 use super::block_group::BlockGroup;
 use super::budget::TileBudget;
 use super::fragment_depth::BatchDepth;
@@ -11,6 +11,7 @@ use super::texel_product::{Multiply, Products, WordSlot, Words};
 use super::watched::{Shaded, Tested};
 use crate::attachment::{BatchLayout, BlockDepth, TileTarget, clamp_depth};
 use crate::desc::{AlphaToOne, Facing};
+use crate::kernels::PixelKernel;
 use crate::output::{
     BlockColors, ColorClass, ColorPlan, Fragments, Reference, store_samples, test, write_blocks,
     write_samples,
@@ -108,9 +109,15 @@ impl Shader {
             return;
         }
         let plan = &job.plan;
+        match batch.pixels {
+            BatchPixels::Block(_) => PixelKernel::Block.note(),
+            BatchPixels::Packed(_) => PixelKernel::Quads.note(),
+            BatchPixels::Pixels(_) => PixelKernel::Pixels.note(),
+        }
         let is_due = plan.timing == TestTiming::Early && batch.tested != !0;
         match tile.depth.as_mut().filter(|_| is_due) {
             Some(target) => {
+                PixelKernel::EarlyTests.note();
                 self.left.set(batch.masks, !batch.tested);
                 self.test(pass.isa, plan, batch, target, ShaderTestOutputs::default(), |_| {});
                 let masks = &self.left.or(batch.masks, batch.tested);
@@ -128,6 +135,7 @@ impl Shader {
         blocks: &mut BlockGroup,
         tile: &mut TileJob,
     ) {
+        PixelKernel::BlockGroup.note();
         let (isa, plan, machine) = (pass.isa, &job.plan, &mut self.machine);
         tile.prefetch(plan, blocks.numbers());
         let program = &plan.pipeline.compiled().fragment;
@@ -215,6 +223,11 @@ impl Shader {
             }
         }
         let is_done = words.is_some();
+        match (is_done, &sampled) {
+            (true, Some(_)) => PixelKernel::ProductSamples.note(),
+            (true, None) => PixelKernel::Product.note(),
+            (false, _) => PixelKernel::ProductWritten.note(),
+        }
         isa.run(Multiply { isa, plan, product, machine, block_group: blocks, products, words });
         products.finish_group(blocks);
         if let Some((color, target)) = sampled {
@@ -241,6 +254,7 @@ impl Shader {
     ) {
         let plan = &job.plan;
         if plan.shading == Shading::Off {
+            PixelKernel::DepthOnly.note();
             job.count(batch.masks);
             return;
         }
@@ -248,6 +262,7 @@ impl Shader {
             return;
         }
         if plan.samples.is_shaded_each() && self.sample.is_none() {
+            PixelKernel::SampleShading.note();
             self.shade_samples(pass, job, batch, tile);
         } else if tile.watched.is_some() {
             self.shade_watched(pass, job, batch, tile);
@@ -345,6 +360,7 @@ impl Shader {
         if let TestTiming::Late(written) = plan.timing
             && self.left.any() != 0
         {
+            PixelKernel::LateTests.note();
             self.late_tests(isa, plan, batch, tile, written, shaded);
         }
         let masks = &self.left;

@@ -5,6 +5,7 @@ use super::block::BlockAt;
 use super::edge_functions::{self, Edge};
 use super::line_rectangle::{Dashes, LineRectangle, is_dash};
 use crate::desc::Antialiasing;
+use crate::kernels::PixelKernel;
 use crate::plan::DrawPlan;
 use crate::primitive::{LineFragments, Shape, ShapeKind};
 use crate::sizes::{SUBPIXEL, TILE};
@@ -43,9 +44,25 @@ impl Cover {
         tile: [i32; 2],
         position: [i32; 2],
     ) -> Self {
-        if plan.samples.is_each() {
-            return Self::of_sample(plan, geometry, shape, tile, position);
+        let cover = match plan.samples.is_each() {
+            true => Self::of_sample(plan, geometry, shape, tile, position),
+            false => Self::of_centre(plan, geometry, shape, tile),
+        };
+        match &cover {
+            Self::Triangle(_) => PixelKernel::EdgeTriangle.note(),
+            Self::AliasedLine(..) => PixelKernel::AliasedLine.note(),
+            Self::Box => PixelKernel::Box.note(),
+            Self::SmoothTriangle(_) => PixelKernel::SmoothTriangle.note(),
+            Self::LineRectangle(_) => PixelKernel::SmoothLine.note(),
+            Self::Disc(..) => PixelKernel::Disc.note(),
+            Self::LineSample(_) => PixelKernel::SampledLine.note(),
+            Self::DiscSample(..) => PixelKernel::SampledDisc.note(),
         }
+        cover
+    }
+
+    /// The outline seen from the pixels' centres.
+    fn of_centre(plan: &DrawPlan, geometry: &Geometry, shape: &Shape, tile: [i32; 2]) -> Self {
         let raster = &plan.raster;
         let corners = || shape.corners.map(|c| c.map(|v| f64::from(v) / f64::from(SUBPIXEL)));
         match shape.kind {

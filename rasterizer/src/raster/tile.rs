@@ -21,6 +21,7 @@ use super::shape_lanes::ShapeLanes;
 use super::small_triangles::Windows;
 use super::tile_planes::TilePlanes;
 use super::window_blocks::{DivideWindows, WindowBlock, WindowBlocks};
+use crate::kernels::PixelKernel;
 use crate::plan::{FragmentInput, Packing, SampleMasks};
 use crate::primitive::{ConstantDirection, DepthSetup};
 use fill::ShapeBlock;
@@ -67,6 +68,9 @@ impl TileRenderer {
     pub fn run(&mut self, pass: &PassJob, tile: &mut TileJob) {
         self.shader.budget.begin_tile();
         let cover = TileCover::last(pass, tile);
+        if cover.is_some() {
+            PixelKernel::Covered.note();
+        }
         let commands = std::mem::take(&mut tile.commands);
         for (number, command) in commands.into_iter().enumerate() {
             let visible = match &cover {
@@ -76,6 +80,7 @@ impl TileRenderer {
             let Some(command) = visible else { continue };
             match command {
                 TileCommand::Clear(index) => {
+                    PixelKernel::Clear.note();
                     self.flush(pass, tile);
                     clear(pass, &pass.clears[index as usize], tile);
                     tile.record_clear(&pass.clears[index as usize]);
@@ -221,6 +226,7 @@ impl TileRenderer {
             self.windows.compute(pass.isa, at, &self.shapes);
             if plan.packing == Packing::Pixels {
                 self.group.evaluate_windows(pass.isa, at, &self.windows);
+                PixelKernel::PackedTriangle.note();
                 self.pack_group(pass, tile, chunk, group);
                 return;
             }

@@ -119,6 +119,8 @@ pub(crate) enum LevelOfDetail {
     OfPolygons,
     /// Of lines from the derivative along the line, else as of polygons.
     OfLines,
+    /// Of points, whose coordinates are the same everywhere: 1, not what derivatives of 0 give.
+    OfPoints,
 }
 
 /// A module that is optimized by itself, and not lowered.

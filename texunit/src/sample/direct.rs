@@ -9,6 +9,7 @@ use super::scratch::{AxisTexels, KEPT_AXES, KeptAxes, TexelSpan};
 use super::wrap::Axis;
 use crate::format::convert::byte_channel;
 use crate::format::{Component, Format};
+use crate::kernels::LookupKernel;
 use crate::lanes::{F32s, Kernel, LANES, Simd, U32s, lane_x, lane_y};
 use crate::plan::{DirectNearest, TexelClass, Texture};
 
@@ -54,6 +55,7 @@ impl Kernel for DirectLookup<'_> {
         let has_square = columns.last.max(rows.last) < SQUARE_SIDE
             && columns.first + SQUARE_SIDE <= nearest.size[0];
         if is_bytes && has_square {
+            LookupKernel::DirectSquare.note();
             let square = TexelSquare::new(texels, nearest, &columns, &rows);
             square.write::<S>(registers, out[0], r);
             square.write::<S>(registers, out[1], g);
@@ -65,6 +67,7 @@ impl Kernel for DirectLookup<'_> {
         match nearest.class {
             // Not in a loop, out of which the channels that are not used would be moved.
             TexelClass::Bytes => {
+                LookupKernel::DirectWords.note();
                 write_bytes(registers, out[0], r, &words);
                 write_bytes(registers, out[1], g, &words);
                 write_bytes(registers, out[2], b, &words);
@@ -75,6 +78,7 @@ impl Kernel for DirectLookup<'_> {
             | TexelClass::Floats
             | TexelClass::Depth { .. } => {
                 let (format, words) = (texture.format, &words);
+                LookupKernel::DirectChannels.note();
                 S::outlined(WriteChannels { nearest, format, words, registers, out });
             }
         }

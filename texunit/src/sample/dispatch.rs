@@ -15,6 +15,7 @@ use super::scratch::{AxisTexels, LevelScratch, LookupScratch, QuadScratch, Selec
 use super::texel_fetch::Fetch;
 use super::uniform::{Outcome, UniformCall};
 use super::uniform_levels::{self, UniformLevels};
+use crate::kernels::LookupKernel;
 use crate::lanes::{Baseline, F32s, I32s, Isa, Kernel, LANES, Simd, U32s};
 use crate::plan::{SampleKernel, SamplePlan, TexelClass, Texture};
 use crate::trace::SampleTrace;
@@ -192,6 +193,7 @@ impl SamplePlan {
             Some(_) | None => consumer,
         };
         // The kernels that shaders call, too: inlined here, they would add a megabyte of code.
+        LookupKernel::FusedStored.note();
         let points = Points { coords, layer: None, reference: None };
         self.sample_offset(isa, points, [0; 3], lod, Addresses::Compute, scratch);
         consumer.consume::<S>(&fused::LaneColors(&scratch.lanes))
@@ -201,7 +203,10 @@ impl SamplePlan {
     /// base level would weigh (`textureGather`). Of two axes; an incomplete image has zeros.
     pub fn gather(&self, isa: Isa, points: Points<'_>, offset: [i32; 2], out: &mut [F32s; 4]) {
         match self.texture() {
-            Some(texture) => isa.run(Gather { texture, points, offset, out }),
+            Some(texture) => {
+                LookupKernel::Gather.note();
+                isa.run(Gather { texture, points, offset, out });
+            }
             None => *out = [F32s::ZERO; 4],
         }
     }
@@ -211,7 +216,10 @@ impl SamplePlan {
     /// bias before it is held in the sampler's range. An incomplete image has zeros.
     pub fn query_lod(&self, isa: Isa, coords: [&F32s; 3], lod: Lod<'_>, out: &mut [F32s; 2]) {
         match self.texture() {
-            Some(texture) => isa.run(Query { texture, coords, lod, out }),
+            Some(texture) => {
+                LookupKernel::LodQuery.note();
+                isa.run(Query { texture, coords, lod, out });
+            }
             None => *out = [F32s::ZERO; 2],
         }
     }
@@ -229,7 +237,10 @@ impl SamplePlan {
         out: &mut [F32s; 4],
     ) {
         match self.texture() {
-            Some(texture) => isa.run(Fetch { texture, texel, level, offset, out }),
+            Some(texture) => {
+                LookupKernel::TexelFetch.note();
+                isa.run(Fetch { texture, texel, level, offset, out });
+            }
             None => *out = OPAQUE_BLACK,
         }
     }

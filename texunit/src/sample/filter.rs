@@ -10,6 +10,7 @@ use super::recorder::Recorder;
 use super::wrap::{Indices, LinearTexels};
 use super::{fast, fetch, seamless};
 use crate::format::Block;
+use crate::kernels::LookupKernel;
 use crate::lanes::{F32s, Kernel, LANES, Simd, U32s};
 use crate::plan::{TexelClass, TexelPath};
 use crate::sampler::{Filter, Seamless};
@@ -39,8 +40,14 @@ pub fn sample_level<S: Simd>(
         texels.is_some_and(|texels| S::outlined(FastPath { view, texels, at, out: &mut *out }));
     match view.filter {
         _ if done => {}
-        Filter::Nearest => nearest::<S>(view, at, out, recorder),
-        Filter::Linear => linear::<S>(view, at, out, recorder),
+        Filter::Nearest => {
+            LookupKernel::GeneralTexelNearest.note();
+            nearest::<S>(view, at, out, recorder);
+        }
+        Filter::Linear => {
+            LookupKernel::GeneralTexelLinear.note();
+            linear::<S>(view, at, out, recorder);
+        }
     }
 }
 
@@ -65,6 +72,14 @@ impl Kernel for FastPath<'_> {
     #[inline(always)]
     fn run<S: Simd>(self) -> bool {
         let Self { view, texels, at, out } = self;
+        match texels {
+            FastTexels::Words(TexelClass::Bytes) => LookupKernel::FastBytes.note(),
+            FastTexels::Words(TexelClass::Srgb) => LookupKernel::FastSrgb.note(),
+            FastTexels::Words(TexelClass::Halves) => LookupKernel::FastHalves.note(),
+            FastTexels::Words(TexelClass::Floats) => LookupKernel::FastFloats.note(),
+            FastTexels::Words(TexelClass::Depth { .. }) => LookupKernel::FastDepths.note(),
+            FastTexels::Blocks(_) => LookupKernel::FastBlocks.note(),
+        }
         match (texels, view.filter) {
             (FastTexels::Words(class), Filter::Nearest) => fast::nearest::<S>(view, class, at, out),
             (FastTexels::Words(class), Filter::Linear) => fast::linear::<S>(view, class, at, out),

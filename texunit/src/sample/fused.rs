@@ -7,6 +7,7 @@ use super::row_scan::{self, Across, RoundQuad};
 use super::scratch::{QuadScratch, SelectedLevels};
 use super::uniform_levels::{self, UniformLevels};
 use crate::format::convert::{byte_channel, byte_of, over_255};
+use crate::kernels::LookupKernel;
 use crate::lanes::{F32s, Kernel, LANES, Simd, U32s, math};
 use crate::plan::{Alpha, Texture};
 use crate::sampler::Filter;
@@ -156,6 +157,7 @@ pub(crate) fn sample_fused<S: Simd, T: TexelConsumer>(
                     *word |= 0xFF00_0000;
                 }
             }
+            LookupKernel::FusedNearest.note();
             Ok(consumer.consume::<S>(&SingleTexels(words)))
         }
         // Two levels of one texel each are rare.
@@ -166,6 +168,7 @@ pub(crate) fn sample_fused<S: Simd, T: TexelConsumer>(
             S::outlined(LookupMeans { texture, levels, coords, weight, addresses, quads, consumer })
         }
         (Filter::Linear, Alpha::One) => {
+            LookupKernel::FusedOpaque.note();
             let (levels, consumer) = ((face, levels), OpaqueConsumer(consumer));
             let means = LookupMeans { texture, levels, coords, weight, addresses, quads, consumer };
             S::outlined(means).map_err(|OpaqueConsumer(consumer)| consumer)
@@ -194,18 +197,28 @@ impl<T: TexelConsumer> Kernel for LookupMeans<'_, T> {
             self;
         let is_mixed = levels[0] != levels[1];
         let addresses = if quads.is_inside { addresses } else { Addresses::Compute };
+        if addresses == Addresses::Reuse {
+            LookupKernel::FusedReused.note();
+        }
         quads.is_inside = true;
         let used = &mut quads.levels[..1 + usize::from(is_mixed)];
         for (number, quad) in levels.into_iter().zip(used) {
             let view = uniform_levels::face_view(texture, Filter::Linear, face, number);
             match fast::load_quad::<S>(&view, coords, addresses, quad) {
                 QuadLoad::Inside => {}
-                QuadLoad::AcrossEdge => quads.is_inside = false,
+                QuadLoad::AcrossEdge => {
+                    LookupKernel::FusedAcrossEdge.note();
+                    quads.is_inside = false;
+                }
                 QuadLoad::NotApplicable => {
                     quads.is_inside = false;
                     return Err(consumer);
                 }
             }
+        }
+        match is_mixed {
+            false => LookupKernel::FusedLinear.note(),
+            true => LookupKernel::FusedTwoLevels.note(),
         }
         match is_mixed {
             false => Ok(consumer.consume::<S>(&&quads.levels[0])),
@@ -256,6 +269,10 @@ impl<T: TexelConsumer> Kernel for ScanMeans<'_, T> {
             if !row_scan::load_round::<S>(&view, coords, across, quad) {
                 return Err(consumer);
             }
+        }
+        match is_mixed {
+            false => LookupKernel::FusedScan.note(),
+            true => LookupKernel::FusedScanTwoLevels.note(),
         }
         match (texture.alpha, is_mixed) {
             (Alpha::Stored, false) => Ok(consumer.consume::<S>(&&quads.round[0])),

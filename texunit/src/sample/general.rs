@@ -14,6 +14,7 @@ use super::level_view::LevelView;
 use super::recorder::Recorder;
 use super::row_scan::{self, RowScan};
 use super::{cube, expand, filter};
+use crate::kernels::LookupKernel;
 use crate::lanes::{F32s, Kernel, LANES, Simd, U32s};
 use crate::plan::Texture;
 use crate::trace::SampleStep;
@@ -64,7 +65,10 @@ fn sample_probes<S: Simd, F: FootprintSet>(
     recorder: &mut impl Recorder,
 ) {
     let probe_count = match probes {
-        Some(probes) => probes.max_count,
+        Some(probes) => {
+            LookupKernel::GeneralProbes.note();
+            probes.max_count
+        }
         None => 1,
     };
     let mut probe_coords = None;
@@ -133,6 +137,11 @@ fn sample_taps<S: Simd, F: FootprintSet>(
     out: &mut [F32s; 4],
     recorder: &mut impl Recorder,
 ) {
+    match taps {
+        LevelTaps::Uniform(_) => LookupKernel::GeneralOneLevel.note(),
+        LevelTaps::UniformPair { .. } => LookupKernel::GeneralTwoLevels.note(),
+        LevelTaps::PerLane { .. } => LookupKernel::GeneralPerLane.note(),
+    }
     let channels = context.texture.format.channels();
     let mut second = None;
     let mut per_lane = None;
@@ -244,6 +253,7 @@ fn sample_key<S: Simd, F: FootprintSet>(
 /// The coordinates with an offset in texels of this level.
 #[inline(always)]
 fn shifted(view: &LevelView<'_>, at: [&F32s; 3], offset: [i32; 3]) -> [F32s; 3] {
+    LookupKernel::GeneralOffset.note();
     let size = view.level.size();
     let mut shifted = [F32s::ZERO; 3];
     for axis in 0..view.texture.shape.axes() {

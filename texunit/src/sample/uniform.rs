@@ -13,6 +13,7 @@ use super::recorder::NoRecorder;
 use super::scratch::{LevelScratch, QuadScratch, SelectedLevels};
 use super::uniform_levels::{UniformLevels, face_view, select};
 use super::{expand, fused};
+use crate::kernels::LookupKernel;
 use crate::lanes::{F32s, Kernel, Simd};
 use crate::plan::TexelClass;
 use crate::sampler::Filter;
@@ -85,9 +86,14 @@ pub(super) fn sample_uniform<S: Simd, F>(
         let is_done = match (filter, texture.compare) {
             (Filter::Linear, Some(op)) => {
                 let (view, at, reference, out) = (&view, coords, &reference, &mut out[0]);
+                LookupKernel::UniformCompared.note();
                 S::outlined(LinearCompared { view, class, at, op, reference, out })
             }
             (Filter::Nearest, _) | (Filter::Linear, None) => {
+                match filter {
+                    Filter::Nearest => LookupKernel::UniformNearest.note(),
+                    Filter::Linear => LookupKernel::UniformLinear.note(),
+                }
                 let (view, texels, out) = (&view, FastTexels::Words(class), &mut *out);
                 S::outlined(FastPath { view, texels, at: coords, out })
             }
@@ -96,10 +102,12 @@ pub(super) fn sample_uniform<S: Simd, F>(
             return Outcome::NotUniform;
         }
         if let (Filter::Nearest, Some(op)) = (filter, texture.compare) {
+            LookupKernel::UniformNearestCompared.note();
             compare(op, &reference, &mut out[0]);
         }
     }
     if let Some(second) = &second {
+        LookupKernel::UniformTwoLevels.note();
         let channels = texture.format.channels();
         for (out, second) in sample.out.iter_mut().zip(second).take(channels) {
             let first = *out;

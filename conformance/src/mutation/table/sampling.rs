@@ -7,6 +7,17 @@ use crate::mutation::Mutation;
 pub(super) const ROWS: &[MutationRow] = {
     use Mutation::*;
     &[
+        row(AnisotropyIgnored, "picture-anisotropic-formats", "footprints are round"),
+        row(HalfTexelOff, "picture-anisotropic-arrays", "texels lie half a texel off"),
+        row(LambdaOffByOne, "lod-query", "λ is one too large"),
+        row(MaxLodIgnored, "lod-query", "the clamp is left out"),
+        row(LodOfSegmentAsPolygon, "lod-lines", "ρ is that of polygons, the larger of two lengths"),
+        row(LambdaOffByOne, "lod-lines", "λ is one too large"),
+        row(LodOfPointIsNone, "lod-points", "ρ is 0, as derivatives are"),
+        row(BiasOfUnitIgnored, "lod-points", "no bias"),
+        row(ModulateReplaces, "picture-modulated", "colours are left out"),
+        row(SecondUnitIsFirst, "picture-two-textures", "both lookups read the first texture"),
+        row(WeightsReversed, "picture-two-textures", "the nearer texel weighs less"),
         row(RepeatTruncates, "wrap-nearest", "GL_REPEAT drops the integer part towards zero"),
         row(MirrorAsRepeat, "wrap-nearest", "GL_MIRRORED_REPEAT does not turn odd periods round"),
         row(BorderAsEdge, "wrap-nearest", "the edge texel stands in for the border"),

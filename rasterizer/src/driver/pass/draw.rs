@@ -8,7 +8,10 @@ use crate::driver::chunk::{DrawState, GeometryProgram, MergedDraws};
 use crate::driver::report::SubmitReport;
 use crate::driver::resources::{DeviceDesc, Resources};
 use crate::driver::visibility::Visibility;
-use crate::plan::{Counting, DrawPlan, LeaveOut, Pipeline, PlanInput, draws_lines, sprite_slots};
+use crate::plan::{
+    Counting, DrawPlan, LeaveOut, Pipeline, PlanInput, draws_lines, draws_plain_points,
+    sprite_slots,
+};
 use crate::primitive::Setup;
 use crate::raster::{DrawBudget, DrawJob};
 use crate::shader::OverBudget;
@@ -40,6 +43,9 @@ impl Pass<'_> {
         };
         let pipeline = match draws_lines(pipeline.desc(), &self.bound.raster) {
             true => pipeline.of_lines(),
+            false if draws_plain_points(pipeline.desc(), &self.bound.raster) => {
+                pipeline.of_points()
+            }
             false => pipeline,
         };
         let area = self.area(self.bound.scissor);

@@ -11,6 +11,7 @@ use super::super::shape_cover::Cover;
 use super::super::small_triangles::Window;
 use super::TileRenderer;
 use crate::desc::Facing;
+use crate::kernels::PixelKernel;
 use crate::plan::{DrawPlan, Packing, SampleMasks, Shading, TestTiming};
 use crate::primitive::{Shape, ShapeKind};
 use crate::sizes::TILE;
@@ -37,6 +38,7 @@ impl TileRenderer {
         lane: usize,
         window: Window,
     ) {
+        PixelKernel::WindowTriangle.note();
         let [covered, ..] = window.covered;
         let mut left = quads_of(covered);
         let mut planes_of = None;
@@ -96,6 +98,7 @@ impl TileRenderer {
             return;
         }
         let touched = if is_sampled {
+            PixelKernel::SampledTriangle.note();
             let positions = plan.samples.positions();
             self.sampled_triangle.compute(pass.isa, &shape.corners, first, range, positions);
             self.sampled_triangle.touched()
@@ -128,6 +131,7 @@ impl TileRenderer {
                 }
                 let mut inside = edge_functions::inside_area(&area, at);
                 if let Some(stipple) = stipple {
+                    PixelKernel::Stipple.note();
                     inside &=
                         stipple.block([first[0] / 8 + bx, first[1] / 8 + by].map(|at| at as u32));
                     if inside == 0 {

@@ -11,6 +11,7 @@ use super::super::tile_planes::{ComputePlanes, PlaneStorage};
 use super::TileRenderer;
 use super::fill::{ShapeBlock, is_shaded_as_block};
 use crate::desc::Facing;
+use crate::kernels::PixelKernel;
 use crate::output::{DepthPlan, Tests};
 use crate::plan::{DrawPlan, Packing, SampleMasks, Shading, TestTiming};
 use crate::primitive::Shape;
@@ -26,6 +27,7 @@ impl TileRenderer {
         shape: &Shape,
         (lane, range): (usize, [[i32; 2]; 2]),
     ) {
+        PixelKernel::LargeTriangle.note();
         let (plan, first) = (&job.plan, [tile.x, tile.y]);
         let rows = range[0][1] as usize..range[1][1] as usize + 1;
         let Self { group, tile_planes: out, .. } = self;
@@ -142,6 +144,7 @@ impl TileRenderer {
         };
         let [stored, ..] = target.sample(0) else { return 0 };
         if blocks != 0 {
+            PixelKernel::LargeDepthTest.note();
             let (plane, covered) =
                 (self.tile_planes.plane(plane), &mut self.large_triangle.covered);
             let by = (plane_storage(plan), plan.viewport.depths());
@@ -174,6 +177,7 @@ impl TileRenderer {
         shape: &Shape,
         (lane, range): (usize, [[i32; 2]; 2]),
     ) {
+        PixelKernel::LargeSampledTriangle.note();
         let (plan, first) = (&job.plan, [tile.x, tile.y]);
         let positions = plan.samples.positions();
         self.sampled_triangle.compute(pass.isa, &shape.corners, first, range, positions);
@@ -229,6 +233,7 @@ impl TileRenderer {
         else {
             return 0;
         };
+        PixelKernel::LargeSampleDepthTest.note();
         let plane = self.tile_planes.plane(plane);
         for sample in 0..plan.samples.count {
             let (of_sample, covered) = self.sampled_triangle.sample_mut(sample);

@@ -4,6 +4,7 @@ use super::super::inst::{Inst, Target, Test};
 use super::super::native::{NO_LANES, NativeCode};
 use super::super::{Invocation, OverBudget, Prepared};
 use super::Machine;
+use crate::kernels::PixelKernel;
 use texunit::lanes::{Kernel, Simd, U32s};
 
 impl Machine {
@@ -84,10 +85,12 @@ impl Kernel for Interpreter<'_> {
                     if let Some(native) = native {
                         let mask = if m.exec.is_empty() { &NO_LANES } else { &*m.exec.lanes };
                         if let Some(next) = native.run(pc, registers, &m.splats, mask) {
+                            PixelKernel::MachineCode.note();
                             pc = next;
                             continue;
                         }
                     }
+                    PixelKernel::Interpreter.note();
                     let Some(Inst::Compute { what, out, args }) = code.get(pc) else { break };
                     what.run::<S>(registers, &m.splats, *out, args);
                     pc += 1;

@@ -7,7 +7,7 @@
 //! lookup.
 //!
 //! Of lines, the scale factor is made of the derivative along the line (GL 2.1, section 3.8.8), which
-//! takes the place of that along x; that along y is 0.
+//! takes the place of that along x; that along y is 0. Of points it is 1.
 
 use crate::ir::{
     Access, Axis, Block, Expr, Input, Interpolation, Lod, Module, Op, Stage, Stmt, Ty, Value,
@@ -94,11 +94,22 @@ impl Pass<'_> {
         for (gradient, coord) in gradients.iter_mut().zip(&coords[..axes]) {
             match self.gradient(*coord, DEPTH, &mut emitted) {
                 Some(found) => *gradient = found,
-                None if self.lod == LevelOfDetail::OfPolygons => return,
+                // Of points, what a program computes, as from the place of the fragment, may differ within one.
+                None if self.lod != LevelOfDetail::OfLines => return,
                 None => *gradient = Gradient::Values(self.differences(*coord, &mut emitted)),
             }
         }
         let zero = self.push(Expr::Const { bits: 0, ty: Ty::F32 });
+        if self.lod == LevelOfDetail::OfPoints {
+            // log2 of 1.
+            let lod = Lod::Explicit(bias.unwrap_or(zero));
+            if let Expr::Sample(sample) = &mut self.module.values[value.0 as usize] {
+                sample.lod = lod;
+                self.changed = true;
+                out.push(Stmt::Eval(zero));
+            }
+            return;
+        }
         if self.lod == LevelOfDetail::OfLines {
             self.derivatives_along_line(&mut gradients, zero, &mut emitted);
         }

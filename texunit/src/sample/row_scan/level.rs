@@ -5,6 +5,7 @@
 
 use super::footprint::RowScan;
 use super::rows::Rows;
+use crate::kernels::LookupKernel;
 use crate::lanes::math::{floor_small, min};
 use crate::lanes::{F32s, I32s, LANES, SecondTexel, Simd, Sums, U32s, WEIGHT_ONE};
 use crate::plan::{TexelClass, TexelPath};
@@ -28,17 +29,25 @@ pub fn level<S: Simd>(
 ) {
     let mut rows = Rows::new::<S>(view, at, scan, mask);
     match view.texture.texel_path {
-        TexelPath::Words(TexelClass::Bytes) => bytes::<S>(view, &mut rows, out),
+        TexelPath::Words(TexelClass::Bytes) => {
+            LookupKernel::RowsOfBytes.note();
+            bytes::<S>(view, &mut rows, out);
+        }
         TexelPath::Words(
             class @ (TexelClass::Srgb
             | TexelClass::Halves
             | TexelClass::Floats
             | TexelClass::Depth { .. }),
         ) => {
+            LookupKernel::RowsOfWords.note();
             words::<S>(view, class, &mut rows, out);
         }
-        TexelPath::Blocks(_) => blocks::<S>(view, &mut rows, out),
+        TexelPath::Blocks(_) => {
+            LookupKernel::RowsOfBlocks.note();
+            blocks::<S>(view, &mut rows, out);
+        }
         TexelPath::General | TexelPath::ComparedWords(_) | TexelPath::ScatteredWords(_) => {
+            LookupKernel::RowsOfAny.note();
             general::<S>(view, &mut rows, mask, out, recorder)
         }
     }

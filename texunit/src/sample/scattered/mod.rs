@@ -29,6 +29,7 @@ use super::uniform::{self, Outcome};
 use super::uniform_levels::UniformLevels;
 use super::{expand, level_taps};
 use crate::image::{FACES, Shape};
+use crate::kernels::LookupKernel;
 use crate::lanes::{F32s, Kernel, LANES, Simd, Sources, U32s};
 use crate::plan::{Anisotropy, LevelSelection, TexelClass, Texture};
 use crate::sampler::Filter;
@@ -58,6 +59,7 @@ impl<F> Kernel for ScatteredCall<'_, '_, F> {
             let levels = UniformLevels { filter, face, levels, scan: None };
             let one_face = OneFace { sample, class, levels, at: [s, t], weight: &weight, quads };
             if S::outlined(one_face) == Outcome::Sampled {
+                LookupKernel::ScatteredOneFace.note();
                 return;
             }
         }
@@ -87,11 +89,18 @@ impl<F> Kernel for ScatteredCall<'_, '_, F> {
             };
             // Outlined, so that the code size of one does not add to the other.
             match filter {
-                Filter::Nearest => S::outlined(nearest::Nearest { lanes: &lanes, out }),
-                Filter::Linear => S::outlined(linear::Linear { lanes: &lanes, out }),
+                Filter::Nearest => {
+                    LookupKernel::ScatteredNearest.note();
+                    S::outlined(nearest::Nearest { lanes: &lanes, out });
+                }
+                Filter::Linear => {
+                    LookupKernel::ScatteredLinear.note();
+                    S::outlined(linear::Linear { lanes: &lanes, out });
+                }
             }
         }
         if let Some(second) = &second {
+            LookupKernel::ScatteredTwoLevels.note();
             let channels = texture.format.channels();
             for (out, second) in sample.out.iter_mut().zip(second).take(channels) {
                 let first = *out;
