@@ -17,8 +17,8 @@ pub const QUERY: Check = Check {
     citation: "ARB_texture_query_lod: x is the level that would be accessed, y is λ' relative to the base level",
     what: "both at every pixel of turned squares, under clamps and biases, of trilinear textures",
     unit: Unit::Levels,
-    tolerance: 2.0 / (1 << 20) as f64,
-    why: "f32: λ below 16 is rounded by 2^-21 by the logarithm and by the bias; ρ by a few 2^-24 of itself",
+    tolerance: 1.0 / (1 << 21) as f64,
+    why: "f32: λ below 8 is rounded by 2^-22 by the logarithm and by the bias",
     run: query,
 };
 

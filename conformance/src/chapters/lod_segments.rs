@@ -16,8 +16,8 @@ pub const LINES: Check = Check {
     citation: "GL 2.1, 3.8.8, equation 3.21: ρ of lines",
     what: "λ at every pixel of lines of widths 1, 3 and 6 in all directions, with perspective and without",
     unit: Unit::Levels,
-    tolerance: 5.0 / (1 << 20) as f64,
-    why: "f32: window coordinates that are off by 2^-18 of at least 8 pixels move a quotient of w up to 4 by 2^-19, and ρ as much; λ up to 8 is rounded by 2^-22, and so are logarithm and mix",
+    tolerance: 2.0 / (1 << 20) as f64,
+    why: "f32: window coordinates of up to 59 are off by 2^-19, of at least 8 pixels: 2^-22 of t, which a quotient of w of 4 makes 2^-20 of ρ; λ up to 8 is rounded by 2^-22, and so are logarithm and mix: twice the root of the sum of squares",
     run: lines,
 };
 

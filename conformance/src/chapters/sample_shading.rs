@@ -13,10 +13,10 @@ use gl_api::constants::*;
 pub const SHADING: Check = Check {
     name: "sample-shading",
     citation: "ARB_sample_shading: with a fraction of 1 each sample has data of its own, interpolated at its place",
-    what: "the mean of the samples' squares of x and y at every pixel, of a program that runs for each",
+    what: "the mean of the samples' x², y² and x y at every pixel, of a program that runs for each",
     unit: Unit::FullScale,
-    tolerance: 1.0 / (1 << 21) as f64,
-    why: "f32: coordinates below 1 are rounded by 2^-24 on the way, which their squares double, and their mean by 2^-24",
+    tolerance: 3.5 / (1 << 24) as f64,
+    why: "f32: coordinates below 1, and two sums on the way, are rounded by 2^-25, which their squares double: 3 · 2^-24, and square and mean by 2^-25 each: twice the root of the sum of squares",
     run: shading,
 };
 
@@ -26,8 +26,8 @@ pub const DEPTH_ONLY: Check = Check {
     citation: "GL 2.1, 4.1.6 and 4.2.1: depths are written where no colour buffer is, or is drawn to",
     what: "the nearest depth of many slanted rectangles at every pixel, in framebuffers of depth only and with glDrawBuffer(GL_NONE)",
     unit: Unit::FullScale,
-    tolerance: 3.0 / (1 << 24) as f64,
-    why: "f32: the value at a block's first pixel, two products and their sums below 1, and the depth itself, by 2^-25 each",
+    tolerance: 2.75 / (1 << 24) as f64,
+    why: "f32: the value at a block's first pixel, two products and two sums below 1, two slopes, and the depth itself, by 2^-25 each: twice the root of the sum of their squares",
     run: depth_only,
 };
 
@@ -43,8 +43,9 @@ fn shading(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
             let mut mean = [0.0; 4];
             for sample in 0..SAMPLES {
                 let at = sample_position(pixel, sample, variant);
-                for i in 0..2 {
-                    mean[i] += (scale * at[i] / PICTURE[i] as f64).powi(2) / SAMPLES as f64;
+                let [x, y] = [0, 1].map(|i| scale * at[i] / PICTURE[i] as f64);
+                for (mean, value) in mean.iter_mut().zip([x * x, y * y, x * y]) {
+                    *mean += value / SAMPLES as f64;
                 }
             }
             Some(mean)
@@ -54,7 +55,7 @@ fn shading(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
             glEnable(GL_SAMPLE_SHADING);
             glMinSampleShading(1.0);
             session.fragment_only(
-                "void main() { gl_FragColor = gl_TexCoord[0].xyzz * gl_TexCoord[0].xyzz; }",
+                "void main() { gl_FragColor = gl_TexCoord[0].xyxz * gl_TexCoord[0].xyyz; }",
             )?;
             window(PICTURE);
             let [w, h] = PICTURE.map(|n| n as f64);

@@ -8,7 +8,6 @@ use gl_api::constants::*;
 use gl_api::*;
 use rasterizer::driver::Device;
 use std::sync::Arc;
-use std::time::Instant;
 
 /// What draws a scene in a mode.
 pub enum Drawer {
@@ -19,7 +18,7 @@ pub enum Drawer {
 }
 
 impl Drawer {
-    /// For a picture of `side` × `side` pixels.
+    /// For a picture of `side` × `side` pixels; the integral is the reference, which took so many seconds.
     ///
     /// # Errors
     /// When there is no context, or a call sets the error flag.
@@ -28,6 +27,7 @@ impl Drawer {
         scene: &Scene,
         mode: Mode,
         side: usize,
+        (reference, seconds): (&[[f64; 4]], f64),
     ) -> Result<Self, ProbeError> {
         match mode {
             Mode::Filter(_, filter, anisotropy) => {
@@ -36,10 +36,10 @@ impl Drawer {
             Mode::Supersampled(n) => {
                 Ok(Self::Gl(Box::new(stage(device, scene, (GL_LINEAR, 1), side * n)?), n))
             }
+            // Rounded to bytes as a framebuffer would.
             Mode::ExactArea => {
-                let start = Instant::now();
-                let pixels = exact(scene, side);
-                Ok(Self::Exact(pixels, start.elapsed().as_secs_f64()))
+                let rounded = reference.iter().map(|p| p.map(|c| (c * 255.0).round() / 255.0));
+                Ok(Self::Exact(rounded.collect(), seconds))
             }
         }
     }
@@ -70,13 +70,6 @@ impl Drawer {
             Self::Exact(_, seconds) => Some(Times { fastest: *seconds, quartiles: [*seconds; 3] }),
         }
     }
-}
-
-/// The integral, rounded to bytes as a framebuffer would.
-fn exact(scene: &Scene, side: usize) -> Vec<[f64; 4]> {
-    (0..side * side)
-        .map(|p| scene.reference([p % side, p / side], side).map(|c| (c * 255.0).round() / 255.0))
-        .collect()
 }
 
 /// A stage that draws a scene with this filter and anisotropy.

@@ -23,6 +23,7 @@ use draw::Drawer;
 use front::Weighed;
 use serde::Serialize;
 use stage::{Stage, Times};
+use std::time::Instant;
 
 /// One mode on one scene.
 #[derive(Clone, Debug, Serialize)]
@@ -91,12 +92,14 @@ pub fn measure<'a>(
     let device = stage::one_thread()?;
     for scene in scenes {
         progress(scene);
+        let start = Instant::now();
         let reference: Vec<[f64; 4]> = (0..side * side)
             .map(|p| {
                 let pixel = [p % side, p / side];
                 if scene.counts(pixel, side) { scene.reference(pixel, side) } else { [0.0; 4] }
             })
             .collect();
+        let integral = (&reference[..], start.elapsed().as_secs_f64());
         measured.pictures.push(Picture {
             name: format!("{}-reference", scene.name),
             pixels: reference.clone(),
@@ -104,7 +107,7 @@ pub fn measure<'a>(
         });
         let mut drawers = Vec::with_capacity(Mode::ALL.len());
         for mode in Mode::ALL {
-            drawers.push(Drawer::new(&device, scene, mode, side)?);
+            drawers.push(Drawer::new(&device, scene, mode, side, integral)?);
         }
         let mut stages: Vec<&mut Stage> = drawers.iter_mut().filter_map(Drawer::stage).collect();
         let mut times = stage::interleaved(&mut stages)?.into_iter();

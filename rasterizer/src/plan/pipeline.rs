@@ -100,7 +100,7 @@ impl Pipeline {
             }
             hoisting = VaryingHoisting::Off;
         }
-        let compiled = Compiled::new(desc, hoisting, LevelOfDetail::OfPolygons);
+        let compiled = Compiled::new(desc, hoisting, LevelOfDetail::Polygons);
         Ok(Self(Arc::new(compiled)))
     }
 
@@ -112,7 +112,7 @@ impl Pipeline {
         }
         let of_sprites = self.0.of_sprites.get_or_init(|| {
             let desc = self.0.desc.clone();
-            Self(Arc::new(Compiled::new(desc, VaryingHoisting::Off, LevelOfDetail::OfPolygons)))
+            Self(Arc::new(Compiled::new(desc, VaryingHoisting::Off, LevelOfDetail::Polygons)))
         });
         of_sprites.clone()
     }
@@ -124,7 +124,7 @@ impl Pipeline {
         }
         let of_lines = self.0.of_lines.get_or_init(|| {
             let (desc, hoisting) = (self.0.desc.clone(), self.0.hoisting);
-            Self(Arc::new(Compiled::new(desc, hoisting, LevelOfDetail::OfLines)))
+            Self(Arc::new(Compiled::new(desc, hoisting, LevelOfDetail::Lines)))
         });
         of_lines.clone()
     }
@@ -136,7 +136,7 @@ impl Pipeline {
         }
         let of_points = self.0.of_points.get_or_init(|| {
             let (desc, hoisting) = (self.0.desc.clone(), self.0.hoisting);
-            Self(Arc::new(Compiled::new(desc, hoisting, LevelOfDetail::OfPoints)))
+            Self(Arc::new(Compiled::new(desc, hoisting, LevelOfDetail::Points)))
         });
         of_points.clone()
     }

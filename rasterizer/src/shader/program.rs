@@ -116,11 +116,11 @@ impl Prepared {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum LevelOfDetail {
     /// From the derivatives along x and y.
-    OfPolygons,
+    Polygons,
     /// Of lines from the derivative along the line, else as of polygons.
-    OfLines,
+    Lines,
     /// Of points, whose coordinates are the same everywhere: 1, not what derivatives of 0 give.
-    OfPoints,
+    Points,
 }
 
 /// A module that is optimized by itself, and not lowered.
@@ -220,7 +220,7 @@ impl Program {
     /// Optimizes and lowers `module`, keeping only the outputs for which `keep` holds.
     /// The module has been validated.
     pub fn new(module: &Module, keep: impl Fn(Output) -> bool) -> Self {
-        OptimizedModule::new(module, keep).finish(LevelOfDetail::OfPolygons)
+        OptimizedModule::new(module, keep).finish(LevelOfDetail::Polygons)
     }
 
     /// The values of the module that this program was lowered from of which a draw knows facts.

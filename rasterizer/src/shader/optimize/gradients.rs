@@ -95,12 +95,12 @@ impl Pass<'_> {
             match self.gradient(*coord, DEPTH, &mut emitted) {
                 Some(found) => *gradient = found,
                 // Of points, what a program computes, as from the place of the fragment, may differ within one.
-                None if self.lod != LevelOfDetail::OfLines => return,
+                None if self.lod != LevelOfDetail::Lines => return,
                 None => *gradient = Gradient::Values(self.differences(*coord, &mut emitted)),
             }
         }
         let zero = self.push(Expr::Const { bits: 0, ty: Ty::F32 });
-        if self.lod == LevelOfDetail::OfPoints {
+        if self.lod == LevelOfDetail::Points {
             // log2 of 1.
             let lod = Lod::Explicit(bias.unwrap_or(zero));
             if let Expr::Sample(sample) = &mut self.module.values[value.0 as usize] {
@@ -110,7 +110,7 @@ impl Pass<'_> {
             }
             return;
         }
-        if self.lod == LevelOfDetail::OfLines {
+        if self.lod == LevelOfDetail::Lines {
             self.derivatives_along_line(&mut gradients, zero, &mut emitted);
         }
         let along = |axis: usize| {
