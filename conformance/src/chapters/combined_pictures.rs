@@ -65,7 +65,7 @@ fn modulated(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
         let map = Map::random(&mut rng, size, lambda);
         // The left and the right part of the picture, which meet at a whole column.
         let column = rng.integer(9, PICTURE[0] as i64 - 9) as usize;
-        let is_flat = [rng.byte() % 2 == 0, rng.byte() % 2 == 0];
+        let is_flat = [0; 2].map(|_: i32| rng.byte() < 128);
         let mut color = || [0; 4].map(|_: i32| rng.dyadic(0.0, 1.0, 1.0 / 256.0));
         let colors = [[color(), color()], [color(), color()]];
         // From the lower to the upper edge.
