@@ -28,7 +28,6 @@ pub(super) const ROWS: &[MutationRow] = {
         row(LineEndsRound, "line-smooth", "lines reach beyond their ends"),
         row(Affine, "line-interpolation", "places on the screen are places in space"),
         row(SamplesAtCentre, "sample-shading", "all samples are shaded at the centre"),
-        row(SamplesUpsideDown, "sample-shading", "positions are upside down"),
         row(DepthWithoutTest, "depth-only", "the last depth stays"),
         row(EyePlaneNotMoved, "eye-plane-inverse", "planes are left as they are"),
         row(TiesMovedUp, "line-ties", "ends are moved up and to the right"),
