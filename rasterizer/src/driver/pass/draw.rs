@@ -8,7 +8,9 @@ use crate::driver::chunk::{DrawState, GeometryProgram, MergedDraws};
 use crate::driver::report::SubmitReport;
 use crate::driver::resources::{DeviceDesc, Resources};
 use crate::driver::visibility::Visibility;
-use crate::plan::{Counting, DrawPlan, LeaveOut, Pipeline, PlanInput, draws_lines, sprite_slots};
+use crate::plan::{
+    Counting, DrawPlan, LeaveOut, Pipeline, PlanInput, draws_lines, possible_samples, sprite_slots,
+};
 use crate::primitive::Setup;
 use crate::raster::{DrawBudget, DrawJob};
 use crate::shader::OverBudget;
@@ -289,7 +291,8 @@ impl Pass<'_> {
         let pipeline = specialized.as_ref().unwrap_or(pipeline);
         let compiled = pipeline.compiled();
         let surface = self.colors.iter().flatten().chain(&self.depth).next();
-        let samples = surface.map_or(1, |surface| surface.samples);
+        let samples =
+            surface.map_or_else(|| possible_samples(self.desc.samples), |surface| surface.samples);
         let input = PlanInput {
             isa,
             colors: &self.formats,
