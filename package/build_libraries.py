@@ -88,6 +88,9 @@ class Build:
         command += ["--release", "-p", "capi", "--locked", "--target", triple, "--target-dir", str(target_dir)]
         # Zig is found as a module of this Python.
         environment = {**os.environ, "CARGO_ZIGBUILD_PYTHON_PATH": sys.executable}
+        if not native:
+            # A linker that is set for the target would be taken in place of Zig's.
+            environment.pop(f"CARGO_TARGET_{target.upper().replace('-', '_')}_LINKER", None)
         subprocess.run(command, cwd=ROOT, check=True, env=environment)
         folder = target_dir / target / "release"
         if not native:
