@@ -72,6 +72,7 @@ class Build:
 
     def __init__(self, target=None, prebuilt=None, native=False):
         self.host = host()
+        self.native = native or prebuilt is not None
         self.target = target or self.host
         self.folder = Path(prebuilt) if prebuilt else self._compile(self.target, native)
 
@@ -101,8 +102,8 @@ class Build:
         """The libraries as `detgl install --no-links` lays them out, and the command."""
         command = [self.folder / "detgl", "install"]
         if self.target != self.host:
-            # This machine's command lays out the other's library.
-            own = self._compile(self.host, native=True) / "detgl"
+            # This machine's command lays out the other's library; its own package has the same build.
+            own = self._compile(self.host, self.native) / "detgl"
             command = [own, "install", "--library", self.folder / "libdetgl.so"]
         subprocess.run([*command, "--no-links", libraries], check=True, stdout=subprocess.DEVNULL)
         shutil.copy(self.folder / "detgl", programs / "detgl")
