@@ -115,7 +115,7 @@ impl Emit {
             }
         }
         if constant {
-            return self.constant(op.eval(words), op.result());
+            return self.constant(op.fold(words), op.result());
         }
         let is_zero = |value: &Value| self.known(*value).is_some_and(|word| word << 1 == 0);
         if op == Op::Mul && operands.iter().any(is_zero) {

@@ -7,8 +7,8 @@
 pub(crate) struct StateChanges {
     /// How many calls there were.
     pub calls: u64,
-    /// The number of the last call that may have changed state by which shaders, pipelines and textures are chosen,
-    /// other than plain state.
+    /// The number of the last call that may have changed state by which shaders, pipelines, textures and the framebuffer
+    /// are chosen, other than plain state and what the next two have.
     pub last_state_change: u64,
     /// [`Self::last_state_change`] before the last call.
     previous_state_change: u64,
@@ -16,15 +16,25 @@ pub(crate) struct StateChanges {
     pub last_plain_change: u64,
     /// [`Self::last_plain_change`] before the last call.
     previous_plain_change: u64,
+    /// The number of the last call that may have changed which program is in use, and no other state.
+    pub last_program_change: u64,
+    /// The number of the last call that may have changed which textures and samplers are bound, and no other state.
+    pub last_binding_change: u64,
     /// The number of the last call that may have changed what does not affect those choices: values of uniform words,
-    /// and where vertices are read from.
+    /// the contents of buffers, and where vertices are read from.
     pub last_value_change: u64,
 }
 
 impl StateChanges {
     /// The number of the last call that may have changed anything that draws depend on.
     pub fn last_change(&self) -> u64 {
-        self.last_state_change.max(self.last_plain_change).max(self.last_value_change)
+        self.last_decision_change().max(self.last_plain_change).max(self.last_value_change)
+    }
+
+    /// The number of the last call that may have changed by what shaders, pipelines and textures are chosen, other than
+    /// plain state.
+    pub fn last_decision_change(&self) -> u64 {
+        self.last_state_change.max(self.last_program_change).max(self.last_binding_change)
     }
 
     /// Counts a call, as one that may change any state.
@@ -47,7 +57,20 @@ impl StateChanges {
         self.last_plain_change = self.previous_plain_change;
     }
 
-    /// The last call has changed nothing but values: uniform words, and where vertices are read from.
+    /// The last call has changed nothing but which program is in use.
+    pub fn program_only(&mut self) {
+        self.no_change();
+        self.last_program_change = self.calls;
+    }
+
+    /// The last call has changed nothing but which textures and samplers are bound.
+    pub fn bindings_only(&mut self) {
+        self.no_change();
+        self.last_binding_change = self.calls;
+    }
+
+    /// The last call has changed nothing but values: uniform words, the contents of buffers, and where vertices are read
+    /// from.
     pub fn values_only(&mut self) {
         self.no_change();
         self.last_value_change = self.calls;

@@ -37,7 +37,7 @@ pub(crate) fn try_append(context: &mut Context, topology: Topology, elements: &E
     context.state_changes.no_change();
     let Some(last) = &context.recorder.emitted.last_draw else { return false };
     let changes = &context.state_changes;
-    let changed = changes.last_state_change.max(changes.last_value_change);
+    let changed = changes.last_decision_change().max(changes.last_value_change);
     // Plain state may be what it was again.
     let plain = context.recorder.emitted.decisions.as_ref().map(|decided| &decided.plain);
     let is_plain_alike = changes.last_plain_change <= last.call

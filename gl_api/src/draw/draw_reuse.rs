@@ -6,7 +6,9 @@ use crate::context::recorder::batching::makes_whole_primitives;
 use crate::context::recorder::elements::Elements;
 use crate::context::recorder::emitted_state::{DrawDecisions, arrays};
 use crate::context::recorder::fixed_function::StageKeys;
+use crate::context::recorder::stages::Textures;
 use crate::draw::no_effect;
+use crate::objects::target::TextureTarget;
 use crate::state::plain::PlainState;
 use rasterizer::driver::{Topology, VertexBinding};
 
@@ -20,6 +22,7 @@ impl DrawDecisions {
     ) -> Self {
         Self {
             call: context.state_changes.calls,
+            textures_call: context.state_changes.calls,
             plain: PlainState::of(&context.state),
             topology,
             arrays: arrays(vertices).collect(),
@@ -30,7 +33,7 @@ impl DrawDecisions {
     /// Whether nothing but values has changed since.
     fn hold(&self, context: &Context) -> bool {
         let changes = &context.state_changes;
-        changes.last_state_change <= self.call
+        changes.last_state_change.max(changes.last_program_change) <= self.call
             && (changes.last_plain_change <= self.call || self.plain.decides_alike(&context.state))
     }
 }
@@ -43,14 +46,21 @@ pub(crate) fn attributes(context: &Context) -> Option<u64> {
     may_be_alike.then(|| emitted.attributes_read())
 }
 
-/// The uniform words of a draw that uses the decisions of the one before; `None` where it has to be decided anew.
-pub(crate) fn words(
+/// What a draw that uses the decisions of the one before emits instead.
+pub(crate) struct ChangedValues {
+    pub words: Vec<u32>,
+    /// Of the vertex, the geometry and the fragment stage, where others may be bound.
+    pub textures: Option<[Textures; 3]>,
+}
+
+/// What a draw that uses the decisions of the one before emits; `None` where it has to be decided anew.
+pub(crate) fn values(
     context: &mut Context,
     topology: Topology,
     vertices: &[VertexBinding],
     elements: &Elements,
-) -> Option<Vec<u32>> {
-    let decided = context.recorder.emitted.decisions.take()?;
+) -> Option<ChangedValues> {
+    let mut decided = context.recorder.emitted.decisions.take()?;
     let is_alike = topology == decided.topology
         // Else there is a warning to give.
         && makes_whole_primitives(topology, elements.counts().0)
@@ -59,9 +69,35 @@ pub(crate) fn words(
         && !context.queries.discards()
         && !context.recorder.is_full()
         && decided.hold(context);
-    let words = if is_alike { crate::draw::stages::words(context, &decided.keys) } else { None };
-    context.recorder.emitted.decisions = Some(decided);
-    words
+    let values = if is_alike { changed_values(context, &mut decided) } else { None };
+    // Where a texture was drawn to, that pass has ended, and its state with it.
+    let values = values.filter(|_| context.recorder.emitted.pipeline.is_some());
+    if values.is_some() {
+        context.recorder.emitted.decisions = Some(decided);
+    }
+    values
+}
+
+fn changed_values(context: &mut Context, decided: &mut DrawDecisions) -> Option<ChangedValues> {
+    let words = crate::draw::stages::words(context, &decided.keys)?;
+    let are_bound_anew = context.state_changes.last_binding_change > decided.textures_call;
+    let textures = if are_bound_anew || reads_buffer_texture(context) {
+        // The fixed function's shaders depend on what is bound.
+        if decided.keys.fragment.is_some() {
+            return None;
+        }
+        decided.textures_call = context.state_changes.calls;
+        Some(crate::draw::stages::textures(context, &words)?)
+    } else {
+        None
+    };
+    Some(ChangedValues { words, textures })
+}
+
+/// Whether the program in use reads texels of a buffer, which change without a call of textures.
+fn reads_buffer_texture(context: &Context) -> bool {
+    let slots = context.executable().map_or(&[][..], |linked| &linked.program.samplers);
+    slots.iter().any(|slot| TextureTarget::of_sampler(slot.dim) == TextureTarget::Buffer)
 }
 
 /// Whether a draw may take over what was decided for the one before: no other context changes objects, and no list,

@@ -38,6 +38,7 @@ pub(crate) fn emit(
     let PreparedDraw { pass, desc, raster, viewport, reads } = draw;
     let watched = is_watched(context, &pass);
     begin_pass(context, pass);
+    context.recorder.emitted.pass_call = Some(context.state_changes.calls);
     if let Some(note) = reads.note.filter(|_| watched) {
         watch_draw(context, note.drawing(desc.topology));
     }
@@ -47,18 +48,7 @@ pub(crate) fn emit(
     emit_words(&mut context.recorder, reads.words);
     let recorder = &mut context.recorder;
     let textures = [reads.vertex_textures, reads.geometry_textures, reads.fragment_textures];
-    let same = |emitted: &[Textures; 3]| {
-        emitted.iter().zip(&textures).all(|(emitted, textures)| same_textures(emitted, textures))
-    };
-    if !recorder.emitted.textures.as_ref().is_some_and(same) {
-        let [vertex, geometry, fragment] = textures.clone();
-        let before = recorder.emitted.textures.as_ref();
-        if !before.map_or(geometry.is_empty(), |[_, before, _]| same_textures(before, &geometry)) {
-            recorder.push(Command::BindGeometryTextures(geometry));
-        }
-        recorder.push(Command::BindTextures { vertex, fragment });
-        recorder.emitted.textures = Some(textures);
-    }
+    emit_textures(recorder, textures);
     let decisions = reads.keys.map(|keys| DrawDecisions::new(context, topology, &vertices, keys));
     context.recorder.emitted.decisions = decisions;
     emit_vertices(context, vertices, elements);
@@ -92,6 +82,23 @@ pub(crate) fn emit_words(recorder: &mut Recorder, words: Vec<u32>) {
         recorder.emitted.words = Some(shared);
     }
     recorder.words = words;
+}
+
+/// Emits the textures of the vertex, the geometry and the fragment stage, if they differ.
+pub(crate) fn emit_textures(recorder: &mut Recorder, textures: [Textures; 3]) {
+    let same = |emitted: &[Textures; 3]| {
+        emitted.iter().zip(&textures).all(|(emitted, textures)| same_textures(emitted, textures))
+    };
+    if recorder.emitted.textures.as_ref().is_some_and(same) {
+        return;
+    }
+    let [vertex, geometry, fragment] = textures.clone();
+    let before = recorder.emitted.textures.as_ref();
+    if !before.map_or(geometry.is_empty(), |[_, before, _]| same_textures(before, &geometry)) {
+        recorder.push(Command::BindGeometryTextures(geometry));
+    }
+    recorder.push(Command::BindTextures { vertex, fragment });
+    recorder.emitted.textures = Some(textures);
 }
 
 /// Emits the pipeline, if it differs.

@@ -10,7 +10,8 @@ use crate::context::recorder::stages::{Reads, Stages, internal};
 use crate::context::recorder::vertex_facts::VertexFacts;
 use crate::context::watched_pixel::topology_name;
 use crate::draw::completeness::{draw_pass, drawn_formats};
-use crate::draw::emitted_state::{PreparedDraw, emit, emit_vertices, emit_words};
+use crate::draw::draw_reuse::allows_reuse;
+use crate::draw::emitted_state::{PreparedDraw, emit, emit_textures, emit_vertices, emit_words};
 use crate::draw::pending_primitives::draw_pending;
 use crate::draw::pipeline::{pipeline_desc, rectangle_viewport, viewport};
 use crate::draw::raster_state::{multisample_state, raster_state, smoothness};
@@ -72,10 +73,13 @@ pub(crate) fn draw(
     if std::mem::replace(&mut context.recorder.facts, facts) != facts {
         context.recorder.emitted.decisions = None;
     }
-    if let Some(words) = crate::draw::draw_reuse::words(context, topology, &vertices, elements) {
+    if let Some(values) = crate::draw::draw_reuse::values(context, topology, &vertices, elements) {
         // Counts primitives; nothing is captured.
         crate::draw::capture::draw(context, (topology, topology), &[], elements)?;
-        emit_words(&mut context.recorder, words);
+        emit_words(&mut context.recorder, values.words);
+        if let Some(textures) = values.textures {
+            emit_textures(&mut context.recorder, textures);
+        }
         emit_vertices(context, vertices, elements);
         return Ok(());
     }
@@ -189,7 +193,10 @@ fn input_name(input: GeometryInput) -> &'static str {
 /// # Errors
 /// As [`draw`].
 fn checked_pass(context: &mut Context) -> Result<PassDesc> {
-    let pass = draw_pass(context)?;
+    let pass = match open_pass(context) {
+        Some(open) => open,
+        None => draw_pass(context)?,
+    };
     let program = context.state.bindings.program.name();
     crate::draw::program_pipeline::check(context)?;
     let linked = context.executable();
@@ -206,6 +213,13 @@ fn checked_pass(context: &mut Context) -> Result<PassDesc> {
     }
     second_color_of_few(context, &pass)?;
     Ok(pass)
+}
+
+/// The open pass, if a draw before was checked to be drawn in it, and the framebuffer cannot have changed since.
+fn open_pass(context: &Context) -> Option<PassDesc> {
+    let checked = context.recorder.emitted.pass_call?;
+    let is_same = context.state_changes.last_state_change <= checked && allows_reuse(context);
+    is_same.then(|| context.recorder.pass.clone()).flatten()
 }
 
 /// Refuses factors of the second colour where more buffers are drawn to than have one.

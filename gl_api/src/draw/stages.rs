@@ -146,6 +146,8 @@ fn put_words(context: &Context, words: &mut Vec<u32>, linked: &Linked) {
 pub(crate) fn words(context: &mut Context, keys: &StageKeys) -> Option<Vec<u32>> {
     let mut words = context.recorder.empty_words();
     crate::draw::program_pipeline::sync(context);
+    // What is wrong with a buffer is said where the draw is decided anew.
+    crate::draw::uniform_blocks::refresh(context).ok()?;
     if let Some(linked) = context.executable() {
         put_words(context, &mut words, linked);
         let emitted = context.recorder.emitted.words.as_deref()?;
@@ -157,6 +159,25 @@ pub(crate) fn words(context: &mut Context, keys: &StageKeys) -> Option<Vec<u32>>
     }
     crate::draw::fixed_function::words::append(context, &mut words, keys);
     Some(words)
+}
+
+/// The textures of a draw with the pipeline of the draw before, by stage of its program; `None` where one cannot be read.
+pub(crate) fn textures(context: &mut Context, words: &[u32]) -> Option<[Textures; 3]> {
+    let desc = context.recorder.emitted.pipeline.as_ref()?;
+    let (vertex, fragment) = (Some(desc.vertex.clone()), Some(desc.fragment.clone()));
+    let geometry = desc.geometry.clone();
+    let samplers = context.executable()?.program.samplers.clone();
+    let mut of_stage = |stage: Stage, module: Option<ShaderModule>| match module {
+        Some(module) if !module.module().textures.is_empty() => {
+            program_textures(context, stage, &module, &samplers, words).ok()
+        }
+        Some(_) | None => Some(Arc::clone(&context.recorder.no_textures)),
+    };
+    Some([
+        of_stage(Stage::Vertex, vertex)?,
+        of_stage(Stage::Geometry, geometry)?,
+        of_stage(Stage::Fragment, fragment)?,
+    ])
 }
 
 /// The fragment stage.

@@ -102,6 +102,7 @@ fn text(expression: &Expression, note: &DrawNote) -> String {
         Expression::Derivative(Axis::X, of) => format!("dFdx({})", operand(of, note)),
         Expression::Derivative(Axis::Y, of) => format!("dFdy({})", operand(of, note)),
         Expression::OfByte(of) => format!("table({})", operand(of, note)),
+        Expression::Power(of, exponent) => format!("pow({}, {exponent:?})", operand(of, note)),
         Expression::Apply(op, args) => {
             let inner: Vec<String> = args.iter().map(|arg| text(arg, note)).collect();
             match (infix(*op), &inner[..]) {

@@ -222,6 +222,6 @@ pub(crate) fn no_attribute<T>(index: GLuint) -> Result<T> {
 /// What a vertex array object holds while it is not bound.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct VertexArray {
-    pub arrays: Arrays,
+    pub arrays: Box<Arrays>,
     pub element_array_buffer: Bound,
 }

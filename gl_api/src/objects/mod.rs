@@ -48,6 +48,8 @@ pub(crate) struct Objects {
     /// Vertex array objects; the state of name 0 is kept apart while another is bound.
     pub vertex_arrays: NameTable<VertexArray>,
     pub default_vertex_array: VertexArray,
+    /// A placeholder, with nothing in it.
+    pub spare_vertex_array: VertexArray,
     pub queries: NameTable<Query>,
     pub pipelines: Pipelines,
 }
@@ -62,6 +64,7 @@ impl Objects {
             default_assemblies: [Target::Vertex, Target::Fragment].map(Assembly::new),
             vertex_arrays: NameTable::default(),
             default_vertex_array: VertexArray::default(),
+            spare_vertex_array: VertexArray::default(),
             queries: NameTable::default(),
             pipelines: Pipelines::default(),
         }

@@ -24,7 +24,7 @@ pub(crate) struct ClientPixels {
 /// Of `GL_CLIENT_VERTEX_ARRAY_BIT`.
 #[derive(Debug)]
 pub(crate) struct ClientArrays {
-    pub arrays: Arrays,
+    pub arrays: Box<Arrays>,
     pub array_buffer: Bound,
     pub element_array_buffer: Bound,
     pub vertex_array: GLuint,

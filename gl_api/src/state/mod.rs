@@ -79,7 +79,7 @@ pub(crate) struct State {
     pub viewport: ViewportState,
     /// The current value of each attribute, by location.
     pub current: [[f32; 4]; LOCATIONS],
-    pub arrays: crate::objects::arrays::Arrays,
+    pub arrays: Box<crate::objects::arrays::Arrays>,
     /// The index that restarts a primitive; of no vertex array object.
     pub restart_index: GLuint,
     pub locked: locked_arrays::LockedArrays,
@@ -116,7 +116,7 @@ impl State {
             matrices: Matrices::default(),
             viewport: ViewportState::new(Viewport::new(width, height)),
             current,
-            arrays: crate::objects::arrays::Arrays::default(),
+            arrays: Box::default(),
             restart_index: 0,
             locked: locked_arrays::LockedArrays::default(),
             enables: Enables::default(),

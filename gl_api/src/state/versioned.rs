@@ -1,18 +1,20 @@
 //! State with a version, so that values derived from it are recomputed only after changes.
 
 use std::ops::{Deref, DerefMut};
+use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// A value with a version number. Values with equal versions are equal, across all contexts.
+/// A value with a version number. Values with equal versions are equal, across all contexts. A clone, as on the attribute
+/// stack, is one with the original until either is changed.
 #[derive(Clone, Debug)]
 pub(crate) struct Versioned<T> {
-    value: T,
+    value: Arc<T>,
     version: u64,
 }
 
 impl<T> Versioned<T> {
     pub fn new(value: T) -> Self {
-        Self { value, version: next_version() }
+        Self { value: Arc::new(value), version: next_version() }
     }
 
     /// Never 0.
@@ -29,10 +31,10 @@ impl<T> Deref for Versioned<T> {
     }
 }
 
-impl<T> DerefMut for Versioned<T> {
+impl<T: Clone> DerefMut for Versioned<T> {
     fn deref_mut(&mut self) -> &mut T {
         self.version = next_version();
-        &mut self.value
+        Arc::make_mut(&mut self.value)
     }
 }
 

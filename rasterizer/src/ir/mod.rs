@@ -29,6 +29,7 @@
 
 mod build;
 mod byte_table;
+mod function_table;
 mod geometry;
 mod interface;
 mod module;
@@ -44,6 +45,7 @@ mod word;
 
 pub use build::Builder;
 pub use byte_table::ByteTable;
+pub use function_table::FunctionTable;
 pub use geometry::{
     GeometryInput, GeometryInterface, GeometryOutput, MAX_GEOMETRY_COMPONENTS,
     MAX_GEOMETRY_VERTICES,

@@ -1,12 +1,11 @@
 //! A module: expressions, statements, variables.
 
-use super::byte_table::ByteTable;
+use super::function_table::FunctionTable;
 use super::geometry::GeometryInterface;
 use super::interface::{Input, Interpolation, Output, Stage};
 use super::ops::Op;
 use super::texture::{Access, Lod, Sample, TextureDecl};
 use super::types::{Axis, Ty, Value, Var};
-use std::sync::Arc;
 
 /// The definition of a value.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -61,12 +60,12 @@ pub enum Expr {
         /// Of what.
         value: Value,
     },
-    /// A function of bytes.
-    OfByte {
+    /// A function of one number.
+    Tabulated {
         /// An `f32`.
         value: Value,
-        /// Its words.
-        table: Arc<ByteTable>,
+        /// The function.
+        table: FunctionTable,
     },
     /// A texture access. Has four results, taken apart by [`Expr::Component`]; no type of its own.
     Sample(Box<Sample>),
@@ -195,7 +194,7 @@ impl Module {
             | Expr::Load(_)
             | Expr::LoadAt { .. }
             | Expr::Derivative { .. }
-            | Expr::OfByte { .. }
+            | Expr::Tabulated { .. }
             | Expr::Component { .. } => false,
         })
     }
@@ -239,7 +238,7 @@ impl Module {
             | Expr::LoadAt { .. }
             | Expr::Op { .. }
             | Expr::Derivative { .. }
-            | Expr::OfByte { .. }
+            | Expr::Tabulated { .. }
             | Expr::Sample(_)
             | Expr::Component { .. } => None,
         }
@@ -256,7 +255,7 @@ impl Module {
                 Expr::Sample(sample) => self.component_ty(sample),
                 _ => Ty::F32,
             },
-            Expr::Derivative { .. } | Expr::OfByte { .. } | Expr::Sample(_) => Ty::F32,
+            Expr::Derivative { .. } | Expr::Tabulated { .. } | Expr::Sample(_) => Ty::F32,
         }
     }
 

@@ -3,7 +3,8 @@
 //! Values are `%n`, variables `vn`; constants, inputs and uniform words are printed inline.
 
 use super::{
-    Access, Axis, Block, Expr, GeometryInterface, Lod, Module, Sample, Stmt, Ty, Value, Var,
+    Access, Axis, Block, Expr, FunctionTable, GeometryInterface, Lod, Module, Sample, Stmt, Ty,
+    Value, Var,
 };
 use std::fmt::{Display, Formatter, Result};
 
@@ -93,7 +94,12 @@ fn expr(f: &mut Formatter<'_>, module: &Module, value: Value) -> Result {
         Some(Expr::Derivative { axis: Axis::Y, value }) => {
             write!(f, "d/dy {}", Operand(module, *value))
         }
-        Some(Expr::OfByte { value, .. }) => write!(f, "table of byte {}", Operand(module, *value)),
+        Some(Expr::Tabulated { value, table }) => match table {
+            FunctionTable::OfByte(_) => write!(f, "table of byte {}", Operand(module, *value)),
+            FunctionTable::Power(power) => {
+                write!(f, "power {:?} {}", power.exponent(), Operand(module, *value))
+            }
+        },
         Some(Expr::Sample(sample)) => self::sample(f, module, sample),
         Some(Expr::Component { sample, component }) => write!(f, "%{}.{component}", sample.0),
     }

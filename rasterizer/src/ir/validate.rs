@@ -130,7 +130,7 @@ impl Body<'_> {
             | Expr::LoadAt { .. }
             | Expr::Op { .. }
             | Expr::Derivative { .. }
-            | Expr::OfByte { .. }
+            | Expr::Tabulated { .. }
             | Expr::Sample(_)
             | Expr::Component { .. } => return Ok(()),
         }
@@ -284,7 +284,7 @@ impl Body<'_> {
                 self.fragment_only("derivative")?;
                 self.operand(*value, Ty::F32, user)?;
             }
-            Expr::OfByte { value, .. } => self.operand(*value, Ty::F32, user)?,
+            Expr::Tabulated { value, .. } => self.operand(*value, Ty::F32, user)?,
             Expr::Sample(sample) => self.sample(sample, user)?,
             Expr::Component { sample, component } => {
                 self.visible(*sample, user)?;

@@ -1,7 +1,6 @@
 //! Walking over a module: the operands of an expression, the blocks of a statement.
 
 use super::{Block, Expr, Lod, Module, Sample, Stmt, Value};
-use std::sync::Arc;
 
 impl Expr {
     /// The same expression over other operands.
@@ -23,8 +22,8 @@ impl Expr {
                 Self::Op { op: *op, args: mapped }
             }
             Self::Derivative { axis, value } => Self::Derivative { axis: *axis, value: f(*value) },
-            Self::OfByte { value, table } => {
-                Self::OfByte { value: f(*value), table: Arc::clone(table) }
+            Self::Tabulated { value, table } => {
+                Self::Tabulated { value: f(*value), table: table.clone() }
             }
             Self::Sample(sample) => Self::Sample(Box::new(Sample {
                 texture: sample.texture,
@@ -65,7 +64,7 @@ impl Expr {
             | Self::LoadAt { .. }
             | Self::Op { .. }
             | Self::Derivative { .. }
-            | Self::OfByte { .. }
+            | Self::Tabulated { .. }
             | Self::Sample(_)
             | Self::Component { .. } => false,
         }

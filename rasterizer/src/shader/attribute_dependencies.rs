@@ -135,7 +135,7 @@ impl Search<'_> {
             | Expr::UniformAt { .. }
             | Expr::Op { .. }
             | Expr::Derivative { .. }
-            | Expr::OfByte { .. }
+            | Expr::Tabulated { .. }
             | Expr::Sample(_)
             | Expr::Component { .. } => AttributeSet::NONE,
         };

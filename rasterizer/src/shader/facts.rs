@@ -206,7 +206,7 @@ impl Facts {
             | Expr::Load(_)
             | Expr::LoadAt { .. }
             | Expr::Derivative { .. }
-            | Expr::OfByte { .. }
+            | Expr::Tabulated { .. }
             | Expr::Sample(_) => None,
         };
         bound.filter(|bound| bound.is_finite())

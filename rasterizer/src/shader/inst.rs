@@ -6,7 +6,7 @@
 //! their target. So a join is a union of two masks, and nothing is ever recomputed.
 
 use super::compute::{Compute, OPERANDS};
-use crate::ir::{Access, Axis, ByteTable};
+use crate::ir::{Access, Axis, FunctionTable};
 use std::sync::Arc;
 use texunit::plan::SamplePlan;
 use texunit::sample::AxisTexels;
@@ -43,7 +43,7 @@ pub(super) enum Inst {
     /// All lanes.
     Derivative { axis: Axis, out: Reg, from: Reg },
     /// All lanes.
-    OfByte { out: Reg, from: Reg, table: Arc<ByteTable> },
+    Tabulated { out: Reg, from: Reg, table: FunctionTable },
     /// All lanes.
     Sample(Box<SampleInst>),
     /// Jumps to `to` when this is 0: a uniform branch.
@@ -150,7 +150,7 @@ impl Inst {
             Self::Move { out, from }
             | Self::Store { out, from }
             | Self::Derivative { out, from, .. }
-            | Self::OfByte { out, from, .. } => {
+            | Self::Tabulated { out, from, .. } => {
                 f(from, Role::Read);
                 f(out, Role::Write);
             }
@@ -216,7 +216,7 @@ impl Inst {
     /// instructions alone can run for several register files at once.
     pub fn is_straight(&self) -> bool {
         let moves = matches!(self, Self::Move { .. } | Self::Derivative { .. });
-        moves || matches!(self, Self::Compute { .. } | Self::OfByte { .. } | Self::Sample(_))
+        moves || matches!(self, Self::Compute { .. } | Self::Tabulated { .. } | Self::Sample(_))
     }
 
     /// About how many additions of 64 lanes it takes as long as. The textures are those of the draw.
@@ -235,7 +235,7 @@ impl Inst {
             Self::Zero { len, .. } => DISPATCH + len,
             Self::EmitVertex(values) => DISPATCH + values.len() as u32,
             Self::EndPrimitive => BY_LANE,
-            Self::OfByte { .. } => DISPATCH + ByteTable::COST,
+            Self::Tabulated { table, .. } => DISPATCH + table.cost(),
             Self::Move { .. }
             | Self::Store { .. }
             | Self::Derivative { .. }
@@ -277,7 +277,7 @@ impl Inst {
             | Self::StoreAt { .. }
             | Self::UniformAt { .. }
             | Self::Derivative { .. }
-            | Self::OfByte { .. }
+            | Self::Tabulated { .. }
             | Self::EmitVertex(_)
             | Self::EndPrimitive
             | Self::Sample(_) => false,
@@ -302,7 +302,7 @@ impl Inst {
             | Self::StoreAt { .. }
             | Self::UniformAt { .. }
             | Self::Derivative { .. }
-            | Self::OfByte { .. }
+            | Self::Tabulated { .. }
             | Self::Sample(_)
             | Self::Join { .. }
             | Self::Open { .. }
@@ -332,7 +332,7 @@ impl Inst {
             | Self::StoreAt { .. }
             | Self::UniformAt { .. }
             | Self::Derivative { .. }
-            | Self::OfByte { .. }
+            | Self::Tabulated { .. }
             | Self::Sample(_)
             | Self::Join { .. }
             | Self::Open { .. }

@@ -13,7 +13,6 @@ use super::preamble::Preamble;
 use super::uniformity::Uniformity;
 use crate::ir::{Access, Expr, Input, Lod, Module, Output, Sample, Stage, Ty, Value, Var};
 use flow::{LoopPosition, OpenLoop, OpenScope};
-use std::sync::Arc;
 use texunit::sample::AxisTexels;
 
 /// What a virtual register holds.
@@ -263,9 +262,9 @@ impl Lowering<'_> {
                 let (from, out) = (self.value(*of), self.value(value));
                 self.emit(Inst::Derivative { axis: *axis, out, from });
             }
-            Expr::OfByte { value: of, table } => {
+            Expr::Tabulated { value: of, table } => {
                 let (from, out) = (self.value(*of), self.value(value));
-                self.emit(Inst::OfByte { out, from, table: Arc::clone(table) });
+                self.emit(Inst::Tabulated { out, from, table: table.clone() });
             }
             Expr::Sample(sample) => self.sample(value, sample),
             Expr::Component { sample, component } => {

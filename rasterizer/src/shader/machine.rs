@@ -20,8 +20,8 @@ use super::inst::{Reg, Slot, Target};
 use super::mask::{Extent, Mask, blend};
 use super::preamble::uniform_at;
 use super::{Invocation, OverBudget, Prepared, Program};
-use crate::ir::{Axis, ByteTable};
-use texunit::lanes::{F32s, LANES, QUADS, U32s};
+use crate::ir::{Axis, FunctionTable};
+use texunit::lanes::{F32s, LANES, QUADS, Simd, U32s};
 use texunit::sample::LookupScratch;
 
 /// The registers of a thread, reused from batch to batch and from program to program.
@@ -224,13 +224,18 @@ impl Machine {
         self.registers[file + out.0 as usize] = *difference.as_u32();
     }
 
-    /// A function of bytes.
+    /// A function from a table.
     #[inline(always)]
-    fn of_byte(&mut self, file: usize, table: &ByteTable, out: Reg, from: Reg) {
+    fn tabulated<S: Simd>(&mut self, file: usize, table: &FunctionTable, out: Reg, from: Reg) {
         let from = self.registers[file + from.0 as usize].as_f32();
         let mut words = U32s::ZERO;
-        for lane in 0..LANES {
-            words[lane] = table.word(from[lane]);
+        match table {
+            FunctionTable::OfByte(table) => {
+                for lane in 0..LANES {
+                    words[lane] = table.word(from[lane]);
+                }
+            }
+            FunctionTable::Power(power) => words = *power.of_lanes::<S>(from).as_u32(),
         }
         self.registers[file + out.0 as usize] = words;
     }

@@ -49,7 +49,7 @@ impl MasklessStores {
                     | Expr::UniformAt { .. }
                     | Expr::Op { .. }
                     | Expr::Derivative { .. }
-                    | Expr::OfByte { .. }
+                    | Expr::Tabulated { .. }
                     | Expr::Sample(_)
                     | Expr::Component { .. } => {}
                 },

@@ -124,7 +124,7 @@ fn translate(block: &mut Block, inst: &Inst) -> Option<()> {
         | Inst::StoreAt { .. }
         | Inst::UniformAt { .. }
         | Inst::Derivative { .. }
-        | Inst::OfByte { .. }
+        | Inst::Tabulated { .. }
         | Inst::Sample(_)
         | Inst::Unless { .. }
         | Inst::Jump { .. }

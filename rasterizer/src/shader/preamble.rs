@@ -3,16 +3,17 @@
 //! Such a value is one word, not 64: the preamble is a list of scalar steps, each giving a word.
 //! Operations are pure and total, so a value can move here from under any control flow.
 
-use crate::ir::{Expr, Module, Op, Value};
+use crate::ir::{Expr, FunctionTable, Module, Op, Value};
 use std::collections::HashMap;
 
 /// A word of the preamble, computed from words before it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 enum Step {
     Const(u32),
     Uniform(u32),
     UniformAt { base: u32, len: u32, index: u32 },
     Op { op: Op, args: [u32; 3] },
+    Tabulated { table: FunctionTable, of: u32 },
 }
 
 /// The steps, and which value of the module each is.
@@ -49,11 +50,13 @@ impl Preamble {
                 }
                 Step::Op { op: *op, args: words }
             }
+            Expr::Tabulated { value, table } => {
+                Step::Tabulated { table: table.clone(), of: self.operand(module, *value)? }
+            }
             Expr::Input(_)
             | Expr::Load(_)
             | Expr::LoadAt { .. }
             | Expr::Derivative { .. }
-            | Expr::OfByte { .. }
             | Expr::Sample(_)
             | Expr::Component { .. } => return None,
         };
@@ -73,8 +76,8 @@ impl Preamble {
     }
 
     fn step(&mut self, step: Step) -> u32 {
-        *self.known.entry(step).or_insert_with(|| {
-            self.steps.push(step);
+        *self.known.entry(step).or_insert_with_key(|step| {
+            self.steps.push(step.clone());
             self.steps.len() as u32 - 1
         })
     }
@@ -89,7 +92,7 @@ impl Preamble {
             | Expr::LoadAt { .. }
             | Expr::Op { .. }
             | Expr::Derivative { .. }
-            | Expr::OfByte { .. }
+            | Expr::Tabulated { .. }
             | Expr::Sample(_)
             | Expr::Component { .. } => self.of_value.get(&value).copied(),
         }
@@ -99,13 +102,14 @@ impl Preamble {
     pub fn run(&self, uniforms: &[u32]) -> Vec<u32> {
         let mut words = Vec::with_capacity(self.steps.len());
         for step in &self.steps {
-            words.push(match *step {
-                Step::Const(bits) => bits,
-                Step::Uniform(word) => uniforms.get(word as usize).copied().unwrap_or(0),
-                Step::UniformAt { base, len, index } => {
+            words.push(match step {
+                Step::Const(bits) => *bits,
+                &Step::Uniform(word) => uniforms.get(word as usize).copied().unwrap_or(0),
+                &Step::UniformAt { base, len, index } => {
                     uniform_at(uniforms, base, len, words[index as usize])
                 }
                 Step::Op { op, args } => op.eval(args.map(|word| words[word as usize])),
+                Step::Tabulated { table, of } => table.word(f32::from_bits(words[*of as usize])),
             });
         }
         words
@@ -115,7 +119,7 @@ impl Preamble {
     pub fn reads_uniforms(&self) -> bool {
         self.steps.iter().any(|step| match step {
             Step::Uniform(_) | Step::UniformAt { .. } => true,
-            Step::Const(_) | Step::Op { .. } => false,
+            Step::Const(_) | Step::Op { .. } | Step::Tabulated { .. } => false,
         })
     }
 
@@ -124,7 +128,7 @@ impl Preamble {
         self.steps
             .iter()
             .filter(|step| match step {
-                Step::Op { .. } | Step::UniformAt { .. } => true,
+                Step::Op { .. } | Step::UniformAt { .. } | Step::Tabulated { .. } => true,
                 Step::Const(_) | Step::Uniform(_) => false,
             })
             .count()

@@ -11,7 +11,7 @@ use super::{FactSources, Facts};
 use super::{
     allocate, constant_outputs, fuse, lower, optimize, repeated_lookups, schedule, shared_axes,
 };
-use crate::ir::{Block, GeometryInterface, Input, Module, Output, Stmt};
+use crate::ir::{Block, FunctionTable, GeometryInterface, Input, Module, Output, Stmt};
 use std::fmt::Write;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -240,7 +240,10 @@ impl Program {
             statements: [self.statements[0], statements(&module)],
             ..Self::lowered(&module, Fusing::On)
         };
-        let has_tables = program.code.iter().any(|inst| matches!(inst, Inst::OfByte { .. }));
+        let has_tables = program
+            .code
+            .iter()
+            .any(|inst| matches!(inst, Inst::Tabulated { table: FunctionTable::OfByte(_), .. }));
         let is_better =
             program.code.len() < self.code.len() || program.ones != self.ones || has_tables;
         is_better.then_some(program)

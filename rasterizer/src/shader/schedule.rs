@@ -8,7 +8,7 @@
 
 use super::inst::{Inst, Reg, Role, jump_targets};
 use super::lower::{Lowered, RegisterContent};
-use crate::ir::{ByteTable, Op};
+use crate::ir::Op;
 use std::ops::Range;
 
 /// How far ahead of the first instruction that is left one is chosen.
@@ -60,7 +60,7 @@ fn busy_and_latency(inst: &Inst) -> Option<[u32; 2]> {
             of(cost, depth)
         }
         Inst::Derivative { .. } => of(Op::Sub.cost(), 1),
-        Inst::OfByte { .. } => of(ByteTable::COST, 1),
+        Inst::Tabulated { table, .. } => of(table.cost(), 1),
         Inst::Sample(_) => of(200, 0),
         // Most of these are never made.
         Inst::Move { .. } | Inst::Store { .. } => Some([0, 0]),

@@ -74,7 +74,7 @@ impl Uniformity {
             | Expr::LoadAt { .. }
             | Expr::Op { .. }
             | Expr::Derivative { .. }
-            | Expr::OfByte { .. }
+            | Expr::Tabulated { .. }
             | Expr::Sample(_)
             | Expr::Component { .. } => self.values.get(value.0 as usize) == Some(&true),
         }
@@ -252,7 +252,7 @@ impl Walk<'_> {
             Expr::Const { .. } | Expr::Uniform { .. } => true,
             Expr::UniformAt { index, .. } => is_uniform(*index),
             Expr::Op { op, args } => args[..op.args().len()].iter().all(|arg| is_uniform(*arg)),
-            Expr::OfByte { value, .. } => is_uniform(*value),
+            Expr::Tabulated { value, .. } => is_uniform(*value),
             Expr::Load(var) => self.uniformity.variable(*var),
             Expr::Input(_)
             | Expr::LoadAt { .. }

@@ -162,7 +162,7 @@ pub struct Operand {
 }
 
 /// What a step computes.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Expression {
     /// A value.
     Operand(Operand),
@@ -172,6 +172,8 @@ pub enum Expression {
     Derivative(Axis, Operand),
     /// A function of a byte, from a table.
     OfByte(Operand),
+    /// A power with this exponent.
+    Power(Operand, f32),
 }
 
 /// A step of the shader.

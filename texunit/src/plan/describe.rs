@@ -9,7 +9,7 @@ impl WhyGeneral {
     fn describe(self) -> &'static str {
         match self {
             Self::Probes => "anisotropic footprints of this shape or wrap mode take several probes",
-            Self::Filters => "min and mag have different filters",
+            Self::Filters => "min and mag of a cube or an array have different filters",
             Self::Shape => "the image has one axis, or three",
             Self::Blocks => "texels are compressed",
             Self::Format => "texels are not all bytes, halves, floats or depths of 24 bits",

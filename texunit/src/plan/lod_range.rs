@@ -70,11 +70,22 @@ impl LodRange {
         (levels, weight)
     }
 
-    /// [`Self::lambda`] without a bias of the lookup, then [`Self::levels`], of one lane.
+    /// [`Self::lambda`] without a bias of the lookup, of one lane.
     #[inline(always)]
-    pub fn levels_of(&self, base: f32) -> ([u32; 2], f32) {
-        let bias = clamp(self.bias, -MAX_LOD_BIAS, MAX_LOD_BIAS);
-        let (lambda, last) = (clamp(base + bias, self.min, self.max), self.last as i32);
+    pub fn lambda_of(&self, base: f32) -> f32 {
+        clamp(base + clamp(self.bias, -MAX_LOD_BIAS, MAX_LOD_BIAS), self.min, self.max)
+    }
+
+    /// Whether the minification filter is used at this λ.
+    #[inline(always)]
+    pub fn is_minified(&self, lambda: f32) -> bool {
+        lambda > self.magnified_to
+    }
+
+    /// [`Self::levels`] of one lane.
+    #[inline(always)]
+    pub fn levels_of(&self, lambda: f32) -> ([u32; 2], f32) {
+        let last = self.last as i32;
         match self.mipmap {
             Mipmap::None => ([0; 2], 0.0),
             Mipmap::Nearest => ([nearest_level(lambda, last); 2], 0.0),

@@ -21,11 +21,11 @@ impl SampleKernel {
             Anisotropy::Scan(_) => return Self::RowScan,
         }
         let kernel = match (texture.shape, texture.texel_path) {
-            _ if min != mag => Err(WhyGeneral::Filters),
             (
                 Shape::D2 | Shape::Rect,
                 TexelPath::Words(class) | TexelPath::ComparedWords(class),
             ) => Ok(Self::UniformLevel(class)),
+            _ if min != mag => Err(WhyGeneral::Filters),
             (Shape::Cube, TexelPath::Words(class)) | (_, TexelPath::ScatteredWords(class)) => {
                 scatters(texture, min).map(|()| Self::Scattered(class))
             }

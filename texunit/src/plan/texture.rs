@@ -58,7 +58,7 @@ pub(crate) enum Alpha {
 /// The kernel that samples. Where several apply, they give the same bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum SampleKernel {
-    /// Two-dimensional textures of a fast texel class, with one filter for magnification and minification.
+    /// Two-dimensional textures of a fast texel class.
     UniformLevel(TexelClass),
     /// Cubes and arrays of a fast texel class, with one filter for magnification and minification, without border.
     Scattered(TexelClass),
@@ -74,7 +74,7 @@ pub(crate) enum SampleKernel {
 pub(crate) enum WhyGeneral {
     /// Anisotropic footprints have several probes.
     Probes,
-    /// Magnification and minification have different filters.
+    /// Magnification and minification have different filters, and the texture is a cube or an array.
     Filters,
     /// No other kernel has one or three axes.
     Shape,
@@ -151,9 +151,9 @@ impl Texture {
         match &self.level_selection {
             LevelSelection::Fixed { filter, .. } => !self.reaches_border(*filter),
             LevelSelection::PerLane { anisotropy: Anisotropy::Scan(_), .. } => false,
-            LevelSelection::PerLane { min, range, .. } => {
+            LevelSelection::PerLane { min, mag, range, .. } => {
                 let both = *min == Filter::Nearest && range.mipmap == Mipmap::Linear;
-                !both && !self.reaches_border(*min)
+                !both && !self.reaches_border(*min) && !self.reaches_border(*mag)
             }
         }
     }

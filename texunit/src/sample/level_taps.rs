@@ -146,7 +146,7 @@ pub fn taps<S: Simd, F: FootprintSet>(
         lambda: lambda[lane],
     });
     recorder.record(|lane| {
-        let minified = lambda[lane] > range.magnified_to;
+        let minified = range.is_minified(lambda[lane]);
         let (first, weight) = (levels[0][lane], weight[lane]);
         SampleStep::Levels {
             magnified_to: range.magnified_to,
@@ -169,7 +169,7 @@ pub fn taps<S: Simd, F: FootprintSet>(
     let (min, mag) = (key(*min, 0, 0), key(*mag, 0, 0));
     let faces = at.face();
     for lane in 0..LANES {
-        let minified = lambda[lane] > range.magnified_to;
+        let minified = range.is_minified(lambda[lane]);
         let face = faces[lane] << FACE_SHIFT;
         let first = min | face | levels[0][lane];
         let second = min | face | levels[1][lane];

@@ -1,5 +1,5 @@
-//! The kernel of most batches: a two-dimensional texture that has a fast path ([`super::fast`]) and one filter for
-//! magnification and minification, where all lanes read the same level, or the same two.
+//! The kernel of most batches: a two-dimensional texture that has a fast path ([`super::fast`]), where all lanes read the
+//! same level, or the same two, with the same filter.
 //!
 //! It is separate from [`super::general`], so that it has neither the stack nor the branches of probes, faces, layers
 //! and lanes that read different levels. The functions that compute are the same, and so are the bits.

@@ -33,7 +33,7 @@ pub fn select<S: Simd>(
     lod: &Lod<'_>,
     weight: &mut F32s,
 ) -> Option<UniformLevels> {
-    let (min, range, anisotropy) = match &texture.level_selection {
+    let (min, mag, range, anisotropy) = match &texture.level_selection {
         LevelSelection::Fixed { filter, level, .. } => {
             return Some(UniformLevels {
                 filter: *filter,
@@ -42,8 +42,9 @@ pub fn select<S: Simd>(
                 scan: None,
             });
         }
-        LevelSelection::PerLane { min, range, anisotropy, .. } => (*min, range, *anisotropy),
+        LevelSelection::PerLane { min, mag, range, anisotropy } => (*min, *mag, range, *anisotropy),
     };
+    let magnified = UniformLevels { filter: mag, face: 0, levels: [0; 2], scan: None };
     if let Some([u, v]) = common_derivatives::<S>(texture, lod) {
         let (base, footprint) = match anisotropy {
             Anisotropy::Scan(most) => {
@@ -53,7 +54,12 @@ pub fn select<S: Simd>(
             }
             Anisotropy::Off | Anisotropy::Probes(_) => (log2_of_root(rho_squared_of(u, v)), None),
         };
-        let (mut levels, part) = range.levels_of(base);
+        let lambda = range.lambda_of(base);
+        // With one filter, level 0 is what minified lanes read up to this λ.
+        if min != mag && !range.is_minified(lambda) {
+            return Some(magnified);
+        }
+        let (mut levels, part) = range.levels_of(lambda);
         if part > 0.0 {
             *weight = F32s::splat(part);
         } else {
@@ -76,8 +82,25 @@ pub fn select<S: Simd>(
             let (base, _, bias) = level_taps::base_lambda::<S, IsotropicOnly>(
                 texture, &at, *lod, anisotropy, recorder,
             );
+            let lambda = range.lambda(&base, bias);
+            if min != mag {
+                let mut minified = U32s::ZERO;
+                for lane in 0..LANES {
+                    minified[lane] = if range.is_minified(lambda[lane]) { !0 } else { 0 };
+                }
+                if !S::any(&minified) {
+                    return Some(magnified);
+                }
+                let mut is_mixed = U32s::ZERO;
+                for lane in 0..LANES {
+                    is_mixed[lane] = minified[lane] ^ minified[0];
+                }
+                if S::any(&is_mixed) {
+                    return None;
+                }
+            }
             let each;
-            (each, *weight) = range.levels(&range.lambda(&base, bias));
+            (each, *weight) = range.levels(&lambda);
             let levels = level_taps::common_levels::<S>(&each, weight)?;
             Some(UniformLevels { filter: min, face: 0, levels, scan: None })
         }

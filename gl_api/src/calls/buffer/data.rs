@@ -145,19 +145,8 @@ pub(crate) fn bind_buffer(context: &mut Context, target: GLenum, buffer: GLuint)
 pub(crate) fn bind(context: &mut Context, target: BufferTarget, buffer: GLuint) {
     context.objects.shared.buffers.create(buffer, BufferObject::new);
     *binding(context, target) = context.objects.shared.buffers.hold(buffer);
-    match target {
-        // Calls look there for what they are given.
-        BufferTarget::Array | BufferTarget::ElementArray | BufferTarget::DrawIndirect => {
-            context.state_changes.no_change()
-        }
-        BufferTarget::PixelPack
-        | BufferTarget::PixelUnpack
-        | BufferTarget::CopyRead
-        | BufferTarget::CopyWrite
-        | BufferTarget::TransformFeedback
-        | BufferTarget::Uniform
-        | BufferTarget::Texture => {}
-    }
+    // Calls look there for what they are given; draws do not.
+    context.state_changes.no_change();
 }
 
 pub(crate) fn is_buffer(context: &mut Context, buffer: GLuint) -> Result<bool> {
@@ -256,6 +245,7 @@ pub(crate) fn set_data(
     usage: GLenum,
 ) -> Result<()> {
     BufferDataRequest::new(with_recorder(context, buffer)?, size, data, usage)?.apply()?;
+    context.state_changes.values_only();
     Ok(())
 }
 
@@ -290,6 +280,7 @@ pub(crate) fn replace_data(
             let to = &mut object.bytes_mut(recorder)?[range.clone()];
             recorder.copy(&source[..to.len()], to);
             object.written(range);
+            context.state_changes.values_only();
             Ok(())
         }
         Located::Bytes(source) => too_short(size as i64, source.len()),

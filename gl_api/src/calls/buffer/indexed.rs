@@ -132,6 +132,10 @@ fn bind(
         not_while_begun(context)?;
     }
     request.apply(context);
+    match numbered {
+        Numbered::Uniform => context.state_changes.values_only(),
+        Numbered::TransformFeedback => {}
+    }
     Ok(())
 }
 

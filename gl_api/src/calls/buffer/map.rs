@@ -69,7 +69,9 @@ pub(crate) fn map_all(
     if range.is_empty() {
         return invalid_operation(SECTION, "the buffer has no bytes: call glBufferData first");
     }
-    MapRequest { object, recorder, range, access }.apply()
+    let pointer = MapRequest { object, recorder, range, access }.apply()?;
+    context.state_changes.values_only();
+    Ok(pointer)
 }
 
 /// The rule that a combination of access flags breaks.
@@ -159,6 +161,7 @@ pub(crate) fn map_range(
     if access & GL_MAP_PERSISTENT_BIT != 0 {
         context.objects.shared.mapped_persistently(buffer.name());
     }
+    context.state_changes.values_only();
     Ok(pointer)
 }
 
@@ -196,6 +199,7 @@ pub(crate) fn flush_range(
             format!("offset = {offset} and length = {length} reach past the {mapped} mapped bytes"),
         );
     }
+    context.state_changes.values_only();
     Ok(())
 }
 
@@ -207,7 +211,10 @@ pub(crate) fn unmap_buffer(context: &mut Context, target: GLenum) -> Result<bool
 /// Ends the mapping of a buffer.
 pub(crate) fn unmap(context: &mut Context, buffer: &Bound) -> Result<bool> {
     match with_recorder(context, buffer)?.0.unmap() {
-        true => Ok(true),
+        true => {
+            context.state_changes.values_only();
+            Ok(true)
+        }
         false => invalid_operation(
             SECTION,
             "the buffer is not mapped: it never was, or glBufferData has ended it",

@@ -67,7 +67,8 @@ impl RasterPositionStage {
     fn again(context: &mut Context) -> Option<Self> {
         let Self { at, ready } = context.feedback.raster_position_stage.take()?;
         let changes = &context.state_changes;
-        if changes.last_state_change.max(changes.last_plain_change) > at || !allows_reuse(context) {
+        let changed = changes.last_decision_change().max(changes.last_plain_change);
+        if changed > at || !allows_reuse(context) {
             return None;
         }
         Some(Self { at, ready: ready.again(context)? })

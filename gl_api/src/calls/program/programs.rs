@@ -259,6 +259,7 @@ pub(crate) fn use_program(context: &mut Context, name: GLuint) -> Result<()> {
     let now = objects.programs.hold(name);
     let before = std::mem::replace(&mut context.state.bindings.program, now).name();
     no_longer_in_use(objects, before);
+    context.state_changes.program_only();
     Ok(())
 }
 

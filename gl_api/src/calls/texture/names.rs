@@ -78,6 +78,7 @@ pub(crate) fn bind_texture(context: &mut Context, target: GLenum, texture: GLuin
     }
     context.leave_plain_state();
     context.state.units.active_mut().bound[target as usize] = bound;
+    context.state_changes.bindings_only();
     Ok(())
 }
 
@@ -120,6 +121,7 @@ pub(crate) fn are_textures_resident(
 pub(crate) fn active_texture(context: &mut Context, texture: GLenum) -> Result<()> {
     let count = MAX_COMBINED_TEXTURE_IMAGE_UNITS;
     context.state.units.active = unit_below("GL 2.1, section 2.11.2", texture, count)?;
+    context.state_changes.no_change();
     Ok(())
 }
 

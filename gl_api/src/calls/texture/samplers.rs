@@ -73,8 +73,14 @@ pub(crate) fn bind_sampler(context: &mut Context, unit: GLuint, sampler: GLuint)
     if sampler != 0 {
         found(context, sampler)?;
     }
-    context.state.units.unit_mut(unit as usize).sampler =
-        context.objects.shared.samplers.hold(sampler);
+    let sampler = context.objects.shared.samplers.hold(sampler);
+    let unit = context.state.units.unit_mut(unit as usize);
+    if unit.sampler == sampler {
+        context.state_changes.no_change();
+    } else {
+        unit.sampler = sampler;
+        context.state_changes.bindings_only();
+    }
     Ok(())
 }
 

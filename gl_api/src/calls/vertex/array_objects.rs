@@ -120,34 +120,19 @@ impl ChosenArrays {
     }
 }
 
-/// Exchanges the current arrays for those of another name.
+/// Exchanges the current arrays for those of another name. What the bound object has by its name is a placeholder, which
+/// moves by way of `Objects::spare_vertex_array`.
 fn switch(context: &mut Context, name: GLuint) {
-    let bindings = &mut context.state.bindings;
-    let other = if name == 0 {
-        &mut context.objects.default_vertex_array
-    } else {
-        context.objects.vertex_arrays.create(name, VertexArray::default);
-        match context.objects.vertex_arrays.get_mut(name) {
-            Some(other) => other,
-            None => return,
-        }
-    };
-    let next = std::mem::take(other);
-    let before = VertexArray {
-        arrays: std::mem::replace(&mut context.state.arrays, next.arrays),
-        element_array_buffer: std::mem::replace(
-            &mut bindings.element_array_buffer,
-            next.element_array_buffer,
-        ),
-    };
-    match std::mem::replace(&mut bindings.vertex_array, name) {
-        0 => context.objects.default_vertex_array = before,
-        old => {
-            if let Some(slot) = context.objects.vertex_arrays.get_mut(old) {
-                *slot = before;
-            }
-        }
-    }
+    let (state, objects) = (&mut context.state, &mut context.objects);
+    objects.vertex_arrays.create(name, VertexArray::default);
+    let default = &mut objects.default_vertex_array;
+    let next = objects.vertex_arrays.get_mut(name).unwrap_or(default);
+    std::mem::swap(&mut state.arrays, &mut next.arrays);
+    std::mem::swap(&mut state.bindings.element_array_buffer, &mut next.element_array_buffer);
+    std::mem::swap(next, &mut objects.spare_vertex_array);
+    let before = std::mem::replace(&mut state.bindings.vertex_array, name);
+    let before = objects.vertex_arrays.get_mut(before).unwrap_or(default);
+    std::mem::swap(before, &mut objects.spare_vertex_array);
 }
 
 pub(crate) fn bind_vertex_array(context: &mut Context, array: GLuint) -> Result<()> {

@@ -15,6 +15,8 @@ use std::sync::Arc;
 #[derive(Debug, Default)]
 pub(crate) struct EmittedState {
     pub pipeline: Option<PipelineDesc>,
+    /// The call of the last draw whose framebuffer was checked: it is drawn to in the open pass.
+    pub pass_call: Option<u64>,
     /// The attributes that the pipeline reads, bit by location.
     pub attributes: u64,
     pub words: Option<Arc<[u32]>>,
@@ -49,6 +51,8 @@ impl EmittedState {
 pub(crate) struct DrawDecisions {
     /// [`crate::context::state_changes::StateChanges::calls`] at its call.
     pub call: u64,
+    /// The same when its textures were chosen last.
+    pub textures_call: u64,
     /// The plain state at its call.
     pub plain: Box<PlainState>,
     pub topology: Topology,

@@ -86,7 +86,7 @@ impl Unit {
 pub(crate) struct Units {
     /// ShareHandle with the attribute stack until one is changed ([`Self::unit_mut`]). Draws examine them only after a
     /// change of version.
-    pub units: Versioned<Box<[Arc<Unit>; MAX_COMBINED_TEXTURE_IMAGE_UNITS as usize]>>,
+    pub units: Versioned<[Arc<Unit>; MAX_COMBINED_TEXTURE_IMAGE_UNITS as usize]>,
     pub active: u8,
     pub client_active: u8,
 }
@@ -105,7 +105,7 @@ impl Default for Units {
             coord_replace: false,
         };
         let unit = Arc::new(unit);
-        let units = Box::new(std::array::from_fn(|_| Arc::clone(&unit)));
+        let units = std::array::from_fn(|_| Arc::clone(&unit));
         Self { units: Versioned::new(units), active: 0, client_active: 0 }
     }
 }

@@ -116,14 +116,21 @@ impl Kernel for Interpreter<'_> {
                 Inst::UniformAt { out, base, len, index } => {
                     m.uniform_at(invocation.prepared, out, base, len, index);
                 }
+                // No closures: they would be compiled without the instructions of `S`.
                 Inst::Derivative { axis, out, from } => {
-                    files().for_each(|file| m.derivative(file, axis, out, from));
+                    for file in files() {
+                        m.derivative(file, axis, out, from);
+                    }
                 }
-                Inst::OfByte { out, from, ref table } => {
-                    files().for_each(|file| m.of_byte(file, table, out, from));
+                Inst::Tabulated { out, from, ref table } => {
+                    for file in files() {
+                        m.tabulated::<S>(file, table, out, from);
+                    }
                 }
                 Inst::Sample(ref sample) => {
-                    (0..count).for_each(|file| m.sample::<S>(file, invocation, sample));
+                    for file in 0..count {
+                        m.sample::<S>(file, invocation, sample);
+                    }
                 }
                 Inst::Unless { test, to } => {
                     let word = match test {

@@ -4,7 +4,7 @@
 use super::Machine;
 use super::interpreter::{Interpreter, repeat_loop};
 use super::lookup::lod;
-use crate::ir::{Access, Ty};
+use crate::ir::{Access, FunctionTable, Ty};
 use crate::shader::inst::{Inst, Reg, SampleInst};
 use crate::shader::invocation::Invocation;
 use crate::shader::{OverBudget, Program};
@@ -138,7 +138,7 @@ impl Machine {
                 | Inst::StoreAt { .. }
                 | Inst::UniformAt { .. }
                 | Inst::Derivative { .. }
-                | Inst::OfByte { .. }
+                | Inst::Tabulated { .. }
                 | Inst::Sample(_)
                 | Inst::Unless { .. }
                 | Inst::Jump { .. }
@@ -191,8 +191,12 @@ impl Machine {
                     Expression::Derivative(*axis, tracer.operand(self, *from, Ty::F32));
                 OperandsBefore::Value { out: *out, ty: Ty::F32, expression }
             }
-            Inst::OfByte { out, from, .. } => {
-                let expression = Expression::OfByte(tracer.operand(self, *from, Ty::F32));
+            Inst::Tabulated { out, from, table } => {
+                let from = tracer.operand(self, *from, Ty::F32);
+                let expression = match table {
+                    FunctionTable::OfByte(_) => Expression::OfByte(from),
+                    FunctionTable::Power(power) => Expression::Power(from, power.exponent()),
+                };
                 OperandsBefore::Value { out: *out, ty: Ty::F32, expression }
             }
             Inst::Move { out, from } | Inst::Store { out, from } => {
@@ -322,7 +326,10 @@ impl Step {
 impl Expression {
     fn rename(&mut self, renamed: &impl Fn(Name) -> Name) {
         match self {
-            Self::Operand(operand) | Self::Derivative(_, operand) | Self::OfByte(operand) => {
+            Self::Operand(operand)
+            | Self::Derivative(_, operand)
+            | Self::OfByte(operand)
+            | Self::Power(operand, _) => {
                 operand.name = renamed(operand.name);
             }
             Self::Apply(_, args) => args.iter_mut().for_each(|arg| arg.rename(renamed)),

@@ -142,7 +142,7 @@ impl<'a> Search<'a> {
                 | Expr::LoadAt { .. }
                 | Expr::Op { .. }
                 | Expr::Derivative { .. }
-                | Expr::OfByte { .. }
+                | Expr::Tabulated { .. }
                 | Expr::Sample(_)
                 | Expr::Component { .. } => {}
             }

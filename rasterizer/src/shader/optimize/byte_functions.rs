@@ -3,7 +3,7 @@
 
 use super::super::Facts;
 use super::super::facts::filtered_slot;
-use crate::ir::{ByteTable, Expr, Module, Op, Stmt, Ty, Value};
+use crate::ir::{ByteTable, Expr, FunctionTable, Module, Op, Stmt, Ty, Value};
 use std::sync::Arc;
 
 /// Functions of more values stay.
@@ -45,7 +45,8 @@ pub(super) fn run(module: &mut Module, facts: &Facts) {
                 table
             }
         };
-        module.values[value.0 as usize] = Expr::OfByte { value: function.source, table };
+        module.values[value.0 as usize] =
+            Expr::Tabulated { value: function.source, table: FunctionTable::OfByte(table) };
     }
 }
 
@@ -76,9 +77,9 @@ enum Node {
         args: [usize; 3],
     },
     /// Of a node before it.
-    OfByte {
+    Tabulated {
         of: usize,
-        table: Arc<ByteTable>,
+        table: FunctionTable,
     },
 }
 
@@ -94,9 +95,20 @@ impl Function {
     /// The function that a value is the result of, if its last operation is long, and if it depends on nothing but
     /// constants and one component for which `is_source` holds.
     fn of(module: &Module, value: Value, is_source: impl Fn(Value) -> bool) -> Option<Self> {
-        let Expr::Op { op, .. } = module.expr(value) else { return None };
-        if op.cost() < Op::Pow.cost() || op.result() != Ty::F32 {
-            return None;
+        match module.expr(value) {
+            Expr::Op { op, .. } if op.cost() >= Op::Pow.cost() && op.result() == Ty::F32 => {}
+            Expr::Tabulated { table: FunctionTable::Power(_), .. } => {}
+            Expr::Tabulated { table: FunctionTable::OfByte(_), .. }
+            | Expr::Op { .. }
+            | Expr::Const { .. }
+            | Expr::Input(_)
+            | Expr::Uniform { .. }
+            | Expr::UniformAt { .. }
+            | Expr::Load(_)
+            | Expr::LoadAt { .. }
+            | Expr::Derivative { .. }
+            | Expr::Sample(_)
+            | Expr::Component { .. } => return None,
         }
         let mut search =
             Search { module, is_source, source: None, values: Vec::new(), nodes: Vec::new() };
@@ -112,7 +124,7 @@ impl Function {
                 Node::Source => fraction.to_bits(),
                 Node::Const(bits) => *bits,
                 Node::Op { op, args } => op.eval(args.map(|arg| words[arg])),
-                Node::OfByte { of, table } => table.word(f32::from_bits(words[*of])),
+                Node::Tabulated { of, table } => table.word(f32::from_bits(words[*of])),
             };
         }
         words[self.nodes.len() - 1]
@@ -151,8 +163,8 @@ impl<F: Fn(Value) -> bool> Search<'_, F> {
                 }
                 Node::Op { op: *op, args: nodes }
             }
-            Expr::OfByte { value, table } => {
-                Node::OfByte { of: self.add(*value, depth)?, table: Arc::clone(table) }
+            Expr::Tabulated { value, table } => {
+                Node::Tabulated { of: self.add(*value, depth)?, table: table.clone() }
             }
             Expr::Input(_)
             | Expr::Uniform { .. }

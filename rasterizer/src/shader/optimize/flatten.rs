@@ -1,6 +1,6 @@
 //! Small branches become selects: computing both sides is cheaper than splitting the lanes.
 
-use crate::ir::{Block, ByteTable, Expr, Module, Op, Stmt, Ty, Value, Var};
+use crate::ir::{Block, Expr, Module, Op, Stmt, Ty, Value, Var};
 
 /// What splitting and joining the lanes costs, in simple operations.
 const BRANCH: u32 = 10;
@@ -60,7 +60,7 @@ impl Flatten<'_> {
         let costs = block.iter().map(|stmt| match stmt {
             Stmt::Eval(value) => match self.module.expr(*value) {
                 Expr::Op { op, .. } => Some(op.cost()),
-                Expr::OfByte { .. } => Some(ByteTable::COST),
+                Expr::Tabulated { table, .. } => Some(table.cost()),
                 Expr::Load(_) => Some(0),
                 Expr::Const { .. } | Expr::Input(_) | Expr::Uniform { .. } => Some(0),
                 Expr::UniformAt { .. }

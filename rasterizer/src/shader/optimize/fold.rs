@@ -88,7 +88,7 @@ fn is_never_minus_zero(module: &Module, facts: &Facts, value: Value) -> bool {
         | Expr::Load(_)
         | Expr::LoadAt { .. }
         | Expr::Derivative { .. }
-        | Expr::OfByte { .. }
+        | Expr::Tabulated { .. }
         | Expr::Sample(_)
         | Expr::Component { .. } => is_other(value),
     }

@@ -185,7 +185,7 @@ impl Pass<'_> {
             | Expr::Load(_)
             | Expr::LoadAt { .. }
             | Expr::Derivative { .. }
-            | Expr::OfByte { .. }
+            | Expr::Tabulated { .. }
             | Expr::Sample(_)
             | Expr::Component { .. } => None,
         }

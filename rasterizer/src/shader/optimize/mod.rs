@@ -3,6 +3,7 @@
 //!
 //! | pass | does |
 //! |---|---|
+//! | [`powers`] | powers with a constant exponent become functions of one number |
 //! | [`scopes`] | early returns become `else` |
 //! | [`simplify`] | one walk in program order: [`fold`] constants, [`forward`] stores to loads, share [`common`] values, take branches that are decided, [`unroll`] loops that are counted |
 //! | [`arrays`] | arrays that are only indexed by constants become scalars |
@@ -24,6 +25,7 @@ mod flatten;
 mod fold;
 mod forward;
 mod gradients;
+mod powers;
 mod scopes;
 mod simplify;
 mod stores;
@@ -39,6 +41,7 @@ const ROUNDS: usize = 6;
 
 /// Optimizes a valid module in place, by itself.
 pub(super) fn optimize(module: &mut Module) {
+    powers::run(module);
     scopes::run(module);
     for _ in 0..ROUNDS {
         simplify::run(module, &Facts::NONE);

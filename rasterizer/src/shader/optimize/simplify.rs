@@ -208,11 +208,14 @@ impl Walk<'_> {
             {
                 Expr::Const { bits: 1.0_f32.to_bits(), ty: Ty::F32 }
             }
+            Expr::Tabulated { value, ref table } => match self.module.constant(value) {
+                Some(bits) => Expr::Const { bits: table.word(f32::from_bits(bits)), ty: Ty::F32 },
+                None => expr,
+            },
             Expr::Const { .. }
             | Expr::Input(_)
             | Expr::Uniform { .. }
             | Expr::Derivative { .. }
-            | Expr::OfByte { .. }
             | Expr::Sample(_)
             | Expr::Component { .. } => expr,
         };

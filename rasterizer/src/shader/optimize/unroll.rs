@@ -138,7 +138,7 @@ where
             | Expr::UniformAt { .. }
             | Expr::LoadAt { .. }
             | Expr::Derivative { .. }
-            | Expr::OfByte { .. }
+            | Expr::Tabulated { .. }
             | Expr::Sample(_)
             | Expr::Component { .. } => self.value(value),
         }

@@ -3,7 +3,8 @@
 use super::super::inst::Inst;
 use super::{check, specialized};
 use crate::ir::{
-    Builder, Input, Interpolation, Lod, Module, Op, Output, Stage, Stmt, TRUE, TextureDecl, Ty, Var,
+    Builder, FunctionTable, Input, Interpolation, Lod, Module, Op, Output, Stage, Stmt, TRUE,
+    TextureDecl, Ty, Var,
 };
 use texunit::image::Shape;
 
@@ -99,6 +100,10 @@ fn powers_of_bytes_are_tables() {
     let (module, tables) = powers_of_texels();
     // A slot without a texture gives 0 and 1.
     let program = specialized(&module, &[]).expect("it is another program");
-    let found = program.code.iter().filter(|inst| matches!(inst, Inst::OfByte { .. })).count();
+    let found = program
+        .code
+        .iter()
+        .filter(|inst| matches!(inst, Inst::Tabulated { table: FunctionTable::OfByte(_), .. }))
+        .count();
     assert_eq!(found, tables);
 }

@@ -1,6 +1,6 @@
 //! The IR as its documentation reads, one lane at a time, by plain recursion.
 
-use crate::ir::{Block, Expr, Input, Module, Stmt, Value, Var};
+use crate::ir::{Block, Expr, FunctionTable, Input, Module, Op, Stmt, Value, Var};
 
 /// How a lane ended.
 #[derive(Debug, PartialEq)]
@@ -89,9 +89,11 @@ impl<F: Fn(Input) -> u32> Lane<'_, F> {
                 for (word, arg) in words.iter_mut().zip(&args[..op.args().len()]) {
                     *word = self.get(*arg);
                 }
-                op.eval(words)
+                let exponent = self.module.constant(args[1]);
+                let power = exponent.filter(|_| *op == Op::Pow).and_then(FunctionTable::power);
+                power.map_or(op.eval(words), |power| power.word(f32::from_bits(words[0])))
             }
-            Expr::OfByte { value, table } => table.word(f32::from_bits(self.get(*value))),
+            Expr::Tabulated { value, table } => table.word(f32::from_bits(self.get(*value))),
             Expr::Derivative { .. } | Expr::Sample(_) | Expr::Component { .. } => {
                 unreachable!("a lane has no neighbours here")
             }

@@ -13,6 +13,7 @@ mod circular;
 mod exponential;
 mod inverse;
 mod polynomial;
+mod power;
 #[cfg(test)]
 mod tests;
 
@@ -23,6 +24,7 @@ pub use exponential::{
     acosh, asinh, atanh, cosh, exp, exp2, log, log2, pow, pow_negative, pow_positive, sinh, tanh,
 };
 pub use inverse::{acos, asin, atan, atan2};
+pub use power::Power;
 
 /// The bits of the plainest NaN: quiet, without a sign.
 pub const NAN: u32 = 0x7FC0_0000;
