@@ -11,7 +11,7 @@ import subprocess
 import tempfile
 from pathlib import Path
 
-from build_libraries import MACHINES, VERSION, Build, parser_of, read_elf
+from build_libraries import MACHINES, VERSION, Build, needs_of, parser_of
 from build_tarball import fill
 
 # Debian's names of instruction sets.
@@ -27,12 +27,15 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         tree = Path(folder) / "detgl"
         fill(tree / PREFIX, build)
-        machine, _, versions = read_elf((tree / PREFIX / "lib/libdetgl.so").read_bytes())
+        (machine,), _, newest = needs_of(sorted(tree.rglob("*")))
         architecture = ARCHITECTURES[MACHINES[machine]]
         (tree / "usr/bin").mkdir(parents=True)
         (tree / "usr/bin/detgl").symlink_to(f"/{PREFIX}/bin/detgl")
         size = sum(file.stat().st_size for file in tree.rglob("*") if file.is_file() and not file.is_symlink())
-        glibc = ".".join(map(str, max(versions)))
+        glibc = ".".join(map(str, newest))
+        # The prefix is known: no variable has to name it, and `__EGL_VENDOR_LIBRARY_FILENAMES` alone chooses DetGL.
+        vendor = tree / PREFIX / "lib/egl_vendor.json"
+        vendor.write_text(vendor.read_text().replace('"libdetgl.so"', f'"/{PREFIX}/lib/libdetgl.so"'))
         (tree / "DEBIAN").mkdir()
         (tree / "DEBIAN/control").write_text(control(architecture, glibc, size))
         plain(tree)
@@ -51,7 +54,7 @@ def control(architecture, glibc, size):
 Version: {VERSION}
 Architecture: {architecture}
 Maintainer: The authors of DetGL <detgl@localhost>
-Depends: libc6 (>= {glibc}), libgcc-s1
+Depends: libc6 (>= {glibc})
 Section: libs
 Priority: optional
 Installed-Size: {(size + 1023) // 1024}

@@ -16,8 +16,8 @@ VERSION = re.search(r'^version = "(.+?)"', (ROOT / "Cargo.toml").read_text(), re
 LINKER = ["cargo-zigbuild==0.24.1", "ziglang==0.17.1"]
 # The oldest glibc that Rust's standard library runs on, and what `manylinux_2_17` promises.
 OLDEST_GLIBC = (2, 17)
-# manylinux_2_17 (PEP 599) lets these be needed.
-ALLOWED = re.compile(r"lib(c|m|dl|pthread|rt|gcc_s)\.so\.\d+|ld-linux[-\w]*\.so\.\d+|libdetgl\.so")
+# What may be needed: glibc's own files, fewer than manylinux_2_17 (PEP 599) lets, and the library itself.
+ALLOWED = re.compile(r"lib(c|m|dl|pthread)\.so\.\d+|ld-linux[-\w]*\.so\.\d+|libdetgl\.so")
 # Instruction sets by their numbers in ELF files.
 MACHINES = {62: "x86_64", 183: "aarch64"}
 
@@ -72,6 +72,7 @@ class Build:
 
     def __init__(self, target=None, prebuilt=None, native=False):
         self.host = host()
+        self.native = native or prebuilt is not None
         self.target = target or self.host
         self.folder = Path(prebuilt) if prebuilt else self._compile(self.target, native)
 
@@ -88,30 +89,51 @@ class Build:
         command += ["--release", "-p", "capi", "--locked", "--target", triple, "--target-dir", str(target_dir)]
         # Zig is found as a module of this Python.
         environment = {**os.environ, "CARGO_ZIGBUILD_PYTHON_PATH": sys.executable}
+        if not native:
+            # A linker that is set for the target would be taken in place of Zig's.
+            environment.pop(f"CARGO_TARGET_{target.upper().replace('-', '_')}_LINKER", None)
         subprocess.run(command, cwd=ROOT, check=True, env=environment)
-        return target_dir / target / "release"
+        folder = target_dir / target / "release"
+        if not native:
+            require_portable([folder / "libdetgl.so", folder / "detgl"])
+        return folder
 
     def lay_out(self, libraries, programs):
         """The libraries as `detgl install --no-links` lays them out, and the command."""
         command = [self.folder / "detgl", "install"]
         if self.target != self.host:
-            # This machine's command lays out the other's library.
-            own = self._compile(self.host, native=True) / "detgl"
+            # This machine's command lays out the other's library; its own package has the same build.
+            own = self._compile(self.host, self.native) / "detgl"
             command = [own, "install", "--library", self.folder / "libdetgl.so"]
         subprocess.run([*command, "--no-links", libraries], check=True, stdout=subprocess.DEVNULL)
         shutil.copy(self.folder / "detgl", programs / "detgl")
 
 
-def platform_of(libraries):
-    """The platform of the tag, by what the files need of the machine."""
+def needs_of(files):
+    """The machines of some files, the libraries that they need and may not, the newest version of glibc."""
     machines, newest, foreign = set(), (0, 0), set()
-    for path in sorted(libraries.rglob("*")):
+    for path in files:
         data = path.read_bytes() if path.is_file() else b""
         if data.startswith(b"\x7fELF"):
             machine, needed, versions = read_elf(data)
             machines.add(machine)
             foreign.update(name for name in needed if not ALLOWED.fullmatch(name))
             newest = max([newest, *versions])
+    return machines, foreign, newest
+
+
+def require_portable(files):
+    """Ends where a file needs another library than glibc's, or a later glibc than the oldest."""
+    _, foreign, newest = needs_of(files)
+    if foreign or newest > OLDEST_GLIBC:
+        found = ", ".join([*sorted(foreign), *([f"glibc {newest[0]}.{newest[1]}"] if newest > OLDEST_GLIBC else [])])
+        names = ", ".join(path.name for path in files)
+        raise SystemExit(f"{names} must need no library but glibc {OLDEST_GLIBC[0]}.{OLDEST_GLIBC[1]}: needs {found}")
+
+
+def platform_of(libraries):
+    """The platform of the tag, by what the files need of the machine."""
+    machines, foreign, newest = needs_of(sorted(libraries.rglob("*")))
     (machine,) = machines
     name = MACHINES.get(machine) or os.uname().machine
     if foreign:

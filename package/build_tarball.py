@@ -68,6 +68,8 @@ def fill(tree, build):
         folder.mkdir(parents=True)
         (folder / f"{package}Config.cmake").write_text(cmake(package))
         (folder / f"{package}ConfigVersion.cmake").write_text(CMAKE_VERSION)
+    (lib / "cmake/modules").mkdir()
+    (lib / "cmake/modules/FindOpenGL.cmake").write_text(FIND_OPENGL)
     for name in ["LICENSE-MIT", "LICENSE-APACHE"]:
         shutil.copy(ROOT / name, tree / "share/licenses/detgl" / name)
     (tree / "share/licenses/detgl/LICENSES-CRATES").write_text(licences(build.target))
@@ -102,6 +104,12 @@ def cmake(package):
             'set(OSMESA_LIBRARY "${_detgl}/lib/libOSMesa.so")',
             "set(OSMESA_LIBRARIES ${OSMESA_LIBRARY})",
             "set(OSMESA_INCLUDE_DIRS ${OSMESA_INCLUDE_DIR})",
+            # As a component of OpenGL, which CMake's module does not know: it takes the caller's word.
+            "set(OpenGL_OSMesa_FOUND TRUE)",
+            "if(NOT TARGET OpenGL::OSMesa)",
+            "  add_library(OpenGL::OSMesa INTERFACE IMPORTED)",
+            "  set_target_properties(OpenGL::OSMesa PROPERTIES INTERFACE_LINK_LIBRARIES OSMesa::OSMesa)",
+            "endif()",
         ]
     return "\n".join([*lines, "unset(_detgl)", ""])
 
@@ -110,6 +118,13 @@ CMAKE_VERSION = f"""set(PACKAGE_VERSION {VERSION})
 if(NOT PACKAGE_FIND_VERSION VERSION_GREATER PACKAGE_VERSION)
   set(PACKAGE_VERSION_COMPATIBLE TRUE)
 endif()
+"""
+# In front of CMake's own module, for projects that ask for the component OSMesa and not for the package before.
+FIND_OPENGL = """get_filename_component(_detgl_prefix "${CMAKE_CURRENT_LIST_DIR}/../../.." ABSOLUTE)
+list(INSERT CMAKE_PREFIX_PATH 0 "${_detgl_prefix}")
+include("${_detgl_prefix}/lib/cmake/OSMesa/OSMesaConfig.cmake")
+include("${CMAKE_ROOT}/Modules/FindOpenGL.cmake")
+unset(_detgl_prefix)
 """
 
 

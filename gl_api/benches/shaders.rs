@@ -209,6 +209,7 @@ fn commands(text: &str) -> CommandBuffer {
                 width: SIZE,
                 height: SIZE,
                 layers: 1,
+                samples: 1,
             }),
             Command::BindPipeline(pipeline.expect("valid")),
             // The one number that a shader asks for; textures are bound by slot.

@@ -110,9 +110,14 @@ fn extensions_of_core(xml: &str) -> String {
     )
 }
 
+/// Enums of `EXT_framebuffer_sRGB`, which core contexts list beside the registry's extensions: programs by `glium` ask.
+const KEPT_IN_CORE: [&str; 1] = ["GL_FRAMEBUFFER_SRGB_CAPABLE_EXT"];
+
 /// The values that no use in the core profile of 3.3 has, of any of their names.
 fn removed_values(enums: &BTreeMap<&str, Found<'_>>, values: &BTreeMap<&str, u32>) -> String {
-    let removed = without_use(enums, values, |found| found.is_in_core());
+    let kept = KEPT_IN_CORE.map(|name| values.get(name).copied());
+    let mut removed = without_use(enums, values, |found| found.is_in_core());
+    removed.retain(|value| !kept.contains(&Some(*value)));
     format!(
         "/// The values of enums that only the compatibility profile of OpenGL 3.3 has, in order.\n\
          pub static REMOVED_VALUES: [u32; {}] = {removed:?};\n",

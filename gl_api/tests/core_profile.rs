@@ -261,3 +261,21 @@ fn without_a_program_a_message_says_why_nothing_is_drawn() {
     assert_eq!(c.get_error(), GL_NO_ERROR);
     assert!(message(&mut c).contains("glUseProgram"), "{}", message(&mut c));
 }
+
+/// `EXT_framebuffer_sRGB` is listed, and programs by `glium` ask whether there is such a framebuffer.
+#[test]
+fn core_contexts_say_whether_what_is_drawn_to_is_srgb() {
+    let mut c = context(Api::Core);
+    for (internal, want) in [(GL_RGBA8, GL_FALSE), (GL_SRGB8_ALPHA8, GL_TRUE)] {
+        let mut names = [0; 2];
+        c.gen_framebuffers(1, &mut names[..1]);
+        c.gen_renderbuffers(1, &mut names[1..]);
+        c.bind_framebuffer(GL_FRAMEBUFFER, names[0]);
+        c.bind_renderbuffer(GL_RENDERBUFFER, names[1]);
+        c.renderbuffer_storage(GL_RENDERBUFFER, internal, 2, 2);
+        c.framebuffer_renderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, names[1]);
+        let mut found = [7];
+        c.get_booleanv(GL_FRAMEBUFFER_SRGB_CAPABLE_EXT, &mut found);
+        assert_eq!((c.get_error(), found), (GL_NO_ERROR, [want as u8]));
+    }
+}

@@ -445,3 +445,38 @@ fn sample_counts_can_be_asked_for() {
     assert_eq!(counts(GL_RGBA8, GL_SAMPLES), [4, -1]);
     assert_eq!(counts(GL_RGBA8UI, GL_NUM_SAMPLE_COUNTS), [0, -1]);
 }
+
+/// `EXT_disjoint_timer_query`, `KHR_robustness` and `EXT_robustness`.
+#[test]
+fn time_is_queried_and_reads_are_bounded() {
+    let mut c = es();
+    let mut ids = [0; 2];
+    c.gen_queries(2, &mut ids);
+    c.begin_query(GL_TIME_ELAPSED, ids[0]);
+    c.clear(GL_COLOR_BUFFER_BIT);
+    c.end_query(GL_TIME_ELAPSED);
+    c.query_counter(ids[1], GL_TIMESTAMP);
+    let (mut bits, mut elapsed, mut then, mut now) = ([0], [0], [0], [0]);
+    c.get_queryiv(GL_TIMESTAMP, GL_QUERY_COUNTER_BITS, &mut bits);
+    assert!(bits[0] >= 30, "{bits:?}");
+    c.get_query_objectui64v(ids[0], GL_QUERY_RESULT, &mut elapsed);
+    c.get_query_objecti64v(ids[1], GL_QUERY_RESULT, &mut then);
+    c.get_integer64v(GL_TIMESTAMP, &mut now);
+    assert!(elapsed[0] > 0 && elapsed[0] < 1 << 40 && now[0] >= then[0], "{elapsed:?}");
+    let mut disjoint = [7];
+    c.get_integerv(GL_GPU_DISJOINT_EXT, &mut disjoint);
+    assert_eq!((c.get_error(), disjoint), (GL_NO_ERROR, [0]));
+    let (mut strategy, mut robust) = ([0], [0]);
+    c.get_integerv(GL_RESET_NOTIFICATION_STRATEGY, &mut strategy);
+    c.get_integerv(GL_CONTEXT_ROBUST_ACCESS, &mut robust);
+    assert_eq!((strategy, robust), ([GL_NO_RESET_NOTIFICATION as i32], [1]));
+    assert_eq!(c.get_graphics_reset_status(), GL_NO_ERROR);
+    let mut texels = [0; 16];
+    c.clear_color(1.0, 0.0, 0.0, 1.0);
+    c.clear(GL_COLOR_BUFFER_BIT);
+    let (format, ty) = (GL_RGBA, GL_UNSIGNED_BYTE);
+    c.readn_pixels(0, 0, 2, 2, format, ty, 16, DataOut::Bytes(&mut texels));
+    assert_eq!((c.get_error(), &texels[12..]), (GL_NO_ERROR, &[255, 0, 0, 255][..]));
+    c.readn_pixels(0, 0, 2, 2, format, ty, 15, DataOut::Bytes(&mut texels));
+    assert_eq!(c.get_error(), GL_INVALID_OPERATION);
+}

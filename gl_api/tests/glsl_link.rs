@@ -1,7 +1,8 @@
 //! Links: several shaders per stage, and bindings that the application sets before the link.
 
 use gl_api::glsl::{
-    Bindings, FragmentColor, Linked, Options, Program, Shader, Stage, compile, link,
+    Bindings, ContextLanguage, FragmentColor, Linked, Options, Program, Shader, Stage, compile,
+    link,
 };
 use gl_api::interface::VARYING_USER;
 use rasterizer::ir::Output;
@@ -452,4 +453,38 @@ fn explicit_locations_must_not_overlap() {
     let vertex = twice(1).replace("gl_FragColor", "gl_Position");
     fails(&[&vertex], &[&twice(2)], "uniform `a` has the locations 1 and 2");
     program(&[&vertex], &[&twice(1)], &Bindings::default());
+}
+
+#[test]
+fn outputs_beyond_the_last_colour_fail_whether_used_or_not() {
+    let vertex = "#version 330\nvoid main() { gl_Position = vec4(0.0); }";
+    for body in ["", "a = vec4(1.0);"] {
+        for (declaration, is_fine) in [
+            ("layout(location = 7) out vec4 a;", true),
+            ("layout(location = 8) out vec4 a;", false),
+            ("layout(location = 6) out vec4 a[2];", true),
+            ("layout(location = 7) out vec4 a[2];", false),
+            ("layout(location = 0, index = 1) out vec4 a;", true),
+            ("layout(location = 1, index = 1) out vec4 a;", false),
+        ] {
+            let body =
+                if declaration.contains('[') { body.replace("a =", "a[1] =") } else { body.into() };
+            let fragment = format!("#version 330\n{declaration}\nvoid main() {{ {body} }}");
+            let options = Options { context: ContextLanguage::Core33, ..Options::default() };
+            let shaders = [(Stage::Vertex, vertex), (Stage::Fragment, fragment.as_str())].map(
+                |(stage, source)| {
+                    let compiled = compile(stage, source, &options);
+                    compiled.shader.unwrap_or_else(|| panic!("{source}\n{}", compiled.log))
+                },
+            );
+            let linked = link(&shaders.each_ref(), &Bindings::default());
+            assert_eq!(linked.program.is_some(), is_fine, "{fragment}\n{}", linked.log);
+            assert_eq!(
+                linked.log.contains("output `a` is bound to colour"),
+                !is_fine,
+                "{}",
+                linked.log
+            );
+        }
+    }
 }

@@ -22,7 +22,9 @@ _CLIENTS = (
     "mujoco", "OpenGL.platform", "dm_control._render", "glcontext", "moderngl", "vtkmodules", "pyglet.gl", "pyrender",
     "vispy.gloo", "glfw", "sdl2", "pygame.display", "kivy.core.window", "panda3d.core", "arcade", "wgpu",
 )
-_VARIABLES = ("ISA", "THREADS", "DRAW_BUDGET", "GL_VERSION", "EXPLAIN", "DEBUG")
+_VARIABLES = ("ISA", "THREADS", "DRAW_BUDGET", "GL_VERSION", "EXPLAIN", "LEAVE_OUT", "DEBUG")
+# By these, clients choose between EGL and OSMesa.
+_PLATFORMS = ("PYOPENGL_PLATFORM", "MUJOCO_GL")
 
 _library = None
 _asked = {}
@@ -43,7 +45,7 @@ def use(platform=None, **variables):
 
     platform is "egl" or "osmesa", what MUJOCO_GL and PYOPENGL_PLATFORM are set to; without it the one that is set in
     either, else "egl". Others are DETGL_* variables in small letters: threads=1, isa="baseline", debug=1,
-    gl_version="4.1", draw_budget=…, explain=1. The bits do not depend on threads and isa."""
+    gl_version="4.1", draw_budget=…, explain=1, leave_out=0. The bits do not depend on threads, isa and leave_out."""
     global _library
     unknown = [name for name in variables if name.upper() not in _VARIABLES]
     if unknown:
@@ -56,7 +58,7 @@ def use(platform=None, **variables):
         if {**_asked, **asked} != _asked:
             raise DetGLError("detgl.use() was called before, with other settings: they are read once, so call it once")
         return
-    _check_in_time()
+    _check_in_time(platform)
     os.environ.update(asked)
     _choose_platform(platform)
     folder = libraries()
@@ -79,12 +81,12 @@ def _text(value):
     return str(int(value)) if isinstance(value, bool) else str(value)
 
 
-def _check_in_time():
+def _check_in_time(platform):
     """Raises if other modules have chosen their driver already."""
     # In the order in which their imports ended: one that imports another comes after it.
     early = [name for name in sys.modules if name in _CLIENTS]
     loaded = _foreign_library()
-    if not early and loaded is None:
+    if loaded is None and (not early or _is_started_by_run(platform)):
         return
     are = "were" if len(early) > 1 else "was"
     what = f"{', '.join(early)} {are} imported" if early else "something has loaded OpenGL"
@@ -94,6 +96,13 @@ def _check_in_time():
         f"detgl.use() came too late: {what} before{where}. Call it first, or run the whole program by "
         f"`python -m detgl run {script if script.endswith('.py') else 'script.py'}`"
     )
+
+
+def _is_started_by_run(platform):
+    """Whether `detgl run` started this process, so that what was imported before has chosen these libraries, too, and the
+    platform."""
+    folders = os.environ.get("LD_LIBRARY_PATH", "").split(":")
+    return str(libraries()) in folders and all(platform in (None, os.environ.get(name)) for name in _PLATFORMS)
 
 
 def _foreign_library():
@@ -110,12 +119,11 @@ def _foreign_library():
 
 
 def _choose_platform(platform):
-    variables = ("PYOPENGL_PLATFORM", "MUJOCO_GL")
     if platform:
-        os.environ.update(dict.fromkeys(variables, platform))
+        os.environ.update(dict.fromkeys(_PLATFORMS, platform))
     # Clients that go through PyOpenGL need both to agree.
-    chosen = next((os.environ[name] for name in variables if os.environ.get(name)), "egl")
-    for name in variables:
+    chosen = next((os.environ[name] for name in _PLATFORMS if os.environ.get(name)), "egl")
+    for name in _PLATFORMS:
         if not os.environ.get(name):
             os.environ[name] = chosen
 

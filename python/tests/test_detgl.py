@@ -56,6 +56,13 @@ def test_keywords_are_variables():
     assert output(text) == "3 baseline"
 
 
+def test_every_variable_that_contexts_read_is_a_keyword():
+    # As the README's table of variables has them, without those of the tests.
+    words = dict(draw_budget=1000, gl_version="4.1", explain=0, leave_out=0, debug=0)
+    text = f'import os, detgl; detgl.use(**{words}); print({{name: os.environ["DETGL_" + name.upper()] for name in {list(words)}}})'
+    assert output(text) == str({name: str(value) for name, value in words.items()})
+
+
 @pytest.mark.parametrize("text, said", [
     ("detgl.use(thread=1)", "no keyword thread"),
     ('detgl.use(platform="glx")', 'must be "egl" or "osmesa"'),
@@ -98,3 +105,16 @@ def test_the_command_runs_scripts_and_programs(tmp_path):
     for arguments in (["run", str(script)], ["run", "--", sys.executable, str(script)], ["run", "--glu", str(script)]):
         done = subprocess.run([sys.executable, "-m", "detgl", *arguments], capture_output=True, text=True)
         assert folder in done.stdout.strip().split(":"), done.stderr
+
+
+@pytest.mark.parametrize("call, said", [
+    ("detgl.use(threads=2)", ""),
+    ('detgl.use(platform="egl")', ""),
+    ('detgl.use(platform="osmesa")', "came too late: OpenGL.platform was imported before"),
+])
+def test_a_script_that_the_command_runs_may_call_use_late(tmp_path, call, said):
+    pytest.importorskip("OpenGL")
+    script = tmp_path / "script.py"
+    script.write_text(f"import OpenGL.platform, detgl\n{call}\n")
+    done = subprocess.run([sys.executable, "-m", "detgl", "run", str(script)], capture_output=True, text=True)
+    assert said in done.stderr and (done.returncode == 0) == (said == ""), done.stderr

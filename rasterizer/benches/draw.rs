@@ -253,6 +253,7 @@ fn commands(scene: &Scene, texels: &Texels, target: Image) -> CommandBuffer {
                 width: SIZE,
                 height: SIZE,
                 layers: 1,
+                samples: 1,
             }),
             Command::BindPipeline(pipeline.expect("valid")),
             Command::BindVertices(scene.vertices.clone()),

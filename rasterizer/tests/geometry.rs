@@ -302,6 +302,7 @@ fn each_primitive_goes_to_the_layer_of_its_provoking_vertex() {
                 width: SIZE,
                 height: SIZE,
                 layers: LAYERS,
+                samples: 1,
             }),
             viewport(SIZE, SIZE),
             grey.clone(),

@@ -155,7 +155,14 @@ fn one_draw_writes_several_targets() {
         .map(|image| Some(Attachment { image: image.clone(), face: 0, level: 0 }))
         .collect();
     let mut commands = vec![
-        Command::BeginPass(PassDesc { colors, depth: None, width: 20, height: 10, layers: 1 }),
+        Command::BeginPass(PassDesc {
+            colors,
+            depth: None,
+            width: 20,
+            height: 10,
+            layers: 1,
+            samples: 1,
+        }),
         viewport(20, 10),
     ];
     commands.extend(draw(&desc, 0.0));
@@ -186,6 +193,7 @@ fn depth_formats_store_the_nearest_depth_of_a_pass_without_colour() {
             width: 33,
             height: 17,
             layers: 1,
+            samples: 1,
         };
         let mut commands = vec![
             Command::BeginPass(desc_pass),
@@ -251,6 +259,7 @@ fn faces_and_levels_of_one_image_are_drawn_to_one_after_another() {
                     width: size,
                     height: size,
                     layers: 1,
+                    samples: 1,
                 }),
                 viewport(size, size),
             ];

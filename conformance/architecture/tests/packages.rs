@@ -105,6 +105,13 @@ fn manifests_are_complete() -> Result<(), Box<dyn Error>> {
         let readme = fs::read_to_string(folder.join("README.md")).unwrap_or_default();
         found.extend(complaints(&manifest, name, &readme));
         found.extend(unversioned(&manifest, "dependencies"));
+        // A package has what lies in its folder; both licences ask for their text.
+        for licence in ["LICENSE-MIT", "LICENSE-APACHE"] {
+            let text = fs::read(root().join(licence))?;
+            if fs::read(folder.join(licence)).ok() != Some(text) {
+                found.push(format!("{name}: {licence} is not that of the workspace"));
+            }
+        }
     }
     assert!(found.is_empty(), "{}", found.join("\n"));
     Ok(())

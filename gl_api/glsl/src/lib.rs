@@ -38,7 +38,9 @@ mod text;
 mod types;
 mod work;
 
-pub use compile::{Compiled, ContextLanguage, FixIts, Options, Shader, Strictness, compile};
+pub use compile::{
+    Compiled, ContextLanguage, FixIts, Options, Shader, Strictness, compile, compile_strings,
+};
 pub use limits::{GATHER_OFFSETS, MAX_UNIFORM_LOCATIONS, TEXEL_OFFSETS};
 pub use program::*;
 pub use rasterizer::ir::Stage;

@@ -8,11 +8,13 @@ use crate::context::Context;
 use crate::context::window::{Presence, base_level_attachment};
 use crate::draw::es_completeness;
 use crate::objects::color_buffers::attachment_index;
-use crate::objects::framebuffers::{Attached, AttachedLayers, Framebuffer, Planes, Source};
+use crate::objects::framebuffers::{
+    Attached, AttachedLayers, Framebuffer, Planes, Source, WithoutAttachments,
+};
 use crate::objects::target::TextureTarget;
 use crate::pixel::formats::format_name;
 use crate::pixel::texel::is_renderable;
-use rasterizer::driver::{Attachment, LevelInfo, PassDesc};
+use rasterizer::driver::{Attachment, LevelInfo, PassDesc, possible_samples};
 use texunit::format::Format;
 
 const SECTION: &str = "ARB_framebuffer_object, section 4.4.4";
@@ -93,6 +95,7 @@ fn find(attached: &Attached) -> std::result::Result<AttachedImage, String> {
                 | TextureTarget::D2
                 | TextureTarget::D3
                 | TextureTarget::Rect
+                | TextureTarget::External
                 | TextureTarget::D1Array
                 | TextureTarget::D2Array
                 | TextureTarget::CubeArray
@@ -256,6 +259,10 @@ pub(crate) fn completeness(context: &Context, name: GLuint) -> std::result::Resu
         }
     }
     if samples.is_none() {
+        let WithoutAttachments { width, height, .. } = object.without_attachments;
+        if width > 0 && height > 0 {
+            return Ok(());
+        }
         return incomplete(
             GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT,
             "nothing is attached: call glFramebufferTexture2D or glFramebufferRenderbuffer".into(),
@@ -372,8 +379,14 @@ pub(crate) fn draw_pass_of(context: &Context, name: GLuint) -> Result<PassDesc> 
             width: window.width,
             height: window.height,
             layers: 1,
+            samples: 1,
         });
     };
+    if object.attached().next().is_none() {
+        let WithoutAttachments { width, height, layers, samples, .. } = object.without_attachments;
+        let (colors, depth, layers) = (Vec::new(), None, layers.max(1));
+        return Ok(PassDesc { colors, depth, width, height, layers, samples });
+    }
     // Of attachments of different sizes, the pixels that all have are drawn to.
     let (mut width, mut height, mut layers) = (u32::MAX, u32::MAX, u16::MAX);
     for found in object.attached().filter_map(|attached| find(attached).ok()) {
@@ -391,7 +404,7 @@ pub(crate) fn draw_pass_of(context: &Context, name: GLuint) -> Result<PassDesc> 
     let used = colors.iter().rposition(Option::is_some).map_or(0, |last| last + 1);
     colors.truncate(used);
     let depth = found(&object.depth).or_else(|| found(&object.stencil));
-    Ok(PassDesc { colors, depth, width, height, layers })
+    Ok(PassDesc { colors, depth, width, height, layers, samples: samples(context, name) })
 }
 
 /// The image that is read from, if there is one.
@@ -430,11 +443,10 @@ pub(crate) fn read_attachment_of(
 /// The number of samples of a framebuffer, 0 if it is not multisampled or incomplete.
 pub(crate) fn samples(context: &Context, name: GLuint) -> u8 {
     let samples = match context.objects.framebuffers.get(name) {
-        Some(object) => object
-            .attached()
-            .next()
-            .and_then(|attached| find(attached).ok())
-            .map_or(1, |found| found.samples),
+        Some(object) => match object.attached().next() {
+            Some(attached) => find(attached).map_or(1, |found| found.samples),
+            None => possible_samples(object.without_attachments.samples),
+        },
         None => context.window.color.samples(),
     };
     if samples > 1 { samples } else { 0 }

@@ -1,5 +1,6 @@
-//! Draws that differ from the draw before in nothing but values (uniform words, as matrices are, and where vertices are
-//! read from): they use its shaders, pipeline and textures, which `context/recorder/emitted_state.rs` keeps.
+//! Draws that differ from the draw before in nothing but values (uniform words, as matrices are, contents of buffers, and
+//! where vertices are read from) and the textures of a program: they use its shaders and pipeline, which
+//! `context/recorder/emitted_state.rs` keeps, and its textures where none were bound since.
 
 use crate::context::Context;
 use crate::context::recorder::batching::makes_whole_primitives;
@@ -30,7 +31,7 @@ impl DrawDecisions {
         }
     }
 
-    /// Whether nothing but values has changed since.
+    /// Whether nothing but values, and which textures are bound, has changed since.
     fn hold(&self, context: &Context) -> bool {
         let changes = &context.state_changes;
         changes.last_state_change.max(changes.last_program_change) <= self.call

@@ -177,13 +177,15 @@ pub(crate) fn multisample_state(context: &Context, rule: SampleRule) -> Multisam
         false => SampleCoverage::Part(value),
         true => SampleCoverage::AllBut(value),
     };
+    // Where draw buffer zero holds integers, both are skipped, for the other buffers too (GL 3.0, section 4.1.3).
+    let has_alpha = !draws_integers(context);
     MultisampleState {
         rule,
-        alpha_to_coverage: match has(Flag::SampleAlphaToCoverage) {
+        alpha_to_coverage: match has_alpha && has(Flag::SampleAlphaToCoverage) {
             false => AlphaToCoverage::Off,
             true => AlphaToCoverage::On,
         },
-        alpha_to_one: match has(Flag::SampleAlphaToOne) {
+        alpha_to_one: match has_alpha && has(Flag::SampleAlphaToOne) {
             false => AlphaToOne::Off,
             true => AlphaToOne::On,
         },

@@ -55,9 +55,9 @@ impl Programs {
             }
             let program = &linked.program;
             put_words(context, &mut programs.words, linked);
-            programs.vertex =
-                linked.vertex_of(crate::draw::color_clamp::of_vertices(context)).clone();
-            programs.geometry = linked.geometry.clone();
+            let clamp = crate::draw::color_clamp::of_vertices(context);
+            programs.vertex = linked.vertex_of(clamp).clone();
+            programs.geometry = linked.geometry_of(clamp).clone();
             programs.fragment = linked.fragment.clone();
             programs.samplers.clone_from(&program.samplers);
             programs.color_interpolation = program.color_interpolation;

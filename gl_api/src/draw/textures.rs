@@ -49,7 +49,8 @@ pub(crate) fn program_textures(
             | TextureTarget::D3
             | TextureTarget::Cube
             | TextureTarget::D2Multisample
-            | TextureTarget::D2MultisampleArray => {
+            | TextureTarget::D2MultisampleArray
+            | TextureTarget::External => {
                 let reader = Reader::Program(module.module(), slot);
                 plan(context, unit, target, sampler.result, reader)
             }

@@ -1,7 +1,7 @@
 //! Linked programs and assembly programs to the driver's shader modules.
 
 use crate::assembly::Loaded;
-use crate::generate::fixed::clamp::clamp_vertex_colors;
+use crate::generate::fixed::clamp::{clamp_emitted_colors, clamp_vertex_colors};
 use crate::glsl;
 use crate::objects::assemblies::AssemblyExecutable;
 use crate::objects::blocks::BlockState;
@@ -27,11 +27,15 @@ pub(crate) fn executable(
     sources: Arc<LinkSources>,
 ) -> Result<Linked, IrError> {
     let module = |module: &Option<Module>| module.clone().map(ShaderModule::new).transpose();
-    let unclamped = program.vertex.clone();
-    let has_colors = program.vertex.as_mut().is_some_and(clamp_vertex_colors);
+    // Of two stages before the rasterizer, the last one's colours are clamped.
+    let unclamped = (program.vertex.clone(), program.geometry.clone());
+    let clamps_vertex =
+        program.geometry.is_none() && program.vertex.as_mut().is_some_and(clamp_vertex_colors);
+    let clamps_geometry = program.geometry.as_mut().is_some_and(clamp_emitted_colors);
     let (vertex, fragment) = (module(&program.vertex)?, module(&program.fragment)?);
     let geometry = module(&program.geometry)?;
-    let unclamped_vertex = if has_colors { module(&unclamped)? } else { vertex.clone() };
+    let unclamped_vertex = if clamps_vertex { module(&unclamped.0)? } else { vertex.clone() };
+    let unclamped_geometry = if clamps_geometry { module(&unclamped.1)? } else { geometry.clone() };
     let mut words = vec![0; program.words as usize];
     for uniform in &program.uniforms {
         let place = words.get_mut(uniform.word as usize..).unwrap_or_default();
@@ -47,6 +51,7 @@ pub(crate) fn executable(
         vertex,
         unclamped_vertex,
         geometry,
+        unclamped_geometry,
         fragment,
         attributes,
         words,

@@ -177,6 +177,16 @@ impl Array {
 pub(crate) const PACKED: Table<VertexType> =
     Table { section: "ARB_vertex_type_2_10_10_10_rev, section 2.7", rows: ALL_TYPES.split_at(2).0 };
 
+/// Types of words that generic attributes are set by (`ARB_vertex_type_10f_11f_11f_rev`).
+pub(crate) const PACKED_GENERIC: Table<VertexType> = Table {
+    section: "ARB_vertex_type_10f_11f_11f_rev, section 2.7",
+    rows: &[
+        (GL_INT_2_10_10_10_REV, VertexType::I1010102),
+        (GL_UNSIGNED_INT_2_10_10_10_REV, VertexType::U1010102),
+        (GL_UNSIGNED_INT_10F_11F_11F_REV, VertexType::F111110),
+    ],
+};
+
 pub(crate) const ALL_TYPES: &[(GLenum, VertexType)] = &[
     (GL_INT_2_10_10_10_REV, VertexType::I1010102),
     (GL_UNSIGNED_INT_2_10_10_10_REV, VertexType::U1010102),
@@ -190,10 +200,15 @@ pub(crate) const ALL_TYPES: &[(GLenum, VertexType)] = &[
     (GL_UNSIGNED_SHORT, VertexType::U16),
     (GL_UNSIGNED_INT, VertexType::U32),
     (GL_FIXED, VertexType::Fixed),
+    (GL_UNSIGNED_INT_10F_11F_11F_REV, VertexType::F111110),
 ];
 /// Types of generic attributes.
 pub(crate) const ANY_TYPE: Table<VertexType> =
     Table { section: "GL 3.0, table 2.5, and ARB_ES2_compatibility", rows: ALL_TYPES };
+
+/// Those of OpenGL ES.
+pub(crate) const ES_TYPE: Table<VertexType> =
+    Table { section: "OpenGL ES 3.0, table 2.2", rows: ALL_TYPES.split_at(12).0 };
 
 /// A generic attribute's location.
 pub(crate) fn generic(index: GLuint) -> Result<u8> {

@@ -72,6 +72,18 @@ pub(crate) struct Framebuffer {
     pub depth: Option<Attached>,
     pub stencil: Option<Attached>,
     pub selection: Selection,
+    pub without_attachments: WithoutAttachments,
+}
+
+/// What a framebuffer object draws to where nothing is attached (`ARB_framebuffer_no_attachments`); the sizes are 0 at
+/// first, with which it is incomplete.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct WithoutAttachments {
+    pub width: u32,
+    pub height: u32,
+    pub layers: u16,
+    pub samples: u8,
+    pub fixed_locations: bool,
 }
 
 impl Framebuffer {
@@ -81,6 +93,7 @@ impl Framebuffer {
             depth: None,
             stencil: None,
             selection: Selection::object(),
+            without_attachments: WithoutAttachments::default(),
         }
     }
 

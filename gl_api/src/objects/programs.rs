@@ -65,6 +65,8 @@ pub(crate) struct Linked {
     /// none.
     pub unclamped_vertex: Option<ShaderModule>,
     pub geometry: Option<ShaderModule>,
+    /// The geometry stage with its colours as they are.
+    pub unclamped_geometry: Option<ShaderModule>,
     pub fragment: Option<ShaderModule>,
     /// The attributes that its vertex stage reads, bit by location.
     pub attributes: u64,
@@ -85,6 +87,14 @@ impl Linked {
         match clamp {
             Clamp::On => &self.vertex,
             Clamp::Off => &self.unclamped_vertex,
+        }
+    }
+
+    /// The geometry stage with clamped or unclamped colours.
+    pub fn geometry_of(&self, clamp: Clamp) -> &Option<ShaderModule> {
+        match clamp {
+            Clamp::On => &self.geometry,
+            Clamp::Off => &self.unclamped_geometry,
         }
     }
 }

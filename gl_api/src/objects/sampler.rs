@@ -53,6 +53,15 @@ const RECTANGLE_MIN_FILTER: Table<(Filter, Mipmap)> = Table {
     ],
 };
 
+/// Of external images, which have one level and do not repeat.
+const EXTERNAL_WRAP: Table<Wrap> = Table {
+    section: "OES_EGL_image_external, section 3.7.4",
+    rows: &[(GL_CLAMP_TO_EDGE, Wrap::ClampToEdge)],
+};
+
+const EXTERNAL_MIN_FILTER: Table<(Filter, Mipmap)> =
+    Table { section: EXTERNAL_WRAP.section, rows: RECTANGLE_MIN_FILTER.rows };
+
 const MAG_FILTER: Table<Filter> = Table {
     section: "GL 2.1, table 3.18",
     rows: &[(GL_NEAREST, Filter::Nearest), (GL_LINEAR, Filter::Linear)],
@@ -148,6 +157,7 @@ impl SamplerState {
         let symbol = symbol(value);
         let (wrap, min_filter) = match target {
             Some(TextureTarget::Rect) => (&RECTANGLE_WRAP, &RECTANGLE_MIN_FILTER),
+            Some(TextureTarget::External) => (&EXTERNAL_WRAP, &EXTERNAL_MIN_FILTER),
             Some(
                 TextureTarget::D1
                 | TextureTarget::D2

@@ -13,6 +13,8 @@ const SECTION: &str = "GL 2.1, section 2.15.1";
 pub(crate) struct ShaderObject {
     pub stage: glsl::Stage,
     pub source: String,
+    /// Where each of its strings but the first begins.
+    pub strings: Vec<u32>,
     /// The result of the last successful compilation.
     pub compiled: Option<glsl::Shader>,
     pub log: String,

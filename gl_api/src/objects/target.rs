@@ -21,12 +21,13 @@ pub(crate) enum TextureTarget {
     D2Multisample,
     D2MultisampleArray,
     Buffer,
+    External,
 }
 
 impl TextureTarget {
     /// All targets. Of several that are enabled, the last one applies (section 3.8.15; `ARB_texture_rectangle`). Array,
     /// multisample and buffer textures are for shaders only.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 12] = [
         Self::D1Array,
         Self::D2Array,
         Self::CubeArray,
@@ -38,6 +39,7 @@ impl TextureTarget {
         Self::D2Multisample,
         Self::D2MultisampleArray,
         Self::Buffer,
+        Self::External,
     ];
     /// How many there are.
     pub const COUNT: usize = Self::ALL.len();
@@ -46,7 +48,7 @@ impl TextureTarget {
     pub fn shape(self) -> Shape {
         match self {
             Self::D1 | Self::Buffer => Shape::D1,
-            Self::D2 => Shape::D2,
+            Self::D2 | Self::External => Shape::D2,
             Self::D3 => Shape::D3,
             Self::Rect => Shape::Rect,
             Self::Cube => Shape::Cube,
@@ -84,6 +86,7 @@ impl TextureTarget {
             Dim::D2Multisample => Self::D2Multisample,
             Dim::D2MultisampleArray => Self::D2MultisampleArray,
             Dim::Buffer => Self::Buffer,
+            Dim::External => Self::External,
         }
     }
 
@@ -99,7 +102,8 @@ impl TextureTarget {
             | Self::D1Array
             | Self::D2Array
             | Self::CubeArray
-            | Self::Buffer => false,
+            | Self::Buffer
+            | Self::External => false,
         }
     }
 
@@ -109,7 +113,9 @@ impl TextureTarget {
         let (side, layers) = (limits::MAX_TEXTURE_SIZE, limits::MAX_ARRAY_TEXTURE_LAYERS);
         match self {
             Self::D1 => [side, 1, 1],
-            Self::D2 | Self::Rect | Self::Cube | Self::D2Multisample => [side, side, 1],
+            Self::D2 | Self::Rect | Self::Cube | Self::D2Multisample | Self::External => {
+                [side, side, 1]
+            }
             Self::D3 => [limits::MAX_3D_TEXTURE_SIZE; 3],
             Self::D1Array => [side, layers, 1],
             Self::Buffer => [limits::MAX_TEXTURE_BUFFER_SIZE, 1, 1],
@@ -120,7 +126,11 @@ impl TextureTarget {
     /// How many levels its textures can have.
     pub fn levels(self) -> usize {
         match self {
-            Self::Rect | Self::D2Multisample | Self::D2MultisampleArray | Self::Buffer => 1,
+            Self::Rect
+            | Self::D2Multisample
+            | Self::D2MultisampleArray
+            | Self::Buffer
+            | Self::External => 1,
             Self::D1
             | Self::D2
             | Self::D3
@@ -144,26 +154,44 @@ impl TextureTarget {
             | Self::CubeArray
             | Self::D2Multisample
             | Self::D2MultisampleArray
-            | Self::Buffer => [width, height, depth],
+            | Self::Buffer
+            | Self::External => [width, height, depth],
         }
     }
 }
 
+/// The names of targets, those of OpenGL ES alone last.
+pub(crate) const TARGET: Table<TextureTarget> =
+    Table { section: "GL 2.1, section 3.8.12", rows: ALL_TARGETS };
+
+const ALL_TARGETS: &[(GLenum, TextureTarget)] = &[
+    (GL_TEXTURE_1D, TextureTarget::D1),
+    (GL_TEXTURE_2D, TextureTarget::D2),
+    (GL_TEXTURE_3D, TextureTarget::D3),
+    (GL_TEXTURE_CUBE_MAP, TextureTarget::Cube),
+    (GL_TEXTURE_RECTANGLE, TextureTarget::Rect),
+    (GL_TEXTURE_1D_ARRAY, TextureTarget::D1Array),
+    (GL_TEXTURE_2D_ARRAY, TextureTarget::D2Array),
+    (GL_TEXTURE_CUBE_MAP_ARRAY, TextureTarget::CubeArray),
+    (GL_TEXTURE_2D_MULTISAMPLE, TextureTarget::D2Multisample),
+    (GL_TEXTURE_2D_MULTISAMPLE_ARRAY, TextureTarget::D2MultisampleArray),
+    (GL_TEXTURE_BUFFER, TextureTarget::Buffer),
+    (GL_TEXTURE_EXTERNAL_OES, TextureTarget::External),
+];
+
 /// The targets of `glBindTexture`.
-pub(crate) const TARGET: Table<TextureTarget> = Table {
-    section: "GL 2.1, section 3.8.12",
+pub(crate) const TARGET_OF_DESKTOP: Table<TextureTarget> =
+    Table { section: TARGET.section, rows: ALL_TARGETS.split_at(11).0 };
+
+/// Those of contexts of OpenGL ES, whose external textures are EGL images (`OES_EGL_image_external`).
+pub(crate) const TARGET_OF_ES: Table<TextureTarget> = Table {
+    section: "OpenGL ES 3.0, section 3.8.1, and OES_EGL_image_external",
     rows: &[
-        (GL_TEXTURE_1D, TextureTarget::D1),
         (GL_TEXTURE_2D, TextureTarget::D2),
         (GL_TEXTURE_3D, TextureTarget::D3),
         (GL_TEXTURE_CUBE_MAP, TextureTarget::Cube),
-        (GL_TEXTURE_RECTANGLE, TextureTarget::Rect),
-        (GL_TEXTURE_1D_ARRAY, TextureTarget::D1Array),
         (GL_TEXTURE_2D_ARRAY, TextureTarget::D2Array),
-        (GL_TEXTURE_CUBE_MAP_ARRAY, TextureTarget::CubeArray),
-        (GL_TEXTURE_2D_MULTISAMPLE, TextureTarget::D2Multisample),
-        (GL_TEXTURE_2D_MULTISAMPLE_ARRAY, TextureTarget::D2MultisampleArray),
-        (GL_TEXTURE_BUFFER, TextureTarget::Buffer),
+        (GL_TEXTURE_EXTERNAL_OES, TextureTarget::External),
     ],
 };
 

@@ -100,7 +100,7 @@ impl Planned {
 /// The sampler state of a new texture (GL 2.1, table 6.16; `ARB_texture_rectangle`).
 fn default_sampler(target: TextureTarget) -> Sampler {
     match target {
-        TextureTarget::Rect => Sampler {
+        TextureTarget::Rect | TextureTarget::External => Sampler {
             wrap: [Wrap::ClampToEdge; 3],
             min: Filter::Linear,
             mipmap: Mipmap::None,
@@ -207,6 +207,7 @@ impl Texture {
             TextureTarget::D1
             | TextureTarget::D2
             | TextureTarget::Rect
+            | TextureTarget::External
             | TextureTarget::D3
             | TextureTarget::D2Multisample
             | TextureTarget::Buffer => 1,

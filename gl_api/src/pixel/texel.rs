@@ -55,6 +55,37 @@ pub(crate) fn merge(format: Format, depth: DepthWrite, bits: u8, from: &[u8], to
     }
 }
 
+/// Whether two formats store depths alike, beside a stencil or not.
+pub(crate) fn same_depths(a: Format, b: Format) -> bool {
+    let [x, y] = [a, b].map(Format::info);
+    a.is_depth() && b.is_depth() && x.encoding == y.encoding && x.fields[0].bits == y.fields[0].bits
+}
+
+/// Texels of a format of depth or stencil as those of another one that stores what it has alike; what only the other
+/// one has is zero.
+pub(crate) fn relaid(from: Format, to: Format, texels: &[u8]) -> Vec<u8> {
+    if from == to {
+        return texels.to_vec();
+    }
+    let fields = |format: Format| [format.info().fields[0], format.info().stencil];
+    let (sources, destinations) = (fields(from), fields(to));
+    let mut out = Vec::with_capacity(texels.len() / from.bytes() * to.bytes());
+    for texel in texels.chunks_exact(from.bytes()) {
+        let mut words = [0_u32; 2];
+        for (source, destination) in sources.iter().zip(&destinations) {
+            if source.bits == 0 || destination.bits == 0 {
+                continue;
+            }
+            let bytes = texel[4 * source.word..].first_chunk().copied().unwrap_or_default();
+            let value = u32::from_le_bytes(bytes) >> source.shift & (!0 >> (32 - source.bits));
+            words[destination.word] |= value << destination.shift;
+        }
+        let bytes = words.map(u32::to_le_bytes);
+        out.extend_from_slice(&bytes.as_flattened()[..to.bytes()]);
+    }
+    out
+}
+
 fn merge_sized<const SIZE: usize>(
     byte: usize,
     depth: DepthWrite,

@@ -197,6 +197,7 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     "GL_ARB_shading_language_420pack",
     "GL_ARB_shading_language_packing",
     "GL_ARB_texture_storage",
+    "GL_EXT_framebuffer_multisample_blit_scaled",
     // 2012
     "GL_AMD_vertex_shader_layer",
     "GL_AMD_vertex_shader_viewport_index",
@@ -205,6 +206,7 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     "GL_ARB_copy_image",
     "GL_ARB_explicit_uniform_location",
     "GL_ARB_fragment_layer_viewport",
+    "GL_ARB_framebuffer_no_attachments",
     "GL_ARB_internalformat_query2",
     "GL_ARB_multi_draw_indirect",
     "GL_ARB_stencil_texturing",
@@ -220,6 +222,7 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     "GL_ARB_clear_texture",
     "GL_ARB_texture_mirror_clamp_to_edge",
     "GL_ARB_texture_stencil8",
+    "GL_ARB_vertex_type_10f_11f_11f_rev",
     // 2014
     "GL_ARB_clip_control",
     "GL_ARB_cull_distance",
@@ -233,6 +236,7 @@ pub(crate) const EXTENSIONS: &[&str] = &[
 /// Extensions that the registry has for the compatibility profile alone, and that Mesa's core contexts list: programs
 /// look for them where what they add is part of the version.
 const ALSO_OF_CORE: &[&str] = &[
+    "GL_AMD_conservative_depth",
     "GL_AMD_vertex_shader_layer",
     "GL_AMD_vertex_shader_viewport_index",
     "GL_ARB_half_float_pixel",

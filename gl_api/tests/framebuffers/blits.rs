@@ -143,3 +143,76 @@ fn linear_means_of_one_texel_are_that_texel() {
         assert_eq!(got, [f32::INFINITY, -2.5, 0.0, 1.0].repeat(48));
     }
 }
+
+/// Depths go between formats that store them alike, with a stencil beside them or not, which stays.
+#[test]
+fn depths_go_to_formats_that_have_a_stencil_too() {
+    let pairs = [
+        (GL_DEPTH_COMPONENT24, GL_DEPTH24_STENCIL8),
+        (GL_DEPTH_COMPONENT32F, GL_DEPTH32F_STENCIL8),
+    ];
+    for (plain, packed) in pairs {
+        let depth_point = |format| {
+            if format == plain { GL_DEPTH_ATTACHMENT } else { GL_DEPTH_STENCIL_ATTACHMENT }
+        };
+        for [from, to] in [[plain, packed], [packed, plain]] {
+            let mut c = context(4, 4);
+            let mut objects = [0; 2];
+            for (object, format) in objects.iter_mut().zip([from, to]) {
+                *object = framebuffer(&mut c);
+                renderbuffer(&mut c, depth_point(format), format, 4, 4);
+                c.draw_buffer(GL_NONE);
+                c.read_buffer(GL_NONE);
+                c.clear_depth(if format == from { 0.3 } else { 0.9 });
+                c.clear_stencil(77);
+                c.clear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+            }
+            c.bind_framebuffer(GL_READ_FRAMEBUFFER, objects[0]);
+            c.blit_framebuffer(0, 0, 4, 2, 0, 0, 4, 2, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+            fine(&mut c);
+            let depths = |c: &mut Context, object| {
+                c.bind_framebuffer(GL_READ_FRAMEBUFFER, object);
+                super::floats(c, [0, 0, 4, 4], GL_DEPTH_COMPONENT, 1)
+            };
+            let [want, got] = objects.map(|object| depths(&mut c, object));
+            assert_eq!(got[..8], want[..8]);
+            assert!(got[8..].iter().all(|depth| (depth - 0.9).abs() < 1e-6), "{got:?}");
+            if to == packed {
+                let stencils = bytes(&mut c, [0, 0, 4, 4], GL_STENCIL_INDEX, 1);
+                assert_eq!(stencils, [77; 16]);
+            }
+        }
+    }
+}
+
+/// `EXT_framebuffer_multisample_blit_scaled`: as if the samples were resolved first, and that were filtered.
+#[test]
+fn samples_are_resolved_and_scaled_at_once() {
+    let mut c = context(16, 16);
+    let several = framebuffer(&mut c);
+    let mut name = [0];
+    c.gen_renderbuffers(1, &mut name);
+    c.bind_renderbuffer(GL_RENDERBUFFER, name[0]);
+    c.renderbuffer_storage_multisample(GL_RENDERBUFFER, 4, GL_RGBA8, 6, 6);
+    c.framebuffer_renderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, name[0]);
+    c.clear(GL_COLOR_BUFFER_BIT);
+    c.viewport(0, 0, 6, 6);
+    c.begin(GL_TRIANGLES);
+    for [x, y] in [[-0.9, -0.8], [0.9, -0.3], [-0.1, 0.95]] {
+        c.vertex_2f(x, y);
+    }
+    c.end();
+    let resolved = framebuffer(&mut c);
+    renderbuffer(&mut c, GL_COLOR_ATTACHMENT0, GL_RGBA8, 6, 6);
+    c.bind_framebuffer(GL_READ_FRAMEBUFFER, several);
+    c.blit_framebuffer(0, 0, 6, 6, 0, 0, 6, 6, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    let (src, dst) = ([1, 0, 6, 5], [15, 2, 2, 16]);
+    c.bind_framebuffer(GL_READ_FRAMEBUFFER, resolved);
+    blit(&mut c, src, dst, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+    let want = bytes(&mut c, [0, 0, 16, 16], GL_RGBA, 4);
+    for filter in [GL_SCALED_RESOLVE_FASTEST_EXT, GL_SCALED_RESOLVE_NICEST_EXT] {
+        c.bind_framebuffer(GL_READ_FRAMEBUFFER, several);
+        blit(&mut c, src, dst, GL_COLOR_BUFFER_BIT, filter);
+        assert_eq!(bytes(&mut c, [0, 0, 16, 16], GL_RGBA, 4), want);
+    }
+}

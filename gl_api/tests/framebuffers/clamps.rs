@@ -1,7 +1,7 @@
 //! `glClampColor`: colours of vertices, of fragments and of what is read, each clamped to [0, 1]
 //! always, never, or where the buffers are of fixed-point numbers (`ARB_color_buffer_float`).
 
-use super::shading::use_program;
+use super::shading::{use_program, use_stages};
 use super::*;
 
 /// A framebuffer of one pixel with a buffer of this format.
@@ -362,5 +362,44 @@ fn whether_buffers_are_of_floats_is_asked_for() {
         c.get_integerv(GL_RGBA_FLOAT_MODE_ARB, &mut mode);
         fine(&mut c);
         assert_eq!(mode, [want], "{}", enum_name(internal));
+    }
+}
+
+/// GL 3.2, compatibility, section 2.20: of two stages before the rasterizer, the last one's.
+#[test]
+fn colours_of_geometry_stages_are_clamped_as_the_state_says() {
+    const VERTEX: &str = "#version 150 compatibility
+        out vec4 passed;
+        void main() { gl_Position = gl_Vertex; gl_FrontColor = gl_Color; passed = gl_Color; }";
+    const GEOMETRY: &str = "#version 150 compatibility
+        layout(triangles) in; layout(triangle_strip, max_vertices = 3) out;
+        in vec4 passed[];
+        void main() {
+            for (int i = 0; i < 3; i++) {
+                gl_Position = gl_in[i].gl_Position;
+                // What the vertex stage wrote is not clamped yet.
+                gl_FrontColor = passed[i] == gl_in[i].gl_FrontColor ? passed[i] : vec4(9.0);
+                if (passed[i].x > 0.0) { EmitVertex(); }
+            }
+        }";
+    const FRAGMENT: &str = "#version 150 compatibility\nvoid main() { gl_FragColor = gl_Color; }";
+    for (mode, want) in [(GL_TRUE, CLAMPED), (GL_FALSE, WIDE), (GL_FIXED_ONLY, WIDE)] {
+        let mut c = target(GL_RGBA32F);
+        c.clamp_color(GL_CLAMP_VERTEX_COLOR, mode);
+        use_stages(
+            &mut c,
+            &[
+                (GL_VERTEX_SHADER, VERTEX),
+                (GL_GEOMETRY_SHADER, GEOMETRY),
+                (GL_FRAGMENT_SHADER, FRAGMENT),
+            ],
+        );
+        c.begin(GL_TRIANGLES);
+        current_color(&mut c);
+        for [x, y] in [[-1.0, -1.0], [3.0, -1.0], [-1.0, 3.0]] {
+            c.vertex_2f(x, y);
+        }
+        c.end();
+        assert_eq!(pixel(&mut c), want, "{mode}");
     }
 }

@@ -18,6 +18,7 @@ mod samples;
 mod second_colors;
 mod stencils;
 mod whole;
+mod without_attachments;
 
 use gl_api::*;
 

@@ -1,5 +1,6 @@
 //! Drawing to several samples a pixel, resolved by a blit (GL 2.1, sections 3.2.1 and 4.1.3).
 
+use super::shading::use_program;
 use super::{bytes, context, framebuffer, rectangle};
 use gl_api::*;
 
@@ -183,4 +184,42 @@ fn points_below_the_threshold_fade_with_the_square_of_their_size() {
     c.disable(GL_MULTISAMPLE);
     assert_eq!(alpha_of_point(&mut c, object, 8.0), 204);
     assert_eq!(c.get_error(), GL_NO_ERROR);
+}
+
+/// GL 3.0, section 4.1.3: where draw buffer zero holds integers, alpha chooses no samples and stays as it is, in the other
+/// buffers too.
+#[test]
+fn alpha_chooses_no_samples_where_the_first_buffer_has_integers() {
+    for (first, red, alpha) in [(GL_RGBA8, 128, 128), (GL_RGBA8I, 255, 128)] {
+        let mut c = context(4, 4);
+        let object = framebuffer(&mut c);
+        for (point, format) in [(GL_COLOR_ATTACHMENT0, first), (GL_COLOR_ATTACHMENT1, GL_RGBA8)] {
+            let mut name = [0];
+            c.gen_renderbuffers(1, &mut name);
+            c.bind_renderbuffer(GL_RENDERBUFFER, name[0]);
+            c.renderbuffer_storage_multisample(GL_RENDERBUFFER, 4, format, 4, 4);
+            c.framebuffer_renderbuffer(GL_FRAMEBUFFER, point, GL_RENDERBUFFER, name[0]);
+        }
+        let output = if first == GL_RGBA8 { "vec4" } else { "ivec4" };
+        let fragment = format!(
+            "#version 330 compatibility
+            layout(location = 0) out {output} a; layout(location = 1) out vec4 b;
+            void main() {{ a = {output}(vec4(1.0, 1.0, 1.0, 0.5)); b = vec4(1.0, 1.0, 1.0, 0.5); }}"
+        );
+        use_program(&mut c, "void main() { gl_Position = gl_Vertex; }", &fragment);
+        c.draw_buffers(2, &[GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1]);
+        c.read_buffer(GL_COLOR_ATTACHMENT1);
+        c.clear_bufferfv(GL_COLOR, 1, &[0.0; 4]);
+        c.enable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+        rectangle(&mut c, super::ALL, 0.0);
+        assert_eq!(resolved(&mut c, object), [red; 4], "{output}");
+        c.disable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+        c.enable(GL_SAMPLE_ALPHA_TO_ONE);
+        rectangle(&mut c, super::ALL, 0.0);
+        c.bind_framebuffer(GL_DRAW_FRAMEBUFFER, 0);
+        c.blit_framebuffer(0, 0, 4, 4, 0, 0, 4, 4, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+        c.bind_framebuffer(GL_FRAMEBUFFER, 0);
+        let want = if first == GL_RGBA8 { 255 } else { alpha };
+        assert_eq!(bytes(&mut c, [0, 0, 1, 1], GL_ALPHA, 1), [want], "{output}");
+    }
 }

@@ -5,7 +5,7 @@ mod links;
 mod rows_100;
 mod rows_300;
 
-use gl_api::glsl::{ContextLanguage, Options, Stage, compile};
+use gl_api::glsl::{ContextLanguage, Options, Stage, Strictness, compile};
 use rows_100::{EXTENDED_100, ROWS_100};
 use rows_300::ROWS_300;
 use std::fmt::Write as _;
@@ -120,4 +120,26 @@ fn lengths_of_names() {
         }
     }
     assert!(wrong.is_empty(), "{wrong}");
+}
+
+/// Without `GL_EXT_draw_buffers` there is one colour by the text, and all that there are in drivers.
+#[test]
+fn colours_beyond_the_first_are_accepted_with_a_warning() {
+    let compiled = |header: &str, index: u32, strictness| {
+        let options = Options { context: ContextLanguage::Es30, strictness, ..Options::default() };
+        let body =
+            format!("{header}{HEADER_100}void main() {{ gl_FragData[{index}] = vec4(1.0); }}");
+        compile(Fragment, &body, &options)
+    };
+    let with = "#extension GL_EXT_draw_buffers : require\n";
+    for strictness in [Strictness::Lenient, Strictness::Strict] {
+        assert_eq!(compiled("", 0, strictness).log, "");
+        let found = compiled(with, 7, strictness);
+        assert!(found.shader.is_some() && found.log.is_empty(), "{}", found.log);
+        assert!(compiled(with, 8, strictness).shader.is_none());
+        assert!(compiled("", 8, strictness).shader.is_none());
+        let found = compiled("", 7, strictness);
+        assert_eq!(found.shader.is_some(), strictness == Strictness::Lenient, "{}", found.log);
+        assert!(found.log.contains("#extension GL_EXT_draw_buffers"), "{}", found.log);
+    }
 }

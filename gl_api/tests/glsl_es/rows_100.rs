@@ -127,10 +127,6 @@ pub const EXTENDED_100: &[(&str, Row)] = &[
         ),
     ),
     (
-        "GL_EXT_draw_buffers",
-        ("", Fragment, Accepted, "void main() { gl_FragData[3] = vec4(1.0); }"),
-    ),
-    (
         "GL_EXT_blend_func_extended",
         (
             "",

@@ -1,6 +1,8 @@
 //! The preprocessor (GLSL 1.30 section 3.3) and GLSL ES 1.00.
 
 use super::Row;
+use gl_api::glsl::{FixIts, Options, Stage, compile_strings};
+use gl_api::*;
 
 pub const TABLE: &[Row] = &[
     // The preprocessor
@@ -171,3 +173,39 @@ pub const TABLE: &[Row] = &[
         [3.0, 0.0, 0.0, 0.0],
     ),
 ];
+
+/// GLSL 1.30 section 3.3: `__FILE__` is the number of the string, `__LINE__` counts the lines of it, and a `#line` renumbers
+/// the strings that follow.
+#[test]
+fn strings_of_a_source_are_counted() {
+    let check = |strings: &[&str]| {
+        let mut c = Context::new(ContextDesc::default()).expect("a device");
+        let shader = c.create_shader(GL_FRAGMENT_SHADER);
+        c.shader_source(shader, strings.len() as GLsizei, Strings(strings.to_vec()), &[]);
+        c.compile_shader(shader);
+        let mut log = String::new();
+        c.get_shader_info_log(shader, 1 << 16, &mut [], TextOut::String(&mut log));
+        log
+    };
+    // An array of no elements is an error, which says where it is.
+    let at = "int a[__FILE__ == 1 && __LINE__ == 2 ? 1 : 0];\n";
+    let end = "void main() {}\n";
+    assert_eq!(check(&["#version 120\n", &format!("\n{at}"), end]), "");
+    assert_eq!(check(&["#version 120\n// half a ", &format!("line\n{at}"), end]), "");
+    assert_ne!(check(&["#version 120\n", at, end]), "");
+    assert_ne!(check(&[&format!("#version 120\n\n{at}{end}")]), "");
+    let log = check(&["#version 120\n", "\n  float x = ;\n", end]);
+    assert!(log.starts_with("1:2(13): error"), "{log}");
+    let log = check(&["#version 120\n#line 9 4\n\n", "int b;\n", "\n  float x = ;\n"]);
+    assert!(log.starts_with("6:2(13): error"), "{log}");
+    // What stands at the end of a string is said of the line that comes next.
+    let log = check(&["#version 330\n#line 9 4\n", "  float x = ;\n"]);
+    assert!(log.starts_with("4:9(13): error"), "{log}");
+    // Repairs, of which the first makes its string longer, do not move the numbers.
+    let strings = ["#version 120\n", "void f() { int a = 1 }\n", "\n  float x = ;\n"];
+    let starts = [strings[0].len(), strings[0].len() + strings[1].len()].map(|at| at as u32);
+    let options = Options { fix_its: FixIts::Apply, ..Options::default() };
+    let log = compile_strings(Stage::Fragment, &strings.concat(), &starts, &options).log;
+    assert!(log.contains("1:1(") && log.contains("repaired"), "{log}");
+    assert!(log.contains("2:2(13): error"), "{log}");
+}

@@ -202,7 +202,7 @@ const FRAMEBUFFERS: &[Case] = &[
         "framebuffer = 0",
     ),
     (|c| c.named_framebuffer_parameteri(9, GL_SAMPLES, 1), OPERATION, FRAMEBUFFER),
-    (|c| c.named_framebuffer_parameteri(1, GL_SAMPLES, 1), ENUM, "ARB_framebuffer_no_attachments"),
+    (|c| c.named_framebuffer_parameteri(1, GL_SAMPLES, 1), ENUM, "pname = GL_SAMPLES"),
     (|c| c.named_framebuffer_texture(9, COLOR, 1, 0), OPERATION, FRAMEBUFFER),
     (|c| c.named_framebuffer_texture(1, COLOR, 9, 0), VALUE, "texture = 9"),
     (|c| c.named_framebuffer_texture_layer(9, COLOR, 1, 0, 0), OPERATION, FRAMEBUFFER),

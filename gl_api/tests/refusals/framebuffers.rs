@@ -179,6 +179,76 @@ const CASES: &[Case] = &[
     (nothing, |c| blit(c, GL_COLOR_BUFFER_BIT, GL_LINEAR_MIPMAP_LINEAR), GL_INVALID_ENUM, "filter"),
     (nothing, |c| blit(c, GL_DEPTH_BUFFER_BIT, GL_LINEAR), GL_INVALID_OPERATION, "GL_NEAREST"),
     (
+        |c| {
+            multisampled(c, 4);
+            c.bind_framebuffer(GL_DRAW_FRAMEBUFFER, 0);
+        },
+        |c| blit(c, GL_DEPTH_BUFFER_BIT, GL_SCALED_RESOLVE_NICEST_EXT),
+        GL_INVALID_OPERATION,
+        "filter = GL_SCALED_RESOLVE_NICEST_EXT",
+    ),
+    (
+        nothing,
+        |c| blit(c, GL_COLOR_BUFFER_BIT, GL_SCALED_RESOLVE_FASTEST_EXT),
+        GL_INVALID_OPERATION,
+        "the read framebuffer has one sample a pixel",
+    ),
+    (
+        |c| multisampled(c, 4),
+        |c| blit(c, GL_COLOR_BUFFER_BIT, GL_SCALED_RESOLVE_FASTEST_EXT),
+        GL_INVALID_OPERATION,
+        "the draw framebuffer has several samples",
+    ),
+    (
+        nothing,
+        |c| c.framebuffer_parameteri(FB, GL_FRAMEBUFFER_DEFAULT_WIDTH, 1),
+        GL_INVALID_OPERATION,
+        "bind a framebuffer object",
+    ),
+    (
+        nothing,
+        |c| c.framebuffer_parameteri(GL_TEXTURE_2D, GL_FRAMEBUFFER_DEFAULT_WIDTH, 1),
+        GL_INVALID_ENUM,
+        "target = GL_TEXTURE_2D",
+    ),
+    (framebuffer, |c| c.framebuffer_parameteri(FB, GL_SAMPLES, 1), GL_INVALID_ENUM, "pname"),
+    (
+        framebuffer,
+        |c| c.framebuffer_parameteri(FB, GL_FRAMEBUFFER_DEFAULT_HEIGHT, -1),
+        GL_INVALID_VALUE,
+        "param = -1 must be 0 to 8192",
+    ),
+    (
+        framebuffer,
+        |c| c.framebuffer_parameteri(FB, GL_FRAMEBUFFER_DEFAULT_SAMPLES, 5),
+        GL_INVALID_VALUE,
+        "param = 5 must be 0 to 4",
+    ),
+    (
+        framebuffer,
+        |c| c.framebuffer_parameteri(FB, GL_FRAMEBUFFER_DEFAULT_LAYERS, 2049),
+        GL_INVALID_VALUE,
+        "param = 2049 must be 0 to 2048",
+    ),
+    (
+        nothing,
+        |c| c.get_framebuffer_parameteriv(FB, GL_FRAMEBUFFER_DEFAULT_WIDTH, &mut [0]),
+        GL_INVALID_OPERATION,
+        "bind a framebuffer object",
+    ),
+    (
+        framebuffer,
+        |c| c.get_framebuffer_parameteriv(FB, GL_RGBA, &mut [0]),
+        GL_INVALID_ENUM,
+        "pname = GL_RGBA",
+    ),
+    (
+        nothing,
+        |c| c.get_framebuffer_parameteriv(GL_RGBA, GL_SAMPLES, &mut [0]),
+        GL_INVALID_ENUM,
+        "target = GL_RGBA",
+    ),
+    (
         nothing,
         |c| c.framebuffer_texture_1d(FB, C0, GL_TEXTURE_1D, 1, 0),
         GL_INVALID_OPERATION,

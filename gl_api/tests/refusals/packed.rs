@@ -8,6 +8,7 @@ const ENUM: GLenum = GL_INVALID_ENUM;
 const VALUE: GLenum = GL_INVALID_VALUE;
 const OPERATION: GLenum = GL_INVALID_OPERATION;
 const SIGNED: GLenum = GL_INT_2_10_10_10_REV;
+const FLOATS: GLenum = GL_UNSIGNED_INT_10F_11F_11F_REV;
 const BGRA: GLint = GL_BGRA as GLint;
 const NONE: Data<'static> = Data::Null;
 
@@ -54,6 +55,11 @@ const CASES: &[Case] = &[
     (|c| c.vertex_attrib_p1ui(99, SIGNED, true, 0), VALUE, "index = 99"),
     (|c| c.multi_tex_coord_p1ui(GL_TEXTURE0 + 99, SIGNED, 0), ENUM, "texture"),
     (|c| c.vertex_attrib_pointer(0, 3, SIGNED, true, 0, NONE), OPERATION, "size = 3 must be 4"),
+    (|c| c.vertex_attrib_pointer(0, 4, FLOATS, false, 0, NONE), OPERATION, "size = 4 must be 3"),
+    (|c| c.vertex_attrib_pointer(0, BGRA, FLOATS, true, 0, NONE), OPERATION, "GL_BGRA needs"),
+    (|c| c.vertex_attrib_i_pointer(0, 3, FLOATS, 0, NONE), ENUM, "10F_11F_11F"),
+    (|c| c.vertex_pointer(3, FLOATS, 0, NONE), ENUM, "10F_11F_11F"),
+    (|c| c.vertex_p3ui(FLOATS, 0), ENUM, "10F_11F_11F"),
     (|c| c.vertex_pointer(2, SIGNED, 0, NONE), OPERATION, "size = 2 must be 4"),
     (|c| c.vertex_pointer(BGRA, SIGNED, 0, NONE), VALUE, "must be 2 to 4"),
     (|c| c.color_pointer(BGRA, GL_FLOAT, 0, NONE), OPERATION, "needs type = GL_UNSIGNED_BYTE"),

@@ -1,6 +1,7 @@
 //! EGL images between contexts that share nothing else (EGL 1.5, section 3.9; `OES_EGL_image`): the oracle is a plain copy
 //! of the bytes that were written.
 
+use super::shading::use_program;
 use super::views::{framebuffer, name};
 use super::{context, fine, pixel};
 use gl_api::host::{EglImage, EglImageError, EglImageSource, share};
@@ -494,4 +495,106 @@ fn two_threads_draw_to_one_image() {
     for texel in attached(&mut a).chunks_exact(4) {
         assert!(matches!(texel, [0 | 255, 255, 0, 255]), "{texel:?}");
     }
+}
+
+/// `OES_EGL_image_external` and `OES_EGL_image_external_essl3`: textures that are EGL images alone.
+#[test]
+fn external_textures_show_images_of_other_contexts() {
+    type Refused = (fn(&mut Context), GLenum);
+    const EXTERNAL: GLenum = GL_TEXTURE_EXTERNAL_OES;
+    const VERTEX: &str = "attribute vec2 at; varying vec2 coord;
+        void main() { gl_Position = vec4(at, 0.0, 1.0); coord = at * 0.5 + 0.5; }";
+    const VERTEX_300: &str = "#version 300 es
+        in vec2 at; out vec2 coord;
+        void main() { gl_Position = vec4(at, 0.0, 1.0); coord = at * 0.5 + 0.5; }";
+    const HEADER: &str = "#extension GL_OES_EGL_image_external : require
+        precision highp float; uniform samplerExternalOES image; varying vec2 coord;";
+    const HEADER_300: &str = "#version 300 es
+        #extension GL_OES_EGL_image_external_essl3 : require
+        precision highp float; uniform samplerExternalOES image; in vec2 coord; out vec4 color;";
+    let bytes = noise(5);
+    let mut a = context(4, 4);
+    let source = texture(&mut a, &bytes);
+    let image = image(&a, of_2d(source));
+    let mut b = es(SIDE as u32, SIDE as u32);
+    let external = name(&mut b);
+    b.bind_texture(EXTERNAL, external);
+    b.egl_image_target_texture_2d(EXTERNAL, image.handle());
+    b.tex_parameteri(EXTERNAL, GL_TEXTURE_MIN_FILTER, GL_NEAREST as GLint);
+    b.tex_parameteri(EXTERNAL, GL_TEXTURE_MAG_FILTER, GL_NEAREST as GLint);
+    let (mut units, mut bound, mut wrap) = ([0], [0], [0]);
+    b.get_tex_parameteriv(EXTERNAL, GL_REQUIRED_TEXTURE_IMAGE_UNITS_OES, &mut units);
+    b.get_tex_parameteriv(EXTERNAL, GL_TEXTURE_WRAP_S, &mut wrap);
+    b.get_integerv(GL_TEXTURE_BINDING_EXTERNAL_OES, &mut bound);
+    assert_eq!((units, bound), ([1], [external as GLint]));
+    assert_eq!(wrap, [GL_CLAMP_TO_EDGE as GLint]);
+    fine(&mut b);
+    for (vertex, header, body) in [
+        (VERTEX, HEADER, "gl_FragColor = texture2D(image, coord);"),
+        (VERTEX, HEADER, "gl_FragColor = texture2DProj(image, vec3(coord, 1.0) * 3.0);"),
+        (VERTEX, HEADER, "gl_FragColor = texture2DProj(image, vec4(coord, 9.0, 1.0) * 3.0);"),
+        (VERTEX_300, HEADER_300, "color = texture(image, coord);"),
+        (VERTEX_300, HEADER_300, "color = texture(image, coord, 2.0);"),
+        (VERTEX_300, HEADER_300, "color = textureProj(image, vec3(coord, 1.0) * 3.0);"),
+        (VERTEX_300, HEADER_300, "color = texelFetch(image, ivec2(gl_FragCoord.xy), 0);"),
+        (
+            VERTEX_300,
+            HEADER_300,
+            "color = textureSize(image, 0) == ivec2(8) ? texture(image, coord) : vec4(0.0);",
+        ),
+    ] {
+        let program = use_program(&mut b, vertex, &format!("{header} void main() {{ {body} }}"));
+        let (mut size, mut ty) = ([0], [0]);
+        b.get_active_uniform(program, 0, 0, &mut [], &mut size, &mut ty, TextOut::Bytes(&mut []));
+        assert_eq!((size, ty), ([1], [GL_SAMPLER_EXTERNAL_OES]));
+        b.clear(GL_COLOR_BUFFER_BIT);
+        let at = b.get_attrib_location(program, "at") as GLuint;
+        let corners: [f32; 8] = [-1.0, -1.0, 1.0, -1.0, -1.0, 1.0, 1.0, 1.0];
+        b.vertex_attrib_pointer(at, 2, GL_FLOAT, false, 0, corners.as_slice().arg());
+        b.enable_vertex_attrib_array(at);
+        b.draw_arrays(GL_TRIANGLE_STRIP, 0, 4);
+        assert_eq!(attached(&mut b), bytes, "{body}");
+    }
+    // Without an image it is incomplete, and what other calls do with a texture is refused.
+    let empty = name(&mut b);
+    b.bind_texture(EXTERNAL, empty);
+    b.draw_arrays(GL_TRIANGLE_STRIP, 0, 4);
+    assert_eq!(attached(&mut b)[..4], [0, 0, 0, 0]);
+    let refused: [Refused; 7] = [
+        (|c| c.tex_parameteri(EXTERNAL, GL_TEXTURE_WRAP_S, GL_REPEAT as GLint), GL_INVALID_ENUM),
+        (
+            |c| {
+                let filter = GL_LINEAR_MIPMAP_LINEAR as GLint;
+                c.tex_parameteri(EXTERNAL, GL_TEXTURE_MIN_FILTER, filter);
+            },
+            GL_INVALID_ENUM,
+        ),
+        (
+            |c| {
+                let (format, ty, texel) = (GL_RGBA, GL_UNSIGNED_BYTE, Data::Bytes(&[0; 4]));
+                c.tex_image_2d(EXTERNAL, 0, GL_RGBA as GLint, 1, 1, 0, format, ty, texel);
+            },
+            GL_INVALID_ENUM,
+        ),
+        (|c| c.tex_storage_2d(EXTERNAL, 1, GL_RGBA8, 1, 1), GL_INVALID_ENUM),
+        (|c| c.generate_mipmap(EXTERNAL), GL_INVALID_ENUM),
+        (
+            |c| {
+                c.bind_framebuffer(GL_FRAMEBUFFER, 1);
+                c.framebuffer_texture_2d(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, EXTERNAL, 1, 0);
+            },
+            GL_INVALID_ENUM,
+        ),
+        (|c| c.bind_texture(GL_TEXTURE_2D, 1), GL_INVALID_OPERATION),
+    ];
+    for (number, (call, flag)) in refused.iter().enumerate() {
+        b.messages();
+        call(&mut b);
+        assert_eq!(b.get_error(), *flag, "{number}: {:?}", b.messages());
+    }
+    // OpenGL has no such textures.
+    a.bind_texture(EXTERNAL, 9);
+    assert_eq!(a.get_error(), GL_INVALID_ENUM);
+    a.egl_image_target_texture_2d(EXTERNAL, image.handle());
+    assert_eq!(a.get_error(), GL_INVALID_ENUM);
 }

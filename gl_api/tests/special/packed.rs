@@ -174,3 +174,34 @@ fn immediate_mode_takes_words() {
     assert_eq!(c.feedback(), [point, 1.0, 0.0, point, 0.0, 1.0, point, 1.0, 1.0]);
     fine(&mut c);
 }
+
+/// `ARB_vertex_type_10f_11f_11f_rev`: 2.5, 65024 and 2^-19 are 1.25 · 2^1, the largest number of 11 bits and the least of 10.
+#[test]
+fn words_of_three_floats() {
+    let mut c = prepared();
+    let floats = GL_UNSIGNED_INT_10F_11F_11F_REV;
+    let word: u32 = (16 << 6 | 16) | 0x7BF << 11 | 1 << 22;
+    let want = [2.5, 65024.0, 2.0_f32.powi(-19), 1.0];
+    for normalized in [false, true] {
+        let bytes = word.to_le_bytes();
+        c.vertex_attrib_pointer(0, 3, floats, normalized, 0, Data::Bytes(&bytes));
+        assert_eq!(read(&mut c), want);
+        let mut value = [0];
+        c.get_vertex_attribiv(0, GL_VERTEX_ATTRIB_ARRAY_TYPE, &mut value);
+        assert_eq!(value, [floats as i32]);
+    }
+    let current = |c: &mut Context| {
+        let mut value = [0.0; 4];
+        c.get_vertex_attribfv(1, GL_CURRENT_VERTEX_ATTRIB, &mut value);
+        fine(c);
+        value
+    };
+    c.vertex_attrib_p1ui(1, floats, false, word);
+    assert_eq!(current(&mut c), [want[0], 0.0, 0.0, 1.0]);
+    c.vertex_attrib_p2uiv(1, floats, true, &[word]);
+    assert_eq!(current(&mut c), [want[0], want[1], 0.0, 1.0]);
+    c.vertex_attrib_p3ui(1, floats, false, word);
+    assert_eq!(current(&mut c), want);
+    c.vertex_attrib_p4ui(1, floats, false, word);
+    assert_eq!(current(&mut c), want);
+}

@@ -30,6 +30,8 @@ pub enum VertexType {
     I1010102,
     /// The same, unsigned.
     U1010102,
+    /// Three unsigned floats in a word: of 11, 11 and 10 bits from the lowest on.
+    F111110,
 }
 
 impl VertexType {
@@ -40,7 +42,7 @@ impl VertexType {
             Self::I16 | Self::U16 | Self::F16 => 2,
             Self::I32 | Self::U32 | Self::F32 | Self::Fixed => 4,
             Self::F64 => 8,
-            Self::I1010102 | Self::U1010102 => 0,
+            Self::I1010102 | Self::U1010102 | Self::F111110 => 0,
         }
     }
 

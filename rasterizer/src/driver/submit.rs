@@ -76,6 +76,7 @@ mod tests {
                 width: 200,
                 height: 200,
                 layers: 1,
+                samples: 1,
             };
             let commands = [Command::BeginPass(pass), clear(0), clear(1), Command::EndPass];
             let resources = Resources::new(desc);

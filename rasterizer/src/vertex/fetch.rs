@@ -1,7 +1,7 @@
 //! Attributes from memory to lanes.
 
 use crate::desc::{VertexFormat, VertexSource, VertexType};
-use texunit::format::small_float::decode_half;
+use texunit::format::small_float::{decode_half, decode_unsigned};
 use texunit::lanes::{F32s, Isa, Kernel, LANES, Simd, U32s};
 
 /// Which elements are read, at most 64.
@@ -156,6 +156,11 @@ pub fn component(
                     let unsigned = |b| field.unsigned(u32::from_le_bytes(b));
                     let fraction = |c: f64, largest: f64| (c / largest) as f32;
                     words.each(out, |b| field.convert(unsigned(b).into(), *format, fraction));
+                }
+                (VertexType::F111110, _) => {
+                    let (at, mantissa) = [(0, 6), (11, 6), (22, 5)][usize::from(component.min(2))];
+                    let float = |b| u32::from_le_bytes(b) >> at & ((32 << mantissa) - 1);
+                    words.each(out, |b| decode_unsigned(float(b), mantissa));
                 }
             }
         }
@@ -316,6 +321,9 @@ mod tests {
             (VertexType::I1010102, VertexFormat::NormalizedSymmetric, &[0xFF, 1, 0, 0], 1.0),
             (VertexType::U1010102, VertexFormat::Plain, &[0xFF, 3, 0, 0x40], 1023.0),
             (VertexType::U1010102, VertexFormat::NormalizedBgra, &[0, 0, 0xF0, 0x7F], 1.0),
+            // 2.5 is 2 · (1 + 16/64), in 11 bits of exponent 16 and mantissa 16.
+            (VertexType::F111110, VertexFormat::Plain, &[0x10, 4, 0, 0], 2.5),
+            (VertexType::F111110, VertexFormat::Normalized, &[0xBF, 0xFF, 0xFF, 0xFF], 65024.0),
             // Too short for its type: zero bytes.
             (VertexType::F32, VertexFormat::Plain, &[0, 0, 128], 0.0),
         ];

@@ -108,6 +108,7 @@ pub fn pass(color: &Image, depth: Option<&Image>, width: u32, height: u32) -> Co
         width,
         height,
         layers: 1,
+        samples: 1,
     })
 }
 

@@ -8,6 +8,11 @@
 //! Code is safe by construction: it has no calls and no jump but that of the loop over the lanes, and addresses only the
 //! registers and splats whose number [`Code::run`] checks.
 
+// What compiling asks of a block.
+#[cfg_attr(
+    not(all(target_arch = "x86_64", not(miri))),
+    allow(dead_code, reason = "nothing is compiled")
+)]
 mod block;
 #[cfg(all(target_arch = "x86_64", not(miri)))]
 mod compile;

@@ -33,6 +33,9 @@ fn a_debian_package_has_the_command_and_its_libraries() {
     unpack.unwrap_or_else(|said| panic!("{said}"));
     let link = std::fs::read_link(tree.join("usr/bin/detgl")).expect("a link");
     assert_eq!(link, Path::new("/opt/detgl/bin/detgl"));
+    let vendor = std::fs::read_to_string(tree.join("opt/detgl/lib/egl_vendor.json"));
+    let vendor = vendor.expect("it is there");
+    assert!(vendor.contains("\"/opt/detgl/lib/libdetgl.so\""), "{vendor}");
     let (prefix, program) = (tree.join("opt/detgl"), folder.join("draw"));
     let mut compile = Command::new("cc");
     compile.arg(source("osmesa.c")).arg("-o").arg(&program).arg("-I").arg(prefix.join("include"));

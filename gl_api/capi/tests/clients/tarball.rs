@@ -59,27 +59,33 @@ fn with_pkg_config(test: &str, folder: &Path, tree: &Path) {
     draws(&program, tree);
 }
 
+/// The packages that projects ask for, and how they are told where the tarball is.
 fn with_cmake(test: &str, folder: &Path, tree: &Path) {
     if let Err(said) = run(Command::new("cmake").arg("--version")) {
         return skip(test, &said);
     }
-    let project = folder.join("project");
-    std::fs::create_dir(&project).expect("the folder is writable");
-    let text = format!(
-        "cmake_minimum_required(VERSION 3.13)\nproject(draw C)\nfind_package(OSMesa REQUIRED)\n\
-         find_package(DetGL REQUIRED)\nset(OpenGL_GL_PREFERENCE GLVND)\n\
-         find_package(OpenGL REQUIRED COMPONENTS EGL)\n\
-         if(NOT OPENGL_egl_LIBRARY MATCHES \"any where\")\n  message(FATAL_ERROR ${{OPENGL_egl_LIBRARY}})\nendif()\n\
-         add_executable(draw \"{}\")\ntarget_link_libraries(draw OSMesa::OSMesa)\n",
-        source("osmesa.c").display()
-    );
-    std::fs::write(project.join("CMakeLists.txt"), text).expect("the folder is writable");
-    let mut prefix = std::ffi::OsString::from("-DCMAKE_PREFIX_PATH=");
-    prefix.push(tree);
-    let build = folder.join("build");
-    let mut configure = Command::new("cmake");
-    configure.arg("-S").arg(&project).arg("-B").arg(&build).arg(prefix);
-    run(&mut configure).unwrap_or_else(|said| panic!("{said}"));
-    run(Command::new("cmake").arg("--build").arg(&build)).unwrap_or_else(|said| panic!("{said}"));
-    draws(&build.join("draw"), tree);
+    let opengl = "find_package(OpenGL REQUIRED COMPONENTS EGL OSMesa)";
+    let packages = format!("find_package(OSMesa REQUIRED)\nfind_package(DetGL REQUIRED)\n{opengl}");
+    let by_packages = ("packages", packages.as_str(), "CMAKE_PREFIX_PATH", "");
+    let by_module = ("module", opengl, "CMAKE_MODULE_PATH", "lib/cmake/modules");
+    for (name, packages, variable, below) in [by_packages, by_module] {
+        let project = folder.join(name);
+        std::fs::create_dir(&project).expect("the folder is writable");
+        let text = format!(
+            "cmake_minimum_required(VERSION 3.13)\nproject(draw C)\n{packages}\n\
+             if(NOT OPENGL_egl_LIBRARY MATCHES \"any where\")\n  message(FATAL_ERROR ${{OPENGL_egl_LIBRARY}})\nendif()\n\
+             add_executable(draw \"{}\")\ntarget_link_libraries(draw OpenGL::OSMesa)\n",
+            source("osmesa.c").display()
+        );
+        std::fs::write(project.join("CMakeLists.txt"), text).expect("the folder is writable");
+        let mut told = std::ffi::OsString::from(format!("-D{variable}="));
+        told.push(tree.join(below));
+        let build = project.join("build");
+        let mut configure = Command::new("cmake");
+        configure.arg("-S").arg(&project).arg("-B").arg(&build).arg(told);
+        run(&mut configure).unwrap_or_else(|said| panic!("{said}"));
+        run(Command::new("cmake").arg("--build").arg(&build))
+            .unwrap_or_else(|said| panic!("{said}"));
+        draws(&build.join("draw"), tree);
+    }
 }

@@ -27,7 +27,7 @@ impl DefaultPrecisions {
             let (scalar, comparison) = (Scalar::Float, Comparison::No);
             (Type::Sampler(Sampler { dim, scalar, comparison }), Precision::Low)
         };
-        let samplers = [plain(Dim::D2), plain(Dim::Cube)];
+        let samplers = [plain(Dim::D2), plain(Dim::Cube), plain(Dim::External)];
         let rows = match (version.is_es(), stage) {
             (false, _) => Vec::new(),
             (true, Stage::Vertex | Stage::Geometry) => {

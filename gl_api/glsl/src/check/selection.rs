@@ -98,16 +98,19 @@ impl Checker<'_> {
                 None => MAX_IMPLICIT_SIZE,
             },
         };
-        let limit = match builtin {
-            // EXT_draw_buffers: without it a shader of GLSL ES 1.00 has one colour.
-            Some(Storage::Builtin(Builtin::FragData))
-                if self.version == Version::Es100
-                    && !self.language.enabled(Extension::EsDrawBuffers) =>
-            {
-                1
-            }
-            _ => len.unwrap_or(implicit),
-        };
+        let limit = len.unwrap_or(implicit);
+        // Drivers accept what gl_MaxDrawBuffers allows, with or without the extension.
+        if builtin == Some(Storage::Builtin(Builtin::FragData))
+            && (1..limit).contains(&value)
+            && self.version == Version::Es100
+            && !self.language.enabled(Extension::EsDrawBuffers)
+        {
+            let message = format!("`gl_FragData[{value}]` is of `GL_EXT_draw_buffers`");
+            let problem = Diagnostic::deviation(self.log.strictness, span, message)
+                .rule("EXT_draw_buffers, section 7.2: without it there is one colour")
+                .help("write `#extension GL_EXT_draw_buffers : require` at the beginning");
+            self.log.push(problem);
+        }
         if value >= limit {
             let message =
                 format!("index {} is out of range: {} has {limit} elements", value as i32, base.ty);

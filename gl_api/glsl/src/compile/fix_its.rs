@@ -10,11 +10,11 @@ use rasterizer::ir::Stage;
 const MAX_ROUNDS: usize = 8;
 
 /// Compiles `text` and applies the fix-its of its diagnostics.
-pub fn compile(stage: Stage, text: &str, options: &Options) -> Compiled {
-    let mut text = text.to_owned();
+pub fn compile(stage: Stage, text: &str, strings: &[u32], options: &Options) -> Compiled {
+    let (mut text, mut strings) = (text.to_owned(), strings.to_vec());
     let mut rounds: Vec<Vec<Edit>> = Vec::new();
     let mut repaired: Vec<Diagnostic> = Vec::new();
-    let mut pass = compile_once(stage, &text, options);
+    let mut pass = compile_once(stage, &text, &strings, options);
     let original = pass.source.clone();
     while pass.log.has_errors() && rounds.len() < MAX_ROUNDS {
         let edits = applicable(&pass, &rounds, &mut repaired);
@@ -22,8 +22,11 @@ pub fn compile(stage: Stage, text: &str, options: &Options) -> Compiled {
             break;
         }
         text = apply(&text, &edits);
+        for string in &mut strings {
+            *string = edited(*string, &edits);
+        }
         rounds.push(edits);
-        pass = compile_once(stage, &text, options);
+        pass = compile_once(stage, &text, &strings, options);
     }
     repaired.sort_by_key(|warning| warning.span);
     let mut log: String = repaired.iter().map(|warning| warning.render(Some(&original))).collect();
@@ -69,6 +72,17 @@ fn apply(text: &str, edits: &[Edit]) -> String {
     }
     result.push_str(text.get(at..).unwrap_or(""));
     result
+}
+
+/// The position in the edited text of an offset in the text before; that behind an edit which covers it.
+fn edited(offset: u32, edits: &[Edit]) -> u32 {
+    let mut grown = 0_i64;
+    for edit in edits.iter().take_while(|edit| edit.span.start < offset) {
+        let end = edit.span.end.max(offset);
+        grown += edit.text.len() as i64 - i64::from(edit.span.end - edit.span.start);
+        grown += i64::from(end - offset);
+    }
+    u32::try_from(i64::from(offset) + grown).unwrap_or(0)
 }
 
 /// The position in the original text of an offset in the edited text.

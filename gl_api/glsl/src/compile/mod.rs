@@ -73,10 +73,10 @@ impl Pass {
     }
 }
 
-fn compile_once(stage: Stage, text: &str, options: &Options) -> Pass {
+fn compile_once(stage: Stage, text: &str, strings: &[u32], options: &Options) -> Pass {
     let mut log = Log::new(options.strictness);
     let too_long = text.len() > limits::MAX_SOURCE;
-    let mut source = Source::new(if too_long { "" } else { text });
+    let mut source = if too_long { Source::new("", &[]) } else { Source::new(text, strings) };
     if too_long {
         let message = format!("the source has more than {} bytes", limits::MAX_SOURCE);
         log.push(Diagnostic::error(Span::default(), message));
@@ -99,12 +99,18 @@ fn compile_once(stage: Stage, text: &str, options: &Options) -> Pass {
 /// Compiles one shader. Any text is accepted; it never panics, and needs little of the caller's
 /// stack.
 pub fn compile(stage: Stage, source: &str, options: &Options) -> Compiled {
+    compile_strings(stage, source, &[], options)
+}
+
+/// [`compile`] of strings that were joined; `strings` has the offsets at which all but the first of them begin, in order.
+/// `__FILE__`, `__LINE__` and the log count them.
+pub fn compile_strings(stage: Stage, source: &str, strings: &[u32], options: &Options) -> Compiled {
     with_large_stack(|| match options.fix_its {
         FixIts::Suggest => {
-            let pass = compile_once(stage, source, options);
+            let pass = compile_once(stage, source, strings, options);
             let log = pass.log.render(Some(&pass.source));
             Compiled { shader: pass.shader(), log }
         }
-        FixIts::Apply => fix_its::compile(stage, source, options),
+        FixIts::Apply => fix_its::compile(stage, source, strings, options),
     })
 }

@@ -52,6 +52,10 @@ pub enum Extension {
     EsDrawBuffers,
     /// `GL_EXT_frag_depth`: `gl_FragDepthEXT` of GLSL ES 1.00.
     FragDepth,
+    /// `GL_OES_EGL_image_external`: `samplerExternalOES` of GLSL ES 1.00.
+    EglImageExternal,
+    /// `GL_OES_EGL_image_external_essl3`: the same of GLSL ES 3.00.
+    EglImageExternal300,
     /// `GL_EXT_shader_texture_lod`: explicit levels and gradients in the fragment stage of GLSL ES 1.00.
     EsShaderTextureLod,
     /// `GL_ARB_shader_texture_lod`: explicit levels and gradients in both stages.
@@ -82,7 +86,7 @@ pub enum Extension {
 
 impl Extension {
     /// Every extension and its name.
-    pub const ALL: [(Self, &'static str); 36] = [
+    pub const ALL: [(Self, &'static str); 38] = [
         (Self::ArraysOfArrays, "GL_ARB_arrays_of_arrays"),
         (Self::AmdVertexShaderLayer, "GL_AMD_vertex_shader_layer"),
         (Self::AmdVertexShaderViewportIndex, "GL_AMD_vertex_shader_viewport_index"),
@@ -106,6 +110,8 @@ impl Extension {
         (Self::EsBlendFuncExtended, "GL_EXT_blend_func_extended"),
         (Self::EsDrawBuffers, "GL_EXT_draw_buffers"),
         (Self::FragDepth, "GL_EXT_frag_depth"),
+        (Self::EglImageExternal, "GL_OES_EGL_image_external"),
+        (Self::EglImageExternal300, "GL_OES_EGL_image_external_essl3"),
         (Self::EsShaderTextureLod, "GL_EXT_shader_texture_lod"),
         (Self::ShaderTextureLod, "GL_ARB_shader_texture_lod"),
         (Self::TextureCubeMapArray, "GL_ARB_texture_cube_map_array"),
@@ -137,7 +143,9 @@ impl Extension {
             Self::StandardDerivatives
             | Self::EsDrawBuffers
             | Self::FragDepth
+            | Self::EglImageExternal
             | Self::EsShaderTextureLod => version == Version::Es100,
+            Self::EglImageExternal300 => version == Version::Es300,
             Self::ClipDistance | Self::EsBlendFuncExtended => version.is_es(),
             Self::CullDistance => version >= Version::V130 && !version.is_es(),
             Self::Compatibility => version >= Version::V140 && !version.is_es(),

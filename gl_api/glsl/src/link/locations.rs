@@ -148,6 +148,26 @@ pub fn targets(
         });
         explicit.or_else(|| bindings.frag_data.get(&*variable.name).copied())
     };
+    // What no function uses is checked as well: the shader's interface has it.
+    let unused = fragment.declared().filter(|variable| {
+        variable.storage == Storage::FragmentOutput
+            && outputs.iter().all(|output| output.name != variable.name)
+    });
+    for output in unused {
+        let qualifiers = &output.interface_qualifiers;
+        let Some(location) = qualifiers.location else { continue };
+        let limit = match qualifiers.index {
+            Some(1) => MAX_DUAL_SOURCE_DRAW_BUFFERS,
+            Some(_) | None => MAX_DRAW_BUFFERS,
+        };
+        if location as usize + colors(output) > usize::from(limit) {
+            let message = format!(
+                "output `{}` is bound to colour {location}; there are {limit}",
+                output.name
+            );
+            log.push(Diagnostic::link_error(message).rule("GL 3.3 section 3.9.2"));
+        }
+    }
     for output in &outputs {
         let Some(FragmentColor { location, index }) = bound(output) else { continue };
         let first = usize::from(location);

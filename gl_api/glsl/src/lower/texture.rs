@@ -24,7 +24,7 @@ struct LookupOperands {
 fn shape(dim: Dim) -> Shape {
     match dim {
         Dim::D1 | Dim::Buffer => Shape::D1,
-        Dim::D2 => Shape::D2,
+        Dim::D2 | Dim::External => Shape::D2,
         Dim::D3 => Shape::D3,
         Dim::Cube => Shape::Cube,
         Dim::Rect => Shape::Rect,
@@ -180,7 +180,8 @@ impl Lowerer<'_> {
             | Dim::D2Array
             | Dim::D2Multisample
             | Dim::D2MultisampleArray
-            | Dim::Buffer => None,
+            | Dim::Buffer
+            | Dim::External => None,
         };
         if compares && layer.is_some() {
             // The coordinates have four components: the reference is an argument of its own.

@@ -34,9 +34,9 @@ impl Span {
 /// A position, as info logs show it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Position {
-    /// The source string number that `#line` set, else 0.
+    /// The number of the string of `glShaderSource`, from 0, as renumbered by `#line`.
     pub string: i64,
-    /// The line, from 1, as renumbered by `#line`.
+    /// The line of the string, from 1, as renumbered by `#line`.
     pub line: i64,
     /// The column in characters, from 1.
     pub column: usize,
@@ -59,12 +59,15 @@ pub struct Source {
     text: String,
     /// Offset of the first byte of each line.
     lines: Vec<u32>,
+    /// Offset of the first byte of each string but the first.
+    strings: Vec<u32>,
     line_directives: Vec<LineDirective>,
 }
 
 impl Source {
-    /// Finds the lines of `text`.
-    pub fn new(text: &str) -> Self {
+    /// Finds the lines of `text`, which strings were joined to; `strings` has the offsets at which all but the first of
+    /// them begin, in order.
+    pub fn new(text: &str, strings: &[u32]) -> Self {
         let bytes = text.as_bytes();
         let mut lines = vec![0];
         let mut at = 0;
@@ -73,7 +76,8 @@ impl Source {
             at += line_end(&bytes[at..]);
             lines.push(at as u32);
         }
-        Self { text: text.to_owned(), lines, line_directives: Vec::new() }
+        let strings = strings.to_vec();
+        Self { text: text.to_owned(), lines, strings, line_directives: Vec::new() }
     }
 
     /// The whole text.
@@ -98,17 +102,37 @@ impl Source {
         (rest.split(['\n', '\r']).next().unwrap_or(""), start)
     }
 
-    /// The source string number and the line of a byte, as `#line` says.
+    /// How many strings begin at a byte or before it, without the first.
+    fn strings_until(&self, offset: u32) -> usize {
+        self.strings.partition_point(|&start| start <= offset)
+    }
+
+    /// The source string number and the line of a byte, as `#line` says. Lines are counted in each string, and strings
+    /// after a `#line` from its string on (GLSL 1.30 section 3.3).
     pub fn line_of(&self, offset: u32) -> (i64, i64) {
         let index = self.line_index(offset);
+        let string = self.strings_until(offset);
         let directive =
             self.line_directives.iter().rev().find(|directive| directive.first <= index);
-        match directive {
-            Some(directive) => {
+        // What a `#line` at the end of a string says of the next line holds, whichever string that is in.
+        let numbered =
+            directive.map(|directive| (directive, self.strings_until(self.lines[directive.first])));
+        match numbered {
+            Some((directive, of)) if of == string => {
                 (directive.string, directive.line.saturating_add((index - directive.first) as i64))
             }
-            None => (0, index as i64 + 1),
+            Some((directive, of)) => (
+                directive.string.saturating_add((string - of) as i64),
+                self.line_in_string(index, string),
+            ),
+            None => (string as i64, self.line_in_string(index, string)),
         }
+    }
+
+    /// The number of a line within a string, from 1.
+    fn line_in_string(&self, index: usize, string: usize) -> i64 {
+        let start = string.checked_sub(1).map_or(0, |before| self.strings[before]);
+        (index - self.line_index(start)) as i64 + 1
     }
 
     /// The position of a byte, as `#line` says. Takes time proportional to the length of the line

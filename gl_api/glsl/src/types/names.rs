@@ -5,10 +5,10 @@ use crate::language::{Availability, EsVersions, Extension, Language};
 use std::fmt;
 
 /// The keywords and their availability.
-static NAMES: [(&str, Type, Availability); 69] = {
+static NAMES: [(&str, Type, Availability); 70] = {
     use Dim::{
         Buffer, Cube, CubeArray, D1, D1Array, D2, D2Array, D2Multisample, D2MultisampleArray, D3,
-        Rect,
+        External, Rect,
     };
     use Scalar::{Bool, Float, Int, Uint};
     use Type::{Matrix, Vector, Void};
@@ -25,6 +25,8 @@ static NAMES: [(&str, Type, Availability); 69] = {
     const INTEGER_RECT: Availability = Availability::V140.or(Extension::GpuShader4);
     const MULTISAMPLE: Availability = Availability::MULTISAMPLE;
     const BUFFER: Availability = Availability::V140.or(Extension::GpuShader4);
+    const EXTERNAL: Availability =
+        Availability::extension(Extension::EglImageExternal).or(Extension::EglImageExternal300);
     const fn plain(dim: Dim, scalar: Scalar) -> Type {
         Type::Sampler(Sampler { dim, scalar, comparison: Comparison::No })
     }
@@ -71,6 +73,7 @@ static NAMES: [(&str, Type, Availability); 69] = {
         ("isampler3D", plain(D3, Int), INTEGERS),
         ("usampler3D", plain(D3, Uint), INTEGERS),
         ("samplerCube", plain(Cube, Float), DESKTOP_AND_ES),
+        ("samplerExternalOES", plain(External, Float), EXTERNAL),
         ("isamplerCube", plain(Cube, Int), INTEGERS),
         ("usamplerCube", plain(Cube, Uint), INTEGERS),
         ("sampler2DRect", plain(Rect, Float), RECT),

@@ -27,6 +27,8 @@ pub enum Dim {
     D2MultisampleArray,
     /// `samplerBuffer`.
     Buffer,
+    /// `samplerExternalOES`.
+    External,
 }
 
 impl Dim {
@@ -34,7 +36,7 @@ impl Dim {
     pub fn coords(self) -> usize {
         match self {
             Self::D1 | Self::Buffer => 1,
-            Self::D2 | Self::Rect | Self::D1Array | Self::D2Multisample => 2,
+            Self::D2 | Self::Rect | Self::D1Array | Self::D2Multisample | Self::External => 2,
             Self::D3 | Self::Cube | Self::D2Array | Self::D2MultisampleArray => 3,
             Self::CubeArray => 4,
         }

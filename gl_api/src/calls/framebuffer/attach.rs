@@ -92,6 +92,7 @@ impl Slice {
             TextureTarget::D1
             | TextureTarget::D2
             | TextureTarget::Rect
+            | TextureTarget::External
             | TextureTarget::Cube
             | TextureTarget::D2Multisample
             | TextureTarget::Buffer => 1,
@@ -229,6 +230,7 @@ pub(crate) fn attach_layer(
         TextureTarget::D1
         | TextureTarget::D2
         | TextureTarget::Rect
+        | TextureTarget::External
         | TextureTarget::D2Multisample
         | TextureTarget::Buffer => {
             return invalid_operation(
@@ -281,6 +283,7 @@ pub(crate) fn attach_level(
         TextureTarget::D1
         | TextureTarget::D2
         | TextureTarget::Rect
+        | TextureTarget::External
         | TextureTarget::D2Multisample => AttachedLayers::One,
         TextureTarget::Buffer => {
             return invalid_operation(

@@ -12,6 +12,7 @@ use crate::calls::framebuffer::blit::rows::RowConversion;
 use crate::calls::framebuffer::es_blit;
 use crate::calls::framebuffer::read::{Pixels, resolved_pixels, same_kind, sample_pixels};
 use crate::context::Context;
+use crate::context::profile::Profile;
 use crate::draw::completeness::{
     Aspect, checked_complete, draw_pass_of, draw_planes_of, read_attachment_of, read_samples,
     samples,
@@ -19,6 +20,7 @@ use crate::draw::completeness::{
 use crate::draw::pass::drawn_area;
 use crate::draw::pipeline::srgb_write;
 use crate::pixel::formats::format_name;
+use crate::pixel::texel;
 use rasterizer::driver::{Attachment, Rect};
 use texunit::format::Format;
 use texunit::image::Level;
@@ -27,8 +29,32 @@ use texunit::sampler::Filter;
 
 const SECTION: &str = "ARB_framebuffer_object, section 4.3.3";
 
-const FILTER: Table<Filter> =
-    Table { section: SECTION, rows: &[(GL_NEAREST, Filter::Nearest), (GL_LINEAR, Filter::Linear)] };
+const FILTER: Table<BlitFilter> = Table {
+    section: SECTION,
+    rows: &[
+        (GL_NEAREST, BlitFilter::Plain(Filter::Nearest)),
+        (GL_LINEAR, BlitFilter::Plain(Filter::Linear)),
+        (GL_SCALED_RESOLVE_FASTEST_EXT, BlitFilter::ScaledResolve),
+        (GL_SCALED_RESOLVE_NICEST_EXT, BlitFilter::ScaledResolve),
+    ],
+};
+
+/// How pixels of the source become pixels of another size.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum BlitFilter {
+    Plain(Filter),
+    /// Samples are resolved, and what that gives is filtered linearly (`EXT_framebuffer_multisample_blit_scaled`).
+    ScaledResolve,
+}
+
+impl BlitFilter {
+    fn of_resolved(self) -> Filter {
+        match self {
+            Self::Plain(filter) => filter,
+            Self::ScaledResolve => Filter::Linear,
+        }
+    }
+}
 
 /// The conversion along one axis: from where to where, on both sides.
 #[derive(Clone, Copy)]
@@ -136,11 +162,12 @@ impl BlitRequest {
         sides: Sides,
         axes: [Axis; 2],
         mask: GLbitfield,
-        filter: Filter,
+        blit_filter: BlitFilter,
     ) -> Result<Self> {
+        let filter = blit_filter.of_resolved();
         checked_complete(context, sides.read)?;
         let pass = draw_pass_of(context, sides.draw)?;
-        check_samples(context, sides, axes)?;
+        check_samples(context, sides, axes, blit_filter)?;
         if context.profile.is_es() {
             es_blit::check_samples(context, sides, axes.map(|axis| axis.src == axis.dst))?;
         }
@@ -157,7 +184,7 @@ impl BlitRequest {
             for (from, to) in
                 to.iter().filter_map(|to| format.zip(crate::context::window::format_of(to)))
             {
-                check_formats(aspect, from, to, filter)?;
+                check_formats(context.profile, aspect, from, to, filter)?;
             }
             if context.profile.is_es() {
                 es_blit::check_images(context, sides, &from, &to)?;
@@ -273,9 +300,22 @@ fn destinations(context: &Context, draw: GLuint, aspect: Aspect) -> Result<Vec<A
 }
 
 /// Whether an aspect can go from one format to another with a filter.
-fn check_formats(aspect: Aspect, from: Format, to: Format, filter: Filter) -> Result<()> {
+fn check_formats(
+    profile: Profile,
+    aspect: Aspect,
+    from: Format,
+    to: Format,
+    filter: Filter,
+) -> Result<()> {
     if aspect != Aspect::Color {
-        if from != to {
+        // OpenGL ES compares the formats of depth and stencil together (3.0, section 4.3.3); OpenGL's drivers compare
+        // those of the aspect that is copied. Stencils have eight bits everywhere.
+        let is_same = match aspect {
+            _ if profile.is_es() => from == to,
+            Aspect::Color | Aspect::Stencil => true,
+            Aspect::Depth => texel::same_depths(from, to),
+        };
+        if !is_same {
             return invalid_operation(
                 SECTION,
                 format!(
@@ -298,7 +338,10 @@ fn check_formats(aspect: Aspect, from: Format, to: Format, filter: Filter) -> Re
         );
     }
     if filter == Filter::Linear && from.is_integer() {
-        return invalid_operation(SECTION, "filter = GL_LINEAR, but integers are not filtered");
+        return invalid_operation(
+            SECTION,
+            "filter is not GL_NEAREST, but integers are not filtered",
+        );
     }
     Ok(())
 }
@@ -338,35 +381,57 @@ pub(crate) fn blit(
             format!("mask = {mask:#x} has bits that name no buffer: {:#x}", mask & !known),
         );
     }
-    let filter = FILTER.decode("filter", filter)?;
+    let (name, blit_filter) = (filter, FILTER.decode("filter", filter)?);
+    let filter = blit_filter.of_resolved();
     crate::draw::pass::charge_surface(context);
     if filter == Filter::Linear && mask & !GL_COLOR_BUFFER_BIT != 0 {
         return invalid_operation(
             SECTION,
-            "filter = GL_LINEAR, but depth and stencil are copied with GL_NEAREST",
+            format!(
+                "filter = {}, but depth and stencil are copied with GL_NEAREST",
+                enum_name(name)
+            ),
         );
     }
     let axes = [
         Axis { src: [src_x0, src_x1], dst: [dst_x0, dst_x1] },
         Axis { src: [src_y0, src_y1], dst: [dst_y0, dst_y1] },
     ];
-    BlitRequest::new(context, sides, axes, mask, filter)?.apply(context);
+    BlitRequest::new(context, sides, axes, mask, blit_filter)?.apply(context);
     if mask & !GL_COLOR_BUFFER_BIT != 0 {
         context.depth_stencil_copied();
     }
     Ok(())
 }
 
-/// Several samples are resolved, not scaled (`EXT_framebuffer_multisample`, section 4.3.3).
-fn check_samples(context: &Context, sides: Sides, axes: [Axis; 2]) -> Result<()> {
+/// Several samples are resolved, not scaled (`EXT_framebuffer_multisample`, section 4.3.3), but by a filter that does both.
+fn check_samples(
+    context: &Context,
+    sides: Sides,
+    axes: [Axis; 2],
+    filter: BlitFilter,
+) -> Result<()> {
     let drawn = samples(context, sides.draw);
+    if filter == BlitFilter::ScaledResolve {
+        const SECTION: &str = "EXT_framebuffer_multisample_blit_scaled, section 4.3.3";
+        let rule = match (read_samples(context, sides.read), drawn) {
+            (0, _) => {
+                "filter = GL_SCALED_RESOLVE_*, but the read framebuffer has one sample a pixel: take GL_LINEAR"
+            }
+            (_, 0) => return Ok(()),
+            (_, _) => {
+                "filter = GL_SCALED_RESOLVE_*, but the draw framebuffer has several samples a pixel, too"
+            }
+        };
+        return invalid_operation(SECTION, rule);
+    }
     if (drawn > 0 || read_samples(context, sides.read) > 0)
         && axes.iter().any(|axis| axis.is_scaled())
     {
         return invalid_operation(
             "EXT_framebuffer_multisample, section 4.3.3",
             "a framebuffer with several samples a pixel is not scaled: make both rectangles the \
-             same size",
+             same size, or resolve with GL_SCALED_RESOLVE_NICEST_EXT",
         );
     }
     Ok(())

@@ -133,6 +133,7 @@ fn of_attached(
             | TextureTarget::D2
             | TextureTarget::D3
             | TextureTarget::Rect
+            | TextureTarget::External
             | TextureTarget::D1Array
             | TextureTarget::D2Array
             | TextureTarget::CubeArray

@@ -10,5 +10,6 @@ pub(crate) mod inspect;
 pub(crate) mod invalidate;
 pub(crate) mod named;
 pub(crate) mod names;
+pub(crate) mod parameters;
 pub(crate) mod read;
 pub(crate) mod renderbuffers;

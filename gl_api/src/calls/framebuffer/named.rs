@@ -1,9 +1,7 @@
 //! Calls that name their framebuffer or renderbuffer: `ARB_direct_state_access`, chapters 9, 17 and 18. Each gives the call
 //! of the same subject an object that need not be bound.
 
-use crate::base::constants::*;
-use crate::base::error::{Result, Table, invalid_enum};
-use crate::base::query_value::put;
+use crate::base::error::Result;
 use crate::base::types::*;
 use crate::calls::framebuffer::attach::{
     Destination, attach_layer, attach_level, attach_renderbuffer, status,
@@ -16,11 +14,9 @@ use crate::calls::framebuffer::clear::{clear_both, clear_floats, clear_signed, c
 use crate::calls::framebuffer::inspect::attachment_parameter;
 use crate::calls::framebuffer::invalidate::{check_attachments, check_size};
 use crate::calls::framebuffer::names::{check_framebuffer, check_object};
-use crate::calls::framebuffer::read::preferred;
+use crate::calls::framebuffer::parameters;
 use crate::calls::framebuffer::renderbuffers::{initial_format, named, parameter, set_storage};
 use crate::context::Context;
-use crate::context::window::format_of;
-use crate::draw::completeness::{Aspect, read_attachment_of, samples};
 use crate::objects::framebuffers::{FRAMEBUFFER_TARGET, Framebuffer};
 use crate::objects::renderbuffers::Renderbuffer;
 
@@ -87,21 +83,14 @@ pub(crate) fn named_framebuffer_texture_layer(
     attach_layer(context, destination, texture, level, layer)
 }
 
-/// The parameters that can be set are those of framebuffers without attachments, which there are none of.
 pub(crate) fn named_framebuffer_parameteri(
     context: &mut Context,
     framebuffer: GLuint,
     pname: GLenum,
-    _param: GLint,
+    param: GLint,
 ) -> Result<()> {
     check_object(context, "framebuffer", framebuffer)?;
-    invalid_enum(
-        "ARB_direct_state_access, interactions with ARB_framebuffer_no_attachments",
-        format!(
-            "pname = {}: there are no parameters to set without ARB_framebuffer_no_attachments",
-            enum_name(pname)
-        ),
-    )
+    parameters::set_parameter(context, framebuffer, pname, param)
 }
 
 pub(crate) fn named_framebuffer_draw_buffer(
@@ -236,29 +225,6 @@ pub(crate) fn check_named_framebuffer_status(
     Ok(status(context, framebuffer))
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Parameter {
-    DoubleBuffer,
-    Stereo,
-    Samples,
-    SampleBuffers,
-    ReadFormat,
-    ReadType,
-}
-
-/// Those of OpenGL 4.5, table 23.73.
-const PARAMETER: Table<Parameter> = Table {
-    section: "GL 4.5, section 9.2.3",
-    rows: &[
-        (GL_DOUBLEBUFFER, Parameter::DoubleBuffer),
-        (GL_STEREO, Parameter::Stereo),
-        (GL_SAMPLES, Parameter::Samples),
-        (GL_SAMPLE_BUFFERS, Parameter::SampleBuffers),
-        (GL_IMPLEMENTATION_COLOR_READ_FORMAT, Parameter::ReadFormat),
-        (GL_IMPLEMENTATION_COLOR_READ_TYPE, Parameter::ReadType),
-    ],
-};
-
 pub(crate) fn get_named_framebuffer_parameteriv(
     context: &mut Context,
     framebuffer: GLuint,
@@ -266,20 +232,7 @@ pub(crate) fn get_named_framebuffer_parameteriv(
     params: &mut [GLint],
 ) -> Result<()> {
     check_framebuffer(context, "framebuffer", framebuffer)?;
-    let pixels = |context: &Context| {
-        let attachment = read_attachment_of(context, framebuffer, Aspect::Color).ok().flatten();
-        let format = attachment.and_then(|found| format_of(&found));
-        format.map_or((GL_RGBA, GL_UNSIGNED_BYTE), preferred)
-    };
-    let samples = GLint::from(samples(context, framebuffer));
-    let value = match PARAMETER.decode("pname", pname)? {
-        Parameter::DoubleBuffer | Parameter::Stereo => 0,
-        Parameter::Samples => samples,
-        Parameter::SampleBuffers => i32::from(samples > 0),
-        Parameter::ReadFormat => pixels(context).0 as GLint,
-        Parameter::ReadType => pixels(context).1 as GLint,
-    };
-    put(params, &[value])
+    parameters::parameter(context, framebuffer, pname, params)
 }
 
 pub(crate) fn get_named_framebuffer_attachment_parameteriv(

@@ -83,6 +83,7 @@ fn sampler_type(sampler: glsl::Sampler) -> GLenum {
         (Dim::Buffer, _) => {
             of(GL_SAMPLER_BUFFER, GL_INT_SAMPLER_BUFFER, GL_UNSIGNED_INT_SAMPLER_BUFFER)
         }
+        (Dim::External, _) => GL_SAMPLER_EXTERNAL_OES,
         (Dim::D1, Comparison::Yes) => GL_SAMPLER_1D_SHADOW,
         (Dim::D2 | Dim::D3, Comparison::Yes) => GL_SAMPLER_2D_SHADOW,
         (Dim::Cube, Comparison::Yes) => GL_SAMPLER_CUBE_SHADOW,

@@ -29,6 +29,7 @@ pub(crate) fn create_shader(context: &mut Context, ty: GLenum) -> Result<GLuint>
     Ok(context.objects.shared.programs.add(ShaderOrProgram::Shader(ShaderObject {
         stage,
         source: String::new(),
+        strings: Vec::new(),
         compiled: None,
         log: String::new(),
         attachments: 0,
@@ -62,11 +63,13 @@ pub(crate) fn shader_source(
         let has = strings.0.len();
         return invalid_operation(SECTION, format!("count = {count}, but there are {has} strings"));
     };
-    let mut source = String::new();
+    let (mut source, mut starts) = (String::new(), Vec::new());
     for (index, string) in strings.iter().enumerate() {
         let length = lengths.get(index).and_then(|&length| usize::try_from(length).ok());
         match string.get(..length.unwrap_or(string.len())) {
             Some(part) => {
+                // A source that is too long for a u32 does not compile.
+                starts.push(u32::try_from(source.len()).unwrap_or(u32::MAX));
                 source.try_reserve(part.len()).map_err(out_of_memory(SECTION, "the source"))?;
                 source.push_str(part);
             }
@@ -78,14 +81,16 @@ pub(crate) fn shader_source(
             }
         }
     }
+    starts.drain(..starts.len().min(1));
     shader.source = source;
+    shader.strings = starts;
     Ok(())
 }
 
 pub(crate) fn compile_shader(context: &mut Context, name: GLuint) -> Result<()> {
     let options = context.compiler.clone();
     let shader = shader(context, name)?;
-    let compiled = glsl::compile(shader.stage, &shader.source, &options);
+    let compiled = glsl::compile_strings(shader.stage, &shader.source, &shader.strings, &options);
     shader.compiled = compiled.shader;
     shader.log = compiled.log;
     if shader.compiled.is_none() {

@@ -2,12 +2,13 @@
 //! (`ARB_direct_state_access`).
 
 use crate::base::constants::*;
-use crate::base::error::{Result, invalid_enum, invalid_operation};
+use crate::base::error::{Result, Table, invalid_enum, invalid_operation};
 use crate::base::types::*;
 use crate::context::Context;
+use crate::context::profile::Profile;
 use crate::objects::bound::Bound;
 pub(crate) use crate::objects::target::TextureTarget;
-use crate::objects::target::{FaceTarget, TARGET};
+use crate::objects::target::{FaceTarget, TARGET, TARGET_OF_DESKTOP, TARGET_OF_ES};
 use crate::objects::texture::Texture;
 
 const SECTION: &str = "ARB_direct_state_access, section 8.1";
@@ -117,4 +118,9 @@ impl ChosenImage {
     pub fn bound(context: &Context, face: FaceTarget) -> Self {
         ChosenTexture::bound(context, face.target).face(face.face)
     }
+}
+
+/// The targets that textures of a profile's contexts are bound to.
+pub(crate) fn bindable(profile: Profile) -> &'static Table<TextureTarget> {
+    if profile.is_es() { &TARGET_OF_ES } else { &TARGET_OF_DESKTOP }
 }

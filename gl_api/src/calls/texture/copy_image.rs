@@ -3,9 +3,10 @@
 use crate::base::constants::*;
 use crate::base::error::{Result, invalid_enum, invalid_operation, invalid_value, not_negative};
 use crate::base::types::*;
+use crate::calls::texture::bound::bindable;
 use crate::calls::texture::stored_level::{Owner, StoredLevel, UnitBox};
 use crate::context::Context;
-use crate::objects::target::{TARGET, TextureTarget};
+use crate::objects::target::TextureTarget;
 use crate::pixel::formats::format_name;
 use rasterizer::driver::Image;
 use texunit::format::{BaseFormat, Format};
@@ -58,7 +59,9 @@ impl ImageArguments {
             let image = renderbuffers.get(name).map(|found| (found.image.clone(), 0));
             (Owner::Renderbuffer, image, renderbuffers.is_reserved(name))
         } else {
-            let wanted = TARGET.get(target).filter(|target| *target != TextureTarget::Buffer);
+            let wanted = bindable(context.profile)
+                .get(target)
+                .filter(|target| *target != TextureTarget::Buffer);
             let Some(wanted) = wanted else { return target_is_wrong() };
             let textures = &context.objects.shared.textures;
             let found = textures.get(name);

@@ -2,7 +2,7 @@
 //! (EGL 1.5, section 3.9; `EGL_KHR_gl_image`).
 
 use crate::base::constants::*;
-use crate::base::error::{Result, Table, invalid_operation, invalid_value};
+use crate::base::error::{Result, Table, invalid_enum, invalid_operation, invalid_value};
 use crate::base::limits;
 use crate::base::types::*;
 use crate::calls::texture::bound::ChosenTexture;
@@ -264,9 +264,20 @@ pub(crate) fn egl_image_target_texture_2d(
     target: GLenum,
     image: GLeglImageOES,
 ) -> Result<()> {
-    const TARGETS: Table<TextureTarget> =
-        Table { section: SECTION, rows: &[(GL_TEXTURE_2D, TextureTarget::D2)] };
+    const TARGETS: Table<TextureTarget> = Table {
+        section: SECTION,
+        rows: &[
+            (GL_TEXTURE_2D, TextureTarget::D2),
+            (GL_TEXTURE_EXTERNAL_OES, TextureTarget::External),
+        ],
+    };
     let target = TARGETS.decode("target", target)?;
+    if target == TextureTarget::External && !context.profile.is_es() {
+        return invalid_enum(
+            "OES_EGL_image_external, section 3.7.1",
+            "target = GL_TEXTURE_EXTERNAL_OES is of OpenGL ES: take GL_TEXTURE_2D",
+        );
+    }
     let image = given(SECTION, image)?;
     let chosen = ChosenTexture::bound(context, target);
     if chosen.get(context).immutable.is_some() {

@@ -143,6 +143,7 @@ impl Supported {
                     TextureTarget::D1 | TextureTarget::Buffer => 1,
                     TextureTarget::D2
                     | TextureTarget::Rect
+                    | TextureTarget::External
                     | TextureTarget::Cube
                     | TextureTarget::D1Array
                     | TextureTarget::D2Multisample => 2,
@@ -217,6 +218,7 @@ impl Supported {
                 TextureTarget::D1
                 | TextureTarget::D2
                 | TextureTarget::Rect
+                | TextureTarget::External
                 | TextureTarget::D2Multisample
                 | TextureTarget::Buffer => false,
             },
@@ -342,6 +344,7 @@ impl Supported {
             TextureTarget::D1
             | TextureTarget::D3
             | TextureTarget::Rect
+            | TextureTarget::External
             | TextureTarget::D1Array
             | TextureTarget::D2Multisample
             | TextureTarget::D2MultisampleArray
@@ -385,6 +388,7 @@ fn fits(format: &InternalFormat, target: TextureTarget) -> bool {
         | TextureTarget::Cube
         | TextureTarget::D2Array
         | TextureTarget::CubeArray
-        | TextureTarget::Buffer => true,
+        | TextureTarget::Buffer
+        | TextureTarget::External => true,
     }
 }

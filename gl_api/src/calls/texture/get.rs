@@ -50,6 +50,7 @@ pub(crate) fn extent(target: TextureTarget) -> Extent {
         TextureTarget::D1
         | TextureTarget::D2
         | TextureTarget::Rect
+        | TextureTarget::External
         | TextureTarget::Cube
         | TextureTarget::D1Array
         | TextureTarget::D2Multisample

@@ -250,6 +250,7 @@ fn checked_blocks(target: TextureTarget, format: Format, border: u32) -> Result<
         TextureTarget::D1
         | TextureTarget::D3
         | TextureTarget::Rect
+        | TextureTarget::External
         | TextureTarget::D1Array
         | TextureTarget::D2Multisample
         | TextureTarget::D2MultisampleArray
@@ -268,6 +269,7 @@ fn checked_border(target: TextureTarget, border: GLint) -> Result<u32> {
         (
             TextureTarget::D1
             | TextureTarget::D2
+            | TextureTarget::External
             | TextureTarget::D3
             | TextureTarget::Cube
             | TextureTarget::D1Array

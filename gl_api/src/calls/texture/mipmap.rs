@@ -2,13 +2,13 @@
 //! `GL_GENERATE_MIPMAP` (GL 2.1, section 3.8.8).
 
 use crate::base::constants::*;
-use crate::base::error::{Result, invalid_operation};
+use crate::base::error::{Result, invalid_enum, invalid_operation};
 use crate::base::limits;
 use crate::base::types::*;
-use crate::calls::texture::bound::ChosenTexture;
+use crate::calls::texture::bound::{ChosenTexture, bindable};
 use crate::context::Context;
 use crate::objects::egl_images::Specified;
-use crate::objects::target::TARGET;
+use crate::objects::target::TextureTarget;
 use crate::objects::texture::Texture;
 use crate::pixel::es_texels;
 use texunit::image::ImageError;
@@ -87,7 +87,7 @@ pub(crate) fn base_level_changed(
 }
 
 pub(crate) fn generate_mipmap(context: &mut Context, target: GLenum) -> Result<()> {
-    let texture = ChosenTexture::bound(context, TARGET.decode("target", target)?);
+    let texture = ChosenTexture::bound(context, mipmapped(context, target)?);
     generate_all(context, &texture)
 }
 
@@ -136,4 +136,15 @@ pub(crate) fn generate_all(context: &mut Context, texture: &ChosenTexture) -> Re
         return invalid_operation(SECTION, "the faces of the cube map differ in size or format");
     }
     generate(isa, texture, Faces::All)
+}
+
+/// A target whose textures have several levels.
+fn mipmapped(context: &Context, target: GLenum) -> Result<TextureTarget> {
+    match bindable(context.profile).decode("target", target)? {
+        TextureTarget::External => invalid_enum(
+            "OES_EGL_image_external, section 3.7.1",
+            "target = GL_TEXTURE_EXTERNAL_OES, whose textures have one level",
+        ),
+        target => Ok(target),
+    }
 }

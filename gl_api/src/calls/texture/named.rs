@@ -5,7 +5,7 @@ use crate::base::args::{Data, DataOut};
 use crate::base::error::{Result, Table, invalid_value};
 use crate::base::query_value::put;
 use crate::base::types::*;
-use crate::calls::texture::bound::{ChosenImage, ChosenTexture, Faces};
+use crate::calls::texture::bound::{ChosenImage, ChosenTexture, Faces, bindable};
 use crate::calls::texture::compressed::{read_blocks, replace_blocks};
 use crate::calls::texture::copy::copy_to;
 use crate::calls::texture::get::read_level;
@@ -16,7 +16,7 @@ use crate::calls::texture::sub::replace_box;
 use crate::context::Context;
 use crate::interface::MAX_COMBINED_TEXTURE_IMAGE_UNITS;
 use crate::objects::bound::Bound;
-use crate::objects::target::{Dimensions, ImageTarget, TARGET, TextureTarget};
+use crate::objects::target::{Dimensions, ImageTarget, TextureTarget};
 use crate::objects::texture::Texture;
 
 const SECTION: &str = "ARB_direct_state_access, section 8.1";
@@ -29,7 +29,7 @@ pub(crate) fn create_textures(
     n: GLsizei,
     textures: &mut [GLuint],
 ) -> Result<()> {
-    let target = TARGET.decode("target", target)?;
+    let target = bindable(context.profile).decode("target", target)?;
     let depth_mode = context.profile.depth_mode();
     context.objects.shared.textures.add_each(SECTION, n, textures, || {
         let mut texture = Texture::new(target);

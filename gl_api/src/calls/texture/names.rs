@@ -6,6 +6,7 @@ use crate::base::error::{Result, invalid_operation, invalid_value};
 use crate::base::texture_unit::{texture_unit, unit_below};
 use crate::base::types::*;
 use crate::calls::framebuffer::attach::detach;
+use crate::calls::texture::bound::bindable;
 use crate::context::Context;
 use crate::interface::MAX_COMBINED_TEXTURE_IMAGE_UNITS;
 use crate::objects::bound::Bound;
@@ -49,7 +50,7 @@ pub(crate) fn delete_textures(
 }
 
 pub(crate) fn bind_texture(context: &mut Context, target: GLenum, texture: GLuint) -> Result<()> {
-    let target = TARGET.decode("target", target)?;
+    let target = bindable(context.profile).decode("target", target)?;
     if context.profile.is_core() {
         context.objects.shared.textures.check_given("texture", texture, "glGenTextures")?;
     }

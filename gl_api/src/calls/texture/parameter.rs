@@ -5,7 +5,7 @@ use crate::base::convert::{symbol, unit};
 use crate::base::error::{Result, Table, invalid_enum, invalid_operation, invalid_value, must_be};
 use crate::base::query_value::put;
 use crate::base::types::*;
-use crate::calls::texture::bound::ChosenTexture;
+use crate::calls::texture::bound::{ChosenTexture, bindable};
 use crate::calls::texture::read_only::{READ_ONLY, ReadOnly};
 use crate::calls::texture::samplers::clamped;
 use crate::context::Context;
@@ -118,7 +118,7 @@ fn level_number(target: TextureTarget, pname: GLenum, number: f64) -> Result<u32
 
 /// The texture that is bound to a target.
 fn bound(context: &Context, target: GLenum) -> Result<ChosenTexture> {
-    Ok(ChosenTexture::bound(context, TARGET.decode("target", target)?))
+    Ok(ChosenTexture::bound(context, bindable(context.profile).decode("target", target)?))
 }
 
 /// Refuses textures that have no parameters: those of buffers.

@@ -10,6 +10,8 @@ use crate::objects::texture::Texture;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum ReadOnly {
     Resident,
+    /// How many texture units it takes (`OES_EGL_image_external`): texels are never of several planes.
+    RequiredUnits,
     /// The target that it was first bound to.
     Target,
     /// Whether it has immutable storage.
@@ -27,6 +29,7 @@ pub(super) const READ_ONLY: Table<ReadOnly> = Table {
     section: "GL 4.3, section 8.18",
     rows: &[
         (GL_TEXTURE_RESIDENT, ReadOnly::Resident),
+        (GL_REQUIRED_TEXTURE_IMAGE_UNITS_OES, ReadOnly::RequiredUnits),
         (GL_TEXTURE_TARGET, ReadOnly::Target),
         (GL_TEXTURE_IMMUTABLE_FORMAT, ReadOnly::IsImmutable),
         (GL_TEXTURE_IMMUTABLE_LEVELS, ReadOnly::StorageLevels),
@@ -43,7 +46,7 @@ impl ReadOnly {
         // What is not immutable has no levels and layers to show.
         let shown = texture.immutable.unwrap_or_default();
         match self {
-            Self::Resident => 1,
+            Self::Resident | Self::RequiredUnits => 1,
             Self::Target => TARGET.encode(texture.target),
             Self::IsImmutable => texture.immutable.is_some().into(),
             Self::StorageLevels => shown.storage_levels,

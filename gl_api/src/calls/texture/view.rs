@@ -44,7 +44,7 @@ fn targets_of_views(of: TextureTarget) -> &'static [TextureTarget] {
         TextureTarget::D2Multisample | TextureTarget::D2MultisampleArray => {
             &[TextureTarget::D2Multisample, TextureTarget::D2MultisampleArray]
         }
-        TextureTarget::Buffer => &[],
+        TextureTarget::Buffer | TextureTarget::External => &[],
     }
 }
 
@@ -74,6 +74,7 @@ fn check_layers(target: TextureTarget, asked: GLuint, layers: u32) -> Result<()>
         | TextureTarget::D2
         | TextureTarget::D3
         | TextureTarget::Rect
+        | TextureTarget::External
         | TextureTarget::D2Multisample
         | TextureTarget::Buffer
             if asked != 1 =>
@@ -94,6 +95,7 @@ fn check_layers(target: TextureTarget, asked: GLuint, layers: u32) -> Result<()>
         | TextureTarget::D2
         | TextureTarget::D3
         | TextureTarget::Rect
+        | TextureTarget::External
         | TextureTarget::Cube
         | TextureTarget::D1Array
         | TextureTarget::D2Array

@@ -14,7 +14,7 @@ use crate::calls::vertex::bindings::{vertex_attrib_binding, vertex_binding_divis
 use crate::context::Context;
 use crate::draw::array_names::refuse_client_memory;
 use crate::interface::*;
-use crate::objects::arrays::{ALL_TYPES, ANY_TYPE, PACKED, Source, generic};
+use crate::objects::arrays::{ALL_TYPES, ANY_TYPE, ES_TYPE, PACKED, Source, generic};
 use crate::pixel::es_texels::plain_type;
 use rasterizer::driver::{Buffer, VertexFormat, VertexType};
 
@@ -104,8 +104,14 @@ impl Rules {
         if is_bgra {
             return self.check_bgra(ty);
         }
+        if ty == VertexType::F111110 && size != 3 {
+            return invalid_operation(
+                "ARB_vertex_type_10f_11f_11f_rev, section 2.8",
+                format!("size = {size} must be 3: GL_UNSIGNED_INT_10F_11F_11F_REV has so many"),
+            );
+        }
         // Normals have three components, whatever they are in.
-        if ty.is_packed() && size != 4 && self.sizes != (3..=3) {
+        if PACKED.encode(ty) != GL_NONE && size != 4 && self.sizes != (3..=3) {
             return invalid_operation(
                 PACKED.section,
                 format!("size = {size} must be 4: {} has so many", enum_name(PACKED.encode(ty))),
@@ -119,7 +125,7 @@ impl Rules {
         if self.format != VertexFormat::Normalized {
             return invalid_operation(SECTION, "size = GL_BGRA needs normalized = GL_TRUE");
         }
-        if ty != VertexType::U8 && !ty.is_packed() {
+        if ty != VertexType::U8 && PACKED.encode(ty) == GL_NONE {
             return invalid_operation(
                 SECTION,
                 format!("size = GL_BGRA needs type = GL_UNSIGNED_BYTE or {}", PACKED.list()),
@@ -300,14 +306,15 @@ pub(crate) fn vertex_attrib_pointer(
     stride: GLsizei,
     pointer: Data<'_>,
 ) -> Result<()> {
-    let ty = if context.profile.is_es() { plain_type(ty) } else { ty };
+    let (ty, types) =
+        if context.profile.is_es() { (plain_type(ty), ES_TYPE) } else { (ty, ANY_TYPE) };
     // OpenGL ES 3.0 has one equation for all signed fractions (2.2), OpenGL 3.3 one of its own for attributes.
     let format = match (normalized, context.profile.is_es()) {
         (true, true) => VertexFormat::NormalizedSymmetric,
         (true, false) => VertexFormat::Normalized,
         (false, _) => VertexFormat::Plain,
     };
-    let rules = Rules::new(1..=4, ANY_TYPE, format).or_bgra();
+    let rules = Rules::new(1..=4, types, format).or_bgra();
     set(context, generic(index)?, &rules, size, ty, stride, pointer)
 }
 

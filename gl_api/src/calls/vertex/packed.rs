@@ -6,14 +6,14 @@ use crate::calls::vertex::immediate::attribute;
 use crate::context::Context;
 use crate::context::immediate::Slot;
 use crate::interface::*;
-use crate::objects::arrays::PACKED;
-use rasterizer::driver::{Buffer, VertexFormat, VertexSource};
+use crate::objects::arrays::{PACKED, PACKED_GENERIC};
+use rasterizer::driver::{Buffer, VertexFormat, VertexSource, VertexType};
 
 /// Sets an attribute to what an array of this one word would give.
 fn set(
     context: &mut Context,
     slot: Slot,
-    ty: GLenum,
+    ty: VertexType,
     components: u8,
     format: VertexFormat,
     word: GLuint,
@@ -23,8 +23,9 @@ fn set(
         first: 0,
         offset: 0,
         stride: 4,
-        ty: PACKED.decode("type", ty)?,
-        components,
+        ty,
+        // Three floats are all that a word has of them.
+        components: if ty == VertexType::F111110 { components.min(3) } else { components },
         format,
         divisor: 0,
     };
@@ -55,7 +56,12 @@ macro_rules! packed {
             $($after: $after_ty,)?
             word: GLuint,
         ) -> Result<()> {
-            set(context, $slot, ty, $components, $format, word)
+            let slot = $slot;
+            let types = match slot {
+                Slot::Generic(_) => PACKED_GENERIC,
+                Slot::Vertex | Slot::Location(_) | Slot::TexCoord(_) => PACKED,
+            };
+            set(context, slot, types.decode("type", ty)?, $components, $format, word)
         }
 
         pub(crate) fn $vector(

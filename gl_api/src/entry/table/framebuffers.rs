@@ -3,7 +3,7 @@
 
 use crate::base::types::*;
 use crate::calls::framebuffer::{
-    attach, blit, buffers, inspect, invalidate, names as framebuffers, renderbuffers,
+    attach, blit, buffers, inspect, invalidate, names as framebuffers, parameters, renderbuffers,
 };
 use crate::calls::texture::internal_format;
 
@@ -112,6 +112,14 @@ macro_rules! entry_points_framebuffers {
         get_framebuffer_attachment_parameteriv:
             glGetFramebufferAttachmentParameteriv | glGetFramebufferAttachmentParameterivEXT
             (target: GLenum, attachment: GLenum, pname: GLenum, params: &'a mut [GLint]);
+    }
+    Refused in parameters {
+        /// Sets what a framebuffer object without attachments draws to.
+        framebuffer_parameteri: glFramebufferParameteri
+            (target: GLenum, pname: GLenum, param: GLint), not_compiled;
+        /// Reads what is known of a framebuffer.
+        get_framebuffer_parameteriv: glGetFramebufferParameteriv
+            (target: GLenum, pname: GLenum, params: &'a mut [GLint]);
     }
     Refused in buffers {
         /// Sets which colour buffer is drawn to.

@@ -93,7 +93,7 @@ macro_rules! entry_points_named_objects {
             framebuffer: GLuint, attachment: GLenum, renderbuffertarget: GLenum,
             renderbuffer: GLuint
         ), not_compiled;
-        /// Sets a parameter of a framebuffer, of which there are none.
+        /// Sets what a framebuffer object without attachments draws to.
         named_framebuffer_parameteri: glNamedFramebufferParameteri
             (framebuffer: GLuint, pname: GLenum, param: GLint), not_compiled;
         /// Attaches all layers of a level of a texture to a framebuffer.

@@ -49,12 +49,12 @@ macro_rules! entry_points_queries {
         get_query_indexediv: glGetQueryIndexediv
             (target: GLenum, index: GLuint, pname: GLenum, params: &'a mut [GLint]);
         /// Takes the time when everything so far is carried out.
-        query_counter: glQueryCounter (id: GLuint, target: GLenum);
+        query_counter: glQueryCounter | glQueryCounterEXT (id: GLuint, target: GLenum);
         /// Reads what is known of a target of queries.
         get_queryiv: glGetQueryiv | glGetQueryivARB | glGetQueryivEXT
             (target: GLenum, pname: GLenum, params: &'a mut [GLint]);
         /// Reads the result of a query.
-        get_query_objectiv: glGetQueryObjectiv | glGetQueryObjectivARB
+        get_query_objectiv: glGetQueryObjectiv | glGetQueryObjectivARB | glGetQueryObjectivEXT
             (id: GLuint, pname: GLenum, params: &'a mut [GLint]);
         /// Reads the result of a query.
         get_query_objectuiv: glGetQueryObjectuiv | glGetQueryObjectuivARB | glGetQueryObjectuivEXT

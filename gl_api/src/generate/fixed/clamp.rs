@@ -2,12 +2,95 @@
 //! fragments (section 3.11.2; `ARB_color_buffer_float`).
 
 use crate::interface::{VARYING_BACK_COLOR, VARYING_COLOR, VARYING_TEX_COORD};
-use rasterizer::ir::{Expr, Module, Op, Output, Stmt, Ty, Value};
+use rasterizer::ir::{Block, Expr, Module, Op, Output, Stmt, Ty, Value};
 
 /// Appends the clamp to [0, 1] of every colour that a vertex stage writes, front or back. Says whether
 /// there are any.
 pub(crate) fn clamp_vertex_colors(module: &mut Module) -> bool {
-    clamp_outputs(module, |output| match output {
+    clamp_outputs(module, is_vertex_color)
+}
+
+/// Clamps every colour that a geometry stage emits, front or back, to [0, 1] (GL 3.2, compatibility, section 2.20: the
+/// last stage before the rasterizer). Says whether there are any.
+pub(crate) fn clamp_emitted_colors(module: &mut Module) -> bool {
+    let Some(interface) = &module.geometry else { return false };
+    let outputs = interface.outputs.iter().enumerate();
+    let colors: Vec<usize> =
+        outputs.filter(|(_, output)| is_vertex_color(**output)).map(|(at, _)| at).collect();
+    if colors.is_empty() {
+        return false;
+    }
+    let mut body = std::mem::take(&mut module.body);
+    let mut clamp = ClampValues::new(&mut module.values);
+    clamp_emits(&mut body, &colors, &mut clamp);
+    module.body = body;
+    true
+}
+
+/// Puts the clamp of values in front of each statement that emits them.
+fn clamp_emits(block: &mut Block, colors: &[usize], clamp: &mut ClampValues<'_>) {
+    for mut stmt in std::mem::take(block) {
+        match &mut stmt {
+            Stmt::EmitVertex(values) => {
+                for &at in colors {
+                    let (evaluated, clamped) = clamp.append(values[at]);
+                    block.extend(evaluated.map(Stmt::Eval));
+                    values[at] = clamped;
+                }
+            }
+            Stmt::If { accept, reject, .. } => {
+                clamp_emits(accept, colors, clamp);
+                clamp_emits(reject, colors, clamp);
+            }
+            Stmt::Loop { body, continuing } => {
+                clamp_emits(body, colors, clamp);
+                clamp_emits(continuing, colors, clamp);
+            }
+            Stmt::Scope(body) => clamp_emits(body, colors, clamp),
+            Stmt::Eval(_)
+            | Stmt::Store { .. }
+            | Stmt::StoreAt { .. }
+            | Stmt::Break
+            | Stmt::Continue
+            | Stmt::Leave
+            | Stmt::Discard
+            | Stmt::EndPrimitive => {}
+        }
+        block.push(stmt);
+    }
+}
+
+/// Appends clamps to the values of a module.
+struct ClampValues<'a> {
+    values: &'a mut Vec<Expr>,
+    zero: Value,
+    one: Value,
+}
+
+impl<'a> ClampValues<'a> {
+    fn new(values: &'a mut Vec<Expr>) -> Self {
+        let [zero, one] = [0.0_f32, 1.0].map(|number| {
+            values.push(Expr::Const { bits: number.to_bits(), ty: Ty::F32 });
+            Value(values.len() as u32 - 1)
+        });
+        Self { values, zero, one }
+    }
+
+    fn push(&mut self, expr: Expr) -> Value {
+        self.values.push(expr);
+        Value(self.values.len() as u32 - 1)
+    }
+
+    /// What must be evaluated, in order, and the clamped value, the last of these.
+    fn append(&mut self, color: Value) -> ([Value; 2], Value) {
+        let above = self.push(Expr::Op { op: Op::Max, args: [color, self.zero, Value(0)] });
+        let clamped = self.push(Expr::Op { op: Op::Min, args: [above, self.one, Value(0)] });
+        ([above, clamped], clamped)
+    }
+}
+
+fn is_vertex_color(output: Output) -> bool {
+    match output {
         Output::Varying(slot) => {
             (VARYING_COLOR..VARYING_TEX_COORD).contains(&slot)
                 || (VARYING_BACK_COLOR..VARYING_BACK_COLOR + 8).contains(&slot)
@@ -24,7 +107,7 @@ pub(crate) fn clamp_vertex_colors(module: &mut Module) -> bool {
         | Output::Layer
         | Output::PrimitiveId
         | Output::ViewportIndex => false,
-    })
+    }
 }
 
 /// Appends the clamp to [0, 1] of every colour that a fragment stage writes; integers stay.
@@ -41,16 +124,10 @@ fn clamp_outputs(module: &mut Module, is_color: impl Fn(Output) -> bool) -> bool
     colors.dedup();
     let Module { values, variables, body, .. } = module;
     colors.retain(|var| variables[var.0 as usize].ty == Ty::F32);
-    let mut value = |expr| {
-        values.push(expr);
-        Value(values.len() as u32 - 1)
-    };
-    let [zero, one] =
-        [0.0_f32, 1.0].map(|number| value(Expr::Const { bits: number.to_bits(), ty: Ty::F32 }));
+    let mut clamp = ClampValues::new(values);
     for &var in &colors {
-        let color = value(Expr::Load(var));
-        let above = value(Expr::Op { op: Op::Max, args: [color, zero, Value(0)] });
-        let clamped = value(Expr::Op { op: Op::Min, args: [above, one, Value(0)] });
+        let color = clamp.push(Expr::Load(var));
+        let ([above, _], clamped) = clamp.append(color);
         body.extend([color, above, clamped].map(Stmt::Eval));
         body.push(Stmt::Store { var, value: clamped });
     }

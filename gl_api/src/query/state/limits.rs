@@ -99,6 +99,10 @@ pub(super) const ROWS: &[Row] = rows! {
     GL_MAX_COLOR_TEXTURE_SAMPLES: Integer(|_| saturated(limits::MAX_SAMPLES));
     GL_MAX_DEPTH_TEXTURE_SAMPLES: Integer(|_| saturated(limits::MAX_SAMPLES));
     GL_MAX_INTEGER_SAMPLES: Integer(|_| saturated(limits::MAX_SAMPLES));
+    GL_MAX_FRAMEBUFFER_WIDTH: Integer(|_| saturated(limits::MAX_VIEWPORT_DIMS));
+    GL_MAX_FRAMEBUFFER_HEIGHT: Integer(|_| saturated(limits::MAX_VIEWPORT_DIMS));
+    GL_MAX_FRAMEBUFFER_LAYERS: Integer(|_| saturated(limits::MAX_ARRAY_TEXTURE_LAYERS));
+    GL_MAX_FRAMEBUFFER_SAMPLES: Integer(|_| saturated(limits::MAX_SAMPLES));
     GL_MAX_SAMPLE_MASK_WORDS: Integer(|_| saturated(MAX_SAMPLE_MASK_WORDS));
 
     GL_MAX_VERTEX_ATTRIBS: Integer(|_| saturated(MAX_VERTEX_ATTRIBS));

@@ -66,6 +66,8 @@ pub(super) const ROWS: &[Row] = rows! {
     GL_DRAW_INDIRECT_BUFFER_BINDING: Word(|c| c.state.bindings.draw_indirect_buffer.name());
     GL_COPY_WRITE_BUFFER: Word(|c| c.state.bindings.copy_write_buffer.name());
     GL_MAX_SERVER_WAIT_TIMEOUT: Integer(|_| MAX_SERVER_WAIT_TIMEOUT as i32);
+    // The clock runs on whatever the processor does.
+    GL_GPU_DISJOINT_EXT: Flag(|_| false);
     // A double is exact for a hundred days of nanoseconds.
     GL_TIMESTAMP: Floats(|_| vec![queries::timestamp() as f64]);
 };

@@ -47,6 +47,7 @@ pub(super) const ROWS: &[Row] = rows! {
     GL_TEXTURE_BINDING_2D_MULTISAMPLE_ARRAY:
         Word(|c| binding(c, TextureTarget::D2MultisampleArray));
     GL_TEXTURE_BINDING_BUFFER: Word(|c| binding(c, TextureTarget::Buffer));
+    GL_TEXTURE_BINDING_EXTERNAL_OES: Word(|c| binding(c, TextureTarget::External));
     GL_SAMPLER_BINDING: Word(|c| c.state.units.active().sampler.name());
 
     // `ARB_texture_buffer_object`: of the buffer texture that is bound.

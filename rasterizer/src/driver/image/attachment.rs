@@ -53,6 +53,8 @@ pub struct PassDesc {
     /// How many layers there are: [`Attachment::face`] is the number of the first, which the others follow. Draws go to
     /// the first, but where a geometry program says another; clears go to all.
     pub layers: u16,
+    /// How many samples a pixel has where there is no attachment that says so: the next larger of 1, 2 and 4.
+    pub samples: u8,
 }
 
 impl PassDesc {

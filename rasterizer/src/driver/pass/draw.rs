@@ -10,7 +10,7 @@ use crate::driver::resources::{DeviceDesc, Resources};
 use crate::driver::visibility::Visibility;
 use crate::plan::{
     Counting, DrawPlan, LeaveOut, Pipeline, PlanInput, draws_lines, draws_plain_points,
-    sprite_slots,
+    possible_samples, sprite_slots,
 };
 use crate::primitive::Setup;
 use crate::raster::{DrawBudget, DrawJob};
@@ -295,7 +295,8 @@ impl Pass<'_> {
         let pipeline = specialized.as_ref().unwrap_or(pipeline);
         let compiled = pipeline.compiled();
         let surface = self.colors.iter().flatten().chain(&self.depth).next();
-        let samples = surface.map_or(1, |surface| surface.samples);
+        let samples =
+            surface.map_or_else(|| possible_samples(self.desc.samples), |surface| surface.samples);
         let input = PlanInput {
             isa,
             colors: &self.formats,

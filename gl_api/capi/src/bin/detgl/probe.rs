@@ -161,6 +161,31 @@ type GetString = unsafe extern "C" fn(u32) -> *const c_char;
 const GL_RENDERER: u32 = 0x1F01;
 const GL_VERSION: u32 = 0x1F02;
 const EGL_NONE: i32 = 0x3038;
+/// EGL's errors, from 0x3000 on (EGL 1.5, section 3.1).
+const EGL_ERRORS: [&str; 15] = [
+    "EGL_SUCCESS",
+    "EGL_NOT_INITIALIZED",
+    "EGL_BAD_ACCESS",
+    "EGL_BAD_ALLOC",
+    "EGL_BAD_ATTRIBUTE",
+    "EGL_BAD_CONFIG",
+    "EGL_BAD_CONTEXT",
+    "EGL_BAD_CURRENT_SURFACE",
+    "EGL_BAD_DISPLAY",
+    "EGL_BAD_MATCH",
+    "EGL_BAD_NATIVE_PIXMAP",
+    "EGL_BAD_NATIVE_WINDOW",
+    "EGL_BAD_PARAMETER",
+    "EGL_BAD_SURFACE",
+    "EGL_CONTEXT_LOST",
+];
+
+/// An error's name; what is no error of EGL is a number.
+fn egl_error(code: i32) -> String {
+    let at = code.checked_sub(0x3000).and_then(|at| usize::try_from(at).ok());
+    let name = at.and_then(|at| EGL_ERRORS.get(at));
+    name.map_or_else(|| format!("{code:#06x}"), |name| (*name).to_owned())
+}
 
 /// What the current context says of itself.
 ///
@@ -201,7 +226,7 @@ impl Egl {
             let error: unsafe extern "C" fn() -> i32 = library.function(c"eglGetError")?;
             let display = get(DEFAULT_DISPLAY);
             if display.is_null() || initialize(display, null_mut(), null_mut()) == 0 {
-                return Err(format!("no display: eglInitialize, {:#06x}", error()));
+                return Err(format!("no display: eglInitialize, {}", egl_error(error())));
             }
             Ok(Self {
                 display,
@@ -238,7 +263,7 @@ impl Egl {
         let dpy = self.display;
         // SAFETY: EGL's prototypes; lists end with EGL_NONE, and results are written to locals.
         unsafe {
-            let failed = |call: &str| Err(format!("{call}: {:#06x}", (self.error)()));
+            let failed = |call: &str| Err(format!("{call}: {}", egl_error((self.error)())));
             if (self.bind_api)(api) == 0 {
                 return failed("eglBindAPI");
             }

@@ -67,7 +67,8 @@ pub const SAMPLERS: [SamplerRow; 15] = {
             | CubeArray
             | Dim::D2Multisample
             | Dim::D2MultisampleArray
-            | Dim::Buffer => EsVersions::None,
+            | Dim::Buffer
+            | Dim::External => EsVersions::None,
         };
         let (prefixed, overloaded) = (Some(prefixed), Availability::V130.and_es(es));
         SamplerRow {

@@ -116,6 +116,7 @@ pub fn rows() -> Vec<FunctionRow> {
     }
     multisample_rows(&mut rows);
     buffer_rows(&mut rows);
+    external_rows(&mut rows);
     rows
 }
 
@@ -138,6 +139,33 @@ fn buffer_rows(rows: &mut Vec<FunctionRow>) {
             ));
         }
     }
+}
+
+/// Lookups of external images, which have one level (OES_EGL_image_external, OES_EGL_image_external_essl3).
+fn external_rows(rows: &mut Vec<FunctionRow>) {
+    let sampler = Sampler { dim: Dim::External, scalar: Scalar::Float, comparison: Comparison::No };
+    let (sampler, texel) = (Pattern::Sampler(sampler), Pattern::Fixed(Scalar::Float, 4));
+    let (int, float) =
+        (|size| Pattern::Fixed(Scalar::Int, size), |size| Pattern::Fixed(Scalar::Float, size));
+    let es_100 = Availability::extension(Extension::EglImageExternal);
+    let es_300 = Availability::extension(Extension::EglImageExternal300);
+    for (projection, infix, size) in [
+        (Projection::None, "", 2),
+        (Projection::Divide, "Proj", 3),
+        (Projection::Divide, "Proj", 4),
+    ] {
+        let lookup = |lod| Lookup::Sample(projection, lod, TexelOffset::None);
+        let plain = vec![sampler, float(size)];
+        let implicit = lookup(LodSource::Implicit);
+        rows.push(row(format!("texture2D{infix}"), texel, plain.clone(), es_100, implicit));
+        rows.push(row(format!("texture{infix}"), texel, plain, es_300, implicit));
+        let biased = vec![sampler, float(size), float(1)];
+        let row = row(format!("texture{infix}"), texel, biased, es_300, lookup(LodSource::Bias));
+        rows.push(FunctionRow { stages: stages(LodSource::Bias), ..row });
+    }
+    let fetch = Lookup::Fetch(TexelOffset::None);
+    rows.push(row("texelFetch".into(), texel, vec![sampler, int(2), int(1)], es_300, fetch));
+    rows.push(row("textureSize".into(), int(2), vec![sampler, int(1)], es_300, Lookup::Size));
 }
 
 /// `textureSize` and `texelFetch` of multisample textures; the number of the sample comes last.
@@ -320,7 +348,8 @@ fn gather_rows(sampler_row: &SamplerRow, sampler: Sampler, rows: &mut Vec<Functi
         | Dim::D1Array
         | Dim::D2Multisample
         | Dim::D2MultisampleArray
-        | Dim::Buffer => false,
+        | Dim::Buffer
+        | Dim::External => false,
     };
     if !has_two_axes || sampler_row.comparison == Comparison::Yes {
         return;

@@ -28,7 +28,7 @@ pub(crate) enum RowConversion<'a> {
         read: Vec<(usize, Colors)>,
     },
     /// The depths or the stencils alone, where there are both.
-    Merge { format: Format, depth: DepthWrite, bits: u8 },
+    Merge { formats: [Format; 2], depth: DepthWrite, bits: u8 },
 }
 
 impl RowConversion<'_> {
@@ -46,8 +46,12 @@ impl RowConversion<'_> {
             (Aspect::Color, Filter::Linear) => {
                 Self::Filter { isa, conversion: conversion(), read: Vec::new() }
             }
-            (Aspect::Depth, _) => Self::Merge { format: to, depth: DepthWrite::On, bits: 0 },
-            (Aspect::Stencil, _) => Self::Merge { format: to, depth: DepthWrite::Off, bits: !0 },
+            (Aspect::Depth, _) => {
+                Self::Merge { formats: [from, to], depth: DepthWrite::On, bits: 0 }
+            }
+            (Aspect::Stencil, _) => {
+                Self::Merge { formats: [from, to], depth: DepthWrite::Off, bits: !0 }
+            }
         }
     }
 
@@ -68,8 +72,8 @@ impl RowConversion<'_> {
                 let [Some(low), Some(high)] = row.pixels.map(of) else { return };
                 filter(*isa, conversion, [low, high], columns, row.weight, texels);
             }
-            Self::Merge { format, depth, bits } => {
-                texel::merge(*format, *depth, *bits, &nearest(), texels);
+            Self::Merge { formats: [from, to], depth, bits } => {
+                texel::merge(*to, *depth, *bits, &texel::relaid(*from, *to, &nearest()), texels);
             }
         }
     }
