@@ -14,8 +14,8 @@ const RUNNER: &str = include_str!("../templates/runner.rs");
 const CRATES: [(&str, &str); 3] = [("texunit", ".."), ("rasterizer", ".."), ("gl_api", "..")];
 
 /// Folders and files of the workspace that the copy does without.
-const LEFT_OUT: [&str; 8] =
-    [".git", ".ci", "target", "clients", "fuzz", "python", "package", "conformance-report"];
+const LEFT_OUT: [&str; 7] =
+    [".git", ".ci", "target", "clients", "python", "package", "conformance-report"];
 
 /// Writes a file if it does not have this text, so that cargo builds what has changed.
 fn write(path: &Path, text: &[u8]) -> Result<(), MutantsError> {
@@ -110,4 +110,23 @@ pub fn plant(
     write(&runner.join("Cargo.toml"), package("mutant_runner", dependencies).as_bytes())?;
     write(&runner.join("src/main.rs"), RUNNER.as_bytes())?;
     Ok(rewritten)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Cargo reads the manifest of every member, whatever is built.
+    #[test]
+    fn the_copy_has_all_members_of_the_workspace() {
+        let manifest = include_str!("../../../Cargo.toml");
+        let (_, members) = manifest.split_once("members = [").expect("a workspace");
+        let (members, _) = members.split_once(']').expect("a list");
+        let members: Vec<&str> = members.split('"').skip(1).step_by(2).collect();
+        assert!(members.contains(&"texunit"), "{members:?}");
+        for member in members {
+            let mut folders = member.split('/');
+            assert!(!folders.any(|folder| LEFT_OUT.contains(&folder)), "{member} is left out");
+        }
+    }
 }
