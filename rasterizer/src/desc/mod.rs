@@ -21,6 +21,7 @@ pub use index::{IndexType, Indices};
 pub use mask::{MaskBlock, PixelMask};
 pub use output::{LogicOp, OutputState, SrgbWrite};
 pub use pipeline::{PipelineDesc, PipelineError, ShaderModule};
+pub(crate) use primitive::PrimitiveClass;
 pub use primitive::{Cull, Facing, FrontFace, Provoking, Topology};
 pub use raster::{
     AlphaToCoverage, AlphaToOne, Antialiasing, LineState, LineStipple, MAX_LINE_WIDTH,

@@ -93,3 +93,34 @@ pub enum Facing {
     /// Back faces.
     Back,
 }
+
+/// What the primitives of a topology are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum PrimitiveClass {
+    Points,
+    Lines,
+    /// Triangles, quads and polygons, which polygon modes may draw as lines or points.
+    Polygons,
+}
+
+impl Topology {
+    /// What its primitives are.
+    pub(crate) fn class(self) -> PrimitiveClass {
+        match self {
+            Self::Points => PrimitiveClass::Points,
+            Self::Lines
+            | Self::LineStrip
+            | Self::LineLoop
+            | Self::LinesAdjacency
+            | Self::LineStripAdjacency => PrimitiveClass::Lines,
+            Self::Triangles
+            | Self::TrianglesAdjacency
+            | Self::TriangleStripAdjacency
+            | Self::TriangleStrip
+            | Self::TriangleFan
+            | Self::Quads
+            | Self::QuadStrip
+            | Self::Polygon => PrimitiveClass::Polygons,
+        }
+    }
+}

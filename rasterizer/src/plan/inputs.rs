@@ -3,7 +3,7 @@
 
 use super::pipeline::Compiled;
 use super::samples::Samples;
-use crate::desc::{PipelineDesc, PolygonMode, RasterState, Topology};
+use crate::desc::{PipelineDesc, PolygonMode, PrimitiveClass, RasterState};
 use crate::ir::{Axis, Input, Interpolation};
 use crate::shader::AttributeSet;
 
@@ -254,65 +254,31 @@ impl InputPlanner<'_> {
 
 /// Whether a draw may draw lines.
 pub fn draws_lines(desc: &PipelineDesc, raster: &RasterState) -> bool {
-    match desc.drawn() {
-        Topology::Points => false,
-        Topology::Lines
-        | Topology::LineStrip
-        | Topology::LineLoop
-        | Topology::LinesAdjacency
-        | Topology::LineStripAdjacency => true,
-        Topology::Triangles
-        | Topology::TrianglesAdjacency
-        | Topology::TriangleStripAdjacency
-        | Topology::TriangleStrip
-        | Topology::TriangleFan
-        | Topology::Quads
-        | Topology::QuadStrip
-        | Topology::Polygon => raster.polygon.mode.contains(&PolygonMode::Line),
+    match desc.drawn().class() {
+        PrimitiveClass::Points => false,
+        PrimitiveClass::Lines => true,
+        PrimitiveClass::Polygons => raster.polygon.mode.contains(&PolygonMode::Line),
     }
 }
 
 /// Whether a draw draws points, and nothing else, that have the same varyings everywhere: no sprites.
 pub fn draws_plain_points(desc: &PipelineDesc, raster: &RasterState) -> bool {
-    let is_plain = sprite_slots(desc, raster).is_empty();
-    is_plain
-        && match desc.drawn() {
-            Topology::Points => true,
-            Topology::Lines
-            | Topology::LineStrip
-            | Topology::LineLoop
-            | Topology::LinesAdjacency
-            | Topology::LineStripAdjacency => false,
-            Topology::Triangles
-            | Topology::TrianglesAdjacency
-            | Topology::TriangleStripAdjacency
-            | Topology::TriangleStrip
-            | Topology::TriangleFan
-            | Topology::Quads
-            | Topology::QuadStrip
-            | Topology::Polygon => {
-                raster.polygon.mode.iter().all(|mode| *mode == PolygonMode::Point)
-            }
+    let draws_only_points = match desc.drawn().class() {
+        PrimitiveClass::Points => true,
+        PrimitiveClass::Lines => false,
+        PrimitiveClass::Polygons => {
+            raster.polygon.mode.iter().all(|mode| *mode == PolygonMode::Point)
         }
+    };
+    draws_only_points && sprite_slots(desc, raster).is_empty()
 }
 
 /// The first slots of the varyings that points of a draw replace, where it draws any.
 pub fn sprite_slots<'a>(desc: &PipelineDesc, raster: &'a RasterState) -> &'a [u16] {
-    let points = match desc.drawn() {
-        Topology::Points => true,
-        Topology::Lines
-        | Topology::LineStrip
-        | Topology::LineLoop
-        | Topology::LinesAdjacency
-        | Topology::LineStripAdjacency => false,
-        Topology::Triangles
-        | Topology::TrianglesAdjacency
-        | Topology::TriangleStripAdjacency
-        | Topology::TriangleStrip
-        | Topology::TriangleFan
-        | Topology::Quads
-        | Topology::QuadStrip
-        | Topology::Polygon => raster.polygon.mode.contains(&PolygonMode::Point),
+    let points = match desc.drawn().class() {
+        PrimitiveClass::Points => true,
+        PrimitiveClass::Lines => false,
+        PrimitiveClass::Polygons => raster.polygon.mode.contains(&PolygonMode::Point),
     };
     if points { raster.point.sprite.as_deref().unwrap_or(&[]) } else { &[] }
 }

@@ -1,7 +1,7 @@
 //! Which vertices make which primitive (GL 2.1, section 2.6.1), as arithmetic, so that a draw can
 //! be cut into chunks anywhere.
 
-use crate::desc::{Provoking, Topology};
+use crate::desc::{PrimitiveClass, Provoking, Topology};
 
 /// Whether the edge flags of vertices count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -213,22 +213,7 @@ impl Primitives {
 
     /// Whether they are triangles.
     pub fn are_triangles(&self) -> bool {
-        match self.topology {
-            Topology::Points
-            | Topology::Lines
-            | Topology::LineStrip
-            | Topology::LineLoop
-            | Topology::LinesAdjacency
-            | Topology::LineStripAdjacency => false,
-            Topology::Triangles
-            | Topology::TrianglesAdjacency
-            | Topology::TriangleStripAdjacency
-            | Topology::TriangleStrip
-            | Topology::TriangleFan
-            | Topology::Quads
-            | Topology::QuadStrip
-            | Topology::Polygon => true,
-        }
+        self.topology.class() == PrimitiveClass::Polygons
     }
 
     /// Whether the edge flags of vertices count: of strips and fans all edges are boundaries (section
