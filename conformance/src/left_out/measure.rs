@@ -3,10 +3,8 @@
 use super::feature::{Feature, Rule};
 use super::plan::PlanFound;
 use super::scene::SIDE;
-use crate::probe::ProbeError;
+use crate::probe::{OwnContext, ProbeError};
 use cpu_time::ThreadTime;
-use gl_api::constants::*;
-use gl_api::context::{Context, ContextDesc};
 use gl_api::*;
 use rasterizer::driver::{Device, DeviceDesc, Explain, LeaveOut};
 use serde::Serialize;
@@ -45,47 +43,26 @@ impl Row {
     }
 }
 
+/// The work of a stage, in errors.
+const AFTER: &str = "a frame of a feature";
+
 /// One scene in a context of its own.
 struct Stage {
-    context: Option<Context>,
+    context: OwnContext,
     frame: fn(),
 }
 
 impl Stage {
     fn new(setup: fn(), frame: fn(), device: &Arc<Device>) -> Result<Self, ProbeError> {
-        let desc = ContextDesc {
-            width: SIDE as u32,
-            height: SIDE as u32,
-            device: Some(Arc::clone(device)),
-            ..ContextDesc::default()
-        };
-        let context = Context::new(desc).map_err(|error| ProbeError::Context(error.to_string()))?;
-        let mut stage = Self { context: Some(context), frame };
-        stage.run(setup)?;
-        Ok(stage)
-    }
-
-    /// Runs `work` in the context.
-    fn run<R>(&mut self, work: impl FnOnce() -> R) -> Result<R, ProbeError> {
-        let lost = || ProbeError::Context("the context was lost".to_owned());
-        let current = self.context.take().ok_or_else(lost)?.make_current();
-        let result = work();
-        let code = glGetError();
-        self.context = current.release();
-        match code {
-            GL_NO_ERROR => Ok(result),
-            _ => {
-                let messages = self.context.as_mut().map(Context::messages).unwrap_or_default();
-                let message = messages.last().map(ToString::to_string).unwrap_or_default();
-                Err(ProbeError::Gl { after: "a frame of a feature", code, message })
-            }
-        }
+        let mut context = OwnContext::new(device, SIDE)?;
+        context.run(AFTER, setup)?;
+        Ok(Self { context, frame })
     }
 
     /// Seconds of the processor for a frame, of which there are `count`. The device has no threads but this one.
     fn seconds(&mut self, count: u32) -> Result<f64, ProbeError> {
         let frame = self.frame;
-        self.run(|| {
+        self.context.run(AFTER, || {
             let start = ThreadTime::now();
             for _ in 0..count {
                 frame();
@@ -96,13 +73,7 @@ impl Stage {
     }
 
     fn picture(&mut self) -> Result<Vec<u8>, ProbeError> {
-        let frame = self.frame;
-        self.run(|| {
-            frame();
-            let mut bytes = vec![0u8; SIDE * SIDE * 4];
-            glReadPixels(0, 0, SIDE, SIDE, GL_RGBA, GL_UNSIGNED_BYTE, &mut bytes);
-            bytes
-        })
+        self.context.picture(AFTER, self.frame)
     }
 }
 

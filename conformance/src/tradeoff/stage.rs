@@ -1,9 +1,8 @@
 //! Pictures that are drawn again and again, each in a context of its own, and what that takes.
 
-use crate::probe::ProbeError;
+use crate::probe::{OwnContext, ProbeError};
 use cpu_time::ThreadTime;
 use gl_api::constants::*;
-use gl_api::context::{Context, ContextDesc};
 use gl_api::*;
 use rasterizer::driver::{Device, DeviceDesc};
 use std::sync::Arc;
@@ -14,6 +13,9 @@ const ROUNDS: usize = 9;
 
 /// Seconds that a stage draws in a round, if its picture takes less.
 const PATIENCE: f64 = 1.5e-3;
+
+/// The work of a stage, in errors.
+const AFTER: &str = "drawing a scene";
 
 /// What a stage does.
 pub struct Frame {
@@ -46,7 +48,7 @@ pub enum Clock {
 
 /// A context that draws a picture.
 pub struct Stage {
-    context: Option<Context>,
+    context: OwnContext,
     frame: Frame,
     clock: Clock,
     side: usize,
@@ -89,44 +91,19 @@ impl Stage {
         side: usize,
         setup: impl FnOnce() -> Frame,
     ) -> Result<Self, ProbeError> {
-        let desc = ContextDesc {
-            width: side as u32,
-            height: side as u32,
-            device: Some(Arc::clone(device)),
-            ..ContextDesc::default()
-        };
-        let context = Context::new(desc).map_err(|error| ProbeError::Context(error.to_string()))?;
-        let frame = Frame::new(|| ());
-        let mut stage = Self { context: Some(context), frame, clock, side };
-        stage.frame = stage.run(|_| {
+        let mut context = OwnContext::new(device, side)?;
+        let frame = context.run(AFTER, || {
             glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
             glPixelStorei(GL_PACK_ALIGNMENT, 1);
             setup()
         })?;
-        Ok(stage)
-    }
-
-    /// Runs `work` in the context.
-    fn run<R>(&mut self, work: impl FnOnce(&Frame) -> R) -> Result<R, ProbeError> {
-        let lost = || ProbeError::Context("the context was lost".to_owned());
-        let current = self.context.take().ok_or_else(lost)?.make_current();
-        let result = work(&self.frame);
-        let code = glGetError();
-        self.context = current.release();
-        match code {
-            GL_NO_ERROR => Ok(result),
-            _ => {
-                let messages = self.context.as_mut().map(Context::messages).unwrap_or_default();
-                let message = messages.last().map(ToString::to_string).unwrap_or_default();
-                Err(ProbeError::Gl { after: "drawing a scene", code, message })
-            }
-        }
+        Ok(Self { context, frame, clock, side })
     }
 
     /// Seconds of what is timed, done so often.
     fn seconds(&mut self, count: usize) -> Result<f64, ProbeError> {
-        let clock = self.clock;
-        self.run(|frame| {
+        let (frame, clock) = (&self.frame, self.clock);
+        self.context.run(AFTER, || {
             let (wall, processor) = (Instant::now(), ThreadTime::now());
             for _ in 0..count {
                 (frame.timed)();
@@ -145,15 +122,12 @@ impl Stage {
     /// # Errors
     /// When a call sets the error flag.
     pub fn picture(&mut self, samples: usize) -> Result<Vec<[f64; 4]>, ProbeError> {
-        let large = self.side;
-        let bytes = self.run(|frame| {
+        let (large, frame) = (self.side, &self.frame);
+        let bytes = self.context.picture(AFTER, || {
             (frame.timed)();
             if let Some(drawn) = &frame.drawn {
                 drawn();
             }
-            let mut bytes = vec![0u8; large * large * 4];
-            glReadPixels(0, 0, large, large, GL_RGBA, GL_UNSIGNED_BYTE, &mut bytes);
-            bytes
         })?;
         Ok(resolve(&bytes, large / samples, samples))
     }
