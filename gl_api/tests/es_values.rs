@@ -320,3 +320,72 @@ fn attributes_of_version_300_have_locations_of_their_own() {
         assert!(linked(&mut c), "{declarations}");
     }
 }
+
+/// What a full-window draw with the bound texture gives.
+fn sampled(c: &mut Context) -> [u8; 4] {
+    let vertex = "#version 300 es
+        void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, 0.0, 1.0); }";
+    let fragment = "#version 300 es
+        precision mediump float;
+        uniform sampler2D image;
+        out vec4 color;
+        void main() { color = texture(image, vec2(0.5)); }";
+    use_program(c, vertex, fragment);
+    c.draw_arrays(GL_TRIANGLES, 0, 3);
+    let mut pixel = [0; 4];
+    c.read_pixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, DataOut::Bytes(&mut pixel));
+    pixel
+}
+
+#[test]
+fn required_internal_formats_are_there() {
+    let mut c = es();
+    let (byte, ten) = (GL_UNSIGNED_BYTE, GL_UNSIGNED_INT_2_10_10_10_REV);
+    let thirds = (341_u32 | 682 << 10 | 1023 << 20).to_le_bytes();
+    let rows: [(GLenum, GLenum, GLenum, &[u8], [u8; 4]); 5] = [
+        (GL_ALPHA8, GL_ALPHA, byte, &[0x5a], [0, 0, 0, 0x5a]),
+        (GL_LUMINANCE8, GL_LUMINANCE, byte, &[0x5a], [0x5a, 0x5a, 0x5a, 255]),
+        (GL_LUMINANCE8_ALPHA8, GL_LUMINANCE_ALPHA, byte, &[1, 2], [1, 1, 1, 2]),
+        (GL_LUMINANCE4_ALPHA4, GL_LUMINANCE_ALPHA, byte, &[0x33, 0xcc], [0x33, 0x33, 0x33, 0xcc]),
+        (GL_RGB10, GL_RGB, ten, &thirds, [85, 170, 255, 255]),
+    ];
+    for (internal, format, ty, texel, expected) in rows {
+        texture(&mut c, GL_TEXTURE_2D);
+        c.tex_parameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR as GLint);
+        let (stored, data) = (internal as GLint, Data::Bytes(texel));
+        c.tex_image_2d(GL_TEXTURE_2D, 0, stored, 1, 1, 0, format, ty, data);
+        assert_eq!(c.get_error(), GL_NO_ERROR, "{internal:#x}");
+        assert_eq!(sampled(&mut c), expected, "{internal:#x}");
+        c.tex_sub_image_2d(GL_TEXTURE_2D, 0, 0, 0, 1, 1, format, ty, data);
+        assert_eq!(c.get_error(), GL_NO_ERROR, "{internal:#x}");
+        // The type of another format, a format with other channels, a renderbuffer.
+        c.tex_image_2d(GL_TEXTURE_2D, 0, stored, 1, 1, 0, format, GL_FLOAT, Data::None);
+        assert_eq!(c.get_error(), GL_INVALID_OPERATION, "{internal:#x}");
+        c.tex_image_2d(GL_TEXTURE_2D, 0, stored, 1, 1, 0, GL_RGBA, byte, Data::None);
+        assert_eq!(c.get_error(), GL_INVALID_OPERATION, "{internal:#x}");
+        let mut renderbuffer = [0];
+        c.gen_renderbuffers(1, &mut renderbuffer);
+        c.bind_renderbuffer(GL_RENDERBUFFER, renderbuffer[0]);
+        c.renderbuffer_storage(GL_RENDERBUFFER, internal, 1, 1);
+        assert_eq!(c.get_error(), GL_INVALID_ENUM, "{internal:#x}");
+    }
+    // From the window, whose components have 8 bits.
+    c.clear_color(0.2, 0.4, 0.6, 0.8);
+    let copied = [
+        (GL_ALPHA8, [0, 0, 0, 204]),
+        (GL_LUMINANCE8, [51, 51, 51, 255]),
+        (GL_LUMINANCE8_ALPHA8, [51, 51, 51, 204]),
+    ];
+    for (internal, expected) in copied {
+        c.clear(GL_COLOR_BUFFER_BIT);
+        c.copy_tex_image_2d(GL_TEXTURE_2D, 0, internal, 0, 0, 1, 1, 0);
+        assert_eq!(c.get_error(), GL_NO_ERROR, "{internal:#x}");
+        assert_eq!(sampled(&mut c), expected, "{internal:#x}");
+    }
+    // No extension has these.
+    for internal in [GL_ALPHA16, GL_LUMINANCE6_ALPHA2, GL_INTENSITY8, GL_RGB12] {
+        let (stored, data) = (internal as GLint, Data::None);
+        c.tex_image_2d(GL_TEXTURE_2D, 0, stored, 1, 1, 0, GL_RGBA, byte, data);
+        assert_eq!(c.get_error(), GL_INVALID_VALUE, "{internal:#x}");
+    }
+}

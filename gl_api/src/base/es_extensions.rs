@@ -46,6 +46,7 @@ pub const EXTENSIONS_OF_ES: &[&str] = &[
     "GL_OES_fbo_render_mipmap",
     "GL_OES_mapbuffer",
     "GL_OES_packed_depth_stencil",
+    "GL_OES_required_internalformat",
     "GL_OES_rgb8_rgba8",
     "GL_OES_standard_derivatives",
     "GL_OES_surfaceless_context",

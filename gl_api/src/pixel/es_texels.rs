@@ -9,7 +9,7 @@ use texunit::format::Format::{self, *};
 
 const SECTION: &str = "OpenGL ES 3.0, table 3.2";
 
-/// Sized internal formats (table 3.2): the `format` and the values of `type` that go with each.
+/// Sized internal formats (table 3.2; the last five of `OES_required_internalformat`, table 3.4.x): the `format` and the values of `type` that go with each.
 #[rustfmt::skip]
 const SIZED: &[(GLenum, GLenum, &[GLenum])] = &[
     (GL_RGBA8, GL_RGBA, &[GL_UNSIGNED_BYTE]),
@@ -66,6 +66,11 @@ const SIZED: &[(GLenum, GLenum, &[GLenum])] = &[
     (GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, &[GL_FLOAT]),
     (GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL, &[GL_UNSIGNED_INT_24_8]),
     (GL_DEPTH32F_STENCIL8, GL_DEPTH_STENCIL, &[GL_FLOAT_32_UNSIGNED_INT_24_8_REV]),
+    (GL_ALPHA8, GL_ALPHA, &[GL_UNSIGNED_BYTE]),
+    (GL_LUMINANCE8, GL_LUMINANCE, &[GL_UNSIGNED_BYTE]),
+    (GL_LUMINANCE8_ALPHA8, GL_LUMINANCE_ALPHA, &[GL_UNSIGNED_BYTE]),
+    (GL_LUMINANCE4_ALPHA4, GL_LUMINANCE_ALPHA, &[GL_UNSIGNED_BYTE]),
+    (GL_RGB10, GL_RGB, &[GL_UNSIGNED_INT_2_10_10_10_REV]),
 ];
 
 /// Formats of blocks that pixels are compressed to (`EXT_texture_compression_bptc`).
@@ -232,7 +237,7 @@ mod tests {
                 assert!(stored(*internal, *format, *ty).is_ok(), "{}", enum_name(*internal));
             }
         }
-        assert_eq!(SIZED.len(), 54);
+        assert_eq!(SIZED.len(), 59);
     }
 
     #[test]

@@ -38,6 +38,8 @@ pub(super) const TEXTURE_SRGB: &[Extension] = &[of("GL_EXT_texture_sRGB", DESKTO
 pub(super) const COLOR_BUFFER_FLOAT: &[Extension] = &[of("GL_EXT_color_buffer_float", ES)];
 pub(super) const COLOR_BUFFER_HALF_FLOAT: &[Extension] =
     &[of("GL_EXT_color_buffer_half_float", ES)];
+pub(super) const REQUIRED_INTERNALFORMAT: &[Extension] =
+    &[of("GL_OES_required_internalformat", ES)];
 pub(super) const FLOAT_LINEAR: &[Extension] = &[of("GL_OES_texture_float_linear", ES)];
 
 /// Which versions and extensions allow each use of a format.
@@ -130,6 +132,13 @@ impl Support {
             0 => None,
             _ => version(later(filter, 20)),
         };
+        self
+    }
+
+    /// An extension of OpenGL ES adds it to textures, which are filtered.
+    pub const fn in_textures(mut self, extensions: &'static [Extension]) -> Self {
+        self.texture.extensions = extensions;
+        self.filter.extensions = extensions;
         self
     }
 
