@@ -32,7 +32,7 @@ pub(super) const LIST: &[Feature] = &[
         },
         draw_quad,
     )
-    .because(Reason::NotLeftOut),
+    .because(Reason::DecidedPerBlock),
     Feature::state(
         "blend-opaque-uniform",
         "blending \"over\" of colours whose alpha is a uniform that is 1",
