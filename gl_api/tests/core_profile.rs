@@ -279,3 +279,37 @@ fn core_contexts_say_whether_what_is_drawn_to_is_srgb() {
         assert_eq!((c.get_error(), found), (GL_NO_ERROR, [want as u8]));
     }
 }
+
+/// What programs look for in core contexts: the names, and that the values are taken.
+#[test]
+fn core_contexts_have_anisotropic_filters_and_seamless_textures() {
+    let mut c = context(Api::Core);
+    let mut count = [0];
+    c.get_integerv(GL_NUM_EXTENSIONS, &mut count);
+    let names: Vec<_> = (0..count[0] as u32).map(|at| c.get_stringi(GL_EXTENSIONS, at)).collect();
+    for name in [
+        "GL_ARB_invalidate_subdata",
+        "GL_ARB_seamless_cubemap_per_texture",
+        "GL_ARB_texture_barrier",
+        "GL_ARB_texture_filter_anisotropic",
+        "GL_EXT_texture_filter_anisotropic",
+    ] {
+        assert!(names.contains(&name), "{name}");
+    }
+    let mut texture = [0];
+    c.gen_textures(1, &mut texture);
+    c.bind_texture(GL_TEXTURE_CUBE_MAP, texture[0]);
+    for (pname, set) in [(GL_TEXTURE_MAX_ANISOTROPY_EXT, 4), (GL_TEXTURE_CUBE_MAP_SEAMLESS, 1)] {
+        c.tex_parameteri(GL_TEXTURE_CUBE_MAP, pname, set);
+        let mut value = [0];
+        c.get_tex_parameteriv(GL_TEXTURE_CUBE_MAP, pname, &mut value);
+        assert_eq!((c.get_error(), value[0]), (GL_NO_ERROR, set));
+    }
+    let mut most = [0.0];
+    c.get_floatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &mut most);
+    assert_eq!((c.get_error(), most[0] >= 16.0), (GL_NO_ERROR, true));
+    // What is invalidated is kept.
+    c.invalidate_tex_image(texture[0], 0);
+    c.texture_barrier();
+    assert_eq!(c.get_error(), GL_NO_ERROR);
+}

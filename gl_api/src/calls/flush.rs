@@ -13,8 +13,8 @@ pub(crate) fn flush(context: &mut Context) -> Result<()> {
     Ok(())
 }
 
-/// What was drawn can be looked up from the next draw on (`NV_texture_barrier`).
-pub(crate) fn texture_barrier_nv(context: &mut Context) -> Result<()> {
+/// What was drawn can be looked up from the next draw on (`ARB_texture_barrier`, `NV_texture_barrier`).
+pub(crate) fn texture_barrier(context: &mut Context) -> Result<()> {
     crate::draw::pass::submit(context);
     // Who calls this knows that a texture is drawn to and looked up.
     context.is_first_warning(DrawWarning::FeedbackLoop, 0);

@@ -8,7 +8,9 @@ use crate::base::convert::{lod_bias, signed_to_unit, symbol, unit_to_signed};
 use crate::base::error::{Result, Table, invalid_enum, invalid_value};
 use crate::base::types::*;
 use crate::objects::target::TextureTarget;
-use texunit::sampler::{Border, Compare, Filter, MAX_ANISOTROPY, Mipmap, Sampler, SrgbRead, Wrap};
+use texunit::sampler::{
+    Border, Compare, Filter, MAX_ANISOTROPY, Mipmap, Sampler, Seamless, SrgbRead, Wrap,
+};
 
 pub(crate) const WRAP: Table<Wrap> = Table {
     section: "GL 2.1, table 3.18",
@@ -91,6 +93,8 @@ pub(crate) enum SamplerParameter {
     CompareFunc,
     MaxAnisotropy,
     SrgbDecode,
+    /// Of one texture, where the capability is off (`ARB_seamless_cubemap_per_texture`).
+    CubeMapSeamless,
 }
 
 pub(crate) const SAMPLER_PARAMETER: Table<SamplerParameter> = Table {
@@ -108,6 +112,7 @@ pub(crate) const SAMPLER_PARAMETER: Table<SamplerParameter> = Table {
         (GL_TEXTURE_COMPARE_FUNC, SamplerParameter::CompareFunc),
         (GL_TEXTURE_MAX_ANISOTROPY_EXT, SamplerParameter::MaxAnisotropy),
         (GL_TEXTURE_SRGB_DECODE_EXT, SamplerParameter::SrgbDecode),
+        (GL_TEXTURE_CUBE_MAP_SEAMLESS, SamplerParameter::CubeMapSeamless),
     ],
 };
 
@@ -121,7 +126,11 @@ impl SamplerParameter {
             | Self::CompareMode
             | Self::CompareFunc
             | Self::SrgbDecode => Some(symbol(value as f32)),
-            Self::MinLod | Self::MaxLod | Self::LodBias | Self::MaxAnisotropy => None,
+            Self::MinLod
+            | Self::MaxLod
+            | Self::LodBias
+            | Self::MaxAnisotropy
+            | Self::CubeMapSeamless => None,
         }
     }
 }
@@ -193,6 +202,14 @@ impl SamplerState {
                 sampler.compare = sampler.compare.map(|_| func);
             }
             SamplerParameter::SrgbDecode => sampler.srgb = SRGB_DECODE.decode("param", symbol)?,
+            SamplerParameter::CubeMapSeamless if value == 0.0 => sampler.seamless = Seamless::Off,
+            SamplerParameter::CubeMapSeamless if value == 1.0 => sampler.seamless = Seamless::On,
+            SamplerParameter::CubeMapSeamless => {
+                return invalid_value(
+                    "ARB_seamless_cubemap_per_texture",
+                    format!("GL_TEXTURE_CUBE_MAP_SEAMLESS = {value} must be GL_FALSE or GL_TRUE"),
+                );
+            }
             SamplerParameter::MaxAnisotropy if value >= 1.0 => {
                 sampler.max_anisotropy = value.min(MAX_ANISOTROPY);
             }
@@ -221,6 +238,10 @@ impl SamplerState {
             SamplerParameter::CompareFunc => symbol(COMPARE.encode(self.compare_func.0)),
             SamplerParameter::MaxAnisotropy => sampler.max_anisotropy,
             SamplerParameter::SrgbDecode => symbol(SRGB_DECODE.encode(sampler.srgb)),
+            SamplerParameter::CubeMapSeamless => match sampler.seamless {
+                Seamless::Off => 0.0,
+                Seamless::On => 1.0,
+            },
         }
     }
 }

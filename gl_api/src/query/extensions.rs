@@ -151,6 +151,7 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     "GL_NV_conditional_render",
     // 2009
     "GL_AMD_draw_buffers_blend",
+    "GL_AMD_seamless_cubemap_per_texture",
     "GL_ARB_compatibility",
     "GL_ARB_depth_clamp",
     "GL_ARB_draw_buffers_blend",
@@ -208,6 +209,7 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     "GL_ARB_fragment_layer_viewport",
     "GL_ARB_framebuffer_no_attachments",
     "GL_ARB_internalformat_query2",
+    "GL_ARB_invalidate_subdata",
     "GL_ARB_multi_draw_indirect",
     "GL_ARB_stencil_texturing",
     "GL_ARB_texture_buffer_range",
@@ -220,6 +222,7 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     // 2013
     "GL_ARB_buffer_storage",
     "GL_ARB_clear_texture",
+    "GL_ARB_seamless_cubemap_per_texture",
     "GL_ARB_texture_mirror_clamp_to_edge",
     "GL_ARB_texture_stencil8",
     "GL_ARB_vertex_type_10f_11f_11f_rev",
@@ -228,9 +231,11 @@ pub(crate) const EXTENSIONS: &[&str] = &[
     "GL_ARB_cull_distance",
     "GL_ARB_direct_state_access",
     "GL_ARB_get_texture_sub_image",
+    "GL_ARB_texture_barrier",
     "GL_EXT_polygon_offset_clamp",
     // 2017
     "GL_ARB_polygon_offset_clamp",
+    "GL_ARB_texture_filter_anisotropic",
 ];
 
 /// Extensions that the registry has for the compatibility profile alone, and that Mesa's core contexts list: programs
@@ -256,6 +261,7 @@ const ALSO_OF_CORE: &[&str] = &[
     "GL_EXT_texture_array",
     "GL_EXT_texture_compression_dxt1",
     "GL_EXT_texture_compression_rgtc",
+    "GL_EXT_texture_filter_anisotropic",
     "GL_EXT_texture_integer",
     "GL_EXT_texture_shared_exponent",
     "GL_EXT_texture_snorm",

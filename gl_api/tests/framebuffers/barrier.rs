@@ -39,7 +39,7 @@ fn each_draw_sees_what_the_one_before_left() {
     shading::use_program(&mut c, vertex, fragment);
     for draws in 1..=3 {
         c.rectf(-1.0, -1.0, 1.0, 1.0);
-        c.texture_barrier_nv();
+        c.texture_barrier();
         let found = bytes(&mut c, [0, 0, SIZE, SIZE], GL_RGBA, 4);
         let flip = |(at, byte): (usize, &u8)| {
             if at % 4 < 3 && draws % 2 == 1 { 255 - *byte } else { *byte }

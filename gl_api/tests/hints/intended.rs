@@ -116,7 +116,7 @@ pub const ROWS: &[Case] = &[
         draw_to_color(c);
         c.bind_texture(GL_TEXTURE_2D, 1);
         shaded(c, TEXTURED);
-        c.texture_barrier_nv();
+        c.texture_barrier();
         triangle(c);
     }),
     ("a depth that is read while it is tested", |c| {

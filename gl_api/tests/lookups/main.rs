@@ -17,6 +17,7 @@ mod mipmaps;
 mod opaque;
 mod parts;
 mod repeats;
+mod seamless;
 mod shadows;
 mod storage;
 mod textures;

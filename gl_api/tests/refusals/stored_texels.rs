@@ -1,4 +1,4 @@
-//! What calls on stored texels and on buffers refuse: `ARB_copy_image`, `ARB_clear_texture`, `ARB_clear_buffer_object`,
+//! What calls on stored texels and on buffers refuse: `ARB_copy_image`, `ARB_clear_texture`, `ARB_clear_buffer_object`, `ARB_invalidate_subdata`,
 //! `ARB_draw_indirect`, `ARB_vertex_attrib_binding`, `ARB_buffer_storage`, `ARB_transform_feedback3`.
 
 use gl_api::*;
@@ -114,6 +114,22 @@ const ROWS: &[Row] = &[
     (nothing, |c| clear_box(c, [-1, 0, 0], [1; 3]), OPERATION, "along x from -1"),
     (nothing, |c| clear_box(c, [0, 5, 0], [1, 4, 1]), OPERATION, "4 texels along y from 5"),
     (nothing, |c| clear_box(c, [0; 3], [1, 1, -1]), OPERATION, "-1 texels along z"),
+    (nothing, |c| c.invalidate_tex_image(0, 0), VALUE, "texture = 0"),
+    (nothing, |c| c.invalidate_tex_image(9, 0), VALUE, "texture = 9"),
+    (nothing, |c| c.invalidate_tex_image(1, -1), VALUE, "level = -1"),
+    (nothing, |c| c.invalidate_tex_image(4, 1), VALUE, "must be 0"),
+    (nothing, |c| c.invalidate_tex_sub_image(9, 0, 0, 0, 0, 1, 1, 1), VALUE, "texture = 9"),
+    (nothing, |c| c.invalidate_tex_sub_image(1, 40, 0, 0, 0, 1, 1, 1), VALUE, "level = 40"),
+    (nothing, |c| c.invalidate_tex_sub_image(1, 0, -1, 0, 0, 1, 1, 1), VALUE, "along x from -1"),
+    (nothing, |c| c.invalidate_tex_sub_image(1, 0, 0, 5, 0, 1, 4, 1), VALUE, "4 texels along y"),
+    (nothing, |c| c.invalidate_tex_sub_image(1, 0, 0, 0, 0, 1, 1, -1), VALUE, "-1 texels along z"),
+    (nothing, |c| c.invalidate_tex_sub_image(1, 1, 0, 0, 0, 1, 1, 1), VALUE, "outside 0 to 0"),
+    (nothing, |c| c.invalidate_buffer_data(9), VALUE, "buffer = 9"),
+    (mapped, |c| c.invalidate_buffer_data(1), OPERATION, "are mapped"),
+    (nothing, |c| c.invalidate_buffer_sub_data(9, 0, 1), VALUE, "buffer = 9"),
+    (nothing, |c| c.invalidate_buffer_sub_data(1, 0, 33), VALUE, "past the buffer's 32 bytes"),
+    (nothing, |c| c.invalidate_buffer_sub_data(1, -1, 1), VALUE, "offset = -1"),
+    (mapped, |c| c.invalidate_buffer_sub_data(1, 8, 8), OPERATION, "are mapped"),
     (nothing, |c| fill(c, GL_RGBA, 0, 4, GL_RGBA), ENUM, "internalformat = GL_RGBA"),
     (nothing, |c| fill(c, GL_RGBA8, 2, 4, GL_RGBA), VALUE, "multiples of the texel's 4 bytes"),
     (nothing, |c| fill(c, GL_RGBA8, 0, 36, GL_RGBA), VALUE, "reach past the buffer's 32 bytes"),

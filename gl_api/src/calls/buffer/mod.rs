@@ -3,5 +3,6 @@
 pub(crate) mod clear;
 pub(crate) mod data;
 pub(crate) mod indexed;
+pub(crate) mod invalidate;
 pub(crate) mod map;
 pub(crate) mod named;

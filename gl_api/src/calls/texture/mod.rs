@@ -12,6 +12,7 @@ pub(crate) mod format_properties;
 pub(crate) mod get;
 pub(crate) mod get_sub;
 pub(crate) mod internal_format;
+pub(crate) mod invalidate;
 pub(crate) mod level_request;
 pub(crate) mod mipmap;
 pub(crate) mod multisample;

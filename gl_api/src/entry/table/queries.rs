@@ -77,7 +77,7 @@ macro_rules! entry_points_queries {
         /// Carries out what was recorded.
         flush: glFlush (), not_compiled;
         /// Lets lookups of the next draw see what was drawn to their own texture.
-        texture_barrier_nv: glTextureBarrierNV ();
+        texture_barrier: glTextureBarrier | glTextureBarrierNV ();
         /// Carries out what was recorded and waits for it.
         finish: glFinish (), not_compiled;
     }

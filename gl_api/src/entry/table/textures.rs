@@ -4,8 +4,8 @@ use crate::base::args::{Data, DataOut};
 use crate::base::types::*;
 use crate::calls::texture::{
     buffer, clear_image, compressed, copy, copy_image, egl_image, environment as env, get, get_sub,
-    mipmap, multisample, names as textures, parameter, query, samplers, specify, storage, sub,
-    view,
+    invalidate, mipmap, multisample, names as textures, parameter, query, samplers, specify,
+    storage, sub, view,
 };
 
 #[doc(hidden)]
@@ -179,6 +179,15 @@ macro_rules! entry_points_textures {
             texture: GLuint, level: GLint, xoffset: GLint, yoffset: GLint, zoffset: GLint,
             width: GLsizei, height: GLsizei, depth: GLsizei, format: GLenum, ty: GLenum,
             data: Data<'a>
+        ), not_compiled;
+    }
+    Refused in invalidate {
+        /// Says that the texels of a level will not be used.
+        invalidate_tex_image: glInvalidateTexImage (texture: GLuint, level: GLint), not_compiled;
+        /// Says that the texels of a box of a level will not be used.
+        invalidate_tex_sub_image: glInvalidateTexSubImage (
+            texture: GLuint, level: GLint, xoffset: GLint, yoffset: GLint, zoffset: GLint,
+            width: GLsizei, height: GLsizei, depth: GLsizei
         ), not_compiled;
     }
     Refused in get_sub {

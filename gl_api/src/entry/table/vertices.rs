@@ -3,7 +3,9 @@
 
 use crate::base::args::{Data, DataOut, Pointers};
 use crate::base::types::*;
-use crate::calls::buffer::{clear as buffer_clear, data as buffers, map as buffer_map};
+use crate::calls::buffer::{
+    clear as buffer_clear, data as buffers, invalidate as buffer_invalidate, map as buffer_map,
+};
 use crate::calls::vertex::{
     array_objects as vertex_arrays, arrays, bindings, counted, draws as calls, elements, immediate,
     indirect, interleaved, locked, rect, restart, runs,
@@ -291,6 +293,13 @@ macro_rules! entry_points_vertices {
             target: GLenum, internalformat: GLenum, offset: GLintptr, size: GLsizeiptr,
             format: GLenum, ty: GLenum, data: Data<'a>
         ), not_compiled;
+    }
+    Refused in buffer_invalidate {
+        /// Says that the contents of a buffer will not be used.
+        invalidate_buffer_data: glInvalidateBufferData (buffer: GLuint), not_compiled;
+        /// Says that a part of the contents of a buffer will not be used.
+        invalidate_buffer_sub_data: glInvalidateBufferSubData
+            (buffer: GLuint, offset: GLintptr, length: GLsizeiptr), not_compiled;
     }
     Refused in buffer_map {
         /// Gives the buffer's bytes to the client until `glUnmapBuffer`; see also
