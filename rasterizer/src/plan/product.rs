@@ -4,6 +4,7 @@ use super::Textures;
 use super::inputs::{FilledInput, FragmentInput};
 use crate::shader::Program;
 use texunit::lanes::Isa;
+use texunit::plan::SamplePlan;
 use texunit::sample::Addresses;
 
 /// The plan of a draw whose fragment program is a [`crate::shader::TexelProduct`].
