@@ -359,9 +359,9 @@ fn required_internal_formats_are_there() {
         c.tex_sub_image_2d(GL_TEXTURE_2D, 0, 0, 0, 1, 1, format, ty, data);
         assert_eq!(c.get_error(), GL_NO_ERROR, "{internal:#x}");
         // The type of another format, a format with other channels, a renderbuffer.
-        c.tex_image_2d(GL_TEXTURE_2D, 0, stored, 1, 1, 0, format, GL_FLOAT, Data::None);
+        c.tex_image_2d(GL_TEXTURE_2D, 0, stored, 1, 1, 0, format, GL_FLOAT, Data::Null);
         assert_eq!(c.get_error(), GL_INVALID_OPERATION, "{internal:#x}");
-        c.tex_image_2d(GL_TEXTURE_2D, 0, stored, 1, 1, 0, GL_RGBA, byte, Data::None);
+        c.tex_image_2d(GL_TEXTURE_2D, 0, stored, 1, 1, 0, GL_RGBA, byte, Data::Null);
         assert_eq!(c.get_error(), GL_INVALID_OPERATION, "{internal:#x}");
         let mut renderbuffer = [0];
         c.gen_renderbuffers(1, &mut renderbuffer);
@@ -384,7 +384,7 @@ fn required_internal_formats_are_there() {
     }
     // No extension has these.
     for internal in [GL_ALPHA16, GL_LUMINANCE6_ALPHA2, GL_INTENSITY8, GL_RGB12] {
-        let (stored, data) = (internal as GLint, Data::None);
+        let (stored, data) = (internal as GLint, Data::Null);
         c.tex_image_2d(GL_TEXTURE_2D, 0, stored, 1, 1, 0, GL_RGBA, byte, data);
         assert_eq!(c.get_error(), GL_INVALID_VALUE, "{internal:#x}");
     }

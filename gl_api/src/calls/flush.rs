@@ -1,4 +1,4 @@
-//! `glFlush` and `glFinish`: GL 2.1, section 5.5; `glTextureBarrierNV`.
+//! `glFlush` and `glFinish`: GL 2.1, section 5.5; `glTextureBarrier`.
 
 use crate::base::error::Result;
 use crate::context::Context;

@@ -1,5 +1,5 @@
 //! What programs draw with: vispy, Panda3D, pyglet, Kivy, pygame, ModernGL, pyrender, VTK, PyVista, Arcade, LÖVE,
-//! SDL with OpenGL ES, raylib, PyBullet, wgpu, Skia, Dear ImGui.
+//! SDL with OpenGL ES, raylib, PyBullet, wgpu, Skia, Dear ImGui, Open3D, Weston.
 //! Each draws a picture with what is its own, on DetGL and on Mesa's llvmpipe, and the two are compared.
 
 use super::picture::Picture;
@@ -108,6 +108,13 @@ fn moderngl_of_3_3() {
     script_looks_as_on_mesa("moderngl_core.py", "moderngl, glcontext", &limits);
 }
 
+/// What ModernGL's examples show, in the window without a screen that they can ask for.
+#[test]
+fn moderngl_window() {
+    let limits = Limits { colors: 1000, mean: 0.3, visible: 0.001 };
+    script_looks_as_on_mesa("moderngl_window_scene.py", "moderngl_window, numpy", &limits);
+}
+
 #[test]
 fn pyrender() {
     let limits = Limits { colors: 100, mean: 0.1, visible: 0.001 };
@@ -126,6 +133,13 @@ fn vtk() {
 fn pyvista() {
     let limits = Limits { colors: 500, mean: 0.5, visible: 0.001 };
     script_looks_as_on_mesa("pyvista_ssao.py", "pyvista", &limits);
+}
+
+/// Without a display its legacy visualizer draws by EGL.
+#[test]
+fn open3d() {
+    let limits = Limits { colors: 1000, mean: 0.5, visible: 0.001 };
+    script_looks_as_on_mesa("open3d_legacy.py", "open3d", &limits);
 }
 
 #[test]
@@ -181,6 +195,17 @@ fn skia() {
 fn imgui() {
     let limits = Limits { colors: 500, mean: 0.5, visible: 0.001 };
     script_looks_as_on_mesa("imgui_windows.py", "imgui, moderngl, glcontext, OpenGL", &limits);
+}
+
+/// A compositor: its GL renderer on OpenGL ES, and a client that it shows.
+#[test]
+fn weston() {
+    if let Err(said) = run(Command::new("weston").arg("--version")) {
+        return skip("weston", &said);
+    }
+    let limits = Limits { colors: 1000, mean: 0.1, visible: 0.001 };
+    let program = [python_program(), source("frameworks").join("weston_desktop.py").into()];
+    looks_as_on_mesa("weston", &program, &limits);
 }
 
 #[test]
