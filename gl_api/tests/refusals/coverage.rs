@@ -16,7 +16,7 @@ const CANNOT_FAIL: &[(&str, &[&str])] = &[
             "glInitNames",
             "glLoadIdentity",
             "glReleaseShaderCompiler",
-            "glTextureBarrierNV",
+            "glTextureBarrier",
         ],
     ),
     (
