@@ -337,12 +337,15 @@ fn sampled(c: &mut Context) -> [u8; 4] {
     pixel
 }
 
+/// An internal format, `format` and `type`, a texel, and what is sampled of it.
+type SampledFormat<'a> = (GLenum, GLenum, GLenum, &'a [u8], [u8; 4]);
+
 #[test]
 fn required_internal_formats_are_there() {
     let mut c = es();
     let (byte, ten) = (GL_UNSIGNED_BYTE, GL_UNSIGNED_INT_2_10_10_10_REV);
     let thirds = (341_u32 | 682 << 10 | 1023 << 20).to_le_bytes();
-    let rows: [(GLenum, GLenum, GLenum, &[u8], [u8; 4]); 5] = [
+    let rows: [SampledFormat<'_>; 5] = [
         (GL_ALPHA8, GL_ALPHA, byte, &[0x5a], [0, 0, 0, 0x5a]),
         (GL_LUMINANCE8, GL_LUMINANCE, byte, &[0x5a], [0x5a, 0x5a, 0x5a, 255]),
         (GL_LUMINANCE8_ALPHA8, GL_LUMINANCE_ALPHA, byte, &[1, 2], [1, 1, 1, 2]),
