@@ -232,23 +232,23 @@ fn lambdas(directions: &Directions, [x, y]: Pixel, variant: Variant) -> [f64; 3]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Given {
     /// As it is interpolated.
-    AsVarying,
+    Varying,
     /// Computed by sums and products.
-    AsSum,
+    Sum,
     /// Computed by a function: its derivatives are differences within a quad.
-    AsMaximum,
+    Maximum,
 }
 
 impl Given {
     fn shader(self) -> &'static str {
         match self {
-            Self::AsVarying => {
+            Self::Varying => {
                 "uniform samplerCube image;
                 void main() {
                     gl_FragColor = vec4(textureCube(image, gl_TexCoord[0].stp).r, 0.0, 0.0, 0.0);
                 }"
             }
-            Self::AsSum => {
+            Self::Sum => {
                 "uniform samplerCube image;
                 void main() {
                     vec3 r = gl_TexCoord[0].stp;
@@ -257,7 +257,7 @@ impl Given {
                     gl_FragColor = vec4(textureCube(image, r).r, 0.0, 0.0, 0.0);
                 }"
             }
-            Self::AsMaximum => {
+            Self::Maximum => {
                 "uniform samplerCube image;
                 void main() {
                     vec3 r = max(gl_TexCoord[0].stp, vec3(-64.0));
@@ -275,11 +275,11 @@ fn levels(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
     let mut pixels_of_all = 0;
     for round in 0..rounds {
         let scale = [1.0, 0.25, 0.05][round % 3];
-        let given = [Given::AsVarying, Given::AsSum, Given::AsMaximum][round / 3 % 3];
+        let given = [Given::Varying, Given::Sum, Given::Maximum][round / 3 % 3];
         let mut directions = Directions::random(&mut rng);
         directions.across = directions.across.map(|c| c * scale);
         directions.up = directions.up.map(|c| c * scale);
-        if given == Given::AsMaximum {
+        if given == Given::Maximum {
             // Differences of rounded directions are off by more than λ may be.
             directions = directions.exact();
         }

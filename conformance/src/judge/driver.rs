@@ -13,9 +13,7 @@ use wait_timeout::ChildExt;
 #[derive(Debug, Error)]
 pub enum JudgeError {
     /// It does not answer.
-    #[error(
-        "--driver {name}: {said}; system, llvmpipe, softpipe or the path of a libEGL is needed"
-    )]
+    #[error("--driver {name}: {said}")]
     Silent {
         /// As it was given.
         name: String,
@@ -61,7 +59,9 @@ impl Driver {
         let silent = |said: String| {
             // The process says so in the same words.
             let own = format!("--driver {}: ", driver.library.display());
-            let said = said.split_once(&own).map_or(said.as_str(), |(_, said)| said).to_owned();
+            let said = said.split_once(&own).map_or(said.as_str(), |(_, said)| said);
+            let said =
+                format!("{said}; system, llvmpipe, softpipe or the path of a libEGL is needed");
             JudgeError::Silent { name: name.to_owned(), said }
         };
         let says = said.map_err(silent)?;
