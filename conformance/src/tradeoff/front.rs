@@ -84,14 +84,10 @@ pub fn advice(all: &[Weighed], cost: &str) -> String {
         return "take any: no difference is seen or measured".to_owned();
     }
     let mut text = format!("take {}", best.name);
-    match as_good[..] {
-        [] => {}
-        [one] => text += &format!(" ({one} is as good)"),
-        [ref others @ .., last] => {
-            text += &format!(" ({} and {last} are as good)", others.join(", "));
-        }
+    if !as_good.is_empty() {
+        text += &format!(" (as good: {})", as_good.join(", "));
     }
-    if all.len() > 1 && best.error <= UNSEEN {
+    if best.error <= UNSEEN && all.iter().any(|one| one.error > UNSEEN) {
         text += ", whose error is below a step of a byte";
     }
     if let Some(cheap) = cheapest
@@ -161,14 +157,11 @@ mod tests {
     #[test]
     fn what_is_as_good_is_named() {
         let all = [one("a", 0.1, 1.0), one("b", 0.1, 1.002), one("c", 0.1, 3.0)];
-        assert_eq!(advice(&all, "time"), "take a (b is as good)");
+        assert_eq!(advice(&all, "time"), "take a (as good: b)");
         assert_eq!(advice(&all[..2], "time"), "take any: no difference is seen or measured");
         let all =
             [one("a", 0.0, 1.0), one("b", 0.0, 1.001), one("c", 0.0, 1.002), one("d", 0.0, 2.0)];
-        assert_eq!(
-            advice(&all, "time"),
-            "take a (b and c are as good), whose error is below a step of a byte"
-        );
+        assert_eq!(advice(&all, "time"), "take a (as good: b, c)");
     }
 
     #[test]
