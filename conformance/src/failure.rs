@@ -5,6 +5,9 @@ use conformance::peers::{self, PeersError};
 use conformance::report::PageError;
 use std::process::ExitCode;
 
+/// The exit status for a wrong argument.
+const WRONG_ARGUMENT: u8 = 2;
+
 /// Why the program fails.
 #[derive(Debug, thiserror::Error)]
 pub enum Failure {
@@ -39,10 +42,9 @@ pub fn finish<T>(result: Result<T, Failure>, passes: impl FnOnce(T) -> bool) -> 
         Err(failure) => {
             eprintln!("{failure}");
             match failure {
-                Failure::NoMatch(..) => ExitCode::from(2),
+                Failure::NoMatch(..) | Failure::Judge(_) => ExitCode::from(WRONG_ARGUMENT),
                 Failure::Drive(_)
                 | Failure::Page(_)
-                | Failure::Judge(_)
                 | Failure::Write(_)
                 | Failure::Peers(_)
                 | Failure::PeersReport(_)
@@ -50,4 +52,23 @@ pub fn finish<T>(result: Result<T, Failure>, passes: impl FnOnce(T) -> bool) -> 
             }
         }
     }
+}
+
+/// The exit status where the command line says nothing to do; what is wrong is printed in one line.
+pub fn wrong(error: &clap::Error) -> ExitCode {
+    if error.use_stderr() {
+        eprintln!("{}", one_line(&error.to_string()));
+        return ExitCode::from(WRONG_ARGUMENT);
+    }
+    match error.print() {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(_) => ExitCode::FAILURE,
+    }
+}
+
+/// What clap says is wrong, without how to get help.
+fn one_line(message: &str) -> String {
+    let about = message.split("\n\nUsage:").next().unwrap_or(message);
+    let about = about.split("\n\nFor more information").next().unwrap_or(about);
+    about.split_whitespace().collect::<Vec<_>>().join(" ")
 }

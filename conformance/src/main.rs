@@ -3,7 +3,8 @@
 
 mod failure;
 
-use clap::{Parser, Subcommand};
+use clap::error::ErrorKind;
+use clap::{CommandFactory, Parser, Subcommand};
 use conformance::chapters::checks;
 use conformance::check::{Check, Effort, Harness, Outcome, Subject, Verdict};
 use conformance::judge::{self, Driver};
@@ -16,9 +17,10 @@ use conformance::sweep::{SWEEPS, Sweep, SweepOutcome};
 use conformance::tradeoff::choices::{CHOICES, Choice, ChoiceOutcome};
 use conformance::tradeoff::{self, Scene, functions};
 use conformance::{filter_pictures, report, self_test};
-use failure::{Failure, finish};
+use failure::{Failure, finish, wrong};
 use indicatif::ProgressBar;
 use serde::Serialize;
+use std::cell::RefCell;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::Instant;
@@ -35,7 +37,7 @@ struct Args {
     /// sweeps, features. Pages of a part have names of their own.
     #[arg(long, value_name = "TEXT", global = true)]
     only: Option<String>,
-    /// JSON instead of tables and pages.
+    /// JSON instead of tables and pages; of all, one object with a name for each subcommand.
     #[arg(long, global = true)]
     json: bool,
     /// Tables as wide as they are, instead of 100 columns.
@@ -55,6 +57,9 @@ struct Args {
     #[arg(long, value_name = "DIR", global = true, default_value = "conformance-report",
           value_parser = folder)]
     out: PathBuf,
+    /// What `all` has found as JSON: one object for all of it.
+    #[arg(skip)]
+    found: RefCell<serde_json::Map<String, serde_json::Value>>,
 }
 
 const EXAMPLES: &str = "Examples:
@@ -67,11 +72,15 @@ const EXAMPLES: &str = "Examples:
 
 /// A folder, or what does not exist yet.
 fn folder(text: &str) -> Result<PathBuf, String> {
+    const NEEDED: &str = "a folder is needed, or a name that is free";
     let path = PathBuf::from(text);
-    if path.exists() && !path.is_dir() {
-        return Err("a file has this name; a folder is needed, or a name that is free".to_owned());
+    if text.is_empty() {
+        return Err(NEEDED.to_owned());
     }
-    Ok(path)
+    match path.ancestors().find(|part| part.exists()) {
+        Some(part) if !part.is_dir() => Err(format!("{} is a file; {NEEDED}", part.display())),
+        Some(_) | None => Ok(path),
+    }
 }
 
 /// What else there is.
@@ -97,12 +106,57 @@ enum Command {
     Judged(judge::Task),
 }
 
+/// A part of what this program does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Part {
+    Formulas,
+    SelfTest,
+    ErrorVsTime,
+    Extremes,
+    LeftOut,
+    Peers,
+}
+
+impl Part {
+    /// Its name in the JSON of all.
+    fn key(self) -> &'static str {
+        match self {
+            Self::Formulas => "formulas",
+            Self::SelfTest => "self-test",
+            Self::ErrorVsTime => "error-vs-time",
+            Self::Extremes => "extremes",
+            Self::LeftOut => "left-out",
+            Self::Peers => "peers",
+        }
+    }
+}
+
 /// What a command counts.
 type Counted = Result<Vec<Count>, Failure>;
 
 fn main() -> ExitCode {
-    let args = Args::parse();
+    let args = match Args::try_parse() {
+        Ok(args) => args,
+        Err(error) => return wrong(&error),
+    };
     let start = Instant::now();
+    let refused = match &args.command {
+        _ if args.driver.is_empty() => None,
+        None => args.json.then_some("--driver writes a page; --json is not for it"),
+        Some(Command::LeftOut) => None,
+        Some(
+            Command::All
+            | Command::SelfTest
+            | Command::ErrorVsTime
+            | Command::Extremes
+            | Command::Peers(_)
+            | Command::Peer(_)
+            | Command::Judged(_),
+        ) => Some("--driver goes with the formulas and with left-out, and no other subcommand"),
+    };
+    if let Some(text) = refused {
+        return wrong(&Args::command().error(ErrorKind::ArgumentConflict, text));
+    }
     let counted = match &args.command {
         None if !args.driver.is_empty() => args.judge(),
         None => args.formulas(),
@@ -171,10 +225,21 @@ impl Args {
         Ok(selected)
     }
 
-    /// Prints a table, or JSON.
-    fn print(&self, table: impl FnOnce() -> String, found: &impl Serialize) -> Result<(), Failure> {
-        let text = if self.json { report::json(found)? } else { table() };
-        println!("{text}");
+    /// Prints a table, or JSON; the JSON of a part of `all` is kept.
+    fn print(
+        &self,
+        part: Part,
+        table: impl FnOnce() -> String,
+        found: &impl Serialize,
+    ) -> Result<(), Failure> {
+        match (&self.command, self.json) {
+            (_, false) => println!("{}", table()),
+            (Some(Command::All), true) => {
+                let found = serde_json::to_value(found)?;
+                self.found.borrow_mut().insert(part.key().to_owned(), found);
+            }
+            (_, true) => println!("{}", report::json(found)?),
+        }
         Ok(())
     }
 
@@ -195,18 +260,21 @@ impl Args {
         let parts: [fn(&Self) -> Counted; 5] =
             [Self::formulas, Self::self_test, Self::error_vs_time, Self::extremes, Self::left_out];
         let mut counts = Vec::new();
-        let mut missed = None;
+        let mut names = Vec::new();
         for part in parts {
             match part(self) {
                 Ok(of) => counts.extend(of),
-                Err(failure @ Failure::NoMatch(..)) => missed = Some(failure),
+                Err(Failure::NoMatch(_, of)) => names.push(of),
                 Err(failure) => return Err(failure),
             }
         }
-        match missed {
-            Some(failure) if counts.is_empty() => Err(failure),
-            Some(_) | None => Ok(counts),
+        if counts.is_empty() {
+            return Err(Failure::NoMatch(self.only.clone().unwrap_or_default(), names.join(",\n")));
         }
+        if self.json {
+            println!("{}", report::json(&*self.found.borrow())?);
+        }
+        Ok(counts)
     }
 
     fn formulas(&self) -> Counted {
@@ -224,7 +292,7 @@ impl Args {
             })
             .collect();
         bar.finish_and_clear();
-        self.print(|| report::table(self.layout(), &outcomes), &outcomes)?;
+        self.print(Part::Formulas, || report::table(self.layout(), &outcomes), &outcomes)?;
         if !self.json {
             let pictures =
                 if self.only.is_none() { filter_pictures::pictures()? } else { Vec::new() };
@@ -267,7 +335,7 @@ impl Args {
         let bar = bar(rows.len());
         let trials = self_test::run_with(Subject::Driver, &rows, &|| bar.inc(1));
         bar.finish_and_clear();
-        self.print(|| report::trials_table(self.layout(), &trials), &trials)?;
+        self.print(Part::SelfTest, || report::trials_table(self.layout(), &trials), &trials)?;
         if !self.json {
             let page = self.page("self-test");
             report::trials_page(&self.out, &page, &trials)?;
@@ -321,6 +389,7 @@ impl Args {
             tables.into_iter().flatten().collect::<Vec<_>>().join("\n")
         };
         self.print(
+            Part::ErrorVsTime,
             table,
             &Tradeoff { scenes: &measured.rows, choices: &chosen, functions: &functions },
         )?;
@@ -351,7 +420,7 @@ impl Args {
             })
             .collect();
         bar.finish_and_clear();
-        self.print(|| report::sweeps_table(self.layout(), &swept), &swept)?;
+        self.print(Part::Extremes, || report::sweeps_table(self.layout(), &swept), &swept)?;
         if !self.json {
             let page = self.page("extremes");
             report::sweeps_page(&self.out, &page, &swept)?;
@@ -393,7 +462,7 @@ impl Args {
         }
         bar.finish_and_clear();
         let names: Vec<&str> = drivers.iter().map(|driver| driver.name.as_str()).collect();
-        self.print(|| report::left_out_table(self.layout(), &rows, &names), &rows)?;
+        self.print(Part::LeftOut, || report::left_out_table(self.layout(), &rows, &names), &rows)?;
         if !self.json {
             let page = self.page("left-out");
             report::left_out_page(&self.out, &page, &rows, &names)?;
@@ -415,7 +484,7 @@ impl Args {
             bar.tick();
         })?;
         bar.finish_and_clear();
-        self.print(|| peers::table(self.layout(), &comparison), &comparison)?;
+        self.print(Part::Peers, || peers::table(self.layout(), &comparison), &comparison)?;
         if !self.json {
             let subject = self.page("peers");
             let name = subject.file().trim_end_matches(".html");
@@ -423,5 +492,34 @@ impl Args {
             println!("{}", self.out.join(format!("{name}.md")).display());
         }
         Ok(vec![Count { passed: scenes.len(), all: scenes.len(), what: "scenes compared" }])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn refused(arguments: &[&str]) -> String {
+        let all = ["conformance"].iter().chain(arguments);
+        Args::try_parse_from(all).expect_err("a wrong argument").to_string()
+    }
+
+    #[test]
+    fn wrong_arguments_name_value_and_what_is_needed() {
+        let file = concat!(env!("CARGO_MANIFEST_DIR"), "/Cargo.toml");
+        let below = concat!(env!("CARGO_MANIFEST_DIR"), "/Cargo.toml/pages");
+        let table: [(&[&str], [&str; 3]); 7] = [
+            (&["--out", file], ["Cargo.toml'", "--out", "a folder is needed"]),
+            (&["extremes", "--out", below], ["pages'", "--out", "is a file"]),
+            (&["--out", ""], ["''", "--out", "a folder is needed"]),
+            (&["peers", "--size", "abc"], ["'abc'", "--size", "16 to 4096"]),
+            (&["peers", "--size", "-1"], ["'-1'", "--size", "16 to 4096"]),
+            (&["peers", "--rounds", "0"], ["'0'", "--rounds", "1 to 1000"]),
+            (&["peers", "--lib", "/nothing"], ["'/nothing'", "--lib", "no file"]),
+        ];
+        for (arguments, parts) in table {
+            let text = refused(arguments);
+            assert!(parts.iter().all(|part| text.contains(part)), "{parts:?}: {text}");
+        }
     }
 }

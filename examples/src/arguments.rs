@@ -48,10 +48,13 @@ pub fn side<const LARGEST: u32>(text: &str) -> Result<u32, String> {
 /// When a file has this name.
 pub fn folder(text: &str) -> Result<PathBuf, String> {
     let path = PathBuf::from(text);
-    if path.exists() && !path.is_dir() {
-        return Err("a file has this name; it must be a folder, or a name that is free".to_owned());
+    match path.ancestors().find(|part| part.exists()) {
+        Some(part) if !part.is_dir() => Err(format!(
+            "{} is a file; it must be a folder, or a name that is free",
+            part.display()
+        )),
+        Some(_) | None => Ok(path),
     }
-    Ok(path)
 }
 
 /// The picture in a file.
@@ -85,10 +88,12 @@ mod tests {
     #[test]
     fn wrong_arguments_are_one_line() {
         let file = concat!(env!("CARGO_MANIFEST_DIR"), "/Cargo.toml");
-        let table: [(&[&str], [&str; 3]); 5] = [
+        let below = concat!(env!("CARGO_MANIFEST_DIR"), "/Cargo.toml/pictures");
+        let table: [(&[&str], [&str; 3]); 6] = [
             (&["--size", "abc"], ["'abc'", "--size", "2 to 4096"]),
             (&["--size", "-1"], ["'-1'", "--size", "2 to 4096"]),
             (&["--out", file], ["Cargo.toml'", "--out", "must be a folder"]),
+            (&["--out", below], ["Cargo.toml/pictures'", "--out", "is a file"]),
             (&["--image", file], ["Cargo.toml'", "--image", "PPM, PNG or JPEG"]),
             (&["--only", "nothing"], ["'nothing'", "--only", "textured_square"]),
         ];

@@ -14,7 +14,7 @@ pub const CURRENT: Check = Check {
     citation: "GL 2.1, 2.14, table 2.9: (2c + 1)/(2^b − 1) of signed, c/(2^b − 1) of unsigned integers",
     what: "current colours, secondary colours and normals after calls of every integer type, random and extreme numbers",
     unit: Unit::Ulp,
-    tolerance: 0.501,
+    tolerance: 0.5,
     why: "one rounding of the exact fraction to f32",
     run: current,
 };
@@ -25,7 +25,7 @@ pub const ARRAYS: Check = Check {
     citation: "GL 3.3, 2.8 and 2.10, equations 2.1 and 2.2; missing components are 0, 0, 1",
     what: "attributes of nine types, normalized or not, of one to four components, with strides, as feedback writes them",
     unit: Unit::Ulp,
-    tolerance: 0.501,
+    tolerance: 0.5,
     why: "one rounding of the exact fraction to f32",
     run: arrays,
 };

@@ -12,8 +12,8 @@ pub const BLEND: Check = Check {
     citation: "GL 2.1, 4.1.8",
     what: "5 equations × 15 source × 14 destination factors",
     unit: Unit::Bytes,
-    tolerance: 0.501,
-    why: "the framebuffer holds 8-bit colours: half a step, and f32 roundings",
+    tolerance: 0.5 + 1.0 / (1 << 14) as f64,
+    why: "the framebuffer holds 8-bit colours: half a step; f32: two products and a sum up to 2 are rounded by 2^-24 each, which is 2^-14 of 255",
     run,
 };
 

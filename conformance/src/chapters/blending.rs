@@ -28,8 +28,8 @@ pub const USUAL: Check = Check {
     citation: "GL 2.1, 4.1.8: the pairs of factors that programs use",
     what: "every pixel of random bytes under nine pairs of factors, added",
     unit: Unit::Bytes,
-    tolerance: 0.501,
-    why: "8-bit colours: half a step, and f32 roundings",
+    tolerance: 0.5 + 1.0 / (1 << 14) as f64,
+    why: "8-bit colours: half a step; f32: two products and a sum up to 2 are rounded by 2^-24 each, which is 2^-14 of 255",
     run: |harness, tally| blended(harness, tally, GL_RGBA8),
 };
 
@@ -55,8 +55,8 @@ pub const HALF: Check = Check {
     citation: "GL 3.0, 4.1.7: without clamps into floats; 2.1.2: halves",
     what: "every pixel of random colours beyond [0, 1] blended into GL_RGBA16F, then rounded to the nearest half",
     unit: Unit::FullScale,
-    tolerance: 1.01 / (1 << 9) as f64,
-    why: "results up to 8 are rounded to 11 bits: half a step is 2^-9, and f32 roundings",
+    tolerance: 1.0 / (1 << 9) as f64 + 1.0 / (1 << 20) as f64,
+    why: "results up to 8 are rounded to 11 bits: half a step is 2^-9; f32: products and sum are rounded by 2^-22 each",
     run: |harness, tally| blended(harness, tally, GL_RGBA16F),
 };
 
@@ -77,8 +77,8 @@ pub const SRGB_WRITTEN: Check = Check {
     citation: "GL 3.0, 4.1.8, equation 4.2: cs from cl where GL_FRAMEBUFFER_SRGB is enabled",
     what: "every pixel of random and of dark colours in GL_SRGB8_ALPHA8, with and without the conversion",
     unit: Unit::Bytes,
-    tolerance: 0.502,
-    why: "8-bit colours: half a step; and f32 of the power",
+    tolerance: 0.5 + 1.0 / (1 << 12) as f64,
+    why: "8-bit colours: half a step; f32: linear values are rounded by 2^-24, which the encoding makes up to 12.92 times as much: 2^-12 of 255",
     run: |harness, tally| encoded(harness, tally, Mixing::Written),
 };
 
@@ -88,8 +88,8 @@ pub const SRGB_BLENDED: Check = Check {
     citation: "GL 3.0, 4.1.7: the destination is linear for blending where GL_FRAMEBUFFER_SRGB is enabled",
     what: "every pixel of half-transparent colours over others in GL_SRGB8_ALPHA8",
     unit: Unit::Bytes,
-    tolerance: 0.502,
-    why: "8-bit colours: half a step; and f32 of the powers",
+    tolerance: 0.5 + 1.0 / (1 << 12) as f64,
+    why: "8-bit colours: half a step; f32: linear values are rounded by 2^-24, which the encoding makes up to 12.92 times as much: 2^-12 of 255",
     run: |harness, tally| encoded(harness, tally, Mixing::Blended),
 };
 

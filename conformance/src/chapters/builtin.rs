@@ -22,14 +22,14 @@ pub const ULP: [Check; COUNT] = {
 
 /// The check of a row of [`BUILTINS`]. `run` is a function pointer, so the row is a constant parameter of it.
 const fn check(row: usize) -> Check {
-    let Builtin { name, what, bound, .. } = BUILTINS[row];
+    let Builtin { name, what, bound, why, .. } = BUILTINS[row];
     Check {
         name,
         citation: "GLSL 1.30, chapter 8",
         what,
         unit: Unit::Ulp,
         tolerance: bound,
-        why: "GLSL 1.30 gives no bound: 1 ULP where f64 is rounded once, 2 to 4 where each step is one of f32",
+        why,
         run: RUN[row],
     }
 }
@@ -72,7 +72,7 @@ fn run<const ROW: usize>(harness: &Harness, tally: &mut Tally) -> Result<(), Pro
 }
 
 /// Marks a value that the check only looks up in its table.
-fn cut_to_18_bits(value: f64) -> f64 {
+pub(super) fn cut_to_18_bits(value: f64) -> f64 {
     if value.is_finite() {
         f64::from_bits(value.to_bits() & !0xffff_ffff) * (1.0 + 2f64.powi(-18))
     } else {

@@ -34,6 +34,8 @@ pub const LEVELS: Check = Check {
 };
 
 const PICTURE: Pixel = [67, 45];
+/// Coordinates of its pixels are whole numbers of 1/64.
+const EXACT_PICTURE: Pixel = [64, 64];
 
 const SIDES: [usize; 4] = [16, 5, 1, 8];
 
@@ -65,6 +67,7 @@ const EDGE: f64 = 0.999;
 /// Directions as an affine function of window coordinates from -1 to 1.
 #[derive(Clone, Copy, Debug)]
 struct Directions {
+    picture: Pixel,
     middle: [f64; 3],
     across: [f64; 3],
     up: [f64; 3],
@@ -73,16 +76,28 @@ struct Directions {
 impl Directions {
     fn random(rng: &mut Rng) -> Self {
         let mut vector = |length: f64| [0; 3].map(|_: i32| f64::from(rng.real(-length, length)));
-        Self { middle: vector(1.0), across: vector(1.5), up: vector(1.5) }
+        Self { picture: PICTURE, middle: vector(1.0), across: vector(1.5), up: vector(1.5) }
+    }
+
+    /// Whole numbers of 1/256 over a picture of powers of two, so that each pixel's direction is one that f32 has.
+    fn exact(&self) -> Self {
+        let of = |v: [f64; 3]| v.map(|c| (c * 256.0).round() / 256.0);
+        let Self { middle, across, up, .. } = *self;
+        Self { picture: EXACT_PICTURE, middle: of(middle), across: of(across), up: of(up) }
     }
 
     fn at(&self, x: f64, y: f64) -> [f64; 3] {
         [0, 1, 2].map(|i| self.middle[i] + x * self.across[i] + y * self.up[i])
     }
 
-    fn of(&self, [x, y]: Pixel) -> [f64; 3] {
-        let [w, h] = PICTURE.map(|n| n as f64);
-        self.at((2 * x + 1) as f64 / w - 1.0, (2 * y + 1) as f64 / h - 1.0)
+    /// The direction at a point of the picture, in pixels.
+    fn at_point(&self, [x, y]: [f64; 2]) -> [f64; 3] {
+        let [w, h] = self.picture.map(|n| n as f64);
+        self.at(2.0 * x / w - 1.0, 2.0 * y / h - 1.0)
+    }
+
+    fn of(&self, pixel: Pixel) -> [f64; 3] {
+        self.at_point(pixel.map(|c| c as f64 + 0.5))
     }
 
     /// The whole picture as a square with these texture coordinates.
@@ -184,10 +199,7 @@ const COUNT: usize = 9;
 
 /// λ at a pixel, by differences within its quad and by derivatives; those of the quad's first pixel, too.
 fn lambdas(directions: &Directions, [x, y]: Pixel, variant: Variant) -> [f64; 3] {
-    let of = |x: f64, y: f64| {
-        let [w, h] = PICTURE.map(|n| n as f64);
-        directions.at((2.0 * x + 1.0) / w - 1.0, (2.0 * y + 1.0) / h - 1.0)
-    };
+    let of = |x: f64, y: f64| directions.at_point([x + 0.5, y + 0.5]);
     let (x, y) = (x as f64, y as f64);
     let (x0, y0) = ((x / 2.0).floor() * 2.0, (y / 2.0).floor() * 2.0);
     let here = of(x, y);
@@ -216,17 +228,65 @@ fn lambdas(directions: &Directions, [x, y]: Pixel, variant: Variant) -> [f64; 3]
     [own, step(x, y), step(x0, y0)]
 }
 
+/// How a shader has a direction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Given {
+    /// As it is interpolated.
+    Varying,
+    /// Computed by sums and products.
+    Sum,
+    /// Computed by a function: its derivatives are differences within a quad.
+    Maximum,
+}
+
+impl Given {
+    fn shader(self) -> &'static str {
+        match self {
+            Self::Varying => {
+                "uniform samplerCube image;
+                void main() {
+                    gl_FragColor = vec4(textureCube(image, gl_TexCoord[0].stp).r, 0.0, 0.0, 0.0);
+                }"
+            }
+            Self::Sum => {
+                "uniform samplerCube image;
+                void main() {
+                    vec3 r = gl_TexCoord[0].stp;
+                    r = vec3(r.x + r.y, r.y + r.z, r.z + r.x);
+                    r = 0.5 * vec3(r.x - r.y + r.z, r.x + r.y - r.z, r.y + r.z - r.x);
+                    gl_FragColor = vec4(textureCube(image, r).r, 0.0, 0.0, 0.0);
+                }"
+            }
+            Self::Maximum => {
+                "uniform samplerCube image;
+                void main() {
+                    vec3 r = max(gl_TexCoord[0].stp, vec3(-64.0));
+                    gl_FragColor = vec4(textureCube(image, r).r, 0.0, 0.0, 0.0);
+                }"
+            }
+        }
+    }
+}
+
 fn levels(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
     let mut rng = Rng::named("picture-cube-levels");
     let (mut kept, mut reached) = (0, [0usize; COUNT]);
-    let rounds = harness.cases(24).max(6);
+    let rounds = harness.cases(27).max(9);
+    let mut pixels_of_all = 0;
     for round in 0..rounds {
         let scale = [1.0, 0.25, 0.05][round % 3];
+        let given = [Given::Varying, Given::Sum, Given::Maximum][round / 3 % 3];
         let mut directions = Directions::random(&mut rng);
         directions.across = directions.across.map(|c| c * scale);
         directions.up = directions.up.map(|c| c * scale);
+        if given == Given::Maximum {
+            // Differences of rounded directions are off by more than λ may be.
+            directions = directions.exact();
+        }
+        let picture = directions.picture;
+        pixels_of_all += picture[0] * picture[1];
         let in_range = |lambda: f64| (0.0..(COUNT - 1) as f64).contains(&lambda);
-        let pixels: Vec<Pixel> = super::pictures::all(PICTURE)
+        let pixels: Vec<Pixel> = super::pictures::all(picture)
             .filter(|pixel| {
                 !is_open(directions.of(*pixel))
                     && lambdas(&directions, *pixel, Variant::CORRECT).into_iter().all(in_range)
@@ -248,49 +308,26 @@ fn levels(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
             let high = moved.into_iter().fold(f64::NEG_INFINITY, f64::max);
             (low - found[0]).max(found[0] - high).max(0.0)
         };
-        let is_computed = round % 2 == 1;
-        harness.compare_by(
-            tally,
-            &(directions, is_computed),
-            &pixels,
-            expect,
-            error,
-            |session| {
-                session.frame(GL_RGBA32F, PICTURE, 0)?;
-                let target = GL_TEXTURE_CUBE_MAP;
-                glBindTexture(target, 1);
-                for level in 0..COUNT {
-                    let side = 1usize << (COUNT - 1 - level);
-                    let texels = vec![level as f32; side * side];
-                    for face in GL_TEXTURE_CUBE_MAP_POSITIVE_X..GL_TEXTURE_CUBE_MAP_POSITIVE_X + 6 {
-                        glTexImage2D(
-                            face, level, GL_R32F, side, side, 0, GL_RED, GL_FLOAT, &texels,
-                        );
-                    }
+        harness.compare_by(tally, &(directions, given), &pixels, expect, error, |session| {
+            session.frame(GL_RGBA32F, picture, 0)?;
+            let target = GL_TEXTURE_CUBE_MAP;
+            glBindTexture(target, 1);
+            for level in 0..COUNT {
+                let side = 1usize << (COUNT - 1 - level);
+                let texels = vec![level as f32; side * side];
+                for face in GL_TEXTURE_CUBE_MAP_POSITIVE_X..GL_TEXTURE_CUBE_MAP_POSITIVE_X + 6 {
+                    glTexImage2D(face, level, GL_R32F, side, side, 0, GL_RED, GL_FLOAT, &texels);
                 }
-                glTexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-                glTexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-                session.fragment_only(if is_computed {
-                    "uniform samplerCube image;
-                void main() {
-                    vec3 r = gl_TexCoord[0].stp;
-                    r = vec3(r.x + r.y, r.y + r.z, r.z + r.x);
-                    r = 0.5 * vec3(r.x - r.y + r.z, r.x + r.y - r.z, r.y + r.z - r.x);
-                    gl_FragColor = vec4(textureCube(image, r).r, 0.0, 0.0, 0.0);
-                }"
-                } else {
-                    "uniform samplerCube image;
-                void main() {
-                    gl_FragColor = vec4(textureCube(image, gl_TexCoord[0].stp).r, 0.0, 0.0, 0.0);
-                }"
-                })?;
-                directions.draw();
-                let picture = session.read_floats(PICTURE)?;
-                Ok(pixels.iter().map(|[x, y]| picture[y * PICTURE[0] + x]).collect())
-            },
-        )?;
+            }
+            glTexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+            glTexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+            session.fragment_only(given.shader())?;
+            directions.draw();
+            let found = session.read_floats(picture)?;
+            Ok(pixels.iter().map(|[x, y]| found[y * picture[0] + x]).collect())
+        })?;
     }
-    tally.reach("pixels compared", kept, rounds * PICTURE[0] * PICTURE[1] / 3);
+    tally.reach("pixels compared", kept, pixels_of_all / 3);
     tally.reach("levels of detail", reached.iter().filter(|count| **count > 0).count(), 4);
     Ok(())
 }

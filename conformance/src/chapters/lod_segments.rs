@@ -1,4 +1,4 @@
-//! The level of detail of lines and points, which have formulas of their own.
+//! The level of detail of lines, points, pixel rectangles and bitmaps, which have formulas of their own.
 
 use super::pictures::{Pictures, Pixel, all, point_between_ties, window};
 use crate::check::{Check, Harness, Tally, Unit};
@@ -30,6 +30,17 @@ pub const POINTS: Check = Check {
     tolerance: 0.0,
     why: "log2 of 1 is 0; biases and levels are whole numbers of 1/4",
     run: points,
+};
+
+/// Pixel rectangles and bitmaps.
+pub const RECTANGLES: Check = Check {
+    name: "lod-rectangles",
+    citation: "GL 2.1, 3.8.8: for a pixel rectangle or a bitmap, ρ = 1",
+    what: "λ of glDrawPixels, glCopyPixels and glBitmap under zooms 1 and 2 and biases of -1 to 5 of the unit, the texture and a shader",
+    unit: Unit::Levels,
+    tolerance: 0.0,
+    why: "log2 of 1 is 0; biases and levels are whole numbers of 1/4",
+    run: rectangles,
 };
 
 const PICTURE: Pixel = [59, 45];
@@ -135,6 +146,26 @@ enum Bias {
     Shader,
 }
 
+impl Bias {
+    /// Sets the bias, and what shows the texture.
+    fn prepare(self, session: &Session, bias: f64) -> Result<(), ProbeError> {
+        match self {
+            Self::Unit => {
+                glTexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, bias as f32);
+                session.check("setting a bias")
+            }
+            Self::Texture => {
+                glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_LOD_BIAS, bias as f32);
+                session.show_textures(1)
+            }
+            Self::Shader => session.fragment_only(&format!(
+                "uniform sampler2D image;
+                void main() {{ gl_FragColor = texture2D(image, gl_TexCoord[0].xy, {bias:?}); }}"
+            )),
+        }
+    }
+}
+
 fn points(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
     let mut rng = Rng::named("lod-points");
     let mut pictures = Pictures::new(harness, tally, PICTURE);
@@ -161,19 +192,7 @@ fn points(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
             session.frame(GL_RGBA32F, PICTURE, 0)?;
             window(PICTURE);
             numbered_levels(session)?;
-            match by {
-                Bias::Unit => {
-                    glTexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, bias as f32);
-                }
-                Bias::Texture => {
-                    glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_LOD_BIAS, bias as f32);
-                    session.show_textures(1)?;
-                }
-                Bias::Shader => session.fragment_only(&format!(
-                    "uniform sampler2D image;
-                    void main() {{ gl_FragColor = texture2D(image, gl_TexCoord[0].xy, {bias:?}); }}"
-                ))?,
-            }
+            by.prepare(session, bias)?;
             glPointSize(side as f32);
             let middle = side as f32 / 2.0;
             glBegin(GL_POINTS);
@@ -182,6 +201,65 @@ fn points(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
                 glVertex2f(x as f32 + middle, y as f32 + middle);
             }
             glEnd();
+            first_component(session)
+        })?;
+    }
+    pictures.finish(100, 1);
+    Ok(())
+}
+
+/// What is drawn at the raster position.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Rectangle {
+    Pixels,
+    Copy,
+    Bitmap,
+}
+
+fn rectangles(harness: &Harness, tally: &mut Tally) -> Result<(), ProbeError> {
+    let mut rng = Rng::named("lod-rectangles");
+    let mut pictures = Pictures::new(harness, tally, PICTURE);
+    for round in 0..harness.cases(72).max(18) {
+        let by = [Bias::Unit, Bias::Texture, Bias::Shader][round % 3];
+        let what = [Rectangle::Pixels, Rectangle::Copy, Rectangle::Bitmap][round / 3 % 3];
+        let size = [rng.integer(1, 13) as usize, rng.integer(1, 11) as usize];
+        let corner = [rng.integer(0, 30) as usize, rng.integer(0, 20) as usize];
+        // Bitmaps are not zoomed.
+        let zoom = if what == Rectangle::Bitmap { 1 } else { rng.integer(1, 2) as usize };
+        let bias = f64::from(rng.dyadic(-1.0, 5.0, 0.25));
+        let st = [0; 2].map(|_: i32| rng.real(-1.0, 2.0));
+        let state = LodState { unit_bias: bias, ..LodState::default() };
+        // GL_REPLACE by RGB keeps alpha, which the framebuffer that is copied has none of.
+        let is_copied = what == Rectangle::Copy && by == Bias::Unit;
+        let alpha = if is_copied { 0.0 } else { 1.0 };
+        let expect = |pixel: Pixel, variant: Variant| {
+            let is_in = |i: usize| (corner[i]..corner[i] + zoom * size[i]).contains(&pixel[i]);
+            if !(is_in(0) && is_in(1)) {
+                return Some([0.0; 4]);
+            }
+            let rho = if variant.has(Mutation::LodOfPointIsNone) { 0.0 } else { 1.0 };
+            let lambda = lambda(rho, &state, variant);
+            Some([lambda.clamp(0.0, (LEVELS - 1) as f64), 0.0, 0.0, alpha])
+        };
+        pictures.compare(&(by, what, size, bias), expect, |session| {
+            session.frame(GL_RGBA32F, PICTURE, 0)?;
+            window(PICTURE);
+            numbered_levels(session)?;
+            by.prepare(session, bias)?;
+            glTexCoord2f(st[0], st[1]);
+            glWindowPos2i(corner[0] as i32, corner[1] as i32);
+            glPixelZoom(zoom as f32, zoom as f32);
+            let [w, h] = size;
+            match what {
+                Rectangle::Pixels => {
+                    glDrawPixels(w, h, GL_RGBA, GL_FLOAT, &vec![1.0f32; 4 * w * h]);
+                }
+                Rectangle::Copy => glCopyPixels(0, 0, w, h, GL_COLOR),
+                Rectangle::Bitmap => {
+                    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+                    glBitmap(w, h, 0, 0, 0, 0, &vec![0xffu8; w.div_ceil(8) * h]);
+                }
+            }
             first_component(session)
         })?;
     }

@@ -65,6 +65,8 @@ mod pixel_rects;
 mod points;
 mod polygon_offset;
 mod polygons;
+mod powers;
+mod probe_pictures;
 mod projection;
 mod provoking;
 mod pyramid;
@@ -179,6 +181,7 @@ pub const CHAPTERS: &[Chapter] = &[
             lod_query::QUERY,
             lod_segments::LINES,
             lod_segments::POINTS,
+            lod_segments::RECTANGLES,
             lookup::LOD,
             lookup::GRAD,
             lookup_offset::LOD,
@@ -362,6 +365,7 @@ pub const CHAPTERS: &[Chapter] = &[
             anisotropic_pictures::PERSPECTIVE,
             anisotropic_pictures::OF_FORMATS,
             anisotropic_pictures::ARRAYS,
+            probe_pictures::PROBES,
             picture_formats::FORMATS,
             cube_pictures::CUBE,
             cube_pictures::LEVELS,
@@ -373,6 +377,7 @@ pub const CHAPTERS: &[Chapter] = &[
     ),
     ("The lectures", &[lecture::LECTURES]),
     ("Built-in functions", &builtin::ULP),
+    ("Constant exponents", &[powers::OF_FLOATS, powers::OF_TEXELS]),
     ("Numbers in words", &packing::ALL),
     ("Where built-in functions end", &[builtin::EXTREMES]),
 ];

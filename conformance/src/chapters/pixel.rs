@@ -24,8 +24,8 @@ pub const PACK: Check = Check {
     citation: "GL 2.1, 4.3.2 and 6.1.4, tables 4.7 and 6.1",
     what: "integers that glGetTexImage writes for every client format and type, swapped or not",
     unit: Unit::Codes,
-    tolerance: 0.501,
-    why: "the nearest integer",
+    tolerance: 0.5,
+    why: "the nearest integer to a product in f64",
     run: pack,
 };
 
@@ -46,8 +46,8 @@ pub const TRANSFER: Check = Check {
     citation: "GL 2.1, 3.6.5: scale and bias, then final clamp",
     what: "random scales and biases of R, G, B, A on the way into GL_RGBA8",
     unit: Unit::Bytes,
-    tolerance: 0.501,
-    why: "8-bit texels: half a step",
+    tolerance: 0.5 + 1.0 / (1 << 14) as f64,
+    why: "8-bit texels: half a step; f32: a product and a sum of up to 4 are rounded by 2^-23 each, which is 2^-14 of 255",
     run: transfer,
 };
 

@@ -16,8 +16,8 @@ pub const OFFSET_UNITS: Check = Check {
     citation: "GL 2.1, 3.5.5: o = r · units on a level polygon",
     what: "r in steps of the buffer, from 1 to 2, of 16 and 24 bits and of floats, units -40 to 40",
     unit: Unit::Codes,
-    tolerance: 0.07,
-    why: "half a step of the depth, over at least 8 units",
+    tolerance: 0.0625,
+    why: "half a step of the depth, over at least 8 units: 1/16",
     run: offset_units,
 };
 

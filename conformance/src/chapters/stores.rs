@@ -15,8 +15,8 @@ pub const FORMATS: Check = Check {
     citation: "GL 2.1, 2.14.9 and 4.1.9; GL 3.0, 2.1.2, 2.1.3: conversion to the buffer's format",
     what: "every pixel of random colours within and beyond the range of 21 colour formats",
     unit: Unit::Codes,
-    tolerance: 1.01,
-    why: "in halves of the format's step: the nearest code, and f32 of the product with its largest",
+    tolerance: 1.0 + 1.0 / (1 << 8) as f64,
+    why: "in halves of the format's step: the nearest code, and f32 of the product with its largest, below 2^16, which is rounded by 2^-9",
     run: formats,
 };
 

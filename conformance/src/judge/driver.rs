@@ -60,7 +60,14 @@ impl Driver {
         };
         let driver = Self { name: name.to_owned(), says: String::new(), library, environment };
         let said = driver.run(&[]);
-        let silent = |said: String| JudgeError::Silent { name: name.to_owned(), said };
+        let silent = |said: String| {
+            // The process says so in the same words.
+            let own = format!("--driver {}: ", driver.library.display());
+            let said = said.split_once(&own).map_or(said.as_str(), |(_, said)| said);
+            let said =
+                format!("{said}; system, llvmpipe, softpipe or the path of a libEGL is needed");
+            JudgeError::Silent { name: name.to_owned(), said }
+        };
         let says = said.map_err(silent)?;
         Ok(Self { says: String::from_utf8_lossy(&says).trim().to_owned(), ..driver })
     }

@@ -1,8 +1,8 @@
 //! GLSL's built-in functions in `f64` (GLSL 1.30, chapter 8): the formula, the domain of the
 //! cases, and, where terms cancel, the magnitude whose unit in the last place is the unit of errors.
 //!
-//! A bound is the specification's where it gives one; GLSL 1.30 gives none, so the bound is what
-//! rounding takes: 1 ULP where `f64` is rounded once, 2 to 4 ULP where each step is one of `f32`.
+//! GLSL 1.30 gives no bounds. Those here are what rounding takes. A rounding to nearest is off by half a ULP; a relative error
+//! of 2^-24 by less than one, as the mantissa is below 2, so that a polynomial within 2^-n of a function adds 2^(24 - n).
 
 use crate::rng::Rng;
 
@@ -26,6 +26,8 @@ pub struct Builtin {
     pub size: fn(&Inputs) -> f64,
     /// Largest error that passes, in ULP.
     pub bound: f64,
+    /// The reason for it.
+    pub why: &'static str,
 }
 
 /// `x` as the first number of a case.
@@ -152,9 +154,30 @@ fn refraction([i, n, c]: &Inputs) -> f64 {
     eta * cosine + (1.0 - eta * eta * (1.0 - cosine * cosine)).sqrt()
 }
 
+/// A bound in ULP, and the reason for it.
+type Bound = (f64, &'static str);
+
+const EXACT: Bound = (0.0, "an integer that f32 has");
+const ONCE: Bound = (0.5, "the exact value is rounded once");
+const FACTOR: Bound =
+    (0.7, "one product, rounded once; its factor as f32 is off by 0.13 or 0.2 of 2^-24");
+const INVERSE_ROOT: Bound = (
+    1.5,
+    "a root that is rounded once, and whose error counts twice where it is next to 1, then a quotient",
+);
+const CIRCULAR: Bound =
+    (0.6, "f64, rounded once; a polynomial of sin within 2^-27.5, which is 0.09");
+const PRECISE: Bound = (0.51, "f64, rounded once; polynomials within 2^-33 and less, 0.002 each");
+const EXPONENTIAL: Bound =
+    (0.54, "f64, rounded once; a polynomial of 2^t within 2^-28.9, which is 0.034");
+const HYPERBOLIC: Bound = (
+    0.6,
+    "f64, rounded once; e^x within 2^-28.9, which the difference to e^-x makes up to three times as much, 0.1",
+);
+
 /// The functions of one argument, over their whole domain.
 macro_rules! unary {
-    ($name:literal, $glsl:literal, $what:literal, $case:ident, $bound:literal, $value:expr) => {
+    ($name:literal, $glsl:literal, $what:literal, $case:ident, $bound:ident, $value:expr) => {
         Builtin {
             name: $name,
             glsl: $glsl,
@@ -165,39 +188,46 @@ macro_rules! unary {
                 f(i[0][0])
             },
             size: none,
-            bound: $bound,
+            bound: $bound.0,
+            why: $bound.1,
         }
     };
 }
 
 /// All functions that are computed and not looked up in a table.
 pub const BUILTINS: &[Builtin] = &[
-    unary!("ulp-radians", "radians(a.x)", "any float", any, 1.0, |x| x.to_radians()),
-    unary!("ulp-degrees", "degrees(a.x)", "any float", any, 2.0, |x| x.to_degrees()),
-    unary!("ulp-sin", "sin(a.x)", "any finite float", moderate, 1.0, |x| x.sin()),
-    unary!("ulp-cos", "cos(a.x)", "any finite float", moderate, 1.0, |x| x.cos()),
-    unary!("ulp-tan", "tan(a.x)", "any finite float", moderate, 1.0, |x| x.tan()),
-    unary!("ulp-asin", "asin(a.x)", "[-1, 1]", unit, 1.0, |x| x.asin()),
-    unary!("ulp-acos", "acos(a.x)", "[-1, 1]", unit, 1.0, |x| x.acos()),
-    unary!("ulp-atan", "atan(a.x)", "any float", any, 1.0, |x| x.atan()),
-    unary!("ulp-sinh", "sinh(a.x)", "any finite float", moderate, 1.0, |x| x.sinh()),
-    unary!("ulp-cosh", "cosh(a.x)", "any finite float", moderate, 1.0, |x| x.cosh()),
-    unary!("ulp-tanh", "tanh(a.x)", "any finite float", moderate, 1.0, |x| x.tanh()),
-    unary!("ulp-asinh", "asinh(a.x)", "any finite float", moderate, 1.0, |x| x.asinh()),
-    unary!("ulp-acosh", "acosh(a.x)", "from 1 up", above_one, 1.0, |x| x.acosh()),
-    unary!("ulp-atanh", "atanh(a.x)", "[-1, 1]", unit, 1.0, |x| x.atanh()),
-    unary!("ulp-exp", "exp(a.x)", "any float", any, 1.0, |x| x.exp()),
-    unary!("ulp-exp2", "exp2(a.x)", "any float", any, 1.0, |x| x.exp2()),
-    unary!("ulp-log", "log(a.x)", "any float from 0 up", positive, 1.0, |x| x.ln()),
-    unary!("ulp-log2", "log2(a.x)", "any float from 0 up", positive, 1.0, |x| x.log2()),
-    unary!("ulp-sqrt", "sqrt(a.x)", "any float from 0 up", positive, 0.5, |x| x.sqrt()),
-    unary!("ulp-inversesqrt", "inversesqrt(a.x)", "any float from 0 up", positive, 2.0, |x| 1.0
-        / x.sqrt()),
-    unary!("ulp-floor", "floor(a.x)", "any float", any, 0.0, |x| x.floor()),
-    unary!("ulp-ceil", "ceil(a.x)", "any float", any, 0.0, |x| x.ceil()),
-    unary!("ulp-trunc", "trunc(a.x)", "any float", any, 0.0, |x| x.trunc()),
-    unary!("ulp-roundEven", "roundEven(a.x)", "any float", any, 0.0, |x| x.round_ties_even()),
-    unary!("ulp-fract", "fract(a.x)", "any finite float", moderate, 0.5, |x| x - x.floor()),
+    unary!("ulp-radians", "radians(a.x)", "any float", any, FACTOR, |x| x.to_radians()),
+    unary!("ulp-degrees", "degrees(a.x)", "any float", any, FACTOR, |x| x.to_degrees()),
+    unary!("ulp-sin", "sin(a.x)", "any finite float", moderate, CIRCULAR, |x| x.sin()),
+    unary!("ulp-cos", "cos(a.x)", "any finite float", moderate, CIRCULAR, |x| x.cos()),
+    unary!("ulp-tan", "tan(a.x)", "any finite float", moderate, PRECISE, |x| x.tan()),
+    unary!("ulp-asin", "asin(a.x)", "[-1, 1]", unit, PRECISE, |x| x.asin()),
+    unary!("ulp-acos", "acos(a.x)", "[-1, 1]", unit, PRECISE, |x| x.acos()),
+    unary!("ulp-atan", "atan(a.x)", "any float", any, PRECISE, |x| x.atan()),
+    unary!("ulp-sinh", "sinh(a.x)", "any finite float", moderate, HYPERBOLIC, |x| x.sinh()),
+    unary!("ulp-cosh", "cosh(a.x)", "any finite float", moderate, HYPERBOLIC, |x| x.cosh()),
+    unary!("ulp-tanh", "tanh(a.x)", "any finite float", moderate, HYPERBOLIC, |x| x.tanh()),
+    unary!("ulp-asinh", "asinh(a.x)", "any finite float", moderate, PRECISE, |x| x.asinh()),
+    unary!("ulp-acosh", "acosh(a.x)", "from 1 up", above_one, PRECISE, |x| x.acosh()),
+    unary!("ulp-atanh", "atanh(a.x)", "[-1, 1]", unit, PRECISE, |x| x.atanh()),
+    unary!("ulp-exp", "exp(a.x)", "any float", any, EXPONENTIAL, |x| x.exp()),
+    unary!("ulp-exp2", "exp2(a.x)", "any float", any, EXPONENTIAL, |x| x.exp2()),
+    unary!("ulp-log", "log(a.x)", "any float from 0 up", positive, PRECISE, |x| x.ln()),
+    unary!("ulp-log2", "log2(a.x)", "any float from 0 up", positive, PRECISE, |x| x.log2()),
+    unary!("ulp-sqrt", "sqrt(a.x)", "any float from 0 up", positive, ONCE, |x| x.sqrt()),
+    unary!(
+        "ulp-inversesqrt",
+        "inversesqrt(a.x)",
+        "any float from 0 up",
+        positive,
+        INVERSE_ROOT,
+        |x| 1.0 / x.sqrt()
+    ),
+    unary!("ulp-floor", "floor(a.x)", "any float", any, EXACT, |x| x.floor()),
+    unary!("ulp-ceil", "ceil(a.x)", "any float", any, EXACT, |x| x.ceil()),
+    unary!("ulp-trunc", "trunc(a.x)", "any float", any, EXACT, |x| x.trunc()),
+    unary!("ulp-roundEven", "roundEven(a.x)", "any float", any, EXACT, |x| x.round_ties_even()),
+    unary!("ulp-fract", "fract(a.x)", "any finite float", moderate, ONCE, |x| x - x.floor()),
     Builtin {
         name: "ulp-atan2",
         glsl: "atan(a.x, a.y)",
@@ -205,7 +235,8 @@ pub const BUILTINS: &[Builtin] = &[
         case: two,
         value: |i| i[0][0].atan2(i[0][1]),
         size: none,
-        bound: 1.0,
+        bound: 0.51,
+        why: PRECISE.1,
     },
     Builtin {
         name: "ulp-pow",
@@ -214,7 +245,8 @@ pub const BUILTINS: &[Builtin] = &[
         case: power,
         value: |i| i[0][0].powf(i[0][1]),
         size: none,
-        bound: 1.0,
+        bound: 0.71,
+        why: "f64, rounded once; log2 within 2^-33 of up to 150 is 0.17 in the exponent, 2^t within 2^-28.9 is 0.034",
     },
     Builtin {
         name: "ulp-mod",
@@ -223,7 +255,8 @@ pub const BUILTINS: &[Builtin] = &[
         case: divisible,
         value: |i| i[0][0] - i[0][1] * (i[0][0] / i[0][1]).floor(),
         size: |i| i[0][0].abs(),
-        bound: 2.0,
+        bound: 1.5,
+        why: "y·n, rounded by half a ULP of x or, where it is beyond the next power of two, a whole one; the difference by half",
     },
     Builtin {
         name: "ulp-mix",
@@ -232,7 +265,8 @@ pub const BUILTINS: &[Builtin] = &[
         case: vectors,
         value: |i| i[0][0] * (1.0 - i[0][2]) + i[0][1] * i[0][2],
         size: |i| (i[0][0] * (1.0 - i[0][2])).abs().max((i[0][1] * i[0][2]).abs()),
-        bound: 4.0,
+        bound: 3.0,
+        why: "1 - a by less than a ULP of its term, both products by half a ULP, their sum, up to twice the larger, by one",
     },
     Builtin {
         name: "ulp-smoothstep",
@@ -245,6 +279,7 @@ pub const BUILTINS: &[Builtin] = &[
         },
         size: |_| 1.0,
         bound: 2.0,
+        why: "two differences and a quotient by 2^-24 of t each, of which t² (3 - 2t) makes up to 0.89: 1.33 ULP of 1; square, sum and product by at most 1/4 each, which do not meet at one t",
     },
     Builtin {
         name: "ulp-length",
@@ -253,7 +288,8 @@ pub const BUILTINS: &[Builtin] = &[
         case: vectors,
         value: |i| dot(i[0], i[0], 4).sqrt(),
         size: none,
-        bound: 3.0,
+        bound: 2.5,
+        why: "a square and three sums by 2^-24 each, half of which is left in the root: 2; the root by half",
     },
     Builtin {
         name: "ulp-distance",
@@ -266,6 +302,7 @@ pub const BUILTINS: &[Builtin] = &[
         },
         size: |i| i[0].iter().chain(&i[1]).fold(0.0, |m: f64, c| m.max(c.abs())),
         bound: 3.0,
+        why: "differences of up to twice a component by a ULP of it, shared by three directions, and the roundings of a length: twice the root of the sum of squares",
     },
     Builtin {
         name: "ulp-dot",
@@ -275,6 +312,7 @@ pub const BUILTINS: &[Builtin] = &[
         value: |i| dot(i[0], i[1], 4),
         size: |i| dot_size(i[0], i[1], 4),
         bound: 3.0,
+        why: "products by 2^-24 of the sum of sizes together, less than a ULP; three sums of a quarter, a half, three quarters and all of it by half a ULP of each: twice the root of the sum of squares",
     },
     Builtin {
         name: "ulp-cross",
@@ -284,6 +322,7 @@ pub const BUILTINS: &[Builtin] = &[
         value: |i| i[0][1] * i[1][2] - i[0][2] * i[1][1],
         size: |i| (i[0][1] * i[1][2]).abs() + (i[0][2] * i[1][1]).abs(),
         bound: 2.0,
+        why: "both products together by 2^-24 of the sum of sizes, less than a ULP, and the difference by as much",
     },
     Builtin {
         name: "ulp-normalize",
@@ -293,6 +332,7 @@ pub const BUILTINS: &[Builtin] = &[
         value: |i| i[0][1] / dot(i[0], i[0], 3).sqrt(),
         size: none,
         bound: 4.0,
+        why: "three squares and their sums by 2^-24 each, half of which is left in the root: 1.5; root, quotient and product by as much as 2^-24 each: less than 4.5, and the largest do not meet",
     },
     Builtin {
         name: "ulp-reflect",
@@ -302,6 +342,7 @@ pub const BUILTINS: &[Builtin] = &[
         value: |i| i[0][2] - 2.0 * dot(i[0], i[1], 3) * i[1][2],
         size: |i| i[0][2].abs() + 2.0 * dot_size(i[0], i[1], 3) * i[1][2].abs(),
         bound: 4.0,
+        why: "dot by 3, twice of it and of N by 2^-24 of the sum of sizes, and the difference by half a ULP: as many as meet",
     },
     Builtin {
         name: "ulp-refract",
@@ -311,5 +352,6 @@ pub const BUILTINS: &[Builtin] = &[
         value: |i| i[2][0] * i[0][0] - refraction(i) * i[1][0],
         size: |_| 2.0,
         bound: 4.0,
+        why: "k has the roundings of five terms up to 2.25, by 2^-23 each, of which √k above 0.22 leaves twice; then two products and a difference below 2: twice the root of the sum of squares",
     },
 ];

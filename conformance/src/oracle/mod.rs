@@ -35,6 +35,7 @@ pub mod painter;
 pub mod pixel;
 pub mod point;
 pub mod polygon;
+pub mod probes;
 pub mod projection;
 pub mod pyramid;
 pub mod sample;

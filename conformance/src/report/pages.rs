@@ -142,8 +142,10 @@ pub fn tradeoff_page(
     create(folder)?;
     let mut body = String::from(
         "<p>Each table's pictures are drawn in turns, 9 rounds, one thread; times are the processor's, the median of the \
-         rounds and their quartiles. A star marks what no other row has: at most its error at at most its cost. The advice \
-         follows from the table: of these, the least product of error and cost.</p>",
+         rounds and their quartiles. A star marks what no other row beats: better in error (by 2 %) or in cost (beyond the \
+         quartiles), and as good in the other. The advice follows from the table: of these, up to 10 times the cheapest, the \
+         least product of squared error and cost. That product is what supersampling leaves as it is, n² times the cost for \
+         1/n of the error; errors below a step of a byte count as one.</p>",
     );
     if !measured.rows.is_empty() {
         let all = overall(&measured.rows);

@@ -102,7 +102,7 @@ pub fn tradeoff_table(layout: Layout, rows: &[Row]) -> String {
         ]);
     }
     let mut text = table.to_string();
-    text.push_str("\n* no other mode has at most its error in at most its time\n");
+    text.push_str("\n* no other mode is better in error (by 2 %) or time (beyond quartiles) and as good in the other\n");
     for of in rows.chunk_by(|a, b| a.scene == b.scene) {
         text.push_str(&wrapped(&format!("{}: {}.", of[0].scene, scene_advice(of))));
     }
@@ -130,7 +130,7 @@ pub fn choices_table(layout: Layout, choices: &[ChoiceOutcome]) -> String {
         }
     }
     let mut text = table.to_string();
-    text.push_str("\n* no other alternative has at most its error at at most its cost\n");
+    text.push_str("\n* no other is better in error (by 2 %) or cost (beyond quartiles) and as good in the other\n");
     for choice in choices {
         text.push_str(&wrapped(&format!("{}: {}.", choice.choice, choice.advice)));
     }

@@ -47,7 +47,7 @@ pub struct Row {
     pub nanoseconds: f64,
     /// The first quartile, the median and the third quartile of the rounds.
     pub quartiles: [f64; 3],
-    /// Whether no other mode of the scene has at most its error and at most its time.
+    /// Whether no other mode of the scene is better in error or time, and no worse in the other.
     pub is_on_front: bool,
 }
 
@@ -209,7 +209,10 @@ pub fn overall(rows: &[Row]) -> Vec<Row> {
 
 /// What the advice weighs of the modes of a scene.
 fn weighed(rows: &[Row]) -> Vec<Weighed> {
-    let of = |row: &Row| Weighed { name: row.mode.clone(), error: row.rms, cost: row.quartiles[1] };
+    let of = |row: &Row| {
+        let [low, cost, high] = row.quartiles;
+        Weighed { name: row.mode.clone(), error: row.rms, cost, quartiles: [low, high] }
+    };
     rows.iter().map(of).collect()
 }
 

@@ -11,8 +11,8 @@ use crate::state::enable::Flag;
 use crate::state::multisample::Multisample;
 use rasterizer::driver::{
     AlphaToCoverage, AlphaToOne, Antialiasing, LineState, LineStipple, MultisampleState, PointSize,
-    PointState, PolygonMode, PolygonOffset, PolygonState, RasterState, SampleCoverage, SampleRule,
-    SampleShading, Topology, VertexBinding, VertexSource, ViewSides,
+    PointState, PolygonMode, PolygonOffset, PolygonState, PolygonSubject, RasterState,
+    SampleCoverage, SampleRule, SampleShading, Topology, VertexBinding, VertexSource, ViewSides,
 };
 
 /// What the primitives of a draw are rasterized as.
@@ -116,6 +116,7 @@ fn polygon_state(context: &Context, vertices: &[VertexBinding]) -> PolygonState 
                 && !matches!(binding.source, VertexSource::Constant([flag, ..]) if flag != 0.0)
         });
     PolygonState {
+        subject: PolygonSubject::Polygons,
         mode: polygons.mode,
         offset: flags.map(|flag| enables.has(flag).then_some(offset)),
         antialiasing: antialiasing(context, Flag::PolygonSmooth),

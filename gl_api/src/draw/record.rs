@@ -20,8 +20,8 @@ use crate::interface::ATTRIB_EDGE_FLAG;
 use crate::objects::programs::Linked;
 use crate::state::enable::Flag;
 use rasterizer::driver::{
-    Antialiasing, Cull, DepthWrite, FrontFace, PassDesc, PipelineDesc, PolygonState, Provoking,
-    RasterState, SampleRule, Topology, VertexBinding, VertexSource,
+    Antialiasing, Cull, DepthWrite, FrontFace, PassDesc, PipelineDesc, PolygonState,
+    PolygonSubject, Provoking, RasterState, SampleRule, Topology, VertexBinding, VertexSource,
 };
 use rasterizer::ir::{GeometryInput, GeometryOutput};
 use texunit::format::Format;
@@ -135,7 +135,11 @@ pub(crate) fn draw_rectangle(
     let reads = Reads { keys: None, ..reads };
     let viewport = rectangle_viewport(&pass, rectangle.depth);
     let multisample = multisample_state(context, SampleRule::Center);
-    let polygon = PolygonState { stipple: rectangle.stipple(), ..PolygonState::default() };
+    let polygon = PolygonState {
+        subject: PolygonSubject::PixelRectangle,
+        stipple: rectangle.stipple(),
+        ..PolygonState::default()
+    };
     let raster = RasterState { polygon, multisample, ..RasterState::default() };
     let desc = PipelineDesc {
         cull: Cull::None,

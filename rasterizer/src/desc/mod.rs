@@ -26,8 +26,8 @@ pub use primitive::{Cull, Facing, FrontFace, Provoking, Topology};
 pub use raster::{
     AlphaToCoverage, AlphaToOne, Antialiasing, LineState, LineStipple, MAX_LINE_WIDTH,
     MAX_POINT_SIZE, MultisampleState, PointSize, PointState, PolygonMode, PolygonOffset,
-    PolygonState, RasterState, SampleCoverage, SampleRule, SampleShading, SpriteOrigin, Stipple,
-    ViewSides,
+    PolygonState, PolygonSubject, RasterState, SampleCoverage, SampleRule, SampleShading,
+    SpriteOrigin, Stipple, ViewSides,
 };
 pub use vertex::{VertexBinding, VertexFormat, VertexSource, VertexType};
 pub(crate) use viewport::DepthTransform;

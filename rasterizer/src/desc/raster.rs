@@ -52,9 +52,21 @@ pub enum Stipple {
     Mask(Arc<PixelMask>),
 }
 
+/// What polygons stand for, which says by which scale factor they are textured (GL 2.1, section 3.8.8).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum PolygonSubject {
+    /// Themselves.
+    #[default]
+    Polygons,
+    /// A pixel rectangle or a bitmap, whose ρ is 1.
+    PixelRectangle,
+}
+
 /// Polygons, however they are drawn.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct PolygonState {
+    /// What they stand for.
+    pub subject: PolygonSubject,
     /// How front and back faces are drawn.
     pub mode: [PolygonMode; 2],
     /// By the mode that a polygon is drawn in: points, lines, filled.

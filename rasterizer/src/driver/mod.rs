@@ -20,9 +20,10 @@ pub use crate::desc::{
     DepthWrite, FrontFace, IndexType, Indices, LineState, LineStipple, LogicOp, MAX_LINE_WIDTH,
     MAX_POINT_SIZE, MAX_VIEWPORTS, MaskBlock, MultisampleState, OutputState, PipelineDesc,
     PipelineError, PixelMask, PointSize, PointState, PolygonMode, PolygonOffset, PolygonState,
-    Provoking, RasterState, Rect, SampleCoverage, SampleRule, SampleShading, ScissoredViewport,
-    ShaderModule, SpriteOrigin, SrgbWrite, StencilFace, StencilOp, StencilState, Stipple, Topology,
-    Version, VertexBinding, VertexFormat, VertexSource, VertexType, ViewSides, Viewport,
+    PolygonSubject, Provoking, RasterState, Rect, SampleCoverage, SampleRule, SampleShading,
+    ScissoredViewport, ShaderModule, SpriteOrigin, SrgbWrite, StencilFace, StencilOp, StencilState,
+    Stipple, Topology, Version, VertexBinding, VertexFormat, VertexSource, VertexType, ViewSides,
+    Viewport,
 };
 pub use crate::plan::LeaveOut;
 pub use crate::plan::{Pipeline, possible_samples, same_textures, sample_positions};

@@ -3,7 +3,7 @@
 
 use super::pipeline::Compiled;
 use super::samples::Samples;
-use crate::desc::{PipelineDesc, PolygonMode, PrimitiveClass, RasterState};
+use crate::desc::{PipelineDesc, PolygonMode, PolygonSubject, PrimitiveClass, RasterState};
 use crate::ir::{Axis, Input, Interpolation};
 use crate::shader::AttributeSet;
 
@@ -261,8 +261,13 @@ pub fn draws_lines(desc: &PipelineDesc, raster: &RasterState) -> bool {
     }
 }
 
-/// Whether a draw draws points, and nothing else, that have the same varyings everywhere: no sprites.
-pub fn draws_plain_points(desc: &PipelineDesc, raster: &RasterState) -> bool {
+/// Whether ρ of all that a draw draws is 1 (GL 2.1, section 3.8.8): of points that have the same varyings everywhere, so no
+/// sprites, and of pixel rectangles and bitmaps.
+pub fn has_unit_scale_factor(desc: &PipelineDesc, raster: &RasterState) -> bool {
+    match raster.polygon.subject {
+        PolygonSubject::PixelRectangle => return true,
+        PolygonSubject::Polygons => {}
+    }
     let draws_only_points = match desc.drawn().class() {
         PrimitiveClass::Points => true,
         PrimitiveClass::Lines => false,

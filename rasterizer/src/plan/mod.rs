@@ -13,7 +13,7 @@ mod samples;
 mod stipple;
 
 pub use inputs::{
-    FilledInput, FragmentInput, PlaneSource, draws_lines, draws_plain_points, sprite_slots,
+    FilledInput, FragmentInput, PlaneSource, draws_lines, has_unit_scale_factor, sprite_slots,
 };
 use inputs::{InputPlanes, InputPlanner};
 pub use leave_out::LeaveOut;

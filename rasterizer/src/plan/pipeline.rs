@@ -42,8 +42,8 @@ pub(crate) struct Compiled {
     of_sprites: OnceLock<Pipeline>,
     /// See [`Pipeline::of_lines`].
     of_lines: OnceLock<Pipeline>,
-    /// See [`Pipeline::of_points`].
-    of_points: OnceLock<Pipeline>,
+    /// See [`Pipeline::of_unit_scale_factor`].
+    of_unit_scale_factor: OnceLock<Pipeline>,
     /// What [`Pipeline::specialized`] compiles; none where the fragment program neither branches on a uniform value nor
     /// computes with one, or is one that was specialized.
     specializable: Option<Specializable>,
@@ -129,16 +129,16 @@ impl Pipeline {
         of_lines.clone()
     }
 
-    /// The pipeline where lookups of points have the level of detail of points.
-    pub(crate) fn of_points(&self) -> Self {
+    /// The pipeline where lookups have the level of detail of points, pixel rectangles and bitmaps.
+    pub(crate) fn of_unit_scale_factor(&self) -> Self {
         if !self.0.desc.fragment.module().has_implicit_lod() {
             return self.clone();
         }
-        let of_points = self.0.of_points.get_or_init(|| {
+        let of_unit_scale_factor = self.0.of_unit_scale_factor.get_or_init(|| {
             let (desc, hoisting) = (self.0.desc.clone(), self.0.hoisting);
-            Self(Arc::new(Compiled::new(desc, hoisting, LevelOfDetail::Points)))
+            Self(Arc::new(Compiled::new(desc, hoisting, LevelOfDetail::UnitScaleFactor)))
         });
-        of_points.clone()
+        of_unit_scale_factor.clone()
     }
 
     /// The pipeline whose fragment program leaves out what uniform values and textures of a draw make without effect;
@@ -283,7 +283,7 @@ impl Compiled {
             hoisting: self.hoisting,
             of_sprites: OnceLock::new(),
             of_lines: OnceLock::new(),
-            of_points: OnceLock::new(),
+            of_unit_scale_factor: OnceLock::new(),
             specializable: None,
             facts,
         }
@@ -391,7 +391,8 @@ impl Compiled {
             | Output::SampleMask
             | Output::PrimitiveId => false,
         });
-        let (of_sprites, of_lines, of_points) = (OnceLock::new(), OnceLock::new(), OnceLock::new());
+        let (of_sprites, of_lines, of_unit_scale_factor) =
+            (OnceLock::new(), OnceLock::new(), OnceLock::new());
         Self {
             desc,
             vertex: Arc::new(vertex),
@@ -405,7 +406,7 @@ impl Compiled {
             hoisting,
             of_sprites,
             of_lines,
-            of_points,
+            of_unit_scale_factor,
             specializable,
             facts: Facts::NONE,
         }

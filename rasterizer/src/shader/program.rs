@@ -119,8 +119,8 @@ pub(crate) enum LevelOfDetail {
     Polygons,
     /// Of lines from the derivative along the line, else as of polygons.
     Lines,
-    /// Of points, whose coordinates are the same everywhere: 1, not what derivatives of 0 give.
-    Points,
+    /// Of points, pixel rectangles and bitmaps, whose coordinates are the same everywhere: 1, not what derivatives of 0 give.
+    UnitScaleFactor,
 }
 
 /// A module that is optimized by itself, and not lowered.

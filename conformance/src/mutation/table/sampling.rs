@@ -9,6 +9,18 @@ pub(super) const ROWS: &[MutationRow] = {
     &[
         row(AnisotropyIgnored, "picture-anisotropic-formats", "footprints are round"),
         row(HalfTexelOff, "picture-anisotropic-arrays", "texels lie half a texel off"),
+        row(AnisotropyIgnored, "picture-anisotropic-probes", "footprints are round"),
+        row(AnisotropyUnlimited, "picture-anisotropic-probes", "the limit is left out"),
+        row(
+            LambdaOfMajor,
+            "picture-anisotropic-probes",
+            "probes are as wide as the footprint is long",
+        ),
+        row(HalfTexelOff, "picture-anisotropic-probes", "texels lie half a texel off"),
+        row(LodOfPointIsNone, "lod-rectangles", "ρ is 0, as derivatives are"),
+        row(BiasOfUnitIgnored, "lod-rectangles", "no bias"),
+        row(BuiltinOf18Bits, "pow-constant", "18 bits of pow"),
+        row(BuiltinOf18Bits, "pow-texels", "18 bits of pow"),
         row(LambdaOffByOne, "lod-query", "λ is one too large"),
         row(MaxLodIgnored, "lod-query", "the clamp is left out"),
         row(LodOfSegmentAsPolygon, "lod-lines", "ρ is that of polygons, the larger of two lengths"),

@@ -107,7 +107,7 @@ pub struct ChoiceRow {
     pub quartiles: [f64; 3],
     /// Bytes of memory a texel.
     pub bytes: Option<f64>,
-    /// Whether no other alternative has at most its error and at most its cost.
+    /// Whether no other alternative is better in error or cost, and no worse in the other.
     pub is_on_front: bool,
 }
 
@@ -185,11 +185,11 @@ impl Choice {
     }
 
     fn weighed(&self, row: &ChoiceRow) -> Weighed {
-        let cost = match (self.cost, row.bytes) {
-            (Cost::Memory, Some(bytes)) => bytes,
-            (Cost::Memory | Cost::Time, _) => row.quartiles[1],
+        let [low, cost, high] = match (self.cost, row.bytes) {
+            (Cost::Memory, Some(bytes)) => [bytes; 3],
+            (Cost::Memory | Cost::Time, _) => row.quartiles,
         };
-        Weighed { name: row.alternative.clone(), error: row.rms, cost }
+        Weighed { name: row.alternative.clone(), error: row.rms, cost, quartiles: [low, high] }
     }
 }
 

@@ -9,7 +9,7 @@ use crate::driver::report::SubmitReport;
 use crate::driver::resources::{DeviceDesc, Resources};
 use crate::driver::visibility::Visibility;
 use crate::plan::{
-    Counting, DrawPlan, LeaveOut, Pipeline, PlanInput, draws_lines, draws_plain_points,
+    Counting, DrawPlan, LeaveOut, Pipeline, PlanInput, draws_lines, has_unit_scale_factor,
     possible_samples, sprite_slots,
 };
 use crate::primitive::Setup;
@@ -43,8 +43,8 @@ impl Pass<'_> {
         };
         let pipeline = match draws_lines(pipeline.desc(), &self.bound.raster) {
             true => pipeline.of_lines(),
-            false if draws_plain_points(pipeline.desc(), &self.bound.raster) => {
-                pipeline.of_points()
+            false if has_unit_scale_factor(pipeline.desc(), &self.bound.raster) => {
+                pipeline.of_unit_scale_factor()
             }
             false => pipeline,
         };

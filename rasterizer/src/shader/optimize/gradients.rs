@@ -7,7 +7,7 @@
 //! lookup.
 //!
 //! Of lines, the scale factor is made of the derivative along the line (GL 2.1, section 3.8.8), which
-//! takes the place of that along x; that along y is 0. Of points it is 1.
+//! takes the place of that along x; that along y is 0. Of points, pixel rectangles and bitmaps it is 1.
 
 use crate::ir::{
     Access, Axis, Block, Expr, Input, Interpolation, Lod, Module, Op, Stage, Stmt, Ty, Value,
@@ -94,13 +94,13 @@ impl Pass<'_> {
         for (gradient, coord) in gradients.iter_mut().zip(&coords[..axes]) {
             match self.gradient(*coord, DEPTH, &mut emitted) {
                 Some(found) => *gradient = found,
-                // Of points, what a program computes, as from the place of the fragment, may differ within one.
+                // What a program computes, as from the place of the fragment, may differ within a point or a rectangle.
                 None if self.lod != LevelOfDetail::Lines => return,
                 None => *gradient = Gradient::Values(self.differences(*coord, &mut emitted)),
             }
         }
         let zero = self.push(Expr::Const { bits: 0, ty: Ty::F32 });
-        if self.lod == LevelOfDetail::Points {
+        if self.lod == LevelOfDetail::UnitScaleFactor {
             // log2 of 1.
             let lod = Lod::Explicit(bias.unwrap_or(zero));
             if let Expr::Sample(sample) = &mut self.module.values[value.0 as usize] {
