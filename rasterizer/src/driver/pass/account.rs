@@ -41,7 +41,7 @@ const COVERINGS_OF_SPENT_FRAME: u64 = 4;
 const BATCHES: u64 = 1 << 10;
 
 /// Operations of a vertex beside its program: fetch, viewport transform.
-const VERTEX: u64 = 4;
+const VERTEX: u64 = 20;
 /// Operations of a primitive: clipping, culling, binning.
 const PRIMITIVE: u64 = 8;
 /// The same of a polygon that is drawn as lines or points, whether these are seen or not.
