@@ -42,7 +42,7 @@ struct Args {
     #[arg(long, global = true)]
     wide: bool,
     /// Judges another GL beside DetGL, through its C functions: system, llvmpipe, softpipe, or the path of a libEGL. May
-    /// be given several times.
+    /// be given several times. With `left-out` after it: times of this GL beside DetGL's.
     #[arg(long, value_name = "DRIVER")]
     driver: Vec<String>,
     /// A sixteenth of the cases, or smaller pictures.
@@ -110,7 +110,7 @@ fn main() -> ExitCode {
         Some(Command::SelfTest) => args.self_test(),
         Some(Command::ErrorVsTime) => args.error_vs_time(),
         Some(Command::Extremes) => args.extremes(),
-        Some(Command::LeftOut) => args.left_out(),
+        Some(Command::LeftOut) => args.left_out_beside_others(),
         Some(Command::Peers(options)) => args.peers(options),
         Some(Command::Peer(task)) => return finish(task.run().map_err(Failure::from), |()| true),
         Some(Command::Judged(task)) => return finish(task.run().map_err(Failure::from), |()| true),
@@ -360,7 +360,20 @@ impl Args {
         Ok(vec![Count::of(&swept, "sweeps pass", SweepOutcome::passes)])
     }
 
+    /// What is left out, and what the same costs in other libraries: those of `--driver`, or llvmpipe where it is there.
+    fn left_out_beside_others(&self) -> Counted {
+        let drivers = match &self.driver[..] {
+            [] => Vec::from_iter(Driver::open("llvmpipe").ok()),
+            names => names.iter().map(|name| Driver::open(name)).collect::<Result<_, _>>()?,
+        };
+        self.left_out_beside(&drivers)
+    }
+
     fn left_out(&self) -> Counted {
+        self.left_out_beside(&[])
+    }
+
+    fn left_out_beside(&self, drivers: &[Driver]) -> Counted {
         let selected =
             self.selected(left_out::features(), |feature: &Feature| [feature.name, feature.what])?;
         let rounds = match self.effort() {
@@ -372,17 +385,21 @@ impl Args {
         let mut rows = Vec::with_capacity(selected.len());
         for feature in selected {
             bar.set_message(feature.name);
-            rows.push(left_out::measure(feature, rounds)?);
+            let row = left_out::measure(feature, rounds)?;
+            let peers =
+                drivers.iter().map(|driver| driver.time(feature.name, rounds.min(3))).collect();
+            rows.push(left_out::Row { peers, ..row });
             bar.inc(1);
         }
         bar.finish_and_clear();
-        self.print(|| report::left_out_table(self.layout(), &rows), &rows)?;
+        let names: Vec<&str> = drivers.iter().map(|driver| driver.name.as_str()).collect();
+        self.print(|| report::left_out_table(self.layout(), &rows, &names), &rows)?;
         if !self.json {
             let page = self.page("left-out");
-            report::left_out_page(&self.out, &page, &rows)?;
+            report::left_out_page(&self.out, &page, &rows, &names)?;
             self.print_path(&page);
         }
-        self.warn(rows.iter().filter(|row| row.noise > NOISY).count(), rows.len());
+        self.warn(rows.iter().filter(|row| row.timing.noise > NOISY).count(), rows.len());
         Ok(vec![Count::of(&rows, "features pass", left_out::Row::passes)])
     }
 

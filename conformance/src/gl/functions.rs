@@ -2,7 +2,7 @@
 
 #![allow(missing_docs, reason = "they are GL's, and stand in the table of `gl_api`")]
 
-use super::library;
+use super::library::{self, CachedAddress};
 use super::value::{Answer, Passed};
 use gl_api::Arg;
 use gl_api::*;
@@ -23,7 +23,8 @@ macro_rules! function {
             let Some(library) = library::chosen() else {
                 return gl_api::$gl($($param),*);
             };
-            let Some(address) = library.address(stringify!($gl)) else {
+            static ADDRESS: CachedAddress = CachedAddress::new();
+            let Some(address) = library.cached_address(&ADDRESS, stringify!($gl)) else {
                 return Answer::none();
             };
             $(let mut $param = <$ty as Passed<'a>>::hold($param.arg(), stringify!($param));)*

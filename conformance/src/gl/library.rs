@@ -7,7 +7,7 @@ use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use std::sync::atomic::{AtomicPtr, Ordering};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Mutex, OnceLock, PoisonError};
 use thiserror::Error;
 
 type Egl = egl::DynamicInstance<egl::EGL1_4>;
@@ -75,6 +75,16 @@ const CONTEXT_MINOR: egl::Int = 0x30FB;
 const CONTEXT_PROFILE: egl::Int = 0x30FD;
 const PROFILE_CORE: egl::Int = 1;
 
+/// The address of a function in the library that was asked first, whose own address stands beside it.
+#[derive(Debug)]
+pub(super) struct CachedAddress(OnceLock<(usize, Option<usize>)>);
+
+impl CachedAddress {
+    pub(super) const fn new() -> Self {
+        Self(OnceLock::new())
+    }
+}
+
 impl Library {
     /// Opens a libEGL by its path or name.
     ///
@@ -95,8 +105,22 @@ impl Library {
         Ok(Box::leak(Box::new(Self { egl, display, addresses: Mutex::default() })))
     }
 
+    /// The address of a function, which `cache` keeps: a look into a map would take longer than many calls.
+    pub(super) fn cached_address(
+        &'static self,
+        cache: &CachedAddress,
+        name: &'static str,
+    ) -> Option<*const ()> {
+        let library = std::ptr::from_ref(self).addr();
+        let found = || self.address(name).map(|found| found.expose_provenance());
+        match cache.0.get_or_init(|| (library, found())) {
+            (of, Some(found)) if *of == library => Some(std::ptr::with_exposed_provenance(*found)),
+            _ => self.address(name),
+        }
+    }
+
     /// The address of a function.
-    pub(super) fn address(&self, name: &'static str) -> Option<*const ()> {
+    fn address(&self, name: &'static str) -> Option<*const ()> {
         let mut known = self.addresses.lock().unwrap_or_else(PoisonError::into_inner);
         let found = *known.entry(name).or_insert_with(|| {
             self.egl.get_proc_address(name).map_or(0, |function| function as *const () as usize)
@@ -109,10 +133,10 @@ impl Library {
     }
 
     /// Makes a new context current that draws to a pbuffer.
-    pub(super) fn context(
-        &'static self,
-        desc: &ContextDesc,
-    ) -> Result<ForeignContext, LibraryError> {
+    ///
+    /// # Errors
+    /// What EGL says.
+    pub fn context(&'static self, desc: &ContextDesc) -> Result<ForeignContext, LibraryError> {
         let Self { egl, display, .. } = self;
         let is_es = desc.api == Api::Es2;
         let api = if is_es { egl::OPENGL_ES_API } else { egl::OPENGL_API };

@@ -2,6 +2,7 @@
 
 use super::process::{Answer, TIME_LIMIT};
 use crate::check::Effort;
+use crate::left_out::Timing;
 use std::ffi::OsString;
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -43,6 +44,9 @@ const NAMES: [(&str, &[(&str, &str)]); 3] = [
     ("softpipe", &[("LIBGL_ALWAYS_SOFTWARE", "1"), ("GALLIUM_DRIVER", "softpipe")]),
 ];
 
+/// The environment in which llvmpipe draws on the thread that calls.
+const LLVMPIPE_WITHOUT_THREADS: [(&str, &str); 1] = [("LP_NUM_THREADS", "0")];
+
 impl Driver {
     /// `system`, `llvmpipe`, `softpipe`, or the path of a libEGL.
     ///
@@ -75,12 +79,35 @@ impl Driver {
         serde_json::from_slice(&bytes).map_err(|error| error.to_string())
     }
 
+    /// The times of a feature of `left-out`, drawn by the thread that calls; each time is that of a new process, and
+    /// there are `rounds` for each scene.
+    ///
+    /// # Errors
+    /// What happened instead.
+    pub fn time(&self, feature: &str, rounds: usize) -> Result<Timing, String> {
+        let time = |scene: &str| -> Result<f64, String> {
+            let arguments = ["--feature", feature, "--scene", scene];
+            let bytes = self.run_with(&LLVMPIPE_WITHOUT_THREADS, &arguments)?;
+            serde_json::from_slice(&bytes).map_err(|error| error.to_string())
+        };
+        Timing::of_processes(|| time("plain"), || time("asked"), rounds)
+    }
+
     fn run(&self, arguments: &[&str]) -> Result<Vec<u8>, String> {
+        self.run_with(&[], arguments)
+    }
+
+    fn run_with(
+        &self,
+        environment: &[(&str, &str)],
+        arguments: &[&str],
+    ) -> Result<Vec<u8>, String> {
         let program =
             std::env::current_exe().unwrap_or_else(|_| Path::new("conformance").to_owned());
         let mut command = Command::new(program);
         command.arg("judged").arg("--lib").arg(&self.library).args(arguments);
         command.env("MESA_SHADER_CACHE_DISABLE", "true").envs(self.environment.iter().copied());
+        command.envs(environment.iter().copied());
         if std::env::var_os("EGL_PLATFORM").is_none() {
             command.env("EGL_PLATFORM", OsString::from("surfaceless"));
         }

@@ -1,9 +1,10 @@
-//! The process that asks one library for one check.
+//! The process that asks one library for one check, or for the time of one scene.
 
 use super::driver::JudgeError;
 use crate::chapters::checks;
 use crate::check::{Effort, Harness, Subject, Verdict};
 use crate::gl::{self, glGetString, library};
+use crate::left_out::{self, FeatureScene};
 use crate::mutation::Variant;
 use gl_api::constants::{GL_RENDERER, GL_VERSION};
 use gl_api::context::ContextDesc;
@@ -23,6 +24,12 @@ pub struct Task {
     /// The check; without one, what the library calls itself.
     #[arg(long)]
     check: Option<String>,
+    /// A feature of `left-out`, in place of a check.
+    #[arg(long, conflicts_with = "check")]
+    feature: Option<String>,
+    /// Which of the feature's scenes.
+    #[arg(long, value_enum, default_value = "plain")]
+    scene: FeatureScene,
     /// How many cases.
     #[arg(long, default_value = "full", value_parser = ["quick", "full", "thorough"])]
     effort: String,
@@ -50,6 +57,12 @@ impl Task {
         let opened =
             library::Library::open(&self.lib).map_err(|error| silent(error.to_string()))?;
         library::choose(Some(opened));
+        if let Some(name) = &self.feature {
+            let feature = left_out::features().find(|feature| feature.name == name);
+            let feature = feature.ok_or_else(|| silent(format!("there is no feature {name:?}")))?;
+            let time = left_out::frame_ms(opened, feature, self.scene).map_err(silent)?;
+            return print_json(&time).map_err(silent);
+        }
         let Some(name) = &self.check else {
             let _current = gl::open(ContextDesc::default()).map_err(silent)?;
             println!("{}, {}", glGetString(GL_RENDERER), glGetString(GL_VERSION));
@@ -69,8 +82,11 @@ impl Task {
             verdict: outcome.verdict,
             worst: outcome.worst,
         };
-        let text = serde_json::to_string(&answer).map_err(|error| silent(error.to_string()))?;
-        println!("{text}");
-        Ok(())
+        print_json(&answer).map_err(silent)
     }
+}
+
+fn print_json(answer: &impl Serialize) -> Result<(), String> {
+    println!("{}", serde_json::to_string(answer).map_err(|error| error.to_string())?);
+    Ok(())
 }

@@ -3,6 +3,7 @@
 use super::feature::{Feature, Rule};
 use super::plan::PlanFound;
 use super::scene::SIDE;
+use super::timing::Timing;
 use crate::probe::{OwnContext, ProbeError};
 use cpu_time::ThreadTime;
 use gl_api::*;
@@ -17,12 +18,10 @@ pub struct Row {
     pub name: &'static str,
     /// What is asked for.
     pub what: &'static str,
-    /// Median time of a frame without it, in milliseconds.
-    pub plain_ms: f64,
-    /// Median over the rounds of the ratio of the times with and without it.
-    pub ratio: f64,
-    /// Half the distance of the quartiles of the ratios.
-    pub noise: f64,
+    /// The times with it and without.
+    pub timing: Timing,
+    /// The times of other libraries; why there are none.
+    pub peers: Vec<Result<Timing, String>>,
     /// How many bytes of the pictures differ, of the first frames and of the third ones.
     pub different: usize,
     /// How far they lie apart at most.
@@ -113,12 +112,6 @@ pub fn pictures(feature: &Feature, leave_out: LeaveOut) -> Result<[Vec<u8>; 2], 
     Ok([first, stage.picture()?])
 }
 
-/// The median of some numbers.
-fn quantile(sorted: &[f64], at: f64) -> f64 {
-    let last = sorted.len().saturating_sub(1);
-    sorted.get((at * last as f64).round() as usize).copied().unwrap_or(f64::NAN)
-}
-
 /// Draws a feature's frames in turns, so many rounds; none only compares plans and pictures.
 ///
 /// # Errors
@@ -141,31 +134,12 @@ pub fn measure(feature: &Feature, rounds: usize) -> Result<Row, ProbeError> {
     let differences = before.iter().zip(&after).map(|(a, b)| a.abs_diff(*b));
     let different = differences.clone().filter(|difference| *difference > 0).count();
     let largest = differences.max().unwrap_or(0);
-    let frames = (2e-3 / plain.seconds(2)?.max(1e-5)).ceil().clamp(1.0, 50.0) as u32;
-    let (mut ratios, mut times) = (Vec::new(), Vec::new());
-    for round in 0..rounds {
-        // The first of two is not always the same one.
-        let [without, with] = match round % 2 {
-            0 => {
-                let without = plain.seconds(frames)?;
-                [without, asked.seconds(frames)?]
-            }
-            _ => {
-                let with = asked.seconds(frames)?;
-                [plain.seconds(frames)?, with]
-            }
-        };
-        ratios.push(with / without);
-        times.push(without);
-    }
-    ratios.sort_by(f64::total_cmp);
-    times.sort_by(f64::total_cmp);
+    let timing = Timing::of(|count| plain.seconds(count), |count| asked.seconds(count), rounds)?;
     Ok(Row {
         name: feature.name,
         what: feature.what,
-        plain_ms: quantile(&times, 0.5) * 1e3,
-        ratio: quantile(&ratios, 0.5),
-        noise: (quantile(&ratios, 0.75) - quantile(&ratios, 0.25)) / 2.0,
+        timing,
+        peers: Vec::new(),
         different,
         largest,
         tolerance: feature.tolerance,

@@ -1,7 +1,7 @@
 //! The scenes that features are asked of, in the GL of GL 2.1.
 
+use crate::gl::*;
 use gl_api::constants::*;
-use gl_api::*;
 
 /// Pixels across and up.
 pub(super) const SIDE: usize = 1024;

@@ -1,8 +1,8 @@
 //! Frames of many small draws, with calls between that change nothing.
 
 use super::scene::SIDE;
+use crate::gl::*;
 use gl_api::constants::*;
-use gl_api::*;
 
 /// So many small triangles in a frame.
 const SMALL_DRAWS: usize = 400;

@@ -16,7 +16,7 @@ pub enum Layout {
 
 impl Layout {
     /// An empty table with these headings, whose first column does not wrap.
-    pub(crate) fn table<const N: usize>(self, headings: [&str; N]) -> Table {
+    pub(crate) fn table<'a>(self, headings: impl IntoIterator<Item = &'a str>) -> Table {
         let mut table = Table::new();
         table.load_preset(presets::UTF8_BORDERS_ONLY).set_header(headings);
         match self {

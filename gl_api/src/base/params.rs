@@ -83,16 +83,18 @@ impl Params {
     /// # Errors
     /// `GL_INVALID_ENUM` for a call without `v`, `GL_INVALID_OPERATION` for a slice too short.
     pub fn need(&self, section: &'static str, pname: GLenum, count: usize) -> Result<()> {
-        let name = enum_name(pname);
         match self.form {
-            Form::Scalar if count > 1 => invalid_enum(
-                section,
-                format!("pname = {name} has {count} values: use the call that ends in v"),
-            ),
-            Form::Vector if self.len < count => invalid_operation(
-                section,
-                format!("params has {} of {count} values of {name}", self.len),
-            ),
+            Form::Scalar if count > 1 => {
+                let name = enum_name(pname);
+                let rule =
+                    format!("pname = {name} has {count} values: use the call that ends in v");
+                invalid_enum(section, rule)
+            }
+            Form::Vector if self.len < count => {
+                let name = enum_name(pname);
+                let rule = format!("params has {} of {count} values of {name}", self.len);
+                invalid_operation(section, rule)
+            }
             Form::Scalar | Form::Vector => Ok(()),
         }
     }

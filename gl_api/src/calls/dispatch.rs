@@ -7,6 +7,7 @@ use crate::context::pending_primitives::{PendingPrimitives, PendingState};
 use crate::context::sharing::CallScope;
 use crate::context::{Context, ContextDesc, ContextError};
 use crate::draw::pending_primitives::draw_pending;
+use crate::state::State;
 use crate::state::plain::PlainState;
 use texunit::lanes::FloatEnv;
 
@@ -145,6 +146,36 @@ impl Context {
         }
         self.state_changes.count_setter();
         true
+    }
+
+    /// In a setter of plain state: sets a field. To set what is set already changes nothing that draws depend on.
+    #[inline]
+    pub(crate) fn set_plain<T: PartialEq>(
+        &mut self,
+        field: impl FnOnce(&mut State) -> &mut T,
+        value: T,
+    ) {
+        let field = field(&mut self.state);
+        if *field == value {
+            self.state_changes.no_change();
+        }
+        // Of equal numbers, queries show the sign of a zero.
+        *field = value;
+    }
+
+    /// As [`Self::set_plain`], of a field that is changed in part.
+    #[inline]
+    pub(crate) fn change_plain<T: PartialEq + Clone>(
+        &mut self,
+        field: impl FnOnce(&mut State) -> &mut T,
+        change: impl FnOnce(&mut T),
+    ) {
+        let field = field(&mut self.state);
+        let before = field.clone();
+        change(field);
+        if *field == before {
+            self.state_changes.no_change();
+        }
     }
 
     /// In a setter of plain state that is about to change other state: as the beginning of any other call.

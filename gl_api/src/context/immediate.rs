@@ -96,9 +96,46 @@ impl Immediate {
     }
 }
 
+/// How many components of each value are read.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum ColumnComponents {
+    /// Three, as the fourth is 1 in all values, which it also is where an array has three: then texture coordinates need
+    /// no division, and colours no blending.
+    #[default]
+    Three,
+    /// All.
+    Four,
+}
+
+impl ColumnComponents {
+    /// Those of a column with these values.
+    pub fn of(values: &[[f32; 4]]) -> Self {
+        let is_one = |[.., last]: &[f32; 4]| last.to_bits() == 1f32.to_bits();
+        if values.iter().all(is_one) { Self::Three } else { Self::Four }
+    }
+
+    /// Those of a column that has the values of both.
+    pub fn with(self, other: Self) -> Self {
+        match self {
+            Self::Three => other,
+            Self::Four => Self::Four,
+        }
+    }
+
+    /// As a number.
+    pub fn count(self) -> u8 {
+        match self {
+            Self::Three => 3,
+            Self::Four => 4,
+        }
+    }
+}
+
 /// Vertices in a buffer of columns: positions, then a column for each attribute that has one.
 pub(crate) struct Columns<'a> {
     pub buffer: &'a Buffer,
+    /// Of the positions, then of each column.
+    pub components: [ColumnComponents; COLUMNS + 1],
     /// How many vertices the columns are of.
     pub count: usize,
     /// The vertices that are drawn.

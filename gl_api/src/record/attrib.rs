@@ -13,65 +13,65 @@ use crate::record::attrib_changes::{is_plain, restore_current};
 use crate::state::attrib::{
     MAX_ATTRIB_STACK_DEPTH, Parameters, ServerAttribs, Switches, stack_error,
 };
-use crate::state::enable::Flag;
+use crate::state::enable::{Flag, Flags};
 use crate::state::texture_units::Units;
 use crate::state::{State, fragment, raster};
 use std::sync::Arc;
 
 /// The flags of each group; `GL_ENABLE_BIT` has all of them.
-const FLAGS: &[(GLbitfield, &[Flag])] = &[
+const FLAGS: &[(GLbitfield, Flags)] = &[
     (
         GL_COLOR_BUFFER_BIT,
-        &[
+        Flags::of(&[
             Flag::AlphaTest,
             Flag::Blend,
             Flag::ColorLogicOp,
             Flag::Dither,
             Flag::FramebufferSrgb,
             Flag::IndexLogicOp,
-        ],
+        ]),
     ),
-    (GL_DEPTH_BUFFER_BIT, &[Flag::DepthTest]),
-    (GL_EVAL_BIT, &[Flag::AutoNormal]),
-    (GL_FOG_BIT, &[Flag::Fog, Flag::ColorSum]),
-    (GL_LIGHTING_BIT, &[Flag::ColorMaterial, Flag::Lighting]),
-    (GL_LINE_BIT, &[Flag::LineSmooth, Flag::LineStipple]),
+    (GL_DEPTH_BUFFER_BIT, Flags::of(&[Flag::DepthTest])),
+    (GL_EVAL_BIT, Flags::of(&[Flag::AutoNormal])),
+    (GL_FOG_BIT, Flags::of(&[Flag::Fog, Flag::ColorSum])),
+    (GL_LIGHTING_BIT, Flags::of(&[Flag::ColorMaterial, Flag::Lighting])),
+    (GL_LINE_BIT, Flags::of(&[Flag::LineSmooth, Flag::LineStipple])),
     (
         GL_MULTISAMPLE_BIT,
-        &[
+        Flags::of(&[
             Flag::Multisample,
             Flag::SampleAlphaToCoverage,
             Flag::SampleAlphaToOne,
             Flag::SampleCoverage,
             Flag::SampleMask,
             Flag::SampleShading,
-        ],
+        ]),
     ),
-    (GL_POINT_BIT, &[Flag::PointSmooth, Flag::PointSprite]),
+    (GL_POINT_BIT, Flags::of(&[Flag::PointSmooth, Flag::PointSprite])),
     (
         GL_POLYGON_BIT,
-        &[
+        Flags::of(&[
             Flag::CullFace,
             Flag::PolygonOffsetFill,
             Flag::PolygonOffsetLine,
             Flag::PolygonOffsetPoint,
             Flag::PolygonSmooth,
             Flag::PolygonStipple,
-        ],
+        ]),
     ),
-    (GL_SCISSOR_BIT, &[Flag::ScissorTest]),
-    (GL_STENCIL_BUFFER_BIT, &[Flag::StencilTest, Flag::StencilTestTwoSide]),
-    (GL_TRANSFORM_BIT, &[Flag::DepthClamp, Flag::Normalize, Flag::RescaleNormal]),
+    (GL_SCISSOR_BIT, Flags::of(&[Flag::ScissorTest])),
+    (GL_STENCIL_BUFFER_BIT, Flags::of(&[Flag::StencilTest, Flag::StencilTestTwoSide])),
+    (GL_TRANSFORM_BIT, Flags::of(&[Flag::DepthClamp, Flag::Normalize, Flag::RescaleNormal])),
     (
         GL_ENABLE_BIT,
-        &[
+        Flags::of(&[
             Flag::FragmentProgram,
             Flag::RasterizerDiscard,
             Flag::SeamlessCubeMaps,
             Flag::VertexProgram,
             Flag::VertexProgramPointSize,
             Flag::VertexProgramTwoSide,
-        ],
+        ]),
     ),
 ];
 
@@ -177,11 +177,13 @@ pub(crate) fn pop_attrib(context: &mut Context) -> Result<()> {
         // Bitmaps that wait depend on all else.
         draw_pending(context);
     }
-    for &(bit, flags) in FLAGS {
+    let mut flags = Flags::default();
+    for &(bit, of_group) in FLAGS {
         if saved.mask & (bit | GL_ENABLE_BIT) != 0 {
-            context.state.enables.copy_from(flags, &saved.enables);
+            flags = flags.with(of_group);
         }
     }
+    context.state.enables.copy_from(flags, &saved.enables);
     if let Some((current, raster_position)) = saved.current.take() {
         restore_current(context, &current);
         context.state.raster_position = raster_position;

@@ -154,6 +154,26 @@ pub(crate) const CAPABILITY: Table<Capability> = Table {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Enables(u64);
 
+/// Some flags, whatever they are set to.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Flags(u64);
+
+impl Flags {
+    pub const fn of(flags: &[Flag]) -> Self {
+        let (mut mask, mut at) = (0, 0);
+        while at < flags.len() {
+            mask |= 1 << flags[at] as u32;
+            at += 1;
+        }
+        Self(mask)
+    }
+
+    /// Those of both.
+    pub fn with(self, Self(more): Self) -> Self {
+        Self(self.0 | more)
+    }
+}
+
 impl Default for Enables {
     fn default() -> Self {
         Self(1 << Flag::Dither as u32 | 1 << Flag::Multisample as u32)
@@ -166,8 +186,7 @@ impl Enables {
     }
 
     /// Copies some flags from others.
-    pub fn copy_from(&mut self, flags: &[Flag], from: &Self) {
-        let mask = flags.iter().fold(0, |mask, flag| mask | 1 << *flag as u32);
+    pub fn copy_from(&mut self, Flags(mask): Flags, from: &Self) {
         self.0 = self.0 & !mask | from.0 & mask;
     }
 

@@ -26,8 +26,8 @@ pub(crate) struct Light {
 }
 
 impl Light {
-    /// All that is set of it.
-    pub fn numbers(&self) -> impl Iterator<Item = f64> {
+    /// Whether all that is set of it is equal to the bit.
+    pub fn is_set_as(&self, other: &Self) -> bool {
         let Self {
             ambient,
             diffuse,
@@ -39,10 +39,18 @@ impl Light {
             attenuation,
             derived: _,
         } = self;
-        let singles = [*ambient, *diffuse, *specular].into_iter().flatten();
-        let singles = singles.chain(*attenuation).chain([*spot_exponent, *spot_cutoff]);
-        let doubles = position.to_array().into_iter().chain(spot_direction.to_array());
-        singles.map(f64::from).chain(doubles)
+        let bits = |color: &[f32; 4]| color.map(f32::to_bits);
+        let [constant, linear, quadratic] = *attenuation;
+        let rest = bits(&[constant, linear, quadratic, *spot_exponent]);
+        let [constant, linear, quadratic] = other.attenuation;
+        bits(ambient) == bits(&other.ambient)
+            && bits(diffuse) == bits(&other.diffuse)
+            && bits(specular) == bits(&other.specular)
+            && position.to_array().map(f64::to_bits) == other.position.to_array().map(f64::to_bits)
+            && spot_direction.to_array().map(f64::to_bits)
+                == other.spot_direction.to_array().map(f64::to_bits)
+            && rest == bits(&[constant, linear, quadratic, other.spot_exponent])
+            && spot_cutoff.to_bits() == other.spot_cutoff.to_bits()
     }
 }
 

@@ -31,12 +31,24 @@ pub struct ColorPlan {
     pub class: ColorClass,
     /// Blending, if any.
     pub blend: Option<Blend>,
+    /// How blocks of opaque fragments are blended.
+    pub opaque: OpaqueBlocks,
     /// The logical operation, if any.
     pub logic_op: Option<LogicOp>,
     /// Bits of the words that are written.
     pub write: WordMask,
     /// Whether these are all bits of the format.
     pub all_bits_written: bool,
+}
+
+/// How 64 fragments are blended whose alpha is 1.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum OpaqueBlocks {
+    /// As any others.
+    #[default]
+    Blended,
+    /// They replace what is stored: the formula leaves nothing of it.
+    Replaced,
 }
 
 /// How the texels of a format are written.
@@ -142,7 +154,19 @@ impl ColorPlan {
         };
         let all_bits_written = write == all_bits(format);
         let second = blend.is_some_and(|blend| blend.reads_second_color()).then_some(second);
-        Self { target, outputs, second, format, class, blend, logic_op, write, all_bits_written }
+        let opaque = OpaqueBlocks::Blended;
+        Self {
+            target,
+            outputs,
+            second,
+            format,
+            class,
+            blend,
+            opaque,
+            logic_op,
+            write,
+            all_bits_written,
+        }
     }
 }
 

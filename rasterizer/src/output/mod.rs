@@ -9,7 +9,9 @@ mod merge;
 mod stencil;
 
 pub use blend::factors as blend_factors;
-pub use color::{BlockColors, Color, ColorClass, ColorPlan, pack_colors, store_masked};
+pub use color::{
+    BlockColors, Color, ColorClass, ColorPlan, OpaqueBlocks, pack_colors, store_masked,
+};
 pub use depth::{DepthPlan, DepthTest};
 pub use merge::{Fragments, Tests, store_samples, test, write_blocks, write_samples};
 pub use stencil::{Reference, StencilPlan};

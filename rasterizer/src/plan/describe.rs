@@ -1,7 +1,7 @@
 //! A plan in words, for `DETGL_EXPLAIN`.
 
 use super::{DrawPlan, ShaderTestOutputs, Shading, TestTiming};
-use crate::output::ColorPlan;
+use crate::output::{ColorPlan, OpaqueBlocks};
 use std::fmt::Write;
 use texunit::sampler::Compare;
 
@@ -117,7 +117,12 @@ impl TestTiming {
 fn describe_color(color: &ColorPlan) -> String {
     let how = match (color.logic_op, color.blend) {
         (Some(op), _) => format!("logical operation, {op:?}"),
-        (None, Some(blend)) => format!("blended, {:?}", blend.equation),
+        (None, Some(blend)) => match color.opaque {
+            OpaqueBlocks::Blended => format!("blended, {:?}", blend.equation),
+            OpaqueBlocks::Replaced => {
+                format!("blended but where a block is opaque, {:?}", blend.equation)
+            }
+        },
         (None, None) => "left out: blending (the old colour is not read)".into(),
     };
     let mut text = format!("{how}, written bits");

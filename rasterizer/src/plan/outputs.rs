@@ -4,7 +4,7 @@ use super::{LeaveOut, Pipeline};
 use crate::attachment::{DepthFormat, component_bits};
 use crate::desc::{Blend, DepthState, DepthWrite};
 use crate::ir::Output;
-use crate::output::{ColorPlan, DepthPlan, StencilPlan, Tests};
+use crate::output::{ColorPlan, DepthPlan, OpaqueBlocks, StencilPlan, Tests};
 use texunit::format::{Encoding, Format};
 use texunit::sampler::Compare;
 
@@ -61,16 +61,16 @@ pub(super) fn colors(
             // Numbers of other formats show `1·s + 0·d`: it is no negative zero, and no number where `d` is infinite.
             && matches!(format.info().encoding, Encoding::Unorm | Encoding::Srgb);
         let replaces = |blend: &Blend| is_opaque && blend.replaces_where_opaque();
+        let leaves_nothing = state.blend.is_some_and(|blend| blend.replaces_where_opaque());
+        let opaque = match leave_out {
+            LeaveOut::WithoutEffect if leaves_nothing => OpaqueBlocks::Replaced,
+            LeaveOut::WithoutEffect | LeaveOut::Nothing => OpaqueBlocks::Blended,
+        };
         if write != [0; 4] && mentioned {
             let logic_op = desc.output.logic_op;
-            colors.push(ColorPlan::new(
-                target,
-                [outputs, second],
-                format,
-                write,
-                state.blend.filter(|blend| !replaces(blend)),
-                logic_op,
-            ));
+            let blend = state.blend.filter(|blend| !replaces(blend));
+            let plan = ColorPlan::new(target, [outputs, second], format, write, blend, logic_op);
+            colors.push(ColorPlan { opaque, ..plan });
         }
     }
     colors

@@ -4,6 +4,7 @@ use super::Textures;
 use super::inputs::{FilledInput, FragmentInput};
 use crate::shader::Program;
 use texunit::lanes::Isa;
+use texunit::plan::SamplePlan;
 use texunit::sample::Addresses;
 
 /// The plan of a draw whose fragment program is a [`crate::shader::TexelProduct`].
@@ -89,12 +90,18 @@ impl ProductPlan {
                 planes.dedup();
             }
         }
-        let takes = |slot: u32| {
-            let texture = textures.get(slot as usize).and_then(Option::as_ref);
-            texture.is_some_and(|texture| !texture.needs_lod() || texture.fuses_uniform_levels(isa))
+        let all = |takes: fn(&SamplePlan, Isa) -> bool| {
+            product.textures().all(|slot| {
+                let texture = textures.get(slot as usize).and_then(Option::as_ref);
+                texture.is_some_and(|texture| !texture.needs_lod() || takes(texture, isa))
+            })
         };
-        let lods = product.lod_inputs.as_ref().filter(|_| product.textures().all(takes));
-        let lod_planes = lods.and_then(|lods| lod_planes(lods, inputs));
+        let lods = product.lod_inputs.as_ref();
+        let lod_planes = lods
+            .filter(|_| all(SamplePlan::selects_uniform_levels))
+            .and_then(|lods| lod_planes(lods, inputs));
+        // Other lookups read the level of detail again where no level is the same in all lanes.
+        let lods = lods.filter(|_| all(SamplePlan::fuses_uniform_levels));
         let filled = |left_out: &[usize]| {
             let is_in = |number: usize| !left_out.contains(&number);
             let is_of_lookup = |number| is_in(number) && product.lookup_inputs.contains(&number);

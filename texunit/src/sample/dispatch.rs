@@ -145,6 +145,11 @@ impl SamplePlan {
         }
     }
 
+    /// Whether [`SamplePlan::uniform_levels`] may return levels: they depend on the level of detail alone.
+    pub fn selects_uniform_levels(&self, isa: Isa) -> bool {
+        isa.is_wide() && self.texture().is_some_and(|texture| texture.is_fusible)
+    }
+
     /// Whether [`SamplePlan::sample_fused`] takes its fast path wherever [`SamplePlan::uniform_levels`] returns levels:
     /// it then reads nothing of `lod`.
     pub fn fuses_uniform_levels(&self, isa: Isa) -> bool {

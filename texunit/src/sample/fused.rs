@@ -3,7 +3,6 @@
 
 use super::fast::{self, Addresses, QuadLoad, TexelQuad};
 use super::interpolate::lerp;
-use super::row_scan::{self, Across, RoundQuad};
 use super::scratch::{QuadScratch, SelectedLevels};
 use super::uniform_levels::{self, UniformLevels};
 use crate::format::convert::{byte_channel, byte_of, over_255};
@@ -143,10 +142,7 @@ pub(crate) fn sample_fused<S: Simd, T: TexelConsumer>(
     quads: &mut QuadScratch,
     consumer: T,
 ) -> Result<T::Output, T> {
-    let Some(UniformLevels { filter, face, levels, scan }) = levels else { return Err(consumer) };
-    if let Some(across) = scan {
-        return S::outlined(ScanMeans { texture, levels, coords, weight, across, quads, consumer });
-    }
+    let Some(UniformLevels { filter, face, levels }) = levels else { return Err(consumer) };
     match (filter, texture.alpha) {
         (Filter::Nearest, _) if levels[0] == levels[1] => {
             let view = uniform_levels::face_view(texture, filter, face, levels[0]);
@@ -223,67 +219,6 @@ impl<T: TexelConsumer> Kernel for LookupMeans<'_, T> {
         match is_mixed {
             false => Ok(consumer.consume::<S>(&&quads.levels[0])),
             true => Ok(consumer.consume::<S>(&TwoLevelMeans(&quads.levels, weight))),
-        }
-    }
-}
-
-/// Means of scanned round footprints.
-impl FilteredTexels for &RoundQuad {
-    #[inline(always)]
-    fn channel(&self, lane: usize, channel: usize) -> f32 {
-        self.mean(lane, channel)
-    }
-    #[inline(always)]
-    fn byte(&self, lane: usize, channel: usize) -> u32 {
-        math::unit_byte(self.mean(lane, channel))
-    }
-    #[inline(always)]
-    fn bytes(&self) -> Option<&U32s> {
-        None
-    }
-}
-
-/// A scan of round footprints on one level, or on two.
-struct ScanMeans<'a, T> {
-    texture: &'a Texture,
-    levels: [u32; 2],
-    coords: [&'a F32s; 3],
-    weight: &'a F32s,
-    across: Across,
-    quads: &'a mut QuadScratch,
-    consumer: T,
-}
-
-impl<T: TexelConsumer> Kernel for ScanMeans<'_, T> {
-    type Output = Result<T::Output, T>;
-
-    #[inline(always)]
-    fn run<S: Simd>(self) -> Self::Output {
-        let Self { texture, levels, coords, weight, across, quads, consumer } = self;
-        let is_mixed = levels[0] != levels[1];
-        // The addresses are of these quads.
-        quads.is_inside = false;
-        let used = &mut quads.round[..1 + usize::from(is_mixed)];
-        for (number, quad) in levels.into_iter().zip(used) {
-            let view = uniform_levels::plane_view(texture, Filter::Linear, number);
-            if !row_scan::load_round::<S>(&view, coords, across, quad) {
-                return Err(consumer);
-            }
-        }
-        match is_mixed {
-            false => LookupKernel::FusedScan.note(),
-            true => LookupKernel::FusedScanTwoLevels.note(),
-        }
-        match (texture.alpha, is_mixed) {
-            (Alpha::Stored, false) => Ok(consumer.consume::<S>(&&quads.round[0])),
-            (Alpha::Stored, true) => {
-                Ok(consumer.consume::<S>(&TwoLevelMeans(&quads.round, weight)))
-            }
-            (Alpha::One, false) => Ok(consumer.consume::<S>(&OpaqueTexels(&&quads.round[0]))),
-            (Alpha::One, true) => {
-                let means = TwoLevelMeans(&quads.round, weight);
-                Ok(consumer.consume::<S>(&OpaqueTexels(&means)))
-            }
         }
     }
 }

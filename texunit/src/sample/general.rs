@@ -243,11 +243,47 @@ fn sample_key<S: Simd, F: FootprintSet>(
         filter,
     });
     match scan {
-        Some(scan) if F::SCANS => row_scan::level::<S>(&view, at, scan, mask, out, recorder),
+        Some(scan) if F::SCANS => sample_scanned::<S>(&view, at, scan, mask, out, recorder),
         Some(_) | None if F::ISOTROPIC => filter::sample_level::<S>(&view, at, out, recorder),
         Some(_) | None => {}
     }
     recorder.record(|lane| SampleStep::Filtered(out.each_ref().map(|channel| channel[lane])));
+}
+
+/// Samples one level in the lanes of a mask, by rows where footprints are not round.
+#[inline(always)]
+fn sample_scanned<S: Simd>(
+    view: &LevelView<'_>,
+    at: [&F32s; 3],
+    scan: &RowScan,
+    mask: &U32s,
+    out: &mut [F32s; 4],
+    recorder: &mut impl Recorder,
+) {
+    let mut round = row_scan::round_lanes(view, scan);
+    let mut long = U32s::ZERO;
+    for lane in 0..LANES {
+        long[lane] = mask[lane] & !round[lane];
+        round[lane] &= mask[lane];
+    }
+    let (has_round, has_long) = (S::any(&round), S::any(&long));
+    if has_long {
+        recorder.restrict_to(|lane| long[lane] != 0);
+        row_scan::level::<S>(view, at, scan, &long, out, recorder);
+    }
+    if has_round {
+        LookupKernel::GeneralRound.note();
+        let mut isotropic = [F32s::ZERO; 4];
+        recorder.restrict_to(|lane| round[lane] != 0);
+        filter::sample_level::<S>(view, at, &mut isotropic, recorder);
+        for (out, isotropic) in out.iter_mut().zip(&isotropic) {
+            let (out, isotropic) = (out.as_u32_mut(), isotropic.as_u32());
+            for lane in 0..LANES {
+                out[lane] = isotropic[lane] & round[lane] | out[lane] & !round[lane];
+            }
+        }
+    }
+    recorder.restrict_to(|lane| mask[lane] != 0);
 }
 
 /// The coordinates with an offset in texels of this level.

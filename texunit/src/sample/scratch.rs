@@ -1,7 +1,6 @@
 //! Scratch of a lookup, part of which the next lookup may reuse.
 
 use super::fast::{Addresses, TexelQuad};
-use super::row_scan::RoundQuad;
 use super::uniform_levels::UniformLevels;
 use crate::lanes::{F32s, U32s};
 
@@ -56,8 +55,6 @@ impl Default for KeptAxes {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct QuadScratch {
     pub levels: [TexelQuad; 2],
-    /// Those of scanned footprints.
-    pub round: [RoundQuad; 2],
     /// Whether all quads of the last lookup were [`QuadLoad::Inside`](super::fast::QuadLoad::Inside).
     pub is_inside: bool,
 }

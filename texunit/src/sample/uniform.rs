@@ -62,7 +62,7 @@ pub(super) fn sample_uniform<S: Simd, F>(
     quads: &mut QuadScratch,
 ) -> Outcome {
     let texture = sample.texture;
-    let Some(UniformLevels { filter, face, levels, scan: _ }) = selected.levels else {
+    let Some(UniformLevels { filter, face, levels }) = selected.levels else {
         return Outcome::NotUniform;
     };
     if texture.has_fusible_texels && filter == Filter::Linear {

@@ -7,7 +7,7 @@ use super::level_taps;
 use super::level_view::LevelView;
 use super::lookup::Lod;
 use super::recorder::NoRecorder;
-use super::row_scan::{self, Across, LaneFootprint};
+use super::row_scan::{self, LaneFootprint};
 use crate::lanes::{F32s, LANES, Simd, U32s, log2_of_root};
 use crate::plan::{Anisotropy, LevelSelection, Texture};
 use crate::sampler::Filter;
@@ -20,11 +20,9 @@ pub struct UniformLevels {
     pub(crate) face: u32,
     /// The two levels that are mixed; twice the same where there is one.
     pub(crate) levels: [u32; 2],
-    /// Set where all footprints are round, and scanned.
-    pub(crate) scan: Option<Across>,
 }
 
-/// The levels that all lanes read; `None` where lanes read different ones, or scan more than a round footprint. `weight`
+/// The levels that all lanes read; `None` where lanes read different ones, or footprints are not round. `weight`
 /// gets the weight of the second level.
 #[inline(always)]
 pub fn select<S: Simd>(
@@ -35,16 +33,11 @@ pub fn select<S: Simd>(
 ) -> Option<UniformLevels> {
     let (min, mag, range, anisotropy) = match &texture.level_selection {
         LevelSelection::Fixed { filter, level, .. } => {
-            return Some(UniformLevels {
-                filter: *filter,
-                face: 0,
-                levels: [*level; 2],
-                scan: None,
-            });
+            return Some(UniformLevels { filter: *filter, face: 0, levels: [*level; 2] });
         }
         LevelSelection::PerLane { min, mag, range, anisotropy } => (*min, *mag, range, *anisotropy),
     };
-    let magnified = UniformLevels { filter: mag, face: 0, levels: [0; 2], scan: None };
+    let magnified = UniformLevels { filter: mag, face: 0, levels: [0; 2] };
     if let Some([u, v]) = common_derivatives::<S>(texture, lod) {
         let (base, footprint) = match anisotropy {
             Anisotropy::Scan(most) => {
@@ -65,15 +58,13 @@ pub fn select<S: Simd>(
         } else {
             levels[1] = levels[0];
         }
-        let mut scan = None;
         if let Some(of) = footprint {
             let is_round = |number| row_scan::is_round(&plane_view(texture, min, number), &of);
             if !levels.into_iter().all(is_round) {
                 return None;
             }
-            scan = Some(if of.along_t { Across::Rows } else { Across::Columns });
         }
-        return Some(UniformLevels { filter: min, face: 0, levels, scan });
+        return Some(UniformLevels { filter: min, face: 0, levels });
     }
     match anisotropy {
         Anisotropy::Scan(_) => None,
@@ -102,7 +93,7 @@ pub fn select<S: Simd>(
             let each;
             (each, *weight) = range.levels(&lambda);
             let levels = level_taps::common_levels::<S>(&each, weight)?;
-            Some(UniformLevels { filter: min, face: 0, levels, scan: None })
+            Some(UniformLevels { filter: min, face: 0, levels })
         }
     }
 }

@@ -1,9 +1,9 @@
 //! State of fragments and of the framebuffer.
 
+use crate::gl::*;
 use crate::left_out::feature::{Feature, Reason};
 use crate::left_out::scene::*;
 use gl_api::constants::*;
-use gl_api::*;
 
 /// Colours whose alpha is a uniform that is 1.
 fn opaque_uniform() {
@@ -32,7 +32,7 @@ pub(super) const LIST: &[Feature] = &[
         },
         draw_quad,
     )
-    .because(Reason::NotLeftOut),
+    .because(Reason::DecidedPerBlock),
     Feature::state(
         "blend-opaque-uniform",
         "blending \"over\" of colours whose alpha is a uniform that is 1",

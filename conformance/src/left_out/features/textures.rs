@@ -1,9 +1,9 @@
 //! State of textures and units.
 
+use crate::gl::*;
 use crate::left_out::feature::{Feature, Reason};
 use crate::left_out::scene::*;
 use gl_api::constants::*;
-use gl_api::*;
 
 fn parameter(name: u32, value: impl Into<i32>) {
     glTexParameteri(GL_TEXTURE_2D, name, value.into());

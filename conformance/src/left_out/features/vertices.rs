@@ -1,9 +1,9 @@
 //! State of vertices, lights and primitives.
 
+use crate::gl::*;
 use crate::left_out::feature::{Feature, Reason};
 use crate::left_out::scene::*;
 use gl_api::constants::*;
-use gl_api::*;
 
 pub(super) const LIST: &[Feature] = &[
     Feature::state(

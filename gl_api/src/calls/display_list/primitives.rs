@@ -85,7 +85,8 @@ impl ListPrimitives {
             }
             _ => self.buffer.clone(),
         };
-        let columns = Columns { buffer: &buffer, count: self.count, range: part };
+        let components = self.components(&context.state);
+        let columns = Columns { buffer: &buffer, components, count: self.count, range: part };
         crate::calls::vertex::immediate::draw_columns(context, self.topology, columns, |location| {
             self.columns.iter().position(|column| column.location == location)
         })

@@ -1,10 +1,12 @@
 //! The calls of blending: GL 2.1, section 4.1.8; by draw buffer: `ARB_draw_buffers_blend`.
 
 use crate::base::error::Result;
+use crate::base::limits;
 use crate::base::types::*;
 use crate::context::Context;
 use crate::state::blend::{BLEND_EQUATION, FACTOR, Formula};
 use crate::state::draw_buffers::{BufferStates, buffer_index};
+use std::ops::Range;
 
 /// The draw buffers that a call is about.
 #[derive(Clone, Copy, Debug)]
@@ -14,21 +16,35 @@ enum Buffers {
 }
 
 impl Buffers {
-    /// Their states.
-    fn of(
-        self,
-        states: &mut BufferStates,
-    ) -> Result<&mut [crate::state::draw_buffers::BufferState]> {
+    /// Their numbers.
+    fn range(self) -> Result<Range<usize>> {
         Ok(match self {
-            Self::All => states,
-            Self::One(buf) => std::slice::from_mut(&mut states[buffer_index("buf", buf)?]),
+            Self::All => 0..limits::MAX_COLOR_ATTACHMENTS,
+            Self::One(buf) => {
+                let number = buffer_index("buf", buf)?;
+                number..number + 1
+            }
         })
     }
 }
 
+/// Changes the formulas of these buffers.
+fn set_formulas(
+    context: &mut Context,
+    buffers: Range<usize>,
+    formula: impl Fn(Formula) -> Formula,
+) {
+    let set = |states: &mut BufferStates| {
+        for state in &mut states[buffers] {
+            state.formula = formula(state.formula);
+        }
+    };
+    context.change_plain(|state| &mut state.fragment.buffers, set);
+}
+
 /// Sets the factors: of the source and the destination, for colour, then for alpha.
 fn set_factors(context: &mut Context, buffers: Buffers, factors: [GLenum; 4]) -> Result<()> {
-    let buffers = buffers.of(&mut context.state.fragment.buffers)?;
+    let buffers = buffers.range()?;
     let [src_rgb, dst_rgb, src_alpha, dst_alpha] = factors;
     let src = [
         FACTOR.decode("source factor", src_rgb)?,
@@ -38,20 +54,16 @@ fn set_factors(context: &mut Context, buffers: Buffers, factors: [GLenum; 4]) ->
         FACTOR.decode("destination factor", dst_rgb)?,
         FACTOR.decode("destination alpha factor", dst_alpha)?,
     ];
-    for buffer in buffers {
-        buffer.formula = Formula { src, dst, ..buffer.formula };
-    }
+    set_formulas(context, buffers, |formula| Formula { src, dst, ..formula });
     Ok(())
 }
 
 /// Sets the equations, for colour and for alpha.
 fn set_equations(context: &mut Context, buffers: Buffers, [rgb, alpha]: [GLenum; 2]) -> Result<()> {
-    let buffers = buffers.of(&mut context.state.fragment.buffers)?;
+    let buffers = buffers.range()?;
     let equation =
         [BLEND_EQUATION.decode("mode", rgb)?, BLEND_EQUATION.decode("alpha mode", alpha)?];
-    for buffer in buffers {
-        buffer.formula.equation = equation;
-    }
+    set_formulas(context, buffers, |formula| Formula { equation, ..formula });
     Ok(())
 }
 

@@ -6,14 +6,15 @@ use crate::base::error::{Result, invalid_enum};
 use crate::base::types::*;
 use crate::calls::transform::viewport_arrays::viewport_index;
 use crate::context::Context;
-use crate::state::draw_buffers::{LOGIC_OP, buffer_index};
+use crate::state::draw_buffers::{BufferStates, LOGIC_OP, buffer_index};
 use crate::state::enable::{Flag, Switch};
 
 pub(crate) const SECTION: &str =
     "EXT_draw_buffers2, section 4.2.2; ARB_viewport_array, section 4.1.2";
 
 pub(crate) fn logic_op(context: &mut Context, opcode: GLenum) -> Result<()> {
-    context.state.fragment.logic_op = LOGIC_OP.decode("opcode", opcode)?;
+    let op = LOGIC_OP.decode("opcode", opcode)?;
+    context.set_plain(|state| &mut state.fragment.logic_op, op);
     Ok(())
 }
 
@@ -24,9 +25,9 @@ pub(crate) fn color_mask(
     blue: bool,
     alpha: bool,
 ) -> Result<()> {
-    for buffer in &mut context.state.fragment.buffers {
-        buffer.mask = [red, green, blue, alpha];
-    }
+    let mask = [red, green, blue, alpha];
+    let set = |buffers: &mut BufferStates| buffers.iter_mut().for_each(|buffer| buffer.mask = mask);
+    context.change_plain(|state| &mut state.fragment.buffers, set);
     Ok(())
 }
 

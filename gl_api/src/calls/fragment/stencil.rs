@@ -5,7 +5,7 @@ use crate::base::constants::*;
 use crate::base::error::{Result, Table};
 use crate::base::types::*;
 use crate::context::Context;
-use crate::state::stencil::{ACTIVE_FACE, Face, STENCIL_OP};
+use crate::state::stencil::{ACTIVE_FACE, Face, STENCIL_OP, Stencil};
 use rasterizer::driver::StencilOp;
 
 const SECTION: &str = "GL 2.1, section 4.1.5";
@@ -22,6 +22,16 @@ fn named(context: &mut Context, face: GLenum) -> Result<impl Iterator<Item = &mu
     Ok(faces.filter(|(_, named)| *named).map(|(face, _)| face))
 }
 
+/// Changes the faces that calls without a face are about.
+fn set_unnamed(context: &mut Context, change: impl Fn(Face) -> Face) {
+    let set = |stencil: &mut Stencil| {
+        for face in stencil.unnamed() {
+            *face = change(*face);
+        }
+    };
+    context.change_plain(|state| &mut state.fragment.stencil, set);
+}
+
 pub(crate) fn stencil_func(
     context: &mut Context,
     func: GLenum,
@@ -29,9 +39,7 @@ pub(crate) fn stencil_func(
     mask: GLuint,
 ) -> Result<()> {
     let func = COMPARE.decode("func", func)?;
-    for face in context.state.fragment.stencil.unnamed() {
-        *face = Face { func, reference, value_mask: mask, ..*face };
-    }
+    set_unnamed(context, |face| Face { func, reference, value_mask: mask, ..face });
     Ok(())
 }
 
@@ -81,9 +89,7 @@ pub(crate) fn stencil_op(
     zpass: GLenum,
 ) -> Result<()> {
     let [fail, depth_fail, pass] = operations([fail, zfail, zpass])?;
-    for face in context.state.fragment.stencil.unnamed() {
-        *face = Face { fail, depth_fail, pass, ..*face };
-    }
+    set_unnamed(context, |face| Face { fail, depth_fail, pass, ..face });
     Ok(())
 }
 
@@ -102,9 +108,7 @@ pub(crate) fn stencil_op_separate(
 }
 
 pub(crate) fn stencil_mask(context: &mut Context, mask: GLuint) -> Result<()> {
-    for face in context.state.fragment.stencil.unnamed() {
-        face.write_mask = mask;
-    }
+    set_unnamed(context, |face| Face { write_mask: mask, ..face });
     Ok(())
 }
 

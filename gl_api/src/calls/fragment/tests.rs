@@ -34,18 +34,23 @@ impl FragmentState {
 /// The reference is kept as it is, and clamped where fragments are (`ARB_color_buffer_float`).
 pub(crate) fn alpha_func(context: &mut Context, func: GLenum, reference: GLclampf) -> Result<()> {
     let func = COMPARE.decode("func", func)?;
-    context.state.fragment.alpha_func = func;
-    context.state.fragment.alpha_ref = reference;
+    let fragment = &mut context.state.fragment;
+    if (fragment.alpha_func, fragment.alpha_ref) == (func, reference) {
+        context.state_changes.no_change();
+    }
+    (fragment.alpha_func, fragment.alpha_ref) = (func, reference);
     Ok(())
 }
 
 pub(crate) fn depth_func(context: &mut Context, func: GLenum) -> Result<()> {
-    context.state.fragment.depth_func = COMPARE.decode("func", func)?;
+    let func = COMPARE.decode("func", func)?;
+    context.set_plain(|state| &mut state.fragment.depth_func, func);
     Ok(())
 }
 
 pub(crate) fn depth_mask(context: &mut Context, flag: bool) -> Result<()> {
-    context.state.fragment.depth_write = if flag { DepthWrite::On } else { DepthWrite::Off };
+    let write = if flag { DepthWrite::On } else { DepthWrite::Off };
+    context.set_plain(|state| &mut state.fragment.depth_write, write);
     Ok(())
 }
 
@@ -60,7 +65,7 @@ pub(crate) fn scissor(
     not_negative(SECTION, "width", width.into())?;
     not_negative(SECTION, "height", height.into())?;
     let scissor = Rect { x, y, width: width as u32, height: height as u32 };
-    context.state.fragment.scissor.change_all(|area| *area = scissor);
+    context.set_plain(|state| &mut state.fragment.scissor, PerViewport::new(scissor));
     Ok(())
 }
 

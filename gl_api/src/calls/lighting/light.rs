@@ -89,7 +89,7 @@ fn set_light(context: &mut Context, light: GLenum, pname: GLenum, params: &Param
         }
     }
     let now = &context.state.lights.lights[index];
-    if light.numbers().map(f64::to_bits).eq(now.numbers().map(f64::to_bits)) {
+    if light.is_set_as(now) {
         context.state_changes.no_change();
     } else {
         context.leave_plain_state();

@@ -38,17 +38,20 @@ const HINT_MODE: Table<GLenum> = Table {
 };
 
 pub(crate) fn cull_face(context: &mut Context, mode: GLenum) -> Result<()> {
-    context.state.raster.cull = FACE.decode("mode", mode)?;
+    let mode = FACE.decode("mode", mode)?;
+    context.set_plain(|state| &mut state.raster.cull, mode);
     Ok(())
 }
 
 pub(crate) fn front_face(context: &mut Context, mode: GLenum) -> Result<()> {
-    context.state.raster.front_face = FRONT_FACE.decode("mode", mode)?;
+    let mode = FRONT_FACE.decode("mode", mode)?;
+    context.set_plain(|state| &mut state.raster.front_face, mode);
     Ok(())
 }
 
 pub(crate) fn shade_model(context: &mut Context, mode: GLenum) -> Result<()> {
-    context.state.raster.shade_model = SHADE_MODEL.decode("mode", mode)?;
+    let mode = SHADE_MODEL.decode("mode", mode)?;
+    context.set_plain(|state| &mut state.raster.shade_model, mode);
     Ok(())
 }
 
@@ -65,7 +68,7 @@ pub(crate) fn line_width(context: &mut Context, width: GLfloat) -> Result<()> {
         );
         return invalid_value("GL 3.3, appendix E.2.1", rule);
     }
-    context.state.raster.line_width = width;
+    context.set_plain(|state| &mut state.raster.line_width, width);
     Ok(())
 }
 
@@ -79,5 +82,7 @@ pub(crate) fn line_stipple(context: &mut Context, factor: GLint, pattern: GLusho
 pub(crate) fn hint(context: &mut Context, target: GLenum, mode: GLenum) -> Result<()> {
     let index = HINTS.decode("target", target)?;
     context.state.raster.hints[index] = HINT_MODE.decode("mode", mode)?;
+    // No draw depends on a hint.
+    context.state_changes.no_change();
     Ok(())
 }

@@ -6,6 +6,7 @@ use crate::base::limits;
 use crate::base::types::*;
 use crate::context::Context;
 use crate::state::clip::{CLIP_DEPTH, CLIP_ORIGIN};
+use crate::state::viewport::Viewport;
 use rasterizer::driver::ClipControl;
 
 /// Sizes beyond `GL_MAX_VIEWPORT_DIMS` are clamped to it, and places to twice that.
@@ -20,17 +21,19 @@ pub(crate) fn viewport(
     not_negative(SECTION, "width", width.into())?;
     not_negative(SECTION, "height", height.into())?;
     let limit = limits::MAX_VIEWPORT_DIMS as i32;
-    context.state.viewport.change_all(|state| {
+    let set = |state: &mut Viewport| {
         state.x = x.clamp(-2 * limit, 2 * limit) as f32;
         state.y = y.clamp(-2 * limit, 2 * limit) as f32;
         state.width = width.min(limit) as f32;
         state.height = height.min(limit) as f32;
-    });
+    };
+    context.change_plain(|state| &mut state.viewport, |viewports| viewports.change_all(set));
     Ok(())
 }
 
 pub(crate) fn depth_range(context: &mut Context, near: GLclampd, far: GLclampd) -> Result<()> {
-    context.state.viewport.change_all(|state| state.depth = [unit(near), unit(far)]);
+    let set = |state: &mut Viewport| state.depth = [unit(near), unit(far)];
+    context.change_plain(|state| &mut state.viewport, |viewports| viewports.change_all(set));
     Ok(())
 }
 

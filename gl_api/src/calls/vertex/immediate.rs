@@ -11,7 +11,8 @@ use crate::base::topology::topology;
 use crate::base::types::*;
 use crate::context::Context;
 use crate::context::immediate::{
-    COLUMNS, Column, Columns, Immediate, NO_COLUMN, Slot, VALUE, current, location,
+    COLUMNS, Column, ColumnComponents, Columns, Immediate, NO_COLUMN, Slot, VALUE, current,
+    location,
 };
 use crate::context::pending_primitives::PendingPrimitives;
 use crate::context::recorder::elements::Elements;
@@ -61,7 +62,11 @@ impl Immediate {
         }
         context.recorder.hold(bytes.len());
         let buffer = Buffer::new(bytes);
-        let columns = Columns { buffer: &buffer, count, range: 0..count };
+        let mut components = [ColumnComponents::of(&self.positions); COLUMNS + 1];
+        for (components, column) in components[1..].iter_mut().zip(&self.columns) {
+            *components = ColumnComponents::of(&column.values);
+        }
+        let columns = Columns { buffer: &buffer, components, count, range: 0..count };
         draw_columns(context, self.topology, columns, |location| self.column_of(location))
     }
 }
@@ -123,7 +128,7 @@ fn finish(context: &mut Context) -> Result<()> {
 pub(crate) fn draw_columns(
     context: &mut Context,
     topology: Topology,
-    Columns { buffer, count, range: part }: Columns<'_>,
+    Columns { buffer, components, count, range: part }: Columns<'_>,
     column_of: impl Fn(usize) -> Option<usize>,
 ) -> Result<()> {
     let mut vertices = context.recorder.empty_bindings();
@@ -140,7 +145,7 @@ pub(crate) fn draw_columns(
                 offset: (index * count + part.start) * VALUE,
                 stride: VALUE,
                 ty: VertexType::F32,
-                components: 4,
+                components: components[index].count(),
                 format: VertexFormat::Plain,
                 divisor: 0,
             },

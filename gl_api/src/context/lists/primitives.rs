@@ -7,7 +7,7 @@ use crate::base::memory::copied;
 use crate::base::topology::topology;
 use crate::base::types::*;
 use crate::context::immediate;
-use crate::context::immediate::{Slot, VALUE};
+use crate::context::immediate::{COLUMNS, ColumnComponents, Slot, VALUE};
 use crate::context::lists::Step;
 use crate::context::pending_primitives::vertices_of_primitive;
 use crate::state::State;
@@ -49,6 +49,8 @@ pub(crate) struct Column {
     pub location: usize,
     /// The vertices before it have the value from before the list.
     inherited: usize,
+    /// Of its own values.
+    components: ColumnComponents,
     /// What is current in the end.
     pub last: [f32; 4],
 }
@@ -62,6 +64,8 @@ pub(crate) struct ListPrimitives {
     pub begins: Vec<usize>,
     /// Positions, then a column for each of `columns`.
     pub buffer: Buffer,
+    /// Of the positions.
+    position_components: ColumnComponents,
     pub columns: Vec<Column>,
 }
 
@@ -90,7 +94,8 @@ impl ListPrimitives {
                         Some((column, _)) => column.last = value,
                         None => {
                             let inherited = positions.len();
-                            let column = Column { location, inherited, last: value };
+                            let components = ColumnComponents::default();
+                            let column = Column { location, inherited, components, last: value };
                             let mut values = Vec::new();
                             values.try_reserve_exact(inherited)?;
                             values.resize(inherited, [0.0; 4]);
@@ -103,14 +108,16 @@ impl ListPrimitives {
         let mut bytes = Vec::new();
         bytes.try_reserve_exact((columns.len() + 1) * positions.len() * VALUE)?;
         bytes.extend_from_slice(bytemuck::cast_slice(&positions));
-        for (_, values) in &columns {
+        for (column, values) in &mut columns {
             bytes.extend_from_slice(bytemuck::cast_slice(values));
+            column.components = ColumnComponents::of(&values[column.inherited..]);
         }
         Ok(Some(Self {
             topology,
             count: positions.len(),
             begins: Vec::new(),
             buffer: Buffer::new(bytes),
+            position_components: ColumnComponents::of(&positions),
             columns: columns.into_iter().map(|(column, _)| column).collect(),
         }))
     }
@@ -133,6 +140,19 @@ impl ListPrimitives {
             }
         }
         Ok(Buffer::new(bytes))
+    }
+
+    /// How many components are read of the positions, and of each column of the buffer that [`Self::patched`] gives.
+    pub(crate) fn components(&self, state: &State) -> [ColumnComponents; COLUMNS + 1] {
+        let mut all = [self.position_components; COLUMNS + 1];
+        for (components, column) in all[1..].iter_mut().zip(&self.columns) {
+            *components = column.components;
+            if column.inherited > 0 {
+                let inherited = immediate::current(state, column.location);
+                *components = components.with(ColumnComponents::of(&[inherited]));
+            }
+        }
+        all
     }
 
     /// Whether `next` can be joined, without `glEnd` and `glBegin` in between: primitives share no vertices, and the
@@ -175,6 +195,7 @@ impl ListPrimitives {
         let mut columns = Vec::with_capacity(first.columns.len());
         for &Column { location, inherited, .. } in &first.columns {
             let mut last: Option<[f32; 4]> = None;
+            let mut components = ColumnComponents::default();
             for shapes in &run {
                 let Some(index) = shapes.columns.iter().position(|own| own.location == location)
                 else {
@@ -191,11 +212,24 @@ impl ListPrimitives {
                     }),
                 }
                 bytes.extend_from_slice(own);
+                components = components.with(column.components);
+                if let Some(last) = last.filter(|_| column.inherited > 0) {
+                    components = components.with(ColumnComponents::of(&[last]));
+                }
                 last = Some(column.last);
             }
-            columns.push(Column { location, inherited, last: last? });
+            columns.push(Column { location, inherited, components, last: last? });
         }
-        Some(Self { topology: first.topology, count, begins, buffer: Buffer::new(bytes), columns })
+        let positions = run.iter().map(|shapes| shapes.position_components);
+        Some(Self {
+            topology: first.topology,
+            count,
+            begins,
+            buffer: Buffer::new(bytes),
+            position_components: positions
+                .fold(ColumnComponents::default(), ColumnComponents::with),
+            columns,
+        })
     }
 }
 

@@ -1,7 +1,7 @@
 //! Colours of bytes in the order red, green, blue, alpha.
 
 use super::super::blend;
-use super::{ColorPlan, store_masked};
+use super::{ColorPlan, OpaqueBlocks, store_masked};
 use crate::attachment::{WordPlane, are_equal};
 use crate::desc::{Blend, BlendEquation, BlendFactor};
 use crate::sizes::MAX_SAMPLES;
@@ -39,7 +39,7 @@ impl Kernel for WriteBytes<'_> {
         let Self { plan, colors, blocks } = self;
         for &BlockColors { block, color, second, mask } in colors {
             let stored = &mut blocks[block];
-            let word = word(plan, (color, second), stored);
+            let word = word::<S>(plan, (color, second), stored);
             store_masked(stored, &word, mask, plan.write_of(0));
         }
     }
@@ -47,15 +47,29 @@ impl Kernel for WriteBytes<'_> {
 
 /// What fragments store over what is stored.
 #[inline(always)]
-fn word(
+fn word<S: Simd>(
     plan: &ColorPlan,
     (color, second): ([&F32s; 4], Option<[&F32s; 4]>),
     stored: &U32s,
 ) -> U32s {
     match &plan.blend {
+        Some(_) if plan.opaque == OpaqueBlocks::Replaced && is_opaque::<S>(color[3]) => {
+            pack(|lane, channel| color[channel][lane])
+        }
         None => pack(|lane, channel| color[channel][lane]),
         Some(state) => blended_bytes(state, plan.format, (color, second), stored),
     }
+}
+
+/// Whether alpha is 1 once it is clamped, in all lanes.
+#[inline(always)]
+fn is_opaque<S: Simd>(alpha: &F32s) -> bool {
+    let mut below = U32s::ZERO;
+    for lane in 0..LANES {
+        // NaN is clamped to 0.
+        below[lane] = if alpha[lane] >= 1.0 { 0 } else { !0 };
+    }
+    !S::any(&below)
 }
 
 /// The words of an attachment at 64 fragments, by sample.
@@ -115,7 +129,7 @@ impl<W: SampleWords> Kernel for WriteSampledBytes<'_, W> {
             let is_same = is_computed && (plan.blend.is_none() || are_equal::<S>(&before, stored));
             if !is_same {
                 before = *stored;
-                new = word(plan, (color, second), stored);
+                new = word::<S>(plan, (color, second), stored);
                 is_computed = true;
             }
             store_masked(stored, &new, mask, plan.write_of(0));

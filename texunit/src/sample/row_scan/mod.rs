@@ -11,9 +11,11 @@
 //! wide, `κ (C - σ₂² I)` with `κ = (σ₁² - m²) / (σ₁² - σ₂²)`, the rows make up for. With the moments
 //! `a²` of that along the axis with the larger one, and `c` between both axes:
 //!
+//! A round footprint is filtered as by the isotropic filter ([`round_lanes`]). Of others:
+//!
 //! - *Length.* On a level whose texels are `x` of the base's, `L = √(1 + a²/x²)` rows, at most
-//!   [`fixed_point::MAX_ROWS`], each weighted by how much of it lies within `L/2` of the sample. A round footprint
-//!   has `L = 1`, and these weights are those of a bilinear filter.
+//!   [`fixed_point::MAX_ROWS`], each weighted by how much of it lies within `L/2` of the sample. Towards
+//!   round footprints `L` becomes 1, and these weights those of a bilinear filter.
 //! - *Slope.* From row to row the position moves by `c / (max(m², 1) + a²)`.
 //! - *Across.* The two texels around the position weigh `1 - w` and `w` with `w = b + (1 - 2b)·α` of the
 //!   place's fraction `α`: `b = 7/16 slope² min(m², 1)` evens the weights out where the rows are
@@ -34,4 +36,4 @@ mod rows;
 
 pub use footprint::{LaneFootprint, RowScan, footprint};
 pub use level::level;
-pub use round::{Across, RoundQuad, is_round, load_round};
+pub use round::{is_round, round_lanes};

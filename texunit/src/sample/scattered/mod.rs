@@ -56,7 +56,7 @@ impl<F> Kernel for ScatteredCall<'_, '_, F> {
         let (filter, common) =
             select_levels::<S, F>(texture, &at, sample, &mut levels, &mut weight);
         if let (Some(levels), Some(face)) = (common, common_face::<S>(texture, &at)) {
-            let levels = UniformLevels { filter, face, levels, scan: None };
+            let levels = UniformLevels { filter, face, levels };
             let one_face = OneFace { sample, class, levels, at: [s, t], weight: &weight, quads };
             if S::outlined(one_face) == Outcome::Sampled {
                 LookupKernel::ScatteredOneFace.note();
