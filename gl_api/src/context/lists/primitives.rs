@@ -186,7 +186,7 @@ impl ListPrimitives {
         bytes.try_reserve_exact((first.columns.len() + 1) * count * VALUE).ok()?;
         begins.try_reserve_exact(run.len()).ok()?;
         let mut begin = 0;
-        for shapes in &run {
+        for shapes in run {
             begins.push(begin);
             begin += shapes.count;
             bytes.extend_from_slice(&shapes.buffer.bytes()[..shapes.count * VALUE]);
@@ -196,7 +196,7 @@ impl ListPrimitives {
         for &Column { location, inherited, .. } in &first.columns {
             let mut last: Option<[f32; 4]> = None;
             let mut components = ColumnComponents::default();
-            for shapes in &run {
+            for shapes in run {
                 let Some(index) = shapes.columns.iter().position(|own| own.location == location)
                 else {
                     continue;
