@@ -15,7 +15,6 @@ pub(crate) enum DrawWarning {
     NoColor,
     NoColorBuffer,
     NoColorOfShader,
-    NoColorOfBuffer,
     KeptColors,
     NothingRasterized,
     NoStipple,

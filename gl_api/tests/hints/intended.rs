@@ -81,11 +81,6 @@ pub const ROWS: &[Case] = &[
         c.vertex_2f(1.0, 0.9);
         c.end();
     }),
-    ("a colour for two buffers, of which one is there", |c| {
-        let both = "#version 130\nvoid main() { gl_FragData[1] = gl_FragData[0] = vec4(1.0); }";
-        use_program(c, NUMBERED, both);
-        draw(c);
-    }),
     ("depth alone, with masked colours", |c| {
         c.clear(GL_DEPTH_BUFFER_BIT);
         mask(c);

@@ -102,14 +102,6 @@ pub const ROWS: &[Case] = &[
         "glLogicOp(GL_NOOP), so no colour changes",
     ),
     (
-        "a colour for a buffer that is not there",
-        |c| {
-            use_program(c, NUMBERED, "#version 130\nvoid main() { gl_FragData[1] = vec4(1.0); }");
-        },
-        draw,
-        "writes to location 1, where no colour buffer is drawn to, and to none that is",
-    ),
-    (
         "integers read as numbers",
         |c| {
             integers(c);

@@ -26,7 +26,6 @@ pub struct Memory {
     corners: Vec<f32>,
     indices: Vec<u8>,
     source: String,
-    assembly: String,
     /// Numbers of lists, all 200.
     numbers: Vec<u8>,
 }
@@ -38,10 +37,6 @@ pub static MEMORY: LazyLock<Memory> = LazyLock::new(|| Memory {
     corners: [-1.0_f32, -1.0, 3.0, -1.0, -1.0, 3.0].repeat(4096),
     indices: (0..3_u32 << 13).flat_map(|at| (at % 3).to_le_bytes()).collect(),
     source: format!("void main() {{ gl_Position = gl_Vertex; }} //{}", "x".repeat(BYTES)),
-    assembly: format!(
-        "!!ARBvp1.0\n#{}\nMOV result.position, vertex.position;\nEND",
-        "x".repeat(BYTES)
-    ),
     numbers: vec![200; BYTES / 4],
 });
 
@@ -398,24 +393,11 @@ pub const CASES: &[Case] = &[
         texture,
     )),
     row((
-        "glCopyTexSubImage2D while a draw reads",
-        |c| {
-            upload(c, 0, SIDE, 0);
-            c.tex_parameteri(T2, GL_TEXTURE_MIN_FILTER, GL_LINEAR as GLint);
-        },
-        |c| {
-            draw_unseen_textured(c, T2);
-            c.copy_tex_sub_image_2d(T2, 0, 0, 0, 0, 0, 64, 64);
-        },
-        texture,
-    )),
-    row((
         "glTexImage2DMultisample",
         nothing,
         |c| c.tex_image_2d_multisample(GL_TEXTURE_2D_MULTISAMPLE, 4, GL_RGBA8, 128, 128, true),
         |c| width_of(c, GL_TEXTURE_2D_MULTISAMPLE),
     )),
-    row(("glDrawPixels", nothing, draw_pixels, drawn)),
     row((
         "glDrawPixels, converted and zoomed",
         |c| {
@@ -423,12 +405,6 @@ pub const CASES: &[Case] = &[
             c.pixel_zoom(0.25, 0.25);
         },
         draw_pixels,
-        drawn,
-    )),
-    row((
-        "glBitmap",
-        |c| c.raster_pos_2f(-1.0, -1.0),
-        |c| c.bitmap(1024, 1024, 0.0, 0.0, 0.0, 0.0, Data::Bytes(pattern(1))),
         drawn,
     )),
     row((
@@ -442,51 +418,6 @@ pub const CASES: &[Case] = &[
         },
         |c| c.copy_pixels(0, 0, 256, 256, GL_COLOR),
         |c| seen(c, 256),
-    )),
-    row((
-        "glAccum",
-        |c| into_renderbuffer(c, 256),
-        |c| {
-            c.bind_framebuffer(GL_FRAMEBUFFER, 0);
-            c.accum(GL_LOAD, 0.5);
-            c.accum(GL_RETURN, 1.0);
-        },
-        |c| {
-            c.bind_framebuffer(GL_FRAMEBUFFER, 0);
-            drawn(c)
-        },
-    )),
-    row((
-        "glBlitFramebuffer",
-        |c| {
-            into_renderbuffer(c, 256);
-            c.clear_color(0.5, 0.25, 1.0, 1.0);
-            c.clear(GL_COLOR_BUFFER_BIT);
-            c.rectf(-1.0, -1.0, 0.0, 0.5);
-            c.finish();
-        },
-        |c| {
-            let (all, color) = ([0, 0, 256, 256], GL_COLOR_BUFFER_BIT);
-            let [x0, y0, x1, y1] = all;
-            c.blit_framebuffer(x0, y0, x1, y1, 256, 0, 0, 200, color, GL_LINEAR);
-        },
-        |c| seen(c, 256),
-    )),
-    row((
-        "glReadPixels into a buffer that a draw reads",
-        |c| {
-            into_renderbuffer(c, 256);
-            c.rectf(-1.0, -1.0, 0.0, 0.5);
-            large_buffer(c);
-            c.vertex_pointer(2, GL_SHORT, 0, Data::Offset(0));
-        },
-        |c| {
-            draw_unseen(c);
-            c.bind_buffer(GL_PIXEL_PACK_BUFFER, 1);
-            c.read_pixels(0, 0, 256, 256, GL_RGBA, GL_UNSIGNED_BYTE, DataOut::Offset(0));
-            c.bind_buffer(GL_PIXEL_PACK_BUFFER, 0);
-        },
-        buffer,
     )),
     row((
         "glMapBufferRange while a draw reads",
@@ -567,60 +498,6 @@ pub const CASES: &[Case] = &[
         },
         list,
     )),
-    row((
-        "glProgramStringARB",
-        |c| {
-            c.bind_program(GL_VERTEX_PROGRAM_ARB, 1);
-        },
-        |c| {
-            let (format, length) = (GL_PROGRAM_FORMAT_ASCII_ARB, MEMORY.assembly.len() as GLsizei);
-            c.program_string(GL_VERTEX_PROGRAM_ARB, format, length, &MEMORY.assembly);
-        },
-        |c| {
-            let mut value = [0];
-            c.get_assembly_programiv(GL_VERTEX_PROGRAM_ARB, GL_PROGRAM_LENGTH_ARB, &mut value);
-            vec![value[0].into()]
-        },
-    )),
-    row((
-        "glCompileShader",
-        |c| {
-            c.create_shader(GL_VERTEX_SHADER);
-            c.shader_source(1, 1, Strings(vec![&MEMORY.source]), &[]);
-        },
-        |c| c.compile_shader(1),
-        |c| {
-            let mut value = [0];
-            c.get_shaderiv(1, GL_COMPILE_STATUS, &mut value);
-            vec![value[0].into()]
-        },
-    )),
-    row((
-        "glTexBuffer, drawn",
-        |c| {
-            large_buffer(c);
-            c.tex_buffer(GL_TEXTURE_BUFFER, GL_RGBA8, 1);
-            let program = fetching(c);
-            c.use_program(program);
-        },
-        |c| c.rectf(-1.0, -1.0, 1.0, 1.0),
-        |c| {
-            c.use_program(0);
-            drawn(c)
-        },
-    )),
-    row((
-        "glEvalMesh2",
-        |c| {
-            let points = [-1.0, -1.0, 0.0, 1.0, -1.0, 0.0, -1.0, 1.0, 0.0, 1.0, 1.0, 0.0];
-            c.map2f(GL_MAP2_VERTEX_3, 0.0, 1.0, 3, 2, 0.0, 1.0, 6, 2, &points);
-            c.enable(GL_MAP2_VERTEX_3);
-            c.map_grid2f(200, 0.0, 1.0, 200, 0.0, 1.0);
-            c.color_3f(0.0, 1.0, 0.5);
-        },
-        |c| c.eval_mesh2(GL_FILL, 0, 200, 0, 200),
-        drawn,
-    )),
 ];
 
 /// The width of level 0.
@@ -657,24 +534,4 @@ fn seen(c: &mut Context, side: GLsizei) -> Vec<i64> {
     let mut pixels = vec![0; (side * side * 4) as usize];
     c.read_pixels(0, 0, side, side, GL_RGBA, GL_UNSIGNED_BYTE, DataOut::Bytes(&mut pixels));
     vec![sum(&pixels)]
-}
-
-/// A program that fetches texels of a buffer.
-fn fetching(c: &mut Context) -> GLuint {
-    let program = c.create_program();
-    let stages = [
-        (GL_VERTEX_SHADER, "#version 140\nin vec4 p; void main() { gl_Position = p; }"),
-        (
-            GL_FRAGMENT_SHADER,
-            "#version 140\nuniform samplerBuffer s; void main() { gl_FragColor = texelFetch(s, int(gl_FragCoord.x)); }",
-        ),
-    ];
-    for (stage, source) in stages {
-        let shader = c.create_shader(stage);
-        c.shader_source(shader, 1, Strings(vec![source]), &[]);
-        c.compile_shader(shader);
-        c.attach_shader(program, shader);
-    }
-    c.link_program(program);
-    program
 }

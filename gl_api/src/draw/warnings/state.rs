@@ -242,27 +242,9 @@ fn colors(context: &mut Context, pass: &PassDesc, desc: &PipelineDesc) {
     } else if desc.output.logic_op.is_none() && written().all(|(_, state)| keeps(state)) {
         say(context, DrawWarning::KeptColors, BLENDED_AWAY);
     }
-    let mut targets =
-        desc.fragment.module().outputs.iter().filter_map(|(output, _)| match output {
-            Output::Color { target, .. } => Some(*target),
-            Output::Position(_)
-            | Output::PointSize
-            | Output::ClipDistance(_)
-            | Output::CullDistance(_)
-            | Output::Varying(_)
-            | Output::SecondColor(_)
-            | Output::Depth
-            | Output::Layer
-            | Output::PrimitiveId
-            | Output::ViewportIndex
-            | Output::StencilReference
-            | Output::SampleMask => None,
-        });
-    let Some(first) = targets.next() else { return without_color(context) };
-    let is_attached =
-        |target: u8| pass.colors.get(usize::from(target)).is_some_and(Option::is_some);
-    if !is_attached(first) && !targets.any(is_attached) {
-        to_no_buffer(context, first);
+    let outputs = &desc.fragment.module().outputs;
+    if !outputs.iter().any(|(output, _)| matches!(output, Output::Color { .. })) {
+        without_color(context);
     }
 }
 
@@ -293,20 +275,6 @@ pub(crate) fn discarded(context: &mut Context) {
     let counts = [GENERATED, WRITTEN].iter().any(|&query| context.queries.names[query] != 0);
     if !context.transform_feedback.is_active() && !counts {
         say(context, DrawWarning::NothingRasterized, DISCARDED);
-    }
-}
-
-#[cold]
-#[inline(never)]
-fn to_no_buffer(context: &mut Context, target: u8) {
-    let program = context.program_of(Stage::Fragment);
-    if context.is_first_warning(DrawWarning::NoColorOfBuffer, program) {
-        context.debug.warn(format!(
-            "draw: the fragment stage of program {program} writes to location {target}, where no colour buffer is drawn \
-             to, and to none that is: write to location 0 (layout(location = 0), glBindFragDataLocation), or call \
-             glDrawBuffers with {} buffers (GL 3.0, section 3.12.2)",
-            target + 1
-        ));
     }
 }
 
