@@ -157,7 +157,10 @@ fn fences(c: &mut Context) {
     }
 }
 
-const CASES: &[(&str, fn(&mut Context))] = &[
+/// A name, and what draws without a flush.
+type Case = (&'static str, fn(&mut Context));
+
+const CASES: &[Case] = &[
     ("client arrays", client_arrays),
     ("a buffer that is specified anew", respecified_buffer),
     ("a buffer that is written", written_buffer),
