@@ -142,6 +142,77 @@ const ENDLESS: &[Case] = &[
     }),
 ];
 
+/// Draws that memory holds, whose shapes take longer than their vertices account for.
+const HELD: &[Case] = &[
+    ("smooth lines across the window", |c| {
+        c.enable(GL_LINE_SMOOTH);
+        c.line_width(10.0);
+        held(c, GL_LINE_STRIP, 500_000);
+        c.disable(GL_LINE_SMOOTH);
+    }),
+    ("smooth points of 64 pixels", |c| {
+        c.enable(GL_POINT_SMOOTH);
+        c.point_size(64.0);
+        held(c, GL_POINTS, 500_000);
+        c.disable(GL_POINT_SMOOTH);
+    }),
+    ("outlines across the window", |c| {
+        c.line_width(10.0);
+        c.polygon_mode(GL_FRONT_AND_BACK, GL_LINE);
+        held(c, GL_TRIANGLE_STRIP, 500_000);
+        c.polygon_mode(GL_FRONT_AND_BACK, GL_FILL);
+    }),
+    ("what a geometry shader makes of few points", |c| {
+        c.disable_client_state(GL_VERTEX_ARRAY);
+        let sources = [
+            (GL_VERTEX_SHADER, "#version 150 compatibility\nvoid main() { gl_Position = vec4(0.0); }"),
+            (
+                GL_GEOMETRY_SHADER,
+                "#version 150 compatibility\nlayout(points) in; layout(triangle_strip, max_vertices = 128) out;
+                 void main() { for (int i = 0; i < 128; i++) {
+                   gl_Position = vec4((i & 1) * 2 - 1, (i & 2) - 1, 0.0, 1.0); EmitVertex(); } }",
+            ),
+            (GL_FRAGMENT_SHADER, "void main() { gl_FragColor = vec4(0.001); }"),
+        ];
+        use_stages(c, &sources);
+        c.draw_arrays(GL_POINTS, 0, 60_000);
+    }),
+];
+
+/// Draws vertices of a buffer, anywhere in the window, onto each other.
+fn held(c: &mut Context, mode: GLenum, count: GLsizei) {
+    let places = (0..2 * count as u32).map(|at| at.wrapping_mul(2_654_435_761) as i32);
+    buffer(c, 2, &places.flat_map(i32::to_le_bytes).collect::<Vec<_>>());
+    use_program(
+        c,
+        "attribute vec2 p; void main() { gl_Position = vec4(p, 0.0, 1.0); }",
+        "void main() { gl_FragColor = vec4(0.001); }",
+    );
+    c.vertex_attrib_pointer(0, 2, GL_INT, true, 0, Data::Offset(0));
+    c.enable_vertex_attrib_array(0);
+    c.draw_arrays(mode, 0, count);
+}
+
+/// With a hundredth of the budget, so that the test does not take as long as such a draw may.
+#[test]
+fn draws_that_memory_holds_end_and_the_context_goes_on() {
+    for (name, draw) in HELD {
+        let desc = DeviceDesc { budget: 1 << 20, ..DeviceDesc::new(Isa::best(), 2) };
+        let device = Some(Arc::new(Device::new(desc).expect("a device")));
+        let desc = ContextDesc { width: 512, height: 512, device, ..ContextDesc::default() };
+        let mut c = Context::new(desc).expect("a context");
+        c.enable(GL_BLEND);
+        c.blend_func(GL_ONE, GL_ONE);
+        let start = CpuTime::begin();
+        draw(&mut c);
+        c.finish();
+        let elapsed = start.elapsed();
+        println!("{name}: {elapsed:?}");
+        assert!(elapsed < SOON, "{name}: {elapsed:?}");
+        assert_eq!((stops(&mut c), c.get_error()), (1, GL_NO_ERROR), "{name}: {:?}", c.messages());
+    }
+}
+
 fn stops(c: &mut Context) -> usize {
     c.messages().iter().filter(|message| message.text.contains(STOPPED)).count()
 }

@@ -14,6 +14,7 @@ use crate::state::State;
 use crate::state::material::{MATERIAL_COLUMNS, Materials};
 use crate::state::versioned::Versioned;
 use rasterizer::driver::{Buffer, Topology};
+use std::collections::TryReserveError;
 use std::ops::Range;
 
 /// What can have a column: the attributes, and behind them the parts of the materials.
@@ -31,6 +32,8 @@ pub(crate) struct Immediate {
     pub(crate) columns: Vec<Column>,
     /// By location, which of the columns is its own.
     pub column_by_location: [u8; COLUMNS],
+    /// Whether there was no memory for a vertex: then nothing of the primitive is drawn.
+    pub(crate) is_lost: bool,
     /// What the materials were before the first `glMaterial` since `glBegin`.
     pub(crate) materials: Option<Box<Versioned<Materials>>>,
 }
@@ -62,8 +65,28 @@ impl Immediate {
             positions: Vec::new(),
             columns: Vec::new(),
             column_by_location: [NO_COLUMN; COLUMNS],
+            is_lost: false,
             materials: None,
         }
+    }
+
+    /// Gives all vertices back, as there is no memory for one.
+    #[cold]
+    #[inline(never)]
+    pub(crate) fn lose(&mut self) {
+        self.is_lost = true;
+        self.positions = Vec::new();
+        self.columns.iter_mut().for_each(|column| column.values = Vec::new());
+    }
+
+    /// Makes room for so many more vertices, in all columns.
+    ///
+    /// # Errors
+    /// Where there is no memory; then no column has more values than another.
+    #[inline]
+    pub(crate) fn make_room(&mut self, vertices: usize) -> Result<(), TryReserveError> {
+        self.positions.try_reserve(vertices)?;
+        self.columns.iter_mut().try_for_each(|column| column.values.try_reserve(vertices))
     }
 
     /// Which of the columns is a location's.

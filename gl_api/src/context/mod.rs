@@ -210,6 +210,9 @@ fn shared_device() -> Result<Arc<Device>, DeviceError> {
     Ok(Arc::clone(SHARED.get_or_init(|| device)))
 }
 
+/// The calls that take a picture. Where one is refused, no later one may come that says what is wrong.
+const PICTURES: [&str; 2] = ["glReadPixels", "glReadnPixels"];
+
 impl Context {
     /// A context in its initial state.
     ///
@@ -329,5 +332,8 @@ impl Context {
     #[inline(never)]
     pub(crate) fn refuse(&mut self, name: &'static str, error: GlError) {
         self.debug.error(name, &error);
+        if PICTURES.contains(&name) {
+            self.debug.end_of_frame();
+        }
     }
 }

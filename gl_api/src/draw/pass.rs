@@ -7,7 +7,8 @@ use crate::context::window::Region;
 use crate::draw::completeness::draw_pass;
 use crate::draw::pending_primitives::draw_pending;
 use crate::state::enable::Flag;
-use rasterizer::driver::{Attachment, Command, FrameSpending, Image, PassDesc, Rect};
+use rasterizer::driver::{Attachment, Command, FrameSpending, Image, LevelInfo, PassDesc, Rect};
+use texunit::image::Level;
 
 fn same_attachment(a: Option<&Attachment>, b: Option<&Attachment>) -> bool {
     match (a, b) {
@@ -36,8 +37,11 @@ pub(crate) fn begin_pass(context: &mut Context, pass: PassDesc) {
     submit_readers_of_tiles(context, &pass);
     let recorder = &mut context.recorder;
     recorder.end_pass();
+    let attached = std::mem::take(&mut recorder.attached);
+    recorder.hold(attached);
     for attachment in pass.colors.iter().chain([&pass.depth]).flatten() {
         if !recorder.written.iter().any(|image| image.shares_texels(&attachment.image)) {
+            recorder.attached = recorder.attached.saturating_add(bytes_of(attachment));
             recorder.written.push(attachment.image.clone());
         }
     }
@@ -46,6 +50,15 @@ pub(crate) fn begin_pass(context: &mut Context, pass: PassDesc) {
         recorder.push(Command::SetBudget(budget));
     }
     recorder.pass = Some(pass);
+}
+
+/// The bytes of the level that is drawn to, all its layers and samples.
+fn bytes_of(attachment: &Attachment) -> usize {
+    let level = attachment.image.level(attachment.face.into(), attachment.level.into());
+    level.map_or(0, |LevelInfo { format, size: [width, height, depth], .. }| {
+        let samples = usize::from(attachment.image.samples().max(1));
+        Level::required_bytes(format, width, height, depth).unwrap_or(0).saturating_mul(samples)
+    })
 }
 
 /// Submits what was recorded and drops the texture's plan, if either reads the tiles of the depth attachment of a new pass:
@@ -91,7 +104,7 @@ pub(crate) fn submit_unlocked(context: &mut Context) {
 fn execute(context: &mut Context) {
     context.recorder.end_pass();
     let mut commands = std::mem::take(&mut context.recorder.commands);
-    context.recorder.held = 0;
+    (context.recorder.held, context.recorder.attached) = (0, 0);
     if commands.commands.is_empty() {
         context.recorder.fences.signal();
         return;

@@ -46,6 +46,10 @@ pub(crate) fn append_pending(context: &mut Context, immediate: &mut Immediate) -
         }
         kept.call = changes.calls;
     }
+    // Where there is no memory, they are drawn as they are.
+    if pending.make_room(immediate.positions.len()).is_err() {
+        return false;
+    }
     pending.positions.append(&mut immediate.positions);
     for Column { location, values } in &mut pending.columns {
         if let Some(column) = immediate.column_of(*location) {

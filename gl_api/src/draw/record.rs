@@ -268,6 +268,7 @@ fn is_rasterized(
     elements: &Elements,
 ) -> Result<bool> {
     if context.state.enables.has(Flag::RasterizerDiscard) {
+        warnings::state::discarded(context);
         return Ok(false);
     }
     if context.feedback.mode != RenderMode::Render {

@@ -45,23 +45,26 @@ impl Fence {
     }
 }
 
-/// The fences that a context made and has not signalled. Dropped, it signals them: with a context its recorded commands
-/// end, and nobody waits for them in vain.
+/// The fence of the commands that a context has recorded and not executed: they are executed together, so that all fences
+/// among them are one. Dropped, it is signalled: with a context its recorded commands end, and nobody waits in vain.
 #[derive(Debug, Default)]
-pub(crate) struct PendingFences(Vec<Arc<Fence>>);
+pub(crate) struct PendingFences(Option<Arc<Fence>>);
 
 impl PendingFences {
-    pub fn push(&mut self, fence: Arc<Fence>) {
-        self.0.push(fence);
+    /// The fence of what is recorded, and of what is until it is executed.
+    pub fn fence(&mut self) -> Arc<Fence> {
+        Arc::clone(self.0.get_or_insert_default())
     }
 
     pub fn contains(&self, fence: &Arc<Fence>) -> bool {
-        self.0.iter().any(|pending| Arc::ptr_eq(pending, fence))
+        self.0.as_ref().is_some_and(|pending| Arc::ptr_eq(pending, fence))
     }
 
     /// Signals all: what was recorded before them has been executed.
     pub fn signal(&mut self) {
-        self.0.drain(..).for_each(|fence| fence.signal());
+        if let Some(fence) = self.0.take() {
+            fence.signal();
+        }
     }
 }
 

@@ -60,6 +60,27 @@ pub const ROWS: &[Case] = &[
         positions(c);
         draw(c);
     }),
+    ("depth alone, with colours that blending keeps", |c| {
+        c.clear(GL_DEPTH_BUFFER_BIT);
+        c.enable(GL_BLEND);
+        c.blend_func(GL_ZERO, GL_ONE);
+        c.enable(GL_DEPTH_TEST);
+        triangle(c);
+    }),
+    ("primitives that are counted and not drawn", |c| {
+        c.enable(GL_RASTERIZER_DISCARD);
+        c.begin_query(GL_PRIMITIVES_GENERATED, 1);
+        triangle(c);
+        c.end_query(GL_PRIMITIVES_GENERATED);
+    }),
+    ("lines under a stipple of polygons", |c| {
+        c.polygon_stipple(Data::Bytes(&[0; 128]));
+        c.enable(GL_POLYGON_STIPPLE);
+        c.begin(GL_LINES);
+        c.vertex_2f(-1.0, -0.9);
+        c.vertex_2f(1.0, 0.9);
+        c.end();
+    }),
     ("depth alone, with masked colours", |c| {
         c.clear(GL_DEPTH_BUFFER_BIT);
         mask(c);

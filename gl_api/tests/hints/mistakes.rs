@@ -27,6 +27,19 @@ fn colored(c: &mut Context) {
     c.use_program(program);
 }
 
+const NUMBERED: &str = "#version 130\nvoid main() {\n\
+    gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, 0.0, 1.0); }";
+
+/// A texture of integers, bound to `GL_TEXTURE_2D`.
+fn integers(c: &mut Context) {
+    c.bind_texture(GL_TEXTURE_2D, 1);
+    let (format, ty) = (GL_RGBA_INTEGER, GL_UNSIGNED_BYTE);
+    c.tex_image_2d(GL_TEXTURE_2D, 0, GL_RGBA8UI as GLint, 4, 4, 0, format, ty, Data::Null);
+    for filter in [GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER] {
+        c.tex_parameteri(GL_TEXTURE_2D, filter, GL_NEAREST as GLint);
+    }
+}
+
 const BLOCK: &str = "#version 140\nlayout(std140) uniform B { vec4 color; };\n\
     out vec4 o; void main() { o = color; }";
 const IN_140: &str = "#version 140\nin vec2 pos; void main() { gl_Position = vec4(pos, 0, 1); }";
@@ -54,6 +67,65 @@ pub const ROWS: &[Case] = &[
         |c| c.color_mask(false, false, false, false),
         triangle,
         "glColorMask lets no colour through",
+    ),
+    (
+        "nothing is rasterized",
+        |c| c.enable(GL_RASTERIZER_DISCARD),
+        triangle,
+        "GL_RASTERIZER_DISCARD is enabled, and no transform feedback or query of primitives is active",
+    ),
+    (
+        "a stipple without a bit",
+        |c| {
+            c.polygon_stipple(Data::Bytes(&[0; 128]));
+            c.enable(GL_POLYGON_STIPPLE);
+        },
+        triangle,
+        "no bit of the pattern is set, so no fragment is drawn: call glPolygonStipple",
+    ),
+    (
+        "blending that keeps what is there",
+        |c| {
+            c.enable(GL_BLEND);
+            c.blend_func(GL_ZERO, GL_ONE);
+        },
+        triangle,
+        "glBlendFunc(GL_ZERO, GL_ONE), which keeps the colours that are there",
+    ),
+    (
+        "a logical operation without effect",
+        |c| {
+            c.enable(GL_COLOR_LOGIC_OP);
+            c.logic_op(GL_NOOP);
+        },
+        triangle,
+        "glLogicOp(GL_NOOP), so no colour changes",
+    ),
+    (
+        "integers read as numbers",
+        |c| {
+            integers(c);
+            use_program(
+                c,
+                NUMBERED,
+                "#version 130\nuniform sampler2D s; void main() { gl_FragColor = texture(s, vec2(0.5)); }",
+            );
+        },
+        draw,
+        "sampler \"s\" reads numbers, and the texels of texture 1 are integers: declare an isampler",
+    ),
+    (
+        "numbers read as integers",
+        |c| {
+            texture(c, 1, GL_RGBA);
+            use_program(
+                c,
+                NUMBERED,
+                "#version 130\nuniform usampler2D s; void main() { gl_FragColor = vec4(texture(s, vec2(0.5))); }",
+            );
+        },
+        draw,
+        "sampler \"s\" reads integers, and the texels of texture 1 are numbers that are none: declare",
     ),
     ("no buffer", |c| c.draw_buffer(GL_NONE), triangle, "no colour buffer is drawn to"),
     (

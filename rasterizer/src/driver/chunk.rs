@@ -22,7 +22,7 @@ use crate::vertex::{
 use std::ops::Range;
 use std::sync::atomic::AtomicU64;
 use std::sync::{Arc, OnceLock};
-use texunit::lanes::Isa;
+use texunit::lanes::{Isa, LANES};
 
 /// Consecutive primitives of an indexed draw whose shared vertices are shaded once.
 pub const SHARED_VERTEX_PRIMITIVES: u32 = 1 << 14;
@@ -139,6 +139,14 @@ impl DrawState<'_> {
     pub fn batch_cost(&self) -> u64 {
         let geometry = self.geometry.as_ref().map_or(0, |own| own.program.cost(own.textures));
         self.pipeline.compiled().vertex.cost(self.textures) + geometry
+    }
+
+    /// The batches of fragments that the pixels are which can be drawn to, in all layers.
+    pub fn batches_of_target(&self) -> u64 {
+        let [low, high] = self.setup.drawable_area;
+        let [across, down] = [0, 1]
+            .map(|axis| u64::from(high[axis].saturating_sub(low[axis]).max(0).cast_unsigned()));
+        (across * down).div_ceil(LANES as u64).saturating_mul(self.layers.max(1).into())
     }
 
     /// The most primitives that become shapes.

@@ -67,6 +67,9 @@ pub struct Shape {
 /// The bounds of a line that covers no pixel here, and only carries a stipple on.
 pub const EMPTY_BOUNDS: [[u16; 2]; 2] = [[u16::MAX; 2], [0; 2]];
 
+/// The side of a block of pixels that are one batch.
+const BLOCK: u64 = LANES.isqrt() as u64;
+
 impl Shape {
     /// Whether there are pixels that it may cover.
     pub fn has_pixels(&self) -> bool {
@@ -80,22 +83,41 @@ impl Shape {
         along(0) * along(1)
     }
 
-    /// About how many batches of fragments it is: of a polygon or a point by the area of its bounds, of a line as long as
-    /// they are, times its width.
+    /// About how many batches of fragments it is: of a point by the area of its bounds, of a polygon by its own and the
+    /// blocks of its edges, of a line as long as its bounds are, times its width.
     pub fn batches(&self, line: &LineState) -> u64 {
-        const BLOCK: u64 = LANES.isqrt() as u64;
-        let [low, high] = self.bounds;
-        let along = |axis: usize| (u64::from(high[axis]) + 1).saturating_sub(low[axis].into());
-        let [across, down] = [0, 1].map(|axis| along(axis).div_ceil(BLOCK));
+        /// Blocks that are passed over in the time of one.
+        const PASSED_OVER: u64 = 64;
+        const PIXEL: u64 = (SUBPIXEL as u64).pow(2);
+        let [across, down] = self.blocks();
         match self.kind {
             ShapeKind::Line { .. } => {
                 let width = (line.drawn_width() as u64).div_ceil(BLOCK);
                 ((across + down) * width).min(across * down)
             }
-            ShapeKind::Triangle | ShapeKind::Point { .. } => {
-                self.pixels().div_ceil(LANES as u64).max(across).max(down)
+            ShapeKind::Triangle => {
+                let [a, b, c] = self.corners.map(|corner| corner.map(i128::from));
+                let twice = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+                let pixels = twice.unsigned_abs() / u128::from(2 * PIXEL);
+                let within = u64::try_from(pixels / LANES as u128).unwrap_or(u64::MAX);
+                let of_edges = 2 * (across + down) + across * down / PASSED_OVER;
+                within.saturating_add(of_edges).min(self.bounding_batches())
             }
+            ShapeKind::Point { .. } => self.bounding_batches(),
         }
+    }
+
+    /// The batches of its bounds.
+    fn bounding_batches(&self) -> u64 {
+        let [across, down] = self.blocks();
+        self.pixels().div_ceil(LANES as u64).max(across).max(down)
+    }
+
+    /// The blocks of 8×8 pixels that its bounds are long, along both axes.
+    fn blocks(&self) -> [u64; 2] {
+        let [low, high] = self.bounds;
+        let along = |axis: usize| (u64::from(high[axis]) + 1).saturating_sub(low[axis].into());
+        [0, 1].map(|axis| along(axis).div_ceil(BLOCK))
     }
 
     /// Where the centre of a point is in the window.

@@ -57,6 +57,7 @@ unsafe extern "C" {
     fn glGetString(name: GLenum) -> *const c_char;
     fn glGetError() -> GLenum;
     fn glClearColor(r: f32, g: f32, b: f32, a: f32);
+    fn glBegin(mode: GLenum);
     fn glClear(mask: u32);
     fn glDisable(cap: GLenum);
     fn glEnable(cap: GLenum);

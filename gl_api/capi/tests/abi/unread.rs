@@ -88,3 +88,35 @@ fn calls_without_a_context_say_so_once() {
         glFinish();
     }
 }
+
+/// Draws within a pair of calls, one of which is missing, and reads the picture back: said although that is refused.
+fn read_back_is_refused(mistake: fn()) {
+    let (dpy, config) = display();
+    let mut pixels = [0_u8; 4];
+    // SAFETY: the list ends with EGL_NONE, handles are only looked up, and the memory has one pixel.
+    unsafe {
+        let surface = eglCreatePbufferSurface(dpy, config, SURFACE.as_ptr());
+        let context = eglCreateContext(dpy, config, null_mut(), null_mut());
+        assert_eq!(eglMakeCurrent(dpy, surface, surface, context), 1);
+        mistake();
+        let to = pixels.as_mut_ptr().cast();
+        glReadPixels(0, 0, 1, 1, gl_api::GL_RGBA, gl_api::GL_UNSIGNED_BYTE, to);
+    }
+}
+
+#[test]
+fn a_refused_read_back_says_so() {
+    let test = "unread::a_refused_read_back_says_so";
+    if std::env::var_os(CHILD).is_none() {
+        let lines = said(test, None);
+        assert_eq!(lines.len(), 1, "{lines:?}");
+        assert!(
+            lines[0].contains("glReadPixels: must not be called between glBegin and glEnd"),
+            "{lines:?}"
+        );
+        assert_eq!(said(test, Some("0")), [""; 0]);
+        return;
+    }
+    // SAFETY: it has no pointers.
+    read_back_is_refused(|| unsafe { glBegin(gl_api::GL_TRIANGLES) });
+}

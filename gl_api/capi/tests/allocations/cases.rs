@@ -26,6 +26,8 @@ pub struct Memory {
     corners: Vec<f32>,
     indices: Vec<u8>,
     source: String,
+    /// Numbers of lists, all 200.
+    numbers: Vec<u8>,
 }
 
 /// What the calls read.
@@ -35,6 +37,7 @@ pub static MEMORY: LazyLock<Memory> = LazyLock::new(|| Memory {
     corners: [-1.0_f32, -1.0, 3.0, -1.0, -1.0, 3.0].repeat(4096),
     indices: (0..3_u32 << 13).flat_map(|at| (at % 3).to_le_bytes()).collect(),
     source: format!("void main() {{ gl_Position = gl_Vertex; }} //{}", "x".repeat(BYTES)),
+    numbers: vec![200; BYTES / 4],
 });
 
 /// Bytes that differ.
@@ -339,4 +342,196 @@ pub const CASES: &[Case] = &[
             vec![value[0].into()]
         },
     )),
+    row((
+        "glTexImage1D",
+        nothing,
+        |c| {
+            let (format, data) = (GL_RGBA32F as GLint, Data::Bytes(pattern(1)));
+            c.tex_image_1d(GL_TEXTURE_1D, 0, format, 8192, 0, GL_RGBA, GL_UNSIGNED_BYTE, data);
+        },
+        |c| width_of(c, GL_TEXTURE_1D),
+    )),
+    row((
+        "glTexSubImage3D while a draw reads",
+        |c| {
+            let (rgba, null) = (GL_RGBA8 as GLint, Data::Null);
+            c.tex_image_3d(GL_TEXTURE_3D, 0, rgba, 32, 32, 32, 0, GL_RGBA, GL_UNSIGNED_BYTE, null);
+            c.tex_parameteri(GL_TEXTURE_3D, GL_TEXTURE_MIN_FILTER, GL_LINEAR as GLint);
+        },
+        |c| {
+            draw_unseen_textured(c, GL_TEXTURE_3D);
+            let (data, ty) = (Data::Bytes(pattern(7)), GL_UNSIGNED_BYTE);
+            c.tex_sub_image_3d(GL_TEXTURE_3D, 0, 0, 0, 0, 32, 32, 32, GL_RGBA, ty, data);
+        },
+        |c| {
+            let mut texels = vec![0; 32 * 32 * 32 * 4];
+            let to = DataOut::Bytes(&mut texels);
+            c.get_tex_image(GL_TEXTURE_3D, 0, GL_RGBA, GL_UNSIGNED_BYTE, to);
+            vec![sum(&texels)]
+        },
+    )),
+    row((
+        "glTexStorage3D",
+        |c| c.bind_texture(GL_TEXTURE_3D, 1),
+        |c| c.tex_storage_3d(GL_TEXTURE_3D, 3, GL_RGBA8, 64, 64, 64),
+        |c| width_of(c, GL_TEXTURE_3D),
+    )),
+    row((
+        "glCompressedTexSubImage2D while a draw reads",
+        |c| {
+            let (internal, size) = (GL_COMPRESSED_RGBA_S3TC_DXT5_EXT, SIDE * SIDE);
+            let blocks = Data::Bytes(&pattern(1)[..BYTES / 4]);
+            c.compressed_tex_image_2d(T2, 0, internal, SIDE, SIDE, 0, size, blocks);
+            c.tex_parameteri(T2, GL_TEXTURE_MIN_FILTER, GL_LINEAR as GLint);
+        },
+        |c| {
+            draw_unseen_textured(c, T2);
+            let (internal, size) = (GL_COMPRESSED_RGBA_S3TC_DXT5_EXT, SIDE * SIDE);
+            let blocks = Data::Bytes(&pattern(9)[..BYTES / 4]);
+            c.compressed_tex_sub_image_2d(T2, 0, 0, 0, SIDE, SIDE, internal, size, blocks);
+        },
+        texture,
+    )),
+    row((
+        "glTexImage2DMultisample",
+        nothing,
+        |c| c.tex_image_2d_multisample(GL_TEXTURE_2D_MULTISAMPLE, 4, GL_RGBA8, 128, 128, true),
+        |c| width_of(c, GL_TEXTURE_2D_MULTISAMPLE),
+    )),
+    row((
+        "glDrawPixels, converted and zoomed",
+        |c| {
+            c.pixel_transferf(GL_RED_SCALE, 0.5);
+            c.pixel_zoom(0.25, 0.25);
+        },
+        draw_pixels,
+        drawn,
+    )),
+    row((
+        "glCopyPixels",
+        |c| {
+            into_renderbuffer(c, 256);
+            c.clear_color(0.5, 0.25, 1.0, 1.0);
+            c.clear(GL_COLOR_BUFFER_BIT);
+            c.rectf(-1.0, -1.0, 0.0, 0.5);
+            c.raster_pos_2f(0.0, 0.0);
+        },
+        |c| c.copy_pixels(0, 0, 256, 256, GL_COLOR),
+        |c| seen(c, 256),
+    )),
+    row((
+        "glMapBufferRange while a draw reads",
+        |c| {
+            large_buffer(c);
+            c.vertex_pointer(2, GL_SHORT, 0, Data::Offset(0));
+        },
+        |c| {
+            draw_unseen(c);
+            let access = GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT;
+            if !c.map_buffer_range(ARRAY, 0, BYTES as GLsizeiptr, access).is_null() {
+                c.unmap_buffer(ARRAY);
+                c.buffer_sub_data(ARRAY, 0, 4, Data::Bytes(&[9; 4]));
+            }
+        },
+        buffer,
+    )),
+    row((
+        "glClearBufferSubData while a draw reads",
+        |c| {
+            large_buffer(c);
+            c.vertex_pointer(2, GL_SHORT, 0, Data::Offset(0));
+        },
+        |c| {
+            draw_unseen(c);
+            let (red, one) = (GL_RED, Data::Bytes(&[9]));
+            c.clear_buffer_sub_data(
+                ARRAY,
+                GL_R8,
+                0,
+                BYTES as GLsizeiptr,
+                red,
+                GL_UNSIGNED_BYTE,
+                one,
+            );
+        },
+        buffer,
+    )),
+    row((
+        "glVertex",
+        |c| c.color_3f(0.0, 1.0, 0.5),
+        |c| {
+            c.begin(GL_TRIANGLE_STRIP);
+            for corner in MEMORY.corners.chunks_exact(2) {
+                c.vertex_2f(corner[0], corner[1]);
+            }
+            c.end();
+        },
+        drawn,
+    )),
+    row((
+        "glVertex in a list",
+        nothing,
+        |c| {
+            compile_list(c, |c| {
+                c.color_3f(0.0, 1.0, 0.5);
+                c.begin(GL_TRIANGLE_STRIP);
+                for corner in MEMORY.corners.chunks_exact(2) {
+                    c.vertex_2f(corner[0], corner[1]);
+                }
+                c.end();
+            });
+        },
+        list,
+    )),
+    row((
+        "glCallLists in a list",
+        |c| {
+            c.new_list(200, GL_COMPILE);
+            c.color_3f(0.0, 1.0, 0.5);
+            c.rectf(-1.0, -1.0, 1.0, 1.0);
+            c.end_list();
+        },
+        |c| {
+            compile_list(c, |c| {
+                c.call_lists(BYTES as GLsizei / 4, GL_UNSIGNED_BYTE, Data::Bytes(&MEMORY.numbers))
+            })
+        },
+        list,
+    )),
 ];
+
+/// The width of level 0.
+fn width_of(c: &mut Context, target: GLenum) -> Vec<i64> {
+    let mut value = [0];
+    c.get_tex_level_parameteriv(target, 0, GL_TEXTURE_WIDTH, &mut value);
+    vec![value[0].into()]
+}
+
+/// As [`draw_unseen`], textured.
+fn draw_unseen_textured(c: &mut Context, target: GLenum) {
+    c.enable(target);
+    c.color_mask(false, false, false, false);
+    c.rectf(0.0, 0.0, 1.0, 1.0);
+    c.color_mask(true, true, true, true);
+    c.disable(target);
+}
+
+/// Draws to a renderbuffer of its own.
+fn into_renderbuffer(c: &mut Context, side: GLsizei) {
+    let mut names = [0; 2];
+    let (renderbuffers, framebuffers) = names.split_at_mut(1);
+    c.gen_renderbuffers(1, renderbuffers);
+    c.gen_framebuffers(1, framebuffers);
+    c.bind_renderbuffer(GL_RENDERBUFFER, names[0]);
+    c.renderbuffer_storage(GL_RENDERBUFFER, GL_RGBA8, side, side);
+    c.bind_framebuffer(GL_FRAMEBUFFER, names[1]);
+    let (target, point) = (GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0);
+    c.framebuffer_renderbuffer(target, point, GL_RENDERBUFFER, names[0]);
+}
+
+/// The sum of the pixels of the framebuffer that is drawn to.
+fn seen(c: &mut Context, side: GLsizei) -> Vec<i64> {
+    let mut pixels = vec![0; (side * side * 4) as usize];
+    c.read_pixels(0, 0, side, side, GL_RGBA, GL_UNSIGNED_BYTE, DataOut::Bytes(&mut pixels));
+    vec![sum(&pixels)]
+}

@@ -5,6 +5,7 @@ pub(crate) mod primitives;
 
 use crate::base::begin_end::BeginEnd;
 use crate::base::error::Result;
+use crate::base::memory::out_of_memory;
 use crate::base::types::*;
 use crate::context::Context;
 use crate::context::immediate::Slot;
@@ -15,6 +16,7 @@ use crate::draw::completeness::checked_drawable;
 use crate::draw::record::draw;
 use crate::pixel::store::PixelStore;
 use rasterizer::driver::{Topology, VertexBinding, VertexSource};
+use std::collections::TryReserveError;
 
 impl Context {
     /// Records a call, with the unpack state that its pixels lie by if it has any.
@@ -55,6 +57,11 @@ impl Context {
     fn keep_steps(&mut self, steps: Vec<Step>) {
         // What a list does is not recorded again.
         let Some(mut compiling) = self.compiling.take() else { return };
+        if let Err(error) = compiling.steps.try_reserve(steps.len()) {
+            self.compiling = Some(compiling);
+            let name = steps.first().map_or("glEnd", Step::name);
+            return self.no_memory_for_list(name, error);
+        }
         if compiling.mode == ListMode::CompileAndExecute {
             for step in &steps {
                 self.run_step(step);
@@ -64,12 +71,30 @@ impl Context {
         self.compiling = Some(compiling);
     }
 
+    /// What there is no memory for is not in the list.
+    #[cold]
+    #[inline(never)]
+    fn no_memory_for_list(&mut self, name: &'static str, error: TryReserveError) {
+        self.refuse(
+            name,
+            out_of_memory("GL 2.1, section 5.4", "what the display list records")(error),
+        );
+    }
+
     /// Ends a `glBegin` that the list leaves open.
     pub(crate) fn finish_open(&mut self) {
         let Some(compiling) = &mut self.compiling else { return };
         if let Some(open) = compiling.open.take() {
             compiling.begun = true;
-            self.keep_steps(open.into_steps());
+            self.keep_calls(open);
+        }
+    }
+
+    /// Adds the calls of a primitive one by one.
+    fn keep_calls(&mut self, open: OpenPrimitives) {
+        match open.into_steps() {
+            Ok(steps) => self.keep_steps(steps),
+            Err(error) => self.no_memory_for_list("glBegin", error),
         }
     }
 
@@ -80,7 +105,7 @@ impl Context {
         let Some(compiling) = &mut self.compiling else { return false };
         let open = OpenPrimitives::new(mode);
         if nested || compiling.begun {
-            self.keep_steps(open.into_steps());
+            self.keep_calls(open);
         } else {
             compiling.open = Some(open);
         }
@@ -93,9 +118,12 @@ impl Context {
         compiling.begun = false;
         let steps = match compiling.open.take() {
             Some(open) => open.close(),
-            None => vec![primitives::end_step()],
+            None => Ok(vec![primitives::end_step()]),
         };
-        self.keep_steps(steps);
+        match steps {
+            Ok(steps) => self.keep_steps(steps),
+            Err(error) => self.no_memory_for_list("glEnd", error),
+        }
         true
     }
 
@@ -103,7 +131,11 @@ impl Context {
     pub(crate) fn record_attribute(&mut self, slot: Slot, value: [f32; 4]) -> bool {
         let Some(compiling) = &mut self.compiling else { return false };
         match &mut compiling.open {
-            Some(open) => open.push(slot, value),
+            Some(open) => {
+                if let Err(error) = open.push(slot, value) {
+                    self.no_memory_for_list("glVertex", error);
+                }
+            }
             None => self.keep_steps(vec![Step::Attribute(slot, value)]),
         }
         true

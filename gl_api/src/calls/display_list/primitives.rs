@@ -3,30 +3,43 @@
 
 use crate::base::begin_end::BeginEnd;
 use crate::base::error::{Result, invalid_operation};
+use crate::base::memory::out_of_memory;
 use crate::context::Context;
 use crate::context::immediate::Columns;
 use crate::context::lists::Step;
 use crate::context::lists::primitives::{ListPrimitives, OpenPrimitives};
 use crate::draw::pending_primitives::can_batch;
+use std::collections::TryReserveError;
 use std::ops::Range;
 
 impl OpenPrimitives {
     /// One step for all, where every call is valid; else step by step, so that the errors come
     /// when the list is called.
-    pub fn close(self) -> Vec<Step> {
-        match ListPrimitives::new(&self) {
-            Some(shapes) => vec![Step::Primitives(shapes)],
+    ///
+    /// # Errors
+    /// Where there is no memory.
+    pub fn close(self) -> Result<Vec<Step>, TryReserveError> {
+        if self.is_lost {
+            return Ok(Vec::new());
+        }
+        match ListPrimitives::new(&self)? {
+            Some(shapes) => Ok(vec![Step::Primitives(shapes)]),
             None => {
-                let mut steps = self.into_steps();
+                let mut steps = self.into_steps()?;
                 steps.push(end_step());
-                steps
+                Ok(steps)
             }
         }
     }
 
     /// The calls one by one.
-    pub fn into_steps(self) -> Vec<Step> {
-        let mode = self.mode;
+    ///
+    /// # Errors
+    /// Where there is no memory.
+    pub fn into_steps(self) -> Result<Vec<Step>, TryReserveError> {
+        let (mode, mut steps) = (self.mode, Vec::new());
+        // One more for the end.
+        steps.try_reserve_exact(self.log.len() + 2)?;
         let begin = Step::Call {
             name: "glBegin",
             begin_end: BeginEnd::Allowed,
@@ -34,7 +47,8 @@ impl OpenPrimitives {
             run: Box::new(move |context| crate::calls::vertex::immediate::begin(context, mode)),
         };
         let attributes = self.log.into_iter().map(|(slot, value)| Step::Attribute(slot, value));
-        std::iter::once(begin).chain(attributes).collect()
+        steps.extend(std::iter::once(begin).chain(attributes));
+        Ok(steps)
     }
 }
 
@@ -65,7 +79,10 @@ impl ListPrimitives {
 
     fn draw_vertices(&self, context: &mut Context, part: Range<usize>) -> Result<()> {
         let buffer = match part.start {
-            0 => self.patched(&context.state),
+            0 => {
+                let what = "the vertices of a display list";
+                self.patched(&context.state).map_err(out_of_memory("GL 2.1, section 5.4", what))?
+            }
             _ => self.buffer.clone(),
         };
         let components = self.components(&context.state);

@@ -53,8 +53,13 @@ impl Axis {
     }
 }
 
-/// Takes a map's control points.
-fn set(context: &mut Context, name: EvaluatorName, axes: [Axis; 2], points: &[f64]) -> Result<()> {
+/// Takes a map's control points. What lies between them is the client's: strides of gigabytes take no memory.
+fn set<T: Copy + Into<f64>>(
+    context: &mut Context,
+    name: EvaluatorName,
+    axes: [Axis; 2],
+    points: &[T],
+) -> Result<()> {
     let components = name.kind.components();
     let [u, v] = [axes[0].checked(components)?, axes[1].checked(components)?];
     if context.state.units.active != 0 {
@@ -77,7 +82,7 @@ fn set(context: &mut Context, name: EvaluatorName, axes: [Axis; 2], points: &[f6
         order: [u[1], v[1]],
         domain: axes.map(|axis| axis.domain),
         components,
-        points: grid.flat_map(of).map(|&value| value as f32).collect(),
+        points: grid.flat_map(of).map(|&value| value.into() as f32).collect(),
     };
     Ok(())
 }
@@ -96,8 +101,7 @@ macro_rules! maps {
             let name = MAP_1.decode("target", target)?;
             let domain = [u1.into(), u2.into()];
             let along = Axis { letter: "u", domain, stride, order };
-            let points: Vec<f64> = points.iter().map(|&value| value.into()).collect();
-            set(context, name, [along, Axis::NONE], &points)
+            set(context, name, [along, Axis::NONE], points)
         }
 
         #[expect(clippy::too_many_arguments, reason = "GL's signature")]
@@ -127,8 +131,7 @@ macro_rules! maps {
                 stride: vstride,
                 order: vorder,
             };
-            let points: Vec<f64> = points.iter().map(|&value| value.into()).collect();
-            set(context, name, [u, v], &points)
+            set(context, name, [u, v], points)
         }
     )* };
 }

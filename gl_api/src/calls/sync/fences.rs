@@ -34,8 +34,7 @@ pub(crate) fn fence_sync(
     if flags != 0 {
         return invalid_value(SECTION, format!("flags = {flags:#x} must be 0"));
     }
-    let fence = Arc::new(Fence::default());
-    context.recorder.fences.push(Arc::clone(&fence));
+    let fence = context.recorder.fences.fence();
     Ok(context.objects.shared.syncs.add(fence) as GLsync)
 }
 

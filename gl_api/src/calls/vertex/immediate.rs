@@ -6,6 +6,7 @@
 
 use crate::base::error::{Result, invalid_operation};
 use crate::base::limits::LOCATIONS;
+use crate::base::memory::out_of_memory;
 use crate::base::topology::topology;
 use crate::base::types::*;
 use crate::context::Context;
@@ -29,6 +30,7 @@ use rasterizer::driver::{Buffer, Topology, VertexBinding, VertexFormat, VertexSo
 use texunit::lanes::FloatEnv;
 
 const SECTION: &str = "GL 2.1, section 2.6.3";
+const VERTICES: &str = "the vertices since glBegin";
 /// More vertices than this between `glBegin` and `glEnd` are an error.
 const MAX_VERTICES: usize = 1 << 26;
 
@@ -51,7 +53,9 @@ impl Immediate {
     /// Draws the vertices, of which there are some.
     pub(crate) fn draw(&self, context: &mut Context) -> Result<()> {
         let count = self.positions.len();
-        let mut bytes = Vec::with_capacity((self.columns.len() + 1) * count * VALUE);
+        let mut bytes = Vec::new();
+        let needed = (self.columns.len() + 1) * count * VALUE;
+        bytes.try_reserve_exact(needed).map_err(out_of_memory(SECTION, VERTICES))?;
         bytes.extend_from_slice(bytemuck::cast_slice(&self.positions));
         for column in &self.columns {
             bytes.extend_from_slice(bytemuck::cast_slice(&column.values));
@@ -171,7 +175,12 @@ pub(crate) fn attribute(context: &mut Context, slot: Slot, value: [f32; 4]) -> R
         && immediate.column_by_location[location] == NO_COLUMN
     {
         // The vertices so far had the value from before.
-        let values = vec![current(&context.state, location); immediate.positions.len()];
+        let (count, mut values) = (immediate.positions.len(), Vec::new());
+        if let Err(error) = values.try_reserve_exact(count) {
+            immediate.lose();
+            return Err(out_of_memory(SECTION, VERTICES)(error));
+        }
+        values.resize(count, current(&context.state, location));
         immediate.column_by_location[location] = immediate.columns.len() as u8;
         immediate.columns.push(Column { location, values });
         if location >= LOCATIONS && immediate.materials.is_none() {
@@ -233,6 +242,13 @@ fn vertex(context: &mut Context, position: [f32; 4]) -> Result<()> {
     let Some(immediate) = &mut context.immediate else { return Ok(()) };
     if immediate.positions.len() == MAX_VERTICES {
         return invalid_operation(SECTION, format!("more than {MAX_VERTICES} vertices"));
+    }
+    if immediate.is_lost {
+        return Ok(());
+    }
+    if let Err(error) = immediate.make_room(1) {
+        immediate.lose();
+        return Err(out_of_memory(SECTION, VERTICES)(error));
     }
     for column in &mut immediate.columns {
         column.values.push(current(&context.state, column.location));

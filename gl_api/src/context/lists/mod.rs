@@ -47,6 +47,18 @@ pub(crate) enum Step {
     Arrays(ArrayDraw),
 }
 
+impl Step {
+    /// The call that it is of, or one of several.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Call { name, .. } => name,
+            Self::Attribute(..) => "glVertex",
+            Self::Primitives(_) => "glEnd",
+            Self::Arrays(_) => "glDrawArrays",
+        }
+    }
+}
+
 impl fmt::Debug for Step {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

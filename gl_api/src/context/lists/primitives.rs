@@ -3,6 +3,7 @@
 //! do.
 
 use crate::base::limits::LOCATIONS;
+use crate::base::memory::copied;
 use crate::base::topology::topology;
 use crate::base::types::*;
 use crate::context::immediate;
@@ -11,21 +12,34 @@ use crate::context::lists::Step;
 use crate::context::pending_primitives::vertices_of_primitive;
 use crate::state::State;
 use rasterizer::driver::{Buffer, Topology};
+use std::collections::TryReserveError;
 
 /// Attributes since `glBegin`, in order.
 #[derive(Debug)]
 pub(crate) struct OpenPrimitives {
     pub mode: GLenum,
     pub log: Vec<(Slot, [f32; 4])>,
+    /// Whether there was no memory for one: then nothing of them is drawn.
+    pub is_lost: bool,
 }
 
 impl OpenPrimitives {
     pub fn new(mode: GLenum) -> Self {
-        Self { mode, log: Vec::new() }
+        Self { mode, log: Vec::new(), is_lost: false }
     }
 
-    pub fn push(&mut self, slot: Slot, value: [f32; 4]) {
+    /// # Errors
+    /// Where there is no memory, once.
+    pub fn push(&mut self, slot: Slot, value: [f32; 4]) -> Result<(), TryReserveError> {
+        if self.is_lost {
+            return Ok(());
+        }
+        if let Err(error) = self.log.try_reserve(1) {
+            (self.log, self.is_lost) = (Vec::new(), true);
+            return Err(error);
+        }
         self.log.push((slot, value));
+        Ok(())
     }
 }
 
@@ -57,15 +71,21 @@ pub(crate) struct ListPrimitives {
 
 impl ListPrimitives {
     /// `None` where a call is not valid.
-    pub(crate) fn new(open: &OpenPrimitives) -> Option<Self> {
-        let topology = topology(open.mode).ok()?;
+    ///
+    /// # Errors
+    /// Where there is no memory.
+    pub(crate) fn new(open: &OpenPrimitives) -> Result<Option<Self>, TryReserveError> {
+        let Ok(topology) = topology(open.mode) else { return Ok(None) };
         let mut positions: Vec<[f32; 4]> = Vec::new();
         let mut columns: Vec<(Column, Vec<[f32; 4]>)> = Vec::new();
         for &(slot, value) in &open.log {
-            match immediate::location(slot).ok()? {
+            let Ok(location) = immediate::location(slot) else { return Ok(None) };
+            match location {
                 None => {
+                    positions.try_reserve(1)?;
                     positions.push(value);
                     for (column, values) in &mut columns {
+                        values.try_reserve(1)?;
                         values.push(column.last);
                     }
                 }
@@ -76,34 +96,41 @@ impl ListPrimitives {
                             let inherited = positions.len();
                             let components = ColumnComponents::default();
                             let column = Column { location, inherited, components, last: value };
-                            columns.push((column, vec![[0.0; 4]; inherited]));
+                            let mut values = Vec::new();
+                            values.try_reserve_exact(inherited)?;
+                            values.resize(inherited, [0.0; 4]);
+                            columns.push((column, values));
                         }
                     }
                 }
             }
         }
-        let mut bytes = Vec::with_capacity((columns.len() + 1) * positions.len() * VALUE);
+        let mut bytes = Vec::new();
+        bytes.try_reserve_exact((columns.len() + 1) * positions.len() * VALUE)?;
         bytes.extend_from_slice(bytemuck::cast_slice(&positions));
         for (column, values) in &mut columns {
             bytes.extend_from_slice(bytemuck::cast_slice(values));
             column.components = ColumnComponents::of(&values[column.inherited..]);
         }
-        Some(Self {
+        Ok(Some(Self {
             topology,
             count: positions.len(),
             begins: Vec::new(),
             buffer: Buffer::new(bytes),
             position_components: ColumnComponents::of(&positions),
             columns: columns.into_iter().map(|(column, _)| column).collect(),
-        })
+        }))
     }
 
     /// The buffer with the values that the first vertices inherit.
-    pub(crate) fn patched(&self, state: &State) -> Buffer {
+    ///
+    /// # Errors
+    /// Where there is no memory.
+    pub(crate) fn patched(&self, state: &State) -> Result<Buffer, TryReserveError> {
         if self.columns.iter().all(|column| column.inherited == 0) {
-            return self.buffer.clone();
+            return Ok(self.buffer.clone());
         }
-        let mut bytes = self.buffer.bytes().to_vec();
+        let mut bytes = copied(self.buffer.bytes())?;
         for (index, column) in self.columns.iter().enumerate() {
             let first = (index + 1) * self.count * VALUE;
             let inherited = &mut bytes[first..first + column.inherited * VALUE];
@@ -112,7 +139,7 @@ impl ListPrimitives {
                 value.copy_from_slice(bytemuck::cast_slice(&current));
             }
         }
-        Buffer::new(bytes)
+        Ok(Buffer::new(bytes))
     }
 
     /// How many components are read of the positions, and of each column of the buffer that [`Self::patched`] gives.
@@ -140,17 +167,26 @@ impl ListPrimitives {
             && self.columns.iter().all(|column| column.location < LOCATIONS && has(column.location))
     }
 
-    /// Joins primitives that can be joined; `None` where there are none.
-    fn joined(mut run: Vec<Self>) -> Option<Self> {
+    /// Joins primitives that can be joined. Where there is no memory for it, they stay as they are.
+    fn joined(run: Vec<Self>) -> Vec<Self> {
+        match Self::join(&run) {
+            Some(joined) => vec![joined],
+            None => run,
+        }
+    }
+
+    /// Several as one; `None` where there are no several, or no memory.
+    fn join(run: &[Self]) -> Option<Self> {
         if run.len() < 2 {
-            return run.pop();
+            return None;
         }
         let first = &run[0];
         let count = run.iter().map(|shapes| shapes.count).sum();
-        let mut bytes = Vec::with_capacity((first.columns.len() + 1) * count * VALUE);
-        let mut begins = Vec::with_capacity(run.len());
+        let (mut bytes, mut begins) = (Vec::new(), Vec::new());
+        bytes.try_reserve_exact((first.columns.len() + 1) * count * VALUE).ok()?;
+        begins.try_reserve_exact(run.len()).ok()?;
         let mut begin = 0;
-        for shapes in &run {
+        for shapes in run {
             begins.push(begin);
             begin += shapes.count;
             bytes.extend_from_slice(&shapes.buffer.bytes()[..shapes.count * VALUE]);
@@ -160,7 +196,7 @@ impl ListPrimitives {
         for &Column { location, inherited, .. } in &first.columns {
             let mut last: Option<[f32; 4]> = None;
             let mut components = ColumnComponents::default();
-            for shapes in &run {
+            for shapes in run {
                 let Some(index) = shapes.columns.iter().position(|own| own.location == location)
                 else {
                     continue;
@@ -199,25 +235,31 @@ impl ListPrimitives {
 
 /// The steps of a list, with primitives joined that can be.
 pub(crate) fn join(steps: Vec<Step>) -> Vec<Step> {
-    let mut joined = Vec::with_capacity(steps.len());
+    let mut joined = Vec::new();
+    if joined.try_reserve_exact(steps.len()).is_err() {
+        return steps;
+    }
     let mut run: Vec<ListPrimitives> = Vec::new();
+    let close = |joined: &mut Vec<Step>, run: &mut Vec<ListPrimitives>| {
+        let all = ListPrimitives::joined(std::mem::take(run));
+        joined.extend(all.into_iter().map(Step::Primitives));
+    };
     for step in steps {
         match step {
             Step::Primitives(shapes) => {
-                if run.last().is_some_and(|last| !last.can_join(&shapes)) {
-                    joined.extend(
-                        ListPrimitives::joined(std::mem::take(&mut run)).map(Step::Primitives),
-                    );
+                if run.last().is_some_and(|last| !last.can_join(&shapes))
+                    || run.try_reserve(1).is_err()
+                {
+                    close(&mut joined, &mut run);
                 }
                 run.push(shapes);
             }
             Step::Call { .. } | Step::Attribute(..) | Step::Arrays(_) => {
-                joined
-                    .extend(ListPrimitives::joined(std::mem::take(&mut run)).map(Step::Primitives));
+                close(&mut joined, &mut run);
                 joined.push(step);
             }
         }
     }
-    joined.extend(ListPrimitives::joined(run).map(Step::Primitives));
+    close(&mut joined, &mut run);
     joined
 }

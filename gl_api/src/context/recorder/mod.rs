@@ -61,6 +61,9 @@ pub(crate) struct Recorder {
     pub is_opaque: bool,
     /// The bytes that the recorded commands hold, of those that came since the last submission.
     pub held: usize,
+    /// The bytes of the attachments of the open pass that no recorded pass before it writes to. Once another pass begins,
+    /// they are held for the recorded commands alone, as far as anyone can tell.
+    pub attached: usize,
     /// The state that was last emitted to the open pass.
     pub emitted: EmittedState,
     pub pipelines: HashMap<PipelineDesc, Pipeline>,
@@ -117,6 +120,7 @@ impl Recorder {
             facts: VertexFacts::default(),
             is_opaque: false,
             held: 0,
+            attached: 0,
             emitted: EmittedState::default(),
             pipelines: HashMap::new(),
             fixed: FixedModules::default(),

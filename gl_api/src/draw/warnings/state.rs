@@ -10,9 +10,13 @@ use crate::draw::material::material;
 use crate::draw::warnings::constant_color::ConstantColor;
 use crate::draw::warnings::{depth, inputs, rejected, textures};
 use crate::interface::Side;
+use crate::objects::queries::{GENERATED, WRITTEN};
 use crate::state::enable::Flag;
 use crate::state::stencil::Face;
-use rasterizer::driver::{DepthWrite, PassDesc, PipelineDesc, Topology, VertexBinding};
+use rasterizer::driver::{
+    BlendEquation, BlendFactor, ColorState, DepthWrite, LogicOp, PassDesc, PipelineDesc,
+    PolygonMode, Topology, VertexBinding,
+};
 use rasterizer::ir::{Output, Stage};
 use texunit::sampler::Compare;
 
@@ -60,6 +64,7 @@ pub(crate) fn check(
         left_out(context, remainder);
     }
     colors(context, pass, desc);
+    stipple(context, desc);
     depth::check(context, desc);
     rejected::stencil(context, desc);
     inputs::link(context);
@@ -88,6 +93,16 @@ const MASKED: &str = "draw: glColorMask lets no colour through, and neither dept
 const NO_COLOR_BUFFER: &str = "draw: no colour buffer is drawn to, as glDrawBuffer has GL_NONE or a \
     point where nothing is attached, and neither depth nor stencil is written, so nothing changes: \
     call glDrawBuffer (GL 3.0, section 4.2.1)";
+
+const NOOP: &str = "draw: GL_COLOR_LOGIC_OP is enabled with glLogicOp(GL_NOOP), so no colour changes: call \
+    glLogicOp(GL_COPY), or glDisable(GL_COLOR_LOGIC_OP) (GL 2.1, section 4.1.10)";
+const BLENDED_AWAY: &str = "draw: GL_BLEND is enabled with glBlendFunc(GL_ZERO, GL_ONE), which keeps the colours that are \
+    there, so nothing changes: call glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA), or glDisable(GL_BLEND) (GL 2.1, \
+    section 4.1.8)";
+const NO_STIPPLE: &str = "draw: GL_POLYGON_STIPPLE is enabled and no bit of the pattern is set, so no fragment is drawn: \
+    call glPolygonStipple with another one, or glDisable(GL_POLYGON_STIPPLE) (GL 2.1, section 3.5.2)";
+const DISCARDED: &str = "draw: GL_RASTERIZER_DISCARD is enabled, and no transform feedback or query of primitives is \
+    active, so nothing is drawn: call glDisable(GL_RASTERIZER_DISCARD) (GL 3.0, section 3.1)";
 
 #[cold]
 #[inline(never)]
@@ -135,6 +150,26 @@ fn missing(context: &mut Context, warning: DrawWarning, [test, buffer, size]: [&
         "draw: {test} is enabled, but {place} has no {buffer} buffer, so every fragment passes: if it \
          should not, {fix} (GL 2.1, section 4.1)"
     ));
+}
+
+/// Whether vertices make polygons. What a geometry program makes of them is not asked.
+fn draws_polygons(topology: Topology) -> bool {
+    match topology {
+        Topology::Triangles
+        | Topology::TriangleStrip
+        | Topology::TriangleFan
+        | Topology::Quads
+        | Topology::QuadStrip
+        | Topology::Polygon => true,
+        Topology::Points
+        | Topology::Lines
+        | Topology::LineStrip
+        | Topology::LineLoop
+        | Topology::LinesAdjacency
+        | Topology::LineStripAdjacency
+        | Topology::TrianglesAdjacency
+        | Topology::TriangleStripAdjacency => false,
+    }
 }
 
 /// Vertices that are left over by whole primitives.
@@ -189,8 +224,11 @@ fn colors(context: &mut Context, pass: &PassDesc, desc: &PipelineDesc) {
     {
         return;
     }
-    let mut written = pass.colors.iter().zip(&desc.colors);
-    if !written.any(|(color, state)| color.is_some() && state.mask.contains(&true)) {
+    let written = || {
+        let attached = pass.colors.iter().zip(&desc.colors);
+        attached.filter(|(color, state)| color.is_some() && state.mask.contains(&true))
+    };
+    if written().next().is_none() {
         let masked = pass.colors.iter().any(Option::is_some);
         let (warning, text) = match masked {
             true => (DrawWarning::NoColor, MASKED),
@@ -199,9 +237,44 @@ fn colors(context: &mut Context, pass: &PassDesc, desc: &PipelineDesc) {
         say(context, warning, text);
         return;
     }
+    if desc.output.logic_op == Some(LogicOp::Noop) {
+        say(context, DrawWarning::KeptColors, NOOP);
+    } else if desc.output.logic_op.is_none() && written().all(|(_, state)| keeps(state)) {
+        say(context, DrawWarning::KeptColors, BLENDED_AWAY);
+    }
     let outputs = &desc.fragment.module().outputs;
     if !outputs.iter().any(|(output, _)| matches!(output, Output::Color { .. })) {
         without_color(context);
+    }
+}
+
+/// Whether blending leaves the colours as they are.
+fn keeps(state: &ColorState) -> bool {
+    state.blend.as_ref().is_some_and(|blend| {
+        blend.src == [BlendFactor::Zero; 2]
+            && blend.dst == [BlendFactor::One; 2]
+            && blend.equation == [BlendEquation::Add; 2]
+    })
+}
+
+/// Warns of a stipple without a bit, of a draw of polygons alone.
+fn stipple(context: &mut Context, desc: &PipelineDesc) {
+    let is_empty = context.state.enables.has(Flag::PolygonStipple)
+        && draws_polygons(desc.topology)
+        && context.state.raster.polygons.mode == [PolygonMode::Fill; 2]
+        && context.state.raster.polygons.stipple == [0; 32];
+    if is_empty {
+        say(context, DrawWarning::NoStipple, NO_STIPPLE);
+    }
+}
+
+/// Warns of a draw that makes no fragments, and nothing else either.
+#[cold]
+#[inline(never)]
+pub(crate) fn discarded(context: &mut Context) {
+    let counts = [GENERATED, WRITTEN].iter().any(|&query| context.queries.names[query] != 0);
+    if !context.transform_feedback.is_active() && !counts {
+        say(context, DrawWarning::NothingRasterized, DISCARDED);
     }
 }
 

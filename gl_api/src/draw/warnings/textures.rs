@@ -13,8 +13,8 @@ use crate::objects::framebuffers::{Attached, Source};
 use crate::objects::target::{TARGET, TextureTarget};
 use crate::state::enable::{CAPABILITY, Flag};
 use crate::state::texture_units::Unit;
-use rasterizer::driver::{DepthWrite, Image, VertexBinding, VertexSource};
-use rasterizer::ir::TextureDecl;
+use rasterizer::driver::{DepthWrite, Image, LevelInfo, VertexBinding, VertexSource};
+use rasterizer::ir::{TextureDecl, Ty};
 use texunit::sampler::{Mipmap, Sampler};
 
 /// GL's name of a target.
@@ -96,7 +96,37 @@ pub(crate) fn sampler(
             let name = bound.name();
             uncompared(context, name, target, word);
         }
-        None => {}
+        None => other_texels(context, (unit, target), word, decl),
+    }
+}
+
+/// Warns of a sampler of numbers with a texture of integers, or the other way round: what it reads is undefined.
+fn other_texels(
+    context: &mut Context,
+    (unit, target): (u8, TextureTarget),
+    word: u32,
+    decl: TextureDecl,
+) {
+    let bound = &context.state.units.units[usize::from(unit)].bound[target as usize];
+    let texture = context.objects.texture(target, bound);
+    let level = texture.sampler().base_level as usize;
+    let Some(LevelInfo { format, .. }) = texture.image.level(0, level) else { return };
+    let of_integers = decl.texels != Ty::F32;
+    // Stencils are integers in a format of depths.
+    if format.is_depth() || format.is_integer() == of_integers {
+        return;
+    }
+    let name = bound.name();
+    if context.is_first_warning(DrawWarning::OtherTexels, name) {
+        let uniform = uniform_name(context, word);
+        let (reads, has) = match of_integers {
+            true => ("integers", "numbers that are none: declare a sampler"),
+            false => ("numbers", "integers: declare an isampler or a usampler"),
+        };
+        context.debug.warn(format!(
+            "draw: sampler{uniform} reads {reads}, and the texels of texture {name} are {has}, or give the texture \
+             another internal format; what it reads is undefined (GLSL 1.30, section 8.7)"
+        ));
     }
 }
 

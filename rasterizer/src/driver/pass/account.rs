@@ -1,15 +1,16 @@
-//! How much a draw may ask for by a number alone.
+//! How much a draw may run.
 //!
-//! Vertices that lie in memory are as many as the client has written, so that a draw of them may be as large as it likes.
-//! Instances, and vertices of no array, are a number in a call: 2^31 of them would run for hours. What a draw may run
-//! is decided by what it asks for, before it begins; what it has run is a sum over its vertices, pixels and loops. Both
-//! depend on the draw alone, so that what is left out is the same on every machine.
+//! Vertices that lie in memory are as many as the client has written, so that a draw of them may run long for each, and
+//! cover its target often. Instances, and vertices of no array, are a number in a call: 2^31 of them would run for hours.
+//! What a draw may run is decided by what it asks for, before it begins; what it has run is a sum over its vertices,
+//! pixels and loops. Both depend on the draw alone, so that what is left out is the same on every machine.
 
-use crate::desc::{Antialiasing, PolygonMode, RasterState, VertexBinding, VertexSource};
+use crate::desc::{
+    Antialiasing, PolygonMode, PrimitiveClass, RasterState, VertexBinding, VertexSource,
+};
 use crate::driver::chunk::DrawState;
 use crate::driver::resources::DeviceDesc;
 use crate::plan::DrawPlan;
-use crate::primitive::ShapeKind;
 use crate::raster::{Chunk, DrawBudget};
 use crate::shader::OverBudget;
 use crate::vertex::VertexIds;
@@ -30,11 +31,17 @@ const RUN_VERTICES: u64 = 64;
 /// The operations of a draw that asks for no more than what is allowed: so many times the budget, and at least so many.
 const ALLOWED_BUDGETS: u64 = 64;
 const ALLOWED_OPERATIONS: u64 = 1 << 26;
+/// The operations for each vertex that memory holds, beside [`ALLOWED_BUDGETS`].
+const OPERATIONS_OF_HELD_VERTEX: u64 = 512;
+/// How often a draw that memory holds may cover all of its target, beside them.
+const COVERINGS: u64 = 64;
+/// The same in a frame that has spent its budget.
+const COVERINGS_OF_SPENT_FRAME: u64 = 4;
 /// The batches of vertices that the budget of a draw beyond is divided among.
 const BATCHES: u64 = 1 << 10;
 
 /// Operations of a vertex beside its program: fetch, viewport transform.
-const VERTEX: u64 = 4;
+const VERTEX: u64 = 20;
 /// Operations of a primitive: clipping, culling, binning.
 const PRIMITIVE: u64 = 8;
 /// The same of a polygon that is drawn as lines or points, whether these are seen or not.
@@ -55,8 +62,8 @@ const FRAGMENTS_OF_SMOOTH: u64 = 256;
 /// What a draw asks for, by what holds it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Extent {
-    /// Memory holds it.
-    Held,
+    /// Memory holds it, and so many vertices.
+    Held { vertices: u64 },
     /// A number alone, no larger than scenes have.
     Allowed,
     /// A number alone that no scene has: the draw is taken for one that does not end. Those of a frame share a budget.
@@ -72,7 +79,7 @@ impl Extent {
         let asked = u64::from(vertices) * instances;
         let asked = asked.max(runs.saturating_mul(RUN_VERTICES));
         if asked <= FEW_VERTICES {
-            return Self::Held;
+            return Self::Held { vertices: asked };
         }
         let elements = |binding: &VertexBinding| match &binding.source {
             VertexSource::Array { buffer, stride, divisor, .. } => {
@@ -94,7 +101,7 @@ impl Extent {
         let held = held.min(vertices.into()) + most(true).min(instances);
         let weight = state.batch_cost().div_ceil(SHORT_PROGRAM).max(1);
         if asked <= held * VERTICES_OF_ELEMENT {
-            Self::Held
+            Self::Held { vertices: asked }
         } else if asked.saturating_mul(weight) <= ALLOWED_VERTICES {
             Self::Allowed
         } else {
@@ -105,7 +112,7 @@ impl Extent {
     /// In a frame that has spent its budget, each number alone is one that no scene has.
     pub fn in_spent_frame(self) -> Self {
         match self {
-            Self::Held => Self::Held,
+            Self::Held { .. } => self,
             Self::Allowed | Self::Endless => Self::Endless,
         }
     }
@@ -113,7 +120,7 @@ impl Extent {
     /// What a batch of its vertices may run, of the budget of a frame that has spent some.
     pub fn batch_budget(self, budget: u64, spent: u64) -> u64 {
         match self {
-            Self::Held | Self::Allowed => DeviceDesc::batch_budget_after(budget, spent),
+            Self::Held { .. } | Self::Allowed => DeviceDesc::batch_budget_after(budget, spent),
             Self::Endless => budget.saturating_sub(spent) / BATCHES,
         }
     }
@@ -121,13 +128,13 @@ impl Extent {
     /// What its fragments may run in loops.
     pub fn fragment_budget(self, budget: u64) -> DrawBudget {
         match self {
-            Self::Held | Self::Allowed => DrawBudget::new(budget),
+            Self::Held { .. } | Self::Allowed => DrawBudget::new(budget),
             Self::Endless => DrawBudget::without_free(budget),
         }
     }
 }
 
-/// What a draw of limited operations has left.
+/// What a draw has left.
 pub struct Account {
     left: u64,
     spent: u64,
@@ -138,52 +145,40 @@ pub struct Account {
     fragment_batch: u64,
     primitive: u64,
     shape: u64,
-    /// What each batch of fragments takes beside, of triangles, lines and points.
-    beside: [u64; 3],
 }
 
 impl Account {
-    /// Of a draw that begins; `None` of one that may run as much as it likes.
+    /// Of a draw that begins, in a frame that has left so much of its budget.
     pub fn new(
         extent: Extent,
-        budget: u64,
+        left: u64,
         vertices: u32,
         state: &DrawState<'_>,
         plan: &DrawPlan,
-    ) -> Option<Self> {
-        let left = match extent {
-            Extent::Held => return None,
-            Extent::Allowed => budget.saturating_mul(ALLOWED_BUDGETS).max(ALLOWED_OPERATIONS),
-            Extent::Endless => budget,
+    ) -> Self {
+        let fragment_batch = fragment_batch(state, plan);
+        let allowed = || left.saturating_mul(ALLOWED_BUDGETS);
+        let operations = match extent {
+            Extent::Held { vertices } => {
+                let coverings = if left > 0 { COVERINGS } else { COVERINGS_OF_SPENT_FRAME };
+                let covering = state.batches_of_target().saturating_mul(fragment_batch);
+                let held = vertices.saturating_mul(OPERATIONS_OF_HELD_VERTEX);
+                let held = held.saturating_add(covering.saturating_mul(coverings));
+                held.saturating_add(allowed()).max(ALLOWED_OPERATIONS)
+            }
+            Extent::Allowed => allowed().max(ALLOWED_OPERATIONS),
+            Extent::Endless => left,
         };
-        let fragment = plan.pipeline.compiled().fragment.cost(&plan.textures);
-        let samples = plan.samples.count as u64;
-        let RasterState { polygon, line, point, .. } = &*plan.raster;
-        // Where there are several samples, each is covered or not.
-        let coverage = |of| match of {
-            Antialiasing::Smooth if samples == 1 => FRAGMENTS_OF_SMOOTH,
-            Antialiasing::Smooth | Antialiasing::Aliased => 0,
-        };
-        Some(Self {
-            left,
+        let is_filled = draws_only_filled(state);
+        Self {
+            left: operations,
             spent: 0,
             vertices: vertices.into(),
             vertex_batch: state.batch_cost(),
-            fragment_batch: match plan.samples.is_shaded_each() {
-                true => samples * (FRAGMENTS_OF_SAMPLE + fragment),
-                false => samples * FRAGMENTS + fragment,
-            },
-            primitive: match polygon.mode {
-                [PolygonMode::Fill, PolygonMode::Fill] => PRIMITIVE,
-                [_, _] => OUTLINED_POLYGON,
-            },
-            shape: samples * SHAPE,
-            beside: [
-                coverage(polygon.antialiasing),
-                FRAGMENTS_OF_LINE + coverage(line.antialiasing),
-                coverage(point.antialiasing),
-            ],
-        })
+            fragment_batch,
+            primitive: if is_filled { PRIMITIVE } else { OUTLINED_POLYGON },
+            shape: plan.samples.count as u64 * SHAPE,
+        }
     }
 
     /// Charges a run of primitives of the instances of `state`.
@@ -197,20 +192,11 @@ impl Account {
         chunks: impl Iterator<Item = &'a Chunk>,
     ) -> Result<(), OverBudget> {
         let (mut emitted, mut fragments) = (0, 0_u64);
-        let [triangle, line, point] = self.beside.map(|beside| beside + self.fragment_batch);
-        let line_state = &state.setup.raster.line;
         for chunk in chunks {
             emitted += if state.geometry.is_some() { chunk.geometry.len() as u64 } else { 0 };
-            for shape in chunk.lists.shapes.iter().filter(|shape| shape.has_pixels()) {
-                let batch = match shape.kind {
-                    ShapeKind::Triangle => triangle,
-                    ShapeKind::Line { .. } => line,
-                    ShapeKind::Point { .. } => point,
-                };
-                let batches = shape.batches(line_state);
-                let operations = batches.saturating_mul(batch).saturating_add(self.shape);
-                fragments = fragments.saturating_add(operations);
-            }
+            let of_shapes = (chunk.lists.shapes.len() as u64).saturating_mul(self.shape);
+            let of_batches = chunk.batches.saturating_mul(self.fragment_batch);
+            fragments = fragments.saturating_add(of_shapes).saturating_add(of_batches);
         }
         let (run, all) = (primitives.len() as u64, u64::from(state.primitives.len.max(1)));
         let instances = state.instances.len() as u64;
@@ -238,4 +224,39 @@ impl Account {
         self.spent += operations;
         Ok(())
     }
+}
+
+/// What a draw draws polygons as, if it draws any.
+fn draws_only_filled(state: &DrawState<'_>) -> bool {
+    state.setup.raster.polygon.mode == [PolygonMode::Fill; 2]
+}
+
+/// Operations of a batch of fragments, of the kind of shapes of a draw that takes the longest.
+fn fragment_batch(state: &DrawState<'_>, plan: &DrawPlan) -> u64 {
+    let program = plan.pipeline.compiled().fragment.cost(&plan.textures);
+    let samples = plan.samples.count as u64;
+    let RasterState { polygon, line, point, .. } = &*plan.raster;
+    // Where there are several samples, each is covered or not.
+    let coverage = |of| match of {
+        Antialiasing::Smooth if samples == 1 => FRAGMENTS_OF_SMOOTH,
+        Antialiasing::Smooth | Antialiasing::Aliased => 0,
+    };
+    let of_line = FRAGMENTS_OF_LINE + coverage(line.antialiasing);
+    let beside = match state.pipeline.desc().drawn().class() {
+        PrimitiveClass::Points => coverage(point.antialiasing),
+        PrimitiveClass::Lines => of_line,
+        PrimitiveClass::Polygons => {
+            let of_mode = |mode| match mode {
+                PolygonMode::Fill => coverage(polygon.antialiasing),
+                PolygonMode::Line => of_line,
+                PolygonMode::Point => coverage(point.antialiasing),
+            };
+            polygon.mode.map(of_mode).into_iter().max().unwrap_or(0)
+        }
+    };
+    beside
+        + match plan.samples.is_shaded_each() {
+            true => samples * (FRAGMENTS_OF_SAMPLE + program),
+            false => samples * FRAGMENTS + program,
+        }
 }

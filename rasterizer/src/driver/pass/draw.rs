@@ -206,9 +206,10 @@ impl Pass<'_> {
         jobs.iter_mut().for_each(|job| job.budget = extent.fragment_budget(budget));
         let plan = &self.job.draws[state.draw].plan;
         let mut account = Account::new(extent, left, count, state, plan);
-        let drawn = self.draw_chunks(state, account.as_mut(), report);
-        if let (Extent::Endless, Some(account)) = (extent, account) {
-            report.spent.add(account.spent());
+        let drawn = self.draw_chunks(state, (extent, &mut account), report);
+        match extent {
+            Extent::Endless => report.spent.add(account.spent()),
+            Extent::Held { .. } | Extent::Allowed => {}
         }
         drawn
     }
@@ -217,13 +218,11 @@ impl Pass<'_> {
     fn draw_chunks(
         &mut self,
         state: &mut DrawState<'_>,
-        mut account: Option<&mut Account>,
+        (extent, account): (Extent, &mut Account),
         report: &mut SubmitReport,
     ) -> Result<bool, OverBudget> {
         // Of a draw that has nothing left, no chunk is made.
-        if let Some(account) = &mut account {
-            account.spend(1)?;
-        }
+        account.spend(1)?;
         let mut is_visible = false;
         let (instances, instances_per_chunk) =
             (state.instances.clone(), state.instances_per_chunk());
@@ -235,16 +234,18 @@ impl Pass<'_> {
                 let range = start..state.primitives.len.min(start + state.run_len());
                 start = range.end;
                 let chunks = state.chunks(range.clone())?;
-                if let Some(account) = &mut account {
-                    account.charge(state, range, chunks.iter().map(|(chunk, _)| chunk))?;
-                }
+                account.charge(state, range, chunks.iter().map(|(chunk, _)| chunk))?;
                 is_visible |= self.bin_chunks(chunks);
                 if self.shapes >= BINS_FULL {
                     self.run_tiles(report);
-                    if let Some(account) = &mut account {
-                        let jobs = self.job.draws[state.draw..].iter_mut();
-                        let looped = jobs.map(|job| std::mem::take(&mut job.budget.looped));
-                        account.spend(looped.fold(0, u64::saturating_add))?;
+                    match extent {
+                        // Loops of their fragments have a budget of their own.
+                        Extent::Held { .. } => {}
+                        Extent::Allowed | Extent::Endless => {
+                            let jobs = self.job.draws[state.draw..].iter_mut();
+                            let looped = jobs.map(|job| std::mem::take(&mut job.budget.looped));
+                            account.spend(looped.fold(0, u64::saturating_add))?;
+                        }
                     }
                 }
             }
