@@ -17,8 +17,6 @@ pub struct Feature {
     pub asked_frame: fn(),
     /// What its plan has to say.
     pub rule: Rule,
-    /// How far bytes of the two pictures may lie apart: 0 but where another formula with another rounding has a say.
-    pub tolerance: u8,
 }
 
 /// What the plan of a feature has to say.
@@ -62,16 +60,7 @@ impl Feature {
         frame: fn(),
     ) -> Self {
         let rule = Rule::SameWork;
-        Self {
-            name,
-            what,
-            plain,
-            asked,
-            plain_frame: frame,
-            asked_frame: frame,
-            rule,
-            tolerance: 0,
-        }
+        Self { name, what, plain, asked, plain_frame: frame, asked_frame: frame, rule }
     }
 
     /// A feature of what a frame calls.
@@ -83,25 +72,11 @@ impl Feature {
         asked_frame: fn(),
     ) -> Self {
         let rule = Rule::SameWork;
-        Self {
-            name,
-            what,
-            plain: setup,
-            asked: setup,
-            plain_frame,
-            asked_frame,
-            rule,
-            tolerance: 0,
-        }
+        Self { name, what, plain: setup, asked: setup, plain_frame, asked_frame, rule }
     }
 
     /// With work that the plan shows, for this reason.
     pub const fn because(self, reason: Reason) -> Self {
         Self { rule: Rule::MoreWork(reason), ..self }
-    }
-
-    /// With bytes that may lie so far apart.
-    pub const fn within(self, tolerance: u8) -> Self {
-        Self { tolerance, ..self }
     }
 }

@@ -26,8 +26,6 @@ pub struct Row {
     pub different: usize,
     /// How far they lie apart at most.
     pub largest: u8,
-    /// How far they may.
-    pub tolerance: u8,
     /// What the plan says.
     pub plan: PlanFound,
     /// Why the plan may do more.
@@ -38,7 +36,7 @@ impl Row {
     /// Whether pictures are equal and the plan does no more than it may.
     pub fn passes(&self) -> bool {
         let is_left_out = self.plan == PlanFound::SameWork || self.allowance.is_some();
-        self.largest <= self.tolerance && is_left_out
+        self.different == 0 && is_left_out
     }
 }
 
@@ -142,7 +140,6 @@ pub fn measure(feature: &Feature, rounds: usize) -> Result<Row, ProbeError> {
         peers: Vec::new(),
         different,
         largest,
-        tolerance: feature.tolerance,
         plan,
         allowance: match feature.rule {
             Rule::SameWork => None,

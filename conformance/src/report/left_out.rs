@@ -23,10 +23,7 @@ fn judgement(row: &Row) -> String {
 fn pictures(row: &Row) -> String {
     match row.different {
         0 => "equal".to_owned(),
-        count => {
-            let word = if row.largest > row.tolerance { "DIFFER" } else { "differ" };
-            format!("{count} bytes {word} by {}", row.largest)
-        }
+        count => format!("{count} bytes DIFFER by {}", row.largest),
     }
 }
 

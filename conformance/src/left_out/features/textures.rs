@@ -20,9 +20,7 @@ pub(super) const LIST: &[Feature] = &[
         },
         draw_quad,
     )
-    .because(Reason::DecidedPerBlock)
-    // The anisotropic filter's weights are multiples of 2^-14.
-    .within(1),
+    .because(Reason::DecidedPerBlock),
     Feature::state(
         "anisotropy-face-on",
         "anisotropy 16 where the texture is minified face on",

@@ -5,7 +5,7 @@ use crate::base::limits;
 use crate::base::types::*;
 use crate::context::Context;
 use crate::state::blend::{BLEND_EQUATION, FACTOR, Formula};
-use crate::state::draw_buffers::{BufferStates, buffer_index};
+use crate::state::draw_buffers::buffer_index;
 use std::ops::Range;
 
 /// The draw buffers that a call is about.
@@ -28,18 +28,17 @@ impl Buffers {
     }
 }
 
-/// Changes the formulas of these buffers.
-fn set_formulas(
-    context: &mut Context,
-    buffers: Range<usize>,
-    formula: impl Fn(Formula) -> Formula,
-) {
-    let set = |states: &mut BufferStates| {
-        for state in &mut states[buffers] {
-            state.formula = formula(state.formula);
-        }
-    };
-    context.change_plain(|state| &mut state.fragment.buffers, set);
+/// Changes the formulas of these buffers, and notes whether any is another one then.
+fn set_formulas(context: &mut Context, buffers: Range<usize>, change: impl Fn(Formula) -> Formula) {
+    let mut is_same = true;
+    for state in &mut context.state.fragment.buffers[buffers] {
+        let formula = change(state.formula);
+        is_same &= formula == state.formula;
+        state.formula = formula;
+    }
+    if is_same {
+        context.state_changes.no_change();
+    }
 }
 
 /// Sets the factors: of the source and the destination, for colour, then for alpha.
