@@ -17,11 +17,13 @@ mod bitmaps;
 mod blend;
 mod blending;
 mod blits;
+mod buffer_textures;
 mod buffers;
 mod builtin;
 mod color_sum;
 mod combine;
 mod combined_pictures;
+mod completeness;
 mod compressed;
 mod computed_pictures;
 mod coverage;
@@ -379,6 +381,8 @@ pub const CHAPTERS: &[Chapter] = &[
     ("Built-in functions", &builtin::ULP),
     ("Constant exponents", &[powers::OF_FLOATS, powers::OF_TEXELS]),
     ("Numbers in words", &packing::ALL),
+    ("Completeness", &[completeness::MIPMAPS]),
+    ("Textures of buffers", &[buffer_textures::FETCH]),
     ("Where built-in functions end", &[builtin::EXTREMES]),
 ];
 

@@ -321,6 +321,8 @@ pub enum Mutation {
     LodOfSegmentAsPolygon,
     LodOfPointIsNone,
     SecondUnitIsFirst,
+    LevelSizesIgnored,
+    LevelFormatsIgnored,
 }
 
 /// Whether the oracles are correct or have one mistake.

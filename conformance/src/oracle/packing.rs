@@ -56,7 +56,7 @@ impl Packing {
 }
 
 /// The number of a half's bits (OpenGL ES 3.0, section 2.1.2).
-fn half(code: u16, variant: Variant) -> f64 {
+pub fn half(code: u16, variant: Variant) -> f64 {
     let sign = if code >> 15 == 1 { -1.0 } else { 1.0 };
     let (exponent, mantissa) = (i32::from(code >> 10 & 31), f64::from(code & 1023));
     let magnitude = match (exponent, mantissa == 0.0) {
