@@ -106,9 +106,9 @@ enum Command {
     Judged(judge::Task),
 }
 
-/// A part of what this program does.
+/// A section of what this program reports.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Part {
+enum ReportSection {
     Formulas,
     SelfTest,
     ErrorVsTime,
@@ -117,7 +117,7 @@ enum Part {
     Peers,
 }
 
-impl Part {
+impl ReportSection {
     /// Its name in the JSON of all.
     fn key(self) -> &'static str {
         match self {
@@ -228,7 +228,7 @@ impl Args {
     /// Prints a table, or JSON; the JSON of a part of `all` is kept.
     fn print(
         &self,
-        part: Part,
+        part: ReportSection,
         table: impl FnOnce() -> String,
         found: &impl Serialize,
     ) -> Result<(), Failure> {
@@ -292,7 +292,7 @@ impl Args {
             })
             .collect();
         bar.finish_and_clear();
-        self.print(Part::Formulas, || report::table(self.layout(), &outcomes), &outcomes)?;
+        self.print(ReportSection::Formulas, || report::table(self.layout(), &outcomes), &outcomes)?;
         if !self.json {
             let pictures =
                 if self.only.is_none() { filter_pictures::pictures()? } else { Vec::new() };
@@ -335,7 +335,11 @@ impl Args {
         let bar = bar(rows.len());
         let trials = self_test::run_with(Subject::Driver, &rows, &|| bar.inc(1));
         bar.finish_and_clear();
-        self.print(Part::SelfTest, || report::trials_table(self.layout(), &trials), &trials)?;
+        self.print(
+            ReportSection::SelfTest,
+            || report::trials_table(self.layout(), &trials),
+            &trials,
+        )?;
         if !self.json {
             let page = self.page("self-test");
             report::trials_page(&self.out, &page, &trials)?;
@@ -389,7 +393,7 @@ impl Args {
             tables.into_iter().flatten().collect::<Vec<_>>().join("\n")
         };
         self.print(
-            Part::ErrorVsTime,
+            ReportSection::ErrorVsTime,
             table,
             &Tradeoff { scenes: &measured.rows, choices: &chosen, functions: &functions },
         )?;
@@ -420,7 +424,11 @@ impl Args {
             })
             .collect();
         bar.finish_and_clear();
-        self.print(Part::Extremes, || report::sweeps_table(self.layout(), &swept), &swept)?;
+        self.print(
+            ReportSection::Extremes,
+            || report::sweeps_table(self.layout(), &swept),
+            &swept,
+        )?;
         if !self.json {
             let page = self.page("extremes");
             report::sweeps_page(&self.out, &page, &swept)?;
@@ -429,7 +437,7 @@ impl Args {
         Ok(vec![Count::of(&swept, "sweeps pass", SweepOutcome::passes)])
     }
 
-    /// What is left out, and what the same costs in other libraries: those of `--driver`, or llvmpipe where it is there.
+    /// The features of `left-out`, timed in other libraries, too: those of `--driver`, or llvmpipe where it is installed.
     fn left_out_beside_others(&self) -> Counted {
         let drivers = match &self.driver[..] {
             [] => Vec::from_iter(Driver::open("llvmpipe").ok()),
@@ -462,7 +470,11 @@ impl Args {
         }
         bar.finish_and_clear();
         let names: Vec<&str> = drivers.iter().map(|driver| driver.name.as_str()).collect();
-        self.print(Part::LeftOut, || report::left_out_table(self.layout(), &rows, &names), &rows)?;
+        self.print(
+            ReportSection::LeftOut,
+            || report::left_out_table(self.layout(), &rows, &names),
+            &rows,
+        )?;
         if !self.json {
             let page = self.page("left-out");
             report::left_out_page(&self.out, &page, &rows, &names)?;
@@ -484,7 +496,7 @@ impl Args {
             bar.tick();
         })?;
         bar.finish_and_clear();
-        self.print(Part::Peers, || peers::table(self.layout(), &comparison), &comparison)?;
+        self.print(ReportSection::Peers, || peers::table(self.layout(), &comparison), &comparison)?;
         if !self.json {
             let subject = self.page("peers");
             let name = subject.file().trim_end_matches(".html");

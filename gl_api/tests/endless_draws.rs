@@ -203,14 +203,19 @@ fn draws_that_memory_holds_end_and_the_context_goes_on() {
         let mut c = Context::new(desc).expect("a context");
         c.enable(GL_BLEND);
         c.blend_func(GL_ONE, GL_ONE);
-        let start = CpuTime::begin();
-        draw(&mut c);
-        c.finish();
-        let elapsed = start.elapsed();
-        println!("{name}: {elapsed:?}");
-        assert!(elapsed < SOON, "{name}: {elapsed:?}");
-        assert_eq!((stops(&mut c), c.get_error()), (1, GL_NO_ERROR), "{name}: {:?}", c.messages());
+        stops_soon(name, &mut c, draw);
     }
+}
+
+/// Draws, which takes no longer than it may and is stopped once.
+fn stops_soon(name: &str, c: &mut Context, draw: impl Fn(&mut Context)) {
+    let start = CpuTime::begin();
+    draw(c);
+    c.finish();
+    let elapsed = start.elapsed();
+    println!("{name}: {elapsed:?}");
+    assert!(elapsed < SOON, "{name}: {elapsed:?}");
+    assert_eq!((stops(c), c.get_error()), (1, GL_NO_ERROR), "{name}: {:?}", c.messages());
 }
 
 fn stops(c: &mut Context) -> usize {
@@ -221,13 +226,7 @@ fn stops(c: &mut Context) -> usize {
 fn they_end_soon_and_the_context_goes_on() {
     for (name, draw) in ENDLESS {
         let mut c = context(2, Isa::best());
-        let start = CpuTime::begin();
-        draw(&mut c);
-        c.finish();
-        let elapsed = start.elapsed();
-        println!("{name}: {elapsed:?}");
-        assert!(elapsed < SOON, "{name}: {elapsed:?}");
-        assert_eq!((stops(&mut c), c.get_error()), (1, GL_NO_ERROR), "{name}: {:?}", c.messages());
+        stops_soon(name, &mut c, draw);
         c.use_program(0);
         c.color_3f(0.0, 1.0, 0.0);
         c.rectf(-1.0, -1.0, 1.0, 1.0);

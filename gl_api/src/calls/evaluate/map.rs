@@ -53,7 +53,7 @@ impl Axis {
     }
 }
 
-/// Takes a map's control points. What lies between them is the client's: strides of gigabytes take no memory.
+/// Copies a map's control points. The numbers between them, of which a large stride has many, are not copied.
 fn set<T: Copy + Into<f64>>(
     context: &mut Context,
     name: EvaluatorName,

@@ -4,7 +4,7 @@ use crate::base::args::Data;
 use crate::base::error::{Result, invalid_operation};
 use crate::base::types::*;
 use crate::calls::texture::specify::kinds_match;
-use crate::calls::texture::stored_level::{Owner, StoredLevel, UnitBox};
+use crate::calls::texture::stored_level::{Owner, StoredLevel, UnitBox, check_box};
 use crate::context::Context;
 use crate::objects::target::TextureTarget;
 use crate::pixel::client::Pixel;
@@ -79,19 +79,8 @@ fn unit_box(target: TextureTarget, stored: &StoredLevel, area: ClearedArea) -> R
         }
         ClearedArea::Box { at, size } => (target.level_box(at), target.level_box(size)),
     };
-    for axis in 0..3 {
-        let (from, side) = (i64::from(at[axis]), i64::from(size[axis]));
-        let (low, high) =
-            (-i64::from(border[axis]), i64::from(stored.size[axis]) + i64::from(border[axis]));
-        if side < 0 || from < low || from + side > high {
-            let letter = ["x", "y", "z"][axis];
-            return invalid_operation(
-                SECTION,
-                format!(
-                    "{side} texels along {letter} from {from} on reach outside {low} to {high}"
-                ),
-            );
-        }
+    if let Err(rule) = check_box([at, size], stored.size, stored.border) {
+        return invalid_operation(SECTION, rule);
     }
     Ok(UnitBox { at, size: size.map(|side| side as usize) })
 }

@@ -3,6 +3,7 @@
 
 use crate::base::error::{Result, invalid_value};
 use crate::base::types::*;
+use crate::calls::texture::stored_level::check_box;
 use crate::context::Context;
 use crate::objects::target::{TextureTarget, checked_level};
 
@@ -45,16 +46,5 @@ pub(crate) fn invalidate_tex_sub_image(
     }
     let at = target.level_box([xoffset, yoffset, zoffset]);
     let size = target.level_box([width, height, depth]);
-    for axis in 0..3 {
-        let (from, size) = (i64::from(at[axis]), i64::from(size[axis]));
-        let (side, border) = (i64::from(sides[axis]), i64::from(border[axis]));
-        if size < 0 || from < -border || from + size > side + border {
-            let (letter, low, high) = (["x", "y", "z"][axis], -border, side + border);
-            let rule = format!(
-                "{size} texels along {letter} from {from} on reach outside {low} to {high}"
-            );
-            return invalid_value(SECTION, rule);
-        }
-    }
-    Ok(())
+    check_box([at, size], sides, border).or_else(|rule| invalid_value(SECTION, rule))
 }

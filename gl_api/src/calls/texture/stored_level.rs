@@ -39,6 +39,29 @@ pub(crate) struct UnitBox {
     pub size: [usize; 3],
 }
 
+/// Whether a box, of texels from `at` on, lies within a level of this size and its border.
+///
+/// # Errors
+/// What reaches outside.
+pub(crate) fn check_box(
+    [at, size]: [[i32; 3]; 2],
+    sides: [u32; 3],
+    border: [u32; 3],
+) -> Result<(), String> {
+    for axis in 0..3 {
+        let (from, texels) = (i64::from(at[axis]), i64::from(size[axis]));
+        let border = i64::from(border[axis]);
+        let (low, high) = (-border, i64::from(sides[axis]) + border);
+        if texels < 0 || from < low || from + texels > high {
+            let letter = ["x", "y", "z"][axis];
+            return Err(format!(
+                "{texels} texels along {letter} from {from} on reach outside {low} to {high}"
+            ));
+        }
+    }
+    Ok(())
+}
+
 /// A layer's sample: which face, and which slice of it.
 struct Slice {
     face: usize,

@@ -3,7 +3,7 @@
 //! Vertices that lie in memory are as many as the client has written, so that a draw of them may run long for each, and
 //! cover its target often. Instances, and vertices of no array, are a number in a call: 2^31 of them would run for hours.
 //! What a draw may run is decided by what it asks for, before it begins; what it has run is a sum over its vertices,
-//! pixels and loops. Both depend on the draw alone, so that what is left out is the same on every machine.
+//! pixels and loops. Both depend on the draw alone, so that the same primitives are left out on every machine.
 
 use crate::desc::{
     Antialiasing, PolygonMode, PrimitiveClass, RasterState, VertexBinding, VertexSource,
