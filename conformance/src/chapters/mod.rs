@@ -51,6 +51,7 @@ mod lecture;
 mod level;
 mod line_ties;
 mod lines;
+mod lists;
 mod lod;
 mod lod_query;
 mod lod_segments;
@@ -73,6 +74,7 @@ mod projection;
 mod provoking;
 mod pyramid;
 mod sample_shading;
+mod sampled_rects;
 mod sampler_object;
 mod samples;
 mod scale_image;
@@ -83,6 +85,7 @@ mod shadow;
 mod shadow_array;
 mod small_floats;
 mod srgb;
+mod stencil_regions;
 mod stiff_matrices;
 mod stores;
 mod swizzle_paths;
@@ -272,6 +275,7 @@ pub const CHAPTERS: &[Chapter] = &[
             sample_shading::DEPTH_ONLY,
             buffers::STENCIL_FACES,
             buffers::STENCIL_CLEAR,
+            stencil_regions::REGIONS,
             buffers::QUERY,
             buffers::CONDITIONAL,
         ],
@@ -286,6 +290,7 @@ pub const CHAPTERS: &[Chapter] = &[
             multisample::LINES,
             multisample::POINTS,
             multisample::FADE,
+            sampled_rects::RECTS,
             sample_shading::SHADING,
         ],
     ),
@@ -316,6 +321,8 @@ pub const CHAPTERS: &[Chapter] = &[
             transforms::VIEWPORT,
             transforms::RASTER_POSITION,
             transforms::SELECTION,
+            lists::CALLS,
+            lists::MEMORY,
             shading::TWO_SIDED,
             shading::COLOR_MATERIAL,
             shading::SEPARATE_SPECULAR,

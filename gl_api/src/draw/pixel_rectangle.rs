@@ -8,18 +8,20 @@ use crate::base::error::{ErrorCode, GlError, Result};
 use crate::context::Context;
 use crate::context::recorder::elements::Elements;
 use crate::context::recorder::pixel_rectangle::{
-    Key, PixelRectangle, RectangleContent, ReplacedValue,
+    Key, PixelRectangle, RectangleContent, RectangleSamples, ReplacedValue,
 };
 use crate::context::recorder::stages::Stages;
-use crate::draw::completeness::draw_pass;
+use crate::draw::completeness::{draw_pass, samples};
 use crate::draw::pass::drawn_area;
-use crate::draw::pixel_zoom::Zoomed;
+use crate::draw::pixel_zoom::{CENTRE, Zoomed};
 use crate::draw::record::draw_rectangle;
 use crate::generate::fixed::cached;
 use crate::interface::*;
+use crate::state::enable::Flag;
 use crate::state::raster_position::RasterPosition;
 use rasterizer::driver::{
-    Buffer, PixelMask, Rect, ShaderModule, VertexBinding, VertexFormat, VertexSource, VertexType,
+    Buffer, PassDesc, PixelMask, Rect, ShaderModule, VertexBinding, VertexFormat, VertexSource,
+    VertexType, sample_positions,
 };
 use rasterizer::ir::{
     Builder, Expr, Input, IrError, Lod, Module, Op, Output, Stage, Stmt, TextureDecl, Ty, Value,
@@ -47,8 +49,41 @@ pub(crate) fn draw<'a>(
         return Ok(());
     }
     let area = drawn_area(context, &pass);
-    let Some(zoomed) = Zoomed::new(context, size, area) else { return Ok(()) };
-    let plan = image(&zoomed, format, row).map_err(|error| {
+    let offsets = sample_offsets(context);
+    let shown = |offset: &[f64; 2]| Zoomed::new(context, size, area, *offset);
+    let zoomed: Vec<Option<Zoomed>> = offsets.iter().map(shown).collect();
+    if zoomed.iter().all(|of_sample| *of_sample == zoomed[0]) {
+        let of = (&pass, RectangleSamples::All);
+        return zoomed[0]
+            .iter()
+            .try_for_each(|of_all| draw_zoomed(context, of, of_all, (replaces, format), row));
+    }
+    (0..).zip(&zoomed).try_for_each(|(sample, of_sample)| {
+        let of = (&pass, RectangleSamples::One(sample));
+        of_sample
+            .iter()
+            .try_for_each(|of_sample| draw_zoomed(context, of, of_sample, (replaces, format), row))
+    })
+}
+
+/// The points of a pixel that show pixels of rectangles, each by itself: its samples, or its centre.
+fn sample_offsets(context: &Context) -> Vec<[f64; 2]> {
+    let count = samples(context, context.state.bindings.draw_framebuffer);
+    if count <= 1 || !context.state.enables.has(Flag::Multisample) {
+        return vec![CENTRE];
+    }
+    sample_positions(count).iter().map(|position| position.map(f64::from)).collect()
+}
+
+/// Draws what some samples show of a rectangle.
+fn draw_zoomed<'a>(
+    context: &mut Context,
+    (pass, samples): (&PassDesc, RectangleSamples),
+    zoomed: &Zoomed,
+    (replaces, format): (ReplacedValue, Format),
+    row: &dyn Fn(usize) -> Cow<'a, [u8]>,
+) -> Result<()> {
+    let plan = image(zoomed, format, row).map_err(|error| {
         GlError::new(ErrorCode::OutOfMemory, "GL 2.1, section 3.6.4", error.to_string())
     })?;
     context.recorder.hold(zoomed.columns.len() * zoomed.rows.len() * format.bytes());
@@ -57,6 +92,7 @@ pub(crate) fn draw<'a>(
     let rectangle = PixelRectangle {
         content: RectangleContent::Image { replaces, plan: Arc::new(plan), origin: [x, y] },
         depth: position.window[2] as f32,
+        samples,
     };
     let (width, height) = (zoomed.columns.len() as u32, zoomed.rows.len() as u32);
     let area = std::iter::once(Rect { x, y, width, height });
@@ -83,7 +119,8 @@ pub(crate) fn draw_mask(
     let vertices = vertices(position, mask.areas(), [pass.width, pass.height]);
     let elements = Elements::Range { first: 0, count, instances: 0..1 };
     let content = RectangleContent::Mask(Arc::clone(mask));
-    let rectangle = PixelRectangle { content, depth: position.window[2] as f32 };
+    let depth = position.window[2] as f32;
+    let rectangle = PixelRectangle { content, depth, samples: RectangleSamples::All };
     draw_rectangle(context, vertices, &elements, &rectangle)
 }
 

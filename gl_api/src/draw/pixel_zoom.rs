@@ -1,4 +1,5 @@
-//! Pixel zoom: which pixel of a rectangle each pixel of the framebuffer gets (GL 2.1, section 3.6.4).
+//! Pixel zoom: which pixel of a rectangle each pixel of the framebuffer gets (GL 2.1, section 3.6.4), or each of its
+//! samples (section 3.6.6).
 
 use crate::context::Context;
 use rasterizer::driver::Rect;
@@ -13,27 +14,30 @@ pub(crate) struct Axis {
 }
 
 impl Axis {
-    /// Which pixel of the rectangle has the centre of this pixel of the window. A centre on a left
-    /// or lower edge counts, one on a right or upper edge does not.
-    fn source(self, pixel: i32) -> Option<usize> {
-        let along = (f64::from(pixel) + 0.5 - self.start) / self.zoom;
+    /// Which pixel of the rectangle has a point of this pixel of the window, which lies at `offset` in it. A point on a
+    /// left or lower edge counts, one on a right or upper edge does not.
+    fn source(self, pixel: i32, offset: f64) -> Option<usize> {
+        let along = (f64::from(pixel) + offset - self.start) / self.zoom;
         // Of a mirrored rectangle, the left edge is where a pixel ends.
         let index = if self.zoom > 0.0 { along.floor() } else { along.ceil() - 1.0 };
         (index >= 0.0 && index < self.count as f64).then_some(index as usize)
     }
 
-    /// The pixels of the window from `first` to before `end` that get any, in order: the first of
+    /// The pixels of the window from `first` to before `end` that get any at `offset`, in order: the first of
     /// them and the pixel of the rectangle for each.
-    fn taps(self, first: i32, end: i32) -> (i32, Vec<usize>) {
+    fn taps(self, first: i32, end: i32, offset: f64) -> (i32, Vec<usize>) {
         let (a, b) = (self.start, self.start + self.zoom * self.count as f64);
         let low = (a.min(b).floor().max(f64::from(first)) as i32).min(end);
         let high = (a.max(b).ceil().min(f64::from(end)) as i32).max(low);
         let taps: Vec<(i32, usize)> =
-            (low..high).filter_map(|pixel| Some((pixel, self.source(pixel)?))).collect();
+            (low..high).filter_map(|pixel| Some((pixel, self.source(pixel, offset)?))).collect();
         let start = taps.first().map_or(low, |tap| tap.0);
         (start, taps.into_iter().map(|tap| tap.1).collect())
     }
 }
+
+/// Where the centre of a pixel lies in it.
+pub(crate) const CENTRE: [f64; 2] = [0.5; 2];
 
 /// A rectangle as the window shows it.
 #[derive(Clone, Debug, PartialEq)]
@@ -47,9 +51,9 @@ pub(crate) struct Zoomed {
 }
 
 impl Zoomed {
-    /// A rectangle of this size at the raster position, within an area of the window; `None` where
-    /// nothing of it is seen.
-    pub fn new(context: &Context, size: [usize; 2], area: Rect) -> Option<Self> {
+    /// A rectangle of this size at the raster position, within an area of the window, as the points of its pixels show
+    /// it that lie at `offset` in them; `None` where nothing of it is seen.
+    pub fn new(context: &Context, size: [usize; 2], area: Rect, offset: [f64; 2]) -> Option<Self> {
         let position = &context.state.raster_position.window;
         let axis = |axis: usize| Axis {
             start: position[axis],
@@ -57,8 +61,8 @@ impl Zoomed {
             count: size[axis],
         };
         let end = |start: i32, size: u32| start + size as i32;
-        let (x, columns) = axis(0).taps(area.x, end(area.x, area.width));
-        let (y, rows) = axis(1).taps(area.y, end(area.y, area.height));
+        let (x, columns) = axis(0).taps(area.x, end(area.x, area.width), offset[0]);
+        let (y, rows) = axis(1).taps(area.y, end(area.y, area.height), offset[1]);
         (!columns.is_empty() && !rows.is_empty()).then_some(Self { origin: [x, y], columns, rows })
     }
 }
@@ -78,7 +82,7 @@ mod tests {
             (2.0, 0.5, 9),
         ] {
             let axis = Axis { start, zoom, count };
-            let (first, taps) = axis.taps(0, 20);
+            let (first, taps) = axis.taps(0, 20, 0.5);
             for pixel in 0..20 {
                 let centre = f64::from(pixel) + 0.5;
                 let covers = |i: &usize| {

@@ -20,8 +20,9 @@ use crate::interface::ATTRIB_EDGE_FLAG;
 use crate::objects::programs::Linked;
 use crate::state::enable::Flag;
 use rasterizer::driver::{
-    Antialiasing, Cull, DepthWrite, FrontFace, PassDesc, PipelineDesc, PolygonState,
-    PolygonSubject, Provoking, RasterState, SampleRule, Topology, VertexBinding, VertexSource,
+    Antialiasing, Cull, DepthWrite, FrontFace, MultisampleState, PassDesc, PipelineDesc,
+    PolygonState, PolygonSubject, Provoking, RasterState, SampleRule, Topology, VertexBinding,
+    VertexSource,
 };
 use rasterizer::ir::{GeometryInput, GeometryOutput};
 use texunit::format::Format;
@@ -135,6 +136,8 @@ pub(crate) fn draw_rectangle(
     let reads = Reads { keys: None, ..reads };
     let viewport = rectangle_viewport(&pass, rectangle.depth);
     let multisample = multisample_state(context, SampleRule::Center);
+    let mask = rectangle.samples.masked(multisample.mask);
+    let multisample = MultisampleState { mask, ..multisample };
     let polygon = PolygonState {
         subject: PolygonSubject::PixelRectangle,
         stipple: rectangle.stipple(),

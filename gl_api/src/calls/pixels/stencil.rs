@@ -7,7 +7,7 @@ use crate::context::Context;
 use crate::context::window::format_of;
 use crate::draw::completeness::draw_pass;
 use crate::draw::pass::drawn_area;
-use crate::draw::pixel_zoom::Zoomed;
+use crate::draw::pixel_zoom::{CENTRE, Zoomed};
 use crate::pixel::convert::Conversion;
 use crate::pixel::scratch::scratch;
 use crate::pixel::texel;
@@ -32,7 +32,7 @@ pub(crate) fn draw(
     let (Some(to), true) = (pass.depth, context.state.raster_position.valid) else {
         return Ok(());
     };
-    let Some(zoomed) = Zoomed::new(context, size, area) else { return Ok(()) };
+    let Some(zoomed) = Zoomed::new(context, size, area, CENTRE) else { return Ok(()) };
     context.depth_stencil_copied();
     let mask = context.state.fragment.stencil.active().write_mask as u8;
     update_attachment_texels(context, &to, |level, first, _| {

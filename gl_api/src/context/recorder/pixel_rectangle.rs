@@ -29,6 +29,25 @@ pub(crate) struct PixelRectangle {
     pub content: RectangleContent,
     /// Depth of the fragments, where an image has none.
     pub depth: f32,
+    pub samples: RectangleSamples,
+}
+
+/// The samples that are drawn to. Zoomed pixels may cover some samples of a pixel and not others (GL 2.1, section 3.6.6).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum RectangleSamples {
+    All,
+    /// The one with this number.
+    One(u8),
+}
+
+impl RectangleSamples {
+    /// Those that are left of a sample mask.
+    pub fn masked(self, mask: u32) -> u32 {
+        match self {
+            Self::All => mask,
+            Self::One(sample) => mask & 1 << sample,
+        }
+    }
 }
 
 /// Where the fragments of a rectangle come from.
