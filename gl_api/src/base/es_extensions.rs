@@ -16,6 +16,7 @@ pub const EXTENSIONS_OF_ES: &[&str] = &[
     "GL_EXT_float_blend",
     "GL_EXT_frag_depth",
     "GL_EXT_map_buffer_range",
+    "GL_EXT_multisampled_render_to_texture",
     "GL_EXT_occlusion_query_boolean",
     "GL_EXT_polygon_offset_clamp",
     "GL_EXT_read_format_bgra",
