@@ -21,6 +21,7 @@ pub const EXTENSIONS_OF_ES: &[&str] = &[
     "GL_EXT_polygon_offset_clamp",
     "GL_EXT_read_format_bgra",
     "GL_EXT_robustness",
+    "GL_EXT_sRGB",
     "GL_EXT_sRGB_write_control",
     "GL_EXT_shader_texture_lod",
     "GL_EXT_texture_border_clamp",
