@@ -204,7 +204,7 @@ fn commands(text: &str) -> CommandBuffer {
     CommandBuffer {
         commands: vec![
             Command::BeginPass(PassDesc {
-                colors: vec![Some(Attachment { image: Image::new(target), face: 0, level: 0 })],
+                colors: vec![Some(Attachment::new(Image::new(target), 0, 0))],
                 depth: None,
                 width: SIZE,
                 height: SIZE,

@@ -248,7 +248,7 @@ fn commands(scene: &Scene, texels: &Texels, target: Image) -> CommandBuffer {
     CommandBuffer {
         commands: vec![
             Command::BeginPass(PassDesc {
-                colors: vec![Some(Attachment { image: target, face: 0, level: 0 })],
+                colors: vec![Some(Attachment::new(target, 0, 0))],
                 depth: None,
                 width: SIZE,
                 height: SIZE,

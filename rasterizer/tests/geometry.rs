@@ -294,7 +294,7 @@ fn each_primitive_goes_to_the_layer_of_its_provoking_vertex() {
         .collect();
     for device in devices() {
         let image = layered(LAYERS.into());
-        let color = Some(Attachment { image: image.clone(), face: 0, level: 0 });
+        let color = Some(Attachment::new(image.clone(), 0, 0));
         let mut commands = vec![
             Command::BeginPass(PassDesc {
                 colors: vec![color],

@@ -150,10 +150,7 @@ fn one_draw_writes_several_targets() {
     let module = ShaderModule::new(b.finish()).expect("valid");
     let mut desc = pipeline(vertex(0), module);
     desc.colors = vec![ColorState { blend: None, mask: [true; 4] }; 2];
-    let colors = targets
-        .iter()
-        .map(|image| Some(Attachment { image: image.clone(), face: 0, level: 0 }))
-        .collect();
+    let colors = targets.iter().map(|image| Some(Attachment::new(image.clone(), 0, 0))).collect();
     let mut commands = vec![
         Command::BeginPass(PassDesc {
             colors,
@@ -186,7 +183,7 @@ fn depth_formats_store_the_nearest_depth_of_a_pass_without_colour() {
         let mut desc = pipeline(vertex(0), constant([1.0; 4]));
         desc.colors.clear();
         desc.depth = Some(DepthState { test: Compare::Less, write: DepthWrite::On });
-        let attachment = Attachment { image: depth.clone(), face: 0, level: 0 };
+        let attachment = Attachment::new(depth.clone(), 0, 0);
         let desc_pass = PassDesc {
             colors: Vec::new(),
             depth: Some(attachment),
@@ -251,7 +248,7 @@ fn faces_and_levels_of_one_image_are_drawn_to_one_after_another() {
             let size = 8 >> level;
             let value = f32::from(face * 2 + u16::from(level) + 1) * 10.0 / 255.0;
             let desc = pipeline(vertex(0), constant([value; 4]));
-            let attachment = Attachment { image: cube.clone(), face, level };
+            let attachment = Attachment::new(cube.clone(), face, level);
             let mut commands = vec![
                 Command::BeginPass(PassDesc {
                     colors: vec![Some(attachment)],

@@ -289,10 +289,10 @@ fn rows_of_every_sample_hold_what_it_holds() {
             assert_eq!(got, f32::from(u8::from(covered)).to_le_bytes(), "{x} {y} {sample}");
         }
         // Given back with other texels, the samples are those.
-        let mut samples = target.each_sample(0, 0).expect("there");
+        let attachment = Attachment::new(target.clone(), 0, 0);
+        let mut samples = attachment.each_sample().expect("there");
         assert_eq!(samples.texels, rows.texels);
         samples.write_box([3, 4, 2], [1; 3], &7.0_f32.to_le_bytes()).expect("within");
-        let attachment = Attachment { image: target.clone(), face: 0, level: 0 };
         device.set_each_sample(&attachment, &samples);
         let texels = target.texels();
         assert_eq!(texels.level(0, 0).expect("there").texels, samples.texels);

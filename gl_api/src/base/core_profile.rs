@@ -1,7 +1,7 @@
 //! What the core profile of OpenGL 3.3 has removed (GL 3.3, appendix E.2.2): commands by the Khronos registry, and
 //! values of enums, with what takes their place.
 
-use super::availability::{Api, Availability, REMOVED_VALUES};
+use super::availability::{Api, Availability, REMOVED_VALUES, has_name};
 use super::constants::enum_name;
 use super::error::{ErrorCode, GlError};
 use super::types::GLenum;
@@ -18,11 +18,17 @@ pub enum InCore {
     Removed,
 }
 
+/// Commands of `EXT_framebuffer_multisample` under a name of its own, which Mesa's core contexts have.
+const ALSO_KEPT: [&str; 1] = ["glRenderbufferStorageMultisampleEXT"];
+
 impl InCore {
     /// Of a command with these names.
     pub const fn of(names: &[&str]) -> Self {
         let mut at = 0;
         while at < names.len() {
+            if has_name(&ALSO_KEPT, names[at]) {
+                return Self::Kept;
+            }
             if let Some(availability) = super::availability::of(names[at])
                 && has(&availability)
             {

@@ -57,7 +57,7 @@ pub(crate) fn texels(format: Format, width: u32, height: u32) -> Result<Texels, 
 
 /// The only face and level of a surface.
 pub(crate) fn base_level_attachment(image: &Image) -> Attachment {
-    Attachment { image: image.clone(), face: 0, level: 0 }
+    Attachment::new(image.clone(), 0, 0)
 }
 
 /// The format of an attachment, if it exists.

@@ -103,8 +103,10 @@ fn find(attached: &Attached) -> std::result::Result<AttachedImage, String> {
                 | TextureTarget::D2MultisampleArray
                 | TextureTarget::Buffer => slice,
             };
-            let attachment = Attachment { image, face, level: level as u8 };
-            Ok(AttachedImage { layers: layer_count(attached, info)?, ..found(info, attachment) })
+            let samples = attached.samples;
+            let attachment = Attachment { image, face, level: level as u8, samples };
+            let (layers, samples) = (layer_count(attached, info)?, attachment.sample_count());
+            Ok(AttachedImage { layers, samples, ..found(info, attachment) })
         }
         (Source::Renderbuffer(name), None) => {
             Err(format!("renderbuffer {name} has no image: call glRenderbufferStorage with a size"))

@@ -37,6 +37,7 @@ pub(crate) mod feedback;
 pub(crate) mod fixed_function;
 #[cfg(test)]
 mod geometry_tests;
+pub(crate) mod implicit_samples;
 pub(crate) mod material;
 mod mirror;
 pub(crate) mod no_effect;

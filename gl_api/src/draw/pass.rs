@@ -13,7 +13,8 @@ use texunit::image::Level;
 fn same_attachment(a: Option<&Attachment>, b: Option<&Attachment>) -> bool {
     match (a, b) {
         (Some(a), Some(b)) => {
-            a.image.is_same_image(&b.image) && a.face == b.face && a.level == b.level
+            a.image.is_same_image(&b.image)
+                && (a.face, a.level, a.samples) == (b.face, b.level, b.samples)
         }
         (None, None) => true,
         (Some(_), None) | (None, Some(_)) => false,
@@ -56,7 +57,7 @@ pub(crate) fn begin_pass(context: &mut Context, pass: PassDesc) {
 fn bytes_of(attachment: &Attachment) -> usize {
     let level = attachment.image.level(attachment.face.into(), attachment.level.into());
     level.map_or(0, |LevelInfo { format, size: [width, height, depth], .. }| {
-        let samples = usize::from(attachment.image.samples().max(1));
+        let samples = usize::from(attachment.sample_count().max(1));
         Level::required_bytes(format, width, height, depth).unwrap_or(0).saturating_mul(samples)
     })
 }

@@ -7,7 +7,7 @@ use crate::base::limits;
 use crate::base::types::*;
 use crate::objects::color_buffers::{Selection, attachment_index};
 use crate::objects::target::FaceTarget;
-use rasterizer::driver::Image;
+use rasterizer::driver::{AttachmentSamples, Image};
 
 const SECTION: &str = "ARB_framebuffer_object, section 4.4.1";
 
@@ -42,6 +42,8 @@ pub(crate) struct Attached {
     pub image: Image,
     /// Which of its planes can be drawn to.
     pub planes: Planes,
+    /// Those that a pixel has while it is drawn to.
+    pub samples: AttachmentSamples,
 }
 
 impl Attached {

@@ -14,6 +14,15 @@ use texunit::image::{Image as Texels, Shape};
 pub(crate) const RENDERBUFFER_TARGET: Table<()> =
     Table { section: "ARB_framebuffer_object, section 4.4.2", rows: &[(GL_RENDERBUFFER, ())] };
 
+/// What resolves the samples of a renderbuffer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Resolving {
+    /// `glBlitFramebuffer` alone.
+    ByBlit,
+    /// Whatever reads it (`EXT_multisampled_render_to_texture`).
+    WhereItIsRead,
+}
+
 /// A renderbuffer object.
 #[derive(Clone, Debug)]
 pub(crate) struct Renderbuffer {
@@ -21,6 +30,7 @@ pub(crate) struct Renderbuffer {
     pub format: &'static InternalFormat,
     /// One level, once there is a size.
     pub image: Image,
+    pub resolving: Resolving,
     /// The EGL images that have its storage too.
     pub siblings: Siblings,
 }
@@ -30,7 +40,7 @@ impl Renderbuffer {
     pub(crate) fn new(internal: GLenum) -> Self {
         let format = formats::find(internal).expect("a row of the table");
         let image = Image::new(Texels::new(Shape::D2));
-        Self { format, image, siblings: Siblings::default() }
+        Self { format, image, resolving: Resolving::ByBlit, siblings: Siblings::default() }
     }
 
     pub(crate) fn level(&self) -> Option<LevelInfo> {

@@ -84,7 +84,7 @@ const COMPRESSED: &[(GLenum, GLenum, &[GLenum])] = &[
 
 /// Unsized internal formats, whose `format` is the same (table 3.3; `OES_texture_float`, `OES_texture_half_float`,
 /// `EXT_texture_rg`, `OES_depth_texture`, `OES_packed_depth_stencil`, `EXT_texture_type_2_10_10_10_REV`,
-/// `EXT_texture_format_BGRA8888`): the `type`, and what is stored.
+/// `EXT_texture_format_BGRA8888`, `EXT_sRGB`): the `type`, and what is stored.
 #[rustfmt::skip]
 const UNSIZED: &[(GLenum, GLenum, Format)] = &[
     (GL_RGBA, GL_UNSIGNED_BYTE, Rgba8),
@@ -114,6 +114,8 @@ const UNSIZED: &[(GLenum, GLenum, Format)] = &[
     (GL_RG, GL_FLOAT, Rg32F),
     (GL_RG, GL_HALF_FLOAT, Rg16F),
     (GL_BGRA, GL_UNSIGNED_BYTE, Rgba8),
+    (GL_SRGB, GL_UNSIGNED_BYTE, Srgb8),
+    (GL_SRGB_ALPHA, GL_UNSIGNED_BYTE, Srgb8A8),
     (GL_DEPTH_COMPONENT, GL_UNSIGNED_SHORT, D16),
     (GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, D24),
     (GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, D24S8),
@@ -122,6 +124,15 @@ const UNSIZED: &[(GLenum, GLenum, Format)] = &[
 /// `type` without the name that `OES_texture_half_float` and `OES_vertex_half_float` have for half floats.
 pub(crate) fn plain_type(ty: GLenum) -> GLenum {
     if ty == GL_HALF_FLOAT_OES { GL_HALF_FLOAT } else { ty }
+}
+
+/// The order of components of `format`: `EXT_sRGB` has names of its own for texels of sRGB.
+pub(crate) fn plain_format(format: GLenum) -> GLenum {
+    match format {
+        GL_SRGB => GL_RGB,
+        GL_SRGB_ALPHA => GL_RGBA,
+        _ => format,
+    }
 }
 
 /// What is stored of an image that `glTexImage` specifies.
@@ -206,22 +217,24 @@ pub(crate) fn check_replaced(internal: GLenum, format: GLenum, ty: GLenum) -> Re
 }
 
 /// Whether images that were asked for so are drawn to (OpenGL ES 3.0, section 4.4.4): what the types of extensions make of
-/// unsized colours is not (`OES_texture_float`, `EXT_texture_type_2_10_10_10_REV`).
+/// unsized colours is not (`OES_texture_float`, `EXT_texture_type_2_10_10_10_REV`), nor is sRGB without alpha (`EXT_sRGB`).
 pub(crate) fn is_drawn_to(internal: GLenum, stored: Format) -> bool {
     let by_type = [Rgba32F, Rgb32F, Rgb10A2, Rgb10].contains(&stored);
-    if by_type && [GL_RGBA, GL_RGB].contains(&internal) {
+    if by_type && [GL_RGBA, GL_RGB].contains(&internal) || internal == GL_SRGB {
         return false;
     }
-    internal == GL_BGRA || formats::find(internal).is_some_and(|format| format.is_drawn_to_in_es())
+    [GL_BGRA, GL_SRGB_ALPHA].contains(&internal)
+        || formats::find(internal).is_some_and(|format| format.is_drawn_to_in_es())
 }
 
 /// Whether the levels of a mipmap can be made from an image (OpenGL ES 3.0, section 3.8.10.5): of an unsized format, or
-/// of one that can be drawn to and is filtered.
+/// of one that can be drawn to and is filtered; not of the unsized ones of sRGB (`EXT_sRGB`).
 pub(crate) fn has_mipmaps(internal: GLenum) -> bool {
     let Some(format) = formats::find(internal) else { return internal == GL_BGRA };
     let is_depth = matches!(format.base, GL_DEPTH_COMPONENT | GL_DEPTH_STENCIL);
     let sized = format.class == FormatClass::Sized;
     !is_depth
+        && ![GL_SRGB, GL_SRGB_ALPHA].contains(&internal)
         && !format.is_compressed()
         && (!sized || format.is_drawn_to_in_es() && format.is_filtered_in_es())
 }

@@ -18,6 +18,36 @@ fn mask(c: &mut Context) {
 }
 
 pub const ROWS: &[Case] = &[
+    ("a pass over a whole picture with a test of depths that there are not", |c| {
+        shaded(c, WHITE);
+        positions(c);
+        draw_to_color(c);
+        c.enable(GL_DEPTH_TEST);
+        draw(c);
+    }),
+    ("no texture coordinates for a texture that is a colour", |c| {
+        c.bind_texture(GL_TEXTURE_2D, 1);
+        let texel = Data::Bytes(&[255; 4]);
+        c.tex_image_2d(GL_TEXTURE_2D, 0, GL_RGBA as i32, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, texel);
+        c.tex_parameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST as GLint);
+        let vertex = "#version 120\nattribute vec4 corner, VertexTexCoord; varying vec2 uv;\n\
+            void main() { uv = VertexTexCoord.st; gl_Position = corner; }";
+        let program = c.create_program();
+        for (stage, source) in [(GL_VERTEX_SHADER, vertex), (GL_FRAGMENT_SHADER, TEXTURED)] {
+            let shader = c.create_shader(stage);
+            c.shader_source(shader, 1, Strings(vec![source]), &[]);
+            c.compile_shader(shader);
+            c.attach_shader(program, shader);
+        }
+        c.bind_attrib_location(program, 0, "corner");
+        c.bind_attrib_location(program, 1, "VertexTexCoord");
+        c.link_program(program);
+        c.use_program(program);
+        let corners: &[f32] = &[-1.0, -1.0, 3.0, -1.0, -1.0, 3.0];
+        c.enable_vertex_attrib_array(0);
+        c.vertex_attrib_pointer(0, 2, GL_FLOAT, false, 0, corners.arg());
+        draw(c);
+    }),
     ("a triangle", |c| {
         c.clear(GL_DEPTH_BUFFER_BIT);
         c.enable(GL_DEPTH_TEST);

@@ -25,6 +25,18 @@ fn multisampled(c: &mut Context, samples: GLsizei) {
 
 const CASES: &[Case] = &[
     (
+        framebuffer,
+        |c| c.framebuffer_texture_2d_multisample(FB, C0, GL_TEXTURE_2D, 1, 0, 4),
+        GL_INVALID_OPERATION,
+        "OpenGL ES",
+    ),
+    (
+        nothing,
+        |c| c.renderbuffer_storage_multisample_ext(GL_TEXTURE_2D, 4, GL_RGBA8, 4, 4),
+        GL_INVALID_ENUM,
+        "target = GL_TEXTURE_2D",
+    ),
+    (
         nothing,
         |c| c.invalidate_framebuffer(GL_RENDERBUFFER, 0, &[]),
         GL_INVALID_ENUM,

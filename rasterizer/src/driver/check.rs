@@ -104,15 +104,13 @@ fn check_pass(desc: &PassDesc) -> Result<(), String> {
     let mut all_samples = None;
     let behind = desc.layers.max(1) - 1;
     for (attachment, kind) in attachments {
-        let last = attachment.face.checked_add(behind);
-        let has_last = |last| attachment.image.attachment(last, attachment.level).is_some();
-        if !last.is_some_and(has_last) {
+        if attachment.layer(behind).is_none_or(|last| last.info().is_none()) {
             return Err(format!(
                 "BeginPass: the {kind} attachment has no level {} of {} layers from {} on",
                 attachment.level, desc.layers, attachment.face
             ));
         }
-        let info = attachment.image.attachment(attachment.face, attachment.level);
+        let info = attachment.info();
         let Some(AttachmentInfo { format, width, height, samples }) = info else {
             return Err(format!(
                 "BeginPass: the {kind} attachment has no level {} of face or slice {}",

@@ -104,10 +104,9 @@ impl Device {
     /// several are resolved to: a level, if it exists, and which slice of it.
     pub fn resolved(&self, attachment: &Attachment) -> Option<(Arc<Level>, usize)> {
         let _float_env = FloatEnv::enter();
-        let Attachment { image, face, level } = attachment;
         let context =
             StoreContext { isa: self.resources.desc.isa, thread_pool: &self.thread_pool() };
-        image.resolved_with(*face, *level, context)
+        attachment.image.resolved_with(attachment, context)
     }
 
     /// Writes a region of what an attachment names, as everything submitted leaves it, into the rows of a
@@ -124,18 +123,16 @@ impl Device {
         writer: RowWriter<'_>,
     ) {
         let _float_env = FloatEnv::enter();
-        let Attachment { image, face, level } = attachment;
         let context =
             StoreContext { isa: self.resources.desc.isa, thread_pool: &self.thread_pool() };
-        image.read_with((*face, *level), span, rows, writer, context);
+        attachment.image.read_with(attachment, span, rows, writer, context);
     }
 
-    /// Puts back what [`Image::each_sample`] gave, changed. Draws that were recorded earlier keep what
+    /// Puts back what [`Attachment::each_sample`] gave, changed. Draws that were recorded earlier keep what
     /// they saw.
     pub fn set_each_sample(&self, attachment: &Attachment, samples: &Level) {
         let _float_env = FloatEnv::enter();
-        let Attachment { image, face, level } = attachment;
-        image.set_each_sample(*face, *level, samples, self.resources.desc.isa);
+        attachment.image.set_each_sample(attachment, samples, self.resources.desc.isa);
     }
 
     /// The plans recorded since the last call, without duplicates ([`crate::driver::Explain::Keep`]).

@@ -16,7 +16,7 @@ mod view;
 use crate::attachment::{RowSpan, RowWriter, StoreContext, Surface};
 use crate::threads::ThreadPool;
 pub(crate) use attachment::AttachmentInfo;
-pub use attachment::{Attachment, PassDesc};
+pub use attachment::{Attachment, AttachmentSamples, PassDesc};
 use parking_lot::RwLock;
 use std::num::NonZeroU64;
 use std::sync::Arc;
@@ -186,35 +186,34 @@ impl Image {
     /// which slice of it ([`super::Device::resolved`]).
     pub(super) fn resolved_with(
         &self,
-        face: u16,
-        level: u8,
+        attachment: &Attachment,
         context: StoreContext<'_>,
     ) -> Option<(Arc<Level>, usize)> {
-        self.0.stored.read().resolved_with(face, level, context)
+        self.0.stored.read().resolved_with(attachment, context)
     }
 
     /// Writes a region of what an attachment names into the rows of a client ([`super::Device::read`]). The rows of the
     /// image are not brought up to date.
     pub(super) fn read_with(
         &self,
-        at: (u16, u8),
+        attachment: &Attachment,
         span: RowSpan,
         rows: &mut [&mut [u8]],
         writer: RowWriter<'_>,
         context: StoreContext<'_>,
     ) {
-        self.0.stored.read().read_with(at, span, rows, writer, context);
+        self.0.stored.read().read_with(attachment, span, rows, writer, context);
     }
 
-    /// The samples of what an attachment names, each a slice.
-    pub fn each_sample(&self, face: u16, level: u8) -> Option<Level> {
-        self.0.stored.read().each_sample(face, level)
+    /// The samples of what an attachment names ([`Attachment::each_sample`]).
+    pub(super) fn each_sample(&self, attachment: &Attachment) -> Option<Level> {
+        self.0.stored.read().each_sample(attachment)
     }
 
     /// Puts other samples in place of those of what an attachment names
     /// ([`super::Device::set_each_sample`]).
-    pub(super) fn set_each_sample(&self, face: u16, level: u8, samples: &Level, isa: Isa) {
-        self.0.stored.read().set_each_sample(face, level, samples, isa);
+    pub(super) fn set_each_sample(&self, attachment: &Attachment, samples: &Level, isa: Isa) {
+        self.0.stored.read().set_each_sample(attachment, samples, isa);
     }
 
     /// Whether both handles name the same image, or the same view.
@@ -236,18 +235,22 @@ impl Image {
     }
 
     /// Format and size of what an attachment names, if it exists.
-    pub(crate) fn attachment(&self, face: u16, level: u8) -> Option<AttachmentInfo> {
-        self.0.stored.read().attachment(face, level)
+    fn attachment(&self, attachment: &Attachment) -> Option<AttachmentInfo> {
+        self.0.stored.read().attachment(attachment)
     }
 
     /// Takes a slice of a level out in the attachment layout; `None` if it does not exist.
-    pub(crate) fn attach(&self, face: u16, level: u8, thread_pool: &ThreadPool) -> Option<Surface> {
-        self.0.stored.read().attach(face, level, thread_pool)
+    pub(crate) fn attach(
+        &self,
+        attachment: &Attachment,
+        thread_pool: &ThreadPool,
+    ) -> Option<Surface> {
+        self.0.stored.read().attach(attachment, thread_pool)
     }
 
     /// Puts back what [`Image::attach`] took, drawn to by a device of this instruction set.
-    pub(crate) fn detach(&self, face: u16, level: u8, surface: Surface, isa: Isa) {
-        self.0.stored.read().detach(face, level, surface, isa);
+    pub(crate) fn detach(&self, attachment: &Attachment, surface: Surface, isa: Isa) {
+        self.0.stored.read().detach(attachment, surface, isa);
     }
 }
 
@@ -260,11 +263,12 @@ mod tests {
     #[test]
     fn a_surface_of_a_level_that_was_replaced_is_dropped() {
         let image = Image::blank(Format::Rgba8, 8, 8, 1).expect("small");
-        let surface = image.attach(0, 0, &ThreadPool::CALLER_ONLY).expect("it exists");
+        let attachment = Attachment::new(image.clone(), 0, 0);
+        let surface = image.attach(&attachment, &ThreadPool::CALLER_ONLY).expect("it exists");
         let mut texels = Texels::new(Shape::D2);
         texels.set_level(0, 0, Level::new(Format::Rgb8, 8, 8).expect("small")).expect("it fits");
         image.replace(texels, 1, MultisampleStorage::Resolved);
-        image.detach(0, 0, surface, Isa::BASELINE);
+        image.detach(&attachment, surface, Isa::BASELINE);
         let format = image.texels().level(0, 0).map(|level| level.format);
         assert_eq!(format, Some(Format::Rgb8));
     }

@@ -33,7 +33,9 @@ pub use crate::trace::Watch;
 pub use crate::vertex::{Primitive, Primitives, primitives};
 pub use command::{ClearValue, Command, CommandBuffer};
 pub use device::Device;
-pub use image::{Attachment, Image, LevelInfo, MultisampleStorage, PassDesc, ViewDesc};
+pub use image::{
+    Attachment, AttachmentSamples, Image, LevelInfo, MultisampleStorage, PassDesc, ViewDesc,
+};
 pub use report::{DeviceError, FrameSpending, SubmitError, SubmitReport};
 pub use resources::{DeviceDesc, Explain};
 pub use visibility::Visibility;

@@ -59,8 +59,9 @@ fn detach(desc: &PassDesc, layer: u16, surfaces: LayerSurfaces, isa: Isa) {
     let LayerSurfaces { colors, depth } = surfaces;
     let attachments = desc.colors.iter().chain([&desc.depth]);
     for (attachment, surface) in attachments.zip(colors.into_iter().chain([depth])) {
-        if let (Some(a), Some(surface)) = (attachment, surface) {
-            a.image.detach(a.face + layer, a.level, surface, isa);
+        let of_layer = attachment.as_ref().and_then(|first| first.layer(layer));
+        if let (Some(a), Some(surface)) = (of_layer, surface) {
+            a.image.detach(&a, surface, isa);
         }
     }
 }
@@ -115,11 +116,11 @@ impl<'a> Pass<'a> {
         let tiles = across as usize * desc.height.div_ceil(TILE) as usize;
         let attached = desc.colors.iter().map(|color| {
             let attachment = color.as_ref()?;
-            attachment.image.attach(attachment.face, attachment.level, thread_pool)
+            attachment.image.attach(attachment, thread_pool)
         });
         let colors: Vec<Option<Surface>> = attached.collect();
         let depth = desc.depth.as_ref();
-        let depth = depth.and_then(|a| a.image.attach(a.face, a.level, thread_pool));
+        let depth = depth.and_then(|a| a.image.attach(a, thread_pool));
         if !fits(&desc, &colors, &depth) {
             detach(&desc, 0, LayerSurfaces { colors, depth }, resources.desc.isa);
             return None;

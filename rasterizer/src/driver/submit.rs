@@ -64,7 +64,7 @@ mod tests {
         let desc = DeviceDesc::new(Isa::BASELINE, 1);
         let images = [(200, 200), (70, 300), (8, 8)]
             .map(|(width, height)| Image::blank(Format::Rgba8, width, height, 1).expect("small"));
-        let attachment = |image: &Image| Attachment { image: image.clone(), face: 0, level: 0 };
+        let attachment = |image: &Image| Attachment::new(image.clone(), 0, 0);
         let clear = |target| Command::Clear {
             value: ClearValue::Color { target, value: [1.0; 4], mask: [true; 4] },
             area: Rect { x: 0, y: 0, width: 200, height: 200 },

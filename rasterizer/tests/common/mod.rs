@@ -101,7 +101,7 @@ pub fn bindings(vertices: &[f32], attributes: u8) -> std::sync::Arc<[VertexBindi
 
 /// A pass over `color` and `depth`.
 pub fn pass(color: &Image, depth: Option<&Image>, width: u32, height: u32) -> Command {
-    let attach = |image: &Image| Attachment { image: image.clone(), face: 0, level: 0 };
+    let attach = |image: &Image| Attachment::new(image.clone(), 0, 0);
     Command::BeginPass(PassDesc {
         colors: vec![Some(attach(color))],
         depth: depth.map(attach),

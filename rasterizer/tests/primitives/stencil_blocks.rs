@@ -114,7 +114,7 @@ fn sampled(format: Format, samples: u8) -> Image {
 /// Colours, depths and stencils after all draws.
 fn drawn(isa: Isa, samples: u8, watched: bool, seed: u64) -> Vec<Vec<u8>> {
     let (color, depth) = (sampled(Format::Rgba8, samples), sampled(Format::D24S8, samples));
-    let attach = |image: &Image| Attachment { image: image.clone(), face: 0, level: 0 };
+    let attach = |image: &Image| Attachment::new(image.clone(), 0, 0);
     let area = Rect { x: 0, y: 0, width: SIZE, height: SIZE };
     let multisample = MultisampleState { rule: SampleRule::Each, ..MultisampleState::default() };
     let mut commands = vec![

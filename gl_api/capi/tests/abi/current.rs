@@ -174,3 +174,36 @@ fn contexts_that_share_report_stopped_draws_alike() {
         }
     }
 }
+
+/// A surface of off-screen pixels keeps its picture, which the next frame draws over (`EGL_BUFFER_PRESERVED`).
+#[test]
+fn a_swap_keeps_what_was_drawn() {
+    const SWAP_BEHAVIOR: i32 = 0x3093;
+    const PRESERVED: i32 = 0x3094;
+    let (dpy, config) = display();
+    // SAFETY: handles are only looked up; the lists end with EGL_NONE, the value is a local.
+    unsafe {
+        let context = eglCreateContext(dpy, config, null_mut(), null());
+        let surface = eglCreatePbufferSurface(dpy, config, SURFACE.as_ptr());
+        assert_eq!(eglSurfaceAttrib(dpy, surface, SWAP_BEHAVIOR, PRESERVED), 1);
+        let mut behavior = 0;
+        assert_eq!(eglQuerySurface(dpy, surface, SWAP_BEHAVIOR, &mut behavior), 1);
+        assert_eq!(behavior, PRESERVED);
+        assert_eq!(eglMakeCurrent(dpy, surface, surface, context), 1);
+        glClearColor(1.0, 0.0, 0.0, 1.0);
+        glClear(gl_api::GL_COLOR_BUFFER_BIT);
+        assert_eq!(eglSwapBuffers(dpy, surface), 1);
+        // Green on the right, over the frame before.
+        glEnable(gl_api::GL_SCISSOR_TEST);
+        glScissor(2, 0, 2, 4);
+        glClearColor(0.0, 1.0, 0.0, 1.0);
+        glClear(gl_api::GL_COLOR_BUFFER_BIT);
+        assert_eq!(eglSwapBuffers(dpy, surface), 1);
+        let mut row = [[0_u8; 4]; 4];
+        let (rgba, byte) = (gl_api::GL_RGBA, gl_api::GL_UNSIGNED_BYTE);
+        glReadPixels(0, 0, 4, 1, rgba, byte, (&raw mut row).cast());
+        let [red, green] = [[255, 0, 0, 255], [0, 255, 0, 255]];
+        assert_eq!(row, [red, red, green, green]);
+        assert_eq!(eglMakeCurrent(dpy, null_mut(), null_mut(), null_mut()), 1);
+    }
+}

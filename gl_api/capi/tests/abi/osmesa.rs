@@ -286,3 +286,46 @@ fn other_memory_gets_the_picture_of_the_memory_before() {
         OSMesaDestroyContext(context);
     }
 }
+
+unsafe extern "C" {
+    fn OSMesaCreateContextAttribs(list: *const i32, share: Handle) -> Handle;
+}
+
+#[test]
+fn contexts_have_the_profile_and_version_that_their_attributes_ask_for() {
+    const DEPTH: i32 = 0x30;
+    const PROFILE: i32 = 0x33;
+    const CORE: i32 = 0x34;
+    const COMPAT: i32 = 0x35;
+    const MAJOR: i32 = 0x36;
+    const MINOR: i32 = 0x37;
+    // The bit of GL_CONTEXT_PROFILE_MASK, if there is such a context.
+    let rows: [(&[i32], Option<i32>); 9] = [
+        (&[], Some(2)),
+        (&[DEPTH, 24, PROFILE, COMPAT], Some(2)),
+        (&[PROFILE, CORE, MAJOR, 3, MINOR, 3], Some(1)),
+        (&[PROFILE, CORE, MAJOR, 3, MINOR, 1], Some(2)),
+        (&[PROFILE, COMPAT, MAJOR, 3, MINOR, 3], Some(2)),
+        (&[MAJOR, 4, MINOR, 6], None),
+        (&[PROFILE, 7], None),
+        (&[DEPTH, -1], None),
+        (&[0x77, 1], None),
+    ];
+    let mut memory = vec![0_u8; 4 * 4 * 4];
+    for (list, profile) in rows {
+        let ended = [list, &[0]].concat();
+        // SAFETY: the list ends with 0; the memory has 4×4 pixels, and stays until the context is gone.
+        unsafe {
+            let context = OSMesaCreateContextAttribs(ended.as_ptr(), null_mut());
+            assert_eq!(!context.is_null(), profile.is_some(), "{list:?}");
+            let Some(profile) = profile else { continue };
+            let to = memory.as_mut_ptr().cast();
+            assert_eq!(OSMesaMakeCurrent(context, to, GL_UNSIGNED_BYTE, 4, 4), 1);
+            let mut mask = -1;
+            glGetIntegerv(gl_api::GL_CONTEXT_PROFILE_MASK, &mut mask);
+            assert_eq!(mask, profile, "{list:?}");
+            OSMesaMakeCurrent(null_mut(), null_mut(), 0, 0, 0);
+            OSMesaDestroyContext(context);
+        }
+    }
+}

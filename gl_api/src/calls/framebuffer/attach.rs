@@ -1,7 +1,7 @@
 //! Attaching images to framebuffer objects: `ARB_framebuffer_object`, sections 4.4.2 to 4.4.4.
 
 use crate::base::constants::*;
-use crate::base::error::{Result, invalid_operation, invalid_value};
+use crate::base::error::{Result, invalid_enum, invalid_operation, invalid_value};
 use crate::base::limits;
 use crate::base::types::*;
 use crate::calls::framebuffer::names::bound;
@@ -13,7 +13,7 @@ use crate::objects::framebuffers::{
 use crate::objects::renderbuffers::RENDERBUFFER_TARGET;
 use crate::objects::target::{FaceTarget, TARGET, TextureTarget, attachable_target};
 use crate::objects::texture::Texture;
-use rasterizer::driver::Image;
+use rasterizer::driver::{AttachmentSamples, Image};
 use texunit::image::FACES;
 
 const SECTION: &str = "ARB_framebuffer_object, section 4.4.2";
@@ -115,7 +115,7 @@ fn framebuffer_texture_slice(
     context: &mut Context,
     (target, attachment): (GLenum, GLenum),
     (axes, textarget): (usize, GLenum),
-    slice: &Slice,
+    (slice, samples): (&Slice, AttachmentSamples),
 ) -> Result<()> {
     let destination = Destination::decode(context, target, attachment)?;
     if slice.texture == 0 {
@@ -136,7 +136,7 @@ fn framebuffer_texture_slice(
     }
     let (source, image) = (slice.checked(face)?, texture.image.clone());
     let planes = texture.planes();
-    destination.attach(context, Some(Attached { source, image, planes }))
+    destination.attach(context, Some(Attached { source, image, planes, samples }))
 }
 
 pub(crate) fn framebuffer_texture_1d(
@@ -148,7 +148,12 @@ pub(crate) fn framebuffer_texture_1d(
     level: GLint,
 ) -> Result<()> {
     let slice = Slice { texture, level, slice: (0, "layer") };
-    framebuffer_texture_slice(context, (target, attachment), (1, textarget), &slice)
+    framebuffer_texture_slice(
+        context,
+        (target, attachment),
+        (1, textarget),
+        (&slice, AttachmentSamples::OfImage),
+    )
 }
 
 pub(crate) fn framebuffer_texture_2d(
@@ -160,7 +165,56 @@ pub(crate) fn framebuffer_texture_2d(
     level: GLint,
 ) -> Result<()> {
     let slice = Slice { texture, level, slice: (0, "layer") };
-    framebuffer_texture_slice(context, (target, attachment), (2, textarget), &slice)
+    framebuffer_texture_slice(
+        context,
+        (target, attachment),
+        (2, textarget),
+        (&slice, AttachmentSamples::OfImage),
+    )
+}
+
+/// `EXT_multisampled_render_to_texture`: as [`framebuffer_texture_2d`], with samples that the texture has while it is
+/// drawn to through this attachment. They are resolved where something else reads it.
+pub(crate) fn framebuffer_texture_2d_multisample(
+    context: &mut Context,
+    target: GLenum,
+    attachment: GLenum,
+    textarget: GLenum,
+    texture: GLuint,
+    level: GLint,
+    samples: GLsizei,
+) -> Result<()> {
+    const SECTION: &str = "EXT_multisampled_render_to_texture, section 4.4.2.4";
+    check_in_es(context, SECTION)?;
+    FRAMEBUFFER_TARGET.decode("target", target)?;
+    if attachment != GL_COLOR_ATTACHMENT0 {
+        let attachment = enum_name(attachment);
+        let rule = format!("attachment = {attachment} must be GL_COLOR_ATTACHMENT0");
+        return invalid_enum(SECTION, rule);
+    }
+    let samples = match u8::try_from(samples) {
+        Ok(0) => AttachmentSamples::OfImage,
+        Ok(samples) if samples <= limits::MAX_SAMPLES => {
+            AttachmentSamples::Implicit(limits::MAX_SAMPLES)
+        }
+        Ok(_) | Err(_) => {
+            let rule = format!("samples = {samples} must be 0 to {}", limits::MAX_SAMPLES);
+            return invalid_value(SECTION, rule);
+        }
+    };
+    let slice = Slice { texture, level, slice: (0, "layer") };
+    framebuffer_texture_slice(context, (target, attachment), (2, textarget), (&slice, samples))
+}
+
+/// Refuses a command that OpenGL ES alone has.
+pub(crate) fn check_in_es(context: &Context, section: &'static str) -> Result<()> {
+    if context.profile.is_es() {
+        return Ok(());
+    }
+    invalid_operation(
+        section,
+        "is a command of OpenGL ES: attach a renderbuffer with several samples and call glBlitFramebuffer",
+    )
 }
 
 pub(crate) fn framebuffer_texture_3d(
@@ -173,7 +227,12 @@ pub(crate) fn framebuffer_texture_3d(
     zoffset: GLint,
 ) -> Result<()> {
     let slice = Slice { texture, level, slice: (zoffset, "zoffset") };
-    framebuffer_texture_slice(context, (target, attachment), (3, textarget), &slice)
+    framebuffer_texture_slice(
+        context,
+        (target, attachment),
+        (3, textarget),
+        (&slice, AttachmentSamples::OfImage),
+    )
 }
 
 pub(crate) fn framebuffer_texture_layer(
@@ -244,7 +303,10 @@ pub(crate) fn attach_layer(
     };
     let (source, image) = (slice.checked(of)?, object.image.clone());
     let planes = object.planes();
-    destination.attach(context, Some(Attached { source, image, planes }))
+    destination.attach(
+        context,
+        Some(Attached { source, image, planes, samples: AttachmentSamples::OfImage }),
+    )
 }
 
 pub(crate) fn framebuffer_texture(
@@ -295,7 +357,10 @@ pub(crate) fn attach_level(
     let (image, planes) = (object.image.clone(), object.planes());
     let level = crate::objects::target::checked_level(SECTION, of.target, level)?;
     let source = Source::Texture { name: texture, target: of, level, slice: 0, layers };
-    destination.attach(context, Some(Attached { source, image, planes }))
+    destination.attach(
+        context,
+        Some(Attached { source, image, planes, samples: AttachmentSamples::OfImage }),
+    )
 }
 
 pub(crate) fn framebuffer_renderbuffer(
@@ -330,6 +395,7 @@ pub(crate) fn attach_renderbuffer(
         source: Source::Renderbuffer(renderbuffer),
         image: object.image.clone(),
         planes: object.planes(),
+        samples: AttachmentSamples::OfImage,
     };
     destination.attach(context, Some(attached))
 }

@@ -147,7 +147,7 @@ struct AspectCopy {
 impl AspectCopy {
     /// The pixels of the source, of every sample where both sides have several.
     fn pixels(&self, context: &mut Context) -> Vec<Pixels> {
-        let several = |attachment: &Attachment| attachment.image.samples() > 1;
+        let several = |attachment: &Attachment| attachment.sample_count() > 1;
         if several(&self.from) && self.to.iter().any(several) {
             sample_pixels(context, &self.from)
         } else {
@@ -167,9 +167,15 @@ impl BlitRequest {
         let filter = blit_filter.of_resolved();
         checked_complete(context, sides.read)?;
         let pass = draw_pass_of(context, sides.draw)?;
-        check_samples(context, sides, axes, blit_filter)?;
+        let stays = axes.map(|axis| axis.src == axis.dst);
         if context.profile.is_es() {
-            es_blit::check_samples(context, sides, axes.map(|axis| axis.src == axis.dst))?;
+            // A blit of nothing is refused as one of colours.
+            let read = if mask == 0 { GL_COLOR_BUFFER_BIT } else { mask };
+            for (_, aspect) in ASPECTS.iter().filter(|(bit, _)| read & bit != 0) {
+                es_blit::check_samples(context, sides, (*aspect, stays))?;
+            }
+        } else {
+            check_samples(context, sides, axes, blit_filter)?;
         }
         let mut copies = Vec::new();
         for (bit, aspect) in ASPECTS {
@@ -187,7 +193,7 @@ impl BlitRequest {
                 check_formats(context.profile, aspect, from, to, filter)?;
             }
             if context.profile.is_es() {
-                es_blit::check_images(context, sides, &from, &to)?;
+                es_blit::check_images(context, sides, (aspect, &from), &to)?;
             }
             copies.push(AspectCopy { aspect, from, to });
         }
@@ -249,7 +255,7 @@ pub(crate) fn update_attachment_texels(
     let image = &attachment.image;
     crate::draw::pass::submit_draws_to(context, image);
     context.outdate_mirror();
-    if image.samples() > 1 {
+    if attachment.sample_count() > 1 {
         edit_samples(context, attachment, change);
     } else {
         edit_slice(attachment, |level, first| change(level, first, 0));
@@ -262,8 +268,7 @@ fn edit_samples(
     attachment: &Attachment,
     change: impl Fn(&mut Level, usize, usize),
 ) {
-    let &Attachment { ref image, face, level: number } = attachment;
-    let Some(mut level) = image.each_sample(face, number) else { return };
+    let Some(mut level) = attachment.each_sample() else { return };
     for sample in 0..level.depth as usize {
         let first = sample * level.slice_bytes();
         change(&mut level, first, sample);

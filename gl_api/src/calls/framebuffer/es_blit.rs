@@ -4,14 +4,19 @@ use crate::base::error::{Result, invalid_operation};
 use crate::calls::framebuffer::blit::Sides;
 use crate::context::Context;
 use crate::context::window::format_of;
-use crate::draw::completeness::{read_samples, samples};
+use crate::draw::completeness::{Aspect, samples};
+use crate::draw::implicit_samples::samples_to_resolve;
 use crate::pixel::formats::format_name;
 use rasterizer::driver::Attachment;
 
 const SECTION: &str = "OpenGL ES 3.0, section 4.3.3";
 
-/// Checks the samples of both framebuffers; `stays` says of each axis whether pixels go to where they were.
-pub(super) fn check_samples(context: &Context, sides: Sides, stays: [bool; 2]) -> Result<()> {
+/// Checks the samples of an aspect of both framebuffers; `stays` says of each axis whether pixels go to where they were.
+pub(super) fn check_samples(
+    context: &Context,
+    sides: Sides,
+    (aspect, stays): (Aspect, [bool; 2]),
+) -> Result<()> {
     let name = sides.draw;
     let drawn = samples(context, name);
     if drawn > 0 {
@@ -20,7 +25,7 @@ pub(super) fn check_samples(context: &Context, sides: Sides, stays: [bool; 2]) -
         );
         return invalid_operation(SECTION, rule);
     }
-    if read_samples(context, sides.read) > 0 && stays != [true; 2] {
+    if samples_to_resolve(context, sides.read, aspect) > 0 && stays != [true; 2] {
         let rule = "several samples a pixel are resolved in place: make both rectangles the same";
         return invalid_operation(SECTION, rule);
     }
@@ -31,7 +36,7 @@ pub(super) fn check_samples(context: &Context, sides: Sides, stays: [bool; 2]) -
 pub(super) fn check_images(
     context: &Context,
     sides: Sides,
-    from: &Attachment,
+    (aspect, from): (Aspect, &Attachment),
     to: &[Attachment],
 ) -> Result<()> {
     for to in to {
@@ -41,7 +46,7 @@ pub(super) fn check_images(
             return invalid_operation(SECTION, "pixels are copied within one image: use another");
         }
         let (Some(from), Some(to)) = (format_of(from), format_of(to)) else { continue };
-        if read_samples(context, sides.read) > 0 && from != to {
+        if samples_to_resolve(context, sides.read, aspect) > 0 && from != to {
             let [from, to] = [from, to].map(format_name);
             let rule = format!("samples of {from} are not resolved to pixels of {to}");
             return invalid_operation(SECTION, rule);

@@ -13,6 +13,7 @@ use crate::objects::framebuffers::{
 };
 use crate::objects::target::{FACE_TARGET, TextureTarget};
 use crate::pixel::component_bits::{Component, component_bits};
+use rasterizer::driver::AttachmentSamples;
 use texunit::format::{Block, Encoding, Format};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,6 +24,8 @@ enum Property {
     Face,
     Layer,
     Layered,
+    /// Of `EXT_multisampled_render_to_texture`, in OpenGL ES.
+    TextureSamples,
     Bits(Component),
     ComponentType,
     ColorEncoding,
@@ -37,6 +40,7 @@ const PROPERTY: Table<Property> = Table {
         (GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_CUBE_MAP_FACE, Property::Face),
         (GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LAYER, Property::Layer),
         (GL_FRAMEBUFFER_ATTACHMENT_LAYERED, Property::Layered),
+        (GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_SAMPLES_EXT, Property::TextureSamples),
         (GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE, Property::Bits(Component::Red)),
         (GL_FRAMEBUFFER_ATTACHMENT_GREEN_SIZE, Property::Bits(Component::Green)),
         (GL_FRAMEBUFFER_ATTACHMENT_BLUE_SIZE, Property::Bits(Component::Blue)),
@@ -106,7 +110,8 @@ fn of_format(
         | Property::Level
         | Property::Face
         | Property::Layer
-        | Property::Layered => None,
+        | Property::Layered
+        | Property::TextureSamples => None,
     }
 }
 
@@ -127,6 +132,10 @@ fn of_attached(
         (Property::Layered, Source::Texture { layers, .. }) => {
             Some((layers == AttachedLayers::All).into())
         }
+        (Property::TextureSamples, Source::Texture { .. }) => Some(match attached.samples {
+            AttachmentSamples::Implicit(samples) => samples.into(),
+            AttachmentSamples::OfImage => 0,
+        }),
         (Property::Face, Source::Texture { target, .. }) => Some(match target.target {
             TextureTarget::Cube => FACE_TARGET.encode(target) as GLint,
             TextureTarget::D1
@@ -142,7 +151,11 @@ fn of_attached(
             | TextureTarget::Buffer => 0,
         }),
         (
-            Property::Level | Property::Layer | Property::Layered | Property::Face,
+            Property::Level
+            | Property::Layer
+            | Property::Layered
+            | Property::TextureSamples
+            | Property::Face,
             Source::Renderbuffer(_),
         ) => None,
         (Property::Bits(component), _) => {
@@ -230,6 +243,9 @@ pub(crate) fn attachment_parameter(
     params: &mut [GLint],
 ) -> Result<()> {
     let property = PROPERTY.decode("pname", pname)?;
+    if property == Property::TextureSamples && !context.profile.is_es() {
+        return invalid_enum(SECTION, format!("pname = {} is of OpenGL ES", enum_name(pname)));
+    }
     let value = match context.objects.framebuffers.get(name) {
         None => of_window(context, attachment, property)?,
         Some(object) => {
@@ -249,6 +265,7 @@ pub(crate) fn attachment_parameter(
                     | Property::Face
                     | Property::Layer
                     | Property::Layered
+                    | Property::TextureSamples
                     | Property::Bits(_)
                     | Property::ComponentType
                     | Property::ColorEncoding => {

@@ -8,6 +8,7 @@ use crate::calls::texture::specify::kinds_match;
 use crate::context::Context;
 use crate::context::window::{Region, Visible, format_of};
 use crate::draw::completeness::{Aspect, read_attachment};
+use crate::draw::implicit_samples::samples_to_resolve;
 use crate::draw::warnings::visibility;
 use crate::pixel::client::Pixel;
 use crate::pixel::client::format::{ClientFormat, LuminanceOf};
@@ -76,9 +77,8 @@ pub(crate) fn resolved_pixels(context: &mut Context, attachment: &Attachment) ->
 
 /// The pixels of every sample of an attachment, as everything recorded leaves them.
 pub(crate) fn sample_pixels(context: &mut Context, attachment: &Attachment) -> Vec<Pixels> {
-    let Attachment { image, face, level } = attachment;
-    crate::draw::pass::submit_draws_to(context, image);
-    let Some(level) = image.each_sample(*face, *level).map(Arc::new) else { return Vec::new() };
+    crate::draw::pass::submit_draws_to(context, &attachment.image);
+    let Some(level) = attachment.each_sample().map(Arc::new) else { return Vec::new() };
     (0..level.depth as usize).map(|slice| Pixels { level: Arc::clone(&level), slice }).collect()
 }
 
@@ -93,7 +93,7 @@ impl ReadBuffer {
     /// # Errors
     /// Where the framebuffer is incomplete, has several samples a pixel, or has no such buffer.
     pub fn new(context: &Context, aspect: Aspect) -> Result<Self> {
-        check_samples(context)?;
+        check_samples(context, aspect)?;
         let attachment = read_attachment(context, aspect)?;
         let found = attachment.and_then(|found| format_of(&found).map(|format| (found, format)));
         match found {
@@ -151,9 +151,9 @@ fn nothing_there(context: &Context, aspect: Aspect) -> String {
 }
 
 /// Refuses to read from several samples a pixel (`EXT_framebuffer_multisample`, section 4.3.2).
-fn check_samples(context: &Context) -> Result<()> {
+fn check_samples(context: &Context, aspect: Aspect) -> Result<()> {
     let name = context.state.bindings.read_framebuffer;
-    if name != 0 && crate::draw::completeness::samples(context, name) > 0 {
+    if name != 0 && samples_to_resolve(context, name, aspect) > 0 {
         return invalid_operation(
             "EXT_framebuffer_multisample, section 4.3.2",
             format!("framebuffer {name} has several samples a pixel: call glBlitFramebuffer first"),

@@ -13,7 +13,7 @@ use crate::context::window::texels;
 use crate::objects::bound::Bound;
 use crate::objects::egl_images::Specified;
 use crate::objects::name_table::{Sweep, listed};
-use crate::objects::renderbuffers::{RENDERBUFFER_TARGET, Renderbuffer};
+use crate::objects::renderbuffers::{RENDERBUFFER_TARGET, Renderbuffer, Resolving};
 use crate::pixel::component_bits::{Component, component_bits};
 use crate::pixel::formats;
 use crate::pixel::formats::{InternalFormat, UNCOMPRESSED};
@@ -135,6 +135,7 @@ pub(crate) fn renderbuffer_storage(
 /// A checked `glRenderbufferStorage` or `glRenderbufferStorageMultisample`.
 struct StorageRequest {
     renderbuffer: Bound,
+    resolving: Resolving,
     format: &'static InternalFormat,
     size: [u32; 2],
     samples: u8,
@@ -145,7 +146,7 @@ impl StorageRequest {
     fn new(
         context: &mut Context,
         renderbuffer: Bound,
-        samples: GLsizei,
+        (samples, resolving): (GLsizei, Resolving),
         internal: GLenum,
         size: [GLsizei; 2],
     ) -> Result<Self> {
@@ -186,11 +187,11 @@ impl StorageRequest {
         }
         object(context, &renderbuffer)?;
         let samples = if samples > 0 { limits::MAX_SAMPLES } else { 1 };
-        Ok(Self { renderbuffer, format, size: size.map(|side| side as u32), samples })
+        Ok(Self { renderbuffer, resolving, format, size: size.map(|side| side as u32), samples })
     }
 
     fn apply(self, context: &mut Context) -> Result<()> {
-        let Self { renderbuffer, format, size: [width, height], samples } = self;
+        let Self { renderbuffer, resolving, format, size: [width, height], samples } = self;
         let texels = if width > 0 && height > 0 {
             texels(format.stored, width, height)
                 .map_err(|error| GlError::new(ErrorCode::OutOfMemory, SECTION, error.to_string()))?
@@ -204,6 +205,7 @@ impl StorageRequest {
         renderbuffer.siblings.specify(&image, Specified::All);
         image.replace(texels, samples, MultisampleStorage::Resolved);
         renderbuffer.format = format;
+        renderbuffer.resolving = resolving;
         Ok(())
     }
 }
@@ -229,7 +231,31 @@ pub(crate) fn set_storage(
     internal: GLenum,
     size: [GLsizei; 2],
 ) -> Result<()> {
+    let samples = (samples, Resolving::ByBlit);
     StorageRequest::new(context, renderbuffer, samples, internal, size)?.apply(context)
+}
+
+/// `glRenderbufferStorageMultisampleEXT`: in OpenGL, of `EXT_framebuffer_multisample`; in OpenGL ES, of
+/// `EXT_multisampled_render_to_texture`, which reads pixels from it.
+pub(crate) fn renderbuffer_storage_multisample_ext(
+    context: &mut Context,
+    target: GLenum,
+    samples: GLsizei,
+    internalformat: GLenum,
+    width: GLsizei,
+    height: GLsizei,
+) -> Result<()> {
+    const SECTION: &str = "EXT_multisampled_render_to_texture, section 4.4.2.1";
+    RENDERBUFFER_TARGET.decode("target", target)?;
+    let resolving =
+        if context.profile.is_es() { Resolving::WhereItIsRead } else { Resolving::ByBlit };
+    if context.profile.is_es() && samples > limits::MAX_SAMPLES.into() {
+        let rule = format!("samples = {samples} must not be above {}", limits::MAX_SAMPLES);
+        return invalid_value(SECTION, rule);
+    }
+    let renderbuffer = context.state.bindings.renderbuffer.clone();
+    let (samples, size) = ((samples, resolving), [width, height]);
+    StorageRequest::new(context, renderbuffer, samples, internalformat, size)?.apply(context)
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -117,7 +117,7 @@ fn tex_image(
     context.lists.charge_image(given);
     let internal = internal as GLenum;
     let (format, pixel) = if context.profile.is_es() {
-        let pixel = Pixel::new_in_es(pixels.format, pixels.ty)?;
+        let pixel = Pixel::new_in_es(es_texels::plain_format(pixels.format), pixels.ty)?;
         (es_texels::stored(internal, pixels.format, pixels.ty)?, pixel)
     } else {
         (checked_internal(internal)?, Pixel::new(pixels.format, pixels.ty)?)

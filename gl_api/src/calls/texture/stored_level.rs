@@ -5,8 +5,9 @@ use crate::base::error::Result;
 use crate::base::types::*;
 use crate::calls::texture::mipmap::base_level_changed;
 use crate::context::Context;
+use crate::context::window::base_level_attachment;
 use crate::objects::target::TextureTarget;
-use rasterizer::driver::{Attachment, Image};
+use rasterizer::driver::Image;
 use std::sync::Arc;
 use texunit::format::Format;
 use texunit::image::{Image as Texels, Level};
@@ -142,9 +143,9 @@ impl StoredLevel {
         let (name, target) = match self.owner {
             Owner::Renderbuffer => {
                 if self.samples > 1 {
-                    let Some(mut level) = self.image.each_sample(0, 0) else { return Ok(()) };
+                    let attachment = base_level_attachment(&self.image);
+                    let Some(mut level) = attachment.each_sample() else { return Ok(()) };
                     (0..level.depth as usize).for_each(|slice| put(&mut level, slice));
-                    let attachment = Attachment { image: self.image.clone(), face: 0, level: 0 };
                     context.recorder.device().set_each_sample(&attachment, &level);
                     return Ok(());
                 }
@@ -182,7 +183,7 @@ impl StoredLevel {
     fn rows(&self) -> Rows {
         match self.owner {
             Owner::Renderbuffer if self.samples > 1 => {
-                Rows::Samples(self.image.each_sample(0, 0).map(Arc::new))
+                Rows::Samples(base_level_attachment(&self.image).each_sample().map(Arc::new))
             }
             Owner::Renderbuffer | Owner::Texture(..) => Rows::Texels(self.image.texels()),
         }

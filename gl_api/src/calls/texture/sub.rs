@@ -265,7 +265,11 @@ pub(crate) fn replace_box(
     pixels: Data<'_>,
 ) -> Result<()> {
     let is_es = context.profile.is_es();
-    let pixel = if is_es { Pixel::new_in_es(format, ty) } else { Pixel::new(format, ty) }?;
+    let pixel = if is_es {
+        Pixel::new_in_es(es_texels::plain_format(format), ty)
+    } else {
+        Pixel::new(format, ty)
+    }?;
     let area = BoxRequest::new(context, image, level, offset, size)?;
     context.lists.charge_image(size);
     let internal = area.internal(context);

@@ -67,9 +67,37 @@ pub(crate) fn without_arrays(context: &mut Context, unset: u64) {
     }
     let name = context.program_of(Stage::Vertex);
     let location = read.trailing_zeros();
+    if is_coordinate(context, location as u8) && every_texture_is_a_color(context) {
+        return;
+    }
     if context.is_first_warning(DrawWarning::MissingArray, name << 6 | location) {
         without_array(context, name, location as u8);
     }
+}
+
+/// Whether an attribute is one of texture coordinates, by its name.
+fn is_coordinate(context: &Context, location: u8) -> bool {
+    let Some(linked) = context.executable() else { return false };
+    let mut attributes = linked.program.attributes.iter();
+    attributes.find(|attribute| attribute.location == location).is_some_and(|attribute| {
+        let name = attribute.name.to_ascii_lowercase();
+        name.contains("tex") || name.contains("uv")
+    })
+}
+
+/// Whether each texture that the program in use samples has one texel, wherever it is sampled: programs bind such a one for
+/// what has no texture, and give no coordinates then.
+fn every_texture_is_a_color(context: &Context) -> bool {
+    let Some(linked) = context.executable() else { return false };
+    let samplers = &linked.program.samplers;
+    !samplers.is_empty()
+        && samplers.iter().all(|sampler| {
+            let unit = linked.words.get(sampler.word as usize).copied().unwrap_or(0) as usize;
+            let target = TextureTarget::of_sampler(sampler.dim);
+            let Some(unit) = context.state.units.units.get(unit) else { return false };
+            let texture = context.objects.texture(target, &unit.bound[target as usize]);
+            texture.image.level(0, 0).is_some_and(|level| level.size == [1; 3])
+        })
 }
 
 #[cold]

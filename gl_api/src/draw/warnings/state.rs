@@ -37,7 +37,8 @@ pub(crate) fn check(
     let no_scissor = enables.has(Flag::ScissorTest) && [scissor.width, scissor.height] == [0, 0];
     let no_depth = enables.has(Flag::DepthTest)
         && desc.depth.is_none()
-        && state.fragment.depth_func != Compare::Always;
+        && state.fragment.depth_func != Compare::Always
+        && !is_pass_of_a_program(context, desc.topology, elements);
     let no_stencil = enables.has(Flag::StencilTest)
         && desc.output.stencil.is_none()
         && state.fragment.stencil.faces.iter().any(|face: &Face| face.func != Compare::Always);
@@ -170,6 +171,26 @@ fn draws_polygons(topology: Topology) -> bool {
         | Topology::TrianglesAdjacency
         | Topology::TriangleStripAdjacency => false,
     }
+}
+
+/// Whether a program draws one triangle or one rectangle, as passes over a whole picture do: nothing of it hides the rest.
+fn is_pass_of_a_program(context: &Context, topology: Topology, elements: &Elements) -> bool {
+    let most = match topology {
+        Topology::Triangles => 6,
+        Topology::TriangleStrip | Topology::TriangleFan | Topology::Quads => 4,
+        Topology::QuadStrip
+        | Topology::Polygon
+        | Topology::Points
+        | Topology::Lines
+        | Topology::LineStrip
+        | Topology::LineLoop
+        | Topology::LinesAdjacency
+        | Topology::LineStripAdjacency
+        | Topology::TrianglesAdjacency
+        | Topology::TriangleStripAdjacency => return false,
+    };
+    let (count, instances) = elements.counts();
+    context.has_program() && count <= most && instances.len() == 1
 }
 
 /// Vertices that are left over by whole primitives.

@@ -40,8 +40,12 @@ macro_rules! entry_points_framebuffers {
         renderbuffer_storage: glRenderbufferStorage | glRenderbufferStorageEXT
             (target: GLenum, internalformat: GLenum, width: GLsizei, height: GLsizei), not_compiled;
         /// Gives the current renderbuffer a format, a size and a number of samples.
-        renderbuffer_storage_multisample:
-            glRenderbufferStorageMultisample | glRenderbufferStorageMultisampleEXT (
+        renderbuffer_storage_multisample: glRenderbufferStorageMultisample (
+            target: GLenum, samples: GLsizei, internalformat: GLenum, width: GLsizei,
+            height: GLsizei
+        ), not_compiled;
+        /// Gives the current renderbuffer a format, a size and samples that OpenGL ES resolves where they are read.
+        renderbuffer_storage_multisample_ext: glRenderbufferStorageMultisampleEXT (
             target: GLenum, samples: GLsizei, internalformat: GLenum, width: GLsizei,
             height: GLsizei
         ), not_compiled;
@@ -91,6 +95,12 @@ macro_rules! entry_points_framebuffers {
         /// Attaches a level of a texture, or of a face of a cube map, to the bound framebuffer.
         framebuffer_texture_2d: glFramebufferTexture2D | glFramebufferTexture2DEXT (
             target: GLenum, attachment: GLenum, textarget: GLenum, texture: GLuint, level: GLint
+        ), not_compiled;
+        /// Attaches a level of a texture, which has several samples while it is drawn to: OpenGL ES resolves them where
+        /// they are read.
+        framebuffer_texture_2d_multisample: glFramebufferTexture2DMultisampleEXT (
+            target: GLenum, attachment: GLenum, textarget: GLenum, texture: GLuint, level: GLint,
+            samples: GLsizei
         ), not_compiled;
         /// Attaches a renderbuffer to the bound framebuffer.
         framebuffer_renderbuffer: glFramebufferRenderbuffer | glFramebufferRenderbufferEXT (

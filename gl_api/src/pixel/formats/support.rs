@@ -35,6 +35,7 @@ pub(super) const TEXTURE_STENCIL8: &[Extension] = &[of("GL_ARB_texture_stencil8"
 pub(super) const TEXTURE_SNORM: &[Extension] = &[of("GL_EXT_texture_snorm", COMPATIBILITY)];
 pub(super) const TEXTURE_SRGB: &[Extension] = &[of("GL_EXT_texture_sRGB", DESKTOP)];
 
+pub(super) const SRGB: &[Extension] = &[of("GL_EXT_sRGB", ES)];
 pub(super) const COLOR_BUFFER_FLOAT: &[Extension] = &[of("GL_EXT_color_buffer_float", ES)];
 pub(super) const COLOR_BUFFER_HALF_FLOAT: &[Extension] =
     &[of("GL_EXT_color_buffer_half_float", ES)];

@@ -2,8 +2,9 @@
 
 use super::Image;
 use super::state::face_and_slice;
+use crate::plan::possible_samples;
 use texunit::format::Format;
-use texunit::image::Shape;
+use texunit::image::{Level, Shape};
 
 /// The size and kind of what is attached.
 pub(crate) struct AttachmentInfo {
@@ -23,13 +24,61 @@ pub struct Attachment {
     pub face: u16,
     /// Which level; it must exist.
     pub level: u8,
+    /// How many samples a pixel has while it is drawn to: the texels of the image are what they are resolved to.
+    pub samples: AttachmentSamples,
+}
+
+/// How many samples a pixel of an attachment has.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum AttachmentSamples {
+    /// As many as its image.
+    #[default]
+    OfImage,
+    /// So many, of an image that has one: as many as [`possible_samples`](crate::plan::possible_samples) says. They are
+    /// there as long as the level is drawn to in this way and nothing else changes the image; then each has the texel.
+    Implicit(u8),
+}
+
+impl AttachmentSamples {
+    /// The number, of an image that has so many itself.
+    pub(super) fn of(self, image: u8) -> u8 {
+        match self {
+            Self::Implicit(samples) if image == 1 => possible_samples(samples),
+            Self::OfImage | Self::Implicit(_) => image,
+        }
+    }
 }
 
 impl Attachment {
+    /// A slice with the samples that its image has.
+    pub fn new(image: Image, face: u16, level: u8) -> Self {
+        Self { image, face, level, samples: AttachmentSamples::OfImage }
+    }
+
+    /// The samples, each a slice ([`crate::driver::Device::set_each_sample`]).
+    pub fn each_sample(&self) -> Option<Level> {
+        self.image.each_sample(self)
+    }
+
+    /// That of a layer so many behind it.
+    pub(crate) fn layer(&self, behind: u16) -> Option<Self> {
+        Some(Self { face: self.face.checked_add(behind)?, ..self.clone() })
+    }
+
     /// Pixels across and up, if it exists.
     pub fn size(&self) -> Option<[u32; 2]> {
-        let info = self.image.attachment(self.face, self.level)?;
+        let info = self.info()?;
         Some([info.width, info.height])
+    }
+
+    /// What it names, if it exists.
+    pub(crate) fn info(&self) -> Option<AttachmentInfo> {
+        self.image.attachment(self)
+    }
+
+    /// How many samples a pixel has; 1 if it is no multisample image and has no samples of its own.
+    pub fn sample_count(&self) -> u8 {
+        self.samples.of(self.image.samples())
     }
 
     /// Which face it names, if its image is of this shape, and which slice.

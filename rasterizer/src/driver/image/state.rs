@@ -43,17 +43,21 @@ pub(super) struct Subresource {
     pub level: usize,
 }
 
-/// A slice of a level, and the format that its texels are taken for: that of the image, or of a view.
+/// A slice of a level as it is drawn to: the format that its texels are taken for, that of the image or of a view, and its
+/// samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct TypedSubresource {
     pub at: Subresource,
     pub format: Format,
+    /// Samples of a pixel.
+    pub samples: u8,
 }
 
 impl TypedSubresource {
     /// Whether it is what is attached.
     pub fn is_of(self, attached: &Attached) -> bool {
-        attached.at == self.at && attached.surface.format == self.format
+        let Surface { format, samples, .. } = attached.surface;
+        (attached.at, format, samples) == (self.at, self.format, self.samples)
     }
 }
 
@@ -156,8 +160,8 @@ impl State {
 
     /// A slice in the attachment layout, from its rows.
     pub fn loaded(&self, stored: TypedSubresource, thread_pool: &ThreadPool) -> Option<Surface> {
-        let TypedSubresource { at, format } = stored;
+        let TypedSubresource { at, format, samples } = stored;
         let level = self.texels.level(at.face, at.level)?;
-        Some(Surface::from_level_as(format, level, self.slices(at), self.samples, thread_pool))
+        Some(Surface::from_level_as(format, level, self.slices(at), samples, thread_pool))
     }
 }

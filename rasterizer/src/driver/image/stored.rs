@@ -2,7 +2,7 @@
 
 use super::state::{Attached, Blank, State, Subresource, TypedSubresource, face_and_slice};
 use super::view::{View, ViewDesc};
-use super::{AttachmentInfo, LevelInfo, MultisampleStorage};
+use super::{Attachment, AttachmentInfo, LevelInfo, MultisampleStorage};
 use crate::attachment::{RowSpan, RowWriter, Slices, StoreContext, Surface};
 use crate::plan::possible_samples;
 use crate::sizes::MAX_SAMPLES;
@@ -94,26 +94,26 @@ impl Stored {
     }
 
     /// Where a slice lies in what is stored, and what is known of its level, if it exists.
-    fn find(&self, state: &State, at: Subresource) -> Option<(TypedSubresource, LevelInfo)> {
+    fn find(&self, state: &State, at: Subresource) -> Option<(Subresource, LevelInfo)> {
         match &self.view {
             Some(view) => {
                 let stored = view.stored(state.texels.shape(), at)?;
-                Some((stored, view.info(state.info(stored.at)?)))
+                Some((stored, view.info(state.info(stored)?)))
             }
-            None => {
-                let info = state.info(at)?;
-                Some((TypedSubresource { at, format: info.format }, info))
-            }
+            None => Some((at, state.info(at)?)),
         }
     }
 
-    /// Where a slice lies in what is stored, if it exists.
-    fn stored(&self, state: &State, at: Subresource) -> Option<TypedSubresource> {
-        self.find(state, at).map(|(stored, _)| stored)
+    /// How what an attachment names is drawn to, if it exists.
+    fn stored(&self, state: &State, attachment: &Attachment) -> Option<TypedSubresource> {
+        let (at, info) = self.find(state, self.named(state, attachment))?;
+        let samples = attachment.samples.of(info.samples);
+        Some(TypedSubresource { at, format: info.format, samples })
     }
 
     /// What an attachment's number names.
-    fn named(&self, state: &State, number: u16, level: u8) -> Subresource {
+    fn named(&self, state: &State, attachment: &Attachment) -> Subresource {
+        let &Attachment { face: number, level, .. } = attachment;
         let shape = self.view.as_ref().map_or(state.texels.shape(), |view| view.desc.shape);
         let (face, slice) = face_and_slice(shape, number.into());
         Subresource { face, slice, level: level.into() }
@@ -206,18 +206,17 @@ impl Stored {
     /// which slice of it ([`crate::driver::Device::resolved`]).
     pub fn resolved_with(
         &self,
-        face: u16,
-        level: u8,
+        attachment: &Attachment,
         context: StoreContext<'_>,
     ) -> Option<(Arc<Level>, usize)> {
         let mut state = self.storage.state.lock();
-        let at = self.named(&state, face, level);
+        let at = self.named(&state, attachment);
         if state.storage == MultisampleStorage::Resolved {
             state.resolve(context.thread_pool);
             let level = Arc::clone(self.rows(&state).level(at.face, at.level)?);
             return Some((level, at.slice));
         }
-        let stored = self.stored(&state, at)?;
+        let stored = self.stored(&state, attachment)?;
         let surface = state.surface(stored)?;
         let mut level = Level::new(surface.format, surface.width, surface.height).ok()?;
         surface.store(&mut level, Slices::One(0), context);
@@ -228,31 +227,31 @@ impl Stored {
     /// image are not brought up to date.
     pub fn read_with(
         &self,
-        (face, level): (u16, u8),
+        attachment: &Attachment,
         span: RowSpan,
         rows: &mut [&mut [u8]],
         writer: RowWriter<'_>,
         context: StoreContext<'_>,
     ) {
         let state = self.storage.state.lock();
-        let stored = self.stored(&state, self.named(&state, face, level));
+        let stored = self.stored(&state, attachment);
         let is_drawn = |of: &&Attached| of.drawn && stored.is_some_and(|stored| stored.is_of(of));
         let drawn = state.attached.as_ref().filter(is_drawn);
         if let Some(Attached { surface, .. }) = drawn {
             return surface.read(span, rows, writer, context);
         }
         drop(state);
-        let Some((level, slice)) = self.resolved_with(face, level, context) else { return };
+        let Some((level, slice)) = self.resolved_with(attachment, context) else { return };
         for (y, row) in (span.y as usize..).zip(rows) {
             writer.row(level.row_span([span.x as usize, y, slice], span.width as usize), row);
         }
     }
 
     /// The samples of what an attachment names, each a slice.
-    pub fn each_sample(&self, face: u16, level: u8) -> Option<Level> {
+    pub fn each_sample(&self, attachment: &Attachment) -> Option<Level> {
         let _float_env = FloatEnv::enter();
         let mut state = self.storage.state.lock();
-        let stored = self.stored(&state, self.named(&state, face, level))?;
+        let stored = self.stored(&state, attachment)?;
         let surface = state.surface(stored)?;
         let size = [surface.width, surface.height, surface.samples.into()];
         let mut level = Level::with_size(surface.format, size, [0; 3]).ok()?;
@@ -267,17 +266,17 @@ impl Stored {
 
     /// Puts other samples in place of those of what an attachment names
     /// ([`crate::driver::Device::set_each_sample`]).
-    pub fn set_each_sample(&self, face: u16, level: u8, samples: &Level, isa: Isa) {
+    pub fn set_each_sample(&self, attachment: &Attachment, samples: &Level, isa: Isa) {
         let count = samples.depth.min(MAX_SAMPLES as u32) as u8;
         let mut surface =
             Surface::from_level(samples, Slices::Each(0), count, &ThreadPool::CALLER_ONLY);
         surface.change_all();
         let mut state = self.storage.state.lock();
-        let stored = self.stored(&state, self.named(&state, face, level));
+        let stored = self.stored(&state, attachment);
         // What it replaces need not be brought to its rows.
         state.attached.take_if(|attached| stored.is_some_and(|stored| stored.at == attached.at));
         drop(state);
-        self.detach(face, level, surface, isa);
+        self.detach(attachment, surface, isa);
     }
 
     /// Whether they are the same image, or views of the same image.
@@ -286,23 +285,24 @@ impl Stored {
     }
 
     /// Format and size of what an attachment names, if it exists.
-    pub fn attachment(&self, face: u16, level: u8) -> Option<AttachmentInfo> {
+    pub fn attachment(&self, attachment: &Attachment) -> Option<AttachmentInfo> {
         let state = self.storage.state.lock();
-        let at = self.named(&state, face, level);
+        let at = self.named(&state, attachment);
         let info = self.info(&state, at)?;
         let LevelInfo { format, size: [width, height, slices], samples, .. } = info;
+        let samples = attachment.samples.of(samples);
         (at.slice < slices as usize).then_some(AttachmentInfo { format, width, height, samples })
     }
 
     /// Takes a slice of a level out in the attachment layout; `None` if it does not exist.
-    pub fn attach(&self, face: u16, level: u8, thread_pool: &ThreadPool) -> Option<Surface> {
+    pub fn attach(&self, attachment: &Attachment, thread_pool: &ThreadPool) -> Option<Surface> {
         let mut state = self.storage.state.lock();
-        let stored = self.stored(&state, self.named(&state, face, level))?;
+        let stored = self.stored(&state, attachment)?;
         if let Some(attached) = state.attached.take_if(|attached| stored.is_of(attached)) {
             return Some(attached.surface);
         }
         if let Some(Blank { width, height, .. }) = state.blank {
-            return Some(Surface::zeros(stored.format, width, height, state.samples));
+            return Some(Surface::zeros(stored.format, width, height, stored.samples));
         }
         state.resolve(&ThreadPool::CALLER_ONLY);
         state.attached = None;
@@ -310,21 +310,22 @@ impl Stored {
     }
 
     /// Puts back what [`Stored::attach`] took, drawn to by a device of this instruction set.
-    pub fn detach(&self, face: u16, level: u8, surface: Surface, isa: Isa) {
+    pub fn detach(&self, attachment: &Attachment, surface: Surface, isa: Isa) {
         let mut state = self.storage.state.lock();
         // Another level of the same image may have been drawn to in the same pass.
         if state.attached.is_some() {
             state.resolve(&ThreadPool::CALLER_ONLY);
         }
-        let at = self.named(&state, face, level);
+        let at = self.named(&state, attachment);
         // Another context may have given the level another format or size meanwhile.
         let is_of = |(_, info): &(_, LevelInfo)| {
             let LevelInfo { format, size: [width, height, _], samples, .. } = *info;
+            let samples = attachment.samples.of(samples);
             (format, width, height, samples)
                 == (surface.format, surface.width, surface.height, surface.samples)
         };
         if let Some((stored, _)) = self.find(&state, at).filter(is_of) {
-            state.attached = Some(Attached { at: stored.at, surface, isa, drawn: true });
+            state.attached = Some(Attached { at: stored, surface, isa, drawn: true });
             self.storage.changed();
         }
     }

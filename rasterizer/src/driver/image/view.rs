@@ -6,7 +6,7 @@
 //! keeps copies while nothing changes.
 
 use super::LevelInfo;
-use super::state::{State, Subresource, TypedSubresource, face_and_slice};
+use super::state::{State, Subresource, face_and_slice};
 use parking_lot::Mutex;
 use std::ops::Range;
 use std::sync::Arc;
@@ -70,8 +70,8 @@ impl View {
     }
 
     /// Where a slice of the view lies in the image, which has this shape, if the view shows it.
-    pub fn stored(&self, shape: Shape, at: Subresource) -> Option<TypedSubresource> {
-        let ViewDesc { levels, layers, format, .. } = &self.desc;
+    pub fn stored(&self, shape: Shape, at: Subresource) -> Option<Subresource> {
+        let ViewDesc { levels, layers, .. } = &self.desc;
         let level = levels.start + at.level;
         let (face, slice) = match self.desc.shape {
             Shape::D3 => (0, at.slice),
@@ -89,9 +89,7 @@ impl View {
                 face_and_slice(shape, layer)
             }
         };
-        levels
-            .contains(&level)
-            .then_some(TypedSubresource { at: Subresource { face, slice, level }, format: *format })
+        levels.contains(&level).then_some(Subresource { face, slice, level })
     }
 
     /// What is known of a level, from what is known of the image's.

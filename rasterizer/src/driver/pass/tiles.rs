@@ -69,7 +69,7 @@ impl Pass<'_> {
             // One that another context has specified anew meanwhile is left out.
             let attach = |(attachment, first): (&Option<Attachment>, &Option<Surface>)| {
                 let (a, first) = (attachment.as_ref()?, first.as_ref()?);
-                let layer = a.image.attach(a.face + layer as u16 + 1, a.level, self.thread_pool);
+                let layer = a.image.attach(&a.layer(layer as u16 + 1)?, self.thread_pool);
                 layer.filter(|layer| layer.is_like(first))
             };
             let colors = self.desc.colors.iter().zip(&self.colors).map(attach).collect();
