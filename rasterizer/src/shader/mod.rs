@@ -53,6 +53,7 @@ pub use emission::Emission;
 pub(crate) use facts::{FactSources, Facts};
 pub use invocation::{Invocation, OverBudget};
 pub use machine::{Machine, Tracer};
+pub(crate) use optimize::SideVaryings;
 pub(crate) use optimized_module::{LevelOfDetail, OptimizedModule};
 pub use product::{ProductCode, TexelProduct};
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! A module that is optimized, before it becomes a program.
 
 use super::optimize;
+use super::optimize::SideVaryings;
 use super::program::{Fusing, Program};
 use crate::ir::{Block, Module, Output, Stmt};
 
@@ -39,14 +40,18 @@ impl OptimizedModule {
         optimize::hoist_to_vertex(vertex, &mut self.module)
     }
 
-    /// Lowers it.
-    pub fn finish(self, lod: LevelOfDetail) -> Program {
-        self.finish_and_keep(lod).0
+    /// Gives its lookups the level of detail.
+    pub fn finish(&mut self, lod: LevelOfDetail) {
+        optimize::finish(&mut self.module, lod);
+    }
+
+    /// Makes one varying of those that it selects by facing. It must be finished.
+    pub fn merge_sides(&mut self) -> Vec<SideVaryings> {
+        optimize::merge_sides(&mut self.module)
     }
 
     /// Lowers it, and returns the module that was lowered.
-    pub fn finish_and_keep(mut self, lod: LevelOfDetail) -> (Program, Module) {
-        optimize::finish(&mut self.module, lod);
+    pub fn lower(self) -> (Program, Module) {
         let left = statements(&self.module);
         let program = Program {
             statements: [self.statements_before, left],

@@ -131,7 +131,9 @@ impl Program {
     /// Optimizes and lowers `module`, keeping only the outputs for which `keep` holds.
     /// The module has been validated.
     pub fn new(module: &Module, keep: impl Fn(Output) -> bool) -> Self {
-        OptimizedModule::new(module, keep).finish(LevelOfDetail::Polygons)
+        let mut module = OptimizedModule::new(module, keep);
+        module.finish(LevelOfDetail::Polygons);
+        module.lower().0
     }
 
     /// The values of the module that this program was lowered from of which a draw knows facts.

@@ -3,6 +3,7 @@
 mod instances;
 mod packing;
 mod products;
+mod sides;
 mod targets;
 
 use super::common::{fragment, pipeline, vertex};

@@ -5,10 +5,9 @@ use super::Checker;
 use crate::ast::{self, Qualifier};
 use crate::builtins::variable::{Builtin, Invariance};
 use crate::hir::{InterfaceQualifiers, Storage};
-use crate::language::{Availability, Extension, Version};
+use crate::language::{Extension, Version};
 use crate::text::diagnostics::Diagnostic;
 use crate::text::source::Span;
-use crate::types::{Scalar, Type};
 use rasterizer::ir::{Interpolation, Stage};
 
 /// The storage that a qualifier gives a global in a stage; the error says why it is not allowed.
