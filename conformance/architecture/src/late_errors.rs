@@ -8,8 +8,8 @@
 
 use crate::error::ReadError;
 use crate::is_test;
+use crate::requests::{each_source, returns_result};
 use std::collections::BTreeSet;
-use std::fs;
 use std::path::Path;
 use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
@@ -32,25 +32,17 @@ pub struct LateError {
 /// # Errors
 /// When a file cannot be read, or is not Rust.
 pub fn late_errors(root: &Path, folder: &Path) -> Result<Vec<LateError>, ReadError> {
-    let io = |source| ReadError::Io { path: folder.to_owned(), source };
     let mut found = Vec::new();
-    for entry in fs::read_dir(folder).map_err(io)? {
-        let path = entry.map_err(io)?.path();
-        if path.is_dir() {
-            found.extend(late_errors(root, &path)?);
-        } else if path.extension().is_some_and(|extension| extension == "rs") {
-            let text = fs::read_to_string(&path)
-                .map_err(|source| ReadError::Io { path: path.clone(), source })?;
-            let file = syn::parse_file(&text)
-                .map_err(|source| ReadError::Syntax { path: path.clone(), source })?;
-            let mut functions = Functions::default();
-            functions.visit_file(&file);
-            let relative = path.strip_prefix(root).unwrap_or(&path).display().to_string();
-            found.extend(functions.found.into_iter().map(|(function, assigned, fails)| {
-                LateError { file: relative.clone(), function, assigned, fails }
-            }));
-        }
-    }
+    each_source(root, folder, &mut |path, source| {
+        let mut functions = Functions::default();
+        functions.visit_file(source);
+        found.extend(functions.found.into_iter().map(|(function, assigned, fails)| LateError {
+            file: path.to_owned(),
+            function,
+            assigned,
+            fails,
+        }));
+    })?;
     found.sort();
     Ok(found)
 }
@@ -63,10 +55,7 @@ struct Functions {
 
 impl Functions {
     fn function(&mut self, signature: &syn::Signature, body: &syn::Block) {
-        let is_fallible = matches!(&signature.output, syn::ReturnType::Type(_, ty)
-            if matches!(&**ty, syn::Type::Path(path)
-                if path.path.segments.last().is_some_and(|last| last.ident == "Result")));
-        if !is_fallible {
+        if !returns_result(signature) {
             return;
         }
         let mut flow = Flow::default();

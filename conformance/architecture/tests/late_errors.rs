@@ -1,6 +1,6 @@
 //! A call that fails has no effect: the functions of `calls` assign nothing before their last error.
 
-use architecture::{LateError, late_errors};
+use architecture::{LateError, fallible_requests, late_errors};
 use std::error::Error;
 use std::fs;
 use std::path::Path;
@@ -31,6 +31,37 @@ fn calls_validate_before_they_assign() -> Result<(), Box<dyn Error>> {
     for row in HARMLESS {
         assert!(found.iter().any(|late| is_of(late, row)), "{row:?} has no late error any more");
     }
+    Ok(())
+}
+
+/// Requests that need memory, or the client's, when they are applied, and what of it may be missing.
+const NEED_MEMORY: &[(&str, &str, &str)] = &[
+    (
+        "framebuffer/read.rs",
+        "ReadPixelsRequest",
+        "the memory that is written to is known only then",
+    ),
+    ("framebuffer/renderbuffers.rs", "StorageRequest", "texels"),
+    ("pixels/copy.rs", "CopyPixelsRequest", "converted pixels"),
+    ("pixels/draw.rs", "DrawPixelsRequest", "converted pixels"),
+    ("texture/clear_image.rs", "ClearRequest", "a copy of a level that others share"),
+    ("texture/copy.rs", "CopyTexImageRequest", "texels of the level"),
+    ("texture/copy_image.rs", "CopyRequest", "a copy of a level that others share"),
+    ("texture/level_request.rs", "LevelRequest", "the levels that GL_GENERATE_MIPMAP makes"),
+    ("texture/sub.rs", "BoxRequest", "a copy of a level that others share"),
+    ("texture/sub.rs", "TexSubImageRequest", "converted pixels"),
+];
+
+#[test]
+fn requests_fail_at_most_for_memory_when_they_are_applied() -> Result<(), Box<dyn Error>> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let calls = root.join("gl_api/src/calls");
+    let found = fallible_requests(&calls, &calls)?;
+    let known: Vec<(String, String)> = NEED_MEMORY
+        .iter()
+        .map(|(file, request, _)| ((*file).to_owned(), (*request).to_owned()))
+        .collect();
+    assert_eq!(found, known, "`apply` returns nothing, or has a row above that says what it needs");
     Ok(())
 }
 
