@@ -1,4 +1,4 @@
-//! A call that fails has no effect: the functions of `calls` assign nothing before their last error.
+//! A call that fails has no effect: the functions of `calls` and `record` assign nothing before their last error.
 
 use architecture::{LateError, fallible_requests, late_errors};
 use std::error::Error;
@@ -15,7 +15,8 @@ const HARMLESS: &[(&str, &str, &str)] = &[(
 #[test]
 fn calls_validate_before_they_assign() -> Result<(), Box<dyn Error>> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
-    let found = late_errors(&root, &root.join("gl_api/src/calls"))?;
+    let mut found = late_errors(&root, &root.join("gl_api/src/calls"))?;
+    found.extend(late_errors(&root, &root.join("gl_api/src/record"))?);
     let is_of = |late: &LateError, (file, function, _): &(&str, &str, &str)| {
         late.file.ends_with(file) && late.function == *function
     };
