@@ -335,7 +335,7 @@ fn copy(
 /// How many values the uniform at a location of a program has; 0 if there is none.
 pub fn uniform_values(context: &mut Context, program: GLuint, location: GLint) -> usize {
     let scope = CallScope { context };
-    match crate::calls::program::inspect::words(scope.context, program, location) {
+    match crate::calls::program::uniform_values::words(scope.context, program, location) {
         Ok((_, words)) => words.len(),
         Err(_) => 0,
     }

@@ -1,13 +1,14 @@
 //! Assembly programs: ARB_vertex_program, ARB_fragment_program, ARB_fragment_program_shadow.
 //!
 //! The modules in the order in which a program passes through them: `lexer`, `parser` (with
-//! `operand`, `state` and `counts`) to the instructions of `program`, then `lower`, which makes IR
+//! `declaration`, `operand`, `state` and `counts`) to the instructions of `program`, then `lower`, which makes IR
 //! of them with `arithmetic` and puts their parameters into the uniform words of `layout`. What
 //! comes out is what the GLSL linker gives, a stage with its words; the draw layer fills these in, where
 //! the program in use lacks the stage.
 
 mod arithmetic;
 mod counts;
+mod declaration;
 pub(crate) mod layout;
 mod lexer;
 pub(crate) mod lower;

@@ -7,7 +7,6 @@ use super::program::{
     Program, Result as Output, Saturation, Target, Written, instructions, opcode,
 };
 use super::{Failure, Parsed};
-use crate::base::assembly_limits as limits;
 use crate::interface::MAX_TEXTURE_IMAGE_UNITS;
 
 /// What a declared name refers to.
@@ -29,7 +28,7 @@ pub(crate) struct Parser<'a> {
     pub target: Target,
     pub options: Options,
     /// Sorted by name.
-    names: Vec<(&'a str, Symbol)>,
+    pub names: Vec<(&'a str, Symbol)>,
     pub arrays: Vec<Vec<Parameter>>,
     /// The arrays that an address register indexes.
     pub indexed: Vec<u16>,
@@ -195,29 +194,6 @@ impl<'a> Parser<'a> {
         Ok((first, last))
     }
 
-    /// Where a name is among the declared ones, or where it would be.
-    fn place(&self, name: &str) -> Result<usize, usize> {
-        self.names.binary_search_by(|(known, _)| (*known).cmp(name))
-    }
-
-    /// What a declared name refers to.
-    pub fn symbol(&mut self) -> Parsed<Symbol> {
-        let position = self.position();
-        let name = self.word("a variable")?;
-        match self.place(name) {
-            Ok(place) => Ok(self.names[place].1),
-            Err(_) => {
-                let roots = match self.target {
-                    Target::Vertex => "vertex",
-                    Target::Fragment => "fragment",
-                };
-                let known: Vec<&str> =
-                    self.names.iter().map(|row| row.0).chain([roots, "program", "state"]).collect();
-                Err(Failure::unknown(position, format!("{name} is not declared"), name, &known))
-            }
-        }
-    }
-
     fn program(&mut self) -> Parsed<()> {
         while self.eat(Token::Word("OPTION")) {
             self.option()?;
@@ -320,97 +296,6 @@ impl<'a> Parser<'a> {
                 }
             },
         }
-    }
-
-    /// Whether a name is reserved.
-    fn is_reserved(&self, name: &str) -> bool {
-        let words: &[&str] = match self.target {
-            Target::Vertex => &["ADDRESS", "vertex"],
-            Target::Fragment => &["fragment", "texture"],
-        };
-        let both = ["ALIAS", "ATTRIB", "END", "OPTION", "OUTPUT", "PARAM", "TEMP"];
-        let roots = ["program", "result", "state"];
-        words.iter().chain(&both).chain(&roots).any(|word| *word == name)
-            || opcode(name, self.target).is_some()
-    }
-
-    /// A name that is declared here, and where it stands.
-    fn new_name(&mut self) -> Parsed<(&'a str, usize)> {
-        let position = self.position();
-        let name = self.word("a name")?;
-        if self.is_reserved(name) || name.starts_with(|c: char| c.is_ascii_digit()) {
-            return Failure::at(position, format!("{name} is a reserved word"));
-        }
-        Ok((name, position))
-    }
-
-    fn declare(&mut self, (name, position): (&'a str, usize), symbol: Symbol) -> Parsed<()> {
-        match self.place(name) {
-            Ok(_) => Failure::at(position, format!("{name} is declared twice")),
-            Err(place) => {
-                self.names.insert(place, (name, symbol));
-                Ok(())
-            }
-        }
-    }
-
-    /// `a, b, c`.
-    fn variables(&mut self, make: fn(&mut Self) -> Symbol) -> Parsed<()> {
-        loop {
-            let name = self.new_name()?;
-            let symbol = make(self);
-            self.declare(name, symbol)?;
-            if !self.eat(Token::Mark(',')) {
-                return Ok(());
-            }
-        }
-    }
-
-    /// `a = …`.
-    fn declaration(&mut self, bind: fn(&mut Self) -> Parsed<Symbol>) -> Parsed<()> {
-        let name = self.new_name()?;
-        self.expect('=')?;
-        let symbol = bind(self)?;
-        self.declare(name, symbol)
-    }
-
-    /// `a = …` or `a[n] = { … }`, of parameters.
-    fn parameters(&mut self) -> Parsed<()> {
-        let name = self.new_name()?;
-        let position = self.position();
-        if !self.eat(Token::Mark('[')) {
-            self.expect('=')?;
-            let parameter = self.declared_parameter()?;
-            self.counts.parameters += 1;
-            return self.declare(name, Symbol::Parameter(parameter));
-        }
-        let mut size = None;
-        if !self.eat(Token::Mark(']')) {
-            let limit = limits::MAX_PARAMETERS + 1;
-            size = Some(usize::from(self.integer(limit, "elements")?));
-            self.expect(']')?;
-        }
-        self.expect('=')?;
-        self.expect('{')?;
-        let mut array = Vec::new();
-        loop {
-            self.elements(&mut array)?;
-            if array.len() > limits::MAX_PARAMETERS as usize {
-                return self.fail("the array has more elements than there are parameters");
-            }
-            if !self.eat(Token::Mark(',')) {
-                break;
-            }
-        }
-        self.expect('}')?;
-        if size.is_some_and(|size| size != array.len()) {
-            let has = array.len();
-            return Failure::at(position, format!("the array has {has} elements, not as it says"));
-        }
-        self.counts.parameters += array.len() as u32;
-        let number = self.arrays.len() as u16;
-        self.arrays.push(array);
-        self.declare(name, Symbol::Array(number))
     }
 
     fn instruction(

@@ -76,10 +76,7 @@ fn is_already(context: &Context, capability: Capability, to: Switch) -> bool {
             first == on && context.state.fragment.scissor_tests == all
         }
         Capability::Flag(flag) => context.state.enables.has(flag) == on,
-        Capability::Texture(target) => {
-            context.state.units.active().enabled[target as usize] == on
-                && context.state.units.active_coordinates("GL 2.1, section 3.8.16").is_ok()
-        }
+        Capability::Texture(target) => context.state.units.active().enabled[target as usize] == on,
         Capability::Light(light) => (context.state.lights.enabled >> light & 1 == 1) == on,
         Capability::ClipPlane(plane) => (context.state.clip.enabled >> plane & 1 == 1) == on,
         Capability::TexGen(_) | Capability::Map(_) | Capability::DebugOutput => false,
@@ -89,9 +86,19 @@ fn is_already(context: &Context, capability: Capability, to: Switch) -> bool {
 fn switch(context: &mut Context, cap: GLenum, to: Switch) -> Result<()> {
     let on = to == Switch::On;
     let capability = capability(context, cap)?;
-    if let Capability::Texture(_) = capability {
-        let active = u32::from(context.state.units.active);
-        context.units_switched |= 1u8.checked_shl(active).unwrap_or(0);
+    match capability {
+        Capability::Texture(_) => {
+            let active = context.state.units.active_coordinates("GL 2.1, section 3.8.16")?;
+            context.units_switched |= 1 << active;
+        }
+        Capability::TexGen(_) => {
+            context.state.units.active_coordinates("GL 2.1, section 2.11.4")?;
+        }
+        Capability::Flag(_)
+        | Capability::Light(_)
+        | Capability::ClipPlane(_)
+        | Capability::Map(_)
+        | Capability::DebugOutput => {}
     }
     if is_already(context, capability, to) {
         context.state_changes.no_change();
@@ -120,14 +127,12 @@ fn switch(context: &mut Context, cap: GLenum, to: Switch) -> Result<()> {
             }
         }
         Capability::Texture(target) => {
-            context.state.units.active_coordinates("GL 2.1, section 3.8.16")?;
             context.state.units.active_mut().enabled[target as usize] = on;
         }
         Capability::DebugOutput => {
             context.debug.output = if on { Output::On } else { Output::Off };
         }
         Capability::TexGen(coord) => {
-            context.state.units.active_coordinates("GL 2.1, section 2.11.4")?;
             context.state.units.active_mut().generate[coord as usize].enabled = on;
         }
         Capability::Light(light) => set_bit(&mut context.state.lights.enabled, light, on),

@@ -4,7 +4,7 @@ use crate::base::args::DataOut;
 use crate::base::constants::*;
 use crate::base::error::{Result, invalid_operation};
 use crate::base::types::*;
-use crate::calls::program::inspect;
+use crate::calls::program::uniform_values;
 use crate::context::Context;
 use crate::context::reset::ResetStatus;
 
@@ -61,8 +61,13 @@ pub(crate) fn getn_uniformfv(
     buf_size: GLsizei,
     params: &mut [GLfloat],
 ) -> Result<()> {
-    let needed = inspect::uniform_words(context, program, location)?;
-    inspect::get_uniformfv(context, program, location, destination(params, needed, buf_size)?)
+    let needed = uniform_values::uniform_words(context, program, location)?;
+    uniform_values::get_uniformfv(
+        context,
+        program,
+        location,
+        destination(params, needed, buf_size)?,
+    )
 }
 
 pub(crate) fn getn_uniformiv(
@@ -72,8 +77,13 @@ pub(crate) fn getn_uniformiv(
     buf_size: GLsizei,
     params: &mut [GLint],
 ) -> Result<()> {
-    let needed = inspect::uniform_words(context, program, location)?;
-    inspect::get_uniformiv(context, program, location, destination(params, needed, buf_size)?)
+    let needed = uniform_values::uniform_words(context, program, location)?;
+    uniform_values::get_uniformiv(
+        context,
+        program,
+        location,
+        destination(params, needed, buf_size)?,
+    )
 }
 
 pub(crate) fn getn_uniformuiv(
@@ -83,6 +93,11 @@ pub(crate) fn getn_uniformuiv(
     buf_size: GLsizei,
     params: &mut [GLuint],
 ) -> Result<()> {
-    let needed = inspect::uniform_words(context, program, location)?;
-    inspect::get_uniformuiv(context, program, location, destination(params, needed, buf_size)?)
+    let needed = uniform_values::uniform_words(context, program, location)?;
+    uniform_values::get_uniformuiv(
+        context,
+        program,
+        location,
+        destination(params, needed, buf_size)?,
+    )
 }

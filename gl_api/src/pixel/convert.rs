@@ -4,17 +4,22 @@
 //! another. Which goes where is decided once; where nothing is done to them and both records have the same
 //! bits for the same numbers, those are moved ([`texunit::pixel`]).
 
+mod images;
+mod record;
+
+pub(crate) use images::{
+    as_texels, pack, pack_rows, texels, transcode, transcode_stencils, unpack,
+};
+
 use crate::base::clamp::Clamp;
-use crate::base::error::Result;
 use crate::pixel::client::element::ClientType;
 use crate::pixel::client::format::{ClientFormat, LuminanceOf, Numbers};
 use crate::pixel::layout::Layout;
-use crate::pixel::scratch::scratch;
 use crate::pixel::texel;
 use crate::pixel::transfer::{Steps, Transfer, TransferKind};
 use rasterizer::driver::SrgbWrite;
+use record::{Components, PixelRecord};
 use texunit::format::{Encoding, Field, Format};
-use texunit::image::Level;
 use texunit::lanes::{F64s, Isa, LANES};
 use texunit::pixel;
 use texunit::pixel::{BitMoves, NumberEncoding, NumberTransform, PixelLayout, Source};
@@ -33,76 +38,6 @@ impl FinalConversion {
         let is_fraction = format.info().encoding.range() == Some(Encoding::UNIT);
         let clamp = if is_fraction && !format.has_stencil() { Clamp::On } else { Clamp::Off };
         Self { luminance, clamp }
-    }
-}
-
-/// What the four numbers of a pixel are.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Components {
-    Client(ClientFormat),
-    Texel(Format),
-}
-
-impl Components {
-    /// The numbers as R, G, B, A.
-    fn rgba<T: Copy>(self, numbers: [T; 4], zero: T, one: T) -> [T; 4] {
-        match self {
-            Self::Client(format) => format.expand(numbers, zero, one),
-            Self::Texel(format) => texel::rgba(format, numbers, zero, one),
-        }
-    }
-
-    /// The numbers of R, G, B, A.
-    fn numbers<T: Copy>(self, rgba: [T; 4], zero: T, luminance: T) -> [T; 4] {
-        match self {
-            Self::Client(format) => format.select(rgba, zero, luminance),
-            Self::Texel(format) => texel::channels(format, rgba),
-        }
-    }
-}
-
-/// A pixel of the source or destination of a conversion: its components and their memory layout.
-struct PixelRecord {
-    components: Components,
-    layout: PixelLayout,
-}
-
-impl PixelRecord {
-    fn client(layout: &Layout, numbers: Numbers) -> Self {
-        let pixel = layout.pixel;
-        let record = pixel.ty.record(pixel.format.components(), numbers, layout.order.in_memory());
-        Self { components: Components::Client(pixel.format), layout: record }
-    }
-
-    fn texel(format: Format) -> Self {
-        Self { components: Components::Texel(format), layout: PixelLayout::of(format) }
-    }
-
-    /// The stencils of texels.
-    fn stencil(format: Format) -> Self {
-        Self {
-            components: Components::Client(ClientFormat::Stencil),
-            layout: PixelLayout::of_stencil(format),
-        }
-    }
-
-    /// Colours as they are copied: sRGB as light where it is written so.
-    fn color(format: Format, srgb: SrgbWrite) -> Self {
-        let record = match srgb {
-            SrgbWrite::AsIs => PixelLayout::of(format),
-            SrgbWrite::Encode => PixelLayout::of_light(format),
-        };
-        Self { components: Components::Texel(format), layout: record }
-    }
-
-    /// Whether a luminance is made of R, G and B.
-    fn is_sum(&self, luminance: LuminanceOf) -> bool {
-        match self.components {
-            Components::Client(ClientFormat::Luminance | ClientFormat::LuminanceAlpha) => {
-                luminance == LuminanceOf::Sum
-            }
-            Components::Client(_) | Components::Texel(_) => false,
-        }
     }
 }
 
@@ -345,119 +280,6 @@ impl<'a> Conversion<'a> {
 fn bits_as_bytes(layout: &Layout, row: &[u8]) -> Option<Vec<u8>> {
     let bits = layout.bits?;
     Some((0..layout.size[0]).map(|column| bits.at(row, column)).collect())
-}
-
-/// The client's pixels as texels of `format`, tightly packed into `texels`. `bytes` has
-/// `layout.needed` bytes.
-pub(crate) fn unpack(
-    isa: Isa,
-    layout: &Layout,
-    bytes: &[u8],
-    format: Format,
-    transfer: &Transfer,
-    texels: &mut [u8],
-) {
-    if layout.needed == 0 {
-        return;
-    }
-    let conversion = Conversion::unpack(isa, layout, format, transfer);
-    if let Some(same) = conversion.copied(layout, bytes) {
-        texels.copy_from_slice(same);
-        return;
-    }
-    let run = layout.size[0] * format.bytes();
-    for (at, out) in layout.rows().zip(texels.chunks_exact_mut(run)) {
-        conversion.unpack_row(layout, &bytes[at..], out);
-    }
-}
-
-/// The client's pixels themselves, where they are texels of `format`, tightly packed; never those
-/// of a compressed format.
-pub(crate) fn as_texels<'a>(
-    isa: Isa,
-    layout: &Layout,
-    bytes: &'a [u8],
-    format: Format,
-    transfer: &Transfer,
-) -> Option<&'a [u8]> {
-    match format.block() {
-        Some(_) => None,
-        None => Conversion::unpack(isa, layout, format, transfer).copied(layout, bytes),
-    }
-}
-
-/// Rows of texels of `format`, each with as many as the layout's rows have pixels, into the
-/// client's memory, which has `layout.needed` bytes.
-pub(crate) fn pack(
-    isa: Isa,
-    layout: &Layout,
-    format: Format,
-    transfer: &Transfer,
-    luminance: LuminanceOf,
-    texels: &[u8],
-    bytes: &mut [u8],
-) {
-    if layout.needed == 0 {
-        return;
-    }
-    let run = layout.size[0] * format.bytes();
-    let rows = layout.rows().zip(texels.chunks_exact(run));
-    let last = FinalConversion::of(format, luminance);
-    pack_rows(isa, layout, format, transfer, last, rows, bytes);
-}
-
-/// Rows of texels of `format`, each with as many as the layout's rows have pixels, to where each is
-/// to begin in the client's memory.
-pub(crate) fn pack_rows(
-    isa: Isa,
-    layout: &Layout,
-    format: Format,
-    transfer: &Transfer,
-    last: FinalConversion,
-    rows: impl Iterator<Item = (usize, impl AsRef<[u8]>)>,
-    bytes: &mut [u8],
-) {
-    let conversion = Conversion::pack(isa, layout, format, transfer, last);
-    for (at, row) in rows {
-        conversion.pack_row(layout, row.as_ref(), &mut bytes[at..]);
-    }
-}
-
-/// Texels of one format as texels of another.
-///
-/// # Errors
-/// If there is no memory for them.
-pub(crate) fn transcode(
-    isa: Isa,
-    from: Format,
-    texels: &[u8],
-    to: Format,
-    transfer: &Transfer,
-) -> Result<Vec<u8>> {
-    let mut out = scratch(to, [texels.len() / from.bytes(), 1, 1])?;
-    Conversion::between(isa, from, to, transfer).run(texels, &mut out);
-    Ok(out)
-}
-
-/// The stencils of texels of one format as those of another.
-///
-/// # Errors
-/// If there is no memory for them.
-pub(crate) fn transcode_stencils(
-    isa: Isa,
-    from: Format,
-    texels: &[u8],
-    to: Format,
-    transfer: &Transfer,
-) -> Result<Vec<u8>> {
-    let mut out = scratch(to, [texels.len() / from.bytes(), 1, 1])?;
-    Conversion::between_stencils(isa, from, to, transfer).run(texels, &mut out);
-    Ok(out)
-}
-
-/// The texels of a level, border included, without the padding.
-pub(crate) fn texels(level: &Level) -> &[u8] {
-    &level.texels[..level.texels.len() - texunit::image::PADDING]
 }
 
 #[cfg(test)]

@@ -46,13 +46,6 @@ pub(crate) fn pop_client_attrib(context: &mut Context) -> Result<()> {
             "the stack is empty: glPushClientAttrib is missing".into(),
         );
     };
-    if let Some(saved) = saved.pixels {
-        context.state.pack = saved.pack;
-        context.state.unpack = saved.unpack;
-        let bindings = &mut context.state.bindings;
-        bindings.pixel_pack_buffer.restore(saved.pack_buffer);
-        bindings.pixel_unpack_buffer.restore(saved.unpack_buffer);
-    }
     if let Some(saved) = saved.arrays {
         // A vertex array object that was deleted meanwhile stays deleted (ARB_vertex_array_object,
         // section 2.10), and its arrays are no other object's.
@@ -67,6 +60,13 @@ pub(crate) fn pop_client_attrib(context: &mut Context) -> Result<()> {
         context.state.enables.set(Flag::PrimitiveRestart, restarts);
         context.state.restart_index = index;
         context.state.units.client_active = saved.client_active;
+    }
+    if let Some(saved) = saved.pixels {
+        context.state.pack = saved.pack;
+        context.state.unpack = saved.unpack;
+        let bindings = &mut context.state.bindings;
+        bindings.pixel_pack_buffer.restore(saved.pack_buffer);
+        bindings.pixel_unpack_buffer.restore(saved.unpack_buffer);
     }
     Ok(())
 }

@@ -137,6 +137,38 @@ pub(super) fn jump_targets(code: &[Inst]) -> Vec<bool> {
     is_target
 }
 
+/// The target of a jump, borrowed as the instruction is.
+macro_rules! jump_target {
+    ($inst:expr) => {
+        match $inst {
+            Inst::If { reject: to, .. }
+            | Inst::Unless { to, .. }
+            | Inst::Jump { to }
+            | Inst::Else { end: to, .. }
+            | Inst::SkipEmpty { to }
+            | Inst::Repeat { head: to }
+            | Inst::EndIteration { head: to, .. } => Some(to),
+            Inst::Compute { .. }
+            | Inst::Move { .. }
+            | Inst::Zero { .. }
+            | Inst::Store { .. }
+            | Inst::LoadAt { .. }
+            | Inst::StoreAt { .. }
+            | Inst::UniformAt { .. }
+            | Inst::Derivative { .. }
+            | Inst::Tabulated { .. }
+            | Inst::Sample(_)
+            | Inst::Join { .. }
+            | Inst::Open { .. }
+            | Inst::Leave { .. }
+            | Inst::LeaveIf { .. }
+            | Inst::Discard
+            | Inst::EmitVertex(_)
+            | Inst::EndPrimitive => None,
+        }
+    };
+}
+
 impl Inst {
     /// Visits every register operand, those that are read first.
     pub fn operands(&mut self, f: &mut impl FnMut(&mut Reg, Role)) {
@@ -286,62 +318,12 @@ impl Inst {
 
     /// The instruction this one can jump to.
     pub fn target(&self) -> Option<Target> {
-        match self {
-            Self::If { reject: to, .. }
-            | Self::Unless { to, .. }
-            | Self::Jump { to }
-            | Self::Else { end: to, .. }
-            | Self::SkipEmpty { to }
-            | Self::Repeat { head: to }
-            | Self::EndIteration { head: to, .. } => Some(*to),
-            Self::Compute { .. }
-            | Self::Move { .. }
-            | Self::Zero { .. }
-            | Self::Store { .. }
-            | Self::LoadAt { .. }
-            | Self::StoreAt { .. }
-            | Self::UniformAt { .. }
-            | Self::Derivative { .. }
-            | Self::Tabulated { .. }
-            | Self::Sample(_)
-            | Self::Join { .. }
-            | Self::Open { .. }
-            | Self::Leave { .. }
-            | Self::LeaveIf { .. }
-            | Self::Discard
-            | Self::EmitVertex(_)
-            | Self::EndPrimitive => None,
-        }
+        jump_target!(self).copied()
     }
 
     /// As [`Self::target`], to be changed.
     pub fn target_mut(&mut self) -> Option<&mut Target> {
-        match self {
-            Self::If { reject: to, .. }
-            | Self::Unless { to, .. }
-            | Self::Jump { to }
-            | Self::Else { end: to, .. }
-            | Self::SkipEmpty { to }
-            | Self::Repeat { head: to }
-            | Self::EndIteration { head: to, .. } => Some(to),
-            Self::Compute { .. }
-            | Self::Move { .. }
-            | Self::Zero { .. }
-            | Self::Store { .. }
-            | Self::LoadAt { .. }
-            | Self::StoreAt { .. }
-            | Self::UniformAt { .. }
-            | Self::Derivative { .. }
-            | Self::Tabulated { .. }
-            | Self::Sample(_)
-            | Self::Join { .. }
-            | Self::Open { .. }
-            | Self::Leave { .. }
-            | Self::LeaveIf { .. }
-            | Self::Discard
-            | Self::EmitVertex(_)
-            | Self::EndPrimitive => None,
-        }
+        jump_target!(self)
     }
 }
 

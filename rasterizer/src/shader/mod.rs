@@ -39,6 +39,7 @@ mod mask;
 mod maskless_stores;
 mod native;
 mod optimize;
+mod optimized_module;
 mod preamble;
 mod product;
 mod program;
@@ -53,10 +54,10 @@ pub(crate) use facts::{FactSources, Facts};
 pub use invocation::{Invocation, OverBudget};
 pub use machine::{Machine, Tracer};
 pub(crate) use optimize::SideVaryings;
+pub(crate) use optimized_module::{LevelOfDetail, OptimizedModule};
 pub use product::{ProductCode, TexelProduct};
 #[cfg(test)]
 use program::Fusing;
-pub(crate) use program::{LevelOfDetail, OptimizedModule};
 pub use program::{MAX_REGISTER_FILES, Prepared, Program};
 
 #[cfg(test)]

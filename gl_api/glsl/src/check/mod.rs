@@ -10,6 +10,7 @@ mod geometry;
 mod initializer;
 mod integer_overloads;
 mod interface_block;
+mod interface_types;
 mod lvalue;
 mod operators;
 mod per_vertex;

@@ -157,9 +157,10 @@ pub(crate) fn is_buffer(context: &mut Context, buffer: GLuint) -> Result<bool> {
 struct BufferDataRequest<'a> {
     object: &'a mut BufferObject,
     recorder: &'a mut Recorder,
-    size: usize,
+    /// The buffer's memory: as many bytes as it is to have.
+    bytes: Vec<u8>,
     usage: GLenum,
-    /// The first bytes, as many as `size`; zeros where there are none.
+    /// What they are to be; `None` for zeros, which they are.
     source: Option<&'a [u8]>,
 }
 
@@ -186,26 +187,26 @@ impl<'a> BufferDataRequest<'a> {
                 return invalid_operation(SECTION, "data is an offset; it must be memory or NULL");
             }
         };
-        Ok(Self { object, recorder, size, usage, source })
-    }
-
-    fn apply(self) -> Result<&'a mut BufferObject> {
-        let Self { object, recorder, size, usage, source } = self;
         let zeros = || try_zeroed_vec(size).map_err(|()| no_memory(size));
         let bytes = match source {
-            Some(source) => {
-                let mut bytes = object.take_as_many(size).map_or_else(zeros, Ok)?;
-                recorder.copy(source, &mut bytes);
-                bytes
-            }
+            Some(_) => object.take_as_many(size).map_or_else(zeros, Ok)?,
             None => zeros()?,
         };
+        Ok(Self { object, recorder, bytes, usage, source })
+    }
+
+    fn apply(self) -> &'a mut BufferObject {
+        let Self { object, recorder, mut bytes, usage, source } = self;
+        let size = bytes.len();
+        if let Some(source) = source {
+            recorder.copy(source, &mut bytes);
+        }
         object.buffer = Buffer::new(bytes);
         object.usage = usage;
         object.map = None;
         object.access = GL_READ_WRITE;
         recorder.hold(size);
-        Ok(object)
+        object
     }
 }
 
@@ -244,7 +245,7 @@ pub(crate) fn set_data(
     data: Data<'_>,
     usage: GLenum,
 ) -> Result<()> {
-    BufferDataRequest::new(with_recorder(context, buffer)?, size, data, usage)?.apply()?;
+    BufferDataRequest::new(with_recorder(context, buffer)?, size, data, usage)?.apply();
     context.state_changes.values_only();
     Ok(())
 }
@@ -361,7 +362,7 @@ pub(crate) fn set_storage(
         "has GL_MAP_COHERENT_BIT, which needs GL_MAP_PERSISTENT_BIT"
     } else {
         let request = BufferDataRequest::new(bound, size, data, GL_DYNAMIC_DRAW)?;
-        let object = request.apply()?;
+        let object = request.apply();
         object.storage = Some(flags);
         return Ok(());
     };

@@ -10,7 +10,6 @@ use crate::base::query_value::put;
 use crate::base::types::*;
 use crate::calls::buffer::data::{binding, bound, with_recorder, writable};
 use crate::context::Context;
-use crate::context::recorder::Recorder;
 use crate::objects::bound::Bound;
 use crate::objects::buffers::{BUFFER_TARGET, BufferObject, Map, range, unmapped};
 use std::ops::Range;
@@ -30,19 +29,18 @@ const ACCESS: Table<GLbitfield> = Table {
 /// A checked `glMapBuffer` or `glMapBufferRange`.
 struct MapRequest<'a> {
     object: &'a mut BufferObject,
-    recorder: &'a mut Recorder,
+    /// All bytes of the buffer.
+    bytes: Vec<u8>,
     range: Range<usize>,
     access: GLbitfield,
 }
 
 impl MapRequest<'_> {
-    /// Takes the bytes out.
-    fn apply(self) -> Result<*mut GLvoid> {
-        let Self { object, recorder, range, access } = self;
-        let bytes = object.bytes_to_map(recorder, access)?;
+    fn apply(self) -> *mut GLvoid {
+        let Self { object, bytes, range, access } = self;
         let both = access & (GL_MAP_READ_BIT | GL_MAP_WRITE_BIT);
         object.access = ACCESS.encode(both);
-        Ok(object.map.insert(Map { bytes, range, access }).pointer().cast())
+        object.map.insert(Map { bytes, range, access }).pointer().cast()
     }
 }
 
@@ -69,7 +67,8 @@ pub(crate) fn map_all(
     if range.is_empty() {
         return invalid_operation(SECTION, "the buffer has no bytes: call glBufferData first");
     }
-    let pointer = MapRequest { object, recorder, range, access }.apply()?;
+    let bytes = object.bytes_to_map(recorder, access)?;
+    let pointer = MapRequest { object, bytes, range, access }.apply();
     context.state_changes.values_only();
     Ok(pointer)
 }
@@ -157,7 +156,8 @@ pub(crate) fn map_range(
     if range.is_empty() {
         return invalid_operation(RANGE, "length = 0 must be above 0");
     }
-    let pointer = MapRequest { object, recorder, range, access }.apply()?;
+    let bytes = object.bytes_to_map(recorder, access)?;
+    let pointer = MapRequest { object, bytes, range, access }.apply();
     if access & GL_MAP_PERSISTENT_BIT != 0 {
         context.objects.shared.mapped_persistently(buffer.name());
     }

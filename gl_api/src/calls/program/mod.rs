@@ -16,5 +16,6 @@ pub(crate) mod shader_objects_arb;
 pub(crate) mod shaders;
 pub(crate) mod similar_names;
 pub(crate) mod uniform;
+pub(crate) mod uniform_values;
 pub(crate) mod validate;
 pub(crate) mod varyings;

@@ -58,7 +58,10 @@ fn compressed_tex_image(
     let desc = LevelDesc::new(image, level, internal, format, given, border)?;
     let request = match desc.request(context)? {
         ImageRequest::Texture(request) => request,
-        ImageRequest::Proxy(proxy) => return proxy.apply(context),
+        ImageRequest::Proxy(proxy) => {
+            proxy.apply(context);
+            return Ok(());
+        }
     };
     let bytes = checked_bytes(format, request.desc.size, image_size)?;
     let source = source(context, data, bytes)?;
@@ -101,7 +104,10 @@ fn etc_image(
     let desc = LevelDesc::new(image, level, format.name, format.stored, given, 0)?;
     let request = match desc.request(context)? {
         ImageRequest::Texture(request) => request,
-        ImageRequest::Proxy(proxy) => return proxy.apply(context),
+        ImageRequest::Proxy(proxy) => {
+            proxy.apply(context);
+            return Ok(());
+        }
     };
     let size = request.desc.size;
     let bytes = checked_etc_bytes(format, size, image_size)?;

@@ -179,7 +179,10 @@ fn copy_tex_image(
             }
             CopyTexImageRequest { level, source }.apply(context)
         }
-        ImageRequest::Proxy(proxy) => proxy.apply(context),
+        ImageRequest::Proxy(proxy) => {
+            proxy.apply(context);
+            Ok(())
+        }
     }
 }
 

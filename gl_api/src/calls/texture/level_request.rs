@@ -191,9 +191,8 @@ pub(crate) struct ProxyRequest {
 }
 
 impl ProxyRequest {
-    pub fn apply(self, context: &mut Context) -> Result<()> {
+    pub fn apply(self, context: &mut Context) {
         context.state.proxies[self.target as usize][self.level] = self.image;
-        Ok(())
     }
 }
 

@@ -123,7 +123,10 @@ pub(crate) fn specify_of(
 ) -> Result<()> {
     match request(context, destination, arguments, lifetime)? {
         ImageRequest::Texture(request) => store(context, &request, lifetime),
-        ImageRequest::Proxy(request) => request.apply(context),
+        ImageRequest::Proxy(request) => {
+            request.apply(context);
+            Ok(())
+        }
     }
 }
 

@@ -25,7 +25,8 @@ fn storage(
 ) -> Result<()> {
     let texture = ChosenTexture::named(context, name)?;
     let destination = Destination::Texture(of_table(texture, (STORAGE, table))?);
-    StorageRequest::new(context, destination, levels, internal, size)?.apply(context)
+    StorageRequest::new(context, destination, levels, internal, size)?.apply(context);
+    Ok(())
 }
 
 pub(crate) fn texture_storage_1d(

@@ -128,7 +128,10 @@ fn tex_image(
         ImageRequest::Texture(request) => {
             replace_level(context, request, (pixel, pixels.data), extent(dimensions))
         }
-        ImageRequest::Proxy(proxy) => proxy.apply(context),
+        ImageRequest::Proxy(proxy) => {
+            proxy.apply(context);
+            Ok(())
+        }
     }
 }
 

@@ -77,8 +77,8 @@ fn checked_levels(target: TextureTarget, levels: GLsizei, size: [GLsizei; 3]) ->
 
 /// A checked `glTexStorage`.
 pub(crate) enum StorageRequest {
-    /// All levels that a texture is to have.
-    Texture { texture: ChosenTexture, internal: GLenum, levels: Vec<LevelRequest> },
+    /// All levels that a texture is to have, with memory for them.
+    Texture { texture: ChosenTexture, internal: GLenum, levels: usize, texels: Texels },
     /// The answers for all levels of a proxy.
     Proxy { target: TextureTarget, levels: Vec<ProxyRequest> },
 }
@@ -138,36 +138,32 @@ impl StorageRequest {
             side = target.shape().halved(side);
         }
         Ok(match destination {
-            Destination::Texture(texture) => Self::Texture { texture, internal, levels },
+            Destination::Texture(texture) => {
+                let texels = storage(texture.target, &levels)?;
+                Self::Texture { texture, internal, levels: levels.len(), texels }
+            }
             Destination::Proxy(target) => Self::Proxy { target, levels: proxies },
         })
     }
 
-    pub fn apply(self, context: &mut Context) -> Result<()> {
+    pub fn apply(self, context: &mut Context) {
         match self {
-            Self::Texture { texture, internal, levels } => {
-                store(context, &texture, internal, &levels)
+            Self::Texture { texture, internal, levels, texels } => {
+                store(context, &texture, (internal, levels), texels);
             }
             // One level that cannot be stored is enough for the proxy to say so.
             Self::Proxy { target, levels } if levels.iter().any(|level| level.image.is_none()) => {
                 context.state.proxies[target as usize] = Default::default();
-                Ok(())
             }
             Self::Proxy { levels, .. } => {
-                levels.into_iter().try_for_each(|level| level.apply(context))
+                levels.into_iter().for_each(|level| level.apply(context));
             }
         }
     }
 }
 
-/// Replaces all levels that a texture has.
-fn store(
-    context: &mut Context,
-    texture: &ChosenTexture,
-    internal: GLenum,
-    levels: &[LevelRequest],
-) -> Result<()> {
-    let target = texture.target;
+/// Memory for all levels of a texture, its bytes all 0.
+fn storage(target: TextureTarget, levels: &[LevelRequest]) -> Result<Texels> {
     let mut all = Texels::new(target.shape());
     for (number, level) in levels.iter().enumerate() {
         for face in 0..target.shape().faces() {
@@ -175,18 +171,27 @@ fn store(
                 .map_err(|error| crate::pixel::storage_error::storage_error(SECTION, &error))?;
         }
     }
+    Ok(all)
+}
+
+/// Replaces all levels that a texture has.
+fn store(
+    context: &mut Context,
+    texture: &ChosenTexture,
+    (internal, levels): (GLenum, usize),
+    texels: Texels,
+) {
     let image = texture.get(context).image.clone();
     crate::draw::pass::submit_draws_to(context, &image);
     let texture = texture.get_mut(context);
     texture.specify(Specified::All);
-    texture.image.update(|image| *image = all);
+    texture.image.update(|image| *image = texels);
     for requested in &mut texture.requested {
         requested.fill(GL_NONE);
-        requested[..levels.len()].fill(internal);
+        requested[..levels].fill(internal);
     }
-    texture.make_immutable(levels.len() as u32);
+    texture.make_immutable(levels as u32);
     texture.texels_changed();
-    Ok(())
 }
 
 pub(crate) fn tex_storage_1d(
@@ -198,7 +203,8 @@ pub(crate) fn tex_storage_1d(
 ) -> Result<()> {
     let image = STORAGE_1D.decode("target", target)?;
     let to = Destination::new(context, image);
-    StorageRequest::new(context, to, levels, internalformat, [width, 1, 1])?.apply(context)
+    StorageRequest::new(context, to, levels, internalformat, [width, 1, 1])?.apply(context);
+    Ok(())
 }
 
 pub(crate) fn tex_storage_2d(
@@ -211,7 +217,8 @@ pub(crate) fn tex_storage_2d(
 ) -> Result<()> {
     let image = STORAGE_2D.decode("target", target)?;
     let to = Destination::new(context, image);
-    StorageRequest::new(context, to, levels, internalformat, [width, height, 1])?.apply(context)
+    StorageRequest::new(context, to, levels, internalformat, [width, height, 1])?.apply(context);
+    Ok(())
 }
 
 pub(crate) fn tex_storage_3d(
@@ -225,5 +232,7 @@ pub(crate) fn tex_storage_3d(
 ) -> Result<()> {
     let image = STORAGE_3D.decode("target", target)?;
     let to = Destination::new(context, image);
-    StorageRequest::new(context, to, levels, internalformat, [width, height, depth])?.apply(context)
+    StorageRequest::new(context, to, levels, internalformat, [width, height, depth])?
+        .apply(context);
+    Ok(())
 }

@@ -1,6 +1,7 @@
 //! The whole table of entry points with random arguments, bounded.
 
 use super::*;
+use crate::base::args::DataOut;
 use crate::base::begin_end::BeginEnd;
 use crate::base::types::GLenum;
 use crate::context::ContextDesc;

@@ -1,13 +1,13 @@
 //! Integers that reach shaders as they are: EXT_gpu_shader4, sections 2.7 and 6.1.
 
 use crate::base::types::*;
-use crate::calls::program::{inspect, integer_attributes};
+use crate::calls::program::{integer_attributes, uniform_values};
 
 #[doc(hidden)]
 #[macro_export]
 macro_rules! entry_points_integers {
     ($apply:ident $($arguments:tt)*) => { $apply! { [$($arguments)*]
-    Refused in inspect {
+    Refused in uniform_values {
         /// Reads a uniform.
         get_uniformuiv: glGetUniformuiv | glGetUniformuivEXT
             (program: GLuint, location: GLint, params: &'a mut [GLuint]);

@@ -3,7 +3,8 @@
 use crate::base::args::{Data, DataOut, Strings, TextOut};
 use crate::base::types::*;
 use crate::calls::program::{
-    binaries, es2_compiler, inspect, programs, shader_objects_arb, shaders, uniform, validate,
+    binaries, es2_compiler, inspect, programs, shader_objects_arb, shaders, uniform,
+    uniform_values, validate,
 };
 
 #[doc(hidden)]
@@ -112,6 +113,8 @@ macro_rules! entry_points_programs {
             (program: GLuint, name: &'a str) -> GLint;
         /// Which colour of its draw buffer a fragment output is, 0 or 1, or -1.
         get_frag_data_index: glGetFragDataIndex | glGetFragDataIndexEXT (program: GLuint, name: &'a str) -> GLint;
+    }
+    Refused in uniform_values {
         /// Reads a uniform.
         get_uniformfv: glGetUniformfv | glGetUniformfvARB (program: GLuint, location: GLint, params: &'a mut [GLfloat]);
         /// Reads a uniform.
