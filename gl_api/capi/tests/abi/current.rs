@@ -191,13 +191,13 @@ fn a_swap_keeps_what_was_drawn() {
         assert_eq!(behavior, PRESERVED);
         assert_eq!(eglMakeCurrent(dpy, surface, surface, context), 1);
         glClearColor(1.0, 0.0, 0.0, 1.0);
-        glClear(gl_api::GL_COLOR_BUFFER_BIT);
+        glClear(GL_COLOR_BUFFER_BIT);
         assert_eq!(eglSwapBuffers(dpy, surface), 1);
         // Green on the right, over the frame before.
         glEnable(gl_api::GL_SCISSOR_TEST);
         glScissor(2, 0, 2, 4);
         glClearColor(0.0, 1.0, 0.0, 1.0);
-        glClear(gl_api::GL_COLOR_BUFFER_BIT);
+        glClear(GL_COLOR_BUFFER_BIT);
         assert_eq!(eglSwapBuffers(dpy, surface), 1);
         let mut row = [[0_u8; 4]; 4];
         let (rgba, byte) = (gl_api::GL_RGBA, gl_api::GL_UNSIGNED_BYTE);
