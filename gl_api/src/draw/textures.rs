@@ -101,6 +101,7 @@ pub(crate) fn plan(
         sampler.srgb = SrgbRead::Decode;
     }
     warnings::textures::feedback_loop(context, (unit, target), &image, &sampler);
+    warnings::textures::without_texels(context, (unit, target), &image, &sampler);
     let bound = &context.state.units.units[usize::from(unit)].bound[target as usize];
     let texture = context.objects.texture_mut(target, bound);
     let plan = texture.plan(&context.recorder.device, &sampler);

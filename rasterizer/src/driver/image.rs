@@ -172,9 +172,24 @@ impl Image {
         self.0.stored.read().level(face, level)
     }
 
+    /// Whether the texels of a level of a face, or of the face of a layer, are those that it was made with, without data:
+    /// nothing that was submitted has drawn to them, and nothing was written.
+    pub fn is_untouched(&self, face: u16, level: u8) -> bool {
+        self.0.stored.read().is_untouched(face, level)
+    }
+
     /// Changes its texels. Draws that were recorded earlier keep what they saw.
     pub fn update<R>(&self, change: impl FnOnce(&mut Texels) -> R) -> R {
         self.0.stored.read().update(change)
+    }
+
+    /// Takes the memory that an [`Image::update`] of a level of a face, or of the face of a layer, needs, which writes to it
+    /// by [`Texels::level_mut`]: until the texels are requested again it cannot fail then.
+    ///
+    /// # Errors
+    /// If there is none; nothing has changed then.
+    pub fn prepare_update(&self, face: u16, level: u8) -> Result<(), ImageError> {
+        self.0.stored.read().prepare_update(face, level)
     }
 
     /// Replaces its texels; `storage` says what they are for this number of samples.
@@ -184,12 +199,15 @@ impl Image {
 
     /// What an attachment names with one sample a pixel, which several are resolved to: a level, and
     /// which slice of it ([`super::Device::resolved`]).
+    ///
+    /// # Errors
+    /// If it does not exist, or there is no memory for it.
     pub(super) fn resolved_with(
         &self,
         face: u16,
         level: u8,
         context: StoreContext<'_>,
-    ) -> Option<(Arc<Level>, usize)> {
+    ) -> Result<(Arc<Level>, usize), ImageError> {
         self.0.stored.read().resolved_with(face, level, context)
     }
 
@@ -207,7 +225,10 @@ impl Image {
     }
 
     /// The samples of what an attachment names, each a slice.
-    pub fn each_sample(&self, face: u16, level: u8) -> Option<Level> {
+    ///
+    /// # Errors
+    /// If it does not exist, or there is no memory for them.
+    pub fn each_sample(&self, face: u16, level: u8) -> Result<Level, ImageError> {
         self.0.stored.read().each_sample(face, level)
     }
 

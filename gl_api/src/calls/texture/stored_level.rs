@@ -6,6 +6,7 @@ use crate::base::types::*;
 use crate::calls::texture::mipmap::base_level_changed;
 use crate::context::Context;
 use crate::objects::target::TextureTarget;
+use crate::pixel::storage_error::storage_error;
 use rasterizer::driver::{Attachment, Image};
 use std::sync::Arc;
 use texunit::format::Format;
@@ -142,7 +143,9 @@ impl StoredLevel {
         let (name, target) = match self.owner {
             Owner::Renderbuffer => {
                 if self.samples > 1 {
-                    let Some(mut level) = self.image.each_sample(0, 0) else { return Ok(()) };
+                    let samples = self.image.each_sample(0, 0);
+                    let mut level =
+                        samples.map_err(|error| storage_error("ARB_copy_image", &error))?;
                     (0..level.depth as usize).for_each(|slice| put(&mut level, slice));
                     let attachment = Attachment { image: self.image.clone(), face: 0, level: 0 };
                     context.recorder.device().set_each_sample(&attachment, &level);
@@ -182,7 +185,7 @@ impl StoredLevel {
     fn rows(&self) -> Rows {
         match self.owner {
             Owner::Renderbuffer if self.samples > 1 => {
-                Rows::Samples(self.image.each_sample(0, 0).map(Arc::new))
+                Rows::Samples(self.image.each_sample(0, 0).ok().map(Arc::new))
             }
             Owner::Renderbuffer | Owner::Texture(..) => Rows::Texels(self.image.texels()),
         }

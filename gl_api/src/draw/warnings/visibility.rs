@@ -10,6 +10,7 @@ use rasterizer::driver::{
 /// Warns, when a picture is taken, if nothing is visible of what was drawn since the one before.
 pub(crate) fn picture(context: &mut Context) {
     crate::draw::warnings::depth::picture(context);
+    crate::draw::warnings::picture::taken(context);
     match std::mem::take(&mut context.recorder.visibility) {
         Visibility::NothingDrawn | Visibility::Visible => {}
         Visibility::Invisible(reasons) => nothing_visible(context, &reasons),
