@@ -29,6 +29,7 @@ texunit::logged_kernels! {
         EarlyTests = "stencil and depth tests before the program",
         LateTests = "stencil and depth tests after the program",
         LargeDepthTest = "depth tests of all blocks of a large triangle",
+        LargeStencil = "stencils of whole blocks of a large triangle",
         LargeSampleDepthTest = "depth tests of all blocks, of each sample",
         Covered = "a triangle that hides what a tile has before it",
         Clear = "clears within a pass",

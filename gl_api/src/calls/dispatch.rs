@@ -29,11 +29,11 @@ impl Context {
         begin_end: BeginEnd,
         f: impl FnOnce(&mut Self) -> Result<R>,
     ) -> R {
-        let before = match begin_end {
-            BeginEnd::Refused => Self::leave_vertices,
-            BeginEnd::Allowed => |_: &mut Self, _| true,
+        let effect = match begin_end {
+            BeginEnd::Refused => CallEffect::AnyState,
+            BeginEnd::Allowed => CallEffect::Vertices,
         };
-        self.call_after(name, before, f)
+        self.call_with(name, effect, f)
     }
 
     /// As [`Self::call`], of a call that may not stand between `glBegin` and `glEnd` and changes nothing that draws depend
@@ -44,7 +44,7 @@ impl Context {
         name: &'static str,
         f: impl FnOnce(&mut Self) -> Result<R>,
     ) -> R {
-        self.call_after(name, Self::leave_vertices_to_setter, f)
+        self.call_with(name, CallEffect::PlainState, f)
     }
 
     /// As [`Self::call`], of a call that may not stand between `glBegin` and `glEnd`, draws nothing and changes nothing.
@@ -53,25 +53,30 @@ impl Context {
         name: &'static str,
         f: impl FnOnce(&mut Self) -> Result<R>,
     ) -> R {
-        self.call_after(name, Self::is_outside_primitive, f)
+        self.call_with(name, CallEffect::Nothing, f)
     }
 
-    /// Runs an entry point, if it may follow after `before`.
+    /// Runs an entry point.
     #[inline(always)]
-    fn call_after<R: RefusedResult>(
+    fn call_with<R: RefusedResult>(
         &mut self,
         name: &'static str,
-        before: fn(&mut Self, &'static str) -> bool,
+        effect: CallEffect,
         f: impl FnOnce(&mut Self) -> Result<R>,
     ) -> R {
-        let call = ComputingCall::begin(self);
-        let context = &mut *call.scope.context;
-        let result = match before(context, name) {
-            true => f(context),
-            false => Ok(R::refused_result()),
+        let Some(call) = ComputingCall::begin(self, name, effect) else {
+            return R::refused_result();
         };
-        call.end();
-        self.answer(name, result)
+        match f(&mut *call.scope.context) {
+            Ok(result) => {
+                call.end();
+                result
+            }
+            Err(error) => {
+                call.fail(name, error);
+                R::refused_result()
+            }
+        }
     }
 
     /// As [`Self::call`], in the host's floating-point state: what sets an attribute is called per vertex, and to
@@ -104,7 +109,7 @@ impl Context {
     }
 
     /// Whether the call is not between `glBegin` and `glEnd`, where it is refused.
-    #[inline(never)]
+    #[inline]
     fn is_outside_primitive(&mut self, name: &'static str) -> bool {
         let is_outside = self.immediate.is_none();
         if !is_outside {
@@ -129,7 +134,7 @@ impl Context {
 
     /// Before a setter of plain state: as [`Self::leave_vertices`], but pending vertices keep the state instead of being
     /// drawn.
-    #[inline(never)]
+    #[inline]
     fn leave_vertices_to_setter(&mut self, name: &'static str) -> bool {
         if !self.is_outside_primitive(name) {
             return false;
@@ -185,22 +190,62 @@ impl Context {
     }
 }
 
+/// What a call may change that draws depend on, and so what happens to pending vertices before it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum CallEffect {
+    /// It may stand between `glBegin` and `glEnd`.
+    Vertices,
+    /// Any state: pending vertices are drawn.
+    AnyState,
+    /// Plain state: pending vertices keep that of now.
+    PlainState,
+    /// No state.
+    Nothing,
+}
+
 /// A call that computes, in DetGL's floating-point state. Neither end is inlined, as each entry point has an instance of
-/// [`Context::call`].
+/// [`Context::call_with`].
 struct ComputingCall<'a> {
     scope: CallScope<'a>,
     _float_env: FloatEnv,
 }
 
 impl<'a> ComputingCall<'a> {
+    /// `None` where the call is refused.
     #[inline(never)]
-    fn begin(context: &'a mut Context) -> Self {
+    fn begin(context: &'a mut Context, name: &'static str, effect: CallEffect) -> Option<Self> {
         let float_env = FloatEnv::enter();
-        Self { scope: CallScope { context }, _float_env: float_env }
+        let call = Self { scope: CallScope { context }, _float_env: float_env };
+        let context = &mut *call.scope.context;
+        let may_follow = match effect {
+            CallEffect::Vertices => true,
+            CallEffect::AnyState => context.leave_vertices(name),
+            CallEffect::PlainState => context.leave_vertices_to_setter(name),
+            CallEffect::Nothing => context.is_outside_primitive(name),
+        };
+        if may_follow {
+            return Some(call);
+        }
+        call.end();
+        None
     }
 
+    /// Ends the call, and hands messages to the client's callback.
     #[inline(never)]
-    fn end(self) {}
+    fn end(self) {
+        let Self { scope, _float_env: float_env } = self;
+        scope.context.objects.shared.release();
+        drop(float_env);
+        scope.context.debug.deliver();
+    }
+
+    /// Ends the call with an error.
+    #[cold]
+    #[inline(never)]
+    fn fail(self, name: &'static str, error: GlError) {
+        self.scope.context.refuse(name, error);
+        self.end();
+    }
 }
 
 #[cold]

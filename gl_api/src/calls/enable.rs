@@ -8,6 +8,7 @@ use crate::context::Context;
 use crate::context::debug::Output;
 use crate::interface::ATTRIB_TEX_COORD;
 use crate::objects::target::TARGET;
+use crate::state::draw_buffers::ALL_BUFFERS;
 use crate::state::enable::{CAPABILITY, CLIENT_ARRAY, Capability, Flag, Switch};
 use crate::state::evaluators::MAP;
 use crate::state::fragment::MORE_SCISSOR_TESTS;
@@ -64,7 +65,11 @@ fn set_bit(bits: &mut u8, bit: u8, on: bool) {
 fn is_already(context: &Context, capability: Capability, to: Switch) -> bool {
     let on = to == Switch::On;
     match capability {
-        Capability::Flag(Flag::Blend | Flag::ColorMaterial) => false,
+        Capability::Flag(Flag::ColorMaterial) => false,
+        Capability::Flag(Flag::Blend) => {
+            context.state.enables.has(Flag::Blend) == on
+                && context.state.fragment.buffers.all_blend(on)
+        }
         Capability::Flag(Flag::ScissorTest) => {
             let all = if on { MORE_SCISSOR_TESTS } else { 0 };
             let first = context.state.enables.has(Flag::ScissorTest);
@@ -111,9 +116,7 @@ fn switch(context: &mut Context, cap: GLenum, to: Switch) -> Result<()> {
                 context.state.fragment.scissor_tests = all;
             }
             if flag == Flag::Blend {
-                for buffer in &mut context.state.fragment.buffers {
-                    buffer.blend = on;
-                }
+                context.state.fragment.buffers.change(ALL_BUFFERS, |buffer| buffer.blend = on);
             }
         }
         Capability::Texture(target) => {

@@ -262,8 +262,11 @@ fn restore_switches(state: &mut State, saved: &Switches, units_version: u64) {
     state.evaluators.take_enabled(&saved.evaluators);
     state.clip.enabled = saved.clip;
     state.fragment.scissor_tests = saved.scissor_tests;
-    for (buffer, &saved) in state.fragment.buffers.iter_mut().zip(&saved.blend) {
-        buffer.blend = saved;
+    let buffers = &mut state.fragment.buffers;
+    for (buffer, &saved) in saved.blend.iter().enumerate() {
+        if buffers[buffer].blend != saved {
+            buffers.change(buffer..buffer + 1, |state| state.blend = saved);
+        }
     }
     if state.units.units.version() != units_version {
         for (unit, saved) in saved.units.iter().enumerate() {

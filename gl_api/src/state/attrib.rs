@@ -77,7 +77,7 @@ impl Switches {
             clip: state.clip.enabled,
             evaluators: state.evaluators,
             scissor_tests: state.fragment.scissor_tests,
-            blend: state.fragment.buffers.each_ref().map(|buffer| buffer.blend),
+            blend: std::array::from_fn(|buffer| state.fragment.buffers[buffer].blend),
             units: std::array::from_fn(|unit| state.units.units[unit].switches()),
         }
     }

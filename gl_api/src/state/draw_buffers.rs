@@ -7,6 +7,7 @@ use crate::base::limits;
 use crate::base::types::*;
 use crate::state::blend::Formula;
 use rasterizer::driver::LogicOp;
+use std::ops::{Index, Range};
 
 const SECTION: &str = "EXT_draw_buffers2, section 4.2.2";
 
@@ -43,13 +44,63 @@ pub(crate) struct BufferState {
     pub formula: Formula,
 }
 
-/// By draw buffer.
-pub(crate) type BufferStates = [BufferState; limits::MAX_COLOR_ATTACHMENTS];
+/// The state of all draw buffers. Few programs set it by buffer, and it is copied and compared between draws: where all
+/// buffers have the same it is one.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum BufferStates {
+    /// Of each buffer.
+    Same(BufferState),
+    /// Of buffers that differ.
+    ByBuffer(Box<[BufferState; limits::MAX_COLOR_ATTACHMENTS]>),
+}
 
-/// The initial state.
-pub(crate) const BUFFERS: BufferStates =
-    [BufferState { mask: [true; 4], blend: false, formula: Formula::REPLACE };
-        limits::MAX_COLOR_ATTACHMENTS];
+impl BufferStates {
+    /// The initial state.
+    pub const INITIAL: Self =
+        Self::Same(BufferState { mask: [true; 4], blend: false, formula: Formula::REPLACE });
+
+    /// The state of each buffer, in their order.
+    pub fn iter(&self) -> impl Iterator<Item = &BufferState> {
+        (0..limits::MAX_COLOR_ATTACHMENTS).map(|buffer| &self[buffer])
+    }
+
+    /// Changes the states of some buffers.
+    pub fn change(&mut self, buffers: Range<usize>, mut change: impl FnMut(&mut BufferState)) {
+        const COUNT: usize = limits::MAX_COLOR_ATTACHMENTS;
+        if let (Self::Same(state), 0, COUNT) = (&mut *self, buffers.start, buffers.end) {
+            change(state);
+            return;
+        }
+        let mut states: [BufferState; COUNT] = std::array::from_fn(|buffer| self[buffer]);
+        states[buffers].iter_mut().for_each(change);
+        *self = match states {
+            [first, rest @ ..] if rest.iter().all(|state| *state == first) => Self::Same(first),
+            states => Self::ByBuffer(Box::new(states)),
+        };
+    }
+
+    /// Whether all are blended, or none.
+    pub fn all_blend(&self, on: bool) -> bool {
+        match self {
+            Self::Same(state) => state.blend == on,
+            Self::ByBuffer(states) => states.iter().all(|state| state.blend == on),
+        }
+    }
+}
+
+/// All draw buffers.
+pub(crate) const ALL_BUFFERS: Range<usize> = 0..limits::MAX_COLOR_ATTACHMENTS;
+
+impl Index<usize> for BufferStates {
+    type Output = BufferState;
+
+    fn index(&self, buffer: usize) -> &BufferState {
+        match self {
+            Self::Same(state) => state,
+            Self::ByBuffer(states) => &states[buffer],
+        }
+    }
+}
 
 /// The number of a draw buffer.
 pub(crate) fn buffer_index(argument: &str, index: GLuint) -> Result<usize> {

@@ -1,7 +1,7 @@
 //! A plane: one word of every pixel of a tile.
 //!
-//! A clear stores one word, and a triangle that covers a block whole may store its plane of depths there; a block gets words
-//! of its own when something else is drawn to it.
+//! A clear stores one word, and a triangle that covers a block whole may store its plane of depths there, or one stencil; a
+//! block gets words of its own when something else is drawn to it.
 
 use super::batch_layout::LoadOp;
 use super::depth_plane::{BlockOutcomes, CompareBlocks, DepthPlanes};
@@ -20,9 +20,13 @@ pub struct WordPlane {
     word: u32,
     /// The blocks that hold `word`, bit by block.
     filled: u64,
+    /// What the blocks in `replaced` hold.
+    replaced_word: u32,
+    /// The blocks that hold `replaced_word`, bit by block; none of `filled`.
+    replaced: u64,
     /// The planes of depths of the blocks in `with_depths`.
     depths: Option<Box<DepthPlanes>>,
-    /// The blocks that hold a plane of depths, bit by block; none of `filled`.
+    /// The blocks that hold a plane of depths, bit by block; none of `filled` or `replaced`.
     with_depths: u64,
 }
 
@@ -40,18 +44,46 @@ pub enum BlockTexels<'a> {
 impl WordPlane {
     /// The same word everywhere.
     pub fn cleared(word: u32) -> Self {
-        Self { words: Vec::new(), word, filled: !0, depths: None, with_depths: 0 }
+        Self { words: Vec::new(), word, filled: !0, ..Self::of_words(Vec::new()) }
     }
 
     /// [`BLOCKS`] blocks, row by row, each in lane order.
     pub fn of(words: Vec<U32s>) -> Self {
         debug_assert_eq!(words.len(), BLOCKS);
-        Self { words, word: 0, filled: 0, depths: None, with_depths: 0 }
+        Self::of_words(words)
+    }
+
+    fn of_words(words: Vec<U32s>) -> Self {
+        Self {
+            words,
+            word: 0,
+            filled: 0,
+            replaced_word: 0,
+            replaced: 0,
+            depths: None,
+            with_depths: 0,
+        }
     }
 
     /// Becomes the same word everywhere. The memory stays, for what is drawn next.
     pub fn clear(&mut self, word: u32) {
-        (self.word, self.filled, self.with_depths) = (word, !0, 0);
+        (self.word, self.filled, self.replaced, self.with_depths) = (word, !0, 0, 0);
+    }
+
+    /// Stores one word in all pixels of a block. A plane keeps blocks of two words without words of their own.
+    pub fn replace_block(&mut self, block: usize, word: u32) {
+        let bit = 1 << block;
+        self.with_depths &= !bit;
+        if word == self.word {
+            self.filled |= bit;
+            self.replaced &= !bit;
+        } else if word == self.replaced_word || self.replaced & !bit == 0 {
+            self.replaced_word = word;
+            self.replaced |= bit;
+            self.filled &= !bit;
+        } else {
+            *self.block_mut(block) = U32s::splat(word);
+        }
     }
 
     /// Tests the depths of planes against `blocks`, bit by block, as far as their outcome is the same for all pixels of a
@@ -90,15 +122,27 @@ impl WordPlane {
         BlockOutcomes { pass, fail }
     }
 
-    /// The word of the clear, if all blocks still hold it.
+    /// The word that all blocks hold, as after a clear.
     pub fn cleared_word(&self) -> Option<u32> {
-        (self.filled == !0).then_some(self.word)
+        match (self.filled, self.replaced) {
+            (u64::MAX, _) => Some(self.word),
+            (_, u64::MAX) => Some(self.replaced_word),
+            _ => None,
+        }
+    }
+
+    /// The word that all pixels of a block hold, if it is known without looking at them.
+    pub fn uniform_word(&self, block: usize) -> Option<u32> {
+        match self.texels(block) {
+            BlockTexels::Uniform(word) => Some(word),
+            BlockTexels::Words(_) | BlockTexels::Depth(_) => None,
+        }
     }
 
     /// The blocks without words of their own, bit by block.
     #[inline]
     pub fn without_words(&self) -> u64 {
-        self.filled | self.with_depths
+        self.filled | self.replaced | self.with_depths
     }
 
     /// What a block holds.
@@ -108,6 +152,7 @@ impl WordPlane {
         match &self.depths {
             Some(depths) if is_in(self.with_depths) => BlockTexels::Depth(depths),
             Some(_) | None if is_in(self.filled) => BlockTexels::Uniform(self.word),
+            Some(_) | None if is_in(self.replaced) => BlockTexels::Uniform(self.replaced_word),
             Some(_) | None => BlockTexels::Words(&self.words[block]),
         }
     }
@@ -146,6 +191,7 @@ impl WordPlane {
             self.words[block] = self.block(block);
         }
         self.filled &= !(1 << block);
+        self.replaced &= !(1 << block);
         self.with_depths &= !(1 << block);
     }
 

@@ -1,8 +1,9 @@
 //! The stencil test and the operations that follow it (GL 2.1, section 4.1.5), on the words that
 //! the attachment holds.
 
+use super::depth::DepthPlan;
 use crate::attachment::expand_mask;
-use crate::desc::{StencilFace, StencilOp, StencilState};
+use crate::desc::{Facing, StencilFace, StencilOp, StencilState};
 use texunit::lanes::{Kernel, LANES, Simd, U32s};
 use texunit::sampler::Compare;
 
@@ -23,9 +24,60 @@ impl StencilPlan {
         (!idle(&plan.front) || !idle(&plan.back)).then_some(plan)
     }
 
+    /// What is done with blocks whose stencils are all the same, of fragments of one facing; `None` where that depends on
+    /// single fragments.
+    pub fn of_blocks(&self, facing: Facing, depth: Option<DepthPlan>) -> Option<BlockStencil> {
+        let face = match facing {
+            Facing::Front => self.front,
+            Facing::Back => self.back,
+        };
+        if !writes(&face) {
+            return Some(BlockStencil::Compares(face));
+        }
+        let word = match face.pass {
+            StencilOp::Replace => face.reference,
+            StencilOp::Zero => 0,
+            StencilOp::Keep
+            | StencilOp::Increment
+            | StencilOp::Decrement
+            | StencilOp::IncrementWrap
+            | StencilOp::DecrementWrap
+            | StencilOp::Invert => return None,
+        };
+        let stores = face.test == Compare::Always
+            && face.write_mask == u8::MAX
+            && (depth.is_none() || face.depth_fail == StencilOp::Keep);
+        stores.then_some(BlockStencil::Stores(face, word.into()))
+    }
+
     /// Whether any fragment changes the stencil.
     pub fn writes(&self) -> bool {
         writes(&self.front) || writes(&self.back)
+    }
+}
+
+/// What the stencil test of a face and its operations do with a block.
+#[derive(Clone, Copy, Debug)]
+pub enum BlockStencil {
+    /// Fragments pass or fail by the comparison, and nothing is stored.
+    Compares(StencilFace),
+    /// All pass, and those that pass the depth test store the word, by the operation of the face.
+    Stores(StencilFace, u32),
+}
+
+/// Whether all fragments of a face pass the test against this stencil.
+pub fn passes(face: &StencilFace, word: u32) -> bool {
+    let [reference, stored] =
+        [face.reference.into(), word].map(|word: u32| word & u32::from(face.read_mask));
+    match face.test {
+        Compare::Never => false,
+        Compare::Less => reference < stored,
+        Compare::Equal => reference == stored,
+        Compare::LessEqual => reference <= stored,
+        Compare::Greater => reference > stored,
+        Compare::NotEqual => reference != stored,
+        Compare::GreaterEqual => reference >= stored,
+        Compare::Always => true,
     }
 }
 

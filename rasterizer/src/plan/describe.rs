@@ -79,7 +79,11 @@ impl DrawPlan {
     /// The varyings, in words.
     fn describe_varyings(&self) -> String {
         let compiled = self.pipeline.compiled();
-        let mut text = format!("{} scalars interpolated", compiled.varyings.len());
+        let (all, sides) = (compiled.varyings.len(), compiled.sides.len());
+        let mut text = format!("{} scalars interpolated", all - sides);
+        if sides > 0 {
+            let _ = write!(text, "; left out: {sides} of the side that is not seen");
+        }
         if compiled.hoisted > 0 {
             let _ = write!(text, ", of them {} made of others at the vertices", compiled.hoisted);
         }

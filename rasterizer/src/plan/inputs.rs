@@ -22,6 +22,10 @@ pub enum PlaneSource {
     NoPerspective(usize),
     /// A varying of the provoking vertex.
     Flat(usize),
+    /// As [`PlaneSource::Smooth`], of front and of back faces.
+    SmoothOfSides([usize; 2]),
+    /// As [`PlaneSource::Flat`], of front and of back faces.
+    FlatOfSides([usize; 2]),
     /// `gl_PointCoord`, 0 for s, 1 for t.
     PointCoord(u8),
     /// As [`PlaneSource::Smooth`], but component 0 to 3 of (s, t, 0, 1) where the shape is a point.
@@ -206,7 +210,7 @@ impl InputPlanner<'_> {
                 index if at_centroid => FragmentInput::LinearAtCentroid(index),
                 index => FragmentInput::Linear(index),
             },
-            Interpolation::Flat => FragmentInput::Flat(self.plane(PlaneSource::Flat(at))),
+            Interpolation::Flat => FragmentInput::Flat(self.flat(slot, at)),
         }
     }
 
@@ -236,18 +240,29 @@ impl InputPlanner<'_> {
 
     /// Whether a varying is equal at all vertices; it then needs no plane.
     fn is_constant(&self, slot: u16) -> bool {
-        let compiled = self.compiled;
-        self.sprite(slot).is_none()
-            && compiled.geometry.is_none()
-            && compiled.vertex.is_constant(slot, self.arrays)
+        self.sprite(slot).is_none() && self.compiled.is_constant(slot, self.arrays)
+    }
+
+    /// The indices of a varying and of that whose planes it has at back faces, if it is one of two.
+    fn sides(&self, slot: u16, at: usize) -> Option<[usize; 2]> {
+        let sides = self.compiled.sides.iter().find(|sides| sides.front == slot)?;
+        Some([at, self.varying_at(sides.back)?.0])
+    }
+
+    /// The plane of a flat varying.
+    fn flat(&mut self, slot: u16, at: usize) -> usize {
+        let sides = self.sides(slot, at);
+        self.plane(sides.map_or(PlaneSource::Flat(at), PlaneSource::FlatOfSides))
     }
 
     /// The plane of a smooth varying, or of what a sprite puts in its place.
     fn smooth(&mut self, slot: u16, at: usize) -> usize {
         self.denominator = Some(self.plane(PlaneSource::Denominator));
-        let source = self
-            .sprite(slot)
-            .map_or(PlaneSource::Smooth(at), |first| PlaneSource::Sprite(at, (slot - first) as u8));
+        let source = match (self.sprite(slot), self.sides(slot, at)) {
+            (Some(first), _) => PlaneSource::Sprite(at, (slot - first) as u8),
+            (None, Some(sides)) => PlaneSource::SmoothOfSides(sides),
+            (None, None) => PlaneSource::Smooth(at),
+        };
         self.plane(source)
     }
 }

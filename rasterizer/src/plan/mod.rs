@@ -10,6 +10,7 @@ mod outputs;
 mod pipeline;
 mod product;
 mod samples;
+mod specializations;
 mod stipple;
 
 pub use inputs::{

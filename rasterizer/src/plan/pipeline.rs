@@ -1,16 +1,19 @@
 //! Pipelines: shaders and fixed state, checked and compiled once, immutable ever after.
 
-use crate::desc::{PipelineDesc, PipelineError, ShaderModule};
-use crate::ir::{Input, Interpolation, Module, Output, Stage};
-use crate::shader::{FactSources, Facts, LevelOfDetail, OptimizedModule, Prepared, Program};
+use super::arrays;
+use super::specializations::Specializable;
+use crate::desc::{PipelineDesc, PipelineError, ShaderModule, VertexBinding};
+use crate::ir::{Input, Interpolation, Output, Stage};
+use crate::shader::{
+    AttributeSet, Facts, LevelOfDetail, OptimizedModule, Prepared, Program, SideVaryings,
+};
 use crate::threads::stack::with_large_stack;
-use parking_lot::Mutex;
 use std::sync::{Arc, OnceLock};
 use texunit::lanes::FloatEnv;
 use texunit::plan::SamplePlan;
 
 /// So many blocks deep, a module is compiled on any stack.
-const SHALLOW: usize = 16;
+pub(super) const SHALLOW: usize = 16;
 
 /// Shaders and state, checked, optimized for each other and compiled. Cloning shares it.
 #[derive(Clone, Debug)]
@@ -36,14 +39,17 @@ pub(crate) struct Compiled {
     pub written_varyings: usize,
     /// How many varyings hold what the fragment module makes of others.
     pub hoisted: usize,
-    /// Who computes what fragments make of varyings.
-    hoisting: VaryingHoisting,
+    /// The varyings whose planes are those of the side that is seen.
+    pub sides: Vec<SideVaryings>,
+    variant: Variant,
     /// See [`Pipeline::of_sprites`].
     of_sprites: OnceLock<Pipeline>,
     /// See [`Pipeline::of_lines`].
     of_lines: OnceLock<Pipeline>,
     /// See [`Pipeline::of_unit_scale_factor`].
     of_unit_scale_factor: OnceLock<Pipeline>,
+    /// See [`Pipeline::of_separate_sides`].
+    of_separate_sides: OnceLock<Pipeline>,
     /// What [`Pipeline::specialized`] compiles; none where the fragment program neither branches on a uniform value nor
     /// computes with one, or is one that was specialized.
     specializable: Option<Specializable>,
@@ -85,7 +91,11 @@ impl Pipeline {
         if fragment.stage != Stage::Fragment {
             return Err(PipelineError("`fragment` must be a module of the fragment stage".into()));
         }
-        let mut hoisting = VaryingHoisting::On;
+        let mut variant = Variant {
+            hoisting: VaryingHoisting::On,
+            lod: LevelOfDetail::Polygons,
+            sides: SideSelection::ByPlanes,
+        };
         if let Some(geometry) = &desc.geometry {
             let Some(interface) = &geometry.module().geometry else {
                 return Err(PipelineError(
@@ -98,47 +108,58 @@ impl Pipeline {
                     desc.topology, interface.input
                 )));
             }
-            hoisting = VaryingHoisting::Off;
+            variant.hoisting = VaryingHoisting::Off;
         }
-        let compiled = Compiled::new(desc, hoisting, LevelOfDetail::Polygons);
+        let compiled = Compiled::new(desc, variant);
         Ok(Self(Arc::new(compiled)))
     }
 
     /// The pipeline where sprites replace varyings, which are not there at the vertices: what fragments make of them
     /// stays with the fragments.
     pub(crate) fn of_sprites(&self) -> Self {
-        if self.0.hoisted == 0 {
+        if self.0.hoisted == 0 && self.0.sides.is_empty() {
             return self.clone();
         }
-        let of_sprites = self.0.of_sprites.get_or_init(|| {
-            let desc = self.0.desc.clone();
-            Self(Arc::new(Compiled::new(desc, VaryingHoisting::Off, LevelOfDetail::Polygons)))
-        });
-        of_sprites.clone()
+        let (hoisting, sides) = (VaryingHoisting::Off, SideSelection::ByFragments);
+        self.variant(&self.0.of_sprites, Variant { hoisting, sides, ..self.0.variant })
     }
 
     /// The pipeline where lookups of lines have the level of detail of lines.
     pub(crate) fn of_lines(&self) -> Self {
-        if !self.0.desc.fragment.module().has_implicit_lod() {
-            return self.clone();
-        }
-        let of_lines = self.0.of_lines.get_or_init(|| {
-            let (desc, hoisting) = (self.0.desc.clone(), self.0.hoisting);
-            Self(Arc::new(Compiled::new(desc, hoisting, LevelOfDetail::Lines)))
-        });
-        of_lines.clone()
+        self.of_lod(&self.0.of_lines, LevelOfDetail::Lines)
     }
 
     /// The pipeline where lookups have the level of detail of points, pixel rectangles and bitmaps.
     pub(crate) fn of_unit_scale_factor(&self) -> Self {
+        self.of_lod(&self.0.of_unit_scale_factor, LevelOfDetail::UnitScaleFactor)
+    }
+
+    fn of_lod(&self, compiled: &OnceLock<Self>, lod: LevelOfDetail) -> Self {
         if !self.0.desc.fragment.module().has_implicit_lod() {
             return self.clone();
         }
-        let of_unit_scale_factor = self.0.of_unit_scale_factor.get_or_init(|| {
-            let (desc, hoisting) = (self.0.desc.clone(), self.0.hoisting);
-            Self(Arc::new(Compiled::new(desc, hoisting, LevelOfDetail::UnitScaleFactor)))
-        });
-        of_unit_scale_factor.clone()
+        self.variant(compiled, Variant { lod, ..self.0.variant })
+    }
+
+    /// The pipeline for a draw with these vertices: where one of two varyings that are selected by facing is equal at
+    /// all of them and the other is not, both have planes of their own.
+    pub(crate) fn of_arrays(&self, vertices: &[VertexBinding]) -> Self {
+        if self.0.sides.is_empty() {
+            return self.clone();
+        }
+        let arrays = arrays(vertices);
+        let is_constant = |slot| self.0.is_constant(slot, arrays);
+        let are_alike = |sides: &SideVaryings| is_constant(sides.front) == is_constant(sides.back);
+        if self.0.sides.iter().all(are_alike) {
+            return self.clone();
+        }
+        let sides = SideSelection::ByFragments;
+        self.variant(&self.0.of_separate_sides, Variant { sides, ..self.0.variant })
+    }
+
+    fn variant(&self, compiled: &OnceLock<Self>, variant: Variant) -> Self {
+        let compile = || Self(Arc::new(Compiled::new(self.0.desc.clone(), variant)));
+        compiled.get_or_init(compile).clone()
     }
 
     /// The pipeline whose fragment program leaves out what uniform values and textures of a draw make without effect;
@@ -185,63 +206,21 @@ impl Pipeline {
     }
 }
 
-/// The most programs that a fragment program is specialized to.
-const MAX_SPECIALIZATIONS: usize = 8;
-
-/// What fragment programs are specialized from.
-#[derive(Debug)]
-struct Specializable {
-    /// The module that was lowered.
-    module: Module,
-    sources: FactSources,
-    known: Mutex<Vec<Specialization>>,
+/// How the programs of a pipeline are compiled.
+#[derive(Clone, Copy, Debug)]
+struct Variant {
+    hoisting: VaryingHoisting,
+    lod: LevelOfDetail,
+    sides: SideSelection,
 }
 
-/// The draws with some facts.
-#[derive(Debug)]
-struct Specialization {
-    facts: Facts,
-    /// What was compiled for them; `None` for the general program.
-    pipeline: Option<Pipeline>,
-    state: SpecializationState,
-}
-
-/// Whether a program was compiled for facts: at the second draw that has them.
+/// Who selects between two varyings by the facing of a polygon.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum SpecializationState {
-    SeenOnce,
-    Compiled,
-}
-
-impl Specializable {
-    /// That of a program which was lowered from this module, if any draw may know facts of it.
-    fn new(program: &Program, module: Module) -> Option<Self> {
-        let sources = program.fact_sources(&module);
-        let is_small = !module.nests_deeper_than(SHALLOW);
-        let depends = program.depends_on_uniforms() || !program.texture_slots().is_empty();
-        (is_small && depends).then(|| Self { module, sources, known: Mutex::default() })
-    }
-
-    /// The pipeline for facts, which `compile` makes at the second draw that has them.
-    fn find(
-        &self,
-        facts: Facts,
-        compile: impl FnOnce(&Facts) -> Option<Pipeline>,
-    ) -> Option<Pipeline> {
-        let mut known = self.known.lock();
-        let Some(found) = known.iter_mut().find(|known| known.facts == facts) else {
-            if known.len() < MAX_SPECIALIZATIONS {
-                let state = SpecializationState::SeenOnce;
-                known.push(Specialization { facts, pipeline: None, state });
-            }
-            return None;
-        };
-        if found.state == SpecializationState::SeenOnce {
-            found.state = SpecializationState::Compiled;
-            found.pipeline = compile(&found.facts);
-        }
-        found.pipeline.clone()
-    }
+enum SideSelection {
+    /// The planes of each polygon: the varying of the other side is not interpolated.
+    ByPlanes,
+    /// The fragment stage.
+    ByFragments,
 }
 
 /// Who computes what fragments make of varyings.
@@ -268,6 +247,11 @@ fn slots_of_vertices(geometry: &Program) -> Vec<u16> {
 }
 
 impl Compiled {
+    /// Whether a varying is equal at all vertices of a draw with these arrays.
+    pub fn is_constant(&self, slot: u16, arrays: AttributeSet) -> bool {
+        self.geometry.is_none() && self.vertex.is_constant(slot, arrays)
+    }
+
     /// The same with a fragment program that reads no other varyings.
     fn with_fragment(&self, fragment: Program, facts: Facts) -> Self {
         Self {
@@ -280,27 +264,29 @@ impl Compiled {
             slots: self.slots.clone(),
             written_varyings: self.written_varyings,
             hoisted: self.hoisted,
-            hoisting: self.hoisting,
+            sides: self.sides.clone(),
+            variant: self.variant,
             of_sprites: OnceLock::new(),
             of_lines: OnceLock::new(),
             of_unit_scale_factor: OnceLock::new(),
+            of_separate_sides: OnceLock::new(),
             specializable: None,
             facts,
         }
     }
 
     /// Compiles modules that are of their stages.
-    fn new(desc: PipelineDesc, hoisting: VaryingHoisting, lod: LevelOfDetail) -> Self {
+    fn new(desc: PipelineDesc, variant: Variant) -> Self {
         let is_deep = |stage: &ShaderModule| stage.module().nests_deeper_than(SHALLOW);
         let geometry_is_deep = desc.geometry.as_ref().is_some_and(is_deep);
         if is_deep(&desc.vertex) || is_deep(&desc.fragment) || geometry_is_deep {
-            with_large_stack(|| Self::on_this_stack(desc, hoisting, lod))
+            with_large_stack(|| Self::on_this_stack(desc, variant))
         } else {
-            Self::on_this_stack(desc, hoisting, lod)
+            Self::on_this_stack(desc, variant)
         }
     }
 
-    fn on_this_stack(desc: PipelineDesc, hoisting: VaryingHoisting, lod: LevelOfDetail) -> Self {
+    fn on_this_stack(desc: PipelineDesc, variant: Variant) -> Self {
         let mut fragment = OptimizedModule::new(desc.fragment.module(), |output| match output {
             Output::Color { target, component } => desc
                 .colors
@@ -322,23 +308,25 @@ impl Compiled {
             | Output::ViewportIndex => false,
         });
         let vertex = desc.vertex.module();
-        let extended_vertex = match hoisting {
+        let extended_vertex = match variant.hoisting {
             VaryingHoisting::On => fragment.hoist_to_vertex(vertex),
             VaryingHoisting::Off => None,
         };
         let hoisted =
             extended_vertex.as_ref().map_or(0, |more| more.outputs.len() - vertex.outputs.len());
         let modes = fragment.module.varyings.clone();
-        let (fragment, finished) = fragment.finish_and_keep(lod);
+        fragment.finish(variant.lod);
+        let sides = match variant.sides {
+            SideSelection::ByPlanes if desc.geometry.is_none() => fragment.merge_sides(),
+            SideSelection::ByPlanes | SideSelection::ByFragments => Vec::new(),
+        };
+        let (fragment, finished) = fragment.lower();
         let specializable = Specializable::new(&fragment, finished);
-        let mut varyings: Vec<(u16, Interpolation)> = fragment
+        let mut slots: Vec<u16> = fragment
             .inputs()
             .iter()
             .filter_map(|input| match *input {
-                Input::Varying(slot) | Input::Gradient { slot, .. } => {
-                    let mode = modes.get(usize::from(slot)).copied();
-                    Some((slot, mode.unwrap_or(Interpolation::Smooth)))
-                }
+                Input::Varying(slot) | Input::Gradient { slot, .. } => Some(slot),
                 Input::Attribute { .. }
                 | Input::VertexId
                 | Input::InstanceId
@@ -353,12 +341,17 @@ impl Compiled {
                 | Input::LineDirection(_) => None,
             })
             .collect();
-        varyings.sort_unstable_by_key(|&(slot, _)| slot);
-        varyings.dedup();
+        slots.extend(sides.iter().map(|sides| sides.back));
+        slots.sort_unstable();
+        slots.dedup();
+        let mode = |&slot: &u16| {
+            let mode = modes.get(usize::from(slot)).copied();
+            (slot, mode.unwrap_or(Interpolation::Smooth))
+        };
+        let varyings: Vec<(u16, Interpolation)> = slots.iter().map(mode).collect();
         let written_varyings =
             vertex.outputs.iter().filter(|(o, _)| matches!(o, Output::Varying(_))).count();
         let vertex = extended_vertex.as_ref().unwrap_or(vertex);
-        let slots: Vec<u16> = varyings.iter().map(|&(slot, _)| slot).collect();
         let reads_number = desc.fragment.module().primitive_id.is_some();
         let geometry = desc.geometry.as_ref().map(|geometry| {
             Arc::new(Program::new(geometry.module(), |output| match output {
@@ -391,8 +384,6 @@ impl Compiled {
             | Output::SampleMask
             | Output::PrimitiveId => false,
         });
-        let (of_sprites, of_lines, of_unit_scale_factor) =
-            (OnceLock::new(), OnceLock::new(), OnceLock::new());
         Self {
             desc,
             vertex: Arc::new(vertex),
@@ -403,10 +394,12 @@ impl Compiled {
             slots,
             written_varyings,
             hoisted,
-            hoisting,
-            of_sprites,
-            of_lines,
-            of_unit_scale_factor,
+            sides,
+            variant,
+            of_sprites: OnceLock::new(),
+            of_lines: OnceLock::new(),
+            of_unit_scale_factor: OnceLock::new(),
+            of_separate_sides: OnceLock::new(),
             specializable,
             facts: Facts::NONE,
         }

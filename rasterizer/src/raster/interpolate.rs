@@ -64,6 +64,12 @@ impl Planes {
                 PlaneSource::Smooth(at) => Plane::sum(&rows.smooth, values(at)),
                 PlaneSource::NoPerspective(at) => Plane::sum(&rows.linear, values(at)),
                 PlaneSource::Flat(at) => Plane::constant(f64::from(provoking[at])),
+                PlaneSource::SmoothOfSides(sides) => {
+                    Plane::sum(&rows.smooth, values(sides[shape.facing as usize]))
+                }
+                PlaneSource::FlatOfSides(sides) => {
+                    Plane::constant(f64::from(provoking[sides[shape.facing as usize]]))
+                }
                 PlaneSource::PointCoord(axis) => match shape.kind {
                     ShapeKind::Point { size, .. } => point_coord(axis, size, setup.origin),
                     ShapeKind::Triangle | ShapeKind::Line { .. } => Plane::constant(0.0),
@@ -94,6 +100,9 @@ impl Planes {
                     | PlaneSource::NoPerspective(at)
                     | PlaneSource::Sprite(at, _)
                     | PlaneSource::Flat(at) => f64::from(provoking[at]),
+                    PlaneSource::SmoothOfSides(sides) | PlaneSource::FlatOfSides(sides) => {
+                        f64::from(provoking[sides[shape.facing as usize]])
+                    }
                     PlaneSource::Denominator | PlaneSource::InverseW => 1.0,
                     PlaneSource::Depth
                     | PlaneSource::PointCoord(_)

@@ -164,7 +164,9 @@ impl PlaneGroup {
                 PlaneSource::Depth
                 | PlaneSource::Denominator
                 | PlaneSource::Smooth(_)
-                | PlaneSource::Flat(_) => true,
+                | PlaneSource::Flat(_)
+                | PlaneSource::SmoothOfSides(_)
+                | PlaneSource::FlatOfSides(_) => true,
                 PlaneSource::InverseW
                 | PlaneSource::NoPerspective(_)
                 | PlaneSource::PointCoord(_)
@@ -235,25 +237,27 @@ impl Kernel for ComputePlanes<'_> {
             }
         }
         lanes.needs_scalar_path = [0; LANES];
-        gather::<S>(geometry, shapes, 0, &mut lanes.values);
+        let mut gathered = GatheredFour::of([0; 2], geometry.stride);
+        gathered.gather::<S>(geometry, shapes, &mut lanes.values);
         let KernelBuffers { values, origin, weights, needs_scalar_path } = lanes;
         weights.compute::<S>(values, origin, &setup.depth.viewport, needs_scalar_path);
-        let mut varying_group = 0;
         for (source, out) in setup.sources.iter().zip(planes) {
             let (weights, at) = match *source {
-                PlaneSource::Depth => (weights.projective(), 2),
-                PlaneSource::Smooth(at) => (weights.smooth(), VARYINGS + at),
+                PlaneSource::Depth => (weights.projective(), [2; 2]),
+                PlaneSource::Smooth(at) => (weights.smooth(), [VARYINGS + at; 2]),
+                PlaneSource::SmoothOfSides(sides) => {
+                    (weights.smooth(), sides.map(|at| VARYINGS + at))
+                }
                 PlaneSource::Denominator => {
                     *out = weights.denominator();
                     continue;
                 }
                 PlaneSource::Flat(at) => {
-                    let [a, b, c] = out;
-                    (*a, *b) = (F64s::ZERO, F64s::ZERO);
-                    for (c, &vertex) in c.0.iter_mut().zip(&shapes.provoking.0) {
-                        let values = &geometry.values[vertex as usize * geometry.stride..];
-                        *c = values[VARYINGS + at].into();
-                    }
+                    provoking(geometry, shapes, [at; 2], out);
+                    continue;
+                }
+                PlaneSource::FlatOfSides(sides) => {
+                    provoking(geometry, shapes, sides, out);
                     continue;
                 }
                 PlaneSource::NoPerspective(_)
@@ -262,11 +266,12 @@ impl Kernel for ComputePlanes<'_> {
                 | PlaneSource::LineDirection(_)
                 | PlaneSource::PointCoord(_) => continue,
             };
-            if at / 4 != varying_group {
-                varying_group = at / 4;
-                gather::<S>(geometry, shapes, varying_group, values);
-            }
-            sum(weights, values, at % 4, out, needs_scalar_path);
+            let component = gathered.component(at).unwrap_or_else(|| {
+                gathered = GatheredFour::of(at, geometry.stride);
+                gathered.gather::<S>(geometry, shapes, values);
+                at[0] - gathered.first[0]
+            });
+            sum(weights, values, component, out, needs_scalar_path);
             if *source == PlaneSource::Depth {
                 let DepthTransform { scale, bias } = setup.depth.viewport.depth_transform();
                 to_depth(out, scale, bias);
@@ -280,23 +285,60 @@ impl Kernel for ComputePlanes<'_> {
     }
 }
 
-/// Four values, from `4 · varying_group` on, of the three vertices of each shape.
+/// The planes of a varying that is flat: `sides` has its index for front and for back faces.
 #[inline(always)]
-fn gather<S: Simd>(
-    geometry: &Geometry,
-    shapes: &ShapeLanes,
-    varying_group: usize,
-    out: &mut [[F32s; 4]; 3],
-) {
-    let values: &[u8] = bytemuck::cast_slice(&geometry.values);
-    let [stride, first] = [geometry.stride, 4 * varying_group].map(|values| 4 * values as u32);
-    for (vertices, out) in shapes.vertices.iter().zip(out) {
-        let mut offsets = U32s::ZERO;
-        for lane in 0..LANES {
-            offsets[lane] = vertices[lane] * stride + first;
+fn provoking(geometry: &Geometry, shapes: &ShapeLanes, sides: [usize; 2], out: &mut PlaneLanes) {
+    let [a, b, c] = out;
+    (*a, *b) = (F64s::ZERO, F64s::ZERO);
+    for (lane, c) in c.0.iter_mut().enumerate() {
+        let values = &geometry.values[shapes.provoking[lane] as usize * geometry.stride..];
+        *c = values[VARYINGS + sides[shapes.facing(lane) as usize]].into();
+    }
+}
+
+/// Four consecutive values of a vertex: the number of the first, for front and for back faces.
+#[derive(Clone, Copy)]
+struct GatheredFour {
+    first: [usize; 2],
+}
+
+impl GatheredFour {
+    /// Those from the values `at` on, or before them so that all four lie within the values of a vertex.
+    #[inline(always)]
+    fn of(at: [usize; 2], stride: usize) -> Self {
+        // Aligned, so that the next component is among them.
+        let before =
+            if at[0] == at[1] { at[0] % 4 } else { (at[0].max(at[1]) + 4).saturating_sub(stride) };
+        Self { first: at.map(|at| at - before) }
+    }
+
+    /// Which of the four holds the values `at`, if one does.
+    #[inline(always)]
+    fn component(&self, at: [usize; 2]) -> Option<usize> {
+        let [front, back] = [0, 1].map(|side| at[side].wrapping_sub(self.first[side]));
+        (front == back && front < 4).then_some(front)
+    }
+
+    /// Gathers them from the three vertices of each shape.
+    #[inline(always)]
+    fn gather<S: Simd>(&self, geometry: &Geometry, shapes: &ShapeLanes, out: &mut [[F32s; 4]; 3]) {
+        let values: &[u8] = bytemuck::cast_slice(&geometry.values);
+        let [stride, front, back] =
+            [geometry.stride, self.first[0], self.first[1]].map(|values| 4 * values as u32);
+        let mut first = U32s::splat(front);
+        if front != back {
+            for lane in 0..LANES {
+                first[lane] = if shapes.back >> lane & 1 == 1 { back } else { front };
+            }
         }
-        let [a, b, c, d] = S::gather_fours(values, &offsets);
-        *out = [*a.as_f32(), *b.as_f32(), *c.as_f32(), *d.as_f32()];
+        for (vertices, out) in shapes.vertices.iter().zip(out) {
+            let mut offsets = U32s::ZERO;
+            for lane in 0..LANES {
+                offsets[lane] = vertices[lane] * stride + first[lane];
+            }
+            let [a, b, c, d] = S::gather_fours(values, &offsets);
+            *out = [*a.as_f32(), *b.as_f32(), *c.as_f32(), *d.as_f32()];
+        }
     }
 }
 

@@ -23,7 +23,7 @@ pub struct ShapeLanes {
     /// The lanes of triangles that clipping has not cut.
     pub whole: u64,
     /// The lanes of back faces.
-    back: u64,
+    pub back: u64,
 }
 
 impl Default for ShapeLanes {

@@ -1,5 +1,6 @@
 //! A tile: everything of a pass that touches its 64×64 pixels, in order.
 
+mod block_tests;
 mod fill;
 mod fill_large;
 

@@ -147,10 +147,15 @@ impl WatchedPixel {
             | PlaneSource::Sprite(at, _) => {
                 ids.iter().map(|&id| chunk.geometry.varyings_of(id)[at]).collect()
             }
+            PlaneSource::SmoothOfSides(sides) => {
+                let at = sides[shape.facing as usize];
+                ids.iter().map(|&id| chunk.geometry.varyings_of(id)[at]).collect()
+            }
             PlaneSource::Depth
             | PlaneSource::Denominator
             | PlaneSource::InverseW
             | PlaneSource::Flat(_)
+            | PlaneSource::FlatOfSides(_)
             | PlaneSource::LineDirection(_)
             | PlaneSource::PointCoord(_) => Vec::new(),
         };

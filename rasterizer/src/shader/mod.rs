@@ -52,6 +52,7 @@ pub use emission::Emission;
 pub(crate) use facts::{FactSources, Facts};
 pub use invocation::{Invocation, OverBudget};
 pub use machine::{Machine, Tracer};
+pub(crate) use optimize::SideVaryings;
 pub use product::{ProductCode, TexelProduct};
 #[cfg(test)]
 use program::Fusing;

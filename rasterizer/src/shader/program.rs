@@ -7,7 +7,7 @@ use super::native::NativeCodes;
 use super::preamble::Preamble;
 use super::product::TexelProduct;
 use super::repeated_lookups::Repeat;
-use super::{FactSources, Facts};
+use super::{FactSources, Facts, SideVaryings};
 use super::{
     allocate, constant_outputs, fuse, lower, optimize, repeated_lookups, schedule, shared_axes,
 };
@@ -147,14 +147,18 @@ impl OptimizedModule {
         optimize::hoist_to_vertex(vertex, &mut self.module)
     }
 
-    /// Lowers it.
-    pub fn finish(self, lod: LevelOfDetail) -> Program {
-        self.finish_and_keep(lod).0
+    /// Gives its lookups the level of detail.
+    pub fn finish(&mut self, lod: LevelOfDetail) {
+        optimize::finish(&mut self.module, lod);
+    }
+
+    /// Makes one varying of those that it selects by facing. It must be finished.
+    pub fn merge_sides(&mut self) -> Vec<SideVaryings> {
+        optimize::merge_sides(&mut self.module)
     }
 
     /// Lowers it, and returns the module that was lowered.
-    pub fn finish_and_keep(mut self, lod: LevelOfDetail) -> (Program, Module) {
-        optimize::finish(&mut self.module, lod);
+    pub fn lower(self) -> (Program, Module) {
         let left = statements(&self.module);
         let program = Program {
             statements: [self.statements_before, left],
@@ -220,7 +224,9 @@ impl Program {
     /// Optimizes and lowers `module`, keeping only the outputs for which `keep` holds.
     /// The module has been validated.
     pub fn new(module: &Module, keep: impl Fn(Output) -> bool) -> Self {
-        OptimizedModule::new(module, keep).finish(LevelOfDetail::Polygons)
+        let mut module = OptimizedModule::new(module, keep);
+        module.finish(LevelOfDetail::Polygons);
+        module.lower().0
     }
 
     /// The values of the module that this program was lowered from of which a draw knows facts.

@@ -3,6 +3,8 @@
 mod instances;
 mod packing;
 mod products;
+mod sides;
+mod stencil_blocks;
 mod targets;
 
 use super::common::{fragment, pipeline, vertex};

@@ -1,11 +1,10 @@
 //! The calls of blending: GL 2.1, section 4.1.8; by draw buffer: `ARB_draw_buffers_blend`.
 
 use crate::base::error::Result;
-use crate::base::limits;
 use crate::base::types::*;
 use crate::context::Context;
 use crate::state::blend::{BLEND_EQUATION, FACTOR, Formula};
-use crate::state::draw_buffers::buffer_index;
+use crate::state::draw_buffers::{ALL_BUFFERS, buffer_index};
 use std::ops::Range;
 
 /// The draw buffers that a call is about.
@@ -19,7 +18,7 @@ impl Buffers {
     /// Their numbers.
     fn range(self) -> Result<Range<usize>> {
         Ok(match self {
-            Self::All => 0..limits::MAX_COLOR_ATTACHMENTS,
+            Self::All => ALL_BUFFERS,
             Self::One(buf) => {
                 let number = buffer_index("buf", buf)?;
                 number..number + 1
@@ -31,11 +30,11 @@ impl Buffers {
 /// Changes the formulas of these buffers, and notes whether any is another one then.
 fn set_formulas(context: &mut Context, buffers: Range<usize>, change: impl Fn(Formula) -> Formula) {
     let mut is_same = true;
-    for state in &mut context.state.fragment.buffers[buffers] {
+    context.state.fragment.buffers.change(buffers, |state| {
         let formula = change(state.formula);
         is_same &= formula == state.formula;
         state.formula = formula;
-    }
+    });
     if is_same {
         context.state_changes.no_change();
     }

@@ -6,7 +6,7 @@ use crate::base::error::{Result, invalid_enum};
 use crate::base::types::*;
 use crate::calls::transform::viewport_arrays::viewport_index;
 use crate::context::Context;
-use crate::state::draw_buffers::{BufferStates, LOGIC_OP, buffer_index};
+use crate::state::draw_buffers::{ALL_BUFFERS, BufferStates, LOGIC_OP, buffer_index};
 use crate::state::enable::{Flag, Switch};
 
 pub(crate) const SECTION: &str =
@@ -26,7 +26,7 @@ pub(crate) fn color_mask(
     alpha: bool,
 ) -> Result<()> {
     let mask = [red, green, blue, alpha];
-    let set = |buffers: &mut BufferStates| buffers.iter_mut().for_each(|buffer| buffer.mask = mask);
+    let set = |buffers: &mut BufferStates| buffers.change(ALL_BUFFERS, |buffer| buffer.mask = mask);
     context.change_plain(|state| &mut state.fragment.buffers, set);
     Ok(())
 }
@@ -40,7 +40,8 @@ pub(crate) fn color_maski(
     alpha: bool,
 ) -> Result<()> {
     let buf = buffer_index("buf", buf)?;
-    context.state.fragment.buffers[buf].mask = [red, green, blue, alpha];
+    let mask = [red, green, blue, alpha];
+    context.state.fragment.buffers.change(buf..buf + 1, |buffer| buffer.mask = mask);
     Ok(())
 }
 
@@ -80,7 +81,8 @@ fn switch(context: &mut Context, target: GLenum, index: GLuint, to: Switch) -> R
     let on = to == Switch::On;
     match indexed(context, target, index)? {
         Indexed::Blend(buffer) => {
-            context.state.fragment.buffers[buffer].blend = on;
+            let buffers = &mut context.state.fragment.buffers;
+            buffers.change(buffer..buffer + 1, |buffer| buffer.blend = on);
             // `glIsEnabled(GL_BLEND)` answers for the first one.
             let first = context.state.fragment.buffers[0].blend;
             context.state.enables.set(Flag::Blend, first);

@@ -6,7 +6,7 @@ use crate::base::convert::unit;
 use crate::base::error::{Result, not_negative};
 use crate::base::types::*;
 use crate::context::Context;
-use crate::state::draw_buffers::BUFFERS;
+use crate::state::draw_buffers::BufferStates;
 use crate::state::fragment::{ClearColor, FragmentState};
 use crate::state::per_viewport::PerViewport;
 use crate::state::stencil::Stencil;
@@ -25,7 +25,7 @@ impl FragmentState {
             blend_color: [0.0; 4],
             stencil: Stencil::default(),
             logic_op: LogicOp::Copy,
-            buffers: BUFFERS,
+            buffers: BufferStates::INITIAL,
             index_mask: GLuint::MAX,
         }
     }

@@ -15,6 +15,7 @@ use crate::state::enable::{CAPABILITY, Flag};
 use crate::state::texture_units::Unit;
 use rasterizer::driver::{DepthWrite, Image, LevelInfo, VertexBinding, VertexSource};
 use rasterizer::ir::{TextureDecl, Ty};
+use std::iter::zip;
 use texunit::sampler::{Mipmap, Sampler};
 
 /// GL's name of a target.
@@ -261,10 +262,9 @@ fn maybe_loop(
         })
     };
     let fragment = &context.state.fragment;
-    let drawn = object.selection.draw.iter().zip(&fragment.buffers);
-    let mut drawn = drawn.filter(|(_, state)| state.mask.contains(&true));
-    let color = drawn.any(|(&buffer, _)| {
-        attachment_index(buffer).is_some_and(|index| sampled(&object.colors[index]))
+    let color = zip(&object.selection.draw, fragment.buffers.iter()).any(|(&buffer, state)| {
+        let index = attachment_index(buffer).filter(|_| state.mask.contains(&true));
+        index.is_some_and(|index| sampled(&object.colors[index]))
     });
     let tests = context.state.enables.has(Flag::DepthTest);
     let depth = tests && fragment.depth_write == DepthWrite::On && sampled(&object.depth);

@@ -48,6 +48,7 @@ impl Pass<'_> {
             }
             false => pipeline,
         };
+        let pipeline = pipeline.of_arrays(&self.bound.vertices);
         let area = self.area(self.bound.scissor);
         let chooses = !self.bound.more_viewports.is_empty() && pipeline.chooses_viewports();
         if (area[0][0] >= area[1][0] || area[0][1] >= area[1][1]) && !chooses {

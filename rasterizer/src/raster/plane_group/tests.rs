@@ -34,7 +34,7 @@ fn have_the_planes_they_have_alone(is_flat: impl Fn(u32) -> bool) {
     };
     let mut state = 9;
     let mut geometry = Geometry::default();
-    geometry.stride = VARYINGS + 4;
+    geometry.stride = VARYINGS + 8;
     let mut shapes = Vec::new();
     for n in 0..64_u32 {
         let w = if is_flat(n) { 1.0 } else { 0.0 };
@@ -47,7 +47,7 @@ fn have_the_planes_they_have_alone(is_flat: impl Fn(u32) -> bool) {
             let window = viewport.window(&clip.map(f64::from));
             geometry.snapped.push(window.map(crate::vertex::snap));
             geometry.values.extend(clip);
-            geometry.values.extend([0; 4].map(|_| random(&mut state)));
+            geometry.values.extend([0; 8].map(|_| random(&mut state)));
         }
         let vertices = [3 * n, 3 * n + 1, 3 * n + 2];
         shapes.push(Shape {
@@ -57,7 +57,7 @@ fn have_the_planes_they_have_alone(is_flat: impl Fn(u32) -> bool) {
             provoking: 2,
             clipping: if n % 11 == 0 { Clipping::Cut } else { Clipping::Whole },
             kind: ShapeKind::Triangle,
-            facing: Facing::Front,
+            facing: if n % 3 == 1 { Facing::Back } else { Facing::Front },
         });
     }
     let setup = PlaneSetup {
@@ -67,13 +67,19 @@ fn have_the_planes_they_have_alone(is_flat: impl Fn(u32) -> bool) {
             PlaneSource::Smooth(0),
             PlaneSource::Smooth(2),
             PlaneSource::Flat(1),
+            PlaneSource::SmoothOfSides([0, 3]),
+            PlaneSource::SmoothOfSides([1, 4]),
+            PlaneSource::SmoothOfSides([6, 2]),
+            PlaneSource::SmoothOfSides([7, 3]),
+            PlaneSource::FlatOfSides([5, 6]),
+            PlaneSource::Smooth(7),
         ],
         depth: DepthSetup { viewport, offset: None, resolution: None },
         origin: SpriteOrigin::UpperLeft,
         line_constant: ConstantDirection::Perpendicular,
     };
     let bits = |group: &PlaneGroup, lane: usize| {
-        let mut out = [[0.0; 3]; 5];
+        let mut out = [[0.0; 3]; 11];
         group.at(lane, 320, 200, &mut out);
         out.concat().into_iter().map(f32::to_bits).collect::<Vec<_>>()
     };
@@ -89,7 +95,7 @@ fn have_the_planes_they_have_alone(is_flat: impl Fn(u32) -> bool) {
         for (lane, shape) in shapes.iter().enumerate() {
             lanes.load(std::iter::once(shape));
             single.compute(isa, &setup, &geometry, &lanes, std::iter::once(shape));
-            let mut at_block = [[0.0; 3]; 5];
+            let mut at_block = [[0.0; 3]; 11];
             for (row, column) in (0..9).map(|block| (block / 3, block % 3)) {
                 if column > windows.extra_blocks[0] || row > windows.extra_blocks[1] {
                     continue;

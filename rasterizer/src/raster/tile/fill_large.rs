@@ -7,12 +7,12 @@ use super::super::edge_functions;
 use super::super::job::{DrawJob, PassJob, TileJob};
 use super::super::large_triangles::bits;
 use super::super::pack_pixels::PackLargeTriangle;
-use super::super::tile_planes::{ComputePlanes, PlaneStorage};
+use super::super::tile_planes::ComputePlanes;
 use super::TileRenderer;
+use super::block_tests::BlockTests;
 use super::fill::{ShapeBlock, is_shaded_as_block};
 use crate::desc::Facing;
 use crate::kernels::PixelKernel;
-use crate::output::{DepthPlan, Tests};
 use crate::plan::{DrawPlan, Packing, SampleMasks, Shading, TestTiming};
 use crate::primitive::Shape;
 use crate::sizes::TILE;
@@ -60,7 +60,7 @@ impl TileRenderer {
         {
             self.flush_blocks(pass, job, tile);
         }
-        let tested = self.test_large_triangle(pass, job, tile);
+        let tested = self.test_large_triangle(pass, job, tile, shape.facing);
         if plan.shading == Shading::Off && tested == self.large_triangle.touched {
             bits(tested).for_each(|block| job.count(&[self.large_triangle.covered[block]]));
             return;
@@ -132,23 +132,30 @@ impl TileRenderer {
         }
     }
 
-    /// Runs the early depth test of the blocks of a large triangle that are shaded as blocks, in one kernel if depth is
-    /// the only test. Returns these blocks.
-    fn test_large_triangle(&mut self, pass: &PassJob, job: &DrawJob, tile: &mut TileJob) -> u64 {
+    /// Runs the early tests of the blocks of a large triangle that are shaded as blocks, where they need no single
+    /// fragments. Returns these blocks.
+    fn test_large_triangle(
+        &mut self,
+        pass: &PassJob,
+        job: &DrawJob,
+        tile: &mut TileJob,
+        facing: Facing,
+    ) -> u64 {
         let plan = &job.plan;
-        let of = [self.large_triangle.touched, self.large_triangle.dense];
-        let (Some((test, plane, blocks)), Some(target)) =
-            (early_depth_test(plan, of), tile.depth.as_mut())
+        let (Some(tests), Some(target)) =
+            (BlockTests::new(pass.isa, plan, facing), tile.depth.as_mut())
         else {
             return 0;
         };
-        let [stored, ..] = target.sample(0) else { return 0 };
+        let blocks = tested_blocks(plan, self.large_triangle.touched, self.large_triangle.dense);
+        let blocks = tests.testable(blocks, target.sample(0));
         if blocks != 0 {
-            PixelKernel::LargeDepthTest.note();
-            let (plane, covered) =
-                (self.tile_planes.plane(plane), &mut self.large_triangle.covered);
-            let by = (plane_storage(plan), plan.viewport.depths());
-            plane.test(pass.isa, test, by, stored, blocks, covered);
+            let depth = tests.depth_plane().map(|plane| self.tile_planes.plane(plane));
+            if depth.is_some() {
+                PixelKernel::LargeDepthTest.note();
+            }
+            let covered = &mut self.large_triangle.covered;
+            tests.run(blocks, target.sample(0), depth, covered);
         }
         blocks
     }
@@ -203,7 +210,8 @@ impl TileRenderer {
             // Pending fragments of other shapes are shaded first. Blocks of one shape do not overlap.
             self.flush_overlapping(pass, job, tile, block, &masks);
         }
-        let tested = self.test_large_sampled_triangle(pass, job, tile, [touched, dense]);
+        let of = [touched, dense];
+        let tested = self.test_large_sampled_triangle(pass, job, tile, shape.facing, of);
         let ready = if plan.timing == TestTiming::Never { dense } else { tested };
         self.uniform = self.uniform_over_shape(plan, lane);
         self.tile_planes.write_steps(&mut self.planes);
@@ -225,25 +233,28 @@ impl TileRenderer {
         pass: &PassJob,
         job: &DrawJob,
         tile: &mut TileJob,
-        of: [u64; 2],
+        facing: Facing,
+        [touched, dense]: [u64; 2],
     ) -> u64 {
         let plan = &job.plan;
-        let (Some((test, plane, blocks)), Some(target)) =
-            (early_depth_test(plan, of), tile.depth.as_mut())
+        let (Some(tests), Some(target)) =
+            (BlockTests::new(pass.isa, plan, facing), tile.depth.as_mut())
         else {
             return 0;
         };
-        PixelKernel::LargeSampleDepthTest.note();
-        let plane = self.tile_planes.plane(plane);
-        for sample in 0..plan.samples.count {
+        let samples = 0..plan.samples.count;
+        let blocks = samples.clone().fold(tested_blocks(plan, touched, dense), |blocks, sample| {
+            tests.testable(blocks, target.sample(sample))
+        });
+        let depth = tests.depth_plane().map(|plane| self.tile_planes.plane(plane));
+        if depth.is_some() {
+            PixelKernel::LargeSampleDepthTest.note();
+        }
+        for sample in samples {
             let (of_sample, covered) = self.sampled_triangle.sample_mut(sample);
-            let blocks = blocks & of_sample;
-            if let [stored, ..] = target.sample(sample)
-                && blocks != 0
-            {
-                let plane = plane.at_sample(plan.samples.offset(sample));
-                let by = (plane_storage(plan), plan.viewport.depths());
-                plane.test(pass.isa, test, by, stored, blocks, covered);
+            let depth = depth.as_ref().map(|plane| plane.at_sample(plan.samples.offset(sample)));
+            if blocks & of_sample != 0 {
+                tests.run(blocks & of_sample, target.sample(sample), depth.as_ref(), covered);
             }
         }
         blocks
@@ -257,25 +268,10 @@ fn block_of(first: [i32; 2], block: usize, facing: Facing, ready: u64) -> ShapeB
     ShapeBlock { at: BlockAt::numbered(first, block), facing, tests }
 }
 
-/// The depth test of a large triangle, which plane is its depth, and the blocks to test, of those that are touched and
-/// dense, bit by block; `None` unless depth is the only test, and early.
-fn early_depth_test(
-    plan: &DrawPlan,
-    [touched, dense]: [u64; 2],
-) -> Option<(DepthPlan, usize, u64)> {
-    let Tests { stencil: None, depth: Some(test) } = plan.tests else { return None };
-    let (TestTiming::Early, Some(plane)) = (plan.timing, plan.depth_plane) else { return None };
-    let blocks = match plan.shading {
+/// The blocks of a large triangle that are tested together, of those that are touched and dense, bit by block.
+fn tested_blocks(plan: &DrawPlan, touched: u64, dense: u64) -> u64 {
+    match plan.shading {
         Shading::On => dense,
         Shading::Off => touched,
-    };
-    Some((test, plane, blocks))
-}
-
-/// How the depths of large triangles are stored.
-fn plane_storage(plan: &DrawPlan) -> PlaneStorage {
-    match plan.shading {
-        Shading::Off => PlaneStorage::Block,
-        Shading::On => PlaneStorage::Tile,
     }
 }

@@ -13,6 +13,7 @@
 //! | [`byte_functions`] | functions of the bytes of a texel become tables, where a draw's textures are known |
 //! | [`affine`] | what fragments make of varyings by affine maps moves to the vertices |
 //! | [`gradients`] | the level of detail of a varying's lookup from the varying's planes |
+//! | [`sides`] | selects between varyings by facing become one varying |
 //!
 //! What depends on uniform words only is split off later, by [`super::preamble`].
 
@@ -27,11 +28,13 @@ mod forward;
 mod gradients;
 mod powers;
 mod scopes;
+mod sides;
 mod simplify;
 mod stores;
 mod unroll;
 
 pub(super) use affine::hoist_to_vertex;
+pub(crate) use sides::SideVaryings;
 
 use super::{Facts, LevelOfDetail};
 use crate::ir::Module;
@@ -68,6 +71,11 @@ pub(super) fn specialize(module: &mut Module, facts: &Facts) {
     stores::run(module);
     byte_functions::run(module, facts);
     dead::run(module);
+}
+
+/// Makes one varying of those that are selected by facing; nothing may look for varyings' gradients after it.
+pub(super) fn merge_sides(module: &mut Module) -> Vec<SideVaryings> {
+    sides::run(module)
 }
 
 /// The final passes.

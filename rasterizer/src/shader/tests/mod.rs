@@ -108,8 +108,9 @@ pub(super) fn check(module: &Module, uniforms: &[u32], input: impl Fn(Input, usi
 
 /// The program of a module for draws with these uniform words, if they leave anything out.
 pub(super) fn specialized(module: &Module, uniforms: &[u32]) -> Option<Program> {
-    let optimized = OptimizedModule::new(module, |_| true);
-    let (program, finished) = optimized.finish_and_keep(LevelOfDetail::Polygons);
+    let mut optimized = OptimizedModule::new(module, |_| true);
+    optimized.finish(LevelOfDetail::Polygons);
+    let (program, finished) = optimized.lower();
     let sources = program.fact_sources(&finished);
     let facts = program.facts(&sources, Some(&program.prepare(Isa::BASELINE, uniforms, &[])), &[]);
     program.specialized(&finished, &sources, &facts)
