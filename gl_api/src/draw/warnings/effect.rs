@@ -2,7 +2,6 @@
 //! ([`rasterizer::ir::Effect`]).
 
 use crate::base::types::GLuint;
-use crate::calls::program::uniform::element_words;
 use crate::context::Context;
 use crate::context::warnings::DrawWarning;
 use rasterizer::driver::{PipelineDesc, ShaderModule};
@@ -65,7 +64,7 @@ fn unset_factor(context: &mut Context, desc: &PipelineDesc) {
     }
     let uniform_of = |word: u32| {
         linked.program.uniforms.iter().find(|uniform| {
-            let words = element_words(uniform.ty) as u32 * uniform.array.unwrap_or(1);
+            let words = uniform.ty.words() * uniform.array.unwrap_or(1);
             (uniform.word..uniform.word + words).contains(&word)
         })
     };
