@@ -80,11 +80,11 @@ fn draw(random: &mut Random) -> [Command; 3] {
     );
     desc.cull = Cull::None;
     desc.output.stencil = Some(StencilState { front: face(random), back: face(random) });
-    if random.next() % 3 > 0 {
+    if !random.next().is_multiple_of(3) {
         let write = one_of(random, &[DepthWrite::On, DepthWrite::Off]);
         desc.depth = Some(DepthState { test: one_of(random, &TESTS[1..]), write });
     }
-    if random.next() % 6 == 0 {
+    if random.next().is_multiple_of(6) {
         desc.colors[0].mask = [false; 4];
     }
     let color: Vec<f32> = [0; 4].map(|_| random.float(0.0, 1.0)).into();
