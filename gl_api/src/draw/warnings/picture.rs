@@ -5,7 +5,6 @@ use crate::context::Context;
 use crate::context::recorder::picture::{LeftOut, LightsSeen};
 use crate::context::warnings::DrawWarning;
 use crate::draw::material::material;
-use crate::draw::pending_primitives::draw_pending;
 use crate::interface::{ATTRIB_NORMAL, Side};
 use crate::state::enable::Flag;
 use glam::{DVec3, DVec4};
@@ -78,20 +77,21 @@ fn unlit_normal(context: &Context, vertices: &[VertexBinding]) -> Option<[f32; 3
     (lights.enabled != 0 && !lights.model.two_side && is_black).then_some([x, y, z])
 }
 
-/// Warns, when a picture is taken, of what left it empty.
-pub(crate) fn taken(context: &mut Context) {
+/// Whether [`empty`] may have something to say of the picture that is taken.
+pub(crate) fn may_be_empty(context: &Context) -> bool {
     let picture = &context.recorder.picture;
-    let is_lit = !matches!(picture.lights, LightsSeen::Behind(_));
-    if picture.left_out.is_some() || !is_lit {
-        empty(context);
-    }
+    picture.left_out.is_some() || matches!(picture.lights, LightsSeen::Behind(_))
+}
+
+/// Begins the next picture.
+pub(crate) fn begin(context: &mut Context) {
     context.recorder.picture.draws_before = context.recorder.draws;
 }
 
+/// Warns, when a picture is taken, of what left it empty; no draw is pending.
 #[cold]
 #[inline(never)]
-fn empty(context: &mut Context) {
-    draw_pending(context);
+pub(crate) fn empty(context: &mut Context) {
     let (draws, picture) = (context.recorder.draws, &mut context.recorder.picture);
     let before = picture.draws_before;
     if let LightsSeen::Behind(normal) = picture.lights {
