@@ -37,6 +37,7 @@ fn calls_validate_before_they_assign() -> Result<(), Box<dyn Error>> {
 
 /// Requests that need memory, or the client's, when they are applied, and what of it may be missing.
 const NEED_MEMORY: &[(&str, &str, &str)] = &[
+    ("framebuffer/blit.rs", "BlitRequest", "pixels and rows that are written"),
     (
         "framebuffer/read.rs",
         "ReadPixelsRequest",

@@ -45,6 +45,13 @@ pub(crate) enum DrawWarning {
     NoList,
     NoUniform,
     NoAttribute,
+    NoTexels,
+    OtherFramebuffer,
+    NothingDrawn,
+    OtherLocation,
+    Useless,
+    ZeroUniform,
+    LightsBehind,
 }
 
 /// The warnings that were given, by warning and subject.

@@ -69,12 +69,14 @@ pub(crate) fn draw(
     elements: &Elements,
 ) -> Result<()> {
     draw_pending(context);
+    context.recorder.picture.framebuffer = Some(context.state.bindings.draw_framebuffer);
     let facts = VertexFacts::of(context, &vertices, elements);
     // What was decided for other facts does not hold.
     if std::mem::replace(&mut context.recorder.facts, facts) != facts {
         context.recorder.emitted.decisions = None;
     }
     if let Some(values) = crate::draw::draw_reuse::values(context, topology, &vertices, elements) {
+        warnings::picture::note_lights_again(context, &vertices);
         // Counts primitives; nothing is captured.
         crate::draw::capture::draw(context, (topology, topology), &[], elements)?;
         emit_words(&mut context.recorder, values.words);
@@ -88,6 +90,7 @@ pub(crate) fn draw(
     add_constants(context, &mut vertices);
     let pass = checked_pass(context)?;
     if context.queries.discards() {
+        warnings::picture::note_condition(context);
         return Ok(());
     }
     let drawn = drawn_topology(context, topology)?;

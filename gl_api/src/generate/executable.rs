@@ -56,6 +56,7 @@ pub(crate) fn executable(
         attributes,
         words,
         blocks,
+        set: 0,
     })
 }
 

@@ -74,9 +74,16 @@ pub(crate) struct Linked {
     pub words: Vec<u32>,
     /// Its uniform blocks.
     pub blocks: Vec<BlockState>,
+    /// The locations of uniforms that were set, one bit for each 64th.
+    pub set: u64,
 }
 
 impl Linked {
+    /// Whether the uniform at a location may have been set.
+    pub fn is_set(&self, location: u32) -> bool {
+        self.set >> (location % 64) & 1 == 1
+    }
+
     /// The primitives of its geometry stage, and what it makes of them.
     pub fn geometry_interface(&self) -> Option<&GeometryInterface> {
         self.geometry.as_ref()?.module().geometry.as_ref()

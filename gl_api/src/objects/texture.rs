@@ -247,6 +247,11 @@ impl Texture {
         .sum()
     }
 
+    /// Whether it was sampled since it was changed.
+    pub fn is_planned(&self) -> bool {
+        self.plan.is_some()
+    }
+
     /// The sample plan with this state. The device's threads update its texels first.
     pub fn plan(&mut self, device: &Device, sampler: &Sampler) -> Arc<SamplePlan> {
         let version = self.image.shared_version();

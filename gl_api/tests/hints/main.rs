@@ -4,6 +4,7 @@
 #[path = "../common/shading.rs"]
 mod shading;
 
+mod black;
 mod intended;
 mod invisible;
 mod mistakes;

@@ -69,6 +69,9 @@ pub fn draw(c: &mut Context) {
     c.draw_arrays(GL_TRIANGLES, 0, 3);
 }
 
+/// Texels of every format of [`texture`].
+const TEXELS: [u8; 64] = [63; 64];
+
 /// A texture of 4×4 texels, bound to `GL_TEXTURE_2D` of the active unit, that is not mipmapped.
 pub fn texture(c: &mut Context, name: GLuint, format: GLenum) {
     let (pixels, ty) = match format {
@@ -76,7 +79,7 @@ pub fn texture(c: &mut Context, name: GLuint, format: GLenum) {
         _ => (GL_RGBA, GL_UNSIGNED_BYTE),
     };
     c.bind_texture(GL_TEXTURE_2D, name);
-    c.tex_image_2d(GL_TEXTURE_2D, 0, format as GLint, 4, 4, 0, pixels, ty, Data::Null);
+    c.tex_image_2d(GL_TEXTURE_2D, 0, format as GLint, 4, 4, 0, pixels, ty, Data::Bytes(&TEXELS));
     c.tex_parameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST as GLint);
 }
 

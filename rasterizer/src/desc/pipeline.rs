@@ -4,14 +4,20 @@ use super::blend::ColorState;
 use super::depth_stencil::DepthState;
 use super::output::OutputState;
 use super::primitive::{Cull, FrontFace, Provoking, Topology};
-use crate::ir::{GeometryInput, GeometryOutput, Module};
+use crate::ir::{Effect, GeometryInput, GeometryOutput, Module};
 use std::hash::{Hash, Hasher};
 use std::sync::Arc;
 use thiserror::Error;
 
 /// A validated shader stage. Equal when it is the same module, not an equal one.
 #[derive(Clone, Debug)]
-pub struct ShaderModule(Arc<Module>);
+pub struct ShaderModule(Arc<Validated>);
+
+#[derive(Debug)]
+struct Validated {
+    module: Module,
+    effect: Effect,
+}
 
 impl ShaderModule {
     /// Validates a module.
@@ -20,12 +26,18 @@ impl ShaderModule {
     /// When the module breaks a rule of the IR.
     pub fn new(module: Module) -> Result<Self, crate::ir::IrError> {
         module.validate()?;
-        Ok(Self(Arc::new(module)))
+        let effect = Effect::of(&module);
+        Ok(Self(Arc::new(Validated { module, effect })))
     }
 
     /// The module.
     pub fn module(&self) -> &Module {
-        &self.0
+        &self.0.module
+    }
+
+    /// What is known of its picture.
+    pub fn effect(&self) -> &Effect {
+        &self.0.effect
     }
 }
 

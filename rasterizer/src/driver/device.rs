@@ -8,7 +8,7 @@ use super::{check, submit};
 use crate::attachment::{RowSpan, RowWriter, StoreContext};
 use crate::threads::{ForkAwarePool, ThreadPool};
 use std::sync::Arc;
-use texunit::image::{Image as Texels, Level};
+use texunit::image::{Image as Texels, ImageError, Level};
 use texunit::lanes::FloatEnv;
 
 /// Copies of at least this many bytes use several threads,
@@ -101,8 +101,11 @@ impl Device {
     }
 
     /// What an attachment names, as everything submitted leaves it, with one sample a pixel, which
-    /// several are resolved to: a level, if it exists, and which slice of it.
-    pub fn resolved(&self, attachment: &Attachment) -> Option<(Arc<Level>, usize)> {
+    /// several are resolved to: a level, and which slice of it.
+    ///
+    /// # Errors
+    /// If it does not exist, or there is no memory for it.
+    pub fn resolved(&self, attachment: &Attachment) -> Result<(Arc<Level>, usize), ImageError> {
         let _float_env = FloatEnv::enter();
         let context =
             StoreContext { isa: self.resources.desc.isa, thread_pool: &self.thread_pool() };

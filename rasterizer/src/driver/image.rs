@@ -172,9 +172,23 @@ impl Image {
         self.0.stored.read().level(face, level)
     }
 
+    /// Whether all texels are those that it was made with, without data: nothing that was submitted has drawn to them, and
+    /// nothing was written.
+    pub fn is_untouched(&self) -> bool {
+        self.0.stored.read().is_untouched()
+    }
+
     /// Changes its texels. Draws that were recorded earlier keep what they saw.
     pub fn update<R>(&self, change: impl FnOnce(&mut Texels) -> R) -> R {
         self.0.stored.read().update(change)
+    }
+
+    /// Takes the memory that an update of an attachment's level needs ([`Attachment::prepare_update`]).
+    ///
+    /// # Errors
+    /// If there is none; nothing has changed then.
+    pub(super) fn prepare_update(&self, attachment: &Attachment) -> Result<(), ImageError> {
+        self.0.stored.read().prepare_update(attachment)
     }
 
     /// Replaces its texels; `storage` says what they are for this number of samples.
@@ -184,11 +198,14 @@ impl Image {
 
     /// What an attachment names with one sample a pixel, which several are resolved to: a level, and
     /// which slice of it ([`super::Device::resolved`]).
+    ///
+    /// # Errors
+    /// If it does not exist, or there is no memory for it.
     pub(super) fn resolved_with(
         &self,
         attachment: &Attachment,
         context: StoreContext<'_>,
-    ) -> Option<(Arc<Level>, usize)> {
+    ) -> Result<(Arc<Level>, usize), ImageError> {
         self.0.stored.read().resolved_with(attachment, context)
     }
 
@@ -206,7 +223,10 @@ impl Image {
     }
 
     /// The samples of what an attachment names ([`Attachment::each_sample`]).
-    pub(super) fn each_sample(&self, attachment: &Attachment) -> Option<Level> {
+    ///
+    /// # Errors
+    /// If it does not exist, or there is no memory for them.
+    pub(super) fn each_sample(&self, attachment: &Attachment) -> Result<Level, ImageError> {
         self.0.stored.read().each_sample(attachment)
     }
 

@@ -29,6 +29,7 @@
 
 mod build;
 mod byte_table;
+mod effect;
 mod function_table;
 mod geometry;
 mod interface;
@@ -45,6 +46,7 @@ mod word;
 
 pub use build::Builder;
 pub use byte_table::ByteTable;
+pub use effect::{Effect, Factors};
 pub use function_table::FunctionTable;
 pub use geometry::{
     GeometryInput, GeometryInterface, GeometryOutput, MAX_GEOMETRY_COMPONENTS,

@@ -132,12 +132,14 @@ impl TreeMatch {
         })
     }
 
-    /// Whether nothing else reads what the tree takes in.
+    /// Whether nothing else reads what the tree takes in. Of a node that occurs twice, an operation may be a node the one
+    /// time and an operand the other time: the operand would have no value.
     fn is_whole(&self, code: &[Inst], definitions: &Definitions) -> bool {
         self.inner.iter().all(|inner| {
             let reads = self.inner.iter().filter(|other| *other == inner).count();
             matches!(code[*inner], Inst::Compute { out, .. }
-                if definitions.reads[out.0 as usize] as usize == reads)
+                if definitions.reads[out.0 as usize] as usize == reads
+                    && !self.operands.contains(&Some(out)))
         })
     }
 }
@@ -160,6 +162,20 @@ mod tests {
                 b.op(*op, &args)
             }
         }
+    }
+
+    /// `y + y` of `y = a (C - a)` looks like a mix of `a` and `C - a`, which is in it, too.
+    #[test]
+    fn what_is_taken_in_is_no_operand() {
+        let mut b = Builder::new(Stage::Fragment);
+        b.module_mut().varyings = vec![Interpolation::Smooth];
+        let (a, c) = (b.input(Input::Varying(0)), b.uniform(0, Ty::F32));
+        let rest = b.op(Op::Sub, &[c, a]);
+        let product = b.op(Op::Mul, &[rest, a]);
+        let twice = b.op(Op::Add, &[product, product]);
+        let red = b.output(Output::Color { target: 0, component: 0 });
+        b.store(red, twice);
+        check(&b.finish(), &[1.0_f32.to_bits()], |_, lane| (lane as f32 / 8.0).to_bits());
     }
 
     #[test]

@@ -41,7 +41,7 @@ pub static MEMORY: LazyLock<Memory> = LazyLock::new(|| Memory {
 });
 
 /// Bytes that differ.
-fn pattern(seed: usize) -> &'static [u8] {
+pub fn pattern(seed: usize) -> &'static [u8] {
     &MEMORY.bytes[seed..][..BYTES]
 }
 
@@ -51,7 +51,7 @@ fn upload(c: &mut Context, level: GLint, side: GLsizei, seed: usize) {
     c.tex_image_2d(T2, level, GL_RGBA8 as GLint, side, side, 0, GL_RGBA, GL_UNSIGNED_BYTE, data);
 }
 
-fn sum(bytes: &[u8]) -> i64 {
+pub fn sum(bytes: &[u8]) -> i64 {
     bytes.iter().fold(17, |sum: i64, &byte| sum.wrapping_mul(31).wrapping_add(byte.into()))
 }
 
@@ -180,9 +180,9 @@ fn client_indices(c: &mut Context) {
 }
 
 /// Each row: name, what precedes, the call, the state.
-type Row = (&'static str, fn(&mut Context), fn(&mut Context), fn(&mut Context) -> Vec<i64>);
+pub type Row = (&'static str, fn(&mut Context), fn(&mut Context), fn(&mut Context) -> Vec<i64>);
 
-const fn row((name, prepare, call, state): Row) -> Case {
+pub const fn row((name, prepare, call, state): Row) -> Case {
     Case { name, prepare, call, state }
 }
 
@@ -508,7 +508,7 @@ fn width_of(c: &mut Context, target: GLenum) -> Vec<i64> {
 }
 
 /// As [`draw_unseen`], textured.
-fn draw_unseen_textured(c: &mut Context, target: GLenum) {
+pub fn draw_unseen_textured(c: &mut Context, target: GLenum) {
     c.enable(target);
     c.color_mask(false, false, false, false);
     c.rectf(0.0, 0.0, 1.0, 1.0);

@@ -1,6 +1,7 @@
 //! No memory: of each call whose size a client chooses, each large allocation fails once. That is GL_OUT_OF_MEMORY, the
 //! state is what it was before, and the same call succeeds afterwards.
 
+mod blits;
 mod cases;
 mod failing;
 
@@ -63,7 +64,11 @@ fn run(case: &Case) -> usize {
 fn no_memory_is_an_error_that_changes_nothing() {
     std::sync::LazyLock::force(&MEMORY);
     let only = std::env::var("DETGL_CASE").ok();
-    for case in CASES.iter().filter(|case| only.as_deref().is_none_or(|only| only == case.name)) {
+    for case in CASES
+        .iter()
+        .chain(blits::CASES)
+        .filter(|case| only.as_deref().is_none_or(|only| only == case.name))
+    {
         println!("{}", case.name);
         let failed = run(case);
         println!("{}: {failed} allocations", case.name);

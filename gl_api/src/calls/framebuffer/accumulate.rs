@@ -151,7 +151,7 @@ fn return_sums(context: &mut Context, area: Rect, factor: f32) -> Result<()> {
     let mask = context.state.fragment.buffers[0].mask;
     let (isa, width) = (context.recorder.isa(), context.window.width as usize);
     let sums = std::mem::take(all(context)?);
-    for attachment in pass.colors.iter().flatten() {
+    let result = pass.colors.iter().flatten().try_for_each(|attachment| {
         update_attachment_texels(context, attachment, |level, first, _| {
             let (format, size, row) = (level.format, level.format.bytes(), level.row_bytes());
             let conversion = Conversion::blit(isa, format, format, SrgbWrite::AsIs);
@@ -166,8 +166,8 @@ fn return_sums(context: &mut Context, area: Rect, factor: f32) -> Result<()> {
                 }
                 conversion.write(&rgba, texels);
             }
-        });
-    }
+        })
+    });
     context.window.accumulation.0 = sums;
-    Ok(())
+    result
 }

@@ -7,12 +7,14 @@ pub(crate) mod rows;
 
 use crate::base::constants::*;
 use crate::base::error::{Result, Table, invalid_operation, invalid_value};
+use crate::base::memory::out_of_memory;
 use crate::base::types::*;
-use crate::calls::framebuffer::blit::rows::RowConversion;
+use crate::calls::framebuffer::blit::rows::{RowConversion, reserved};
 use crate::calls::framebuffer::es_blit;
 use crate::calls::framebuffer::read::{Pixels, resolved_pixels, same_kind, sample_pixels};
 use crate::context::Context;
 use crate::context::profile::Profile;
+use crate::context::window::format_of;
 use crate::draw::completeness::{
     Aspect, checked_complete, draw_pass_of, draw_planes_of, read_attachment_of, read_samples,
     samples,
@@ -20,6 +22,7 @@ use crate::draw::completeness::{
 use crate::draw::pass::drawn_area;
 use crate::draw::pipeline::srgb_write;
 use crate::pixel::formats::format_name;
+use crate::pixel::storage_error::storage_error;
 use crate::pixel::texel;
 use rasterizer::driver::{Attachment, Rect};
 use texunit::format::Format;
@@ -73,7 +76,10 @@ struct Taps {
 impl Axis {
     /// The pixels of the destination from `first` on, `count` of them, as texels of a source of
     /// `size`, without those that lie outside of it.
-    fn taps(self, first: i32, count: u32, size: u32, filter: Filter) -> Taps {
+    ///
+    /// # Errors
+    /// When there is no memory for them.
+    fn taps(self, first: i32, count: u32, size: u32, filter: Filter) -> Result<Taps> {
         let [src0, src1] = self.src.map(i128::from);
         let [dst0, dst1] = self.dst.map(i128::from);
         // The source of the pixel's centre, in units of 1 / 2n texels.
@@ -102,7 +108,9 @@ impl Axis {
         let taps = (first..).take(count as usize).map(tap);
         // Those that lie within lie side by side.
         let before = taps.clone().take_while(Option::is_none).count();
-        Taps { before, taps: taps.flatten().collect() }
+        let mut within = reserved(count as usize).map_err(out_of_memory(SECTION, "its pixels"))?;
+        within.extend(taps.flatten());
+        Ok(Taps { before, taps: within })
     }
 
     /// First pixel of the destination, and one past the last.
@@ -146,14 +154,27 @@ struct AspectCopy {
 
 impl AspectCopy {
     /// The pixels of the source, of every sample where both sides have several.
-    fn pixels(&self, context: &mut Context) -> Vec<Pixels> {
+    ///
+    /// # Errors
+    /// When there is no memory for them.
+    fn pixels(&self, context: &mut Context) -> Result<Vec<Pixels>> {
         let several = |attachment: &Attachment| attachment.sample_count() > 1;
         if several(&self.from) && self.to.iter().any(several) {
             sample_pixels(context, &self.from)
         } else {
-            resolved_pixels(context, &self.from).into_iter().collect()
+            Ok(vec![resolved_pixels(context, &self.from)?])
         }
     }
+}
+
+/// What is written to an attachment, with the memory that it takes.
+struct AttachmentWrite<'a> {
+    /// Of every sample, or a sample each.
+    from: &'a [Pixels],
+    to: &'a Attachment,
+    columns: Taps,
+    rows: Taps,
+    conversion: RowConversion<'static>,
 }
 
 impl BlitRequest {
@@ -186,10 +207,8 @@ impl BlitRequest {
             let to = destinations(context, sides.draw, aspect)?;
             let from = read_attachment_of(context, sides.read, aspect)?;
             let Some(from) = from.filter(|_| !to.is_empty()) else { continue };
-            let format = crate::context::window::format_of(&from);
-            for (from, to) in
-                to.iter().filter_map(|to| format.zip(crate::context::window::format_of(to)))
-            {
+            let format = format_of(&from);
+            for (from, to) in to.iter().filter_map(|to| format.zip(format_of(to))) {
                 check_formats(context.profile, aspect, from, to, filter)?;
             }
             if context.profile.is_es() {
@@ -200,80 +219,111 @@ impl BlitRequest {
         Ok(Self { axes, filter, drawn: drawn_area(context, &pass), copies })
     }
 
-    fn apply(&self, context: &mut Context) {
+    /// # Errors
+    /// When there is no memory. Nothing is written then; where several attachments of several samples are written, those
+    /// before the one that has no memory are.
+    fn apply(&self, context: &mut Context) -> Result<()> {
         // All sources before anything is written: the framebuffers may share images.
-        let pixels: Vec<_> = self.copies.iter().map(|copy| copy.pixels(context)).collect();
+        let pixels = self.copies.iter().map(|copy| copy.pixels(context));
+        let pixels = pixels.collect::<Result<Vec<_>>>()?;
         if context.queries.discards() {
-            return;
+            return Ok(());
         }
-        let Some(area) = covered(self.axes, self.drawn) else { return };
+        let Some(area) = covered(self.axes, self.drawn) else { return Ok(()) };
+        let mut writes = Vec::new();
         for (copy, from) in self.copies.iter().zip(&pixels) {
             for to in &copy.to {
-                self.write(context, from, to, copy.aspect, area);
+                writes.extend(self.write(context, from, to, copy.aspect, area)?);
             }
         }
+        writes.into_iter().try_for_each(|write| write.apply(context, area))
     }
 
-    /// Copies to an area of one attachment, from what every sample has or from a sample each.
-    fn write(
+    /// What is written to an area of one attachment, from what every sample has or from a sample each.
+    fn write<'a>(
         &self,
         context: &mut Context,
-        from: &[Pixels],
-        to: &Attachment,
+        from: &'a [Pixels],
+        to: &'a Attachment,
         aspect: Aspect,
         area: Rect,
-    ) {
-        let Some([width, height]) = from.first().map(Pixels::size) else { return };
-        let (srgb, isa) = (srgb_write(context), context.recorder.isa());
-        let columns = self.axes[0].taps(area.x, area.width, width, self.filter);
-        let rows = self.axes[1].taps(area.y, area.height, height, self.filter);
+    ) -> Result<Option<AttachmentWrite<'a>>> {
+        let Some((source, format)) = from.first().zip(format_of(to)) else { return Ok(None) };
+        let (srgb, isa, [width, height]) =
+            (srgb_write(context), context.recorder.isa(), source.size());
+        let columns = self.axes[0].taps(area.x, area.width, width, self.filter)?;
+        let rows = self.axes[1].taps(area.y, area.height, height, self.filter)?;
         // A copy without scaling and without a fractional offset needs no averaging.
         let is_exact = columns.taps.iter().chain(&rows.taps).all(|tap| tap.weight == 0.0);
         let filter = if is_exact { Filter::Nearest } else { self.filter };
+        let conversion = RowConversion::new(isa, (aspect, filter), source, format, srgb)
+            .map_err(out_of_memory(SECTION, "rows of pixels"))?;
+        prepare_update(context, to)?;
+        Ok(Some(AttachmentWrite { from, to, columns, rows, conversion }))
+    }
+}
+
+impl AttachmentWrite<'_> {
+    fn apply(self, context: &mut Context, area: Rect) -> Result<()> {
+        let Self { from, to, columns, rows, mut conversion } = self;
         update_attachment_texels(context, to, |level, first, sample| {
             let Some(from) = from.get(sample).or(from.first()) else { return };
             let (format, row_bytes) = (level.format, level.row_bytes());
-            let mut conversion =
-                RowConversion::new(isa, (aspect, filter), [from.format(), format], srgb);
             let column = (area.x as usize + columns.before) * format.bytes();
+            conversion.begin();
             for (y, &tap) in (area.y as usize + rows.before..).zip(&rows.taps) {
                 let texels = &mut level.texels[first + y * row_bytes + column..];
                 let used = columns.taps.len() * format.bytes();
                 conversion.write(from, &columns.taps, tap, &mut texels[..used]);
             }
-        });
+        })
     }
+}
+
+/// Takes the memory that [`update_attachment_texels`] needs of an attachment of one sample a pixel.
+fn prepare_update(context: &mut Context, attachment: &Attachment) -> Result<()> {
+    crate::draw::pass::submit_draws_to(context, &attachment.image);
+    if attachment.sample_count() > 1 {
+        return Ok(());
+    }
+    attachment.prepare_update().map_err(|error| storage_error(SECTION, &error))
 }
 
 /// Lets `change` write the texels of an attachment, of one sample after the other: a level, where in
 /// its bytes they begin, and the number of the sample.
+///
+/// # Errors
+/// When there is no memory; nothing has changed then.
 pub(crate) fn update_attachment_texels(
     context: &mut Context,
     attachment: &Attachment,
-    change: impl Fn(&mut Level, usize, usize),
-) {
+    mut change: impl FnMut(&mut Level, usize, usize),
+) -> Result<()> {
     let image = &attachment.image;
-    crate::draw::pass::submit_draws_to(context, image);
+    prepare_update(context, attachment)?;
     context.outdate_mirror();
     if attachment.sample_count() > 1 {
-        edit_samples(context, attachment, change);
+        edit_samples(context, attachment, change)?;
     } else {
         edit_slice(attachment, |level, first| change(level, first, 0));
     }
     context.objects.images_changed(|other| other.shares_texels(image));
+    Ok(())
 }
 
 fn edit_samples(
     context: &Context,
     attachment: &Attachment,
-    change: impl Fn(&mut Level, usize, usize),
-) {
-    let Some(mut level) = attachment.each_sample() else { return };
+    mut change: impl FnMut(&mut Level, usize, usize),
+) -> Result<()> {
+    let samples = attachment.each_sample();
+    let mut level = samples.map_err(|error| storage_error(SECTION, &error))?;
     for sample in 0..level.depth as usize {
         let first = sample * level.slice_bytes();
         change(&mut level, first, sample);
     }
     context.recorder.device().set_each_sample(attachment, &level);
+    Ok(())
 }
 
 fn edit_slice(attachment: &Attachment, change: impl FnOnce(&mut Level, usize)) {
@@ -402,7 +452,7 @@ pub(crate) fn blit(
         Axis { src: [src_x0, src_x1], dst: [dst_x0, dst_x1] },
         Axis { src: [src_y0, src_y1], dst: [dst_y0, dst_y1] },
     ];
-    BlitRequest::new(context, sides, axes, mask, blit_filter)?.apply(context);
+    BlitRequest::new(context, sides, axes, mask, blit_filter)?.apply(context)?;
     if mask & !GL_COLOR_BUFFER_BIT != 0 {
         context.depth_stencil_copied();
     }

@@ -9,18 +9,19 @@ use crate::context::Context;
 use crate::context::window::{Region, Visible, format_of};
 use crate::draw::completeness::{Aspect, read_attachment};
 use crate::draw::implicit_samples::samples_to_resolve;
-use crate::draw::warnings::visibility;
+use crate::draw::warnings;
 use crate::pixel::client::Pixel;
 use crate::pixel::client::format::{ClientFormat, LuminanceOf};
 use crate::pixel::convert::{Conversion, FinalConversion};
 use crate::pixel::es_texels;
 use crate::pixel::layout::{Extent, Layout};
 use crate::pixel::scratch::scratch;
+use crate::pixel::storage_error::storage_error;
 use crate::pixel::transfer::TransferKind;
 use rasterizer::driver::{Attachment, Device, RowSpan, RowWriter};
 use std::sync::Arc;
 use texunit::format::{BaseFormat, Encoding, Format};
-use texunit::image::Level;
+use texunit::image::{ImageError, Level};
 
 const SECTION: &str = "GL 2.1, section 4.3.2";
 
@@ -32,7 +33,7 @@ pub(crate) struct Pixels {
 
 impl Pixels {
     /// Those of an attachment, as everything submitted leaves them.
-    fn of(device: &Device, attachment: &Attachment) -> Option<Self> {
+    fn of(device: &Device, attachment: &Attachment) -> std::result::Result<Self, ImageError> {
         device.resolved(attachment).map(|(level, slice)| Self { level, slice })
     }
 
@@ -70,21 +71,28 @@ impl Pixels {
 }
 
 /// The pixels of an attachment as everything recorded leaves them.
-pub(crate) fn resolved_pixels(context: &mut Context, attachment: &Attachment) -> Option<Pixels> {
+///
+/// # Errors
+/// When there is no memory for them.
+pub(crate) fn resolved_pixels(context: &mut Context, attachment: &Attachment) -> Result<Pixels> {
     crate::draw::pass::submit_draws_to(context, &attachment.image);
-    Pixels::of(&context.recorder.device(), attachment)
+    let pixels = Pixels::of(&context.recorder.device(), attachment);
+    pixels.map_err(|error| storage_error(SECTION, &error))
 }
 
 /// The pixels of every sample of an attachment, as everything recorded leaves them.
-pub(crate) fn sample_pixels(context: &mut Context, attachment: &Attachment) -> Vec<Pixels> {
+///
+/// # Errors
+/// When there is no memory for them.
+pub(crate) fn sample_pixels(context: &mut Context, attachment: &Attachment) -> Result<Vec<Pixels>> {
     crate::draw::pass::submit_draws_to(context, &attachment.image);
-    let Some(level) = attachment.each_sample().map(Arc::new) else { return Vec::new() };
-    (0..level.depth as usize).map(|slice| Pixels { level: Arc::clone(&level), slice }).collect()
+    let level = attachment.each_sample();
+    let level = Arc::new(level.map_err(|error| storage_error(SECTION, &error))?);
+    Ok((0..level.depth as usize).map(|slice| Pixels { level: Arc::clone(&level), slice }).collect())
 }
 
 /// A buffer of the framebuffer that is read from: it is there, and has one sample a pixel.
 pub(crate) struct ReadBuffer {
-    aspect: Aspect,
     attachment: Attachment,
     pub format: Format,
 }
@@ -97,7 +105,7 @@ impl ReadBuffer {
         let attachment = read_attachment(context, aspect)?;
         let found = attachment.and_then(|found| format_of(&found).map(|format| (found, format)));
         match found {
-            Some((attachment, format)) => Ok(Self { aspect, attachment, format }),
+            Some((attachment, format)) => Ok(Self { attachment, format }),
             None => invalid_operation(SECTION, nothing_there(context, aspect)),
         }
     }
@@ -110,10 +118,7 @@ impl ReadBuffer {
 
     /// Its pixels as everything recorded leaves them.
     pub fn pixels(&self, context: &mut Context) -> Result<Pixels> {
-        match resolved_pixels(context, &self.attachment) {
-            Some(pixels) => Ok(pixels),
-            None => invalid_operation(SECTION, nothing_there(context, self.aspect)),
-        }
+        resolved_pixels(context, &self.attachment)
     }
 }
 
@@ -214,7 +219,8 @@ impl ReadPixelsRequest {
             final_conversion,
         } = self;
         crate::draw::pass::submit_draws_to(context, &attachment.image);
-        visibility::picture(context);
+        warnings::picture::read(context, attachment);
+        warnings::visibility::picture(context);
         crate::draw::pass::end_of_frame(context);
         let (device, isa) = (context.recorder.device(), context.recorder.isa());
         let transfer = context.state.transfer;

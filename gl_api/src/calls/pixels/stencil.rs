@@ -47,8 +47,7 @@ pub(crate) fn draw(
                 at += used;
             }
         }
-    });
-    Ok(())
+    })
 }
 
 /// Draws a rectangle of stencils, a byte each.

@@ -119,6 +119,7 @@ fn store(
         );
     }
     let first = uniform.word as usize + element * each;
+    linked.set |= 1 << (uniform.location % 64);
     let words = linked.words.get_mut(first..first + taken * each).unwrap_or_default();
     let mut differs = 0;
     for (index, stored) in words.iter_mut().enumerate() {

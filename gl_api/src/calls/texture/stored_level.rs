@@ -7,6 +7,7 @@ use crate::calls::texture::mipmap::base_level_changed;
 use crate::context::Context;
 use crate::context::window::base_level_attachment;
 use crate::objects::target::TextureTarget;
+use crate::pixel::storage_error::storage_error;
 use rasterizer::driver::Image;
 use std::sync::Arc;
 use texunit::format::Format;
@@ -144,7 +145,9 @@ impl StoredLevel {
             Owner::Renderbuffer => {
                 if self.samples > 1 {
                     let attachment = base_level_attachment(&self.image);
-                    let Some(mut level) = attachment.each_sample() else { return Ok(()) };
+                    let samples = attachment.each_sample();
+                    let mut level =
+                        samples.map_err(|error| storage_error("ARB_copy_image", &error))?;
                     (0..level.depth as usize).for_each(|slice| put(&mut level, slice));
                     context.recorder.device().set_each_sample(&attachment, &level);
                     return Ok(());
@@ -183,7 +186,7 @@ impl StoredLevel {
     fn rows(&self) -> Rows {
         match self.owner {
             Owner::Renderbuffer if self.samples > 1 => {
-                Rows::Samples(base_level_attachment(&self.image).each_sample().map(Arc::new))
+                Rows::Samples(base_level_attachment(&self.image).each_sample().ok().map(Arc::new))
             }
             Owner::Renderbuffer | Owner::Texture(..) => Rows::Texels(self.image.texels()),
         }

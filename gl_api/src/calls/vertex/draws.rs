@@ -243,6 +243,7 @@ pub(crate) fn draw_range(
         check_range(context, &vertices, first, count)?;
         return draw_or_record(context, topology, vertices, (elements, instances.base));
     }
+    warnings::picture::note_empty(context, "glDrawArrays", [count as u64, instances.count.into()]);
     context.empty_draw("glDrawArrays")
 }
 

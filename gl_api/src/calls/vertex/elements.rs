@@ -70,6 +70,8 @@ pub(crate) fn draw_indexed(
     let needed = if instances.count == 0 { 0 } else { count.saturating_mul(ty.size()) };
     let (buffer, offset) = index_buffer(context, request.indices, count, needed)?;
     if count == 0 || instances.count == 0 || !has_positions(context, topology) {
+        let counts = [count as u64, instances.count.into()];
+        crate::draw::warnings::picture::note_empty(context, "glDrawElements", counts);
         return context.empty_draw("glDrawElements");
     }
     let request =

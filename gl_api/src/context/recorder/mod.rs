@@ -7,6 +7,7 @@ pub(crate) mod elements;
 pub(crate) mod emitted_state;
 pub(crate) mod fixed_function;
 pub(crate) mod geometry_stage;
+pub(crate) mod picture;
 pub(crate) mod pixel_rectangle;
 pub(crate) mod stages;
 pub(crate) mod vertex_facts;
@@ -15,6 +16,7 @@ pub(crate) mod vertex_stage;
 use crate::context::debug::Output;
 use crate::context::recorder::emitted_state::EmittedState;
 use crate::context::recorder::fixed_function::{FixedWords, UnitSummary};
+use crate::context::recorder::picture::PictureDraws;
 use crate::context::recorder::pixel_rectangle::PixelRectangleModules;
 use crate::context::recorder::stages::Textures;
 use crate::context::recorder::vertex_facts::VertexFacts;
@@ -85,6 +87,8 @@ pub(crate) struct Recorder {
     pub moved: Vec<(ShaderModule, u32, ShaderModule)>,
     /// Whether anything is visible of what was submitted since the last picture was taken.
     pub visibility: Visibility,
+    /// The draws since the last picture.
+    pub picture: PictureDraws,
     /// The counter of the active occlusion query.
     pub counter: Option<Counter>,
     pub rectangles: PixelRectangleModules,
@@ -134,6 +138,7 @@ impl Recorder {
             vertex_variants: HashMap::new(),
             moved: Vec::new(),
             visibility: Visibility::default(),
+            picture: PictureDraws::default(),
             counter: None,
             rectangles: PixelRectangleModules::default(),
             standalone: HashMap::new(),

@@ -6,7 +6,9 @@
 pub(crate) mod arrays;
 pub(crate) mod constant_color;
 pub(crate) mod depth;
+pub(crate) mod effect;
 pub(crate) mod inputs;
+pub(crate) mod picture;
 pub(crate) mod rejected;
 pub(crate) mod state;
 pub(crate) mod textures;

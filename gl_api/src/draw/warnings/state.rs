@@ -8,7 +8,7 @@ use crate::context::warnings::DrawWarning;
 use crate::draw::assembly_words::has_vertex_program;
 use crate::draw::material::material;
 use crate::draw::warnings::constant_color::ConstantColor;
-use crate::draw::warnings::{depth, inputs, rejected, textures};
+use crate::draw::warnings::{depth, effect, inputs, picture, rejected, textures};
 use crate::interface::Side;
 use crate::objects::queries::{GENERATED, WRITTEN};
 use crate::state::enable::Flag;
@@ -65,6 +65,7 @@ pub(crate) fn check(
         left_out(context, remainder);
     }
     colors(context, pass, desc);
+    effect::check(context, desc);
     stipple(context, desc);
     depth::check(context, desc);
     rejected::stencil(context, desc);
@@ -77,6 +78,7 @@ pub(crate) fn check(
     let Some(StageKeys { vertex: Some(_), fragment: Some(fragment), .. }) = &reads.keys else {
         return;
     };
+    picture::note_lights(context, vertices);
     inputs::texture_coordinates(context, desc.topology, vertices, fragment);
     textures::unit_off(context, vertices, fragment);
     if let Some(color) = &color {
@@ -264,8 +266,46 @@ fn colors(context: &mut Context, pass: &PassDesc, desc: &PipelineDesc) {
         say(context, DrawWarning::KeptColors, BLENDED_AWAY);
     }
     let outputs = &desc.fragment.module().outputs;
-    if !outputs.iter().any(|(output, _)| matches!(output, Output::Color { .. })) {
-        without_color(context);
+    let targets = outputs.iter().filter_map(|(output, _)| match output {
+        Output::Color { target, .. } => Some(*target),
+        Output::Position(_)
+        | Output::PointSize
+        | Output::ClipDistance(_)
+        | Output::CullDistance(_)
+        | Output::Varying(_)
+        | Output::SecondColor(_)
+        | Output::Depth
+        | Output::Layer
+        | Output::PrimitiveId
+        | Output::ViewportIndex
+        | Output::SampleMask
+        | Output::StencilReference => None,
+    });
+    let is_drawn = |target: u8| {
+        let at = usize::from(target);
+        pass.colors.get(at).is_some_and(Option::is_some)
+            && desc.colors.get(at).is_some_and(|state| state.mask.contains(&true))
+    };
+    match targets.clone().next() {
+        None => without_color(context),
+        Some(target) if !targets.clone().any(is_drawn) => other_location(context, target),
+        Some(_) => {}
+    }
+}
+
+/// Warns of a fragment stage whose colours all go to draw buffers that are none.
+#[cold]
+#[inline(never)]
+fn other_location(context: &mut Context, target: u8) {
+    let program = context.program_of(Stage::Fragment);
+    if program != 0 && context.is_first_warning(DrawWarning::OtherLocation, program) {
+        context.debug.warn(format!(
+            "draw: the fragment stage of program {program} writes its colour to location {target}, and draw buffer {target} \
+             is GL_NONE or masked, so what is drawn elsewhere is undefined: declare layout(location = 0), call \
+             glBindFragDataLocation(program, 0, name) before glLinkProgram, or glDrawBuffers with {} buffers (GL 3.3, \
+             section 4.2.1)",
+            target + 1
+        ));
     }
 }
 

@@ -197,6 +197,33 @@ fn uniform_name(context: &Context, word: u32) -> String {
     context.executable().map_or_else(String::new, |linked| linked.quoted_name(word))
 }
 
+/// Checks that somebody wrote the texels of a texture, when it is sampled for the first time since it was changed.
+pub(crate) fn without_texels(
+    context: &mut Context,
+    (unit, target): (u8, TextureTarget),
+    image: &Image,
+) {
+    let bound = &context.state.units.units[usize::from(unit)].bound[target as usize];
+    let texture = context.objects.texture(target, bound);
+    if !texture.is_planned() && image.is_untouched() {
+        let name = bound.name();
+        untouched(context, (unit, target), name);
+    }
+}
+
+#[cold]
+#[inline(never)]
+fn untouched(context: &mut Context, (unit, target): (u8, TextureTarget), name: GLuint) {
+    if context.is_first_warning(DrawWarning::NoTexels, name) {
+        let target = target_name(target);
+        context.debug.warn(format!(
+            "draw: texture {name} on {target} of unit {unit} has no texels: it was made without data (NULL), and nothing was \
+             uploaded, copied or drawn to it, so it is black: call glTexSubImage* with texels, or draw to it before (GL \
+             2.1, section 3.8.1)"
+        ));
+    }
+}
+
 /// Warns of a texture that a draw samples and may draw to (GL 3.1, section 4.4.3).
 pub(crate) fn feedback_loop(
     context: &mut Context,

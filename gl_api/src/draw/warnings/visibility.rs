@@ -3,6 +3,8 @@
 
 use crate::context::Context;
 use crate::context::warnings::DrawWarning;
+use crate::draw::pending_primitives::draw_pending;
+use crate::draw::warnings::picture;
 use rasterizer::driver::{
     InvisibleReason, InvisibleReasons, PrimitiveKind, ViewVolumeSide, Visibility,
 };
@@ -10,6 +12,11 @@ use rasterizer::driver::{
 /// Warns, when a picture is taken, if nothing is visible of what was drawn since the one before.
 pub(crate) fn picture(context: &mut Context) {
     crate::draw::warnings::depth::picture(context);
+    if picture::may_be_empty(context) {
+        draw_pending(context);
+        picture::empty(context);
+    }
+    picture::begin(context);
     match std::mem::take(&mut context.recorder.visibility) {
         Visibility::NothingDrawn | Visibility::Visible => {}
         Visibility::Invisible(reasons) => nothing_visible(context, &reasons),

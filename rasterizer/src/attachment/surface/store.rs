@@ -205,7 +205,7 @@ impl Surface {
         };
         // What is stored begins at a column of eight.
         let skipped = x % 8;
-        let mut texels = vec![0; (skipped + width) * size];
+        let mut texels = Vec::new();
         for (y, row) in (y..).zip(rows) {
             let from = RowStart { column: x / 8, y };
             match writer {
@@ -213,6 +213,7 @@ impl Surface {
                     store_tiles(self.format, &planes, from, &mut row[..width * size]);
                 }
                 RowWriter::Copy | RowWriter::Convert(_) => {
+                    texels.resize((skipped + width) * size, 0);
                     store_tiles(self.format, &planes, from, &mut texels);
                     writer.row(&texels[skipped * size..], row);
                 }

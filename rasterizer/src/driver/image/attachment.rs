@@ -4,7 +4,7 @@ use super::Image;
 use super::state::face_and_slice;
 use crate::plan::possible_samples;
 use texunit::format::Format;
-use texunit::image::{Level, Shape};
+use texunit::image::{ImageError, Level, Shape};
 
 /// The size and kind of what is attached.
 pub(crate) struct AttachmentInfo {
@@ -56,8 +56,20 @@ impl Attachment {
     }
 
     /// The samples, each a slice ([`crate::driver::Device::set_each_sample`]).
-    pub fn each_sample(&self) -> Option<Level> {
+    ///
+    /// # Errors
+    /// If it does not exist, or there is no memory for them.
+    pub fn each_sample(&self) -> Result<Level, ImageError> {
         self.image.each_sample(self)
+    }
+
+    /// Takes the memory that an [`Image::update`] of its level needs, which writes to it by
+    /// [`texunit::image::Image::level_mut`]: until the texels are requested again it cannot fail then.
+    ///
+    /// # Errors
+    /// If there is none; nothing has changed then.
+    pub fn prepare_update(&self) -> Result<(), ImageError> {
+        self.image.prepare_update(self)
     }
 
     /// That of a layer so many behind it.

@@ -4,7 +4,7 @@ use super::{LevelInfo, MultisampleStorage};
 use crate::attachment::{Slices, StoreContext, Surface};
 use crate::threads::ThreadPool;
 use texunit::format::Format;
-use texunit::image::{Image as Texels, Level, Shape};
+use texunit::image::{Image as Texels, ImageError, Level, Shape};
 use texunit::lanes::Isa;
 
 #[derive(Debug)]
@@ -41,6 +41,13 @@ pub(super) struct Subresource {
     pub face: usize,
     pub slice: usize,
     pub level: usize,
+}
+
+impl Subresource {
+    /// That it does not exist.
+    pub fn missing(self) -> ImageError {
+        ImageError::Missing { face: self.face, level: self.level }
+    }
 }
 
 /// A slice of a level as it is drawn to: the format that its texels are taken for, that of the image or of a view, and its
@@ -112,24 +119,28 @@ impl State {
         }
     }
 
-    /// Brings the rows up to date. Those of a blank level are not there if there is no memory.
-    pub fn resolve(&mut self, thread_pool: &ThreadPool) {
-        if let Some(Blank { format, width, height }) = self.blank.take()
-            && let Ok(level) = Level::new(format, width, height)
-        {
-            // A level fits an image that has none.
-            let _ = self.texels.set_level(0, 0, level);
+    /// Brings the rows up to date.
+    ///
+    /// # Errors
+    /// If there is no memory for rows that were never requested, or that somebody else still reads; nothing has changed
+    /// then.
+    pub fn resolve(&mut self, thread_pool: &ThreadPool) -> Result<(), ImageError> {
+        if let Some(Blank { format, width, height }) = self.blank {
+            self.texels.set_level(0, 0, Level::new(format, width, height)?)?;
+            self.blank = None;
         }
         let slices = self.attached.as_ref().map(|attached| self.slices(attached.at));
         let attached = self.attached.as_mut().filter(|attached| attached.drawn);
         if let (Some(attached), Some(slices)) = (attached, slices) {
             let Subresource { face, level, .. } = attached.at;
+            self.texels.unshare(face, level)?;
             if let Some(level) = self.texels.level_mut(face, level) {
                 let context = StoreContext { isa: attached.isa, thread_pool };
                 attached.surface.store_changed(level, slices, context);
             }
             attached.drawn = false;
         }
+        Ok(())
     }
 
     /// Texels that are gathered from the tiles of the attachment; `None` where the rows are up to date, or such lookups
@@ -149,13 +160,16 @@ impl State {
         Some(texels)
     }
 
-    /// The surface of a slice: a copy of it, or made from its rows.
-    pub fn surface(&mut self, stored: TypedSubresource) -> Option<Surface> {
+    /// The surface of a slice, if it exists: a copy of it, or made from its rows.
+    ///
+    /// # Errors
+    /// If there is no memory for its rows.
+    pub fn surface(&mut self, stored: TypedSubresource) -> Result<Option<Surface>, ImageError> {
         if let Some(attached) = self.attached.as_ref().filter(|attached| stored.is_of(attached)) {
-            return Some(attached.surface.clone());
+            return Ok(Some(attached.surface.clone()));
         }
-        self.resolve(&ThreadPool::CALLER_ONLY);
-        self.loaded(stored, &ThreadPool::CALLER_ONLY)
+        self.resolve(&ThreadPool::CALLER_ONLY)?;
+        Ok(self.loaded(stored, &ThreadPool::CALLER_ONLY))
     }
 
     /// A slice in the attachment layout, from its rows.

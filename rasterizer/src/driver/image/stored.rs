@@ -13,7 +13,7 @@ use std::num::NonZeroU64;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 use texunit::format::Format;
-use texunit::image::{Image as Texels, ImageError, Incomplete, Level, Levels, Shape};
+use texunit::image::{Image as Texels, ImageError, Incomplete, Level, Levels, MAX_LEVELS, Shape};
 use texunit::lanes::{FloatEnv, Isa};
 use texunit::sampler::Sampler;
 
@@ -124,6 +124,14 @@ impl Stored {
         self.find(state, at).map(|(_, info)| info)
     }
 
+    /// The texels, brought up to date; none where there is no memory for that.
+    fn up_to_date<'a>(&self, state: &'a mut State, thread_pool: &ThreadPool) -> Cow<'a, Texels> {
+        match state.resolve(thread_pool) {
+            Ok(()) => self.rows(state),
+            Err(_) => Cow::Owned(Texels::new(state.texels.shape())),
+        }
+    }
+
     /// The texels; the rows are up to date.
     fn rows<'a>(&self, state: &'a State) -> Cow<'a, Texels> {
         match &self.view {
@@ -141,8 +149,7 @@ impl Stored {
     pub fn texels_with(&self, thread_pool: &ThreadPool) -> Texels {
         let _float_env = FloatEnv::enter();
         let mut state = self.storage.state.lock();
-        state.resolve(thread_pool);
-        self.rows(&state).into_owned()
+        self.up_to_date(&mut state, thread_pool).into_owned()
     }
 
     /// As [`Stored::texels_with`], for lookups that compare depths: of an image of one level that was drawn to, they may be gathered
@@ -163,7 +170,7 @@ impl Stored {
     pub fn completeness(&self, sampler: &Sampler) -> Result<Levels, Incomplete> {
         let mut state = self.storage.state.lock();
         if self.view.is_some() || state.blank.is_some() {
-            state.resolve(&ThreadPool::CALLER_ONLY);
+            return self.up_to_date(&mut state, &ThreadPool::CALLER_ONLY).completeness(sampler);
         }
         self.rows(&state).completeness(sampler)
     }
@@ -180,11 +187,29 @@ impl Stored {
         self.info(&self.storage.state.lock(), Subresource { face, slice: 0, level })
     }
 
+    /// Whether all texels are those that it was made with, without data: nothing was drawn to them, and nothing written.
+    /// A face that was drawn as it was, all zeros, cannot be told from one that was not: one level that differs is enough.
+    pub fn is_untouched(&self) -> bool {
+        let state = self.storage.state.lock();
+        let faces = 0..state.texels.shape().faces();
+        let mut levels = faces.flat_map(|face| {
+            let level = |level: usize| state.texels.level(face, level);
+            (0..MAX_LEVELS)
+                .filter_map(level)
+                .map(|level| level.texels.is_blank())
+                .collect::<Vec<_>>()
+        });
+        state.attached.is_none() && (state.blank.is_some() || levels.all(|is_blank| is_blank))
+    }
+
     /// Changes its texels. Draws that were recorded earlier keep what they saw.
     pub fn update<R>(&self, change: impl FnOnce(&mut Texels) -> R) -> R {
         let _float_env = FloatEnv::enter();
         let mut state = self.storage.state.lock();
-        state.resolve(&ThreadPool::CALLER_ONLY);
+        if state.resolve(&ThreadPool::CALLER_ONLY).is_err() {
+            // A level that has no memory is not there.
+            state.blank = None;
+        }
         state.attached = None;
         let result = match &self.view {
             Some(view) => view.update(&mut state, self.storage.version(), change),
@@ -192,6 +217,22 @@ impl Stored {
         };
         self.storage.changed();
         result
+    }
+
+    /// Takes the memory that an [`Stored::update`] of an attachment's level needs, which writes to it by
+    /// [`Texels::level_mut`].
+    ///
+    /// # Errors
+    /// If there is none; nothing has changed then.
+    pub fn prepare_update(&self, attachment: &Attachment) -> Result<(), ImageError> {
+        let _float_env = FloatEnv::enter();
+        let mut state = self.storage.state.lock();
+        state.resolve(&ThreadPool::CALLER_ONLY)?;
+        let Subresource { face, level, .. } = self.named(&state, attachment);
+        match &self.view {
+            Some(view) => view.prepare_update(&mut state, self.storage.version(), [face, level]),
+            None => state.texels.unshare(face, level),
+        }
     }
 
     /// Replaces its texels; `storage` says what they are for this number of samples.
@@ -204,23 +245,26 @@ impl Stored {
 
     /// What an attachment names with one sample a pixel, which several are resolved to: a level, and
     /// which slice of it ([`crate::driver::Device::resolved`]).
+    ///
+    /// # Errors
+    /// If it does not exist, or there is no memory for it.
     pub fn resolved_with(
         &self,
         attachment: &Attachment,
         context: StoreContext<'_>,
-    ) -> Option<(Arc<Level>, usize)> {
+    ) -> Result<(Arc<Level>, usize), ImageError> {
         let mut state = self.storage.state.lock();
         let at = self.named(&state, attachment);
         if state.storage == MultisampleStorage::Resolved {
-            state.resolve(context.thread_pool);
-            let level = Arc::clone(self.rows(&state).level(at.face, at.level)?);
-            return Some((level, at.slice));
+            state.resolve(context.thread_pool)?;
+            let rows = self.rows(&state);
+            let level = rows.level(at.face, at.level).ok_or_else(|| at.missing())?;
+            return Ok((Arc::clone(level), at.slice));
         }
-        let stored = self.stored(&state, attachment)?;
-        let surface = state.surface(stored)?;
-        let mut level = Level::new(surface.format, surface.width, surface.height).ok()?;
+        let surface = self.surface(&mut state, attachment)?;
+        let mut level = Level::new(surface.format, surface.width, surface.height)?;
         surface.store(&mut level, Slices::One(0), context);
-        Some((Arc::new(level), 0))
+        Ok((Arc::new(level), 0))
     }
 
     /// Writes a region of what an attachment names into the rows of a client ([`crate::driver::Device::read`]). The rows of the
@@ -241,27 +285,36 @@ impl Stored {
             return surface.read(span, rows, writer, context);
         }
         drop(state);
-        let Some((level, slice)) = self.resolved_with(attachment, context) else { return };
+        let Ok((level, slice)) = self.resolved_with(attachment, context) else { return };
         for (y, row) in (span.y as usize..).zip(rows) {
             writer.row(level.row_span([span.x as usize, y, slice], span.width as usize), row);
         }
     }
 
+    /// The surface of a slice: a copy of it, or made from its rows.
+    fn surface(&self, state: &mut State, attachment: &Attachment) -> Result<Surface, ImageError> {
+        let at = self.named(state, attachment);
+        let stored = self.stored(state, attachment).ok_or_else(|| at.missing())?;
+        state.surface(stored)?.ok_or_else(|| at.missing())
+    }
+
     /// The samples of what an attachment names, each a slice.
-    pub fn each_sample(&self, attachment: &Attachment) -> Option<Level> {
+    ///
+    /// # Errors
+    /// If it does not exist, or there is no memory for them.
+    pub fn each_sample(&self, attachment: &Attachment) -> Result<Level, ImageError> {
         let _float_env = FloatEnv::enter();
         let mut state = self.storage.state.lock();
-        let stored = self.stored(&state, attachment)?;
-        let surface = state.surface(stored)?;
+        let surface = self.surface(&mut state, attachment)?;
         let size = [surface.width, surface.height, surface.samples.into()];
-        let mut level = Level::with_size(surface.format, size, [0; 3]).ok()?;
+        let mut level = Level::with_size(surface.format, size, [0; 3])?;
         // Nothing is resolved.
         surface.store(
             &mut level,
             Slices::Each(0),
             StoreContext { isa: Isa::BASELINE, thread_pool: &ThreadPool::CALLER_ONLY },
         );
-        Some(level)
+        Ok(level)
     }
 
     /// Puts other samples in place of those of what an attachment names
@@ -304,7 +357,7 @@ impl Stored {
         if let Some(Blank { width, height, .. }) = state.blank {
             return Some(Surface::zeros(stored.format, width, height, stored.samples));
         }
-        state.resolve(&ThreadPool::CALLER_ONLY);
+        state.resolve(&ThreadPool::CALLER_ONLY).ok()?;
         state.attached = None;
         state.loaded(stored, thread_pool)
     }
@@ -312,9 +365,10 @@ impl Stored {
     /// Puts back what [`Stored::attach`] took, drawn to by a device of this instruction set.
     pub fn detach(&self, attachment: &Attachment, surface: Surface, isa: Isa) {
         let mut state = self.storage.state.lock();
-        // Another level of the same image may have been drawn to in the same pass.
+        // Another level of the same image may have been drawn to in the same pass. What is drawn last is kept where there
+        // is no memory for both.
         if state.attached.is_some() {
-            state.resolve(&ThreadPool::CALLER_ONLY);
+            let _ = state.resolve(&ThreadPool::CALLER_ONLY);
         }
         let at = self.named(&state, attachment);
         // Another context may have given the level another format or size meanwhile.

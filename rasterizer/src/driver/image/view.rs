@@ -11,7 +11,7 @@ use parking_lot::Mutex;
 use std::ops::Range;
 use std::sync::Arc;
 use texunit::format::Format;
-use texunit::image::{Image as Texels, Level, Shape};
+use texunit::image::{Image as Texels, ImageError, Level, Shape};
 
 /// What a view shows of an image.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -35,10 +35,12 @@ pub(super) struct View {
 }
 
 /// The texels of a view, as they were when its image had this version.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 struct Built {
     version: u64,
     texels: Option<Texels>,
+    /// The same, for the next update: nobody else reads the level that it writes to.
+    writable: Option<Texels>,
 }
 
 /// Layers of a level of the image, or slices of a volume.
@@ -56,7 +58,7 @@ struct SliceRun {
 
 impl View {
     pub fn new(desc: ViewDesc) -> Self {
-        Self { desc, built: Mutex::new(Built { version: 0, texels: None }) }
+        Self { desc, built: Mutex::new(Built::default()) }
     }
 
     /// The view of this view.
@@ -127,9 +129,9 @@ impl View {
             Some(texels) if built.version == version => texels.clone(),
             Some(_) | None => {
                 // What it kept is freed first.
-                built.texels = None;
+                *built = Built::default();
                 let texels = self.build(state);
-                *built = Built { version, texels: Some(texels.clone()) };
+                *built = Built { version, texels: Some(texels.clone()), writable: None };
                 texels
             }
         }
@@ -180,6 +182,29 @@ impl View {
         (is_all && level.format == self.desc.format).then_some(level)
     }
 
+    /// Takes the memory that an [`View::update`] of a level needs: a copy of it, and levels of the image that nobody else
+    /// reads.
+    pub fn prepare_update(
+        &self,
+        state: &mut State,
+        version: u64,
+        [face, level]: [usize; 2],
+    ) -> Result<(), ImageError> {
+        let mut texels = self.texels(state, version);
+        let Some(shown) = self.layers(state, face, level) else { return Ok(()) };
+        if self.shared(state, &shown).is_none() {
+            for run in shown.runs(state) {
+                state.texels.unshare(run.face, shown.level)?;
+            }
+        }
+        if texels.level(face, level).is_none() {
+            return Err(ImageError::Missing { face, level });
+        }
+        texels.unshare(face, level)?;
+        self.built.lock().writable = Some(texels);
+        Ok(())
+    }
+
     /// Changes the texels, and those of the image with them.
     pub fn update<R>(
         &self,
@@ -188,7 +213,8 @@ impl View {
         change: impl FnOnce(&mut Texels) -> R,
     ) -> R {
         let before = self.texels(state, version);
-        let mut after = before.clone();
+        let writable = self.built.lock().writable.take();
+        let mut after = writable.unwrap_or_else(|| before.clone());
         let result = change(&mut after);
         for level in 0..self.desc.levels.len() {
             for face in 0..self.desc.shape.faces() {
@@ -203,7 +229,7 @@ impl View {
             }
         }
         // They are made again when they are asked for, which shares what can be shared.
-        *self.built.lock() = Built { version: 0, texels: None };
+        *self.built.lock() = Built::default();
         result
     }
 
