@@ -68,6 +68,14 @@ pub(crate) enum Reader<'a> {
 }
 
 impl Reader<'_> {
+    /// Whether no other texture can be what is seen: of several that a program has, uniforms may choose one.
+    fn is_only_texture(self) -> bool {
+        match self {
+            Self::FixedFunction => true,
+            Self::Program(module, _) => module.textures.len() == 1,
+        }
+    }
+
     /// Whether any of its accesses is a fetch.
     fn fetches(self) -> bool {
         let Self::Program(module, slot) = self else { return false };
@@ -101,7 +109,9 @@ pub(crate) fn plan(
         sampler.srgb = SrgbRead::Decode;
     }
     warnings::textures::feedback_loop(context, (unit, target), &image, &sampler);
-    warnings::textures::without_texels(context, (unit, target), &image, &sampler);
+    if reader.is_only_texture() {
+        warnings::textures::without_texels(context, (unit, target), &image);
+    }
     let bound = &context.state.units.units[usize::from(unit)].bound[target as usize];
     let texture = context.objects.texture_mut(target, bound);
     let plan = texture.plan(&context.recorder.device, &sampler);

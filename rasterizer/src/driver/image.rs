@@ -172,10 +172,10 @@ impl Image {
         self.0.stored.read().level(face, level)
     }
 
-    /// Whether the texels of a level of a face, or of the face of a layer, are those that it was made with, without data:
-    /// nothing that was submitted has drawn to them, and nothing was written.
-    pub fn is_untouched(&self, face: u16, level: u8) -> bool {
-        self.0.stored.read().is_untouched(face, level)
+    /// Whether all texels are those that it was made with, without data: nothing that was submitted has drawn to them, and
+    /// nothing was written.
+    pub fn is_untouched(&self) -> bool {
+        self.0.stored.read().is_untouched()
     }
 
     /// Changes its texels. Draws that were recorded earlier keep what they saw.

@@ -134,7 +134,7 @@ pub(crate) fn read(context: &mut Context, from: &Attachment) {
     let read = context.state.bindings.read_framebuffer;
     if let Some(drawn) = context.recorder.picture.framebuffer
         && drawn != read
-        && from.image.is_untouched(from.face, from.level)
+        && from.image.is_untouched()
         && context.is_first_warning(DrawWarning::OtherFramebuffer, read)
     {
         context.debug.warn(format!(

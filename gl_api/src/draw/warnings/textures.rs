@@ -202,12 +202,10 @@ pub(crate) fn without_texels(
     context: &mut Context,
     (unit, target): (u8, TextureTarget),
     image: &Image,
-    sampler: &Sampler,
 ) {
     let bound = &context.state.units.units[usize::from(unit)].bound[target as usize];
     let texture = context.objects.texture(target, bound);
-    let level = u8::try_from(sampler.base_level).unwrap_or(u8::MAX);
-    if !texture.is_planned() && image.is_untouched(0, level) {
+    if !texture.is_planned() && image.is_untouched() {
         let name = bound.name();
         untouched(context, (unit, target), name);
     }

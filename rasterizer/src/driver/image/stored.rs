@@ -13,7 +13,7 @@ use std::num::NonZeroU64;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 use texunit::format::Format;
-use texunit::image::{Image as Texels, ImageError, Incomplete, Level, Levels, Shape};
+use texunit::image::{Image as Texels, ImageError, Incomplete, Level, Levels, MAX_LEVELS, Shape};
 use texunit::lanes::{FloatEnv, Isa};
 use texunit::sampler::Sampler;
 
@@ -187,14 +187,19 @@ impl Stored {
         self.info(&self.storage.state.lock(), Subresource { face, slice: 0, level })
     }
 
-    /// Whether the texels of a level of a face, or of the face of a layer, are those that it was made with, without data:
-    /// nothing was drawn to them, and nothing written.
-    pub fn is_untouched(&self, face: u16, level: u8) -> bool {
+    /// Whether all texels are those that it was made with, without data: nothing was drawn to them, and nothing written.
+    /// A face that was drawn as it was, all zeros, cannot be told from one that was not: one level that differs is enough.
+    pub fn is_untouched(&self) -> bool {
         let state = self.storage.state.lock();
-        let stored = self.stored(&state, self.named(&state, face, level));
-        let level = stored.and_then(|stored| state.texels.level(stored.at.face, stored.at.level));
-        state.attached.is_none()
-            && (state.blank.is_some() || level.is_some_and(|level| level.texels.is_blank()))
+        let faces = 0..state.texels.shape().faces();
+        let mut levels = faces.flat_map(|face| {
+            let level = |level: usize| state.texels.level(face, level);
+            (0..MAX_LEVELS)
+                .filter_map(level)
+                .map(|level| level.texels.is_blank())
+                .collect::<Vec<_>>()
+        });
+        state.attached.is_none() && (state.blank.is_some() || levels.all(|is_blank| is_blank))
     }
 
     /// Changes its texels. Draws that were recorded earlier keep what they saw.
