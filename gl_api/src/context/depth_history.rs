@@ -126,19 +126,7 @@ impl KnownStencil {
     /// Notes a draw with the stencil test. The stencil with which no fragment passes, if there is one.
     pub fn draw(&mut self, faces: [&StencilFace; 2]) -> Option<u8> {
         let stencil = self.0?;
-        let fails = |face: &StencilFace| {
-            let [reference, stored] = [face.reference, stencil].map(|value| value & face.read_mask);
-            !match face.test {
-                Compare::Never => false,
-                Compare::Less => reference < stored,
-                Compare::Equal => reference == stored,
-                Compare::LessEqual => reference <= stored,
-                Compare::Greater => reference > stored,
-                Compare::NotEqual => reference != stored,
-                Compare::GreaterEqual => reference >= stored,
-                Compare::Always => true,
-            }
-        };
+        let fails = |face: &StencilFace| !face.passes(stencil);
         let all_fail = faces.into_iter().all(fails);
         let writes = |face: &StencilFace| {
             let passes = [face.depth_fail, face.pass].iter().any(|op| *op != StencilOp::Keep);

@@ -48,6 +48,23 @@ pub struct StencilFace {
     pub pass: StencilOp,
 }
 
+impl StencilFace {
+    /// Whether fragments pass the test where this stencil is stored.
+    pub fn passes(&self, stored: u8) -> bool {
+        let [reference, stored] = [self.reference, stored].map(|value| value & self.read_mask);
+        match self.test {
+            Compare::Never => false,
+            Compare::Less => reference < stored,
+            Compare::Equal => reference == stored,
+            Compare::LessEqual => reference <= stored,
+            Compare::Greater => reference > stored,
+            Compare::NotEqual => reference != stored,
+            Compare::GreaterEqual => reference >= stored,
+            Compare::Always => true,
+        }
+    }
+}
+
 /// An operation on a stencil value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum StencilOp {

@@ -14,4 +14,4 @@ pub use color::{
 };
 pub use depth::{DepthPlan, DepthTest};
 pub use merge::{Fragments, Tests, store_samples, test, write_blocks, write_samples};
-pub use stencil::{BlockStencil, Reference, StencilPlan, StencilUpdate, passes};
+pub use stencil::{BlockStencil, Reference, StencilPlan, StencilUpdate};

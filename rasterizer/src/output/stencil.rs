@@ -65,22 +65,6 @@ pub enum BlockStencil {
     Stores(StencilFace, u32),
 }
 
-/// Whether all fragments of a face pass the test against this stencil.
-pub fn passes(face: &StencilFace, word: u32) -> bool {
-    let [reference, stored] =
-        [face.reference.into(), word].map(|word: u32| word & u32::from(face.read_mask));
-    match face.test {
-        Compare::Never => false,
-        Compare::Less => reference < stored,
-        Compare::Equal => reference == stored,
-        Compare::LessEqual => reference <= stored,
-        Compare::Greater => reference > stored,
-        Compare::NotEqual => reference != stored,
-        Compare::GreaterEqual => reference >= stored,
-        Compare::Always => true,
-    }
-}
-
 /// Whether any fragment of a face changes the stencil.
 fn writes(face: &StencilFace) -> bool {
     let ops = [face.fail, face.depth_fail, face.pass];

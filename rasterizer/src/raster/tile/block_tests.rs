@@ -5,7 +5,7 @@ use super::super::tile_planes::{PlaneStorage, TilePlane};
 use crate::attachment::{BLOCKS, WordPlane};
 use crate::desc::Facing;
 use crate::kernels::PixelKernel;
-use crate::output::{BlockStencil, DepthPlan, Reference, StencilUpdate, passes};
+use crate::output::{BlockStencil, DepthPlan, Reference, StencilUpdate};
 use crate::plan::{DrawPlan, Shading, TestTiming};
 use texunit::lanes::Isa;
 
@@ -70,7 +70,7 @@ impl BlockTests {
     ) {
         if let (Some(BlockStencil::Compares(face)), [_, stencils]) = (self.stencil, &*planes) {
             let fails = |block: &usize| {
-                stencils.uniform_word(*block).is_some_and(|word| !passes(&face, word))
+                stencils.uniform_word(*block).is_some_and(|word| !face.passes(word as u8))
             };
             bits(blocks).filter(fails).for_each(|block| covered[block] = 0);
         }
