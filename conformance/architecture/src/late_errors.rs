@@ -131,7 +131,7 @@ impl Flow {
         }
     }
 
-    /// Names for what an expression leads to: what lies in a variable of the function's own is its own.
+    /// Notes the variables that a pattern binds to an expression: to assign to a field of a local variable is local, too.
     fn binds(&mut self, pattern: &syn::Pat, to: &syn::Expr) {
         if root_of_place(to, Reach::Variable).is_some_and(|root| self.own.contains(&root)) {
             self.own.extend(names(pattern));
@@ -155,10 +155,10 @@ impl Flow {
     }
 }
 
-/// What lies between a place and its variable.
+/// Whether an assigned place is a variable itself or lies inside it.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Reach {
-    /// Nothing: the variable itself.
+    /// The variable itself.
     Variable,
     /// A field, an element, or a reference.
     Inside,

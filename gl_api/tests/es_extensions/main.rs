@@ -13,7 +13,7 @@ mod textures;
 use gl_api::*;
 use shading::use_program;
 
-/// The name without `GL_`, and a use, which checks what comes of it.
+/// The name of an extension without `GL_`, and a function that uses it and checks the result.
 type Use = (&'static str, fn(&mut Context));
 
 /// Those that other tests use: the name without `GL_`, the file below `tests` or `capi/tests`, and the test.

@@ -67,7 +67,7 @@ const MISTAKES: &[Mistake] = &[
         "draw: the fragment stage of program 1 discards every fragment, whatever its inputs are",
     ),
     (
-        "every fragment is discarded, one way or the other",
+        "every fragment is discarded, in both branches",
         |c| {
             let fragment = "#version 120\nuniform float u; varying vec2 uv;\n\
                 void main() { if (uv.x > u) discard; else discard; gl_FragColor = vec4(1.0); }";
